@@ -1,0 +1,126 @@
+// Chapter 1: one row. What distance.cpp has to provide. Read the text first: README.md beside it.
+// There is nothing to edit here.
+#pragma once
+
+#include <vector>
+
+#include "engine/matrix.h"
+#include "engine/todo.h"
+
+/// \defgroup chapter1 Chapter 1: distance
+/// \brief One row: rod, rope, the impulse of a row and the step of a whole simulation.
+/// @{
+namespace joints {
+
+/// The unit vector along u, or the zero vector where u has no direction: such a row does nothing.
+inline vec3 direction(const vec3& u) {
+  const real size = length(u);
+  return size > 0 ? u / size : vec3(0);
+}
+
+/// A rod of fixed length between the centres of two bodies. Removes one degree of freedom.
+///
+/// C = |x2 - x1| - length [m]; J = (-n, 0, n, 0), n = (x2 - x1)/|x2 - x1|, exact wherever the
+/// centres differ; K = 1/m1 + 1/m2 [1/kg]. Centres that coincide: J = 0, no impulse.
+/// Source: thesis, section 3.7.1, with its effective mass corrected (erratum E19).
+struct CentreDistance {
+  real length = 1;  ///< of the rod [m]
+
+  static constexpr int rows = 1;
+  static constexpr bool one_sided = false;
+  /// C, the error [m]: positive when the rod is too long.
+  real error(const Body& body1, const Body& body2) const {
+    return glm::length(body2.x - body1.x) - length;  // Eq. 1-1
+  }
+  Row jacobian(const Body& body1, const Body& body2) const;  ///< exercise 1.1
+  real K(const Body& body1, const Body& body2) const;        ///< exercise 1.2 [1/kg]
+};
+
+/// A rod between any point of one body and any point of another. Removes one degree of freedom.
+///
+/// u = p2 - p1, n = u/|u|, C = |u| - length [m]; J = (-n, -(r1 x n), n, r2 x n), exact wherever
+/// |u| > 0; K = 1/m1 + 1/m2 + (r1 x n).I1^-1 (r1 x n) + (r2 x n).I2^-1 (r2 x n) [1/kg].
+/// Points that coincide: J = 0, no impulse. Source: Garstenauer 2006, section 5.2.
+struct Distance {
+  vec3 anchor1_local{0};  ///< its end on body 1 [m], from the centre, body space
+  vec3 anchor2_local{0};  ///< its end on body 2 [m], from the centre, body space
+  real length = 1;        ///< of the rod [m]
+
+  static constexpr int rows = 1;
+  static constexpr bool one_sided = false;
+  /// C, the error [m]: positive when the rod is too long.
+  real error(const Body& body1, const Body& body2) const {
+    const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
+    return glm::length(u) - length;  // Eq. 1-13
+  }
+  Row jacobian(const Body& body1, const Body& body2) const;  ///< exercise 1.6
+  real K(const Body& body1, const Body& body2) const;        ///< exercise 1.6 [1/kg]
+};
+
+/// A rope: a rod that cannot push. C >= 0 is the slack, so it is the rod with its sign turned.
+///
+/// C = length - |u| [m]; J is the rod's with its sign turned, K the rod's; the sum of its impulses
+/// over the sweeps of a step must not become negative (exercise 1.5).
+template <class Rod>
+struct Rope {
+  Rod rod;  ///< the rod that it is when taut
+
+  static constexpr int rows = 1;
+  static constexpr bool one_sided = true;
+  /// C, the slack [m]: negative when the rope is too long.
+  real error(const Body& body1, const Body& body2) const { return -rod.error(body1, body2); }
+  Row jacobian(const Body& body1, const Body& body2) const {
+    const Row J = rod.jacobian(body1, body2);
+    return {-J.v1, -J.w1, -J.v2, -J.w2};
+  }
+  real K(const Body& body1, const Body& body2) const { return rod.K(body1, body2); }
+};
+
+/// Exercise 1.3, first half: the impulse that makes the row true.
+/// \param J the row \param K its J M^-1 J^T [1/kg], not negative
+/// \param bias what must be added to J V to make zero [m/s]
+/// \return lambda [N s] such that J V + bias = 0 after apply_impulse; 0 where K is 0
+real row_impulse(const Row& J, real K, real bias, const Body& body1, const Body& body2);
+
+/// Exercise 1.3, second half: V += M^-1 J^T lambda. \param lambda [N s]
+void apply_impulse(const Row& J, real lambda, Body& body1, Body& body2);
+
+/// Exercise 1.5: how much of `dlambda` a rope may really apply.
+/// \param dlambda what the row asks for in this sweep [N s]
+/// \param sum what the rope has applied in this step so far [N s], brought up to date here
+/// \return the part of dlambda that keeps the sum from becoming negative [N s]
+real clamp_sum(real dlambda, real& sum);
+
+/// A rod or a rope between the centres of two bodies of an array.
+struct Link {
+  int body1 = 0, body2 = 1;  ///< places in the array
+  real length = 1;           ///< [m]
+  bool rope = false;         ///< only pulls
+};
+
+/// What stays the same of a link while the sweeps go on.
+struct LinkRow {
+  Row J;          ///< the row
+  real K = 0;     ///< J M^-1 J^T [1/kg]
+  real bias = 0;  ///< error fed back [m/s]
+  real sum = 0;   ///< impulse so far in this step [N s]
+};
+
+/// What step() is told.
+struct StepSettings {
+  vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
+  real h = real(1) / 60;            ///< length of a step [s]
+  int iterations = 30;              ///< sweeps over all links
+  real beta = real(0.2);            ///< share of the error fed back in a step [1] (chapter 6)
+};
+
+/// Given: the row of a link at the bodies' present places.
+LinkRow set_up(const Link& link, const std::vector<Body>& bodies, const StepSettings& settings);
+
+/// Exercise 1.4: one step of the whole simulation, Algorithm 1 of the thesis.
+/// Forces, rows, sweeps, places. Orientations are left alone: nothing here turns a body.
+void step(std::vector<Body>& bodies, const std::vector<Link>& links,
+          const StepSettings& settings);
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,79 @@
+// A block: up to six rows that are solved together, as plain data. All that a solver ever sees.
+#pragma once
+
+#include <vector>
+
+#include "engine/matrix.h"
+
+/// \addtogroup rows
+/// @{
+namespace joints {
+
+/// What is asked of a block, apart from its geometry. An aggregate: name only what you need, as in
+/// `Demand{.beta = real(0.2), .lower = 0}`.
+struct Demand {
+  real beta = 0;       ///< share of the error C that is removed in one step [1]
+  real frequency = 0;  ///< soft instead of beta: natural frequency [Hz]; 0 means not soft
+  real damping = 1;    ///< soft: damping ratio [1]
+  real target = 0;     ///< wanted rate of the last row [unit of C per s]: the speed of a motor
+  real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
+  real upper = unbounded;   ///< greatest force of the last row [N or N m]
+};
+
+/// Which half of the bodies' velocities a block touches.
+enum class Touches { linear, angular, both };
+
+/// One block. Its rows, errors and matrix stand in the flat arrays of Blocks, from `first` on.
+/// Bounds belong to the last row; the other rows are equalities.
+struct Block {
+  int body1 = 0, body2 = 0;          ///< slots of the two bodies
+  int rows = 0;                      ///< 1 to 6
+  int first = 0;                     ///< where its rows begin in Blocks::J and Blocks::C
+  int first_K = 0;                   ///< where its rows x rows numbers begin in Blocks::K
+  Touches touches = Touches::both;   ///< what the inner loop may leave out
+  Demand demand;                     ///< what is asked of it
+  real* impulse = nullptr;           ///< the accumulated impulses [N s or N m s], in the joint
+};
+
+/// The blocks of one step: a list of headers and three flat arrays.
+class Blocks {
+ public:
+  std::vector<Block> list;
+  std::vector<Row> J;   ///< Jacobian, a row each
+  std::vector<real> C;  ///< error, a number each row [m or rad]
+  std::vector<real> K;  ///< J M^-1 J^T, rows x rows numbers a block [1/kg or 1/(kg m^2)]
+
+  void clear();
+  /// Makes room, so that appending as many rows does not allocate.
+  void reserve(int rows);
+
+  /// Appends the rows of a part between two bodies, as they stand now.
+  /// Two static bodies cannot be moved: nothing is appended for them.
+  /// \param part any type with error(), jacobian() and K() of two bodies
+  /// \param impulse where its accumulated impulses live (one number a row), kept by the joint
+  template <class Part>
+  void append(const Bodies& bodies, BodyId id1, BodyId id2, const Part& part,
+              const Demand& demand, real* impulse) {
+    const int slot1 = bodies.index(id1), slot2 = bodies.index(id2);
+    const Body &body1 = bodies.at(slot1), &body2 = bodies.at(slot2);
+    if (body1.is_static() && body2.is_static()) return;
+    append(slot1, slot2, to_jacobian(part.jacobian(body1, body2)),
+           to_vector(part.error(body1, body2)), to_matrix(part.K(body1, body2)), demand, impulse);
+  }
+
+  /// The same from the numbers themselves.
+  template <int N>
+  void append(int slot1, int slot2, const Jacobian<N>& J_block, const Vector<N>& C_block,
+              const Matrix<N>& K_block, const Demand& demand, real* impulse) {
+    static_assert(N >= 1 && N <= 6, "a block has one to six rows");
+    append(slot1, slot2, N, J_block.row.data(), C_block.data(), K_block.m[0].data(), demand,
+           impulse);
+  }
+
+ private:
+  void append(int slot1, int slot2, int rows, const Row* rows_J, const real* rows_C,
+              const real* rows_K, const Demand& demand, real* impulse);
+};
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,128 @@
+// How bodies are made and how they move when no joint holds them.
+#include "engine/body.h"
+
+#include <stdexcept>
+
+namespace joints {
+
+void refuse(const std::string& what) { throw std::invalid_argument(what); }
+
+mat3 inverse_inertia(const Body& body) {
+  const vec3& inverse = body.inverse_inertia_local;
+  if (body.is_isotropic()) return mat3(inverse.x);
+  const mat3 R = mat3_cast(body.q);
+  return mat3(R[0] * inverse.x, R[1] * inverse.y, R[2] * inverse.z) * transpose(R);
+}
+
+Body static_body(const vec3& x, const quat& q) {
+  require(finite(x), "x: the place of a body must be finite");
+  require(finite(q) && length(q) > 0, "q: an orientation must be finite and not zero");
+  Body body;
+  body.x = x;
+  body.q = normalize(q);
+  return body;
+}
+
+Body body_with(real mass, const vec3& inertia_local, const vec3& x, const quat& q) {
+  require(finite(mass) && mass > 0, "mass: must be positive and finite [kg]");
+  require(finite(inertia_local) && inertia_local.x > 0 && inertia_local.y > 0 &&
+              inertia_local.z > 0,
+          "inertia: the three moments must be positive and finite [kg m^2]");
+  Body body = static_body(x, q);
+  body.inverse_mass = 1 / mass;
+  body.inverse_inertia_local = real(1) / inertia_local;
+  return body;
+}
+
+Body box(real mass, const vec3& size, const vec3& x, const quat& q) {
+  require(finite(size) && size.x > 0 && size.y > 0 && size.z > 0,
+          "size: the edges of a box must be positive and finite [m]");
+  const vec3 s = size * size;
+  return body_with(mass, mass / 12 * vec3(s.y + s.z, s.z + s.x, s.x + s.y), x, q);
+}
+
+Body ball(real mass, real radius, const vec3& x) {
+  require(finite(radius) && radius > 0, "radius: must be positive and finite [m]");
+  return body_with(mass, vec3(real(0.4) * mass * radius * radius), x);
+}
+
+quat rotation(const vec3& phi) {
+  const real angle = length(phi);
+  const real half = angle / 2;
+  // sin(a/2)/a; below this angle its series 1/2 - a^2/48 is exact to the last bit
+  const real scale = angle < real(1e-4) ? real(0.5) - angle * angle / 48 : std::sin(half) / angle;
+  return quat(std::cos(half), scale * phi.x, scale * phi.y, scale * phi.z);
+}
+
+vec3 gyroscopic_midpoint(const vec3& inertia, const vec3& w, real h) {
+  const mat3 I(inertia.x, 0, 0, 0, inertia.y, 0, 0, 0, inertia.z);
+  vec3 next = w;
+  for (int newton = 0; newton < 3; ++newton) {
+    const vec3 middle = (w + next) / real(2);
+    const vec3 momentum = inertia * middle;
+    const vec3 f = inertia * (next - w) + h * cross(middle, momentum);
+    const mat3 slope = I + (h / 2) * (skew(middle) * I - skew(momentum));
+    next -= inverse(slope) * f;
+  }
+  return next;
+}
+
+void integrate_forces(Body& body, const vec3& gravity, real h) {
+  if (body.is_static()) return;
+  body.v += h * (gravity + body.inverse_mass * body.force);
+  if (body.torque != vec3(0)) body.w += h * (inverse_inertia(body) * body.torque);
+  if (!body.is_isotropic() && body.w != vec3(0)) {
+    const vec3 inertia = real(1) / body.inverse_inertia_local;
+    body.w = to_world(body, gyroscopic_midpoint(inertia, to_local(body, body.w), h));
+  }
+}
+
+void integrate_pose(Body& body, real h) {
+  if (body.is_static()) return;
+  body.x += h * body.v;
+  if (body.w != vec3(0)) body.q = normalize(rotation(h * body.w) * body.q);
+}
+
+BodyId Bodies::add(const Body& body) {
+  require(finite(body.x) && finite(body.v) && finite(body.w) && finite(body.force) &&
+              finite(body.torque),
+          "body: place, velocities, force and torque must be finite");
+  require(finite(body.q) && std::abs(dot(body.q, body.q) - 1) < real(1e-3),
+          "body: the orientation must be a unit quaternion");
+  const vec3& inertia = body.inverse_inertia_local;
+  require(finite(body.inverse_mass) && body.inverse_mass >= 0 && finite(inertia) &&
+              inertia.x >= 0 && inertia.y >= 0 && inertia.z >= 0,
+          "body: inverse mass and inverse inertia must be finite and not negative");
+  const bool turns = inertia.x > 0 && inertia.y > 0 && inertia.z > 0;
+  require(body.inverse_mass > 0 ? turns : inertia == vec3(0),
+          "body: inverse mass and inverse inertia must all be zero (static) or all positive");
+  if (free_.empty()) {
+    bodies_.push_back(body);
+    generation_.push_back(1);
+    free_.reserve(bodies_.capacity());
+    return {std::uint32_t(slots() - 1), 1};
+  }
+  const std::uint32_t slot = free_.back();
+  free_.pop_back();
+  bodies_[slot] = body;
+  return {slot, ++generation_[slot]};
+}
+
+void Bodies::remove(BodyId id) {
+  const int slot = index(id);
+  bodies_[slot] = Body{};
+  ++generation_[slot];
+  free_.push_back(id.slot);
+}
+
+bool Bodies::alive(BodyId id) const {
+  return id.slot < generation_.size() && generation_[id.slot] == id.generation &&
+         id.generation % 2 == 1;
+}
+
+int Bodies::index(BodyId id) const {
+  require(alive(id), "body: this id names no body of this world (removed, or never added)");
+  return int(id.slot);
+}
+
+}  // namespace joints

@@ -1,0 +1,107 @@
+// A rigid body: its state, and how it moves when no joint holds it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/real.h"
+
+/// \defgroup bodies Bodies
+/// \brief State, mass and free motion of rigid bodies, and the array in which they stand.
+/// @{
+namespace joints {
+
+/// A rigid body. Position and velocities are in world space, inertia in the body's own axes.
+/// A body that never moves (static) has both inverses exactly zero.
+struct Body {
+  vec3 x{0};                      ///< centre of mass [m], world
+  quat q{1, 0, 0, 0};             ///< orientation, body space to world, unit length
+  vec3 v{0};                      ///< velocity of the centre [m/s], world
+  vec3 w{0};                      ///< angular velocity [rad/s], world
+  real inverse_mass = 0;          ///< [1/kg]; 0 for a static body
+  vec3 inverse_inertia_local{0};  ///< inverse principal moments [1/(kg m^2)], body space
+  vec3 force{0};                  ///< external force at the centre [N], world; stays until changed
+  vec3 torque{0};                 ///< external torque [N m], world; stays until changed
+
+  /// True when nothing can move this body.
+  bool is_static() const { return inverse_mass == 0; }
+  /// True when all three principal moments are equal, so that turning the body changes nothing.
+  bool is_isotropic() const {
+    return inverse_inertia_local.x == inverse_inertia_local.y &&
+           inverse_inertia_local.y == inverse_inertia_local.z;
+  }
+};
+
+/// A direction or lever of the body, turned into world space: R(q) local.
+inline vec3 to_world(const Body& body, const vec3& local) { return body.q * local; }
+/// The same the other way round.
+inline vec3 to_local(const Body& body, const vec3& world) { return conjugate(body.q) * world; }
+/// Where the point with lever `local` of this body stands in the world [m].
+inline vec3 world_point(const Body& body, const vec3& local) { return body.x + body.q * local; }
+/// Velocity [m/s] of the point of the body at lever `r` [m, world] from its centre.
+inline vec3 point_velocity(const Body& body, const vec3& r) { return body.v + cross(body.w, r); }
+
+/// The inverse inertia in world axes, R I_local^-1 R^T [1/(kg m^2)].
+mat3 inverse_inertia(const Body& body);
+
+/// A body that never moves. \param x its place [m] \param q its orientation (normalised here)
+Body static_body(const vec3& x, const quat& q = quat(1, 0, 0, 0));
+/// A solid box of uniform density. \param mass [kg] \param size its three edges [m]
+/// \throws std::invalid_argument unless mass and edges are positive and finite, x and q finite
+Body box(real mass, const vec3& size, const vec3& x, const quat& q = quat(1, 0, 0, 0));
+/// A solid ball of uniform density. \param mass [kg] \param radius [m]
+/// \throws std::invalid_argument unless mass and radius are positive and finite
+Body ball(real mass, real radius, const vec3& x);
+/// A body with the given principal moments of inertia [kg m^2].
+/// \throws std::invalid_argument unless mass and moments are positive and finite
+Body body_with(real mass, const vec3& inertia_local, const vec3& x,
+               const quat& q = quat(1, 0, 0, 0));
+
+/// The rotation by the vector `phi` [rad, world]: the exponential map.
+/// exp(phi) = (cos |phi|/2, sin(|phi|/2) phi/|phi|), good down to |phi| = 0.
+quat rotation(const vec3& phi);
+
+/// First half of a step: gravity, external force and torque, and the gyroscopic torque change the
+/// velocities. \param gravity [m/s^2] \param h step [s]
+void integrate_forces(Body& body, const vec3& gravity, real h);
+/// Last half of a step: the velocities change place and orientation. \param h step [s]
+void integrate_pose(Body& body, real h);
+/// The angular velocity after a torque-free step of length h: implicit midpoint rule in the
+/// body's axes, which keeps the energy w.(I w)/2 exactly. \return new angular velocity, body space
+/// \param inertia principal moments [kg m^2] \param w angular velocity now [rad/s, body space]
+vec3 gyroscopic_midpoint(const vec3& inertia, const vec3& w, real h);
+
+/// Names a body for as long as it lives: a slot of the array, and which tenant of that slot.
+struct BodyId {
+  std::uint32_t slot = 0;        ///< place in the array
+  std::uint32_t generation = 0;  ///< 0 names no body
+  bool operator==(const BodyId&) const = default;
+};
+
+/// All bodies of a world in one contiguous array. A removed slot is given to the next body that is
+/// added; ids that named the old tenant are refused from then on.
+class Bodies {
+ public:
+  BodyId add(const Body& body);  ///< \throws std::invalid_argument for a body that is not finite
+  void remove(BodyId id);        ///< \throws std::invalid_argument for a stale id
+  bool alive(BodyId id) const;   ///< does this id still name a body?
+  int index(BodyId id) const;    ///< the slot; \throws std::invalid_argument for a stale id
+
+  Body& operator[](BodyId id) { return bodies_[index(id)]; }
+  const Body& operator[](BodyId id) const { return bodies_[index(id)]; }
+
+  int slots() const { return int(bodies_.size()); }  ///< length of the array, empty slots included
+  bool used(int slot) const { return generation_[slot] % 2 == 1; }  ///< does a body live there?
+  Body& at(int slot) { return bodies_[slot]; }       ///< by slot; an empty slot is a static body
+  const Body& at(int slot) const { return bodies_[slot]; }
+  Body* data() { return bodies_.data(); }  ///< the array itself, for solvers
+  int size() const { return slots() - int(free_.size()); }  ///< how many bodies live
+
+ private:
+  std::vector<Body> bodies_;
+  std::vector<std::uint32_t> generation_;  // odd while a body lives in the slot
+  std::vector<std::uint32_t> free_;
+};
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,42 @@
+// What every joint is: a recipe that turns two bodies into blocks, once a step.
+#pragma once
+
+#include "engine/block.h"
+
+/// \defgroup joint Joints
+/// \brief What the engine asks of a joint; the joints themselves are the chapters'.
+/// @{
+namespace joints {
+
+/// A recipe for blocks. The solver asks once a step, never in its inner loop.
+/// A new kind of joint is one new class in one new file; nothing else has to know it.
+class Joint {
+ public:
+  BodyId body1, body2;
+  real beta = real(0.2);  ///< share of the error fed back in a step [1] (chapter 6)
+
+  /// \throws std::invalid_argument for a joint of a body with itself
+  Joint(BodyId body1, BodyId body2) : body1(body1), body2(body2) {
+    require(!(body1 == body2), "body2: a joint needs two different bodies");
+  }
+  virtual ~Joint() = default;
+
+  /// Called once before the blocks are asked for; may change the joint (count turns, choose the
+  /// live rows, zero the impulse of a row that died). \param h step [s]
+  virtual void begin_step(const Bodies& bodies, real h);
+  /// Appends the live blocks at the bodies' present poses. Has no side effect, so that it may be
+  /// asked again at other poses.
+  virtual void append(const Bodies& bodies, Blocks& blocks) const = 0;
+  /// Called after the sweeps; appends the blocks of limits that turn out to be needed after all.
+  virtual void second_look(const Bodies& bodies, real h, Blocks& blocks);
+  /// The most rows that append and second_look can ever give together.
+  virtual int most_rows() const = 0;
+  /// How many limits and motors the joint has, live or idle, for the plan line.
+  struct Extras {
+    int limits = 0, live_limits = 0, motors = 0;
+  };
+  virtual Extras extras() const;
+};
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,78 @@
+// Rows of a Jacobian, and the small symmetric matrices that come from them (1 to 6 rows).
+#pragma once
+
+#include <array>
+
+#include "engine/body.h"
+
+/// \defgroup rows Rows and blocks
+/// \brief The Jacobian's rows, the matrix K, and the block: everything a solver ever sees.
+/// @{
+namespace joints {
+
+/// One row of a Jacobian: four 3-vectors, the factors of v1, w1, v2 and w2 in dC/dt.
+struct Row {
+  vec3 v1{0};  ///< factor of the velocity of body 1's centre
+  vec3 w1{0};  ///< factor of the angular velocity of body 1
+  vec3 v2{0};  ///< factor of the velocity of body 2's centre
+  vec3 w2{0};  ///< factor of the angular velocity of body 2
+};
+
+/// A column of N numbers.
+template <int N>
+using Vector = std::array<real, N>;
+
+/// An N x N matrix: m[row][column].
+template <int N>
+struct Matrix {
+  std::array<std::array<real, N>, N> m{};
+  std::array<real, N>& operator[](int row) { return m[row]; }
+  const std::array<real, N>& operator[](int row) const { return m[row]; }
+};
+
+/// A Jacobian of N rows.
+template <int N>
+struct Jacobian {
+  std::array<Row, N> row{};
+  Row& operator[](int i) { return row[i]; }
+  const Row& operator[](int i) const { return row[i]; }
+};
+
+/// Three rows written as the four 3x3 blocks of the formula: J = ( v1  w1  v2  w2 ).
+inline Jacobian<3> jacobian_from_blocks(const mat3& v1, const mat3& w1, const mat3& v2,
+                                        const mat3& w2) {
+  const mat3 a = transpose(v1), b = transpose(w1), c = transpose(v2), d = transpose(w2);
+  Jacobian<3> J;
+  for (int i = 0; i < 3; ++i) J[i] = {a[i], b[i], c[i], d[i]};  // a column of a^T is a row of a
+  return J;
+}
+
+// A part may give its numbers as the type that reads best; these make one kind of them.
+inline Vector<1> to_vector(real a) { return {a}; }
+inline Vector<3> to_vector(const vec3& a) { return {a.x, a.y, a.z}; }
+template <int N>
+const Vector<N>& to_vector(const Vector<N>& a) { return a; }
+inline Matrix<1> to_matrix(real a) { return {{{{a}}}}; }
+inline Matrix<3> to_matrix(const mat3& a) {
+  return {{{{a[0][0], a[1][0], a[2][0]}, {a[0][1], a[1][1], a[2][1]}, {a[0][2], a[1][2], a[2][2]}}}};
+}
+template <int N>
+const Matrix<N>& to_matrix(const Matrix<N>& a) { return a; }
+inline Jacobian<1> to_jacobian(const Row& row) { return {{row}}; }
+template <int N>
+const Jacobian<N>& to_jacobian(const Jacobian<N>& J) { return J; }
+
+/// J V for one row: the rate [unit of C per s] at which the bodies' velocities change C.
+inline real row_velocity(const Row& row, const Body& body1, const Body& body2) {
+  return dot(row.v1, body1.v) + dot(row.w1, body1.w) + dot(row.v2, body2.v) +
+         dot(row.w2, body2.w);
+}
+
+/// Inverts a symmetric positive matrix of n x n numbers (n at most 6) in place.
+/// A pivot at most epsilon(real) times its own original diagonal entry belongs to a row that
+/// depends on the others: its row and column of the inverse become zero, so that it gets no
+/// impulse. No other threshold: masses and lengths may have any size.
+void invert_symmetric(real* K, int n);
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,37 @@
+// The shortest joint there is: one part, one block. The recipe for balls, rods and ropes.
+#pragma once
+
+#include "engine/joint.h"
+
+/// \addtogroup joint
+/// @{
+namespace joints {
+
+/// A joint of a single part. A part brings
+///  - `static constexpr int rows`, 1 to 6,
+///  - `static constexpr bool one_sided`: C >= 0 and an impulse that only pushes C up (last row),
+///  - `error`, `jacobian` and `K`, const functions of two bodies,
+///  - a free function `check(const Part&)` that refuses geometry without sense.
+template <class Part>
+class PartJoint : public Joint {
+ public:
+  Part part;  ///< the geometry; may be changed between steps
+
+  /// \throws std::invalid_argument for a joint of a body with itself, or by the part's check
+  PartJoint(BodyId body1, BodyId body2, const Part& part) : Joint(body1, body2), part(part) {
+    check(part);
+  }
+  void append(const Bodies& bodies, Blocks& blocks) const override {
+    const real lower = Part::one_sided ? real(0) : -unbounded;
+    blocks.append(bodies, body1, body2, part, {.beta = beta, .lower = lower}, impulse_.data());
+  }
+  int most_rows() const override { return Part::rows; }
+  /// The impulse of each row in the last step [N s, or N m s for an angular row].
+  const Vector<Part::rows>& impulse() const { return impulse_; }
+
+ private:
+  mutable Vector<Part::rows> impulse_{};  // written by the solver through the block
+};
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,58 @@
+// The number type, the small vectors and the one function that refuses bad input.
+// Read it; there is nothing to edit here.
+#pragma once
+
+#include <cmath>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <string>
+
+#ifndef REAL
+#define REAL double
+#endif
+
+/// \defgroup numbers Numbers and vectors
+/// \brief The scalar of the whole workbook, and GLM's small vectors made of it.
+/// @{
+
+/// Everything of the workbook lives here.
+namespace joints {
+
+/// The scalar type of the whole workbook. Every target is built twice: with `REAL=double` and,
+/// under a name that ends in `_float`, with `REAL=float`.
+using real = REAL;
+
+using vec3 = glm::vec<3, real, glm::defaultp>;     ///< a column of three numbers
+using mat3 = glm::mat<3, 3, real, glm::defaultp>;  ///< 3x3, stored by columns: M[column][row]
+using quat = glm::qua<real, glm::defaultp>;        ///< (w, x, y, z), turns body space into world
+
+/// The gap between 1 and the next number that `real` can hold.
+inline constexpr real epsilon = std::numeric_limits<real>::epsilon();
+/// A bound that never binds.
+inline constexpr real unbounded = std::numeric_limits<real>::infinity();
+
+/// The matrix of a cross product: skew(r) x = r x x; its transpose is its negative.
+inline mat3 skew(const vec3& r) {
+  return mat3(0, r.z, -r.y, -r.z, 0, r.x, r.y, -r.x, 0);  // column by column
+}
+
+/// True when every entry is an ordinary number: neither infinite nor NaN.
+inline bool finite(real a) { return std::isfinite(a); }
+inline bool finite(const vec3& a) { return finite(a.x) && finite(a.y) && finite(a.z); }
+inline bool finite(const quat& q) {
+  return finite(q.w) && finite(q.x) && finite(q.y) && finite(q.z);
+}
+
+/// Refuses bad input. Everything in the engine and the joints that throws goes through here.
+/// \param what one sentence that names the argument and says what it should be
+/// \throws std::invalid_argument always
+[[noreturn]] void refuse(const std::string& what);
+
+/// Calls refuse(what) unless `good`.
+inline void require(bool good, const char* what) {
+  if (!good) refuse(what);
+}
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,67 @@
+// Recording: tables as CSV, and a motion that a page can play. The engine does not include it.
+#pragma once
+
+#include <array>
+#include <fstream>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "engine/body.h"
+
+/// \addtogroup measuring
+/// @{
+namespace joints {
+
+/// A table on disk: a header line, then one line a row. Figures are drawn from these.
+class CsvFile {
+ public:
+  /// \param path made together with its folder \throws std::invalid_argument if it cannot be made
+  CsvFile(const std::string& path, std::initializer_list<const char*> columns);
+  /// One row of numbers. \throws std::invalid_argument unless there is one for each column
+  void row(std::initializer_list<double> numbers);
+  /// One row that begins with words. Together they must fill the columns.
+  void row(std::initializer_list<std::string> words, std::initializer_list<double> numbers);
+
+ private:
+  std::ofstream file_;
+  std::string path_;
+  std::size_t columns_;
+};
+
+/// How a body looks.
+struct Shape {
+  std::string kind = "box";                ///< "box" or "ball"
+  std::array<double, 3> size{1, 1, 1};     ///< edges [m]; a ball's diameter in all three
+};
+/// A line drawn from a point of one body to a point of another: rods, ropes, joints.
+struct Line {
+  int body1 = 0, body2 = 0;                             ///< places in the array
+  std::array<double, 3> anchor1{}, anchor2{};           ///< [m, body space]
+};
+
+/// A recorded run: shapes once, then a pose of every body for each frame. Written as JSON, which
+/// tools/motion.py puts into a page that plays it.
+class Motion {
+ public:
+  /// \param title shown on the page \param h time between two calls of frame() [s]
+  /// \param every keep one frame of so many
+  Motion(std::string title, double h, int every = 2);
+  void body(const Shape& shape);  ///< the next body of the array
+  void line(const Line& line);
+  /// Remembers the poses of the first n bodies, n = how many shapes there are.
+  void frame(const Body* bodies);
+  /// \throws std::invalid_argument if the file cannot be made
+  void write(const std::string& path) const;
+
+ private:
+  std::string title_;
+  double h_;
+  int every_, calls_ = 0;
+  std::vector<Shape> shapes_;
+  std::vector<Line> lines_;
+  std::vector<float> poses_;  // 7 numbers a body and frame
+};
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,83 @@
+// Sequential Impulses (Catto 2006; Algorithm 1 of the thesis): the engine's own solver.
+#pragma once
+
+#include <random>
+
+#include "engine/world.h"
+
+/// \addtogroup world
+/// @{
+namespace joints {
+
+/// In which order the blocks are solved in a sweep.
+enum class Order {
+  forward,      ///< as the joints were added
+  backward,     ///< the other way round
+  alternating,  ///< forward in every even sweep, backward in every odd one
+  shuffled      ///< drawn anew for every sweep from Settings::seed
+};
+
+/// Sequential Impulses: forces, then sweeps over all blocks, each solved exactly while the others
+/// wait, then the new velocities move the bodies. One object serves one world.
+/// Source: Catto, "Fast and Simple Physics using Sequential Impulses", GDC 2006.
+class SequentialImpulses {
+ public:
+  int iterations = 30;         ///< sweeps a step
+  bool warm_start = false;     ///< begin with the impulses of the last step
+  Order order = Order::forward;
+  unsigned seed = 1;           ///< of the shuffled order
+  bool row_by_row = false;     ///< solve every row as a block of its own (chapter 2)
+
+  /// Moves the world on by one step. Allocates only when the world has grown since the last step.
+  /// \param h step [s] \throws std::invalid_argument unless h and the iterations are positive
+  void step(World& world, real h);
+
+  // The pieces of a step, for those who measure between the sweeps (chapter 2, tests).
+
+  /// Forces, begin_step, the blocks, their preparation and the warm start.
+  void begin(World& world, real h);
+  /// One sweep over all blocks. \param number counts from 0; only the alternating order asks
+  void sweep(Bodies& bodies, int number);
+  /// The poses from the velocities.
+  void finish(World& world, real h);
+  /// The blocks of the present step.
+  const Blocks& blocks() const { return blocks_; }
+
+ private:
+  // What the inner loop reads of a row: J, the angular half of M^-1 J^T, and the bias.
+  struct PreparedRow {
+    Row J;
+    vec3 turn1, turn2;  // I1^-1 J_w1^T, I2^-1 J_w2^T
+    real bias;          // wanted J V, with its sign turned
+    real answer;        // Kinv[i][last] / Kinv[last][last]
+  };
+  // What the inner loop reads of a block.
+  struct Prepared {
+    int body1, body2, rows, first, first_K;
+    Touches touches;
+    real mass_scale, impulse_scale, lower, upper;  // bounds as impulses [N s or N m s]
+    real* impulse;
+  };
+
+  void prepare(const Bodies& bodies, int first_block, real h);
+  void prepare_rows(const Bodies& bodies, const Block& block, int from, int to, real h);
+  void apply_stored_impulses(Bodies& bodies, real scale);
+  void draw_order(int number);
+  void solve(Body* bodies, const Prepared& block);
+  template <int N>
+  void solve_rows(Body* bodies, const Prepared& block);
+  template <int N, bool linear, bool angular>
+  void solve_block(Body* bodies, const Prepared& block);
+
+  Blocks blocks_;
+  std::vector<Prepared> prepared_;
+  std::vector<PreparedRow> rows_;
+  std::vector<real> inverse_K_;
+  std::vector<int> sequence_;
+  std::mt19937 random_;
+  unsigned seeded_with_ = 0;
+  real last_h_ = 0;
+};
+
+}  // namespace joints
+/// @}

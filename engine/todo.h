@@ -1,0 +1,22 @@
+// What stands in an exercise that has not been written yet.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+/// \addtogroup joint
+/// @{
+namespace joints {
+
+/// Thrown by an exercise that still waits for its answer.
+struct NotDone : std::logic_error {
+  std::string id;  ///< the exercise, such as "2.1"
+  explicit NotDone(const std::string& id)
+      : std::logic_error("exercise " + id + " is not written yet"), id(id) {}
+};
+
+/// Put your code in its place. \throws NotDone always
+[[noreturn]] void todo(const char* id);
+
+}  // namespace joints
+/// @}

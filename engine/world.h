@@ -1,0 +1,62 @@
+// The world: bodies, joints, gravity. It knows no kind of joint and no solver.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "engine/joint.h"
+
+/// \defgroup world World and step
+/// \brief What a simulation consists of, and the solver that moves it on.
+/// @{
+namespace joints {
+
+/// Bodies, the joints between them, and gravity. Anything may be added, removed or changed
+/// between two steps.
+class World {
+ public:
+  Bodies bodies;
+  vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
+
+  /// Adds a body. \throws std::invalid_argument for a body that is not finite
+  BodyId add(const Body& body) { return bodies.add(body); }
+  /// Removes a body and every joint that holds it.
+  void remove(BodyId body);
+
+  /// Makes a joint of kind J from its constructor's arguments, for example
+  /// `world.add<BallJoint>(world.bodies, a, b, anchor)`, and keeps it.
+  /// \return the joint, valid until it or one of its bodies is removed
+  template <class J, class... Arguments>
+  J& add(Arguments&&... arguments) {
+    auto joint = std::make_unique<J>(std::forward<Arguments>(arguments)...);
+    J& reference = *joint;
+    keep(std::move(joint));
+    return reference;
+  }
+  /// Removes one joint. \throws std::invalid_argument if this world does not have it
+  void remove(const Joint& joint);
+
+  /// The joints in the order in which they were added, which is the order of their rows.
+  const std::vector<std::unique_ptr<Joint>>& joints() const { return joints_; }
+  /// The most rows that all joints can have together.
+  int most_rows() const { return most_rows_; }
+
+ private:
+  void keep(std::unique_ptr<Joint> joint);
+  std::vector<std::unique_ptr<Joint>> joints_;
+  int most_rows_ = 0;
+};
+
+/// What a step has to do, counted: the line that every program prints before it runs.
+struct Plan {
+  int bodies = 0, static_bodies = 0, blocks = 0, rows = 0, limits = 0, live_limits = 0, motors = 0;
+  bool warm_start = false;
+  std::string line() const;  ///< "bodies 12 (2 static)  blocks 19  rows 34  ..."
+};
+
+/// Counts the blocks that the joints append at the present poses.
+Plan plan(const World& world, bool warm_start);
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,113 @@
+# How targets are made: everything twice (double, float), a chapter's files in their versions.
+
+# What every source is compiled with. No contraction to fused multiply-add and no -march=native:
+# the same digits on every machine. Sections and their collection: a program carries what it uses.
+add_library(workbook_options INTERFACE)
+target_compile_features(workbook_options INTERFACE cxx_std_20)
+target_include_directories(workbook_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_definitions(workbook_options INTERFACE
+  GLM_FORCE_CTOR_INIT GLM_FORCE_EXPLICIT_CTOR GLM_ENABLE_EXPERIMENTAL)
+target_compile_options(workbook_options INTERFACE
+  -ffp-contract=off -ffunction-sections -fdata-sections)
+target_link_options(workbook_options INTERFACE -Wl,--gc-sections)
+target_link_libraries(workbook_options INTERFACE glm::glm)
+if(WORKBOOK_SANITIZE)
+  target_compile_options(workbook_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(workbook_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# The workbook's own sources are compiled with every warning and must not have one.
+add_library(workbook_strict INTERFACE)
+target_compile_options(workbook_strict INTERFACE -Wall -Wextra -Wpedantic -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # g++ 12 sees overlaps in std::string that are not there
+  target_compile_options(workbook_strict INTERFACE -Wno-restrict)
+endif()
+# A reader's file may be half written: no word about what is not used yet, and no warning stops it.
+add_library(workbook_lenient INTERFACE)
+target_compile_options(workbook_lenient INTERFACE
+  -Wall -Wextra -Wno-unused-parameter -Wno-unused-variable -Wno-unused-but-set-variable)
+
+# add_twice(NAME KIND sources...): NAME in double and NAME_float.
+function(add_twice name kind)
+  foreach(suffix "" "_float")
+    add_library(${name}${suffix} ${kind} ${ARGN})
+    target_link_libraries(${name}${suffix} PUBLIC workbook_options PRIVATE workbook_strict)
+    if(suffix STREQUAL "_float")
+      target_compile_definitions(${name}${suffix} PUBLIC REAL=float)
+    endif()
+  endforeach()
+endfunction()
+
+# link_twice(NAME PUBLIC targets...): each to its own kind of number.
+function(link_twice name scope)
+  foreach(suffix "" "_float")
+    foreach(target ${ARGN})
+      target_link_libraries(${name}${suffix} ${scope} ${target}${suffix})
+    endforeach()
+  endforeach()
+endfunction()
+
+# The file that is made from a solution: a stub, or with another answer put in.
+function(make_exercise out)
+  list(GET ARGN 1 solution)
+  list(GET ARGN -1 last)
+  add_custom_command(OUTPUT ${out}
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/exercises.py ${ARGN} ${out}
+    DEPENDS ${PROJECT_SOURCE_DIR}/tools/exercises.py ${solution} ${last}
+    COMMENT "" VERBATIM)
+endfunction()
+
+# add_exercise_file(TARGET SOURCE WHERE warnings libraries...): one version of an exercise file.
+# WHERE is the file that a failing test names.
+function(add_exercise_file target source where warnings)
+  add_library(${target} STATIC ${source})
+  target_link_libraries(${target} PUBLIC workbook_options ${ARGN} PRIVATE ${warnings})
+  set_property(TARGET ${target} PROPERTY EXERCISE_FILE ${where})
+endfunction()
+
+# add_chapter(NN_name name [USES earlier chapters...]) makes
+#   NN_name, NN_name_float   the solution          NN_name_mine   the reader's file
+#   NN_name_run              the program on the solution, NN_name_run_mine on the reader's file,
+#                            its unwritten exercises filled in from the solution
+# Later chapters use the solutions of earlier ones, so that an unfinished one blocks nothing.
+function(add_chapter chapter name)
+  cmake_parse_arguments(arg "" "" "USES" ${ARGN})
+  set(solution ${PROJECT_SOURCE_DIR}/solutions/${chapter}/${name}.cpp)
+  set(mine ${PROJECT_SOURCE_DIR}/chapters/${chapter}/${name}.cpp)
+  set(mixed ${PROJECT_BINARY_DIR}/mixed/${chapter}/${name}.cpp)  # written by ./wb run
+  set(own_suffix "")
+  if(WORKBOOK_ALL_MINE)
+    set(own_suffix "_mine")
+  endif()
+  set(earlier_mine ${arg_USES})
+  list(TRANSFORM earlier_mine APPEND "${own_suffix}")
+
+  add_twice(${chapter} STATIC ${solution})
+  link_twice(${chapter} PUBLIC engine ${arg_USES})
+  set_property(TARGET ${chapter} PROPERTY EXERCISE_FILE solutions/${chapter}/${name}.cpp)
+  set_property(TARGET ${chapter}_float PROPERTY EXERCISE_FILE solutions/${chapter}/${name}.cpp)
+  add_exercise_file(${chapter}_mine ${mine} chapters/${chapter}/${name}.cpp
+    workbook_lenient engine ${earlier_mine})
+  set_target_properties(${chapter}_mine PROPERTIES EXCLUDE_FROM_ALL ON)
+
+  if(NOT EXISTS ${mixed})
+    configure_file(${solution} ${mixed} COPYONLY)
+  endif()
+  add_exercise_file(${chapter}_mixed ${mixed} chapters/${chapter}/${name}.cpp
+    workbook_lenient engine ${arg_USES})
+  set_target_properties(${chapter}_mixed PROPERTIES EXCLUDE_FROM_ALL ON)
+
+  foreach(kind "" "_mixed")
+    set(run ${chapter}_run)
+    if(kind STREQUAL "_mixed")
+      set(run ${chapter}_run_mine)
+    endif()
+    add_executable(${run} ${PROJECT_SOURCE_DIR}/chapters/${chapter}/main.cpp)
+    target_link_libraries(${run} PRIVATE ${chapter}${kind} instruments workbook_strict)
+  endforeach()
+  set_target_properties(${chapter}_run_mine PROPERTIES EXCLUDE_FROM_ALL ON)
+  set_property(GLOBAL APPEND PROPERTY WORKBOOK_CHAPTERS ${chapter})
+  set_property(GLOBAL PROPERTY WORKBOOK_NAME_${chapter} ${name})
+  set_property(GLOBAL PROPERTY WORKBOOK_USES_${chapter} ${arg_USES})
+endfunction()

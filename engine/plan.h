@@ -1,0 +1,21 @@
+// The plan of a step: what there is to do, counted. The engine does not include it.
+#pragma once
+
+#include "engine/world.h"
+
+/// \addtogroup measuring
+/// @{
+namespace joints {
+
+/// What a step has to do, counted: the line that every program prints before it runs.
+struct Plan {
+  int bodies = 0, static_bodies = 0, blocks = 0, rows = 0, limits = 0, live_limits = 0, motors = 0;
+  bool warm_start = false;
+  std::string line() const;  ///< "bodies 12 (2 static)  blocks 19  rows 34  ..."
+};
+
+/// Counts the blocks that the joints append at the present poses.
+Plan plan(const World& world, bool warm_start);
+
+}  // namespace joints
+/// @}

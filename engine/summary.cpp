@@ -1,0 +1,43 @@
+// The summary of a program.
+#include "engine/summary.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "engine/record.h"
+
+namespace joints {
+
+namespace {
+long long now_ns() {
+  return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+}
+}  // namespace
+
+void StepClock::start() { started_ = now_ns(); }
+void StepClock::stop() { times_.push_back(double(now_ns() - started_) / 1000); }
+
+double StepClock::median_us() const {
+  if (times_.empty()) return 0;
+  std::vector<double> sorted = times_;
+  const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return *middle;
+}
+
+void report(const std::vector<Summary>& lines, const std::string& folder) {
+  CsvFile file(folder + "/summary.csv", {"scene", "setting", "us_per_step", "gap_rms_m",
+                                         "gap_max_m", "energy_drift"});
+  std::printf("%-14s %-24s %10s %12s %12s %12s\n", "scene", "setting", "us a step", "gap RMS mm",
+              "gap max mm", "energy drift");
+  for (const Summary& line : lines) {
+    std::printf("%-14s %-24s %10.2f %12.4g %12.4g %12.3g\n", line.scene.c_str(),
+                line.setting.c_str(), line.us_per_step, 1000 * line.gap_rms, 1000 * line.gap_max,
+                line.energy_drift);
+    file.row({line.scene, line.setting},
+             {line.us_per_step, line.gap_rms, line.gap_max, line.energy_drift});
+  }
+}
+
+}  // namespace joints

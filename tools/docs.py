@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""Builds the site: docs.py OUT_DIR. The page to open is OUT_DIR/html/index.html, no network needed.
+
+Exit status: 0 the site stands, 1 Doxygen had something to say, 2 something is missing.
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+THEME = Path("/usr/share/doxygen-awesome-css/doxygen-awesome.css")
+MATHJAX = Path("/usr/share/javascript/mathjax")
+# As much of MathJax 2 as turns TeX into SVG; the whole is ten times as large.
+MATHJAX_PARTS = ["MathJax.js", "extensions", "jax/input/TeX", "jax/element",
+                 "jax/output/SVG/autoload", "jax/output/SVG/fonts/TeX",
+                 "jax/output/SVG/config.js", "jax/output/SVG/jax.js"]
+
+
+def stop(message, status=2):
+    print(f"docs: {message}", file=sys.stderr)
+    sys.exit(status)
+
+
+def copy(source, target):
+    """A file or a folder; links become the files they point at."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    if source.is_dir():
+        shutil.copytree(source, target, dirs_exist_ok=True)
+    else:
+        shutil.copyfile(source, target)
+
+
+def make_header(out):
+    """Doxygen's own page header, of whatever version it is, with docs/head.html put into it."""
+    header = out / "header.html"
+    scrap = [str(out / name) for name in ("footer.html", "style.css")]
+    subprocess.run(["doxygen", "-w", "html", str(header), *scrap], check=True,
+                   capture_output=True)
+    for name in scrap:
+        os.remove(name)
+    extra = (ROOT / "docs/head.html").read_text()
+    header.write_text(header.read_text().replace("</head>", extra + "</head>"))
+
+
+def copy_pictures(html):
+    """The pages name drawings by their place in the repository: put them at the same place."""
+    for page in sorted(html.glob("*.html")):
+        for name in set(re.findall(r'<img src="([\w./-]+/[\w.-]+)"', page.read_text())):
+            if not (ROOT / name).is_file():
+                stop(f"{page.name} shows {name}, which does not exist", 1)
+            copy(ROOT / name, html / name)
+
+
+def build(out):
+    html = out / "html"
+    if (html / "doxygen.css").exists():
+        shutil.rmtree(html)  # pages of chapters that are gone
+    out.mkdir(parents=True, exist_ok=True)
+    make_header(out)
+    result = subprocess.run(["doxygen", "docs/Doxyfile"], cwd=ROOT, text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                            env={**os.environ, "WORKBOOK_DOCS_OUT": str(out)})
+    if result.stdout.strip():
+        print(result.stdout.strip().replace(f"{ROOT}/", ""), file=sys.stderr)
+    if result.returncode != 0:
+        stop("the site has warnings, see above", 1)
+    for part in MATHJAX_PARTS:
+        copy(MATHJAX / part, html / "mathjax" / part)
+    copy_pictures(html)
+    return html / "index.html"
+
+
+def main():
+    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+        stop("usage: docs.py OUT_DIR")
+    missing = [package for package, there in (("doxygen", shutil.which("doxygen")),
+                                              ("doxygen-awesome-css", THEME.exists()),
+                                              ("libjs-mathjax", (MATHJAX / "MathJax.js").exists()))
+               if not there]
+    if missing:
+        stop("missing: " + " ".join(missing)
+             + "  (Debian packages: doxygen doxygen-awesome-css libjs-mathjax)")
+    try:
+        print(f"site: {build(Path(sys.argv[1]).resolve())}")
+    except (OSError, subprocess.CalledProcessError) as error:
+        stop(str(error))
+
+
+if __name__ == "__main__":
+    main()

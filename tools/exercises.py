@@ -1,0 +1,167 @@
+"""Exercises: the regions of a source file, the stubs made from them, and other bodies put in.
+
+A region opens with `// begin [exercise 2.1]`, then comment lines that state the task, then the
+answer, and ends with `// end [exercise 2.1]`. The solution is the source; everything else is made.
+"""
+import re
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+BEGIN = re.compile(r"^(\s*)// begin \[exercise (\d+\.\d+)\]\s*$")
+END = re.compile(r"^\s*// end \[exercise (\d+\.\d+)\]\s*$")
+
+
+class Broken(Exception):
+    """The markers of a file do not make sense."""
+
+
+@dataclass
+class Region:
+    """One region: its exercise, and the lines between its markers."""
+    id: str
+    begin: int  # index of the line after the begin marker
+    end: int    # index of the end marker
+    indent: str
+    lines: list
+
+    def task(self):
+        """The leading comment lines: they stay in the stub."""
+        kept = []
+        for line in self.lines:
+            if not line.strip().startswith("//"):
+                break
+            kept.append(line)
+        return kept
+
+    def answer(self):
+        return self.lines[len(self.task()):]
+
+
+def regions(text, name="this file"):
+    """All regions of a text in their order. Raises Broken where markers do not match."""
+    found, open_at = [], None
+    lines = text.split("\n")
+    for number, line in enumerate(lines):
+        if match := BEGIN.match(line):
+            if open_at:
+                raise Broken(f"{name}:{number + 1}: exercise {match[2]} begins inside {open_at[1]}")
+            open_at = (number + 1, match[2], match[1])
+        elif match := END.match(line):
+            if not open_at or open_at[1] != match[1]:
+                raise Broken(f"{name}:{number + 1}: exercise {match[1]} ends but did not begin")
+            begin, id_, indent = open_at
+            found.append(Region(id_, begin, number, indent, lines[begin:number]))
+            open_at = None
+    if open_at:
+        raise Broken(f"{name}: the line '// end [exercise {open_at[1]}]' is missing")
+    return found
+
+
+def replace(text, change):
+    """The text with every region's lines replaced by change(region, place), or kept for None.
+
+    `place` counts the regions that share an id, from 1.
+    """
+    lines = text.split("\n")
+    count = {}
+    todo = []
+    for region in regions(text):
+        count[region.id] = count.get(region.id, 0) + 1
+        new = change(region, count[region.id])
+        if new is not None:
+            todo.append((region, new))
+    for region, new in reversed(todo):
+        lines[region.begin:region.end] = new
+    return "\n".join(lines)
+
+
+def stub(text):
+    """The exercise file made from a solution."""
+    return replace(text, lambda r, _: r.task() + [f'{r.indent}todo("{r.id}");'])
+
+
+def is_open(region):
+    """True while the region still says todo(...)."""
+    return any(re.search(r'\btodo\("', line.split("//")[0]) for line in region.lines)
+
+
+def splice(text, id_, body, place=1):
+    """The text with the answer of one region replaced by the lines of `body`."""
+    hit = []
+
+    def change(region, number):
+        if region.id == id_ and number == place:
+            hit.append(region)
+            return region.task() + body.rstrip("\n").split("\n")
+        return None
+
+    result = replace(text, change)
+    if not hit:
+        raise Broken(f"there is no region {place} of exercise {id_}")
+    return result
+
+
+def fill(mine, solution, ids):
+    """The learner's text with the regions of `ids` taken from the solution."""
+    answers = {}
+    count = {}
+    for region in regions(solution):
+        count[region.id] = count.get(region.id, 0) + 1
+        answers[region.id, count[region.id]] = region.lines
+    return replace(mine, lambda r, n: answers.get((r.id, n)) if r.id in ids else None)
+
+
+def outside(text):
+    """The text with every region emptied: what a learner is not asked to change."""
+    return replace(text, lambda r, _: [])
+
+
+def read_answer(path):
+    """A file of tests/wrong or tests/right: (exercise, place, promise, body)."""
+    id_ = re.match(r"(\d+\.\d+)_", path.name)
+    if not id_:
+        raise Broken(f"{path.name}: the name must begin with the exercise, such as 1.1_")
+    place, promise, body = 1, [], []
+    for line in path.read_text().split("\n"):
+        if match := re.match(r"// expects: (.*)", line):
+            promise.append(match[1].strip())
+        elif match := re.match(r"// region: (\d+)", line):
+            place = int(match[1])
+        else:
+            body.append(line)
+    return id_[1], place, promise, "\n".join(body)
+
+
+def write_if_new(path, text):
+    """Writes a file only when it would change, so that nothing is built again for nothing."""
+    path = Path(path)
+    if path.exists() and path.read_text() == text:
+        return False
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+    return True
+
+
+def main(arguments):
+    """exercises.py stub SOLUTION OUT | exercises.py splice SOLUTION ANSWER OUT"""
+    try:
+        match arguments:
+            case ["stub", solution, out]:
+                Path(out).parent.mkdir(parents=True, exist_ok=True)
+                Path(out).write_text(stub(Path(solution).read_text()))
+            case ["splice", solution, answer, out]:
+                id_, place, _, body = read_answer(Path(answer))
+                Path(out).parent.mkdir(parents=True, exist_ok=True)
+                Path(out).write_text(splice(Path(solution).read_text(), id_, body, place))
+            case _:
+                print(main.__doc__, file=sys.stderr)
+                return 2
+    except (Broken, OSError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

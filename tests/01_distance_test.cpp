@@ -1,0 +1,329 @@
+// The tests of chapter 1's exercises. Linked with the solution, with the reader's file, with the
+// stub and with every known wrong and right answer.
+#include "tests/catch.h"
+#include "tests/fixtures.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+// The pose for pencil and paper in the chapter's text.
+const Body paper1 = body_with(2, vec3(1), vec3(0));
+const Body paper2 = [] {
+  Body body = body_with(3, vec3(1), vec3(real(1.2), real(1.6), 0));
+  body.v = vec3(1, real(0.5), 0);
+  return body;
+}();
+const Row paper_J{vec3(real(-0.6), real(-0.8), 0), vec3(0), vec3(real(0.6), real(0.8), 0), vec3(0)};
+
+// A row with angular parts, for the impulse.
+const Row turning_J{vec3(real(-0.6), real(-0.8), 0), vec3(real(0.2), real(-0.5), real(0.9)),
+                    vec3(real(0.6), real(0.8), 0), vec3(real(0.7), real(0.1), real(-0.3))};
+
+Pair moving_pair() {
+  Pair pair = uneven_pair();
+  Random random(5);
+  move_together(pair, random);
+  for (Body* body : {&pair.body1, &pair.body2}) {
+    body->v = random.vector(2);
+    body->w = random.vector(2);
+  }
+  return pair;
+}
+
+const real h = real(1) / 60;
+
+}  // namespace
+
+// ---- 1.1 and 1.2 ---------------------------------------------------------------------------------
+
+TEST_CASE("1.1 the row of a rod points from centre to centre", "[1.1]") {
+  const Row J = CentreDistance{real(1.5)}.jacobian(paper1, paper2);
+  const vec3 n = paper_J.v2, d = paper2.x - paper1.x;
+  const Subject subject = CentreDistanceFixture::J;
+  expect(subject, "v2", J.v2, n, rounding,
+         {{-n, "the sign of the row: it must grow when body 2 moves away"},
+          {d, "not a unit vector: take direction(...) of the difference"}});
+  expect(subject, "v1", J.v1, -n, rounding,
+         {{n, "the sign of the block v1"}, {vec3(0), "the block v1 is missing"}});
+  expect(subject, "w1", J.w1, vec3(0), rounding);
+  expect(subject, "w2", J.w2, vec3(0), rounding);
+}
+
+TEST_CASE("1.1 the row of a rod is the slope of its length at every pose", "[1.1]") {
+  check_jacobian<CentreDistanceFixture>();
+}
+
+TEST_CASE("1.1 a rod between centres that coincide has no direction and no row", "[1.1]") {
+  const Row J = CentreDistance{1}.jacobian(paper1, paper1);
+  expect(CentreDistanceFixture::J, "v2 where the centres coincide", J.v2, vec3(0), 0);
+}
+
+TEST_CASE("1.2 a rod feels two masses in series", "[1.2]") {
+  const real K = CentreDistance{real(1.5)}.K(paper1, paper2);
+  expect(CentreDistanceFixture::K, "K", double(K), 1.0 / 2 + 1.0 / 3, rounding,
+         {{5, "masses where inverse masses belong: K is in 1/kg"},
+          {1.2, "the inverse of K: that is the effective mass"}});
+}
+
+TEST_CASE("1.2 K of a rod is J M^-1 J^T at every pose", "[1.2]") {
+  check_K<CentreDistanceFixture>();
+}
+
+TEST_CASE("1.2 a static body adds nothing to K", "[1.2]") {
+  const Body wall = static_body(vec3(0));
+  expect(CentreDistanceFixture::K, "K beside a wall",
+         double(CentreDistance{2}.K(wall, paper2)), 1.0 / 3, rounding);
+  expect(CentreDistanceFixture::K, "K between two walls",
+         double(CentreDistance{2}.K(wall, static_body(vec3(1, 0, 0)))), 0, 0);
+}
+
+// ---- 1.3 -----------------------------------------------------------------------------------------
+
+namespace {
+const Subject impulse{"1.3", "the impulse of a row"};
+const Subject application{"1.3", "applying the impulse of a row"};
+}  // namespace
+
+TEST_CASE("1.3 the impulse is what the row lacks over K", "[1.3]") {
+  const double JV = 1, K = 5.0 / 6, b = 6;
+  expect(impulse, "lambda", double(row_impulse(paper_J, real(K), real(b), paper1, paper2)),
+         -(JV + b) / K, 1e2 * rounding,
+         {{(JV + b) / K, "the sign: the impulse works against J V + b"},
+          {-(JV + b) * K, "times K where it must be divided by K"},
+          {-JV / K, "the bias is missing: the error is not fed back"},
+          {-b / K, "J V is missing"},
+          {-(JV - b) / K, "the sign of the bias"}});
+}
+
+TEST_CASE("1.3 a row that nothing can move gets no impulse", "[1.3]") {
+  expect(impulse, "lambda where K = 0",
+         double(row_impulse(paper_J, 0, real(6), static_body(vec3(0)), static_body(vec3(1)))), 0,
+         0);
+}
+
+TEST_CASE("1.3 an impulse changes velocities by M^-1 J^T lambda", "[1.3]") {
+  const Pair before = moving_pair();
+  Pair after = before;
+  const real lambda = real(0.8);
+  apply_impulse(turning_J, lambda, after.body1, after.body2);
+  const auto v = [&](const Body& a, const Body& b, const vec3& J, const vec3& wrong_by_mass,
+                     const char* name) {
+    const vec3 right = a.v + a.inverse_mass * lambda * J;
+    expect(application, name, b.v, right, 10 * rounding,
+           {{real(2) * a.v - right, "the sign: body velocities grow by +M^-1 J^T lambda"},
+            {a.v, "this velocity is not changed at all"},
+            {wrong_by_mass, "mass where inverse mass belongs"},
+            {a.v + lambda * J, "the inverse mass is missing"}});
+  };
+  const auto w = [&](const Body& a, const Body& b, const vec3& J, const char* name) {
+    const vec3 right = a.w + inverse_inertia(a) * (lambda * J);
+    const vec3 l = a.inverse_inertia_local;
+    expect(application, name, b.w, right, 10 * rounding,
+           {{real(2) * a.w - right, "the sign: body velocities grow by +M^-1 J^T lambda"},
+            {a.w, "this velocity is not changed at all"},
+            {a.w + lambda * J, "the inverse inertia is missing"},
+            {a.w + l * (lambda * J), "body-space inertia: take inverse_inertia(body)"},
+            {a.w + a.inverse_mass * lambda * J, "inverse mass where inverse inertia belongs"}});
+  };
+  const Body &a = before.body1, &b = before.body2;
+  v(a, after.body1, turning_J.v1, a.v + lambda / a.inverse_mass * turning_J.v1, "v1");
+  w(a, after.body1, turning_J.w1, "w1");
+  v(b, after.body2, turning_J.v2, b.v + lambda / b.inverse_mass * turning_J.v2, "v2");
+  w(b, after.body2, turning_J.w2, "w2");
+}
+
+TEST_CASE("1.3 after its impulse a row holds and a second one is zero", "[1.3]") {
+  Pair pair = moving_pair();
+  const real K = dense_K(to_jacobian(turning_J), pair.body1, pair.body2)[0][0];
+  const real bias = real(0.7);
+  apply_impulse(turning_J, row_impulse(turning_J, K, bias, pair.body1, pair.body2), pair.body1,
+                pair.body2);
+  expect(impulse, "J V + b after the impulse",
+         double(row_velocity(turning_J, pair.body1, pair.body2) + bias), 0, 10 * rounding);
+  expect(impulse, "a second impulse",
+         double(row_impulse(turning_J, K, bias, pair.body1, pair.body2)), 0, 10 * rounding);
+}
+
+TEST_CASE("1.3 a static body is not moved by an impulse", "[1.3]") {
+  Body wall = static_body(vec3(0)), body = paper2;
+  apply_impulse(paper_J, real(5), wall, body);
+  expect(application, "v of a static body", wall.v, vec3(0), 0);
+  expect(application, "w of a static body", wall.w, vec3(0), 0);
+}
+
+// ---- 1.4 -----------------------------------------------------------------------------------------
+
+namespace {
+const Subject stepping{"1.4", "the step"};
+// Two balls under a ceiling, each on a rod; the second rod is the longer.
+std::vector<Body> two_balls() {
+  return {static_body(vec3(0)), ball(1, real(0.1), vec3(1, 0, 0)),
+          ball(3, real(0.1), vec3(1, -2, 0))};
+}
+const std::vector<Link> two_rods{{0, 1, 1}, {1, 2, 2}};
+}  // namespace
+
+TEST_CASE("1.4 a free body falls by Euler's semi-implicit rule", "[1.4]") {
+  std::vector<Body> bodies{ball(2, 1, vec3(0)), static_body(vec3(1, 1, 1))};
+  StepSettings settings;
+  for (int n = 0; n < 3; ++n) step(bodies, {}, settings);
+  const double g = -9.81, t = double(h);
+  expect(stepping, "v.y after three steps", double(bodies[0].v.y), 3 * g * t, 10 * rounding,
+         {{0, "gravity does not act"}, {3 * g * t / 2, "gravity acts with half its strength"},
+          {6 * g * t, "gravity divided by mass: weight and inertia cancel, v grows by h g"}});
+  expect(stepping, "x.y after three steps", double(bodies[0].x.y), 6 * g * t * t, 10 * rounding,
+         {{3 * g * t * t, "the old velocity moves the body: change v first, then x"},
+          {0, "the place does not change"}});
+  expect(stepping, "x of a static body", bodies[1].x, vec3(1, 1, 1), 0);
+  expect(stepping, "v of a static body", bodies[1].v, vec3(0), 0,
+         {{settings.h * settings.gravity * real(3), "gravity moves a static body"}});
+}
+
+TEST_CASE("1.4 rods hold within a step what one sweep after the other allows", "[1.4]") {
+  for (int iterations : {1, 2, 30}) {
+    std::vector<Body> bodies = two_balls();
+    StepSettings settings;
+    settings.iterations = iterations;
+    step(bodies, two_rods, settings);
+    // by hand: gravity, then the rows in turn; row 1 is level and sees nothing, row 2 is plumb
+    const double g = -9.81 * double(h);
+    INFO("sweeps: " << iterations);
+    expect(stepping, "v.y of ball 1", double(bodies[1].v.y), g, 10 * rounding);
+    expect(stepping, "v.y of ball 2", double(bodies[2].v.y), g, 10 * rounding);
+  }
+  // hanging plumb, the sweeps fight: body 1 of 1 kg carries body 2 of 3 kg, and every sweep leaves
+  // m2/(m1+m2) = 3/4 of the error
+  std::vector<Body> bodies{static_body(vec3(0)), ball(1, real(0.1), vec3(0, -1, 0)),
+                           ball(3, real(0.1), vec3(0, -3, 0))};
+  for (int iterations : {1, 2, 10}) {
+    std::vector<Body> hanging = bodies;
+    StepSettings settings;
+    settings.iterations = iterations;
+    step(hanging, two_rods, settings);
+    const double fall = -9.81 * double(h) * std::pow(0.75, iterations);
+    expect(stepping, "v.y of the lower ball after " + std::to_string(iterations) + " sweeps",
+           double(hanging[2].v.y), fall, 10 * rounding,
+           {{-9.81 * double(h) * 0.75, "only one sweep was done"},
+            {-9.81 * double(h), "no impulse was applied"},
+            {fall / 0.75, "one sweep too few"},
+            {fall * 0.75, "one sweep too many"}});
+  }
+}
+
+TEST_CASE("1.4 a stretched rod loses the share beta of its error in a step", "[1.4]") {
+  std::vector<Body> bodies{static_body(vec3(0)), ball(2, 1, vec3(real(1.1), 0, 0))};
+  StepSettings settings;
+  settings.gravity = vec3(0);
+  step(bodies, {{0, 1, 1}}, settings);
+  expect(stepping, "error after a step", double(bodies[1].x.x) - 1, 0.08, 10 * rounding,
+         {{0.1, "the bias of the row is not used"},
+          {0.12, "the sign of the bias: the rod grows"}});
+}
+
+TEST_CASE("1.4 the order is forces then rows then places", "[1.4]") {
+  // a pendulum let go where it is level: the rod is already at right angles to gravity
+  std::vector<Body> bodies{static_body(vec3(0)), ball(1, real(0.1), vec3(0, -1, 0))};
+  bodies[1].v = vec3(1, 0, 0);
+  StepSettings settings;
+  settings.beta = 0;
+  step(bodies, {{0, 1, 1}}, settings);
+  expect(stepping, "x of the bob", bodies[1].x, vec3(h, -1, 0), 10 * rounding,
+         {{vec3(h, -1 - real(9.81) * h * h, 0), "forces after the rows: the rod gives way"},
+          {vec3(0, -1, 0), "places before the velocities are known"}});
+}
+
+// ---- 1.5 -----------------------------------------------------------------------------------------
+
+namespace {
+const Subject clamping{"1.5", "the clamped sum of a rope"};
+}
+
+TEST_CASE("1.5 a rope may give back what it pulled but never push", "[1.5]") {
+  struct Case {
+    double sum, dlambda, applied;
+  };
+  for (const Case& c : {Case{0, 2, 2}, Case{0, -1, 0}, Case{3, -1, -1}, Case{3, -5, -3},
+                        Case{3, 0.5, 0.5}}) {
+    real sum = real(c.sum);
+    const real applied = clamp_sum(real(c.dlambda), sum);
+    const std::string entry =
+        "sum " + std::to_string(c.sum) + ", dlambda " + std::to_string(c.dlambda) + ": ";
+    expect(clamping, entry + "applied", double(applied), c.applied, rounding,
+           {{std::max(c.dlambda, 0.0), "each impulse is clamped: it is the sum that must not push"},
+            {c.dlambda, "nothing is clamped"},
+            {c.sum + c.applied, "the new sum is returned instead of its growth"},
+            {-c.applied, "the sign of the growth"}});
+    expect(clamping, entry + "new sum", double(sum), c.sum + c.applied, rounding,
+           {{c.sum, "the sum is not kept"}});
+  }
+}
+
+TEST_CASE("1.5 sweeps that may take back end where both ropes agree", "[1.5]") {
+  // two ropes hold one body; overshoot of the first must be taken back by later sweeps
+  Body wall = static_body(vec3(0)), body = ball(1, real(0.1), vec3(0));
+  const Row J1{vec3(-1, 0, 0), vec3(0), vec3(1, 0, 0), vec3(0)};
+  const Row J2{vec3(real(-0.8), real(-0.6), 0), vec3(0), vec3(real(0.8), real(0.6), 0), vec3(0)};
+  body.v = vec3(-1, -3, 0);
+  real sum1 = 0, sum2 = 0;
+  const auto solve = [&](const Row& J, real& sum) {  // row_impulse and apply_impulse, written out
+    const real dlambda = -row_velocity(J, wall, body) / body.inverse_mass;
+    body.v += body.inverse_mass * clamp_sum(dlambda, sum) * J.v2;
+  };
+  for (int sweep = 0; sweep < 200; ++sweep) {
+    solve(J1, sum1);
+    solve(J2, sum2);
+  }
+  // only the second rope is taut: lambda2 = 0.8*1 + 0.6*3 = 2.6, v = (-1, -3) + 2.6 (0.8, 0.6)
+  expect(clamping, "pull of rope 1 [N s]", double(sum1), 0, 100 * rounding);
+  expect(clamping, "pull of rope 2 [N s]", double(sum2), 2.6, 100 * rounding);
+  expect(clamping, "velocity of the body", body.v, vec3(real(1.08), real(-1.44), 0),
+         100 * rounding);
+}
+
+TEST_CASE("1.5 a slack rope leaves a falling body alone", "[1.5]") {
+  std::vector<Body> bodies{static_body(vec3(0)), ball(1, real(0.1), vec3(0, real(-0.5), 0))};
+  step(bodies, {{0, 1, 1, true}}, StepSettings{});
+  expect(clamping, "v.y under a slack rope", double(bodies[1].v.y), -9.81 * double(h),
+         10 * rounding);
+}
+
+TEST_CASE("1.5 a taut rope carries a body and a slack one does not", "[1.5]") {
+  std::vector<Body> bodies{static_body(vec3(0)), ball(1, real(0.1), vec3(0, -1, 0))};
+  for (int n = 0; n < 60; ++n) step(bodies, {{0, 1, 1, true}}, StepSettings{});
+  expect(clamping, "y after hanging for a second", double(bodies[1].x.y), -1, 1e-4);
+}
+
+// ---- 1.6 -----------------------------------------------------------------------------------------
+
+TEST_CASE("1.6 the row of a rod between anchors has a lever in it", "[1.6]") {
+  const Body wall = static_body(vec3(0)), cube = box(2, vec3(1), vec3(1, 0, 0));
+  const Distance rod{vec3(0), vec3(0, real(0.5), 0), 1};
+  const real size = std::sqrt(real(1.25));
+  const vec3 n(1 / size, real(0.5) / size, 0), arm(0, 0, -real(0.5) / size);
+  const Row J = rod.jacobian(wall, cube);
+  const Subject subject = DistanceFixture::J;
+  expect(subject, "v2", J.v2, n, rounding, {{vec3(1, 0, 0), "the direction runs from anchor to anchor, not from centre to centre"}});
+  expect(subject, "w2", J.w2, arm, rounding,
+         {{-arm, "the order of the cross product: r x n"}, {vec3(0), "the lever is missing"}});
+  expect(DistanceFixture::K, "K", double(rod.K(wall, cube)), 0.5 + 3.0 * 0.25 / 1.25,
+         10 * rounding,
+         {{0.5, "the share of the rotation is missing"},
+          {0.5 + 0.25 / 1.25, "the inverse inertia is missing"}});
+}
+
+TEST_CASE("1.6 the row of a rod between anchors is the slope of its length at every pose",
+          "[1.6]") {
+  check_jacobian<DistanceFixture>();
+}
+
+TEST_CASE("1.6 K of a rod between anchors is J M^-1 J^T at every pose", "[1.6]") {
+  check_K<DistanceFixture>();
+}
+
+TEST_CASE("1.6 a rod between centres has no lever", "[1.6]") {
+  const Row J = Distance{vec3(0), vec3(0), 1}.jacobian(paper1, paper2);
+  expect(DistanceFixture::J, "w1", J.w1, vec3(0), 0);
+  expect(DistanceFixture::J, "w2", J.w2, vec3(0), 0);
+}

@@ -1,0 +1,219 @@
+// The tests of chapter 2's exercises. Linked with the solution, with the reader's file, with the
+// stub and with every known wrong and right answer.
+#include "tests/catch.h"
+#include "tests/fixtures.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const real half = std::sqrt(real(0.5));  // cos 45 degrees
+
+// The pose for pencil and paper in the chapter's text.
+const Body paper1 = static_body(vec3(0));
+const Body paper2 = [] {
+  Body body = body_with(2, vec3(real(0.5), 1, real(0.25)), vec3(0, -1, 0), quat(half, 0, 0, half));
+  body.v = vec3(1, 0, 0);
+  body.w = vec3(0, 0, 2);
+  return body;
+}();
+const Point paper_part{vec3(0), vec3(1, 0, real(0.5))};
+
+}  // namespace
+
+TEST_CASE("2.1 the rows of a ball joint hold a unit matrix and the matrix of a lever", "[2.1]") {
+  const Jacobian<3> J = paper_part.jacobian(paper1, paper2);
+  const vec3 r2(0, 1, real(0.5));
+  const mat3 s = transpose(-skew(r2));  // its columns are the rows of the block w2
+  const char* const names[] = {"row C.x", "row C.y", "row C.z"};
+  for (int i = 0; i < 3; ++i) {
+    vec3 unit(0);
+    unit[i] = 1;
+    const std::string name = names[i];
+    expect(PointFixture::J, name + ", v1", J[i].v1, -unit, rounding,
+           {{unit, "the sign of the block v1"}});
+    expect(PointFixture::J, name + ", v2", J[i].v2, unit, rounding,
+           {{-unit, "the sign of the block v2"}});
+    expect(PointFixture::J, name + ", w2", J[i].w2, s[i], rounding,
+           {{-s[i], "the sign of the block w2: w x r = -skew(r) w"},
+            {transpose(-skew(paper_part.anchor2_local))[i],
+             "body-space arm: the lever of body 2 is not turned into the world"}});
+  }
+}
+
+TEST_CASE("2.1 the rows of a ball joint are the slopes of its gap at every pose", "[2.1]") {
+  check_jacobian<PointFixture>();
+}
+
+TEST_CASE("2.2 K of a ball joint says how far an impulse moves the anchor", "[2.2]") {
+  const mat3 K = paper_part.K(paper1, paper2);
+  // world inverse inertia diag(1, 2, 4), lever (0, 1, 1/2), mass 2 kg
+  const mat3 expected = mat3(real(0.5)) + mat3(real(4.5), 0, 0, 0, real(0.25), real(-0.5), 0,
+                                               real(-0.5), 1);
+  const mat3 local = mat3(real(0.5)) + mat3(real(4.25), 0, 0, 0, real(0.5), -1, 0, -1, 2);
+  for (int i = 0; i < 3; ++i)
+    expect(PointFixture::K, "column " + std::to_string(i + 1), K[i], expected[i], rounding,
+           {{local[i], "body-space inertia: turn it into the world, R I^-1 R^T"},
+            {mat3(real(0.5))[i], "the share of the rotation is missing"},
+            {(real(1.5) * mat3(1) + expected)[i],
+             "masses where inverse masses belong: K is in 1/kg"}});
+}
+
+TEST_CASE("2.2 K of a ball joint is J M^-1 J^T at every pose", "[2.2]") {
+  check_K<PointFixture>();
+}
+
+TEST_CASE("2.2 K between two static bodies is zero", "[2.2]") {
+  const mat3 K = paper_part.K(paper1, static_body(vec3(1, 2, 3)));
+  for (int i = 0; i < 3; ++i)
+    expect(PointFixture::K, "column " + std::to_string(i + 1), K[i], vec3(0), 0);
+}
+
+// ---- 2.3 -----------------------------------------------------------------------------------------
+
+namespace {
+
+const Subject impulse{"2.3", "the impulse of a block"};
+const Subject application{"2.3", "applying the impulse of a block"};
+
+// J and K of a ball joint from the numeric twin, so that this exercise waits for no other.
+struct Joint3 {
+  Pair pair = uneven_pair();
+  Jacobian<3> J;
+  mat3 K;
+  Joint3() {
+    Random random(3);
+    move_together(pair, random);
+    for (Body* body : {&pair.body1, &pair.body2}) {
+      body->v = random.vector(2);
+      body->w = random.vector(2);
+    }
+    const Point part = point_at(pair.body1, pair.body2, pair.body1.x + random.vector(1));
+    J = numeric_jacobian(part, pair.body1, pair.body2);
+    const Matrix<3> dense = dense_K(J, pair.body1, pair.body2);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) K[j][i] = dense[i][j];
+  }
+  vec3 rate() const {
+    return {row_velocity(J[0], pair.body1, pair.body2), row_velocity(J[1], pair.body1, pair.body2),
+            row_velocity(J[2], pair.body1, pair.body2)};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("2.3 the impulse of a block takes all three rates away at once", "[2.3]") {
+  const Joint3 joint;
+  const vec3 bias(real(0.3), real(-0.2), real(0.5)), e = joint.rate() + bias;
+  const vec3 right = -inverse(joint.K) * e;
+  const vec3 rows(-e.x / joint.K[0][0], -e.y / joint.K[1][1], -e.z / joint.K[2][2]);
+  expect(impulse, "lambda", block_impulse(joint.J, joint.K, bias, joint.pair.body1, joint.pair.body2),
+         right, 100 * rounding,
+         {{-right, "the sign: the impulse works against J V + b"},
+          {-inverse(joint.K) * joint.rate(), "the bias is missing"},
+          {-inverse(joint.K) * bias, "J V is missing"},
+          {-joint.K * e, "times K where its inverse belongs"},
+          {-inverse(joint.K) * (joint.rate() - bias), "the sign of the bias"},
+          {rows, "each row divided by its own K: the rows of a block are solved together"}});
+}
+
+TEST_CASE("2.3 the impulse of a block changes velocities by M^-1 J^T lambda", "[2.3]") {
+  const Joint3 joint;
+  const vec3 lambda(real(0.4), real(-0.7), real(0.2));
+  Pair after = joint.pair;
+  apply_impulse(joint.J, lambda, after.body1, after.body2);
+  const auto compare = [&](const Body& before, const Body& changed, bool second) {
+    vec3 push(0), turn(0);
+    for (int i = 0; i < 3; ++i) {
+      push += lambda[i] * (second ? joint.J[i].v2 : joint.J[i].v1);
+      turn += lambda[i] * (second ? joint.J[i].w2 : joint.J[i].w1);
+    }
+    const std::string number = second ? "2" : "1";
+    const vec3 v = before.v + before.inverse_mass * push;
+    const vec3 w = before.w + inverse_inertia(before) * turn;
+    expect(application, "v" + number, changed.v, v, 10 * rounding,
+           {{real(2) * before.v - v,
+             "the sign: velocities grow by +M^-1 J^T lambda"},
+            {before.v, "this velocity is not changed at all"},
+            {before.v + push / before.inverse_mass, "mass where inverse mass belongs"}});
+    expect(application, "w" + number, changed.w, w, 10 * rounding,
+           {{real(2) * before.w - w, "the sign: velocities grow by +M^-1 J^T lambda"},
+            {before.w, "this velocity is not changed at all"},
+            {before.w + turn, "the inverse inertia is missing"},
+            {before.w + before.inverse_inertia_local * turn,
+             "body-space inertia: take inverse_inertia(body)"}});
+  };
+  compare(joint.pair.body1, after.body1, false);
+  compare(joint.pair.body2, after.body2, true);
+}
+
+TEST_CASE("2.3 after its impulse a ball joint holds and a second impulse is zero", "[2.3]") {
+  Joint3 joint;
+  const vec3 bias(real(0.3), real(-0.2), real(0.5));
+  const auto solve = [&] {
+    const vec3 lambda =
+        block_impulse(joint.J, joint.K, bias, joint.pair.body1, joint.pair.body2);
+    apply_impulse(joint.J, lambda, joint.pair.body1, joint.pair.body2);
+    return lambda;
+  };
+  solve();
+  expect(impulse, "J V + b after the impulse", joint.rate() + bias, vec3(0), 100 * rounding);
+  expect(impulse, "a second impulse", solve(), vec3(0), 100 * rounding);
+}
+
+// ---- 2.4 -----------------------------------------------------------------------------------------
+
+namespace {
+
+const Subject turning{"2.4", "turning a body"};
+
+void expect_quat(const std::string& entry, const quat& yours, const quat& expected,
+                 double tolerance, const std::vector<std::pair<quat, std::string>>& suspects) {
+  std::vector<VectorSuspect> vectors;
+  for (const auto& [q, words] : suspects) vectors.push_back({vec3(q.x, q.y, q.z), words});
+  expect(turning, entry + ", vector part", vec3(yours.x, yours.y, yours.z),
+         vec3(expected.x, expected.y, expected.z), tolerance, vectors);
+  expect(turning, entry + ", w", double(yours.w), double(expected.w), tolerance);
+}
+
+}  // namespace
+
+TEST_CASE("2.4 half a turn a second for half a second is a quarter turn", "[2.4]") {
+  const vec3 w(0, 0, real(3.14159265358979323846));
+  const real eighth = std::sqrt(real(0.5));
+  expect_quat("q", turned(quat(1, 0, 0, 0), w, real(0.5)), quat(eighth, 0, 0, eighth), rounding,
+              {{quat(0, 0, 0, 1), "the half of the angle is forgotten"},
+               {quat(eighth, 0, 0, -eighth), "the sign of the turn"},
+               {quat(1, 0, 0, 0), "nothing turns"}});
+}
+
+TEST_CASE("2.4 a steady spin turns a body by the exponential of h w in the world", "[2.4]") {
+  Random random(4);
+  for (int draw = 0; draw < 10; ++draw) {
+    const quat q = random.turn();
+    const vec3 w = random.vector(4);
+    const real h = real(0.1);
+    const quat turn = rotation(h * w);
+    const vec3 phi = h * w;
+    const quat first_order = normalize(q + quat(0, phi.x / 2, phi.y / 2, phi.z / 2) * q);
+    expect_quat("q", turned(q, w, h), turn * q, 10 * rounding,
+                {{q * turn, "the turn is multiplied from the right: w is in world axes, not in the body's"},
+                 {rotation(real(2) * h * w) * q, "the half of the angle is forgotten"},
+                 {rotation(-h * w) * q, "the sign of the turn"},
+                 {first_order, "q + h/2 (0, w) q is only the first term of the exponential"}});
+  }
+}
+
+TEST_CASE("2.4 a body at rest keeps its orientation", "[2.4]") {
+  const quat q = rotation(vec3(real(0.3), real(0.2), real(-0.9)));
+  expect_quat("q of a body at rest", turned(q, vec3(0), real(0.1)), q, rounding, {});
+}
+
+TEST_CASE("2.4 a thousand turns leave a unit quaternion", "[2.4]") {
+  quat q(1, 0, 0, 0);
+  Random random(6);
+  for (int n = 0; n < 1000; ++n) q = turned(q, random.vector(10), real(1) / 60);
+  expect(turning, "length of q after 1000 steps", double(length(q)), 1, rounding,
+         {{0, "q is not normalised"}});
+}

@@ -18,6 +18,7 @@ PIECES = re.compile(
     r"|^(?P<heading>##+ +(?P<title>[^\n]+?)) *$"
     r"|^(?P<top># [^\n]+)$"
     r"|^[ ]*(?P<fold></?details[^>]*>(?:\s*<summary>.*?</summary>)?)[ ]*$"
+    r"|\*\*(?P<bold>[^*\s](?:(?!\n\n)[^*])*)\*\*"
     r"|(?P<image>!?)\[(?P<text>(?:[^\[\]`]|`[^`]*`)*)\]\((?P<url>[^()\s]+)\)"
     r"|(?<=<img src=\")(?P<source>[^\"]+)", re.S | re.M)
 
@@ -26,6 +27,12 @@ def label(path, title):
     """The name of a heading on the whole site; on a code host its second half is enough."""
     slug = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
     return re.sub(r"\W", "_", os.path.splitext(path)[0]) + "-" + slug
+
+
+def topic(header):
+    """The group of the site in which a header's contents are documented."""
+    with open(header, encoding="utf-8") as file:
+        return re.search(r"\\(?:defgroup|addtogroup) (\w+)", file.read())[1]
 
 
 def translate(text, path):
@@ -38,6 +45,8 @@ def translate(text, path):
             return piece[0]
         if piece["image"]:
             return f'<img src="{file}" alt="{html.escape(piece["text"])}">'
+        if re.fullmatch(r"(engine|chapters/\w+)/\w+\.h", file):
+            return f"[{words}](@ref {topic(file)})"
         if not re.fullmatch(r"docs/\w+\.md|chapters/\w+/README\.md", file):
             return words  # not a page of the site
         return f"[{words}](@ref {label(file, place)})" if place else f"[{words}]({piece['url']})"
@@ -55,6 +64,8 @@ def translate(text, path):
             return piece["top"] + "\n\n[TOC]\n"
         if piece["fold"]:
             return f"\n\\htmlonly[block]\n{piece['fold']}\n\\endhtmlonly\n"
+        if piece["bold"]:  # Doxygen's own ** fails before a quotation mark
+            return f"<b>{translate(piece['bold'], path)}</b>"
         if piece["url"]:
             return link(piece)
         if piece["source"]:

@@ -1,6 +1,7 @@
 // A block: up to six rows that are solved together, as plain data. All that a solver ever sees.
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
 #include "engine/matrix.h"
@@ -63,8 +64,9 @@ class Blocks {
 
   /// The same from the numbers themselves.
   template <int N>
-  void append(int slot1, int slot2, const Jacobian<N>& J_block, const Vector<N>& C_block,
-              const Matrix<N>& K_block, const Demand& demand, real* impulse) {
+  void append(int slot1, int slot2, const Jacobian<N>& J_block,
+              const std::type_identity_t<Vector<N>>& C_block, const Matrix<N>& K_block,
+              const Demand& demand, real* impulse) {
     static_assert(N >= 1 && N <= 6, "a block has one to six rows");
     append(slot1, slot2, N, J_block.row.data(), C_block.data(), K_block.m[0].data(), demand,
            impulse);

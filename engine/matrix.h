@@ -50,8 +50,8 @@ inline Jacobian<3> jacobian_from_blocks(const mat3& v1, const mat3& w1, const ma
 // A part may give its numbers as the type that reads best; these make one kind of them.
 inline Vector<1> to_vector(real a) { return {a}; }
 inline Vector<3> to_vector(const vec3& a) { return {a.x, a.y, a.z}; }
-template <int N>
-const Vector<N>& to_vector(const Vector<N>& a) { return a; }
+template <std::size_t N>
+const std::array<real, N>& to_vector(const std::array<real, N>& a) { return a; }
 inline Matrix<1> to_matrix(real a) { return {{{{a}}}}; }
 inline Matrix<3> to_matrix(const mat3& a) {
   return {{{{a[0][0], a[1][0], a[2][0]}, {a[0][1], a[1][1], a[2][1]}, {a[0][2], a[1][2], a[2][2]}}}};

@@ -73,8 +73,8 @@ def build(out):
     return html / "index.html"
 
 
-def main():
-    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+def main(arguments):
+    if len(arguments) != 1 or arguments[0].startswith("-"):
         stop("usage: docs.py OUT_DIR")
     missing = [package for package, there in (("doxygen", shutil.which("doxygen")),
                                               ("doxygen-awesome-css", THEME.exists()),
@@ -84,10 +84,11 @@ def main():
         stop("missing: " + " ".join(missing)
              + "  (Debian packages: doxygen doxygen-awesome-css libjs-mathjax)")
     try:
-        print(f"site: {build(Path(sys.argv[1]).resolve())}")
+        print(f"site: {build(Path(arguments[0]).resolve())}")
     except (OSError, subprocess.CalledProcessError) as error:
         stop(str(error))
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main(sys.argv[1:]))

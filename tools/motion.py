@@ -8,9 +8,9 @@ has a recording of the same name, the two play side by side.
 """
 import argparse
 import json
-import math
 import re
 import sys
+from math import isfinite
 from pathlib import Path
 
 TEMPLATE = Path(__file__).resolve().parent.parent / "docs" / "motion.html"
@@ -21,36 +21,40 @@ class MotionError(Exception):
     """What is wrong with the input, in one line."""
 
 
+def check(good, what):
+    if not good:
+        raise ValueError(what)
+
+
 def read_run(path, label):
     """One recording, checked, up to its first frame that is not made of ordinary numbers."""
     try:
-        text = path.read_text(encoding="utf-8")
         # C++ prints nan, -nan and inf; Python reads NaN; a browser reads neither.
-        run = json.loads(re.sub(r"(?<=[\[,])-?(nan|inf)(?=[,\]])", "NaN", text))
-        run = {key: run[key] for key in ("title", "dt", "bodies", "lines", "frames")}
-        bodies = len(run["bodies"])
-        good = isinstance(run["title"], str) and math.isfinite(run["dt"]) and run["dt"] > 0
-        good = good and all(body["kind"] in ("box", "ball") and len(body["size"]) == 3 and
-                            all(0 < edge < math.inf for edge in body["size"])
-                            for body in run["bodies"])
-        good = good and all(one in range(bodies) and two in range(bodies) and
-                            len(anchor1) == len(anchor2) == 3 and
-                            all(map(math.isfinite, anchor1 + anchor2))
-                            for one, anchor1, two, anchor2 in run["lines"])
-        good = good and bodies > 0 and len(run["frames"]) > 0
-        good = good and all(len(frame) == 7 * bodies for frame in run["frames"])
-        finite = [all(map(math.isfinite, frame)) for frame in run["frames"]]
+        text = re.sub(r"(?<=[\[,])-?(nan|inf)(?=[,\]])", "NaN", path.read_text(encoding="utf-8"))
+        whole = json.loads(text)
+        run = {key: whole[key] for key in ("title", "dt", "bodies", "lines", "frames")}
+        count, frames = len(run["bodies"]), run["frames"]
+        check(isinstance(run["title"], str), "its title is not a text")
+        check(isfinite(run["dt"]) and run["dt"] > 0, "dt is not a positive number")
+        for body in run["bodies"]:
+            check(body["kind"] in ("box", "ball"), f"no body is a {body['kind']!r}")
+            check(len(body["size"]) == 3 and all(map(isfinite, body["size"])), "a size is wrong")
+        for one, anchor1, two, anchor2 in run["lines"]:
+            check({one, two} <= set(range(count)), "a line names a body that does not exist")
+            check(len(anchor1) == len(anchor2) == 3 and all(map(isfinite, anchor1 + anchor2)),
+                  "an anchor is wrong")
+        check(count and frames, "it has no frames")
+        check(all(len(frame) == 7 * count for frame in frames), "a frame is too short or too long")
+        bad = next((i for i, frame in enumerate(frames) if not all(map(isfinite, frame))), None)
     except OSError as error:
         raise MotionError(f"cannot read {path}: {error.strerror}") from error
-    except (ValueError, KeyError, TypeError, AttributeError, OverflowError) as error:
-        raise MotionError(f"{path} is not a whole recording ({error!r})") from error
-    if not good:
-        raise MotionError(f"{path} is not a whole recording")
-    run["label"] = label
-    if not all(finite):
-        run["stopped"] = finite.index(False) * run["dt"]
-        del run["frames"][finite.index(False):]
-    return run
+    except KeyError as error:
+        raise MotionError(f"{path} is broken: {error} is missing") from error
+    except (ValueError, TypeError, OverflowError) as error:
+        raise MotionError(f"{path} is broken: {error}") from error
+    if bad is not None:
+        run.update(stopped=bad * run["dt"], frames=frames[:bad])
+    return {"label": label, **run}
 
 
 def write_page(page, title, solution_dir, mine_dir=None):
@@ -59,7 +63,7 @@ def write_page(page, title, solution_dir, mine_dir=None):
                ((mine_dir, "yours"), (solution_dir, "the solution")) if folder is not None]
     for folder, _ in folders:
         if not folder.is_dir():
-            raise MotionError(f"no folder {folder}")
+            raise MotionError(f"there is no folder {folder}")
     scenes = []
     for path in sorted(Path(solution_dir).glob("*.motion.json")):
         runs = [read_run(folder / path.name, label) for folder, label in folders
@@ -68,17 +72,16 @@ def write_page(page, title, solution_dir, mine_dir=None):
             name = path.name[:-len(".motion.json")]
             scenes.append({"name": name, "title": runs[-1]["title"] or name, "runs": runs})
     if not scenes:
-        raise MotionError(f"nothing to show: no *.motion.json with a frame in {solution_dir}")
+        raise MotionError(f"nothing to show: no *.motion.json with a good frame in {solution_dir}")
+    # Inside a script element a "<" could end it early; to JSON \u003c is the same.
     data = json.dumps({"title": title, "scenes": scenes}, separators=(",", ":"), allow_nan=False)
     try:
-        template = TEMPLATE.read_text(encoding="utf-8")
-        before, after = template.split(SLOT)
-        # Inside a script element a "<" could end it early; \u003c is the same to JSON.
-        data = data.replace("<", "\\u003c")
+        before, after = TEMPLATE.read_text(encoding="utf-8").split(SLOT)
         Path(page).parent.mkdir(parents=True, exist_ok=True)
-        Path(page).write_text(f"{before}>{data}<{after}", encoding="utf-8")
+        Path(page).write_text(before + ">" + data.replace("<", "\\u003c") + "<" + after,
+                              encoding="utf-8")
     except OSError as error:
-        raise MotionError(f"cannot write {page}: {error}") from error
+        raise MotionError(f"cannot write {page}: {error.strerror}") from error
 
 
 def main():
@@ -93,9 +96,8 @@ def main():
         write_page(arguments.page, arguments.title, arguments.solution, arguments.mine)
     except MotionError as error:
         print(f"motion: {error}", file=sys.stderr)
-        return 2
-    return 0
+        sys.exit(2)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""Chapter 2's drawing: two bodies, their levers and the gap; the velocity of a turning anchor.
+
+    python3 plots/geometry_02.py OUT.svg
+"""
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.patches import Arc, FancyBboxPatch  # noqa: E402
+from matplotlib.transforms import Affine2D  # noqa: E402
+
+CARD, INK, FAINT = "#f7f5ef", "#222222", "#6b6b6b"
+BODY1, BODY2, ARROW = "#0072B2", "#D55E00", "#009E73"
+WIDTH, HEIGHT = 700, 380  # [px]
+
+plt.rcParams.update({"svg.hashsalt": "geometry_02", "font.family": "DejaVu Sans",
+                     "mathtext.fontset": "dejavusans"})
+
+
+def body(ax, centre, size, degrees, colour):
+    """A box with rounded corners, seen from the side."""
+    w, h = size
+    box = FancyBboxPatch((-w / 2, -h / 2), w, h, boxstyle="round,pad=0,rounding_size=10",
+                         facecolor=colour + "26", edgecolor=colour, linewidth=2)
+    box.set_transform(Affine2D().rotate_deg(degrees).translate(*centre) + ax.transData)
+    ax.add_patch(box)
+
+
+def arrow(ax, start, end, colour=ARROW, width=2.2, dashed=False):
+    ax.annotate("", xy=end, xytext=start, zorder=4,
+                arrowprops={"arrowstyle": "-|>,head_width=0.3,head_length=0.6", "color": colour,
+                            "linewidth": width, "shrinkA": 0, "shrinkB": 0,
+                            "linestyle": (0, (3, 2)) if dashed else "solid"})
+
+
+def dot(ax, place, colour, size=7):
+    ax.plot(*place, "o", color=colour, markersize=size, markeredgecolor=CARD, zorder=5)
+
+
+def words(ax, place, text, colour=INK, size=13, **more):
+    ax.text(*place, text, color=colour, fontsize=size, ha="center", va="center", zorder=6, **more)
+
+
+def gap(ax):
+    """Left: x, r, p of both bodies, and u from p1 to p2."""
+    words(ax, (210, 350), "the gap: $u = p_2 - p_1$", size=12.5, weight="bold")
+    x1, p1 = np.array([100.0, 150.0]), np.array([171.0, 186.0])
+    x2, p2 = np.array([316.0, 198.0]), np.array([251.0, 257.0])
+    body(ax, x1, (156, 124), 20, BODY1)
+    body(ax, x2, (166, 128), -22, BODY2)
+    arrow(ax, x1, p1)
+    arrow(ax, x2, p2)
+    arrow(ax, p1, p2, INK, 3)
+    for place, colour in ((x1, BODY1), (p1, BODY1), (x2, BODY2), (p2, BODY2)):
+        dot(ax, place, colour)
+    words(ax, (90, 133), "$x_1$", BODY1)
+    words(ax, (328, 182), "$x_2$", BODY2)
+    words(ax, (195, 179), "$p_1$", BODY1)
+    words(ax, (241, 276), "$p_2$", BODY2)
+    words(ax, (130, 183), "$r_1$", ARROW)
+    words(ax, (296, 238), "$r_2$", ARROW)
+    words(ax, (196, 232), "$u$", INK, 15)
+    words(ax, (60, 246), "body 1", BODY1, 12)
+    words(ax, (348, 302), "body 2", BODY2, 12)
+    words(ax, (210, 32), "closed: $u = 0$, which is three numbers", FAINT, 11)
+
+
+def turning(ax):
+    """Right: the velocity of an anchor is the centre's plus that of the turn."""
+    words(ax, (562, 350), "a point's velocity: $v + \\omega \\times r$", size=12.5, weight="bold")
+    x, p = np.array([524.0, 150.0]), np.array([588.0, 184.0])
+    v = np.array([62.0, -14.0])
+    turn = 1.2 * np.array([-(p - x)[1], (p - x)[0]])  # omega points out of the page
+    body(ax, x, (150, 132), 16, BODY2)
+    arrow(ax, x, p, FAINT, 1.8)
+    arrow(ax, x, x + v)
+    arrow(ax, p, p + v, dashed=True)
+    arrow(ax, p, p + turn)
+    arrow(ax, p, p + v + turn, INK, 3)
+    for start, step in ((p + turn, v), (p + v, turn)):
+        ax.plot(*zip(start, start + step), color=FAINT, linewidth=1, linestyle=":", zorder=3)
+    dot(ax, x, BODY2)
+    dot(ax, p, BODY2)
+    # the turn itself: a bent arrow round the centre
+    ax.add_patch(Arc(x, 72, 72, theta1=95, theta2=215, color=BODY2, linewidth=2, zorder=4))
+    end = np.radians(215)
+    tip = x + 36 * np.array([np.cos(end), np.sin(end)])
+    along = np.array([-np.sin(end), np.cos(end)])
+    arrow(ax, tip - along, tip + 7 * along, BODY2, 2)
+    words(ax, (477, 172), "$\\omega$", BODY2, 15)
+    words(ax, (514, 132), "$x$", BODY2)
+    words(ax, (550, 180), "$r$", FAINT)
+    words(ax, (566, 124), "$v$", ARROW)
+    words(ax, (663, 168), "$v$", ARROW)
+    words(ax, (515, 268), "$\\omega \\times r$", ARROW)
+    words(ax, (637, 263), "both together", INK, 11)
+    words(ax, (562, 32), "$\\omega$ points out of the page, at you", FAINT, 11)
+
+
+def main(path):
+    figure = plt.figure(figsize=(WIDTH / 96, HEIGHT / 96))
+    ax = figure.add_axes((0, 0, 1, 1))
+    ax.set_xlim(0, WIDTH)
+    ax.set_ylim(0, HEIGHT)
+    ax.set_axis_off()
+    ax.add_patch(FancyBboxPatch((1, 1), WIDTH - 2, HEIGHT - 2, facecolor=CARD, edgecolor="#d9d5c8",
+                                linewidth=1, boxstyle="round,pad=0,rounding_size=12", zorder=0))
+    ax.plot((423, 423), (45, 330), color="#d9d5c8", linewidth=1.2)
+    gap(ax)
+    turning(ax)
+    metadata = {"Date": None} if path.endswith(".svg") else None
+    figure.savefig(path, transparent=True, metadata=metadata)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    main(sys.argv[1])

@@ -1,0 +1,196 @@
+"""The style sheet of all figures: colours, sizes, labels at line ends, tables in, pictures out."""
+import argparse
+import csv
+import math
+import pathlib
+import sys
+
+try:
+    import matplotlib
+    matplotlib.use("agg")
+    import matplotlib.pyplot as plt
+    import numpy as np
+except ImportError as problem:
+    print(f"{problem}: install python3-matplotlib", file=sys.stderr)
+    sys.exit(2)
+
+# Okabe and Ito, 2008: told apart by colour-blind eyes too. Yellow is left out: too pale for lines.
+COLOURS = ["#D55E00", "#0072B2", "#009E73", "#CC79A7", "#56B4E9", "#E69F00"]
+INK, PALE, GRID, EMPTY = "#222222", "#6A6A6A", "#E4E4E4", "#E9E9E6"
+MINE = COLOURS[0]
+WIDTH, HEIGHT = 7.5, 4.0  # [inch], the size at which the page shows a figure
+
+plt.rcParams.update({
+    "font.family": "DejaVu Sans", "mathtext.fontset": "dejavusans", "font.size": 9,
+    "axes.titlesize": 9.5, "axes.labelsize": 9, "xtick.labelsize": 8.5, "ytick.labelsize": 8.5,
+    "figure.titlesize": 11, "figure.titleweight": "bold", "axes.titlelocation": "left",
+    "text.color": INK, "axes.labelcolor": INK, "axes.edgecolor": PALE, "axes.linewidth": 0.8,
+    "xtick.color": PALE, "ytick.color": PALE, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
+    "axes.spines.top": False, "axes.spines.right": False, "axes.axisbelow": True,
+    "axes.grid": True, "grid.color": GRID, "grid.linewidth": 0.7, "lines.linewidth": 1.6,
+    "figure.facecolor": "white", "savefig.facecolor": "white", "savefig.dpi": 160,
+    "figure.constrained_layout.h_pad": 0.06, "figure.constrained_layout.w_pad": 0.08,
+    "svg.hashsalt": "joint workbook", "svg.fonttype": "path",
+})
+
+
+class Trouble(Exception):
+    """What the user has to know, in one line."""
+
+
+def run(main):
+    """Runs a script: its trouble becomes one line on standard error and exit status 2."""
+    try:
+        main()
+    except (Trouble, OSError) as problem:
+        print(problem, file=sys.stderr)
+        sys.exit(2)
+
+
+def arguments(words, **known):
+    """Reads the command line; `known` has the help of every option, `words` what the script does.
+
+    An option whose help begins with "optional" may be left out.
+    """
+    parser = argparse.ArgumentParser(description=words, allow_abbrev=False)
+    parser.error = lambda message: run(lambda: trouble(f"{parser.prog}: {message}"))
+    for name, text in known.items():
+        parser.add_argument(f"--{name}", type=pathlib.Path, help=text, metavar="PATH",
+                            required=not text.startswith("optional"))
+    return parser.parse_args()
+
+
+def trouble(words):
+    raise Trouble(words)
+
+
+def read_csv(path, numbers, words=(), command=""):
+    """A table as a dictionary of columns: arrays of the `numbers`, lists of the `words`.
+
+    An empty field of a number is NaN; more columns may follow.
+    """
+    if not path.is_file():
+        raise Trouble(f"{path} is missing: {command} makes it")
+    with open(path, newline="", encoding="utf-8", errors="replace") as file:
+        rows = [row for row in csv.reader(file) if row]
+    header = rows[0] if rows else []
+    lacking = [name for name in (*numbers, *words) if name not in header]
+    if lacking:
+        raise Trouble(f"{path} has no column {lacking[0]}: {command} makes it anew")
+    if len(rows) < 2 or any(len(row) < len(header) for row in rows):
+        raise Trouble(f"{path} is cut short: {command} makes it anew")
+    table = {name: [row[header.index(name)] for row in rows[1:]] for name in words}
+    for name in numbers:
+        texts = [row[header.index(name)] for row in rows[1:]]
+        try:
+            table[name] = np.array([float(text or "nan") for text in texts])
+        except ValueError as problem:
+            raise Trouble(f"{path}, column {name}: {problem}: {command} makes it anew") from None
+    return table
+
+
+def figure(title, panels=1, rows=1, **options):
+    """A figure with its panels side by side; `title` says what is to be seen."""
+    made, axes = plt.subplots(rows, panels, figsize=(WIDTH, HEIGHT * (1 + 0.7 * (rows - 1))),
+                              layout="constrained", **options)
+    made.suptitle(title, x=0.012, ha="left")
+    return made, axes
+
+
+def save(made, path):
+    """Writes path.svg and path.png: the same bytes for the same data."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    made.savefig(path.with_name(path.name + ".svg"), metadata={"Date": None, "Creator": None})
+    made.savefig(path.with_name(path.name + ".png"), metadata={"Software": None})
+    plt.close(made)
+
+
+def visible(values):
+    """For a log axis: what is zero, negative or not finite is not drawn."""
+    values = np.asarray(values, float)
+    return np.where(np.isfinite(values) & (values > 0), values, np.nan)
+
+
+def spread(places, distance):
+    """Moves places (in 0..1) as little as it takes to keep them the distance apart."""
+    order = sorted(range(len(places)), key=lambda i: places[i])
+    places = list(places)
+    for _ in range(300):
+        for low, high in zip(order, order[1:]):
+            push = (distance - (places[high] - places[low])) / 2
+            if push > 0:
+                places[low] -= push
+                places[high] += push
+        places = [min(max(place, 0.0), 1.0) for place in places]
+    return places
+
+
+def label_ends(ax, lines=None, size=8.5):
+    """Writes every line's label at its right end, clear of each other, outside the axes."""
+    lines = [line for line in (ax.lines if lines is None else lines)
+             if not line.get_label().startswith("_")]
+    ax.figure.canvas.draw()
+    ends = []
+    for line in lines:
+        points = ax.transAxes.inverted().transform(ax.transData.transform(line.get_xydata()))
+        points = points[np.isfinite(points).all(axis=1)]
+        ends.append(np.clip(points[-1], 0, 1) if len(points) else np.array([1.0, 0.0]))
+    height = ax.get_window_extent().height / ax.figure.dpi * 72  # [points]
+    most = max((line.get_label().count("\n") + 1 for line in lines), default=1)
+    places = spread([end[1] for end in ends], most * 1.3 * size / height)
+    for line, end, place in zip(lines, ends, places):
+        ax.annotate(line.get_label(), end, xytext=(1.035, place), va="center", fontsize=size,
+                    color=line.get_color(), xycoords="axes fraction", textcoords="axes fraction",
+                    annotation_clip=False, arrowprops={
+                        "arrowstyle": "-", "color": line.get_color(), "linewidth": 0.8,
+                        "relpos": (0, 0.5), "shrinkA": 0.5, "shrinkB": 1})
+
+
+def overlay(ax, mine, solution, labels=("yours", "the solution")):
+    """Yours thick and solid, the solution's thin and dashed on top; both are (x, y)."""
+    ax.plot(*mine, color=MINE, linewidth=3.2, alpha=0.75, label=labels[0])
+    ax.plot(*solution, color=INK, linewidth=1.1, dashes=(4, 2), label=labels[1])
+    ax.set_xlim(0, max(mine[0].max(), solution[0].max()))
+    finite = [y[np.isfinite(y)] for y in (mine[1], solution[1])]
+    if not len(finite[1]):
+        return
+    low, high = finite[1].min(), finite[1].max()
+    both = np.concatenate(finite)
+    if ax.get_yscale() == "log":  # what explodes may leave the picture
+        ax.set_ylim(max(both.min(), low / 100) / 1.5, min(both.max(), high * 100) * 1.5)
+    else:
+        span = 1.02 * (high - low) or 1.0
+        ax.set_ylim(max(both.min(), low - 3 * span) - span / 25,
+                    min(both.max(), high + 3 * span) + span / 25)
+
+
+def difference(mine, solution):
+    """The largest difference of two curves (x, y) where both have the same x, NaN counting as 0."""
+    _, i, j = np.intersect1d(np.round(mine[0], 6), np.round(solution[0], 6), return_indices=True)
+    a, b = (np.where(np.isnan(y), 0.0, y) for y in (mine[1][i], solution[1][j]))
+    return float(np.max(np.abs(a - b), initial=0.0)) if np.isfinite(a).all() else math.inf
+
+
+def verdict(mine, solution, unit):
+    """The difference of two curves in words."""
+    size = difference(mine, solution)
+    if size <= 1e-6 * np.nanmax(np.abs(solution[1]), initial=0.0):
+        return "yours and the solution are one curve"
+    return f"yours is up to {size:.3g} {unit} off the solution"
+
+
+def runs(table, column):
+    """{iterations: (times, values)} of a program's table, fewest iterations first."""
+    out = {}
+    for count in np.unique(table["iterations"]):
+        chosen = table["iterations"] == count
+        out[int(count)] = (table["time_s"][chosen], table[column][chosen])
+    return out
+
+
+def common_count(mine, solution):
+    """The number of iterations to compare at: 30, else the largest that both have."""
+    both = set(mine) & set(solution)
+    if not both:
+        raise Trouble("yours and the solution's tables have no number of iterations in common")
+    return 30 if 30 in both else max(both)

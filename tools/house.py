@@ -1,0 +1,205 @@
+"""Where things are, how they are built, and how wb talks."""
+import os
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import exercises
+
+ROOT = Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build"
+OUT = ROOT / "out"
+
+
+class Trouble(Exception):
+    """Something the user can do something about: one line, exit status 2."""
+
+
+@dataclass
+class Chapter:
+    """A chapter: its number and folder (1, 01_distance) and its files."""
+    number: int
+    folder: str
+    name: str
+
+    @property
+    def mine(self):
+        return ROOT / "chapters" / self.folder / f"{self.name}.cpp"
+
+    @property
+    def solution(self):
+        return ROOT / "solutions" / self.folder / f"{self.name}.cpp"
+
+    @property
+    def hints(self):
+        return ROOT / "chapters" / self.folder / "hints.md"
+
+    @property
+    def text(self):
+        return ROOT / "chapters" / self.folder / "README.md"
+
+    def ids(self):
+        """The exercises in the order of their numbers."""
+        found = {r.id for r in exercises.regions(self.solution.read_text(), self.solution.name)}
+        return sorted(found, key=lambda id_: int(id_.split(".")[1]))
+
+    def written(self):
+        """The exercises in whose regions of the reader's file no todo is left."""
+        regions = exercises.regions(self.mine.read_text(), short(self.mine))
+        waiting = {r.id for r in regions if exercises.is_open(r)}
+        return [id_ for id_ in self.ids() if id_ not in waiting]
+
+    def titles(self):
+        """What each exercise is about, from the table in the chapter's text."""
+        found = {}
+        for line in self.text.read_text().split("\n") if self.text.exists() else []:
+            if match := re.match(r"\|\s*(\d+\.\d+)\s*\|\s*([^|]*?)\s*\|", line):
+                found[match[1]] = match[2].replace("`", "")
+        return found
+
+    def place(self, id_):
+        """file:line at which an exercise begins in the reader's file."""
+        for number, line in enumerate(self.mine.read_text().split("\n"), 1):
+            if f"// begin [exercise {id_}]" in line:
+                return f"{short(self.mine)}:{number}"
+        return short(self.mine)
+
+
+def chapters():
+    """All chapters that have a solution, in order."""
+    found = []
+    for folder in sorted((ROOT / "solutions").iterdir()):
+        if match := re.match(r"(\d\d)_(\w+)$", folder.name):
+            found.append(Chapter(int(match[1]), folder.name, match[2]))
+    return found
+
+
+def chapter_of(word):
+    """The chapter named by "2", "02", "02_ball", "ball" or by an exercise "2.1"."""
+    for chapter in chapters():
+        if word.split(".")[0].lstrip("0") == str(chapter.number) or word in (
+                chapter.folder, chapter.name):
+            return chapter
+    raise Trouble(f"{word}: no such chapter; there are "
+                  + ", ".join(f"{c.number} ({c.name})" for c in chapters()))
+
+
+def exercise_of(word):
+    """The chapter and id of an exercise such as "2.1"."""
+    chapter = chapter_of(word)
+    if word not in chapter.ids():
+        raise Trouble(f"{word}: no such exercise; chapter {chapter.number} has "
+                      + " ".join(chapter.ids()))
+    return chapter, word
+
+
+def short(path):
+    """A path as seen from the root of the workbook."""
+    path = Path(path)
+    return str(path.relative_to(ROOT)) if path.is_relative_to(ROOT) else str(path)
+
+
+# ---- talking -------------------------------------------------------------------------------------
+
+TERMINAL = sys.stdout.isatty()
+
+
+def coloured(words, code):
+    return f"\033[{code}m{words}\033[0m" if TERMINAL and "NO_COLOR" not in os.environ else words
+
+
+def good(words):
+    return coloured(words, "32")
+
+
+def bad(words):
+    return coloured(words, "31")
+
+
+def faint(words):
+    return coloured(words, "2")
+
+
+def bold(words):
+    return coloured(words, "1")
+
+
+def progress(words):
+    """One line that is overwritten by the next; on a log, a line of its own."""
+    if TERMINAL:
+        width = shutil.get_terminal_size().columns - 1
+        sys.stdout.write("\r\033[K" + words[:width])
+    else:
+        sys.stdout.write(words + "\n")
+    sys.stdout.flush()
+
+
+def progress_done():
+    if TERMINAL:
+        sys.stdout.write("\r\033[K")
+        sys.stdout.flush()
+
+
+def ask(question, yes):
+    """True when the user agrees, or said so on the command line."""
+    if yes:
+        return True
+    if not sys.stdin.isatty():
+        raise Trouble(f"{question} Nobody is here to ask: add --yes to agree.")
+    return input(f"{question} [y/N] ").strip().lower().startswith("y")
+
+
+# ---- building ------------------------------------------------------------------------------------
+
+def configure():
+    """Runs CMake when the build folder is new or was made for another place."""
+    cache = BUILD / "CMakeCache.txt"
+    if cache.exists() and (BUILD / "build.ninja").exists():
+        if f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text():
+            return
+        shutil.rmtree(BUILD)  # a copied build folder points at the place it was copied from
+    progress("configuring")
+    command = ["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja",
+               f"-DPython3_EXECUTABLE={sys.executable}"]
+    result = subprocess.run(command, capture_output=True, text=True)
+    progress_done()
+    if result.returncode != 0:
+        raise Trouble("CMake failed:\n" + result.stdout[-1500:] + result.stderr[-3000:])
+
+
+def build(targets, what="building"):
+    """Builds targets; returns "" or what the compiler said."""
+    configure()
+    process = subprocess.Popen(["ninja", "-C", str(BUILD), "-k", "0", *targets],
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    log, last = [], -1
+    for line in process.stdout:
+        match = re.match(r"\[(\d+)/(\d+)\] ", line)
+        if not match:
+            log.append(line)
+            continue
+        tenth = 10 * int(match[1]) // int(match[2])
+        if TERMINAL or (tenth > last and int(match[2]) > 10):
+            progress(f"{what} {match[1]} of {match[2]}")
+        last = tenth
+        log.append(line)
+    process.wait()
+    progress_done()
+    return "" if process.returncode == 0 else "".join(log)
+
+
+def must_build(targets, what="building"):
+    log = build(targets, what)
+    if log:
+        raise Trouble("the build failed:\n" + compiler_words(log))
+
+
+def compiler_words(log, most=25):
+    """The compiler's errors without the command lines."""
+    lines = [line for line in log.split("\n")
+             if line and not re.match(r"\[\d+/\d+\]|ninja:|FAILED:|/\S*c\+\+|\S*g\+\+ ", line)]
+    lines = [line.replace(str(ROOT) + "/", "") for line in lines]
+    return "\n".join(lines[:most] + (["..."] if len(lines) > most else []))

@@ -1,0 +1,250 @@
+"""The commands that show something: run, plot, see, tour, check, bench, docs."""
+import csv
+import os
+import re
+import subprocess
+import sys
+import time
+import webbrowser
+
+import exercises
+import house
+import motion
+from house import bold, faint
+
+SOLUTIONS, MINE = house.OUT / "solutions", house.OUT / "mine"
+TABLE = house.OUT / "work_precision.csv"
+
+
+# ---- programs ------------------------------------------------------------------------------------
+
+def run_solution(chapter, quiet=True):
+    """Runs a chapter's program on the solution; its tables go to out/solutions/NN_name."""
+    house.must_build([f"{chapter.folder}_run"], "building")
+    call_program(f"{chapter.folder}_run", SOLUTIONS / chapter.folder, [], quiet)
+
+
+def call_program(name, folder, options, quiet):
+    result = subprocess.run([house.BUILD / name, "--out", folder, *options],
+                            stdout=subprocess.PIPE if quiet else None,
+                            stderr=subprocess.PIPE, text=True)
+    if result.returncode != 0:
+        raise house.Trouble(result.stderr.strip() or f"{name} ended with {result.returncode}")
+
+
+def prepare_mine(chapter):
+    """Builds the program on the reader's file, what is not written yet taken from the solution.
+
+    Returns the list of exercises that are the reader's own, or None where nothing is.
+    """
+    written = chapter.written()
+    if not written:
+        return None
+    waiting = [id_ for id_ in chapter.ids() if id_ not in written]
+    mixed = house.BUILD / "mixed" / chapter.folder / f"{chapter.name}.cpp"
+    house.configure()
+    exercises.write_if_new(mixed, exercises.fill(chapter.mine.read_text(),
+                                                 chapter.solution.read_text(), waiting))
+    log = house.build([f"{chapter.folder}_run_mine"], "building")
+    if log:
+        raise house.Trouble(f"{house.short(chapter.mine)} does not compile: "
+                            f"./wb test {chapter.number}")
+    return written
+
+
+def run(chapter, options):
+    """The chapter's program, on the reader's code where it is written."""
+    if "--help" in options or "-h" in options:
+        house.must_build([f"{chapter.folder}_run"])
+        return subprocess.run([house.BUILD / f"{chapter.folder}_run", "--help"]).returncode
+    if "--out" in options:
+        raise house.Trouble("--out: ./wb chooses the folder itself, under out/")
+    written = prepare_mine(chapter)
+    if written is None:
+        print("the solution's code: no exercise of this chapter is written yet", flush=True)
+        program = f"{chapter.folder}_run"
+        house.must_build([program])
+    else:
+        rest = [id_ for id_ in chapter.ids() if id_ not in written]
+        print(f"your code: {' '.join(written)}"
+              + (f"   the solution's: {' '.join(rest)}" if rest else ""), flush=True)
+        program = f"{chapter.folder}_run_mine"
+    folder = MINE / chapter.folder
+    call_program(program, folder, options, False)
+    print(faint(f"tables: {house.short(folder)}/   figures: ./wb plot {chapter.number}   "
+                f"motion: ./wb see {chapter.number}"))
+    return 0
+
+
+def stale(folder, program):
+    """True when a program has not been run since it was last built."""
+    summary = folder / "summary.csv"
+    return not summary.exists() or summary.stat().st_mtime < program.stat().st_mtime
+
+
+def both_runs(chapter):
+    """Sees to it that both recorded runs are there; returns the reader's folder or None.
+
+    What ./wb run recorded, with whatever options, is kept: it is what the reader wants to see.
+    """
+    house.must_build([f"{chapter.folder}_run"])
+    if stale(SOLUTIONS / chapter.folder, house.BUILD / f"{chapter.folder}_run"):
+        run_solution(chapter)
+    mine = MINE / chapter.folder
+    if prepare_mine(chapter) is None:
+        return mine if (mine / "summary.csv").exists() else None
+    if stale(mine, house.BUILD / f"{chapter.folder}_run_mine"):
+        call_program(f"{chapter.folder}_run_mine", mine, [], True)
+    return mine
+
+
+# ---- figures and pages ---------------------------------------------------------------------------
+
+def draw(script, *arguments):
+    """Runs one script of plots/; returns the PNG files that it made."""
+    figures = house.OUT / "plots"
+    before = time.time() - 1
+    result = subprocess.run([sys.executable, "-B", house.ROOT / "plots" / script, *arguments,
+                             "--out", figures], capture_output=True, text=True)
+    if result.returncode != 0:
+        raise house.Trouble(result.stderr.strip() or f"plots/{script} failed")
+    return sorted(p for p in figures.glob("*.png") if p.stat().st_mtime >= before)
+
+
+def plot_chapter(chapter, with_mine=True):
+    mine = both_runs(chapter) if with_mine else None
+    arguments = ["--solution", SOLUTIONS / chapter.folder]
+    if mine:
+        arguments += ["--mine", mine]
+    return draw(f"chapter_{chapter.number:02}.py", *arguments)
+
+
+def plot(chapter):
+    """The figures of one chapter, or all of them."""
+    made = []
+    for one in [chapter] if chapter else house.chapters():
+        house.progress(f"drawing chapter {one.number}")
+        made += plot_chapter(one)
+    if not chapter and TABLE.exists():
+        made += draw("work_precision.py", "--csv", TABLE)
+    house.progress_done()
+    for path in made:
+        print(house.short(path))
+    return 0
+
+
+def make_page(chapter, mine):
+    page = house.OUT / "see" / f"{chapter.folder}.html"
+    page.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        motion.write_page(page, f"Chapter {chapter.number}: {chapter.name}",
+                          SOLUTIONS / chapter.folder, mine)
+    except motion.MotionError as error:
+        raise house.Trouble(str(error))
+    return page
+
+
+def see(chapter):
+    """The page that plays the motion."""
+    mine = both_runs(chapter)
+    page = make_page(chapter, mine)
+    print(f"{house.short(page)}" + ("" if mine else "   (the solution; yours is not written yet)"))
+    if house.TERMINAL and ("DISPLAY" in os.environ or "WAYLAND_DISPLAY" in os.environ
+                           or sys.platform == "darwin"):
+        webbrowser.open(page.as_uri())
+    else:
+        print("open it in a browser: it needs no network")
+    return 0
+
+
+# ---- the whole workbook --------------------------------------------------------------------------
+
+def summary_table(chapters):
+    print(f"{'scene':12} {'setting':26} {'us a step':>10} {'gap RMS mm':>11} {'gap max mm':>11} "
+          f"{'energy drift':>13}")
+    for chapter in chapters:
+        with open(SOLUTIONS / chapter.folder / "summary.csv", newline="") as file:
+            for row in csv.DictReader(file):
+                print(f"{row['scene']:12} {row['setting']:26} {float(row['us_per_step']):10.2f} "
+                      f"{1000 * float(row['gap_rms_m']):11.4g} "
+                      f"{1000 * float(row['gap_max_m']):11.4g} "
+                      f"{float(row['energy_drift']):13.3g}")
+
+
+def tour():
+    """The main job: everything computed, drawn, moving and summarised, from the solutions."""
+    chapters = house.chapters()
+    new = not (house.BUILD / "build.ninja").exists()
+    print(f"{len(chapters)} chapters: build, run, draw. "
+          + ("The first time takes about a minute and a half." if new
+             else "About half a minute when nothing has to be built."), flush=True)
+    house.must_build([f"{c.folder}_run" for c in chapters] + ["work_precision"], "building")
+    figures, pages = [], []
+    for chapter in chapters:
+        house.progress(f"chapter {chapter.number}: running")
+        run_solution(chapter)
+        house.progress(f"chapter {chapter.number}: drawing")
+        figures += plot_chapter(chapter, with_mine=False)
+        pages.append(make_page(chapter, None))
+    house.progress("error against run time, the short form")
+    run_bench("work_precision", ["--quick", "1"])
+    figures += draw("work_precision.py", "--csv", TABLE)
+    house.progress_done()
+    print()
+    summary_table(chapters)
+    print("\nenergy drift: change of energy over the run, as a share of the energy to hand. Ropes "
+          "that\nbecome taut lose some, as they do in nature; rods and balls lose it to beta.")
+    print("\n" + bold("pictures"))
+    for path in dict.fromkeys(figures):
+        print(f"  {house.short(path)}")
+    print(bold("motion, open in a browser"))
+    for page in pages:
+        print(f"  {house.short(page)}")
+    print("\nYour turn: ./wb leads you to the first exercise.")
+    return 0
+
+
+def check():
+    """The workbook's own tests."""
+    house.must_build(["all"], "building the tests")
+    process = subprocess.Popen(["ctest", "--test-dir", house.BUILD, "--no-tests=error",
+                                "--output-on-failure", "-j", str(os.cpu_count() or 1)],
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    last = time.time()
+    for line in process.stdout:
+        if match := re.match(r"\s*(\d+)/(\d+) Test +#\d+: (.*?) \.*\s+Passed", line):
+            if house.TERMINAL or time.time() - last > 20:
+                house.progress(f"tests {match[1]} of {match[2]}: {match[3]}")
+                last = time.time()
+        elif not re.match(r"\s*Start +\d+:|Internal ctest|\s*$", line):
+            house.progress_done()
+            print(line, end="", flush=True)
+    return process.wait()
+
+
+def run_bench(program, options):
+    """One run of the benchmark program; its progress is shown."""
+    house.OUT.mkdir(exist_ok=True)
+    process = subprocess.Popen([house.BUILD / "bench" / program, "--csv", TABLE, *options],
+                               stderr=subprocess.PIPE, text=True)
+    said = ""
+    for line in process.stderr:
+        said = line.strip()
+        if house.TERMINAL:
+            house.progress(f"{program}: {said}")
+    if process.wait() != 0:
+        raise house.Trouble(said)
+    house.progress_done()
+
+
+def bench(options):
+    """Error against run time: the table, the figures, and the cost of a joint and iteration."""
+    import benchmark
+    if options:
+        raise house.Trouble(f"bench takes no option {options[0]}")
+    return benchmark.main()
+
+
+def docs():
+    import docs as site
+    return site.main([str(house.OUT / "docs")])

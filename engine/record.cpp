@@ -87,7 +87,7 @@ void Motion::write(const std::string& path) const {
   for (std::size_t begin = 0; width > 0 && begin < poses_.size(); begin += width) {
     file << (begin ? ",\n[" : "\n[");
     for (std::size_t i = 0; i < width; ++i)
-      file << (i ? "," : "") << text(poses_[begin + i], "%.4g");
+      file << (i ? "," : "") << text(poses_[begin + i], "%.6g");
     file << "]";
   }
   file << "]}\n";

@@ -46,17 +46,20 @@ def gap(solution, mine, out):
         shown = [own[count], curves[count]]
         style.overlay(ax, *((t, visible(values)) for t, values in shown))
     else:
-        few, many = min(curves), max(curves)
+        few, best = min(curves), min(curves, key=lambda count: mean_square(curves[count]))
         figure, ax = style.figure(
-            f"The bridge: {few} iterations leave a gap of {mean_square(curves[few]):.1f} mm RMS, "
-            f"{many} iterations {mean_square(curves[many]):.1f} mm")
+            f"The bridge: {few} iterations leave gaps of {mean_square(curves[few]):.1f} mm, "
+            f"{best} leave {mean_square(curves[best]):.1f} mm"
+            + (", more do not help" if best < max(curves) else ""))
         ax.set_yscale("log")
         shown = list(curves.values())
         for (number, (t, values)), colour in zip(curves.items(), COLOURS):
-            ax.plot(t, visible(values), color=colour, linewidth=1.2, label=f"{number} iterations")
+            ax.plot(t, visible(values), color=colour, linewidth=1.2,
+                    label=f"{number} iterations\n{mean_square((t, values)):.1f} mm RMS")
         ax.set_xlim(0, max(t.max() for t, _ in shown))
     slack_until(ax, shown)
     ax.set(xlabel="time  [s]", ylabel="gap, RMS over the ropes  [mm]")
+    style.plain_log(ax.yaxis)
     label_ends(ax)
     style.save(figure, out / "01_gap")
 
@@ -75,11 +78,11 @@ def energy(solution, mine, out):
             ax.set_title(f"{name}, {count} iterations:\n{style.verdict(*pair, unit)}")
     else:
         figure, (left, right) = style.figure(
-            f"Ropes that become taut swallow energy: {-bridge[max(bridge)][1][-1]:.0f} kJ; "
-            f"a rod that is always taut: {-pendulum[max(pendulum)][1][-1]:.1g} J", 2)
+            f"Energy: the bridge ends {bridge[max(bridge)][1][-1]:+.0f} kJ, in steps as ropes "
+            f"become taut; the pendulum {pendulum[max(pendulum)][1][-1]:+.1g} J", 2)
         for (number, curve), colour in zip(bridge.items(), COLOURS):
-            left.plot(*curve, color=colour, label=f"{number} it.")
-        left.set_title("bridge")
+            left.plot(*curve, color=colour, label=f"{number}")
+        left.set_title("bridge, number of iterations at the lines")
         draw_pendulum(right, pendulum)
     for ax, unit in ((left, "kJ"), (right, "J")):
         ax.set(xlabel="time  [s]", ylabel=f"energy since the start  [{unit}]")
@@ -95,11 +98,11 @@ def draw_pendulum(ax, pendulum):
     names = ", ".join(str(count) for count in pendulum)
     if same:
         ax.plot(*first, color=COLOURS[1], label="_")
-        ax.set_title(f"pendulum: {names} iterations are one curve\n"
-                     "(a single row is solved by the first)")
+        ax.set_title(f"pendulum, {names} iterations: one curve\n"
+                     "(the first iteration solves a single row)")
         return
     for (number, curve), colour in zip(pendulum.items(), COLOURS):
-        ax.plot(*curve, color=colour, label=f"{number} it.")
+        ax.plot(*curve, color=colour, label=f"{number}")
     ax.set_title("pendulum")
 
 

@@ -111,6 +111,15 @@ def visible(values):
     return np.where(np.isfinite(values) & (values > 0), values, np.nan)
 
 
+def plain_log(axis):
+    """Writes 2, 5, 10 instead of powers on a log axis of a few decades."""
+    low, high = axis.get_view_interval()
+    axis.set_major_formatter(lambda value, _: f"{value:g}")
+    if high / low < 1500:
+        axis.set_minor_formatter(
+            lambda value, _: f"{value:g}" if f"{value:.0e}"[0] in "25" else "")
+
+
 def spread(places, distance):
     """Moves places (in 0..1) as little as it takes to keep them the distance apart."""
     order = sorted(range(len(places)), key=lambda i: places[i])

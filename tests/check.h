@@ -26,53 +26,58 @@ struct Subject {
   const char* words;
 };
 
-/// A value that somebody may get who makes a common mistake.
-struct Suspect {
-  double value;
+using Numbers = std::vector<double>;
+
+/// A value that somebody gets who makes a common mistake, and that mistake in words.
+template <class T>
+struct SuspectOf {
+  T value;
   std::string words;
 };
+using Suspect = SuspectOf<double>;
+using VectorSuspect = SuspectOf<vec3>;
+using MatrixSuspect = SuspectOf<mat3>;
+using QuatSuspect = SuspectOf<quat>;
 
 // ---- numbers and vectors ------------------------------------------------------------------------
 
-/// Fails with a report unless yours is expected, within tolerance (absolute).
+/// Fails with a report unless yours is expected, within tolerance (absolute). A suspect is named
+/// where all its numbers are yours.
 void expect(const Subject& subject, const std::string& entry, double yours, double expected,
             double tolerance, const std::vector<Suspect>& suspects = {});
-/// The same for three numbers at once; a suspect's value is compared with all three.
-struct VectorSuspect {
-  vec3 value;
-  std::string words;
-};
 void expect(const Subject& subject, const std::string& entry, const vec3& yours,
             const vec3& expected, double tolerance,
             const std::vector<VectorSuspect>& suspects = {});
+void expect(const Subject& subject, const std::string& entry, const mat3& yours,
+            const mat3& expected, double tolerance,
+            const std::vector<MatrixSuspect>& suspects = {});
+/// q and -q are the same orientation: either will do.
+void expect(const Subject& subject, const std::string& entry, const quat& yours,
+            const quat& expected, double tolerance,
+            const std::vector<QuatSuspect>& suspects = {});
 
 /// Fails a test with the exercise's file, line and next command under the words.
 [[noreturn]] void fail(const Subject& subject, const std::string& words);
 
 // ---- parts --------------------------------------------------------------------------------------
 
-/// The four kinds of poses at which a part is checked.
+/// The four kinds of poses at which a part is checked, and what they are for.
 inline constexpr std::array pose_names{"upright", "turned", "moved", "broken"};
+inline constexpr std::array pose_words{"body 1 is not turned", "both bodies are turned",
+                                       "far along what the joint leaves free", "C is not 0"};
 inline constexpr int draws_of_a_pose = 4;
 
-using Numbers = std::vector<double>;
-/// J at one pose: 12 numbers a row.
-struct JacobianSample {
+/// J (12 numbers a row) or K at one pose.
+struct Sample {
   int pose;
   Numbers yours, numeric;
-  bool right_if_unturned[3];  ///< would it be right if body 1, body 2, both had no rotation?
-};
-/// K at one pose, with what some mistakes would give.
-struct KSample {
-  int pose;
-  Numbers yours, numeric;
-  std::vector<std::pair<std::string, Numbers>> mistakes;
+  std::vector<std::string> mistakes;  ///< everything that would explain yours, in words
 };
 
 /// Words for everything that is wrong, or "" where all is right.
-std::string jacobian_report(const std::vector<std::string>& rows,
-                            const std::vector<JacobianSample>& samples, double tolerance);
-std::string K_report(const std::vector<std::string>& rows, const std::vector<KSample>& samples,
+std::string jacobian_report(const std::vector<std::string>& rows, std::vector<Sample> samples,
+                            double tolerance);
+std::string K_report(const std::vector<std::string>& rows, std::vector<Sample> samples,
                      double tolerance);
 
 template <int N>
@@ -92,10 +97,10 @@ Numbers flat(const Matrix<N>& K) {
 }
 bool close(const Numbers& a, const Numbers& b, double tolerance);
 
-/// Calls `look(pose, part, pair)` at every pose of the fixture's part.
+/// Calls `look(pose, part, pair)` at every pose of the fixture's part where J is exact.
 template <class Fixture>
 void visit_poses(const std::function<void(int, const typename Fixture::Part&, const Pair&)>& look) {
-  for (int pose = 0; pose < 4; ++pose)
+  for (int pose = 0; pose < (Fixture::exact_when_broken ? 4 : 3); ++pose)
     for (int draw = 0; draw < draws_of_a_pose; ++draw) {
       Random random(unsigned(100 * pose + draw + 1));
       Pair pair = uneven_pair();
@@ -120,82 +125,145 @@ std::vector<std::string> row_names() {
   return {Fixture::rows.begin(), Fixture::rows.end()};
 }
 
+/// The pair after `change` of body 1, of body 2, of both: is an answer right there that is wrong
+/// elsewhere, then what was taken away is what it gets wrong.
+inline std::array<Pair, 3> changed(const Pair& pair, const std::function<void(Body&)>& change) {
+  std::array<Pair, 3> out{pair, pair, pair};
+  change(out[0].body1);
+  change(out[1].body2);
+  change(out[2].body1);
+  change(out[2].body2);
+  return out;
+}
+inline std::array<Pair, 3> unturned(const Pair& pair) {
+  return changed(pair, [](Body& body) { body.q = quat(1, 0, 0, 0); });
+}
+inline std::array<Pair, 3> isotropic(const Pair& pair) {
+  return changed(pair, [](Body& b) { b.inverse_inertia_local = vec3(b.inverse_inertia_local.x); });
+}
+inline constexpr std::array body_space_arm{
+    "body-space arm: the lever of body 1 is not turned into the world",
+    "body-space arm: the lever of body 2 is not turned into the world",
+    "body-space arm: the levers of both bodies are not turned into the world"};
+inline constexpr std::array body_space_inertia{
+    "body-space inertia of body 1: it must be turned into the world, R I^-1 R^T",
+    "body-space inertia of body 2: it must be turned into the world, R I^-1 R^T",
+    "body-space inertia of both bodies: it must be turned into the world, R I^-1 R^T"};
+
+/// The Jacobians of some mistakes with levers. A fixture may have more of them in a function
+/// `mistakes(part, pair)`.
+template <class Fixture, int N>
+auto wrong_jacobians(const typename Fixture::Part& part, const Jacobian<N>& J, const Pair& pair) {
+  std::vector<std::pair<std::string, Jacobian<N>>> out;
+  if constexpr (requires { Fixture::mistakes(part, pair); }) out = Fixture::mistakes(part, pair);
+  Jacobian<N> points = J, exchanged = J, unlevered = J;
+  for (int i = 0; i < N; ++i) {
+    points[i].w1 += cross(pair.body1.x, J[i].v1);
+    points[i].w2 += cross(pair.body2.x, J[i].v2);
+    exchanged[i].w1 = -J[i].w2;
+    exchanged[i].w2 = -J[i].w1;
+  }
+  out.push_back({"a point where a lever belongs: r runs from the body's centre to the anchor "
+                 "(to_world, not world_point)", points});
+  out.push_back({"the levers r1 and r2 are exchanged", exchanged});
+  return out;
+}
+
 /// J against central differences of C. Fails with a report where they differ.
 template <class Fixture>
 void check_jacobian() {
-  std::vector<JacobianSample> samples;
+  const double tolerance = difference_tolerance;
+  std::vector<Sample> samples;
   visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
-    if (pose == 3 && !Fixture::exact_when_broken) return;
-    const auto yours = [&](const Body& a, const Body& b) {
-      return flat(to_jacobian(part.jacobian(a, b)));
+    const auto yours = [&](const Pair& at) {
+      return flat(to_jacobian(part.jacobian(at.body1, at.body2)));
     };
-    const auto numeric = [&](const Body& a, const Body& b) {
-      return flat(numeric_jacobian(part, a, b));
+    const auto numeric = [&](const Pair& at) {
+      return numeric_jacobian(part, at.body1, at.body2);
     };
-    JacobianSample sample{pose, yours(pair.body1, pair.body2), numeric(pair.body1, pair.body2), {}};
-    for (int which = 0; which < 3; ++which) {
-      Body a = pair.body1, b = pair.body2;
-      if (which != 1) a.q = quat(1, 0, 0, 0);
-      if (which != 0) b.q = quat(1, 0, 0, 0);
-      sample.right_if_unturned[which] =
-          close(yours(a, b), numeric(a, b), difference_tolerance * 10);
+    Sample sample{pose, yours(pair), flat(numeric(pair)), {}};
+    if (!close(sample.yours, sample.numeric, tolerance)) {
+      for (int k = 0; k < 3; ++k) {
+        const Pair at = unturned(pair)[k];
+        if (close(yours(at), flat(numeric(at)), tolerance))
+          sample.mistakes.push_back(body_space_arm[k]);
+      }
+      for (const auto& [words, J] : wrong_jacobians<Fixture>(part, numeric(pair), pair))
+        if (close(sample.yours, flat(J), tolerance)) sample.mistakes.push_back(words);
     }
     samples.push_back(sample);
   });
-  const std::string report = jacobian_report(row_names<Fixture>(), samples, difference_tolerance);
+  const std::string report = jacobian_report(row_names<Fixture>(), samples, tolerance);
   if (!report.empty()) fail(Fixture::J, report);
+}
+
+/// The matrices K of some mistakes, from J M^-1 J^T with something else for M or J.
+template <class Fixture, int N>
+auto wrong_Ks(const typename Fixture::Part& part, const Jacobian<N>& J, const Pair& pair) {
+  const Body &a = pair.body1, &b = pair.body2;
+  const mat3 I1 = inverse_inertia(a), I2 = inverse_inertia(b), none(0);
+  const real m1 = a.inverse_mass, m2 = b.inverse_mass, both = 1 / (1 / m1 + 1 / m2);
+  std::vector<std::pair<std::string, Matrix<N>>> out;
+  const auto add = [&](const char* words, real p1, const mat3& A1, real p2, const mat3& A2) {
+    out.push_back({words, product_K(J, p1, A1, p2, A2)});
+  };
+  Matrix<N> inverse = product_K(J, m1, I1, m2, I2), everywhere = inverse;
+  invert_symmetric(inverse.m[0].data(), N);
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j < N; ++j)
+      if (i != j) everywhere[i][j] += m1 + m2;
+
+  const char* const masses = "masses where inverse masses belong: K is in 1/kg";
+  add(masses, 1 / m1, none, 1 / m2, none);
+  add(masses, 1 / m1, I1, 1 / m2, I2);
+  add(masses, 1 / m1, glm::inverse(I1), 1 / m2, glm::inverse(I2));
+  out.push_back({"the inverse of K: that is the effective mass, the solver inverts K itself",
+                 inverse});
+  add("one over the sum of the masses: each mass is inverted first, then they are added", both / 2,
+      I1, both / 2, I2);
+  add("the share of the rotation is missing", m1, none, m2, none);
+  add("the rotation of body 1 is missing", m1, none, m2, I2);
+  add("the rotation of body 2 is missing", m1, I1, m2, none);
+  add("the inverse mass of body 1 is missing", 0, I1, m2, I2);
+  add("the inverse mass of body 2 is missing", m1, I1, 0, I2);
+  add("the inverse masses are missing", 0, I1, 0, I2);
+  add("inertia where inverse inertia belongs", m1, glm::inverse(I1), m2, glm::inverse(I2));
+  add("the inverse inertia is missing", m1, mat3(1), m2, mat3(1));
+  add("the sign of the rotation's share: it is added (skew(r) I^-1 skew(r) lacks a transpose)", m1,
+      -I1, m2, -I2);
+  add("the sign of body 1's share: the shares of both bodies are added", -m1, -I1, m2, I2);
+  add("the sign of body 2's share: the shares of both bodies are added", m1, I1, -m2, -I2);
+  add("the lever of one body with the inertia of the other", m1, I2, m2, I1);
+  out.push_back({"a matrix plus a number adds it to all nine entries: write mat3(number)",
+                 everywhere});
+  for (const auto& [words, wrong] : wrong_jacobians<Fixture>(part, J, pair))
+    out.push_back({words, product_K(wrong, m1, I1, m2, I2)});
+  return out;
 }
 
 /// K against J M^-1 J^T with the numeric J. Fails with a report where they differ.
 template <class Fixture>
 void check_K() {
-  constexpr int N = Fixture::Part::rows;
-  std::vector<KSample> samples;
+  const double tolerance = 10 * difference_tolerance;
+  std::vector<Sample> samples;
   visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
-    if (pose == 3 && !Fixture::exact_when_broken) return;
-    const Body &a = pair.body1, &b = pair.body2;
-    const Jacobian<N> J = numeric_jacobian(part, a, b);
-    const mat3 I1 = inverse_inertia(a), I2 = inverse_inertia(b), none(0);
-    const real m1 = a.inverse_mass, m2 = b.inverse_mass;
-    const vec3 i1 = a.inverse_inertia_local, i2 = b.inverse_inertia_local;
-    const mat3 local1(i1.x, 0, 0, 0, i1.y, 0, 0, 0, i1.z);
-    const mat3 local2(i2.x, 0, 0, 0, i2.y, 0, 0, 0, i2.z);
-    const Matrix<N> K = product_K(J, m1, I1, m2, I2);
-    Matrix<N> inverse = K;
-    invert_symmetric(inverse.m[0].data(), N);
-    Jacobian<N> unturned = J;  // levers left in body space
-    {
-      Body a0 = a, b0 = b;
-      a0.q = b0.q = quat(1, 0, 0, 0);
-      const Jacobian<N> J0 = numeric_jacobian(part, a0, b0);
-      for (int i = 0; i < N; ++i) unturned[i] = {J[i].v1, J0[i].w1, J[i].v2, J0[i].w2};
-    }
-    const auto with = [&](real p1, const mat3& A1, real p2, const mat3& A2) {
-      return flat(product_K(J, p1, A1, p2, A2));
+    const auto yours = [&](const Pair& at) { return flat(to_matrix(part.K(at.body1, at.body2))); };
+    const auto numeric = [&](const Pair& at) {
+      return flat(dense_K(numeric_jacobian(part, at.body1, at.body2), at.body1, at.body2));
     };
-    samples.push_back(
-        {pose, flat(to_matrix(part.K(a, b))), flat(K),
-         {{"masses where inverse masses belong: K is in 1/kg",
-           with(1 / m1, glm::inverse(I1), 1 / m2, glm::inverse(I2))},
-          {"masses where inverse masses belong: K is in 1/kg", with(1 / m1, I1, 1 / m2, I2)},
-          {"the inverse of K: that is the effective mass, the solver inverts K itself",
-           flat(inverse)},
-          {"the share of the rotation is missing", with(m1, none, m2, none)},
-          {"the rotation of body 1 is missing", with(m1, none, m2, I2)},
-          {"the rotation of body 2 is missing", with(m1, I1, m2, none)},
-          {"the inverse mass of body 1 is missing", with(0, I1, m2, I2)},
-          {"the inverse mass of body 2 is missing", with(m1, I1, 0, I2)},
-          {"the inverse masses are missing", with(0, I1, 0, I2)},
-          {"inertia where inverse inertia belongs",
-           with(m1, glm::inverse(I1), m2, glm::inverse(I2))},
-          {"body-space inertia: turn it into the world, R I^-1 R^T",
-           with(m1, local1, m2, local2)},
-          {"body-space arm: the lever must be turned into the world",
-           flat(product_K(unturned, m1, I1, m2, I2))},
-          {"the sign of the rotation's share: skew(r) I^-1 skew(r) lacks the transpose",
-           with(m1, -I1, m2, -I2)}}});
+    const auto right = [&](const Pair& at) { return close(yours(at), numeric(at), tolerance); };
+    Sample sample{pose, yours(pair), numeric(pair), {}};
+    if (!close(sample.yours, sample.numeric, tolerance)) {
+      const auto J = numeric_jacobian(part, pair.body1, pair.body2);
+      for (const auto& [words, K] : wrong_Ks<Fixture>(part, J, pair))
+        if (close(sample.yours, flat(K), tolerance)) sample.mistakes.push_back(words);
+      for (int k = 0; k < 3; ++k)
+        if (right(isotropic(pair)[k])) sample.mistakes.push_back(body_space_inertia[k]);
+        else if (right(unturned(pair)[k])) sample.mistakes.push_back(body_space_arm[k]);
+    }
+    samples.push_back(sample);
   });
-  const std::string report = K_report(row_names<Fixture>(), samples, 10 * difference_tolerance);
+  const std::string report = K_report(row_names<Fixture>(), samples, tolerance);
   if (!report.empty()) fail(Fixture::K, report);
 }
 

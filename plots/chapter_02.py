@@ -1,0 +1,215 @@
+#!/usr/bin/env python3
+"""Draws the figures of chapter 2: three rows against a block, the blow, and the swinging chain.
+
+chapter_02.py --solution DIR [--mine DIR] --out DIR
+"""
+import numpy as np
+from matplotlib.colors import LogNorm
+
+import style
+from style import COLOURS, INK, PALE, label_ends, visible
+
+ROWS = 3         # of a ball joint
+SOLVED = 1e-10   # [m/s]; below it a sweep has nothing left to do
+FAINTEST = 1e-14  # [m/s], end of the colour bar
+COLOUR = {"rows": COLOURS[0], "block": COLOURS[1]}
+NAME = {"rows": "three rows, one by one", "block": "one 3x3 block a joint"}
+
+
+def tables(folder, command):
+    def read(name, *columns):
+        return style.read_csv(folder / f"{name}.csv", *columns, command=command)
+    return {"iterations": read("iterations", ["sweep", "error_m_s"], ["method"]),
+            "system": read("system", ["row", "column", "value"]),
+            "blow": read("blow", ["sweep", "joint", "error_m_s"], ["order"]),
+            "chain": read("chain", ["iterations", "time_s", "gap_rms_m"])}
+
+
+# ---- rows against a block ------------------------------------------------------------------------
+
+def matrix(system):
+    """A = J M^-1 J^T from its table of entries."""
+    n = int(max(system["row"].max(), system["column"].max())) + 1
+    A = np.full((n, n), np.nan)
+    A[system["row"].astype(int), system["column"].astype(int)] = system["value"]
+    if n % ROWS or not np.isfinite(A).all():
+        raise style.Trouble("system.csv does not hold a whole matrix of finite numbers, "
+                            f"{ROWS} rows a joint: ./wb plot 2 makes it anew")
+    return A
+
+
+def predicted_rate(A, block):
+    """Spectral radius of Gauss-Seidel's iteration matrix -(D+L)^-1 U, D in blocks of this size."""
+    group = np.arange(len(A)) // block
+    lower = np.where(group[:, None] >= group[None, :], A, 0)
+    try:
+        return float(np.abs(np.linalg.eigvals(np.linalg.solve(lower, lower - A))).max())
+    except np.linalg.LinAlgError:
+        raise style.Trouble("system.csv: a diagonal block has no inverse") from None
+
+
+def errors(table, method):
+    chosen = np.array(table["method"]) == method
+    return table["sweep"][chosen], table["error_m_s"][chosen]
+
+
+def decay(curve):
+    """The curve until it is solved, and the factor of a sweep over the last third of it."""
+    sweep, error = curve
+    error = visible(error)
+    floor = max(SOLVED, 300 * np.nanmin(error))  # above rounding, in float too
+    end = int(np.argmax(error < floor)) if floor < error[0] and (error < floor).any() else \
+        len(error) - 1
+    first = 2 * end // 3
+    ratio = (error[end] / error[first]) ** (1 / max(end - first, 1))
+    return sweep[:end + 1], error[:end + 1], float(ratio)
+
+
+def rows_or_block(solution, mine, out):
+    A = matrix(solution["system"])
+    found = {}
+    for method, block in (("rows", 1), ("block", ROWS)):
+        rate = predicted_rate(A, block)
+        curve = decay(errors(solution["iterations"], method))
+        found[method] = (curve, rate, decay(errors(mine["iterations"], method)) if mine else None)
+        print(f"{method:6} predicted rho {rate:.6f}   measured {curve[2]:.6f}"
+              + (f"   yours {found[method][2][2]:.6f}" if mine else ""))
+    (rows, rate_rows, _), (block, rate_block, _) = found["rows"], found["block"]
+    need = [len(curve[0]) - 1 for curve in (rows, block)]
+    title = (f"To {SOLVED:.0e} m/s: {need[0]} sweeps row by row, {need[1]} with a block a joint"
+             if not mine else "Rows against a block, yours over the solution")
+    figure, ax = style.figure(title)
+    ax.set_yscale("log")
+    for method, (curve, rate, own) in found.items():
+        draw_decay(ax, method, curve, rate, own)
+    start = np.nanmax(rows[1])
+    ax.set(xlabel="sweep", ylabel="error $|J V + b|$, RMS over the joints  [m/s]",
+           xlim=(0, 1.42 * max(need)), ylim=(SOLVED / 3, 6 * start))
+    style.save(figure, out / "02_rows_or_block")
+
+
+def draw_decay(ax, method, curve, rate, own):
+    """A measured curve, the predicted line through its end, and both numbers beside it."""
+    sweep, error, ratio = curve
+    colour = COLOUR[method]
+    numbers = f"predicted $\\rho$ = {rate:.4f}\nmeasured {ratio:.4f}"
+    if own:
+        ax.plot(own[0], own[1], color=colour, linewidth=3.2, alpha=0.7)
+        ax.plot(sweep, error, color=INK, linewidth=1.1, dashes=(4, 2))
+        numbers = f"$\\rho$ = {rate:.4f}\nthe solution {ratio:.4f} (dashed)\nyours {own[2]:.4f}"
+    else:
+        ax.plot(sweep, error, color=colour, linewidth=3.2, alpha=0.7)
+        line = np.array([0, 1.03 * sweep[-1]])
+        ax.plot(line, error[-1] * rate ** (line - sweep[-1]), color=INK, linewidth=1, dashes=(4, 2))
+    place = int(0.62 * len(sweep))
+    ax.annotate(f"{NAME[method]}\n{numbers}", (sweep[place], error[place]), xytext=(14, 0),
+                textcoords="offset points", color=colour, va="bottom", fontsize=9)
+
+
+# ---- the blow ------------------------------------------------------------------------------------
+
+def strip(table, order):
+    """Errors of one order as an array [joint, sweep]."""
+    chosen = np.array(table["order"]) == order
+    sweep, joint = table["sweep"][chosen].astype(int), table["joint"][chosen].astype(int)
+    out = np.zeros((joint.max(), sweep.max() + 1))
+    out[joint - 1, sweep] = table["error_m_s"][chosen]
+    return np.where(np.isfinite(out), out, 1e300)
+
+
+def reached(errors_of):
+    """Which joints the blow has reached at each sweep."""
+    return np.maximum.accumulate(errors_of > 0, axis=1)
+
+
+def crossing(errors_of):
+    """Sweeps until the blow has reached as many joints as it ever moves at once."""
+    count = reached(errors_of).sum(axis=0)
+    return int(np.argmax(count >= len(errors_of) - 1))
+
+
+def blow(solution, mine, out):
+    orders = list(dict.fromkeys(solution["blow"]["order"]))
+    sources = [("the solution", solution)] if not mine else [("yours", mine),
+                                                              ("the solution", solution)]
+    strips = {(who, order): strip(table["blow"], order) for who, table in sources
+              for order in orders}
+    needs = [crossing(strips["the solution", order]) for order in orders]
+    title = "A blow on the last rod crosses the chain in " + ", ".join(
+        f"{need} sweep{'s' * (need != 1)} {order}" for need, order in zip(needs, orders))
+    figure, axes = style.figure(title, len(orders), len(sources), sharex=True, sharey=True,
+                                squeeze=False)
+    image = None
+    for row, (who, _) in zip(axes, sources):
+        for ax, order in zip(row, orders):
+            image = draw_strip(ax, strips[who, order])
+            ax.set_title(f"sweeps from {order.replace(' to ', ' to the ')}"
+                         + (f": {who}" if mine else ""))
+        row[0].set_ylabel("joint  (1 at the wall)")
+    for ax in axes[-1]:
+        ax.set_xlabel("sweep")
+    bar = figure.colorbar(image, ax=axes, extend="min", aspect=25, pad=0.02)
+    bar.set_label("error left at the joint  [m/s]")
+    bar.outline.set_visible(False)
+    style.save(figure, out / "02_blow")
+
+
+def draw_strip(ax, values):
+    joints, sweeps = values.shape
+    touched = reached(values)
+    live = np.nonzero((values >= FAINTEST).any(axis=0))[0]
+    last = min(sweeps - 1, int(live.max()) + 1 if len(live) else 1)
+    colours = style.plt.get_cmap("viridis").copy()
+    colours.set_bad(style.EMPTY)
+    colours.set_under("white")
+    image = ax.pcolormesh(np.arange(sweeps), np.arange(1, joints + 1),
+                          np.ma.masked_array(np.maximum(values, 1e-300), ~touched),
+                          cmap=colours, norm=LogNorm(FAINTEST, 1), shading="nearest")
+    ax.grid(False)
+    ax.set(xlim=(-0.5, last + 0.5), ylim=(0.5, joints + 0.5))
+    ax.set_yticks([1, *range(5, joints + 1, 5)])
+    lowest = joints - touched.sum(axis=0)  # joints not reached yet
+    if lowest[min(3, sweeps - 1)] > 3:
+        ax.text(0.06 * last, joints * 0.3, "not reached yet", color=PALE, fontsize=9)
+    return image
+
+
+# ---- the swinging chain --------------------------------------------------------------------------
+
+def chain(solution, mine, out):
+    def read(table):
+        return {count: (t, 1000 * gap)
+                for count, (t, gap) in style.runs(table["chain"], "gap_rms_m").items()}
+    curves = read(solution)
+    if mine:
+        own = read(mine)
+        count = style.common_count(own, curves)
+        figure, ax = style.figure(f"The swinging chain, {count} iterations: "
+                                  + style.verdict(own[count], curves[count], "mm"))
+        ax.set_yscale("log")
+        style.overlay(ax, *((t, visible(gap)) for t, gap in (own[count], curves[count])))
+    else:
+        figure, ax = style.figure("chain")
+        ax.set_yscale("log")
+        for (count, (t, gap)), colour in zip(curves.items(), COLOURS):
+            ax.plot(t, visible(gap), color=colour, linewidth=1.2, label=f"{count} iterations")
+        ax.set_xlim(0, max(t.max() for t, _ in curves.values()))
+    ax.set(xlabel="time  [s]", ylabel="gap, RMS over the joints  [mm]")
+    style.plain_log(ax.yaxis)
+    label_ends(ax)
+    style.save(figure, out / "02_chain")
+
+
+def main():
+    given = style.arguments("Draws the figures of chapter 2.",
+                            solution="folder of the solution's tables",
+                            mine="optional: folder of your tables", out="folder of the figures")
+    solution = tables(given.solution, "./wb plot 2")
+    mine = tables(given.mine, "./wb run 2") if given.mine else None
+    rows_or_block(solution, mine, given.out)
+    blow(solution, mine, given.out)
+    chain(solution, mine, given.out)
+
+
+if __name__ == "__main__":
+    style.run(main)

@@ -11,16 +11,18 @@ import re
 import sys
 
 PIECES = re.compile(
-    r"^(?P<indent>[ >]*)(?P<fence>```+|~~~+)(?P<language>[^\n]*)\n(?P<body>.*?)^[ >]*(?P=fence)[ ]*$"
+    r"^(?P<indent>[ >]*)(?P<fence>```+|~~~+)(?P<language>[^\n]*)\n(?P<body>.*?)"
+    r"^[ >]*(?P=fence)[ ]*$"
     r"|(?P<code>(?P<ticks>`+)(?!`).+?(?<!`)(?P=ticks)(?!`))"
     r"|\$\$(?P<display>.+?)\$\$"
     r"|(?<![\\$\w])\$(?P<inline>[^\s$](?:(?:(?!\n\n)[^$])*?[^\s$])?)\$(?![\d$])"
     r"|^(?P<heading>##+ +(?P<title>[^\n]+?)) *$"
     r"|^(?P<top># [^\n]+)$"
     r"|^[ ]*(?P<fold></?details[^>]*>(?:\s*<summary>.*?</summary>)?)[ ]*$"
+    r"|(?P<tag></?[a-zA-Z][^<>]*>)"
     r"|\*\*(?P<bold>[^*\s](?:(?!\n\n)[^*])*)\*\*"
     r"|(?P<image>!?)\[(?P<text>(?:[^\[\]`]|`[^`]*`)*)\]\((?P<url>[^()\s]+)\)"
-    r"|(?<=<img src=\")(?P<source>[^\"]+)", re.S | re.M)
+    r"|(?P<quotation>\")", re.S | re.M)
 
 
 def label(path, title):
@@ -37,19 +39,21 @@ def topic(header):
 
 def translate(text, path):
     """The text of the file `path` for Doxygen."""
+    def place(url):
+        return os.path.normpath(os.path.join(os.path.dirname(path), url)) if url else path
+
     def link(piece):
-        words = translate(piece["text"], path)
-        file, _, place = piece["url"].partition("#")
-        file = os.path.normpath(os.path.join(os.path.dirname(path), file)) if file else path
-        if re.match(r"\w+:|@ref", piece["url"]):
+        words = " ".join(re.sub("[$`]", "", piece["text"]).split())  # Doxygen wants them plain
+        url, _, heading = piece["url"].partition("#")
+        if re.match(r"\w+:|@ref", url):
             return piece[0]
         if piece["image"]:
-            return f'<img src="{file}" alt="{html.escape(piece["text"])}">'
-        if re.fullmatch(r"(engine|chapters/\w+)/\w+\.h", file):
-            return f"[{words}](@ref {topic(file)})"
-        if not re.fullmatch(r"docs/\w+\.md|chapters/\w+/README\.md", file):
+            return f'<img src="{place(url)}" alt="{html.escape(piece["text"])}">'
+        if re.fullmatch(r"(engine|chapters/\w+)/\w+\.h", place(url)):
+            return f"[{words}](@ref {topic(place(url))})"
+        if not re.fullmatch(r"docs/\w+\.md|chapters/\w+/README\.md", place(url)):
             return words  # not a page of the site
-        return f"[{words}](@ref {label(file, place)})" if place else f"[{words}]({piece['url']})"
+        return f"[{words}](@ref {label(place(url), heading)})" if heading else f"[{words}]({url})"
 
     def replace(piece):
         if piece["language"] is not None and piece["language"].strip() == "math":
@@ -59,7 +63,7 @@ def translate(text, path):
         if piece["inline"]:
             return f"\\f${piece['inline']}\\f$"
         if piece["heading"]:
-            return f"{piece['heading']} {{#{label(path, piece['title'])}}}"
+            return f"{piece['heading'].replace('`', '')} {{#{label(path, piece['title'])}}}"
         if piece["top"]:
             return piece["top"] + "\n\n[TOC]\n"
         if piece["fold"]:
@@ -68,8 +72,10 @@ def translate(text, path):
             return f"<b>{translate(piece['bold'], path)}</b>"
         if piece["url"]:
             return link(piece)
-        if piece["source"]:
-            return os.path.normpath(os.path.join(os.path.dirname(path), piece["source"]))
+        if piece["tag"]:
+            return re.sub(r'(?<=\bsrc=")(?!\w+:)[^"]+', lambda at: place(at[0]), piece["tag"])
+        if piece["quotation"]:  # between plain ones Doxygen sees no formulas
+            return "&quot;"
         return piece[0]
 
     return PIECES.sub(replace, text)

@@ -32,11 +32,12 @@ TEST_CASE("2.1 the rows of a ball joint hold a unit matrix and the matrix of a l
     unit[i] = 1;
     const std::string name = names[i];
     expect(PointFixture::J, name + ", v1", J[i].v1, -unit, rounding,
-           {{unit, "the sign of the block v1"}});
+           {{unit, "the sign of the block v1"}, {vec3(0), "the block v1 is missing"}});
     expect(PointFixture::J, name + ", v2", J[i].v2, unit, rounding,
-           {{-unit, "the sign of the block v2"}});
+           {{-unit, "the sign of the block v2"}, {vec3(0), "the block v2 is missing"}});
     expect(PointFixture::J, name + ", w2", J[i].w2, s[i], rounding,
            {{-s[i], "the sign of the block w2: w x r = -skew(r) w"},
+            {vec3(0), "the lever is missing: the block w2 is zero"},
             {transpose(-skew(paper_part.anchor2_local))[i],
              "body-space arm: the lever of body 2 is not turned into the world"}});
   }
@@ -47,17 +48,22 @@ TEST_CASE("2.1 the rows of a ball joint are the slopes of its gap at every pose"
 }
 
 TEST_CASE("2.2 K of a ball joint says how far an impulse moves the anchor", "[2.2]") {
-  const mat3 K = paper_part.K(paper1, paper2);
   // world inverse inertia diag(1, 2, 4), lever (0, 1, 1/2), mass 2 kg
-  const mat3 expected = mat3(real(0.5)) + mat3(real(4.5), 0, 0, 0, real(0.25), real(-0.5), 0,
-                                               real(-0.5), 1);
-  const mat3 local = mat3(real(0.5)) + mat3(real(4.25), 0, 0, 0, real(0.5), -1, 0, -1, 2);
-  for (int i = 0; i < 3; ++i)
-    expect(PointFixture::K, "column " + std::to_string(i + 1), K[i], expected[i], rounding,
-           {{local[i], "body-space inertia: turn it into the world, R I^-1 R^T"},
-            {mat3(real(0.5))[i], "the share of the rotation is missing"},
-            {(real(1.5) * mat3(1) + expected)[i],
-             "masses where inverse masses belong: K is in 1/kg"}});
+  const mat3 mm(real(0.5));
+  const mat3 turn(real(4.5), 0, 0, 0, real(0.25), real(-0.5), 0, real(-0.5), 1);
+  const mat3 local(real(4.25), 0, 0, 0, real(0.5), -1, 0, -1, 2);
+  const mat3 s = skew(paper_part.anchor2_local), I = inverse_inertia(paper2);
+  const mat3 K = mm + turn;
+  expect(PointFixture::K, "K", paper_part.K(paper1, paper2), K, rounding,
+         {{mm + local, "body-space inertia: it must be turned into the world, R I^-1 R^T"},
+          {mm + s * I * transpose(s), "body-space arm: the lever is not turned into the world"},
+          {mm, "the share of the rotation is missing"},
+          {turn, "the inverse mass is missing"},
+          {mm - turn, "the sign of the rotation's share: it is added (skew(r) I^-1 skew(r) lacks a "
+                      "transpose)"},
+          {mat3(2) + turn, "masses where inverse masses belong: K is in 1/kg"},
+          {inverse(K), "the inverse of K: that is the effective mass, the solver inverts K itself"},
+          {real(0.5) + turn, "a matrix plus a number adds it to all nine entries: write mat3(...)"}});
 }
 
 TEST_CASE("2.2 K of a ball joint is J M^-1 J^T at every pose", "[2.2]") {
@@ -65,12 +71,10 @@ TEST_CASE("2.2 K of a ball joint is J M^-1 J^T at every pose", "[2.2]") {
 }
 
 TEST_CASE("2.2 K between two static bodies is zero", "[2.2]") {
-  const mat3 K = paper_part.K(paper1, static_body(vec3(1, 2, 3)));
-  for (int i = 0; i < 3; ++i)
-    expect(PointFixture::K, "column " + std::to_string(i + 1), K[i], vec3(0), 0);
+  expect(PointFixture::K, "K", paper_part.K(paper1, static_body(vec3(1, 2, 3))), mat3(0), 0);
 }
 
-// ---- 2.3 -----------------------------------------------------------------------------------------
+// ---- 2.3 ----------------------------------------------------------------------------------------
 
 namespace {
 
@@ -108,8 +112,9 @@ TEST_CASE("2.3 the impulse of a block takes all three rates away at once", "[2.3
   const vec3 bias(real(0.3), real(-0.2), real(0.5)), e = joint.rate() + bias;
   const vec3 right = -inverse(joint.K) * e;
   const vec3 rows(-e.x / joint.K[0][0], -e.y / joint.K[1][1], -e.z / joint.K[2][2]);
-  expect(impulse, "lambda", block_impulse(joint.J, joint.K, bias, joint.pair.body1, joint.pair.body2),
-         right, 100 * rounding,
+  expect(impulse, "lambda",
+         block_impulse(joint.J, joint.K, bias, joint.pair.body1, joint.pair.body2), right,
+         100 * rounding,
          {{-right, "the sign: the impulse works against J V + b"},
           {-inverse(joint.K) * joint.rate(), "the bias is missing"},
           {-inverse(joint.K) * bias, "J V is missing"},
@@ -118,29 +123,52 @@ TEST_CASE("2.3 the impulse of a block takes all three rates away at once", "[2.3
           {rows, "each row divided by its own K: the rows of a block are solved together"}});
 }
 
+TEST_CASE("2.3 a joint without a gap still stops what would open it", "[2.3]") {
+  const Joint3 joint;
+  expect(impulse, "lambda where the bias is 0",
+         block_impulse(joint.J, joint.K, vec3(0), joint.pair.body1, joint.pair.body2),
+         -inverse(joint.K) * joint.rate(), 100 * rounding,
+         {{vec3(0), "nothing is done where the bias is 0. C = 0 does not mean that there is "
+                    "nothing to solve: the velocity J V would change C"}});
+}
+
 TEST_CASE("2.3 the impulse of a block changes velocities by M^-1 J^T lambda", "[2.3]") {
   const Joint3 joint;
   const vec3 lambda(real(0.4), real(-0.7), real(0.2));
   Pair after = joint.pair;
   apply_impulse(joint.J, lambda, after.body1, after.body2);
   const auto compare = [&](const Body& before, const Body& changed, bool second) {
-    vec3 push(0), turn(0);
-    for (int i = 0; i < 3; ++i) {
-      push += lambda[i] * (second ? joint.J[i].v2 : joint.J[i].v1);
-      turn += lambda[i] * (second ? joint.J[i].w2 : joint.J[i].w1);
+    vec3 push(0), turn(0), first_push(0), first_turn(0), across(0);
+    for (int i = 2; i >= 0; --i) {
+      const Row& J = joint.J[i];
+      first_push = lambda[i] * (second ? J.v2 : J.v1);
+      first_turn = lambda[i] * (second ? J.w2 : J.w1);
+      push += first_push;
+      turn += first_turn;
+      across[i] = dot(second ? J.w2 : J.w1, lambda);
     }
     const std::string number = second ? "2" : "1";
-    const vec3 v = before.v + before.inverse_mass * push;
-    const vec3 w = before.w + inverse_inertia(before) * turn;
+    const mat3 I = inverse_inertia(before);
+    const char* const sign = "the sign: velocities grow by +M^-1 J^T lambda";
+    const char* const set = "the velocity is set where it must grow: += and not =";
+    const char* const first = "only the first row pushes: all three do, each with its lambda[i]";
+    const vec3 v = before.v + before.inverse_mass * push, w = before.w + I * turn;
     expect(application, "v" + number, changed.v, v, 10 * rounding,
-           {{real(2) * before.v - v,
-             "the sign: velocities grow by +M^-1 J^T lambda"},
+           {{real(2) * before.v - v, sign},
             {before.v, "this velocity is not changed at all"},
+            {v - before.v, set},
+            {before.v + before.inverse_mass * first_push, first},
+            {before.v + push, "the inverse mass is missing"},
             {before.v + push / before.inverse_mass, "mass where inverse mass belongs"}});
     expect(application, "w" + number, changed.w, w, 10 * rounding,
-           {{real(2) * before.w - w, "the sign: velocities grow by +M^-1 J^T lambda"},
+           {{before.w + I * across, "J where J^T belongs: the sign of the turn (row i pushes along "
+                                    "J[i] with lambda[i])"},
+            {real(2) * before.w - w, sign},
             {before.w, "this velocity is not changed at all"},
+            {w - before.w, set},
+            {before.w + I * first_turn, first},
             {before.w + turn, "the inverse inertia is missing"},
+            {before.w + inverse(I) * turn, "inertia where inverse inertia belongs"},
             {before.w + before.inverse_inertia_local * turn,
              "body-space inertia: take inverse_inertia(body)"}});
   };
@@ -162,30 +190,23 @@ TEST_CASE("2.3 after its impulse a ball joint holds and a second impulse is zero
   expect(impulse, "a second impulse", solve(), vec3(0), 100 * rounding);
 }
 
-// ---- 2.4 -----------------------------------------------------------------------------------------
+// ---- 2.4 ----------------------------------------------------------------------------------------
 
 namespace {
 
 const Subject turning{"2.4", "turning a body"};
 
-void expect_quat(const std::string& entry, const quat& yours, const quat& expected,
-                 double tolerance, const std::vector<std::pair<quat, std::string>>& suspects) {
-  std::vector<VectorSuspect> vectors;
-  for (const auto& [q, words] : suspects) vectors.push_back({vec3(q.x, q.y, q.z), words});
-  expect(turning, entry + ", vector part", vec3(yours.x, yours.y, yours.z),
-         vec3(expected.x, expected.y, expected.z), tolerance, vectors);
-  expect(turning, entry + ", w", double(yours.w), double(expected.w), tolerance);
-}
-
+const char* const half_angle = "the half of the angle is forgotten";
+const char* const sign_of_turn = "the sign of the turn";
 }  // namespace
 
 TEST_CASE("2.4 half a turn a second for half a second is a quarter turn", "[2.4]") {
   const vec3 w(0, 0, real(3.14159265358979323846));
-  const real eighth = std::sqrt(real(0.5));
-  expect_quat("q", turned(quat(1, 0, 0, 0), w, real(0.5)), quat(eighth, 0, 0, eighth), rounding,
-              {{quat(0, 0, 0, 1), "the half of the angle is forgotten"},
-               {quat(eighth, 0, 0, -eighth), "the sign of the turn"},
-               {quat(1, 0, 0, 0), "nothing turns"}});
+  expect(turning, "q", turned(quat(1, 0, 0, 0), w, real(0.5)), quat(half, 0, 0, half), rounding,
+         {{quat(0, 0, 0, 1), half_angle},
+          {quat(half, 0, 0, -half), sign_of_turn},
+          {quat(1, 0, 0, 0), "nothing turns"},
+          {rotation(w), "h is missing: the angle is h |w|"}});
 }
 
 TEST_CASE("2.4 a steady spin turns a body by the exponential of h w in the world", "[2.4]") {
@@ -193,27 +214,34 @@ TEST_CASE("2.4 a steady spin turns a body by the exponential of h w in the world
   for (int draw = 0; draw < 10; ++draw) {
     const quat q = random.turn();
     const vec3 w = random.vector(4);
-    const real h = real(0.1);
-    const quat turn = rotation(h * w);
+    const real h = real(0.1), angle = h * length(w), scale = std::sin(angle / 2);
     const vec3 phi = h * w;
-    const quat first_order = normalize(q + quat(0, phi.x / 2, phi.y / 2, phi.z / 2) * q);
-    expect_quat("q", turned(q, w, h), turn * q, 10 * rounding,
-                {{q * turn, "the turn is multiplied from the right: w is in world axes, not in the body's"},
-                 {rotation(real(2) * h * w) * q, "the half of the angle is forgotten"},
-                 {rotation(-h * w) * q, "the sign of the turn"},
-                 {first_order, "q + h/2 (0, w) q is only the first term of the exponential"}});
+    const quat turn = rotation(phi);
+    const quat first_order = q + quat(0, phi.x / 2, phi.y / 2, phi.z / 2) * q;
+    const quat long_axis(std::cos(angle / 2), scale * w.x, scale * w.y, scale * w.z);
+    const char* const first = "q + h/2 (0, w) q is only the first term of the exponential";
+    expect(turning, "q", turned(q, w, h), turn * q, 10 * rounding,
+           {{q * turn, "the turn is multiplied from the right: w is in world axes, not body axes"},
+            {rotation(real(2) * phi) * q, half_angle},
+            {rotation(-phi) * q, sign_of_turn},
+            {rotation(w) * q, "h is missing: the angle is h |w|"},
+            {turn, "the old orientation is lost: exp(h w) q"},
+            {long_axis * q, "the axis must be a unit vector"},
+            {normalize(long_axis * q), "the axis must be a unit vector"},
+            {normalize(first_order), first},
+            {first_order, first}});
   }
 }
 
 TEST_CASE("2.4 a body at rest keeps its orientation", "[2.4]") {
   const quat q = rotation(vec3(real(0.3), real(0.2), real(-0.9)));
-  expect_quat("q of a body at rest", turned(q, vec3(0), real(0.1)), q, rounding, {});
+  expect(turning, "q of a body at rest", turned(q, vec3(0), real(0.1)), q, rounding,
+         {{quat(1, 0, 0, 0), "a body at rest keeps q: it does not go back to (1, 0, 0, 0)"}});
 }
 
 TEST_CASE("2.4 a thousand turns leave a unit quaternion", "[2.4]") {
   quat q(1, 0, 0, 0);
   Random random(6);
   for (int n = 0; n < 1000; ++n) q = turned(q, random.vector(10), real(1) / 60);
-  expect(turning, "length of q after 1000 steps", double(length(q)), 1, rounding,
-         {{0, "q is not normalised"}});
+  expect(turning, "length of q after 1000 steps", double(length(q)), 1, rounding);
 }

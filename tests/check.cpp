@@ -1,4 +1,5 @@
-// Comparing, guessing the mistake, and saying so.
+// Comparing, guessing the mistake, and saying so. A report is made for a terminal: lines of at most
+// 76 columns, so that Catch2 does not fold them anew.
 #include "tests/check.h"
 
 #include <algorithm>
@@ -11,24 +12,84 @@ namespace joints::testing {
 
 namespace {
 
-std::string text(double number) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.7g", number == 0 ? 0.0 : number);
-  return buffer;
-}
-std::string pad(std::string words, std::size_t width) {
-  return words.size() < width ? std::string(width - words.size(), ' ') + words : words + " ";
-}
-
-std::string table_line(const std::string& entry, const std::string& yours,
-                       const std::string& numeric, const std::string& error) {
-  return "  " + entry + std::string(entry.size() < 16 ? 16 - entry.size() : 1, ' ') +
-         pad(yours, 15) + pad(numeric, 15) + pad(error, 15) + "\n";
-}
-
+constexpr std::size_t report_width = 76;
 const char* const block_names[] = {"v1", "w1", "v2", "w2"};
+const char* const division_by_zero = "a division by zero, or a value that was never set";
 
 bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+
+bool all_finite(const Numbers& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double a) { return std::isfinite(a); });
+}
+
+// "v1, w1 and v2"
+std::string joined(const std::vector<std::string>& words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  return out;
+}
+
+// ---- tables and lines ---------------------------------------------------------------------------
+
+// Decimal points stand below one another; what the check takes for zero is written 0.
+std::string text(double number, double tolerance) {
+  if (std::abs(number) <= tolerance) return "0       ";
+  const double size = std::abs(number);
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, size >= 1e-4 && size < 1e7 ? "%.6f" : "%.3e", number);
+  return buffer;
+}
+
+std::string padded(const std::string& words, std::size_t width) {
+  return std::string(words.size() < width ? width - words.size() : 1, ' ') + words;
+}
+
+// Yours beside what is right, a line an entry; at most eight lines where all are wrong.
+class Table {
+ public:
+  explicit Table(const std::string& reference) { line("entry", "yours   ", reference, "error   "); }
+  void entry(const std::string& name, double yours, double right, double tolerance) {
+    if (lines_.size() > 8) ++hidden_;
+    else line(name, text(yours, tolerance), text(right, tolerance), text(yours - right, tolerance));
+  }
+  std::string words() const {
+    std::size_t width = 0;
+    for (const auto& line : lines_) width = std::max(width, line[0].size());
+    std::string out;
+    for (const auto& line : lines_) {
+      std::string row = "  " + line[0] + std::string(width - line[0].size(), ' ') +
+                        padded(line[1], 15) + padded(line[2], 15) + padded(line[3], 15);
+      row.erase(row.find_last_not_of(' ') + 1);
+      out += row + "\n";
+    }
+    return out + (hidden_ > 0 ? "  and " + std::to_string(hidden_) + " more\n" : "");
+  }
+
+ private:
+  void line(const std::string& a, const std::string& b, const std::string& c,
+            const std::string& d) {
+    lines_.push_back({a, b, c, d});
+  }
+  std::vector<std::array<std::string, 4>> lines_;
+  int hidden_ = 0;
+};
+
+// A long line is folded at a space and goes on below its first word after ": ".
+std::string folded(std::string line) {
+  const std::size_t colon = line.find(": ");
+  const std::string margin(colon < 20 ? colon + 2 : 0, ' ');
+  std::string out;
+  while (line.size() > report_width) {
+    const std::size_t space = line.rfind(' ', report_width);
+    if (space == std::string::npos || space <= margin.size()) break;
+    out += line.substr(0, space) + "\n";
+    line = margin + line.substr(space + 1);
+  }
+  return out + line + "\n";
+}
+
+std::string likely(const std::string& mistake) { return "Likely mistake: " + mistake + "\n"; }
 
 }  // namespace
 
@@ -39,253 +100,284 @@ bool close(const Numbers& a, const Numbers& b, double tolerance) {
 }
 
 void fail(const Subject& subject, const std::string& words) {
-  std::string report;
   const std::string id = subject.id;
-  report += (id.empty() ? "" : "Exercise " + id + ": ") + subject.words + "\n\n" + words;
+  std::string all = (id.empty() ? "" : "Exercise " + id + ": ") + subject.words + "\n\n" + words;
   const std::string place = exercise_place(id);
-  if (!place.empty()) report += "\nWhere: " + place + "\nNext:  ./wb hint " + id + "\n";
+  if (!place.empty()) all += "\nWhere: " + place + "\nNext:  ./wb hint " + id + "\n";
+  std::string report;
+  for (std::size_t from = 0; from < all.size();) {
+    const std::size_t end = all.find('\n', from);
+    // Catch2 loses the margin of the line after an empty one: a space keeps it
+    report += end == from ? " \n" : folded(all.substr(from, end - from));
+    from = end + 1;
+  }
   FAIL(report);
   throw std::logic_error("not reached");
 }
 
-void expect(const Subject& subject, const std::string& entry, double yours, double expected,
-            double tolerance, const std::vector<Suspect>& suspects) {
-  if (near(yours, expected, tolerance)) {
-    CHECK(near(yours, expected, tolerance));
-    return;
-  }
-  std::string words = table_line("entry", "yours", "expected", "error") +
-                      table_line(entry, text(yours), text(expected), text(yours - expected));
-  for (const Suspect& suspect : suspects)
-    if (near(yours, suspect.value, tolerance) && !near(suspect.value, expected, tolerance)) {
-      words += "\nLikely mistake: " + suspect.words + "\n";
-      break;
-    }
-  if (!std::isfinite(yours)) words += "\nLikely mistake: a division by zero\n";
-  fail(subject, words);
-}
-
-void expect(const Subject& subject, const std::string& entry, const vec3& yours,
-            const vec3& expected, double tolerance, const std::vector<VectorSuspect>& suspects) {
-  const auto same = [&](const vec3& a, const vec3& b) {
-    for (int c = 0; c < 3; ++c)
-      if (!near(double(a[c]), double(b[c]), tolerance)) return false;
-    return true;
-  };
-  if (same(yours, expected)) {
-    CHECK(same(yours, expected));
-    return;
-  }
-  std::string words = table_line("entry", "yours", "expected", "error");
-  for (int c = 0; c < 3; ++c)
-    words += table_line(entry + "." + "xyz"[c], text(double(yours[c])), text(double(expected[c])),
-                        text(double(yours[c] - expected[c])));
-  for (const VectorSuspect& suspect : suspects)
-    if (same(yours, suspect.value) && !same(suspect.value, expected)) {
-      words += "\nLikely mistake: " + suspect.words + "\n";
-      break;
-    }
-  if (!finite(yours)) words += "\nLikely mistake: a division by zero\n";
-  fail(subject, words);
-}
-
-// ---- guessing what went wrong with a Jacobian ----------------------------------------------------
+// ---- numbers ------------------------------------------------------------------------------------
 
 namespace {
 
-// How one 3-wide block of all rows compares with the right one.
-enum class State { right, turned_sign, missing, superfluous, other };
-
-State state(const JacobianSample& s, int block, double tolerance) {
-  bool right = true, negative = true, zero = true, should_be_zero = true;
-  for (std::size_t row = 0; row < s.yours.size() / 12; ++row)
-    for (int c = 0; c < 3; ++c) {
-      const double a = s.yours[row * 12 + block * 3 + c], b = s.numeric[row * 12 + block * 3 + c];
-      right = right && near(a, b, tolerance);
-      negative = negative && near(a, -b, tolerance);
-      zero = zero && near(a, 0, tolerance);
-      should_be_zero = should_be_zero && near(b, 0, tolerance);
-    }
-  return right ? State::right
-         : negative ? State::turned_sign
-         : zero ? State::missing
-         : should_be_zero ? State::superfluous : State::other;
+struct Named {
+  std::vector<std::string> entries;
+  Numbers numbers;
+};
+Named named(const std::string& entry, double a) { return {{entry}, {a}}; }
+Named named(const std::string& entry, const vec3& a) {
+  return {{entry + ".x", entry + ".y", entry + ".z"}, {double(a.x), double(a.y), double(a.z)}};
 }
-
-Numbers bodies_swapped(const Numbers& J) {
-  Numbers out = J;
-  for (std::size_t row = 0; row < J.size() / 12; ++row)
-    for (std::size_t c = 0; c < 12; ++c) out[row * 12 + c] = J[row * 12 + (c + 6) % 12];
+Named named(const std::string& entry, const quat& a) {
+  return {{entry + ".w", entry + ".x", entry + ".y", entry + ".z"},
+          {double(a.w), double(a.x), double(a.y), double(a.z)}};
+}
+Named named(const std::string& entry, const mat3& a) {
+  Named out;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      out.entries.push_back(entry + "[" + "xyz"[row] + ", " + "xyz"[column] + "]");
+      out.numbers.push_back(double(a[column][row]));
+    }
   return out;
 }
 
-// The common factor of all entries, or 0 where there is none.
-double common_factor(const Numbers& yours, const Numbers& numeric, double tolerance) {
-  std::size_t largest = 0;
-  for (std::size_t i = 0; i < numeric.size(); ++i)
-    if (std::abs(numeric[i]) > std::abs(numeric[largest])) largest = i;
-  if (numeric[largest] == 0) return 0;
-  const double factor = yours[largest] / numeric[largest];
-  for (std::size_t i = 0; i < numeric.size(); ++i)
-    if (!near(yours[i], factor * numeric[i], tolerance * (1 + std::abs(factor)))) return 0;
-  return factor;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string out;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    out += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
-  return out;
-}
-
-std::string jacobian_mistake(const JacobianSample& s, double tolerance) {
-  for (double number : s.yours)
-    if (!std::isfinite(number)) return "a division by zero, or a value that was never set";
-  Numbers negative = s.numeric;
-  for (double& number : negative) number = -number;
-  const bool swapped = close(s.yours, bodies_swapped(s.numeric), tolerance);
-  if (close(s.yours, negative, tolerance))
-    return swapped ? "the sign of the whole row, or bodies 1 and 2 swapped"
-                   : "the sign of the whole row: C grows when body 2 moves positively";
-  if (swapped) return "bodies 1 and 2 swapped";
-
-  std::vector<std::string> signs, missing, superfluous;
-  bool other = false;
-  for (int block = 0; block < 4; ++block) switch (state(s, block, tolerance)) {
-      case State::right: break;
-      case State::turned_sign: signs.push_back(block_names[block]); break;
-      case State::missing: missing.push_back(block_names[block]); break;
-      case State::superfluous: superfluous.push_back(block_names[block]); break;
-      case State::other: other = true;
-    }
-  if (missing.size() == 4) return "every entry is zero";
-  if (!other) {
-    std::vector<std::string> words;
-    if (!signs.empty()) words.push_back("the sign of the block " + joined(signs));
-    if (!missing.empty()) words.push_back("the block " + joined(missing) + " is missing");
-    if (!superfluous.empty())
-      words.push_back("the block " + joined(superfluous) + " should be zero");
-    return joined(words);
+template <class T>
+void compare(const Subject& subject, const std::string& entry, const T& yours, const T& expected,
+             double tolerance, const std::vector<SuspectOf<T>>& suspects) {
+  const Named mine = named(entry, yours);
+  const Numbers right = named(entry, expected).numbers;
+  const bool same = close(mine.numbers, right, tolerance);
+  if (same) {
+    CHECK(same);
+    return;
   }
-  if (s.right_if_unturned[0]) return "body-space arm: the lever of body 1 is not turned into the world";
-  if (s.right_if_unturned[1]) return "body-space arm: the lever of body 2 is not turned into the world";
-  if (s.right_if_unturned[2])
-    return "body-space arm: the levers of both bodies are not turned into the world";
-  if (const double factor = common_factor(s.yours, s.numeric, tolerance); factor != 0)
-    return "a factor: is the direction a unit vector?";
-  return "";
-}
-
-// ---- guessing what went wrong with a K ------------------------------------------------------------
-
-std::string K_mistake(const KSample& s, double tolerance) {
-  for (double number : s.yours)
-    if (!std::isfinite(number)) return "a division by zero, or a value that was never set";
-  if (close(s.yours, Numbers(s.yours.size(), 0), tolerance)) return "every entry is zero";
-  Numbers negative = s.numeric;
-  for (double& number : negative) number = -number;
-  if (close(s.yours, negative, tolerance)) return "the sign: K is never negative";
-  for (const auto& [words, wrong] : s.mistakes)
-    if (close(s.yours, wrong, tolerance) && !close(wrong, s.numeric, tolerance)) return words;
-  if (common_factor(s.yours, s.numeric, tolerance) != 0)
-    return "a factor: K has the square of the direction's length in it, which is 1 for a unit vector";
-  return "";
-}
-
-// ---- the report ------------------------------------------------------------------------------------
-
-
-// At which poses it holds, and the likely mistake with the poses where it shows.
-template <class Sample>
-std::string poses_and_mistake(const std::vector<Sample>& samples, double tolerance,
-                              std::string (*mistake)(const Sample&, double)) {
-  std::vector<std::string> holds, fails, words, where;
-  for (int pose = 0; pose < 4; ++pose) {
-    bool seen = false, right = true;
-    for (const Sample& s : samples) {
-      if (s.pose != pose) continue;
-      seen = true;
-      if (close(s.yours, s.numeric, tolerance)) continue;
-      right = false;
-      const std::string guess = mistake(s, tolerance);
-      std::size_t k = std::size_t(std::find(words.begin(), words.end(), guess) - words.begin());
-      if (k == words.size()) {
-        words.push_back(guess);
-        where.push_back("");
-      }
-      if (where[k].find(pose_names[pose]) == std::string::npos)
-        where[k] += (where[k].empty() ? "" : ", ") + std::string(pose_names[pose]);
-    }
-    if (seen) (right ? holds : fails).push_back(pose_names[pose]);
-  }
-  std::string out = "\nFails at poses: " + joined(fails);
-  if (!holds.empty()) out += "; holds at: " + joined(holds);
-  out += "\n";
-  for (std::size_t k = 0; k < words.size(); ++k)
-    if (!words[k].empty()) out += "Likely mistake: " + words[k] + " (" + where[k] + ")\n";
-  return out;
-}
-
-template <class Sample>
-const Sample* first_wrong(const std::vector<Sample>& samples, double tolerance) {
-  for (const Sample& s : samples)
-    if (!close(s.yours, s.numeric, tolerance)) return &s;
-  return nullptr;
+  Table table("expected");
+  for (std::size_t i = 0; i < right.size(); ++i)
+    if (right.size() < 9 || !near(mine.numbers[i], right[i], tolerance))
+      table.entry(mine.entries[i], mine.numbers[i], right[i], tolerance);
+  std::string words = table.words();
+  const auto fits = [&](const SuspectOf<T>& suspect) {
+    return close(mine.numbers, named(entry, suspect.value).numbers, tolerance);
+  };
+  const auto suspect = std::find_if(suspects.begin(), suspects.end(), fits);
+  if (!all_finite(mine.numbers)) words += "\n" + likely(division_by_zero);
+  else if (suspect != suspects.end()) words += "\n" + likely(suspect->words);
+  fail(subject, words);
 }
 
 }  // namespace
 
-std::string jacobian_report(const std::vector<std::string>& rows,
-                            const std::vector<JacobianSample>& samples, double tolerance) {
-  const JacobianSample* wrong = first_wrong(samples, tolerance);
-  if (!wrong) {
-    CHECK(wrong == nullptr);
-    return "";
+void expect(const Subject& subject, const std::string& entry, double yours, double expected,
+            double tolerance, const std::vector<Suspect>& suspects) {
+  compare(subject, entry, yours, expected, tolerance, suspects);
+}
+void expect(const Subject& subject, const std::string& entry, const vec3& yours,
+            const vec3& expected, double tolerance, const std::vector<VectorSuspect>& suspects) {
+  compare(subject, entry, yours, expected, tolerance, suspects);
+}
+void expect(const Subject& subject, const std::string& entry, const mat3& yours,
+            const mat3& expected, double tolerance, const std::vector<MatrixSuspect>& suspects) {
+  compare(subject, entry, yours, expected, tolerance, suspects);
+}
+void expect(const Subject& subject, const std::string& entry, const quat& yours,
+            const quat& expected, double tolerance, const std::vector<QuatSuspect>& suspects) {
+  const auto beside = [](const quat& q, const quat& other) { return dot(q, other) < 0 ? -q : q; };
+  const quat mine = beside(yours, expected);
+  std::vector<QuatSuspect> turned = suspects;
+  for (QuatSuspect& suspect : turned) suspect.value = beside(suspect.value, mine);
+  compare(subject, entry, mine, expected, tolerance, turned);
+}
+
+// ---- guessing what went wrong -------------------------------------------------------------------
+
+namespace {
+
+Numbers negative(Numbers numbers) {
+  for (double& number : numbers) number = -number;
+  return numbers;
+}
+
+Numbers bodies_swapped(const Numbers& J) {
+  Numbers out = J;
+  for (std::size_t i = 0; i < J.size(); ++i) out[i] = J[i / 12 * 12 + (i + 6) % 12];
+  return out;
+}
+
+// The number that all of what is right was multiplied by, or 0 where there is none.
+double common_factor(const Sample& s, double tolerance) {
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < s.numeric.size(); ++i)
+    if (std::abs(s.numeric[i]) > std::abs(s.numeric[largest])) largest = i;
+  const double factor = s.yours[largest] / s.numeric[largest];
+  for (std::size_t i = 0; i < s.numeric.size(); ++i)
+    if (!near(s.yours[i], factor * s.numeric[i], tolerance * (1 + std::abs(factor)))) return 0;
+  return factor;
+}
+
+// "the block w1", "the blocks w1 and w2"
+std::string blocks(const std::vector<std::string>& names) {
+  return (names.size() == 1 ? "the block " : "the blocks ") + joined(names);
+}
+
+// The wrong blocks of J, if each of them is the right one with its sign turned, or is missing, or
+// should not be there.
+std::string block_mistake(const Sample& s, double tolerance) {
+  std::vector<std::string> signs, missing, superfluous, words;
+  for (std::size_t block = 0; block < 4; ++block) {
+    bool right = true, opposite = true, zero = true, should_be_zero = true;
+    for (std::size_t i = 0; i < s.yours.size(); ++i) {
+      if (i % 12 / 3 != block) continue;
+      right = right && near(s.yours[i], s.numeric[i], tolerance);
+      opposite = opposite && near(s.yours[i], -s.numeric[i], tolerance);
+      zero = zero && near(s.yours[i], 0, tolerance);
+      should_be_zero = should_be_zero && near(s.numeric[i], 0, tolerance);
+    }
+    if (right) continue;
+    if (opposite) signs.push_back(block_names[block]);
+    else if (zero) missing.push_back(block_names[block]);
+    else if (should_be_zero) superfluous.push_back(block_names[block]);
+    else return "";
   }
-  std::string entries, map = "\n                   v1    w1    v2    w2     (x wrong, . right)\n";
-  int shown = 0, hidden = 0;
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    map += "  " + rows[row] + std::string(16 - std::min<std::size_t>(rows[row].size(), 15), ' ');
-    for (std::size_t c = 0; c < 12; ++c) {
-      const std::size_t i = row * 12 + c;
-      const bool right = near(wrong->yours[i], wrong->numeric[i], tolerance);
-      map += std::string(c % 3 == 0 ? " " : "") + (right ? "." : "x") + (c % 3 == 2 ? "  " : "");
-      if (right) continue;
-      if (shown++ >= 8) {
-        ++hidden;
-        continue;
+  if (!signs.empty())
+    words.push_back("the sign of " + blocks(signs) +
+                    (joined(signs) == "w1 and w2"   ? ": a x b is -(b x a)"
+                     : joined(signs) == "v1 and w1" ? ": body 1 carries the minus sign"
+                                                    : ""));
+  if (!missing.empty())
+    words.push_back(blocks(missing) + (missing.size() == 1 ? " is missing" : " are missing"));
+  if (!superfluous.empty()) words.push_back(blocks(superfluous) + " should be zero");
+  return joined(words);
+}
+
+// What is wrong wherever it is wrong, or "".
+std::string plain_mistake(const Sample& s, double tolerance) {
+  if (!all_finite(s.yours)) return division_by_zero;
+  if (close(s.yours, Numbers(s.yours.size(), 0), tolerance)) return "every entry is zero";
+  const double factor = common_factor(s, tolerance);
+  for (const char* number : {"2", "4", "0.5", "0.25"})
+    if (near(factor, std::atof(number), tolerance)) return std::string("a factor of ") + number;
+  return "";
+}
+
+std::string jacobian_mistake(const Sample& s, double tolerance) {
+  const bool swapped = close(s.yours, bodies_swapped(s.numeric), tolerance);
+  if (close(s.yours, negative(s.numeric), tolerance))
+    return swapped ? "the sign of the whole row, or bodies 1 and 2 swapped"
+                   : "the sign of the whole row: C grows when body 2 moves positively";
+  return swapped ? "bodies 1 and 2 swapped" : block_mistake(s, tolerance);
+}
+
+std::string K_mistake(const Sample& s, double tolerance) {
+  return close(s.yours, negative(s.numeric), tolerance) ? "the sign: K is never negative" : "";
+}
+
+// ---- the report ---------------------------------------------------------------------------------
+
+std::vector<std::string> poses_of(const std::vector<const Sample*>& samples) {
+  std::vector<std::string> names;
+  for (const Sample* s : samples)
+    if (names.empty() || names.back() != pose_names[s->pose]) names.push_back(pose_names[s->pose]);
+  return names;
+}
+
+// The fewest mistakes that explain all samples, each with its poses.
+std::string likely_mistakes(std::vector<const Sample*> open) {
+  std::string out;
+  const auto names = [](const Sample* s, const std::string& words) {
+    return std::find(s->mistakes.begin(), s->mistakes.end(), words) != s->mistakes.end();
+  };
+  while (!open.empty()) {
+    std::string best;
+    std::vector<const Sample*> explained;
+    for (const Sample* s : open)
+      for (const std::string& words : s->mistakes) {
+        std::vector<const Sample*> also;
+        std::copy_if(open.begin(), open.end(), std::back_inserter(also),
+                     [&](const Sample* other) { return names(other, words); });
+        if (also.size() <= explained.size()) continue;
+        best = words;
+        explained = also;
       }
-      entries += table_line(rows[row] + ", " + block_names[c / 3] + "." + "xyz"[c % 3],
-                            text(wrong->yours[i]), text(wrong->numeric[i]),
-                            text(wrong->yours[i] - wrong->numeric[i]));
+    if (explained.empty())
+      return out + "No mistake that is known explains " + joined(poses_of(open)) + ".\n";
+    std::string poses;
+    for (const std::string& pose : poses_of(explained)) poses += (poses.empty() ? "" : ", ") + pose;
+    out += "Likely mistake: " + best + " (" + poses + ")\n";
+    std::erase_if(open, [&](const Sample* s) { return names(s, best); });
+  }
+  return out;
+}
+
+// At which poses it holds, and what is likely to be wrong at the others.
+std::string verdict(std::vector<Sample>& samples, double tolerance,
+                    std::string (*mistake)(const Sample&, double)) {
+  std::vector<const Sample*> right, wrong;
+  for (Sample& s : samples) {
+    const bool holds = close(s.yours, s.numeric, tolerance);
+    (holds ? right : wrong).push_back(&s);
+    if (holds) continue;
+    for (const std::string& words : {mistake(s, tolerance), plain_mistake(s, tolerance)})
+      if (!words.empty()) s.mistakes.insert(s.mistakes.begin(), words);
+  }
+  std::vector<std::string> holds = poses_of(right);
+  const std::vector<std::string> fails = poses_of(wrong);
+  std::erase_if(holds, [&](const std::string& pose) {
+    return std::find(fails.begin(), fails.end(), pose) != fails.end();
+  });
+  return "\n" +
+         (holds.empty() ? "Fails at all poses.\n"
+                        : "Fails at " + joined(fails) + "; holds at " + joined(holds) + ".\n") +
+         likely_mistakes(wrong);
+}
+
+const Sample* first_wrong(const std::vector<Sample>& samples, double tolerance) {
+  for (const Sample& s : samples)
+    if (!close(s.yours, s.numeric, tolerance)) return &s;
+  CHECK(samples.size() > 0);
+  return nullptr;
+}
+
+std::string heading(const Sample& s, const std::string& words) {
+  return std::string("Pose: ") + pose_names[s.pose] + " (" + pose_words[s.pose] + "). " + words +
+         "\n\n";
+}
+
+}  // namespace
+
+std::string jacobian_report(const std::vector<std::string>& rows, std::vector<Sample> samples,
+                            double tolerance) {
+  const Sample* wrong = first_wrong(samples, tolerance);
+  if (!wrong) return "";
+  Table table("numeric ");
+  std::string map = "\n        v1   w1   v2   w2     (x wrong, . right)\n";
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    map += "  " + rows[row] + std::string(6 - rows[row].size(), ' ');
+    for (std::size_t c = 0; c < 12; ++c) {
+      const double yours = wrong->yours[row * 12 + c], numeric = wrong->numeric[row * 12 + c];
+      const bool right = near(yours, numeric, tolerance);
+      map += std::string(right ? "." : "x") + (c % 3 == 2 && c < 11 ? "  " : "");
+      if (!right)
+        table.entry(rows[row] + ", " + block_names[c / 3] + "." + "xyz"[c % 3], yours, numeric,
+                    tolerance);
     }
     map += "\n";
   }
-  std::string out = "Pose: " + std::string(pose_names[wrong->pose]) +
-                    ". The numeric value is how fast C really changes with that velocity.\n\n" +
-                    table_line("entry", "yours", "numeric", "error") + entries;
-  if (hidden > 0) out += "  and " + std::to_string(hidden) + " more\n";
-  return out + map + poses_and_mistake(samples, tolerance, jacobian_mistake);
+  return heading(*wrong, "Numeric: how fast C really changes.") + table.words() + map +
+         verdict(samples, tolerance, jacobian_mistake);
 }
 
-std::string K_report(const std::vector<std::string>& rows, const std::vector<KSample>& samples,
+std::string K_report(const std::vector<std::string>& rows, std::vector<Sample> samples,
                      double tolerance) {
-  const KSample* wrong = first_wrong(samples, tolerance);
-  if (!wrong) {
-    CHECK(wrong == nullptr);
-    return "";
-  }
-  std::string entries;
+  const Sample* wrong = first_wrong(samples, tolerance);
+  if (!wrong) return "";
+  Table table("numeric ");
   const std::size_t n = rows.size();
   for (std::size_t i = 0; i < n * n; ++i)
     if (!near(wrong->yours[i], wrong->numeric[i], tolerance))
-      entries += table_line(n == 1 ? "K" : "K[" + rows[i / n] + ", " + rows[i % n] + "]",
-                            text(wrong->yours[i]), text(wrong->numeric[i]),
-                            text(wrong->yours[i] - wrong->numeric[i]));
-  return "Pose: " + std::string(pose_names[wrong->pose]) +
-         ". The numeric value is J M^-1 J^T with J by differences.\n\n" +
-         table_line("entry", "yours", "numeric", "error") + entries +
-         poses_and_mistake(samples, tolerance, K_mistake);
+      table.entry(n == 1 ? "K" : "K[" + rows[i / n] + ", " + rows[i % n] + "]", wrong->yours[i],
+                  wrong->numeric[i], tolerance);
+  return heading(*wrong, "Numeric: J M^-1 J^T, J by differences.") + table.words() +
+         verdict(samples, tolerance, K_mistake);
 }
 
 }  // namespace joints::testing

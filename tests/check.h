@@ -156,7 +156,7 @@ template <class Fixture, int N>
 auto wrong_jacobians(const typename Fixture::Part& part, const Jacobian<N>& J, const Pair& pair) {
   std::vector<std::pair<std::string, Jacobian<N>>> out;
   if constexpr (requires { Fixture::mistakes(part, pair); }) out = Fixture::mistakes(part, pair);
-  Jacobian<N> points = J, exchanged = J, unlevered = J;
+  Jacobian<N> points = J, exchanged = J;
   for (int i = 0; i < N; ++i) {
     points[i].w1 += cross(pair.body1.x, J[i].v1);
     points[i].w2 += cross(pair.body2.x, J[i].v2);

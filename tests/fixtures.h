@@ -15,6 +15,12 @@ inline void turn_about(Body& body, const vec3& point, const quat& turn) {
   body.q = normalize(turn * body.q);
 }
 
+// The row of a rod with any vector in place of its direction, and any levers.
+inline std::pair<std::string, Jacobian<1>> along(const char* words, const vec3& n, const vec3& r1,
+                                                 const vec3& r2) {
+  return {words, to_jacobian(Row{-n, -cross(r1, n), n, cross(r2, n)})};
+}
+
 struct CentreDistanceFixture {
   using Part = CentreDistance;
   static constexpr Subject J{"1.1", "the row J of a rod from centre to centre"};
@@ -26,6 +32,10 @@ struct CentreDistanceFixture {
     turn_about(pair.body2, pair.body1.x, random.turn());
     pair.body1.q = random.turn();
     pair.body2.q = random.turn();
+  }
+  static std::vector<std::pair<std::string, Jacobian<1>>> mistakes(const Part&, const Pair& pair) {
+    return {along("not a unit vector: take direction(...) of the difference",
+                  pair.body2.x - pair.body1.x, vec3(0), vec3(0))};
   }
 };
 
@@ -44,6 +54,16 @@ struct DistanceFixture {
     turn_about(pair.body2, world_point(pair.body1, part.anchor1_local), random.turn());
     turn_about(pair.body1, world_point(pair.body1, part.anchor1_local), random.turn());
     turn_about(pair.body2, world_point(pair.body2, part.anchor2_local), random.turn());
+  }
+  static std::vector<std::pair<std::string, Jacobian<1>>> mistakes(const Part& part,
+                                                                   const Pair& pair) {
+    const vec3 r1 = to_world(pair.body1, part.anchor1_local);
+    const vec3 r2 = to_world(pair.body2, part.anchor2_local);
+    const vec3 d = pair.body2.x - pair.body1.x, u = d + r2 - r1;
+    const char* const centres =
+        "the direction runs from centre to centre, not from anchor to anchor";
+    return {along("not a unit vector: take direction(...) of the difference", u, r1, r2),
+            along(centres, direction(d), r1, r2), along(centres, direction(d), vec3(0), vec3(0))};
   }
 };
 

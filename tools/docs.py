@@ -45,13 +45,18 @@ def make_header(out):
     header.write_text(header.read_text().replace("</head>", extra + "</head>"))
 
 
-def copy_pictures(html):
-    """The pages name drawings by their place in the repository: put them at the same place."""
+def finish_pages(html):
+    """Last touches on the pages: pictures beside them, no blank between a bracket and a formula."""
     for page in sorted(html.glob("*.html")):
-        for name in set(re.findall(r'<img src="([\w./-]+/[\w.-]+)"', page.read_text())):
+        text = page.read_text(encoding="utf-8")
+        # The filter names pictures by their place in the repository: put them at the same place.
+        for name in set(re.findall(r'<img src="([\w./-]+/[\w.-]+)"', text)):
             if not (ROOT / name).is_file():
                 stop(f"{page.name} shows {name}, which does not exist", 1)
             copy(ROOT / name, html / name)
+        tidy = re.sub(r'(?<=[(\["]) (?=\\\()', "", text)
+        if tidy != text:
+            page.write_text(tidy, encoding="utf-8")
 
 
 def build(out):
@@ -69,7 +74,7 @@ def build(out):
         stop("the site has warnings, see above", 1)
     for part in MATHJAX_PARTS:
         copy(MATHJAX / part, html / "mathjax" / part)
-    copy_pictures(html)
+    finish_pages(html)
     return html / "index.html"
 
 

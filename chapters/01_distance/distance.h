@@ -40,7 +40,8 @@ struct CentreDistance {
 ///
 /// u = p2 - p1, n = u/|u|, C = |u| - length [m]; J = (-n, -(r1 x n), n, r2 x n), exact wherever
 /// |u| > 0; K = 1/m1 + 1/m2 + (r1 x n).I1^-1 (r1 x n) + (r2 x n).I2^-1 (r2 x n) [1/kg].
-/// Points that coincide: J = 0, no impulse. Source: Garstenauer 2006, section 5.2.
+/// Points that coincide: J = 0, no impulse. Source: the centre rod with the velocity v + w x r of a
+/// point; Garstenauer 2006 has it for joints in general.
 struct Distance {
   vec3 anchor1_local{0};  ///< its end on body 1 [m], from the centre, body space
   vec3 anchor2_local{0};  ///< its end on body 2 [m], from the centre, body space
@@ -59,8 +60,9 @@ struct Distance {
 
 /// A rope: a rod that cannot push. C >= 0 is the slack, so it is the rod with its sign turned.
 ///
-/// C = length - |u| [m]; J is the rod's with its sign turned, K the rod's; the sum of its impulses
-/// over the sweeps of a step must not become negative (exercise 1.5).
+/// C = length - |u| [m]; J is the rod's with its sign turned, K the rod's; bias C/h while there is
+/// slack, beta C/h otherwise (Eq. 1-11; set_up does it); the sum of its impulses over the sweeps of
+/// a step must not become negative (exercise 1.5). Removes one degree of freedom while taut.
 template <class Rod>
 struct Rope {
   Rod rod;  ///< the rod that it is when taut

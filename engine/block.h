@@ -39,12 +39,12 @@ struct Block {
 /// The blocks of one step: a list of headers and three flat arrays.
 class Blocks {
  public:
-  std::vector<Block> list;
+  std::vector<Block> list;  ///< the headers, in the order in which they are solved
   std::vector<Row> J;   ///< Jacobian, a row each
   std::vector<real> C;  ///< error, a number each row [m or rad]
   std::vector<real> K;  ///< J M^-1 J^T, rows x rows numbers a block [1/kg or 1/(kg m^2)]
 
-  void clear();
+  void clear();  ///< forgets all blocks, keeps the room
   /// Makes room, so that appending as many rows does not allocate.
   void reserve(int rows);
 

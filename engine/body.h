@@ -75,7 +75,7 @@ vec3 gyroscopic_midpoint(const vec3& inertia, const vec3& w, real h);
 struct BodyId {
   std::uint32_t slot = 0;        ///< place in the array
   std::uint32_t generation = 0;  ///< 0 names no body
-  bool operator==(const BodyId&) const = default;
+  bool operator==(const BodyId&) const = default;  ///< the same slot and the same tenant
 };
 
 /// All bodies of a world in one contiguous array. A removed slot is given to the next body that is
@@ -87,13 +87,15 @@ class Bodies {
   bool alive(BodyId id) const;   ///< does this id still name a body?
   int index(BodyId id) const;    ///< the slot; \throws std::invalid_argument for a stale id
 
+  /// The body that an id names. \throws std::invalid_argument for a stale id
   Body& operator[](BodyId id) { return bodies_[index(id)]; }
+  /// The same, to look at only.
   const Body& operator[](BodyId id) const { return bodies_[index(id)]; }
 
   int slots() const { return int(bodies_.size()); }  ///< length of the array, empty slots included
   bool used(int slot) const { return generation_[slot] % 2 == 1; }  ///< does a body live there?
   Body& at(int slot) { return bodies_[slot]; }       ///< by slot; an empty slot is a static body
-  const Body& at(int slot) const { return bodies_[slot]; }
+  const Body& at(int slot) const { return bodies_[slot]; }  ///< the same, to look at only
   Body* data() { return bodies_.data(); }  ///< the array itself, for solvers
   int size() const { return slots() - int(free_.size()); }  ///< how many bodies live
 

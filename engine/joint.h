@@ -12,7 +12,7 @@ namespace joints {
 /// A new kind of joint is one new class in one new file; nothing else has to know it.
 class Joint {
  public:
-  BodyId body1, body2;
+  BodyId body1, body2;    ///< the two bodies it holds
   real beta = real(0.2);  ///< share of the error fed back in a step [1] (chapter 6)
 
   /// \throws std::invalid_argument for a joint of a body with itself
@@ -33,9 +33,11 @@ class Joint {
   virtual int most_rows() const = 0;
   /// How many limits and motors the joint has, live or idle, for the plan line.
   struct Extras {
-    int limits = 0, live_limits = 0, motors = 0;
+    int limits = 0;       ///< limits, live or not
+    int live_limits = 0;  ///< limits that have a row at present
+    int motors = 0;       ///< motors, running or not
   };
-  virtual Extras extras() const;
+  virtual Extras extras() const;  ///< none, unless a joint says otherwise
 };
 
 }  // namespace joints

@@ -25,17 +25,17 @@ using Vector = std::array<real, N>;
 /// An N x N matrix: m[row][column].
 template <int N>
 struct Matrix {
-  std::array<std::array<real, N>, N> m{};
-  std::array<real, N>& operator[](int row) { return m[row]; }
-  const std::array<real, N>& operator[](int row) const { return m[row]; }
+  std::array<std::array<real, N>, N> m{};  ///< the numbers, row after row
+  std::array<real, N>& operator[](int row) { return m[row]; }  ///< one row
+  const std::array<real, N>& operator[](int row) const { return m[row]; }  ///< one row
 };
 
 /// A Jacobian of N rows.
 template <int N>
 struct Jacobian {
-  std::array<Row, N> row{};
-  Row& operator[](int i) { return row[i]; }
-  const Row& operator[](int i) const { return row[i]; }
+  std::array<Row, N> row{};  ///< the rows, from the first
+  Row& operator[](int i) { return row[i]; }  ///< row i
+  const Row& operator[](int i) const { return row[i]; }  ///< row i
 };
 
 /// Three rows written as the four 3x3 blocks of the formula: J = ( v1  w1  v2  w2 ).
@@ -47,18 +47,26 @@ inline Jacobian<3> jacobian_from_blocks(const mat3& v1, const mat3& w1, const ma
   return J;
 }
 
-// A part may give its numbers as the type that reads best; these make one kind of them.
+/// A part may give its numbers as the type that reads best; to_vector, to_matrix and to_jacobian
+/// make one kind of them.
 inline Vector<1> to_vector(real a) { return {a}; }
+/// From a 3-vector.
 inline Vector<3> to_vector(const vec3& a) { return {a.x, a.y, a.z}; }
+/// Already of that kind.
 template <std::size_t N>
 const std::array<real, N>& to_vector(const std::array<real, N>& a) { return a; }
+/// See to_vector(): one number.
 inline Matrix<1> to_matrix(real a) { return {{{{a}}}}; }
+/// See to_vector(): from GLM's columns to rows.
 inline Matrix<3> to_matrix(const mat3& a) {
   return {{{{a[0][0], a[1][0], a[2][0]}, {a[0][1], a[1][1], a[2][1]}, {a[0][2], a[1][2], a[2][2]}}}};
 }
+/// Already of that kind.
 template <int N>
 const Matrix<N>& to_matrix(const Matrix<N>& a) { return a; }
+/// See to_vector(): one row.
 inline Jacobian<1> to_jacobian(const Row& row) { return {{row}}; }
+/// Already of that kind.
 template <int N>
 const Jacobian<N>& to_jacobian(const Jacobian<N>& J) { return J; }
 

@@ -58,10 +58,10 @@ class GapMeter {
 
 /// Three poses of every body, one step apart: velocities are their central differences.
 struct Moment {
-  const std::vector<Pose>& before;
-  const std::vector<Pose>& now;
-  const std::vector<Pose>& after;
-  double h;  ///< the step between two of them [s]
+  const std::vector<Pose>& before;  ///< one step earlier
+  const std::vector<Pose>& now;     ///< the moment itself
+  const std::vector<Pose>& after;   ///< one step later
+  double h;                         ///< the step between two of them [s]
 };
 
 /// Energy of position [J], zero at the origin.

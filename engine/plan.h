@@ -9,8 +9,10 @@ namespace joints {
 
 /// What a step has to do, counted: the line that every program prints before it runs.
 struct Plan {
-  int bodies = 0, static_bodies = 0, blocks = 0, rows = 0, limits = 0, live_limits = 0, motors = 0;
-  bool warm_start = false;
+  int bodies = 0, static_bodies = 0;             ///< all of them, and those that never move
+  int blocks = 0, rows = 0;                      ///< live ones
+  int limits = 0, live_limits = 0, motors = 0;   ///< of all joints
+  bool warm_start = false;                       ///< as the solver is set
   std::string line() const;  ///< "bodies 12 (2 static)  blocks 19  rows 34  ..."
 };
 

@@ -14,7 +14,9 @@ class Options {
  public:
   /// One option. \see Options
   struct Option {
-    std::string name, value, help;
+    std::string name;   ///< without the two dashes
+    std::string value;  ///< its default, then what the command line said
+    std::string help;   ///< one line
   };
   /// Declares the options that a program knows. Every program knows `--out` and `--help`.
   Options(std::string program, std::vector<Option> known);
@@ -22,7 +24,7 @@ class Options {
   /// \throws std::invalid_argument for an option that the program does not know, or no value
   bool read(int argc, const char* const* argv);
 
-  std::string text(const std::string& name) const;
+  std::string text(const std::string& name) const;  ///< the value as it was written
   /// \throws std::invalid_argument unless it is a finite number of at least `least`
   double number(const std::string& name, double least) const;
   /// \throws std::invalid_argument unless it is a whole number from `least` to a million

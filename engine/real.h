@@ -39,7 +39,9 @@ inline mat3 skew(const vec3& r) {
 
 /// True when every entry is an ordinary number: neither infinite nor NaN.
 inline bool finite(real a) { return std::isfinite(a); }
+/// All three entries.
 inline bool finite(const vec3& a) { return finite(a.x) && finite(a.y) && finite(a.z); }
+/// All four entries.
 inline bool finite(const quat& q) {
   return finite(q.w) && finite(q.x) && finite(q.y) && finite(q.z);
 }

@@ -48,7 +48,7 @@ class Motion {
   /// \param every keep one frame of so many
   Motion(std::string title, double h, int every = 2);
   void body(const Shape& shape);  ///< the next body of the array
-  void line(const Line& line);
+  void line(const Line& line);    ///< one more line to draw
   /// Remembers the poses of the first n bodies, n = how many shapes there are.
   void frame(const Body* bodies);
   /// \throws std::invalid_argument if the file cannot be made

@@ -24,7 +24,7 @@ class SequentialImpulses {
  public:
   int iterations = 30;         ///< sweeps a step
   bool warm_start = false;     ///< begin with the impulses of the last step
-  Order order = Order::forward;
+  Order order = Order::forward;  ///< of the blocks in a sweep
   unsigned seed = 1;           ///< of the shuffled order
   bool row_by_row = false;     ///< solve every row as a block of its own (chapter 2)
 

@@ -10,7 +10,7 @@ namespace joints {
 
 /// What `./wb tour` shows of a scene.
 struct Summary {
-  std::string scene, setting;
+  std::string scene, setting;  ///< what ran, and how
   double us_per_step = 0;   ///< median time of a step [us]
   double gap_rms = 0;       ///< over all joints and steps [m]
   double gap_max = 0;       ///< [m]
@@ -20,8 +20,8 @@ struct Summary {
 /// Times steps: start, stop, and the median of what lay between.
 class StepClock {
  public:
-  void start();
-  void stop();
+  void start();              ///< before a step
+  void stop();               ///< after it
   double median_us() const;  ///< [us], 0 before the first stop
 
  private:

@@ -16,7 +16,7 @@ namespace joints {
 /// between two steps.
 class World {
  public:
-  Bodies bodies;
+  Bodies bodies;                    ///< all of them, in one array
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
 
   /// Adds a body. \throws std::invalid_argument for a body that is not finite

@@ -26,8 +26,8 @@ inline vec3 direction(const vec3& u) {
 struct CentreDistance {
   real length = 1;  ///< of the rod [m]
 
-  static constexpr int rows = 1;
-  static constexpr bool one_sided = false;
+  static constexpr int rows = 1;            ///< degrees of freedom that it removes
+  static constexpr bool one_sided = false;  ///< it pushes and it pulls
   /// C, the error [m]: positive when the rod is too long.
   real error(const Body& body1, const Body& body2) const {
     return glm::length(body2.x - body1.x) - length;  // Eq. 1-1
@@ -47,8 +47,8 @@ struct Distance {
   vec3 anchor2_local{0};  ///< its end on body 2 [m], from the centre, body space
   real length = 1;        ///< of the rod [m]
 
-  static constexpr int rows = 1;
-  static constexpr bool one_sided = false;
+  static constexpr int rows = 1;            ///< degrees of freedom that it removes
+  static constexpr bool one_sided = false;  ///< it pushes and it pulls
   /// C, the error [m]: positive when the rod is too long.
   real error(const Body& body1, const Body& body2) const {
     const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
@@ -67,14 +67,16 @@ template <class Rod>
 struct Rope {
   Rod rod;  ///< the rod that it is when taut
 
-  static constexpr int rows = 1;
-  static constexpr bool one_sided = true;
+  static constexpr int rows = 1;           ///< at most, while it is taut
+  static constexpr bool one_sided = true;  ///< it only pulls
   /// C, the slack [m]: negative when the rope is too long.
   real error(const Body& body1, const Body& body2) const { return -rod.error(body1, body2); }
+  /// The rod's row with its sign turned.
   Row jacobian(const Body& body1, const Body& body2) const {
     const Row J = rod.jacobian(body1, body2);
     return {-J.v1, -J.w1, -J.v2, -J.w2};
   }
+  /// The rod's K: both signs cancel [1/kg].
   real K(const Body& body1, const Body& body2) const { return rod.K(body1, body2); }
 };
 

@@ -19,8 +19,8 @@ struct Point {
   vec3 anchor1_local{0};  ///< the point on body 1 [m], from its centre, body space
   vec3 anchor2_local{0};  ///< the point on body 2 [m], from its centre, body space
 
-  static constexpr int rows = 3;
-  static constexpr bool one_sided = false;
+  static constexpr int rows = 3;            ///< degrees of freedom that it removes
+  static constexpr bool one_sided = false;  ///< it holds in every direction, both ways
   /// C, the gap [m, world]: from the point on body 1 to the point on body 2.
   vec3 error(const Body& body1, const Body& body2) const {
     return world_point(body2, anchor2_local) - world_point(body1, anchor1_local);  // Eq. 2-1

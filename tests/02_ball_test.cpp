@@ -13,7 +13,7 @@ const real half = std::sqrt(real(0.5));  // cos 45 degrees
 // The pose for pencil and paper in the chapter's text.
 const Body paper1 = static_body(vec3(0));
 const Body paper2 = [] {
-  Body body = body_with(2, vec3(real(0.5), 1, real(0.25)), vec3(0, -1, 0), quat(half, 0, 0, half));
+  Body body = body_with(2, vec3(5 / real(6), 1, 5 / real(21)), vec3(0, -1, 0), quat(half, 0, 0, half));
   body.v = vec3(1, 0, 0);
   body.w = vec3(0, 0, 2);
   return body;
@@ -48,10 +48,10 @@ TEST_CASE("2.1 the rows of a ball joint are the slopes of its gap at every pose"
 }
 
 TEST_CASE("2.2 K of a ball joint says how far an impulse moves the anchor", "[2.2]") {
-  // world inverse inertia diag(1, 2, 4), lever (0, 1, 1/2), mass 2 kg
+  // world inverse inertia diag(1, 1.2, 4.2), lever (0, 1, 1/2), mass 2 kg
   const mat3 mm(real(0.5));
   const mat3 turn(real(4.5), 0, 0, 0, real(0.25), real(-0.5), 0, real(-0.5), 1);
-  const mat3 local(real(4.25), 0, 0, 0, real(0.5), -1, 0, -1, 2);
+  const mat3 local(real(4.45), 0, 0, 0, real(0.3), real(-0.6), 0, real(-0.6), real(1.2));
   const mat3 s = skew(paper_part.anchor2_local), I = inverse_inertia(paper2);
   const mat3 K = mm + turn;
   expect(PointFixture::K, "K", paper_part.K(paper1, paper2), K, rounding,
@@ -106,6 +106,29 @@ struct Joint3 {
 };
 
 }  // namespace
+
+TEST_CASE("2.3 a ball joint stops the point of a body that flies and spins", "[2.3]") {
+  const Jacobian<3> J = jacobian_from_blocks(mat3(-1), mat3(0), mat3(1),
+                                             -skew(vec3(0, 1, real(0.5))));
+  const mat3 K(5, 0, 0, 0, real(0.75), real(-0.5), 0, real(-0.5), real(1.5));
+  Body wall = paper1, body = paper2;
+  expect(impulse, "lambda", block_impulse(J, K, vec3(0), wall, body), vec3(real(0.2), 0, 0),
+         10 * rounding,
+         {{vec3(real(-0.2), 0, 0), "the sign: the impulse works against J V + b"},
+          {vec3(5, 0, 0), "times K where its inverse belongs"},
+          {vec3(0), "J V is missing"}});
+  apply_impulse(J, vec3(real(0.2), 0, 0), wall, body);
+  expect(application, "v2", body.v, vec3(real(1.1), 0, 0), 10 * rounding,
+         {{vec3(real(0.9), 0, 0), "the sign: velocities grow by +M^-1 J^T lambda"},
+          {vec3(real(1.2), 0, 0), "the inverse mass is missing"},
+          {vec3(real(1.4), 0, 0), "mass where inverse mass belongs"}});
+  expect(application, "w2", body.w, vec3(0, real(0.12), real(1.16)), 10 * rounding,
+         {{vec3(0, real(-0.12), real(2.84)), "the sign: velocities grow by +M^-1 J^T lambda"},
+          {vec3(0, real(0.1), real(1.8)), "the inverse inertia is missing"},
+          {vec3(0, real(0.1), real(1.16)), "body-space inertia: take inverse_inertia(body)"}});
+  expect(application, "v1 of a static body", wall.v, vec3(0), 0);
+  expect(application, "w1 of a static body", wall.w, vec3(0), 0);
+}
 
 TEST_CASE("2.3 the impulse of a block takes all three rates away at once", "[2.3]") {
   const Joint3 joint;

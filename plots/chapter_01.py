@@ -35,33 +35,41 @@ def slack_until(ax, curves):
             va="center", color=PALE, fontsize=8.5, transform=ax.get_xaxis_transform())
 
 
-def gap(solution, mine, out):
-    curves = millimetres(solution["bridge"])
+def gap_figure(place, joints, solution, mine):
+    """Gaps over time: one curve a number of iterations, or yours over the solution's."""
+    curves = millimetres(solution)
     if mine:
-        own = millimetres(mine["bridge"])
+        own = millimetres(mine)
         count = style.common_count(own, curves)
-        figure, ax = style.figure(f"The bridge, {count} iterations: "
+        figure, ax = style.figure(f"{place}, {count} iterations: "
                                   + style.verdict(own[count], curves[count], "mm"))
         ax.set_yscale("log")
         shown = [own[count], curves[count]]
         style.overlay(ax, *((t, visible(values)) for t, values in shown))
     else:
         few, best = min(curves), min(curves, key=lambda count: mean_square(curves[count]))
-        figure, ax = style.figure(
-            f"The bridge: {few} iterations leave gaps of {mean_square(curves[few]):.1f} mm, "
-            f"{best} leave {mean_square(curves[best]):.1f} mm"
-            + (", more do not help" if best < max(curves) else ""))
+        title = f"{place}: {few} iterations leave gaps of {mean_square(curves[few]):.1f} mm"
+        title += f", {best} leave {mean_square(curves[best]):.1f} mm" * (best > few)
+        figure, ax = style.figure(title + ", more do not help" * (best < max(curves)))
         ax.set_yscale("log")
         shown = list(curves.values())
         for (number, (t, values)), colour in zip(curves.items(), COLOURS):
             ax.plot(t, visible(values), color=colour, linewidth=1.2,
                     label=f"{number} iterations\n{mean_square((t, values)):.1f} mm RMS")
         ax.set_xlim(0, max(t.max() for t, _ in shown))
-    slack_until(ax, shown)
-    ax.set(xlabel="time  [s]", ylabel="gap, RMS over the ropes  [mm]")
+        low, high = style.extent(*(values for _, values in shown))
+        ax.set_ylim(max(low, high / 1000) / 1.3, high * 1.3)
+    ax.set(xlabel="time  [s]", ylabel=f"gap, RMS over the {joints}  [mm]")
     style.plain_log(ax.yaxis)
+    slack_until(ax, shown)
     label_ends(ax)
-    style.save(figure, out / "01_gap")
+    return figure
+
+
+def change(curves):
+    """The energy at the end of the run with most iterations, in words."""
+    end = curves[max(curves)][1][-1]
+    return f"{'loses' if end < 0 else 'gains'} {abs(end):.2g}"
 
 
 def energy(solution, mine, out):
@@ -77,12 +85,13 @@ def energy(solution, mine, out):
             style.overlay(ax, *pair)
             ax.set_title(f"{name}, {count} iterations:\n{style.verdict(*pair, unit)}")
     else:
+        taut = (solution["bridge"]["gap_rms_m"] > 0).any()
         figure, (left, right) = style.figure(
-            f"Energy: the bridge ends {bridge[max(bridge)][1][-1]:+.0f} kJ, in steps as ropes "
-            f"become taut; the pendulum {pendulum[max(pendulum)][1][-1]:+.1g} J", 2)
+            f"The bridge {change(bridge)} kJ" + ", in steps as ropes become taut" * taut
+            + f"; the pendulum {change(pendulum)} J", 2)
         for (number, curve), colour in zip(bridge.items(), COLOURS):
             left.plot(*curve, color=colour, label=f"{number}")
-        left.set_title("bridge, number of iterations at the lines")
+        left.set_title("bridge, by the number of iterations")
         draw_pendulum(right, pendulum)
     for ax, unit in ((left, "kJ"), (right, "J")):
         ax.set(xlabel="time  [s]", ylabel=f"energy since the start  [{unit}]")
@@ -98,12 +107,14 @@ def draw_pendulum(ax, pendulum):
     names = ", ".join(str(count) for count in pendulum)
     if same:
         ax.plot(*first, color=COLOURS[1], label="_")
-        ax.set_title(f"pendulum, {names} iterations: one curve\n"
-                     "(the first iteration solves a single row)")
+        ax.set_title("pendulum")
+        ax.set_ylim(top=ax.get_ylim()[1] + 0.2 * np.ptp(ax.get_ylim()))
+        ax.text(0.98, 0.98, f"{names} iterations: one curve,\na single row is solved by the first",
+                ha="right", va="top", fontsize=8.5, color=PALE, transform=ax.transAxes)
         return
     for (number, curve), colour in zip(pendulum.items(), COLOURS):
         ax.plot(*curve, color=colour, label=f"{number}")
-    ax.set_title("pendulum")
+    ax.set_title("pendulum, by the number of iterations")
 
 
 def main():
@@ -112,7 +123,8 @@ def main():
                             mine="optional: folder of your tables", out="folder of the figures")
     solution = tables(given.solution, "./wb plot 1")
     mine = tables(given.mine, "./wb run 1") if given.mine else None
-    gap(solution, mine, given.out)
+    style.save(gap_figure("The bridge", "ropes", solution["bridge"], mine and mine["bridge"]),
+               given.out / "01_gap")
     energy(solution, mine, given.out)
 
 

@@ -7,7 +7,8 @@ import numpy as np
 from matplotlib.colors import LogNorm
 
 import style
-from style import COLOURS, INK, PALE, label_ends, visible
+from chapter_01 import gap_figure
+from style import COLOURS, INK, PALE, visible
 
 ROWS = 3         # of a ball joint
 SOLVED = 1e-10   # [m/s]; below it a sweep has nothing left to do
@@ -57,9 +58,9 @@ def decay(curve):
     """The curve until it is solved, and the factor of a sweep over the last third of it."""
     sweep, error = curve
     error = visible(error)
-    floor = max(SOLVED, 300 * np.nanmin(error))  # above rounding, in float too
-    end = int(np.argmax(error < floor)) if floor < error[0] and (error < floor).any() else \
-        len(error) - 1
+    floor = max(SOLVED, 300 * style.extent(error)[0])  # above rounding, in float too
+    solved = np.flatnonzero(error < floor)
+    end = int(solved[0]) if len(solved) and floor < error[0] else len(error) - 1
     first = 2 * end // 3
     ratio = (error[end] / error[first]) ** (1 / max(end - first, 1))
     return sweep[:end + 1], error[:end + 1], float(ratio)
@@ -75,35 +76,40 @@ def rows_or_block(solution, mine, out):
         print(f"{method:6} predicted rho {rate:.6f}   measured {curve[2]:.6f}"
               + (f"   yours {found[method][2][2]:.6f}" if mine else ""))
     (rows, rate_rows, _), (block, rate_block, _) = found["rows"], found["block"]
-    need = [len(curve[0]) - 1 for curve in (rows, block)]
-    title = (f"To {SOLVED:.0e} m/s: {need[0]} sweeps row by row, {need[1]} with a block a joint"
-             if not mine else "Rows against a block, yours over the solution")
+    title = (f"A sweep leaves {100 * rows[2]:.0f} % of the error row by row, "
+             f"{100 * block[2]:.0f} % with a block"
+             if not mine else "Rows against a block: yours over the solution")
     figure, ax = style.figure(title)
     ax.set_yscale("log")
+    ax.text(0.98, 0.96, "dashed: the solution" if mine else
+            "$\\rho$: factor of a sweep\ndashed: predicted from $J M^{-1} J^T$",
+            ha="right", va="top", color=PALE, transform=ax.transAxes)
+    slower = max(found, key=lambda method: len(found[method][0][0]))
     for method, (curve, rate, own) in found.items():
-        draw_decay(ax, method, curve, rate, own)
-    start = np.nanmax(rows[1])
+        draw_decay(ax, method, curve, rate, own, method == slower)
     ax.set(xlabel="sweep", ylabel="error $|J V + b|$, RMS over the joints  [m/s]",
-           xlim=(0, 1.42 * max(need)), ylim=(SOLVED / 3, 6 * start))
+           xlim=(0, 1.15 * max(len(curve[0]) for curve in (rows, block))),
+           ylim=np.multiply(style.extent(rows[1], block[1]), (0.3, 6)))
     style.save(figure, out / "02_rows_or_block")
 
 
-def draw_decay(ax, method, curve, rate, own):
+def draw_decay(ax, method, curve, rate, own, above):
     """A measured curve, the predicted line through its end, and both numbers beside it."""
     sweep, error, ratio = curve
     colour = COLOUR[method]
-    numbers = f"predicted $\\rho$ = {rate:.4f}\nmeasured {ratio:.4f}"
+    numbers = f"predicted $\\rho$ = {rate:.4f}\nmeasured $\\rho$ = {ratio:.4f}"
     if own:
         ax.plot(own[0], own[1], color=colour, linewidth=3.2, alpha=0.7)
         ax.plot(sweep, error, color=INK, linewidth=1.1, dashes=(4, 2))
-        numbers = f"$\\rho$ = {rate:.4f}\nthe solution {ratio:.4f} (dashed)\nyours {own[2]:.4f}"
+        numbers += f"\nyours $\\rho$ = {own[2]:.4f}"
     else:
         ax.plot(sweep, error, color=colour, linewidth=3.2, alpha=0.7)
         line = np.array([0, 1.03 * sweep[-1]])
         ax.plot(line, error[-1] * rate ** (line - sweep[-1]), color=INK, linewidth=1, dashes=(4, 2))
-    place = int(0.62 * len(sweep))
-    ax.annotate(f"{NAME[method]}\n{numbers}", (sweep[place], error[place]), xytext=(14, 0),
-                textcoords="offset points", color=colour, va="bottom", fontsize=9)
+    place = int((0.45 if above else 0.72) * len(sweep))
+    ax.annotate(f"{NAME[method]}\n{numbers}", (sweep[place], error[place]), color=colour,
+                xytext=(10, 4) if above else (-10, -4), textcoords="offset points", fontsize=9,
+                ha="left" if above else "right", va="bottom" if above else "top")
 
 
 # ---- the blow ------------------------------------------------------------------------------------
@@ -135,30 +141,30 @@ def blow(solution, mine, out):
     strips = {(who, order): strip(table["blow"], order) for who, table in sources
               for order in orders}
     needs = [crossing(strips["the solution", order]) for order in orders]
-    title = "A blow on the last rod crosses the chain in " + ", ".join(
+    title = "The blow crosses the chain in " + ", in ".join(
         f"{need} sweep{'s' * (need != 1)} {order}" for need, order in zip(needs, orders))
     figure, axes = style.figure(title, len(orders), len(sources), sharex=True, sharey=True,
                                 squeeze=False)
     image = None
+    last = max(np.nonzero((values >= FAINTEST).any(axis=0))[0].max(initial=0)
+               for values in strips.values())
     for row, (who, _) in zip(axes, sources):
         for ax, order in zip(row, orders):
             image = draw_strip(ax, strips[who, order])
-            ax.set_title(f"sweeps from {order.replace(' to ', ' to the ')}"
+            ax.set_title(f"sweeps from the {order.replace(' to ', ' to the ')}"
                          + (f": {who}" if mine else ""))
         row[0].set_ylabel("joint  (1 at the wall)")
     for ax in axes[-1]:
-        ax.set_xlabel("sweep")
+        ax.set(xlabel="sweep", xlim=(-0.5, last + 1.5))
     bar = figure.colorbar(image, ax=axes, extend="min", aspect=25, pad=0.02)
     bar.set_label("error left at the joint  [m/s]")
-    bar.outline.set_visible(False)
+    bar.outline.set(edgecolor=PALE, linewidth=0.7)
     style.save(figure, out / "02_blow")
 
 
 def draw_strip(ax, values):
     joints, sweeps = values.shape
     touched = reached(values)
-    live = np.nonzero((values >= FAINTEST).any(axis=0))[0]
-    last = min(sweeps - 1, int(live.max()) + 1 if len(live) else 1)
     colours = style.plt.get_cmap("viridis").copy()
     colours.set_bad(style.EMPTY)
     colours.set_under("white")
@@ -166,38 +172,31 @@ def draw_strip(ax, values):
                           np.ma.masked_array(np.maximum(values, 1e-300), ~touched),
                           cmap=colours, norm=LogNorm(FAINTEST, 1), shading="nearest")
     ax.grid(False)
-    ax.set(xlim=(-0.5, last + 0.5), ylim=(0.5, joints + 0.5))
-    ax.set_yticks([1, *range(5, joints + 1, 5)])
-    lowest = joints - touched.sum(axis=0)  # joints not reached yet
-    if lowest[min(3, sweeps - 1)] > 3:
-        ax.text(0.06 * last, joints * 0.3, "not reached yet", color=PALE, fontsize=9)
+    ax.set(ylim=(0.5, joints + 0.5), yticks=[1, *range(5, joints + 1, 5)])
+    describe(ax, values, touched)
     return image
 
 
-# ---- the swinging chain --------------------------------------------------------------------------
-
-def chain(solution, mine, out):
-    def read(table):
-        return {count: (t, 1000 * gap)
-                for count, (t, gap) in style.runs(table["chain"], "gap_rms_m").items()}
-    curves = read(solution)
-    if mine:
-        own = read(mine)
-        count = style.common_count(own, curves)
-        figure, ax = style.figure(f"The swinging chain, {count} iterations: "
-                                  + style.verdict(own[count], curves[count], "mm"))
-        ax.set_yscale("log")
-        style.overlay(ax, *((t, visible(gap)) for t, gap in (own[count], curves[count])))
+def describe(ax, values, touched):
+    """Says in the strip what it shows: how far the blow gets in its sweeps."""
+    joints = len(touched)
+    count = touched.sum(axis=0)
+    if len(count) < 3 or count.max() < joints - 1:
+        return
+    first, need = count[1] - count[0], int(np.argmax(count >= joints - 1))
+    if need > 2:  # a front: along it, in the part not reached
+        ax.text(need / 2 - 0.9, joints / 2 - 0.9, rotation=-45, rotation_mode="anchor",
+                s=f"{(count[need] - count[0]) / need:.2g} joint a sweep", ha="center", va="top",
+                fontsize=9, transform_rotates_text=True)
+        ax.text(0.1 * need, joints * 0.2, "not reached yet:\nexactly 0", color=PALE, fontsize=9)
     else:
-        figure, ax = style.figure("chain")
-        ax.set_yscale("log")
-        for (count, (t, gap)), colour in zip(curves.items(), COLOURS):
-            ax.plot(t, visible(gap), color=colour, linewidth=1.2, label=f"{count} iterations")
-        ax.set_xlim(0, max(t.max() for t, _ in curves.values()))
-    ax.set(xlabel="time  [s]", ylabel="gap, RMS over the joints  [mm]")
-    style.plain_log(ax.yaxis)
-    label_ends(ax)
-    style.save(figure, out / "02_chain")
+        ax.annotate("", (0, joints - first), (0, joints - 0.4),
+                    arrowprops={"arrowstyle": "->", "color": INK, "linewidth": 1.2})
+        ax.text(0.97, 0.2, f"the first sweep\nreaches {first} joints", ha="right", fontsize=9,
+                transform=ax.transAxes)
+    for joint in (0, joints - 1):
+        if (values[joint, 1:3] < FAINTEST).all() and touched[joint, 2]:
+            ax.text(2, joint + 1, "solved last: exact", va="center", color=PALE, fontsize=8)
 
 
 def main():
@@ -208,7 +207,8 @@ def main():
     mine = tables(given.mine, "./wb run 2") if given.mine else None
     rows_or_block(solution, mine, given.out)
     blow(solution, mine, given.out)
-    chain(solution, mine, given.out)
+    style.save(gap_figure("The chain", "joints", solution["chain"], mine and mine["chain"]),
+               given.out / "02_chain")
 
 
 if __name__ == "__main__":

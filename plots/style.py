@@ -1,7 +1,6 @@
 """The style sheet of all figures: colours, sizes, labels at line ends, tables in, pictures out."""
 import argparse
 import csv
-import math
 import pathlib
 import sys
 
@@ -27,6 +26,7 @@ plt.rcParams.update({
     "text.color": INK, "axes.labelcolor": INK, "axes.edgecolor": PALE, "axes.linewidth": 0.8,
     "xtick.color": PALE, "ytick.color": PALE, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
     "axes.spines.top": False, "axes.spines.right": False, "axes.axisbelow": True,
+    "xtick.minor.pad": 5.0, "ytick.minor.pad": 5.0,
     "axes.grid": True, "grid.color": GRID, "grid.linewidth": 0.7, "lines.linewidth": 1.6,
     "figure.facecolor": "white", "savefig.facecolor": "white", "savefig.dpi": 160,
     "figure.constrained_layout.h_pad": 0.06, "figure.constrained_layout.w_pad": 0.08,
@@ -41,7 +41,8 @@ class Trouble(Exception):
 def run(main):
     """Runs a script: its trouble becomes one line on standard error and exit status 2."""
     try:
-        main()
+        with np.errstate(all="ignore"):  # what explodes is drawn as far as it goes
+            main()
     except (Trouble, OSError) as problem:
         print(problem, file=sys.stderr)
         sys.exit(2)
@@ -100,6 +101,9 @@ def figure(title, panels=1, rows=1, **options):
 def save(made, path):
     """Writes path.svg and path.png: the same bytes for the same data."""
     path.parent.mkdir(parents=True, exist_ok=True)
+    made.canvas.draw()
+    room = 0.976 * made.bbox.width / made._suptitle.get_window_extent().width
+    made._suptitle.set_fontsize(made._suptitle.get_fontsize() * min(1, room))
     made.savefig(path.with_name(path.name + ".svg"), metadata={"Date": None, "Creator": None})
     made.savefig(path.with_name(path.name + ".png"), metadata={"Software": None})
     plt.close(made)
@@ -111,6 +115,13 @@ def visible(values):
     return np.where(np.isfinite(values) & (values > 0), values, np.nan)
 
 
+def extent(*arrays):
+    """Least and largest of what a log axis can show of these values."""
+    values = visible(np.concatenate([np.ravel(array) for array in arrays]))
+    values = values[np.isfinite(values)]
+    return (values.min(), values.max()) if len(values) else (0.1, 1.0)
+
+
 def plain_log(axis):
     """Writes 2, 5, 10 instead of powers on a log axis of a few decades."""
     low, high = axis.get_view_interval()
@@ -120,13 +131,13 @@ def plain_log(axis):
             lambda value, _: f"{value:g}" if f"{value:.0e}"[0] in "25" else "")
 
 
-def spread(places, distance):
-    """Moves places (in 0..1) as little as it takes to keep them the distance apart."""
+def spread(places, heights):
+    """Moves places (in 0..1) until labels of these heights at them do not overlap."""
     order = sorted(range(len(places)), key=lambda i: places[i])
     places = list(places)
     for _ in range(300):
         for low, high in zip(order, order[1:]):
-            push = (distance - (places[high] - places[low])) / 2
+            push = ((heights[low] + heights[high]) / 2 - (places[high] - places[low])) / 2
             if push > 0:
                 places[low] -= push
                 places[high] += push
@@ -137,16 +148,16 @@ def spread(places, distance):
 def label_ends(ax, lines=None, size=8.5):
     """Writes every line's label at its right end, clear of each other, outside the axes."""
     lines = [line for line in (ax.lines if lines is None else lines)
-             if not line.get_label().startswith("_")]
+             if not line.get_label().startswith("_") and np.isfinite(line.get_ydata()).any()]
     ax.figure.canvas.draw()
     ends = []
     for line in lines:
         points = ax.transAxes.inverted().transform(ax.transData.transform(line.get_xydata()))
         points = points[np.isfinite(points).all(axis=1)]
-        ends.append(np.clip(points[-1], 0, 1) if len(points) else np.array([1.0, 0.0]))
+        ends.append(np.clip(points[-1], 0, 1))
     height = ax.get_window_extent().height / ax.figure.dpi * 72  # [points]
-    most = max((line.get_label().count("\n") + 1 for line in lines), default=1)
-    places = spread([end[1] for end in ends], most * 1.3 * size / height)
+    places = spread([end[1] for end in ends],
+                    [(line.get_label().count("\n") + 1.1) * 1.25 * size / height for line in lines])
     for line, end, place in zip(lines, ends, places):
         ax.annotate(line.get_label(), end, xytext=(1.035, place), va="center", fontsize=size,
                     color=line.get_color(), xycoords="axes fraction", textcoords="axes fraction",
@@ -160,28 +171,28 @@ def overlay(ax, mine, solution, labels=("yours", "the solution")):
     ax.plot(*mine, color=MINE, linewidth=3.2, alpha=0.75, label=labels[0])
     ax.plot(*solution, color=INK, linewidth=1.1, dashes=(4, 2), label=labels[1])
     ax.set_xlim(0, max(mine[0].max(), solution[0].max()))
-    finite = [y[np.isfinite(y)] for y in (mine[1], solution[1])]
-    if not len(finite[1]):
-        return
-    low, high = finite[1].min(), finite[1].max()
-    both = np.concatenate(finite)
     if ax.get_yscale() == "log":  # what explodes may leave the picture
-        ax.set_ylim(max(both.min(), low / 100) / 1.5, min(both.max(), high * 100) * 1.5)
-    else:
+        (low, high), both = extent(solution[1]), extent(mine[1], solution[1])
+        ax.set_ylim(max(both[0], low / 100, high / 1000) / 1.5, min(both[1], high * 100) * 1.5)
+        return
+    finite = [y[np.isfinite(y)] for y in (solution[1], np.append(mine[1], solution[1]))]
+    if len(finite[0]):
+        (low, high), both = ((y.min(), y.max()) for y in finite)
         span = 1.02 * (high - low) or 1.0
-        ax.set_ylim(max(both.min(), low - 3 * span) - span / 25,
-                    min(both.max(), high + 3 * span) + span / 25)
+        ax.set_ylim(max(both[0], low - 3 * span) - span / 25,
+                    min(both[1], high + 3 * span) + span / 25)
 
 
 def difference(mine, solution):
-    """The largest difference of two curves (x, y) where both have the same x, NaN counting as 0."""
+    """The largest difference of two curves (x, y) where both have the same x."""
     _, i, j = np.intersect1d(np.round(mine[0], 6), np.round(solution[0], 6), return_indices=True)
-    a, b = (np.where(np.isnan(y), 0.0, y) for y in (mine[1][i], solution[1][j]))
-    return float(np.max(np.abs(a - b), initial=0.0)) if np.isfinite(a).all() else math.inf
+    return float(np.max(np.abs(mine[1][i] - solution[1][j]), initial=0.0))
 
 
 def verdict(mine, solution, unit):
     """The difference of two curves in words."""
+    if not np.isfinite(mine[1]).all():
+        return "yours does not stay finite"
     size = difference(mine, solution)
     if size <= 1e-6 * np.nanmax(np.abs(solution[1]), initial=0.0):
         return "yours and the solution are one curve"

@@ -59,7 +59,7 @@ class Table {
     std::string out;
     for (const auto& line : lines_) {
       std::string row = "  " + line[0] + std::string(width - line[0].size(), ' ') +
-                        padded(line[1], 15) + padded(line[2], 15) + padded(line[3], 15);
+                        padded(line[1], 14) + padded(line[2], 14) + padded(line[3], 14);
       row.erase(row.find_last_not_of(' ') + 1);
       out += row + "\n";
     }
@@ -97,6 +97,11 @@ bool close(const Numbers& a, const Numbers& b, double tolerance) {
   for (std::size_t i = 0; i < a.size(); ++i)
     if (!near(a[i], b[i], tolerance)) return false;
   return true;
+}
+
+void check(const Subject& subject, const std::string& report) {
+  if (!report.empty()) fail(subject, report);
+  CHECK(report.empty());
 }
 
 void fail(const Subject& subject, const std::string& words) {
@@ -206,11 +211,11 @@ Numbers bodies_swapped(const Numbers& J) {
 // The number that all of what is right was multiplied by, or 0 where there is none.
 double common_factor(const Sample& s, double tolerance) {
   std::size_t largest = 0;
-  for (std::size_t i = 0; i < s.numeric.size(); ++i)
-    if (std::abs(s.numeric[i]) > std::abs(s.numeric[largest])) largest = i;
-  const double factor = s.yours[largest] / s.numeric[largest];
-  for (std::size_t i = 0; i < s.numeric.size(); ++i)
-    if (!near(s.yours[i], factor * s.numeric[i], tolerance * (1 + std::abs(factor)))) return 0;
+  for (std::size_t i = 0; i < s.right.size(); ++i)
+    if (std::abs(s.right[i]) > std::abs(s.right[largest])) largest = i;
+  const double factor = s.yours[largest] / s.right[largest];
+  for (std::size_t i = 0; i < s.right.size(); ++i)
+    if (!near(s.yours[i], factor * s.right[i], tolerance * (1 + std::abs(factor)))) return 0;
   return factor;
 }
 
@@ -227,10 +232,10 @@ std::string block_mistake(const Sample& s, double tolerance) {
     bool right = true, opposite = true, zero = true, should_be_zero = true;
     for (std::size_t i = 0; i < s.yours.size(); ++i) {
       if (i % 12 / 3 != block) continue;
-      right = right && near(s.yours[i], s.numeric[i], tolerance);
-      opposite = opposite && near(s.yours[i], -s.numeric[i], tolerance);
+      right = right && near(s.yours[i], s.right[i], tolerance);
+      opposite = opposite && near(s.yours[i], -s.right[i], tolerance);
       zero = zero && near(s.yours[i], 0, tolerance);
-      should_be_zero = should_be_zero && near(s.numeric[i], 0, tolerance);
+      should_be_zero = should_be_zero && near(s.right[i], 0, tolerance);
     }
     if (right) continue;
     if (opposite) signs.push_back(block_names[block]);
@@ -260,15 +265,18 @@ std::string plain_mistake(const Sample& s, double tolerance) {
 }
 
 std::string jacobian_mistake(const Sample& s, double tolerance) {
-  const bool swapped = close(s.yours, bodies_swapped(s.numeric), tolerance);
-  if (close(s.yours, negative(s.numeric), tolerance))
+  const bool swapped = close(s.yours, bodies_swapped(s.right), tolerance);
+  if (close(s.yours, negative(s.right), tolerance))
     return swapped ? "the sign of the whole row, or bodies 1 and 2 swapped"
                    : "the sign of the whole row: C grows when body 2 moves positively";
-  return swapped ? "bodies 1 and 2 swapped" : block_mistake(s, tolerance);
+  const std::string words = swapped ? "bodies 1 and 2 swapped" : block_mistake(s, tolerance);
+  if (words.empty() && s.mistakes.empty() && common_factor(s, tolerance) != 0)
+    return "a factor: is the direction a unit vector?";
+  return words;
 }
 
 std::string K_mistake(const Sample& s, double tolerance) {
-  return close(s.yours, negative(s.numeric), tolerance) ? "the sign: K is never negative" : "";
+  return close(s.yours, negative(s.right), tolerance) ? "the sign: K is never negative" : "";
 }
 
 // ---- the report ---------------------------------------------------------------------------------
@@ -281,7 +289,7 @@ std::vector<std::string> poses_of(const std::vector<const Sample*>& samples) {
 }
 
 // The fewest mistakes that explain all samples, each with its poses.
-std::string likely_mistakes(std::vector<const Sample*> open) {
+std::string likely_mistakes(std::vector<const Sample*> open, bool alone) {
   std::string out;
   const auto names = [](const Sample* s, const std::string& words) {
     return std::find(s->mistakes.begin(), s->mistakes.end(), words) != s->mistakes.end();
@@ -299,10 +307,11 @@ std::string likely_mistakes(std::vector<const Sample*> open) {
         explained = also;
       }
     if (explained.empty())
-      return out + "No mistake that is known explains " + joined(poses_of(open)) + ".\n";
+      return out + "None of the usual mistakes explains it (" + joined(poses_of(open)) +
+             "): compare it with the equation, entry by entry.\n";
     std::string poses;
     for (const std::string& pose : poses_of(explained)) poses += (poses.empty() ? "" : ", ") + pose;
-    out += "Likely mistake: " + best + " (" + poses + ")\n";
+    out += likely(best + (alone ? "" : " (" + poses + ")"));
     std::erase_if(open, [&](const Sample* s) { return names(s, best); });
   }
   return out;
@@ -313,7 +322,7 @@ std::string verdict(std::vector<Sample>& samples, double tolerance,
                     std::string (*mistake)(const Sample&, double)) {
   std::vector<const Sample*> right, wrong;
   for (Sample& s : samples) {
-    const bool holds = close(s.yours, s.numeric, tolerance);
+    const bool holds = close(s.yours, s.right, tolerance);
     (holds ? right : wrong).push_back(&s);
     if (holds) continue;
     for (const std::string& words : {mistake(s, tolerance), plain_mistake(s, tolerance)})
@@ -324,22 +333,27 @@ std::string verdict(std::vector<Sample>& samples, double tolerance,
   std::erase_if(holds, [&](const std::string& pose) {
     return std::find(fails.begin(), fails.end(), pose) != fails.end();
   });
+  const bool alone = samples.size() == 1;
   return "\n" +
-         (holds.empty() ? "Fails at all poses.\n"
-                        : "Fails at " + joined(fails) + "; holds at " + joined(holds) + ".\n") +
-         likely_mistakes(wrong);
+         (alone           ? ""
+          : holds.empty() ? "Fails at all poses.\n"
+                          : "Fails at " + joined(fails) + "; holds at " + joined(holds) + ".\n") +
+         likely_mistakes(wrong, alone);
 }
 
 const Sample* first_wrong(const std::vector<Sample>& samples, double tolerance) {
   for (const Sample& s : samples)
-    if (!close(s.yours, s.numeric, tolerance)) return &s;
-  CHECK(samples.size() > 0);
+    if (!close(s.yours, s.right, tolerance)) return &s;
   return nullptr;
 }
 
-std::string heading(const Sample& s, const std::string& words) {
-  return std::string("Pose: ") + pose_names[s.pose] + " (" + pose_words[s.pose] + "). " + words +
-         "\n\n";
+// Which pose, and what stands beside yours.
+std::string heading(const Sample& s, const std::string& numeric) {
+  return std::string("Pose: ") + pose_names[s.pose] + " (" + pose_words[s.pose] + ")." +
+         (s.pose == pencil_and_paper ? "" : " Numeric: " + numeric) + "\n\n";
+}
+Table table_for(const Sample& s) {
+  return Table(s.pose == pencil_and_paper ? "by hand " : "numeric ");
 }
 
 }  // namespace
@@ -348,12 +362,12 @@ std::string jacobian_report(const std::vector<std::string>& rows, std::vector<Sa
                             double tolerance) {
   const Sample* wrong = first_wrong(samples, tolerance);
   if (!wrong) return "";
-  Table table("numeric ");
+  Table table = table_for(*wrong);
   std::string map = "\n        v1   w1   v2   w2     (x wrong, . right)\n";
   for (std::size_t row = 0; row < rows.size(); ++row) {
     map += "  " + rows[row] + std::string(6 - rows[row].size(), ' ');
     for (std::size_t c = 0; c < 12; ++c) {
-      const double yours = wrong->yours[row * 12 + c], numeric = wrong->numeric[row * 12 + c];
+      const double yours = wrong->yours[row * 12 + c], numeric = wrong->right[row * 12 + c];
       const bool right = near(yours, numeric, tolerance);
       map += std::string(right ? "." : "x") + (c % 3 == 2 && c < 11 ? "  " : "");
       if (!right)
@@ -362,7 +376,7 @@ std::string jacobian_report(const std::vector<std::string>& rows, std::vector<Sa
     }
     map += "\n";
   }
-  return heading(*wrong, "Numeric: how fast C really changes.") + table.words() + map +
+  return heading(*wrong, "how fast C really changes.") + table.words() + map +
          verdict(samples, tolerance, jacobian_mistake);
 }
 
@@ -370,13 +384,13 @@ std::string K_report(const std::vector<std::string>& rows, std::vector<Sample> s
                      double tolerance) {
   const Sample* wrong = first_wrong(samples, tolerance);
   if (!wrong) return "";
-  Table table("numeric ");
+  Table table = table_for(*wrong);
   const std::size_t n = rows.size();
   for (std::size_t i = 0; i < n * n; ++i)
-    if (!near(wrong->yours[i], wrong->numeric[i], tolerance))
+    if (!near(wrong->yours[i], wrong->right[i], tolerance))
       table.entry(n == 1 ? "K" : "K[" + rows[i / n] + ", " + rows[i % n] + "]", wrong->yours[i],
-                  wrong->numeric[i], tolerance);
-  return heading(*wrong, "Numeric: J M^-1 J^T, J by differences.") + table.words() +
+                  wrong->right[i], tolerance);
+  return heading(*wrong, "J M^-1 J^T, J by differences.") + table.words() +
          verdict(samples, tolerance, K_mistake);
 }
 

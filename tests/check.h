@@ -56,23 +56,30 @@ void expect(const Subject& subject, const std::string& entry, const quat& yours,
             const quat& expected, double tolerance,
             const std::vector<QuatSuspect>& suspects = {});
 
+/// Fails with a report unless it is empty.
+void check(const Subject& subject, const std::string& report);
 /// Fails a test with the exercise's file, line and next command under the words.
 [[noreturn]] void fail(const Subject& subject, const std::string& words);
 
 // ---- parts --------------------------------------------------------------------------------------
 
-/// The four kinds of poses at which a part is checked, and what they are for.
-inline constexpr std::array pose_names{"upright", "turned", "moved", "broken"};
+/// The four kinds of poses at which a part is checked, what they are for, and the one in the text.
+inline constexpr std::array pose_names{"upright", "turned", "moved", "broken", "pencil and paper"};
 inline constexpr std::array pose_words{"body 1 is not turned", "both bodies are turned",
-                                       "far along what the joint leaves free", "C is not 0"};
+                                       "far along what the joint leaves free", "C is not 0",
+                                       "Numbers, in the text"};
+inline constexpr int pencil_and_paper = 4;
 inline constexpr int draws_of_a_pose = 4;
 
 /// J (12 numbers a row) or K at one pose.
 struct Sample {
   int pose;
-  Numbers yours, numeric;
+  Numbers yours, right;
   std::vector<std::string> mistakes;  ///< everything that would explain yours, in words
 };
+
+/// How far a K may be from J M^-1 J^T with J by differences.
+inline constexpr double K_tolerance = 10 * difference_tolerance;
 
 /// Words for everything that is wrong, or "" where all is right.
 std::string jacobian_report(const std::vector<std::string>& rows, std::vector<Sample> samples,
@@ -169,32 +176,41 @@ auto wrong_jacobians(const typename Fixture::Part& part, const Jacobian<N>& J, c
   return out;
 }
 
+/// The J of a part beside the right one, with what would explain a difference.
+template <class Fixture, int N>
+Sample jacobian_sample(int pose, const typename Fixture::Part& part, const Pair& pair,
+                       const Jacobian<N>& right) {
+  const auto yours = [&](const Pair& at) {
+    return flat(to_jacobian(part.jacobian(at.body1, at.body2)));
+  };
+  Sample sample{pose, yours(pair), flat(right), {}};
+  if (close(sample.yours, sample.right, difference_tolerance)) return sample;
+  for (int k = 0; k < 3; ++k) {
+    const Pair at = unturned(pair)[k];
+    if (close(yours(at), flat(numeric_jacobian(part, at.body1, at.body2)), difference_tolerance))
+      sample.mistakes.push_back(body_space_arm[k]);
+  }
+  for (const auto& [words, wrong] : wrong_jacobians<Fixture>(part, right, pair))
+    if (close(sample.yours, flat(wrong), difference_tolerance)) sample.mistakes.push_back(words);
+  return sample;
+}
+
 /// J against central differences of C. Fails with a report where they differ.
 template <class Fixture>
 void check_jacobian() {
-  const double tolerance = difference_tolerance;
   std::vector<Sample> samples;
   visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
-    const auto yours = [&](const Pair& at) {
-      return flat(to_jacobian(part.jacobian(at.body1, at.body2)));
-    };
-    const auto numeric = [&](const Pair& at) {
-      return numeric_jacobian(part, at.body1, at.body2);
-    };
-    Sample sample{pose, yours(pair), flat(numeric(pair)), {}};
-    if (!close(sample.yours, sample.numeric, tolerance)) {
-      for (int k = 0; k < 3; ++k) {
-        const Pair at = unturned(pair)[k];
-        if (close(yours(at), flat(numeric(at)), tolerance))
-          sample.mistakes.push_back(body_space_arm[k]);
-      }
-      for (const auto& [words, J] : wrong_jacobians<Fixture>(part, numeric(pair), pair))
-        if (close(sample.yours, flat(J), tolerance)) sample.mistakes.push_back(words);
-    }
-    samples.push_back(sample);
+    samples.push_back(jacobian_sample<Fixture>(pose, part, pair,
+                                               numeric_jacobian(part, pair.body1, pair.body2)));
   });
-  const std::string report = jacobian_report(row_names<Fixture>(), samples, tolerance);
-  if (!report.empty()) fail(Fixture::J, report);
+  check(Fixture::J, jacobian_report(row_names<Fixture>(), samples, difference_tolerance));
+}
+/// J against the one computed by hand at the pose of the text.
+template <class Fixture, int N>
+void check_jacobian(const typename Fixture::Part& part, const Pair& pair,
+                    const Jacobian<N>& by_hand) {
+  const Sample sample = jacobian_sample<Fixture>(pencil_and_paper, part, pair, by_hand);
+  check(Fixture::J, jacobian_report(row_names<Fixture>(), {sample}, difference_tolerance));
 }
 
 /// The matrices K of some mistakes, from J M^-1 J^T with something else for M or J.
@@ -213,58 +229,72 @@ auto wrong_Ks(const typename Fixture::Part& part, const Jacobian<N>& J, const Pa
     for (int j = 0; j < N; ++j)
       if (i != j) everywhere[i][j] += m1 + m2;
 
+  const bool walls = m1 == 0 || m2 == 0;
   const char* const masses = "masses where inverse masses belong: K is in 1/kg";
-  add(masses, 1 / m1, none, 1 / m2, none);
-  add(masses, 1 / m1, I1, 1 / m2, I2);
-  add(masses, 1 / m1, glm::inverse(I1), 1 / m2, glm::inverse(I2));
+  if (!walls) {
+    add(masses, 1 / m1, none, 1 / m2, none);
+    add(masses, 1 / m1, I1, 1 / m2, I2);
+    add(masses, 1 / m1, glm::inverse(I1), 1 / m2, glm::inverse(I2));
+    add("one over the sum of the masses: each mass is inverted first, then they are added",
+        both / 2, I1, both / 2, I2);
+    add("inertia where inverse inertia belongs", m1, glm::inverse(I1), m2, glm::inverse(I2));
+  }
   out.push_back({"the inverse of K: that is the effective mass, the solver inverts K itself",
                  inverse});
-  add("one over the sum of the masses: each mass is inverted first, then they are added", both / 2,
-      I1, both / 2, I2);
   add("the share of the rotation is missing", m1, none, m2, none);
   add("the rotation of body 1 is missing", m1, none, m2, I2);
   add("the rotation of body 2 is missing", m1, I1, m2, none);
   add("the inverse mass of body 1 is missing", 0, I1, m2, I2);
   add("the inverse mass of body 2 is missing", m1, I1, 0, I2);
   add("the inverse masses are missing", 0, I1, 0, I2);
-  add("inertia where inverse inertia belongs", m1, glm::inverse(I1), m2, glm::inverse(I2));
   add("the inverse inertia is missing", m1, mat3(1), m2, mat3(1));
   add("the sign of the rotation's share: it is added (skew(r) I^-1 skew(r) lacks a transpose)", m1,
       -I1, m2, -I2);
   add("the sign of body 1's share: the shares of both bodies are added", -m1, -I1, m2, I2);
   add("the sign of body 2's share: the shares of both bodies are added", m1, I1, -m2, -I2);
   add("the lever of one body with the inertia of the other", m1, I2, m2, I1);
-  out.push_back({"a matrix plus a number adds it to all nine entries: write mat3(number)",
+  out.push_back({"a matrix plus a number adds it to all nine entries: write mat3(mm)",
                  everywhere});
   for (const auto& [words, wrong] : wrong_jacobians<Fixture>(part, J, pair))
     out.push_back({words, product_K(wrong, m1, I1, m2, I2)});
   return out;
 }
 
+/// The K of a part beside the right one, with what would explain a difference.
+template <class Fixture, int N>
+Sample K_sample(int pose, const typename Fixture::Part& part, const Pair& pair,
+                const Matrix<N>& right) {
+  const auto yours = [&](const Pair& at) { return flat(to_matrix(part.K(at.body1, at.body2))); };
+  const auto J = [&](const Pair& at) { return numeric_jacobian(part, at.body1, at.body2); };
+  const auto holds = [&](const Pair& at) {
+    return close(yours(at), flat(dense_K(J(at), at.body1, at.body2)), K_tolerance);
+  };
+  Sample sample{pose, yours(pair), flat(right), {}};
+  if (close(sample.yours, sample.right, K_tolerance)) return sample;
+  for (const auto& [words, wrong] : wrong_Ks<Fixture>(part, J(pair), pair))
+    if (close(sample.yours, flat(wrong), K_tolerance)) sample.mistakes.push_back(words);
+  for (int k = 0; k < 3; ++k)
+    if (holds(isotropic(pair)[k])) sample.mistakes.push_back(body_space_inertia[k]);
+    else if (holds(unturned(pair)[k])) sample.mistakes.push_back(body_space_arm[k]);
+  return sample;
+}
+
 /// K against J M^-1 J^T with the numeric J. Fails with a report where they differ.
 template <class Fixture>
 void check_K() {
-  const double tolerance = 10 * difference_tolerance;
   std::vector<Sample> samples;
   visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
-    const auto yours = [&](const Pair& at) { return flat(to_matrix(part.K(at.body1, at.body2))); };
-    const auto numeric = [&](const Pair& at) {
-      return flat(dense_K(numeric_jacobian(part, at.body1, at.body2), at.body1, at.body2));
-    };
-    const auto right = [&](const Pair& at) { return close(yours(at), numeric(at), tolerance); };
-    Sample sample{pose, yours(pair), numeric(pair), {}};
-    if (!close(sample.yours, sample.numeric, tolerance)) {
-      const auto J = numeric_jacobian(part, pair.body1, pair.body2);
-      for (const auto& [words, K] : wrong_Ks<Fixture>(part, J, pair))
-        if (close(sample.yours, flat(K), tolerance)) sample.mistakes.push_back(words);
-      for (int k = 0; k < 3; ++k)
-        if (right(isotropic(pair)[k])) sample.mistakes.push_back(body_space_inertia[k]);
-        else if (right(unturned(pair)[k])) sample.mistakes.push_back(body_space_arm[k]);
-    }
-    samples.push_back(sample);
+    const auto J = numeric_jacobian(part, pair.body1, pair.body2);
+    samples.push_back(
+        K_sample<Fixture>(pose, part, pair, dense_K(J, pair.body1, pair.body2)));
   });
-  const std::string report = K_report(row_names<Fixture>(), samples, tolerance);
-  if (!report.empty()) fail(Fixture::K, report);
+  check(Fixture::K, K_report(row_names<Fixture>(), samples, K_tolerance));
+}
+/// K against the one computed by hand at the pose of the text.
+template <class Fixture, int N>
+void check_K(const typename Fixture::Part& part, const Pair& pair, const Matrix<N>& by_hand) {
+  const Sample sample = K_sample<Fixture>(pencil_and_paper, part, pair, by_hand);
+  check(Fixture::K, K_report(row_names<Fixture>(), {sample}, K_tolerance));
 }
 
 }  // namespace joints::testing

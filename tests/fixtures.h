@@ -15,6 +15,11 @@ inline void turn_about(Body& body, const vec3& point, const quat& turn) {
   body.q = normalize(turn * body.q);
 }
 
+inline constexpr const char* not_a_unit_vector =
+    "not a unit vector: take direction(...) of the difference";
+inline constexpr const char* over_the_length =
+    "divided by the length of the rod: that is the distance only while C = 0";
+
 // The row of a rod with any vector in place of its direction, and any levers.
 inline std::pair<std::string, Jacobian<1>> along(const char* words, const vec3& n, const vec3& r1,
                                                  const vec3& r2) {
@@ -33,9 +38,11 @@ struct CentreDistanceFixture {
     pair.body1.q = random.turn();
     pair.body2.q = random.turn();
   }
-  static std::vector<std::pair<std::string, Jacobian<1>>> mistakes(const Part&, const Pair& pair) {
-    return {along("not a unit vector: take direction(...) of the difference",
-                  pair.body2.x - pair.body1.x, vec3(0), vec3(0))};
+  static std::vector<std::pair<std::string, Jacobian<1>>> mistakes(const Part& part,
+                                                                   const Pair& pair) {
+    const vec3 d = pair.body2.x - pair.body1.x;
+    return {along(not_a_unit_vector, d, vec3(0), vec3(0)),
+            along(over_the_length, d / part.length, vec3(0), vec3(0))};
   }
 };
 
@@ -62,7 +69,7 @@ struct DistanceFixture {
     const vec3 d = pair.body2.x - pair.body1.x, u = d + r2 - r1;
     const char* const centres =
         "the direction runs from centre to centre, not from anchor to anchor";
-    return {along("not a unit vector: take direction(...) of the difference", u, r1, r2),
+    return {along(not_a_unit_vector, u, r1, r2), along(over_the_length, u / part.length, r1, r2),
             along(centres, direction(d), r1, r2), along(centres, direction(d), vec3(0), vec3(0))};
   }
 };

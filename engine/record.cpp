@@ -23,6 +23,11 @@ std::string text(double number, const char* format = "%.10g") {
   return buffer;
 }
 
+// A word of a table; quoted where it holds a comma.
+std::string field(const std::string& word) {
+  return word.find(',') == std::string::npos ? word : '"' + word + '"';
+}
+
 std::string triple(const std::array<double, 3>& a) {
   return "[" + text(a[0]) + "," + text(a[1]) + "," + text(a[2]) + "]";
 }
@@ -47,7 +52,7 @@ void CsvFile::row(std::initializer_list<std::string> words,
     refuse("row: " + path_ + " has " + std::to_string(columns_) + " columns");
   const char* comma = "";
   for (const std::string& word : words) {
-    file_ << comma << word;
+    file_ << comma << field(word);
     comma = ",";
   }
   for (double number : numbers) {

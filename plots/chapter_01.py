@@ -85,7 +85,7 @@ def energy(solution, mine, out):
             style.overlay(ax, *pair)
             ax.set_title(f"{name}, {count} iterations:\n{style.verdict(*pair, unit)}")
     else:
-        taut = (solution["bridge"]["gap_rms_m"] > 0).any()
+        taut = bool((solution["bridge"]["gap_rms_m"] > 0).any())
         figure, (left, right) = style.figure(
             f"The bridge {change(bridge)} kJ" + ", in steps as ropes become taut" * taut
             + f"; the pendulum {change(pendulum)} J", 2)

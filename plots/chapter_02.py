@@ -75,7 +75,7 @@ def rows_or_block(solution, mine, out):
         found[method] = (curve, rate, decay(errors(mine["iterations"], method)) if mine else None)
         print(f"{method:6} predicted rho {rate:.6f}   measured {curve[2]:.6f}"
               + (f"   yours {found[method][2][2]:.6f}" if mine else ""))
-    (rows, rate_rows, _), (block, rate_block, _) = found["rows"], found["block"]
+    rows, block = found["rows"][0], found["block"][0]
     title = (f"A sweep leaves {100 * rows[2]:.0f} % of the error row by row, "
              f"{100 * block[2]:.0f} % with a block"
              if not mine else "Rows against a block: yours over the solution")
@@ -97,11 +97,12 @@ def draw_decay(ax, method, curve, rate, own, above):
     """A measured curve, the predicted line through its end, and both numbers beside it."""
     sweep, error, ratio = curve
     colour = COLOUR[method]
-    numbers = f"predicted $\\rho$ = {rate:.4f}\nmeasured $\\rho$ = {ratio:.4f}"
+    numbers = f"predicted $\\rho$ = {rate:.4f}\n"
+    numbers += (f"the solution {ratio:.4f}\nyours {own[2]:.4f}" if own else
+                f"measured $\\rho$ = {ratio:.4f}")
     if own:
         ax.plot(own[0], own[1], color=colour, linewidth=3.2, alpha=0.7)
         ax.plot(sweep, error, color=INK, linewidth=1.1, dashes=(4, 2))
-        numbers += f"\nyours $\\rho$ = {own[2]:.4f}"
     else:
         ax.plot(sweep, error, color=colour, linewidth=3.2, alpha=0.7)
         line = np.array([0, 1.03 * sweep[-1]])
@@ -168,9 +169,9 @@ def draw_strip(ax, values):
     colours = style.plt.get_cmap("viridis").copy()
     colours.set_bad(style.EMPTY)
     colours.set_under("white")
-    image = ax.pcolormesh(np.arange(sweeps), np.arange(1, joints + 1),
-                          np.ma.masked_array(np.maximum(values, 1e-300), ~touched),
-                          cmap=colours, norm=LogNorm(FAINTEST, 1), shading="nearest")
+    image = ax.imshow(np.ma.masked_array(np.maximum(values, 1e-300), ~touched), cmap=colours,
+                      norm=LogNorm(FAINTEST, 1), origin="lower", aspect="auto",
+                      interpolation="nearest", extent=(-0.5, sweeps - 0.5, 0.5, joints + 0.5))
     ax.grid(False)
     ax.set(ylim=(0.5, joints + 0.5), yticks=[1, *range(5, joints + 1, 5)])
     describe(ax, values, touched)

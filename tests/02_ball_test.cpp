@@ -196,6 +196,7 @@ const Subject turning{"2.4", "turning a body"};
 
 const char* const half_angle = "the half of the angle is forgotten";
 const char* const sign_of_turn = "the sign of the turn";
+const char* const unit_axis = "the axis must be a unit vector";
 const char* const first_term = "q + h/2 (0, w) q is only the first term of the exponential";
 }  // namespace
 
@@ -207,7 +208,9 @@ TEST_CASE("2.4 half a turn a second for half a second is a quarter turn", "[2.4]
           {quat(1, 0, 0, 0), "nothing turns"},
           {rotation(w), "h is missing: the angle is h |w|"},
           {normalize(quat(1, 0, 0, w.z / 4)), first_term},
-          {quat(1, 0, 0, w.z / 4), first_term}});
+          {quat(1, 0, 0, w.z / 4), first_term},
+          {quat(half, 0, 0, half * w.z), unit_axis},
+          {normalize(quat(half, 0, 0, half * w.z)), unit_axis}});
 }
 
 TEST_CASE("2.4 a steady spin turns a body by the exponential of h w in the world", "[2.4]") {
@@ -226,8 +229,8 @@ TEST_CASE("2.4 a steady spin turns a body by the exponential of h w in the world
             {rotation(-phi) * q, sign_of_turn},
             {rotation(w) * q, "h is missing: the angle is h |w|"},
             {turn, "the old orientation is lost: exp(h w) q"},
-            {long_axis * q, "the axis must be a unit vector"},
-            {normalize(long_axis * q), "the axis must be a unit vector"},
+            {long_axis * q, unit_axis},
+            {normalize(long_axis * q), unit_axis},
             {normalize(first_order), first_term},
             {first_order, first_term}});
   }

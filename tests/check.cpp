@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t report_width = 76;
 const char* const block_names[] = {"v1", "w1", "v2", "w2"};
-const char* const division_by_zero = "a division by zero, or a value that was never set";
+const char* const division_by_zero =
+    "a division by zero (1/m of a static body is 0), or a value that was never set";
 
 bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
 
@@ -254,29 +255,32 @@ std::string block_mistake(const Sample& s, double tolerance) {
   return joined(words);
 }
 
-// What is wrong wherever it is wrong, or "".
-std::string plain_mistake(const Sample& s, double tolerance) {
-  if (!all_finite(s.yours)) return division_by_zero;
-  if (close(s.yours, Numbers(s.yours.size(), 0), tolerance)) return "every entry is zero";
+// Adds what the sample alone tells: `first` for J or K comes before what is known already.
+void guess(Sample& s, double tolerance, const std::string& first) {
   const double factor = common_factor(s, tolerance);
+  std::string words = first;
+  if (!all_finite(s.yours)) words = division_by_zero;
+  else if (close(s.yours, Numbers(s.yours.size(), 0), tolerance)) words = "every entry is zero";
+  if (!words.empty()) s.mistakes.insert(s.mistakes.begin(), words);
+  if (!s.mistakes.empty()) return;
   for (const char* number : {"2", "4", "0.5", "0.25"})
-    if (near(factor, std::atof(number), tolerance)) return std::string("a factor of ") + number;
-  return "";
+    if (near(factor, std::atof(number), tolerance))
+      s.mistakes.push_back(std::string("a factor of ") + number);
 }
 
-std::string jacobian_mistake(const Sample& s, double tolerance) {
+void guess_J(Sample& s, double tolerance) {
   const bool swapped = close(s.yours, bodies_swapped(s.right), tolerance);
   if (close(s.yours, negative(s.right), tolerance))
-    return swapped ? "the sign of the whole row, or bodies 1 and 2 swapped"
-                   : "the sign of the whole row: C grows when body 2 moves positively";
-  const std::string words = swapped ? "bodies 1 and 2 swapped" : block_mistake(s, tolerance);
-  if (words.empty() && s.mistakes.empty() && common_factor(s, tolerance) != 0)
-    return "a factor: is the direction a unit vector?";
-  return words;
+    guess(s, tolerance, swapped ? "the sign of the whole row, or bodies 1 and 2 swapped"
+                                : "the sign of the whole row: C grows when body 2 moves positively");
+  else guess(s, tolerance, swapped ? "bodies 1 and 2 swapped" : block_mistake(s, tolerance));
+  if (s.mistakes.empty() && common_factor(s, tolerance) != 0)
+    s.mistakes.push_back("a factor: is the direction a unit vector?");
 }
 
-std::string K_mistake(const Sample& s, double tolerance) {
-  return close(s.yours, negative(s.right), tolerance) ? "the sign: K is never negative" : "";
+void guess_K(Sample& s, double tolerance) {
+  const bool opposite = close(s.yours, negative(s.right), tolerance);
+  guess(s, tolerance, opposite ? "the sign: K is never negative" : "");
 }
 
 // ---- the report ---------------------------------------------------------------------------------
@@ -295,38 +299,40 @@ std::string likely_mistakes(std::vector<const Sample*> open, bool alone) {
     return std::find(s->mistakes.begin(), s->mistakes.end(), words) != s->mistakes.end();
   };
   while (!open.empty()) {
-    std::string best;
+    std::vector<std::string> best;  // several that explain the same
     std::vector<const Sample*> explained;
     for (const Sample* s : open)
       for (const std::string& words : s->mistakes) {
         std::vector<const Sample*> also;
         std::copy_if(open.begin(), open.end(), std::back_inserter(also),
                      [&](const Sample* other) { return names(other, words); });
-        if (also.size() <= explained.size()) continue;
-        best = words;
-        explained = also;
+        if (also.size() > explained.size()) {
+          best.clear();
+          explained = also;
+        }
+        if (also == explained && std::find(best.begin(), best.end(), words) == best.end())
+          best.push_back(words);
       }
     if (explained.empty())
       return out + "None of the usual mistakes explains it (" + joined(poses_of(open)) +
              "): compare it with the equation, entry by entry.\n";
     std::string poses;
     for (const std::string& pose : poses_of(explained)) poses += (poses.empty() ? "" : ", ") + pose;
-    out += likely(best + (alone ? "" : " (" + poses + ")"));
-    std::erase_if(open, [&](const Sample* s) { return names(s, best); });
+    for (std::size_t i = 0; i < best.size(); ++i)
+      out += likely((i > 0 ? "or " : "") + best[i] + (alone ? "" : " (" + poses + ")"));
+    std::erase_if(open, [&](const Sample* s) { return names(s, best[0]); });
   }
   return out;
 }
 
 // At which poses it holds, and what is likely to be wrong at the others.
 std::string verdict(std::vector<Sample>& samples, double tolerance,
-                    std::string (*mistake)(const Sample&, double)) {
+                    void (*guess)(Sample&, double)) {
   std::vector<const Sample*> right, wrong;
   for (Sample& s : samples) {
     const bool holds = close(s.yours, s.right, tolerance);
     (holds ? right : wrong).push_back(&s);
-    if (holds) continue;
-    for (const std::string& words : {mistake(s, tolerance), plain_mistake(s, tolerance)})
-      if (!words.empty()) s.mistakes.insert(s.mistakes.begin(), words);
+    if (!holds) guess(s, tolerance);
   }
   std::vector<std::string> holds = poses_of(right);
   const std::vector<std::string> fails = poses_of(wrong);
@@ -377,7 +383,7 @@ std::string jacobian_report(const std::vector<std::string>& rows, std::vector<Sa
     map += "\n";
   }
   return heading(*wrong, "how fast C really changes.") + table.words() + map +
-         verdict(samples, tolerance, jacobian_mistake);
+         verdict(samples, tolerance, guess_J);
 }
 
 std::string K_report(const std::vector<std::string>& rows, std::vector<Sample> samples,
@@ -391,7 +397,7 @@ std::string K_report(const std::vector<std::string>& rows, std::vector<Sample> s
       table.entry(n == 1 ? "K" : "K[" + rows[i / n] + ", " + rows[i % n] + "]", wrong->yours[i],
                   wrong->right[i], tolerance);
   return heading(*wrong, "J M^-1 J^T, J by differences.") + table.words() +
-         verdict(samples, tolerance, K_mistake);
+         verdict(samples, tolerance, guess_K);
 }
 
 }  // namespace joints::testing

@@ -193,7 +193,7 @@ def tour():
     print()
     summary_table(chapters)
     print("\nenergy drift: change of energy over the run, as a share of the energy to hand. Ropes "
-          "that\nbecome taut lose some, as they do in nature; rods and balls lose it to beta.")
+          "that\nbecome taut lose some, as in nature; what rods and balls lose is the error of the method.")
     print("\n" + bold("pictures"))
     for path in dict.fromkeys(figures):
         print(f"  {house.short(path)}")

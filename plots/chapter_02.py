@@ -4,6 +4,7 @@
 chapter_02.py --solution DIR [--mine DIR] --out DIR
 """
 import numpy as np
+from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LogNorm
 
 import style
@@ -146,18 +147,17 @@ def blow(solution, mine, out):
         f"{need} sweep{'s' * (need != 1)} {order}" for need, order in zip(needs, orders))
     figure, axes = style.figure(title, len(orders), len(sources), sharex=True, sharey=True,
                                 squeeze=False)
-    image = None
     last = max(np.nonzero((values >= FAINTEST).any(axis=0))[0].max(initial=0)
-               for values in strips.values())
+               for (who, _), values in strips.items() if who == "the solution")
     for row, (who, _) in zip(axes, sources):
         for ax, order in zip(row, orders):
-            image = draw_strip(ax, strips[who, order])
+            scale = draw_strip(ax, strips[who, order])
             ax.set_title(f"sweeps from the {order.replace(' to ', ' to the ')}"
                          + (f": {who}" if mine else ""))
         row[0].set_ylabel("joint  (1 at the wall)")
     for ax in axes[-1]:
         ax.set(xlabel="sweep", xlim=(-0.5, last + 1.5))
-    bar = figure.colorbar(image, ax=axes, extend="min", aspect=25, pad=0.02)
+    bar = figure.colorbar(scale, ax=axes, extend="min", aspect=25, pad=0.02)
     bar.set_label("error left at the joint  [m/s]")
     bar.outline.set(edgecolor=PALE, linewidth=0.7)
     style.save(figure, out / "02_blow")
@@ -169,20 +169,21 @@ def draw_strip(ax, values):
     colours = style.plt.get_cmap("viridis").copy()
     colours.set_bad(style.EMPTY)
     colours.set_under("white")
-    image = ax.imshow(np.ma.masked_array(np.maximum(values, 1e-300), ~touched), cmap=colours,
-                      norm=LogNorm(FAINTEST, 1), origin="lower", aspect="auto",
-                      interpolation="nearest", extent=(-0.5, sweeps - 0.5, 0.5, joints + 0.5))
+    scale = ScalarMappable(LogNorm(FAINTEST, 1), colours)
+    shown = np.ma.masked_array(np.clip(values, FAINTEST / 10, 1), ~touched)
+    ax.imshow(colours(scale.norm(shown)), origin="lower", aspect="auto", interpolation="nearest",
+              extent=(-0.5, sweeps - 0.5, 0.5, joints + 0.5))
     ax.grid(False)
     ax.set(ylim=(0.5, joints + 0.5), yticks=[1, *range(5, joints + 1, 5)])
     describe(ax, values, touched)
-    return image
+    return scale
 
 
 def describe(ax, values, touched):
     """Says in the strip what it shows: how far the blow gets in its sweeps."""
     joints = len(touched)
     count = touched.sum(axis=0)
-    if len(count) < 3 or count.max() < joints - 1:
+    if len(count) < 3 or count[1] == count[0] or count.max() < joints - 1:
         return
     first, need = count[1] - count[0], int(np.argmax(count >= joints - 1))
     if need > 2:  # a front: along it, in the part not reached

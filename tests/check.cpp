@@ -14,8 +14,7 @@ namespace {
 
 constexpr std::size_t report_width = 76;
 const char* const block_names[] = {"v1", "w1", "v2", "w2"};
-const char* const division_by_zero =
-    "a division by zero (1/m of a static body is 0), or a value that was never set";
+const char* const division_by_zero = "a division by zero, or a value that was never set";
 
 bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
 
@@ -35,6 +34,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 // Decimal points stand below one another; what the check takes for zero is written 0.
 std::string text(double number, double tolerance) {
+  if (std::isnan(number)) return "nan     ";
   if (std::abs(number) <= tolerance) return "0       ";
   const double size = std::abs(number);
   char buffer[40];
@@ -246,9 +246,7 @@ std::string block_mistake(const Sample& s, double tolerance) {
   }
   if (!signs.empty())
     words.push_back("the sign of " + blocks(signs) +
-                    (joined(signs) == "w1 and w2"   ? ": a x b is -(b x a)"
-                     : joined(signs) == "v1 and w1" ? ": body 1 carries the minus sign"
-                                                    : ""));
+                    (joined(signs) == "v1 and w1" ? ": body 1 carries the minus sign" : ""));
   if (!missing.empty())
     words.push_back(blocks(missing) + (missing.size() == 1 ? " is missing" : " are missing"));
   if (!superfluous.empty()) words.push_back(blocks(superfluous) + " should be zero");
@@ -259,7 +257,7 @@ std::string block_mistake(const Sample& s, double tolerance) {
 void guess(Sample& s, double tolerance, const std::string& first) {
   const double factor = common_factor(s, tolerance);
   std::string words = first;
-  if (!all_finite(s.yours)) words = division_by_zero;
+  if (!all_finite(s.yours) && first.empty()) words = division_by_zero;
   else if (close(s.yours, Numbers(s.yours.size(), 0), tolerance)) words = "every entry is zero";
   if (!words.empty()) s.mistakes.insert(s.mistakes.begin(), words);
   if (!s.mistakes.empty()) return;
@@ -270,17 +268,23 @@ void guess(Sample& s, double tolerance, const std::string& first) {
 
 void guess_J(Sample& s, double tolerance) {
   const bool swapped = close(s.yours, bodies_swapped(s.right), tolerance);
+  std::string words = swapped ? "bodies 1 and 2 swapped" : "";
   if (close(s.yours, negative(s.right), tolerance))
-    guess(s, tolerance, swapped ? "the sign of the whole row, or bodies 1 and 2 swapped"
-                                : "the sign of the whole row: C grows when body 2 moves positively");
-  else guess(s, tolerance, swapped ? "bodies 1 and 2 swapped" : block_mistake(s, tolerance));
+    words = swapped ? "the sign of the whole row, or bodies 1 and 2 swapped"
+                    : "the sign of the whole row: C grows when body 2 moves positively";
+  guess(s, tolerance, words);
+  const std::string blocks = block_mistake(s, tolerance);
+  if (!blocks.empty()) s.mistakes.push_back(blocks);
   if (s.mistakes.empty() && common_factor(s, tolerance) != 0)
     s.mistakes.push_back("a factor: is the direction a unit vector?");
 }
 
 void guess_K(Sample& s, double tolerance) {
   const bool opposite = close(s.yours, negative(s.right), tolerance);
-  guess(s, tolerance, opposite ? "the sign: K is never negative" : "");
+  guess(s, tolerance,
+        !all_finite(s.yours) ? "a division by zero: 1/m of a static body is 0, K adds it as it is"
+        : opposite           ? "the sign: K is never negative"
+                             : "");
 }
 
 // ---- the report ---------------------------------------------------------------------------------
@@ -293,34 +297,30 @@ std::vector<std::string> poses_of(const std::vector<const Sample*>& samples) {
 }
 
 // The fewest mistakes that explain all samples, each with its poses.
-std::string likely_mistakes(std::vector<const Sample*> open, bool alone) {
+std::string likely_mistakes(std::vector<const Sample*> open) {
   std::string out;
   const auto names = [](const Sample* s, const std::string& words) {
     return std::find(s->mistakes.begin(), s->mistakes.end(), words) != s->mistakes.end();
   };
   while (!open.empty()) {
-    std::vector<std::string> best;  // several that explain the same
+    std::string best;
     std::vector<const Sample*> explained;
     for (const Sample* s : open)
       for (const std::string& words : s->mistakes) {
         std::vector<const Sample*> also;
         std::copy_if(open.begin(), open.end(), std::back_inserter(also),
                      [&](const Sample* other) { return names(other, words); });
-        if (also.size() > explained.size()) {
-          best.clear();
-          explained = also;
-        }
-        if (also == explained && std::find(best.begin(), best.end(), words) == best.end())
-          best.push_back(words);
+        if (also.size() <= explained.size()) continue;
+        best = words;
+        explained = also;
       }
     if (explained.empty())
       return out + "None of the usual mistakes explains it (" + joined(poses_of(open)) +
              "): compare it with the equation, entry by entry.\n";
     std::string poses;
     for (const std::string& pose : poses_of(explained)) poses += (poses.empty() ? "" : ", ") + pose;
-    for (std::size_t i = 0; i < best.size(); ++i)
-      out += likely((i > 0 ? "or " : "") + best[i] + (alone ? "" : " (" + poses + ")"));
-    std::erase_if(open, [&](const Sample* s) { return names(s, best[0]); });
+    out += likely(best + " (" + poses + ")");
+    std::erase_if(open, [&](const Sample* s) { return names(s, best); });
   }
   return out;
 }
@@ -339,12 +339,10 @@ std::string verdict(std::vector<Sample>& samples, double tolerance,
   std::erase_if(holds, [&](const std::string& pose) {
     return std::find(fails.begin(), fails.end(), pose) != fails.end();
   });
-  const bool alone = samples.size() == 1;
   return "\n" +
-         (alone           ? ""
-          : holds.empty() ? "Fails at all poses.\n"
-                          : "Fails at " + joined(fails) + "; holds at " + joined(holds) + ".\n") +
-         likely_mistakes(wrong, alone);
+         (holds.empty() ? "Fails at all poses.\n"
+                        : "Fails at " + joined(fails) + "; holds at " + joined(holds) + ".\n") +
+         likely_mistakes(wrong);
 }
 
 const Sample* first_wrong(const std::vector<Sample>& samples, double tolerance) {

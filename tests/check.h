@@ -163,13 +163,17 @@ template <class Fixture, int N>
 auto wrong_jacobians(const typename Fixture::Part& part, const Jacobian<N>& J, const Pair& pair) {
   std::vector<std::pair<std::string, Jacobian<N>>> out;
   if constexpr (requires { Fixture::mistakes(part, pair); }) out = Fixture::mistakes(part, pair);
-  Jacobian<N> points = J, exchanged = J;
+  Jacobian<N> points = J, exchanged = J, reversed = J, missing = J;
   for (int i = 0; i < N; ++i) {
     points[i].w1 += cross(pair.body1.x, J[i].v1);
     points[i].w2 += cross(pair.body2.x, J[i].v2);
     exchanged[i].w1 = -J[i].w2;
     exchanged[i].w2 = -J[i].w1;
+    reversed[i] = {J[i].v1, -J[i].w1, J[i].v2, -J[i].w2};
+    missing[i] = {J[i].v1, vec3(0), J[i].v2, vec3(0)};
   }
+  out.push_back({"the sign of the blocks w1 and w2: a x b is -(b x a)", reversed});
+  out.push_back({"the blocks w1 and w2 are missing: they hold the levers", missing});
   out.push_back({"a point where a lever belongs: r runs from the body's centre to the anchor "
                  "(to_world, not world_point)", points});
   out.push_back({"the levers r1 and r2 are exchanged", exchanged});
@@ -195,22 +199,32 @@ Sample jacobian_sample(int pose, const typename Fixture::Part& part, const Pair&
   return sample;
 }
 
-/// J against central differences of C. Fails with a report where they differ.
+/// The J of a part beside the numeric one at every pose.
 template <class Fixture>
-void check_jacobian() {
+std::vector<Sample> jacobian_samples() {
   std::vector<Sample> samples;
   visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
     samples.push_back(jacobian_sample<Fixture>(pose, part, pair,
                                                numeric_jacobian(part, pair.body1, pair.body2)));
   });
-  check(Fixture::J, jacobian_report(row_names<Fixture>(), samples, difference_tolerance));
+  return samples;
 }
-/// J against the one computed by hand at the pose of the text.
+
+/// J against central differences of C. Fails with a report where they differ.
+template <class Fixture>
+void check_jacobian() {
+  check(Fixture::J,
+        jacobian_report(row_names<Fixture>(), jacobian_samples<Fixture>(), difference_tolerance));
+}
+/// J against the one computed by hand at the pose of the text; the other poses help to explain.
 template <class Fixture, int N>
 void check_jacobian(const typename Fixture::Part& part, const Pair& pair,
                     const Jacobian<N>& by_hand) {
-  const Sample sample = jacobian_sample<Fixture>(pencil_and_paper, part, pair, by_hand);
-  check(Fixture::J, jacobian_report(row_names<Fixture>(), {sample}, difference_tolerance));
+  const Sample paper = jacobian_sample<Fixture>(pencil_and_paper, part, pair, by_hand);
+  std::vector<Sample> samples{paper};
+  if (!close(paper.yours, paper.right, difference_tolerance))
+    for (const Sample& sample : jacobian_samples<Fixture>()) samples.push_back(sample);
+  check(Fixture::J, jacobian_report(row_names<Fixture>(), samples, difference_tolerance));
 }
 
 /// The matrices K of some mistakes, from J M^-1 J^T with something else for M or J.
@@ -279,22 +293,30 @@ Sample K_sample(int pose, const typename Fixture::Part& part, const Pair& pair,
   return sample;
 }
 
-/// K against J M^-1 J^T with the numeric J. Fails with a report where they differ.
+/// The K of a part beside J M^-1 J^T with the numeric J at every pose.
 template <class Fixture>
-void check_K() {
+std::vector<Sample> K_samples() {
   std::vector<Sample> samples;
   visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
     const auto J = numeric_jacobian(part, pair.body1, pair.body2);
-    samples.push_back(
-        K_sample<Fixture>(pose, part, pair, dense_K(J, pair.body1, pair.body2)));
+    samples.push_back(K_sample<Fixture>(pose, part, pair, dense_K(J, pair.body1, pair.body2)));
   });
-  check(Fixture::K, K_report(row_names<Fixture>(), samples, K_tolerance));
+  return samples;
 }
-/// K against the one computed by hand at the pose of the text.
+
+/// K against J M^-1 J^T with the numeric J. Fails with a report where they differ.
+template <class Fixture>
+void check_K() {
+  check(Fixture::K, K_report(row_names<Fixture>(), K_samples<Fixture>(), K_tolerance));
+}
+/// K against the one computed by hand at the pose of the text; the other poses help to explain.
 template <class Fixture, int N>
 void check_K(const typename Fixture::Part& part, const Pair& pair, const Matrix<N>& by_hand) {
-  const Sample sample = K_sample<Fixture>(pencil_and_paper, part, pair, by_hand);
-  check(Fixture::K, K_report(row_names<Fixture>(), {sample}, K_tolerance));
+  const Sample paper = K_sample<Fixture>(pencil_and_paper, part, pair, by_hand);
+  std::vector<Sample> samples{paper};
+  if (!close(paper.yours, paper.right, K_tolerance))
+    for (const Sample& sample : K_samples<Fixture>()) samples.push_back(sample);
+  check(Fixture::K, K_report(row_names<Fixture>(), samples, K_tolerance));
 }
 
 }  // namespace joints::testing

@@ -1,13 +1,24 @@
 // Which version of an exercise file a test was linked with, so that a report can name the line.
 #pragma once
 
+#include <fstream>
 #include <string>
 
 namespace joints::testing {
 
 /// The file, from the root of the workbook; "" for tests that belong to no exercise.
-const char* exercise_file();
+extern const char* const exercise_file;
+
 /// "chapters/01_distance/distance.cpp:14", the first line of the exercise; "" where there is none.
-std::string exercise_place(const std::string& id);
+inline std::string exercise_place(const std::string& id) {
+  const std::string name = exercise_file;
+  if (name.empty() || id.empty()) return "";
+  std::ifstream file(name.front() == '/' ? name : std::string(WORKBOOK_ROOT) + "/" + name);
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number)
+    if (line.find("// begin [exercise " + id + "]") != std::string::npos)
+      return name + ":" + std::to_string(number);
+  return name;
+}
 
 }  // namespace joints::testing

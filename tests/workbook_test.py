@@ -1,1 +1,380 @@
-print("todo")
+"""The workbook proves itself: workbook_test.py ROOT BUILD
+
+One function a proof; it yields a line for everything that is wrong. Exit status 1 when something is
+wrong, 2 for a bad command line. With CI=true the committed stubs must be fresh; in a reader's
+checkout they may hold the reader's work.
+"""
+import csv
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tools"))
+import exercises  # noqa: E402
+
+HEADINGS = ["Goal", "Derivation", "Numbers", "Code", "Exercises", "Check", "Predict", "See it",
+            "A printed formula that is wrong: find it", "Questions", "Further reading"]
+OPTIONAL = {"A printed formula that is wrong: find it"}
+PROGRAMS = ["01_distance_run", "02_ball_run"]
+LONG_FILES = {"tests/01_distance_test.cpp": "the tests of six exercises",
+              "tests/check.cpp": "the reports and the usual mistakes"}
+MOST_LINES, MOST_COLUMNS = 330, 100
+notes = []
+
+
+# ---- what there is -------------------------------------------------------------------------------
+
+@dataclass
+class Chapter:
+    """A chapter and the files that belong to it."""
+    root: Path
+    folder: str  # 01_distance
+
+    def __post_init__(self):
+        self.number, name = int(self.folder[:2]), self.folder[3:]
+        given, solved = self.root / "chapters" / self.folder, self.root / "solutions" / self.folder
+        self.mine, self.text = given / f"{name}.cpp", given / "README.md"
+        self.hints = given / "hints.md"
+        self.solution, self.answers = solved / f"{name}.cpp", solved / "answers.md"
+        self.tests = self.root / "tests" / f"{self.folder}_test.cpp"
+
+    def regions(self):
+        return exercises.regions(read(self.solution), self.solution.name)
+
+    def ids(self):
+        return list(dict.fromkeys(region.id for region in self.regions()))
+
+
+def read(path):
+    """The text of a file; "" where there is none (a proof of its own says so)."""
+    return path.read_text(encoding="utf-8") if path.is_file() else ""
+
+
+def chapters(root):
+    return [Chapter(root, folder.name) for folder in sorted((root / "solutions").iterdir())
+            if re.fullmatch(r"\d\d_\w+", folder.name)]
+
+
+def files(root, *endings):
+    """All files of the workbook with these endings: nothing that was built, drawn or is hidden."""
+    for path in sorted(root.rglob("*")):
+        parts = path.relative_to(root).parts
+        made = parts[0] == "out" or parts[0].startswith("build")
+        if path.is_file() and path.suffix in endings and not made and not any(
+                part.startswith(".") or part == "__pycache__" for part in parts):
+            yield path
+
+
+def prose(text):
+    """A Markdown text without fenced and inline code; formulas stay."""
+    kept, fence = [], None
+    for line in text.split("\n"):
+        if line.lstrip().startswith("```"):
+            fence = line.strip() if fence is None else None
+        elif fence in (None, "```math"):
+            kept.append(re.sub(r"`[^`]*`", "", line))
+    return "\n".join(kept)
+
+
+def sections(text, mark):
+    """The parts of a Markdown text: (heading, body) for each heading that begins with mark."""
+    text = prose(text)
+    parts = re.split(rf"^{mark} (.+)$", text, flags=re.M)[1:]
+    return list(zip([heading.strip() for heading in parts[::2]], parts[1::2]))
+
+
+def folded(text):
+    return " ".join(text.split())
+
+
+# ---- exercises -----------------------------------------------------------------------------------
+
+def stubs_are_fresh(root, build):
+    """the committed stubs are what the solutions make of them"""
+    strict = os.environ.get("CI") == "true"
+    for chapter in chapters(root):
+        fresh, mine = exercises.stub(read(chapter.solution)), read(chapter.mine)
+        where = chapter.mine.relative_to(root)
+        if fresh == mine:
+            continue
+        if strict:
+            yield f"{where} differs from the stub of the solution"
+            continue
+        try:
+            same = exercises.outside(fresh) == exercises.outside(mine)
+            notes.append(f"{where} holds work" if same else
+                         f"{where} differs from the stub outside the exercises, too")
+        except exercises.Broken as error:
+            notes.append(f"{where}: {error}")
+
+
+def every_region_has_a_task(root, build):
+    """every exercise states its task, has an answer, and is numbered by its chapter"""
+    for chapter in chapters(root):
+        for region in chapter.regions():
+            where = f"{chapter.solution.name}: {region.id}"
+            if not region.task():
+                yield f"{where} lacks the comment that states the task"
+            if not "".join(region.answer()).strip():
+                yield f"{where} has no answer"
+        wanted = [f"{chapter.number}.{n + 1}" for n in range(len(chapter.ids()))]
+        if sorted(chapter.ids(), key=lambda id_: int(id_.split(".")[1])) != wanted:
+            yield f"{chapter.folder}: the exercises are {chapter.ids()}, not {wanted}"
+
+
+def every_exercise_has_hints(root, build):
+    """every exercise has three hints, and no hint belongs to nothing"""
+    for chapter in chapters(root):
+        found = sections(read(chapter.hints), "##")
+        yield from differ(f"{chapter.folder}/hints.md", [id_ for id_, _ in found], chapter.ids())
+        for id_, body in found:
+            hints = sections(body, "###")
+            if [number for number, text in hints if text.strip()] != ["1", "2", "3"]:
+                yield f"{chapter.folder}/hints.md: {id_} has not the hints 1, 2, 3"
+
+
+def every_exercise_stands_in_the_table(root, build):
+    """every exercise has a row in the table of its chapter's text"""
+    for chapter in chapters(root):
+        table = dict(sections(read(chapter.text), "##")).get("Exercises", "")
+        rows = re.findall(r"^\|\s*(\d+\.\d+)\s*\|", table, re.M)
+        yield from differ(f"{chapter.folder}/README.md, Exercises", rows, chapter.ids())
+
+
+def every_exercise_has_tests(root, build):
+    """every exercise has a test, and no test belongs to no exercise"""
+    for chapter in chapters(root):
+        cases = re.findall(r"TEST_CASE\((.*?)\)\s*\{", read(chapter.tests), re.S)
+        tags = [tag for case in cases for tag in re.findall(r"\[(\d+\.\d+)\]", case)]
+        yield from differ(chapter.tests.name, list(dict.fromkeys(tags)), chapter.ids())
+
+
+def every_exercise_has_wrong_answers(root, build):
+    """every exercise has two known wrong answers, and no answer belongs to no exercise"""
+    places = {(r.id, n) for c in chapters(root) for r in c.regions()
+              for n in range(1, 1 + sum(other.id == r.id for other in c.regions()))}
+    count = Counter()
+    for path in [*files(root / "tests/wrong", ".cpp"), *files(root / "tests/right", ".cpp")]:
+        id_, place, promise, body = exercises.read_answer(path)
+        where = f"tests/{path.parent.name}/{path.name}"
+        if (id_, place) not in places:
+            yield f"{where}: there is no region {place} of exercise {id_}"
+        if not body.strip():
+            yield f"{where} is empty"
+        if (path.parent.name == "wrong") != bool(promise):
+            yield f"{where}: '// expects:' belongs to every wrong answer and to no right one"
+        count[id_] += path.parent.name == "wrong"
+    for id_ in sorted({id_ for id_, _ in places}):
+        if count[id_] < 2:
+            yield f"exercise {id_} has {count[id_]} wrong answers: at least two are wanted"
+
+
+def differ(where, found, wanted):
+    yield from (f"{where}: {id_} is missing" for id_ in wanted if id_ not in found)
+    yield from (f"{where}: {id_} is no exercise" for id_ in found if id_ not in wanted)
+    if set(found) == set(wanted) and found != wanted:
+        yield f"{where}: {' '.join(found)} where {' '.join(wanted)} is wanted"
+
+
+# ---- texts ---------------------------------------------------------------------------------------
+
+def texts_have_their_headings(root, build):
+    """every chapter's text has the headings that all chapters have, in their order"""
+    for chapter in chapters(root):
+        found = [heading for heading, _ in sections(read(chapter.text), "##")]
+        wanted = [h for h in HEADINGS if h not in OPTIONAL or h in found]
+        if found != wanted:
+            yield f"{chapter.folder}/README.md: {found} where {wanted} is wanted"
+
+
+def questions_have_answers(root, build):
+    """every chapter asks three questions, and each has an answer"""
+    for chapter in chapters(root):
+        questions = dict(sections(read(chapter.text), "##")).get("Questions", "")
+        asked = re.findall(r"^(\d+)\. ", questions, re.M)
+        answered = [h.removeprefix("Question ") for h, _ in sections(read(chapter.answers), "##")]
+        for what, numbers in (("README.md asks", asked), ("answers.md answers", answered)):
+            if numbers != ["1", "2", "3"]:
+                yield f"{chapter.folder}/{what} {numbers}, not 1, 2, 3"
+
+
+def equations_exist(root, build):
+    """every equation is numbered once, in order, and every number that is used exists"""
+    tags = {c.number: re.findall(r"\\tag\{([^}]*)\}", read(c.text)) for c in chapters(root)}
+    for number, found in tags.items():
+        wanted = [f"{number}-{n + 1}" for n in range(len(found))]
+        if found != wanted or not found:
+            yield f"chapter {number}: the equations are {found}"
+    known = {tag for found in tags.values() for tag in found}
+    used = re.compile(r"\bEqs?\. (\d+-\d+(?:(?:,| and| or| to|, and) \d+-\d+)*)")
+    for path in files(root, ".cpp", ".h", ".md"):
+        text = prose(read(path)) if path.suffix == ".md" else read(path)
+        for match in used.finditer(folded(text)):
+            for tag in set(re.findall(r"\d+-\d+", match[1])) - known:
+                yield f"{path.relative_to(root)}: there is no Eq. {tag}"
+
+
+def texts_keep_the_solution(root, build):
+    """no line of a solution stands in a chapter's text or in a first or second hint"""
+    for chapter in chapters(root):
+        hints = [hint for _, body in sections(read(chapter.hints), "##")
+                 for number, hint in sections(body, "###") if number in "12"]
+        public = folded(read(chapter.text) + " ".join(hints))
+        for region in chapter.regions():
+            for line in region.answer():
+                code = folded(line.split("//")[0])
+                if len(code) > 25 and code in public:
+                    yield f"{chapter.folder}: the answer of {region.id} stands in the text: {code}"
+
+
+def links_lead_somewhere(root, build):
+    """every link and picture of a text leads to a file"""
+    link = re.compile(r"\]\(\s*<?([^)\s>]+)[^)]*\)|<[^>]+(?:src|href)=\"([^\"]+)\"")
+    for path in files(root, ".md"):
+        for match in link.finditer(re.sub(r"\$[^$\n]*\$", "", prose(read(path)))):
+            target = (match[1] or match[2]).split("#")[0].split("?")[0]
+            if not target or re.match(r"[a-z]+:", target):
+                continue
+            if not (path.parent / target).exists():
+                yield f"{path.relative_to(root)}: {target} does not exist"
+
+
+# ---- sources -------------------------------------------------------------------------------------
+
+def may_include(name):
+    """The folders from which a file may include, by the file's place."""
+    chapter = re.match(r"(?:chapters|solutions)/(\d\d)_", name)
+    last = int(chapter[1]) if chapter else 0 if name.startswith("engine/") else 99
+    allowed = ["engine/"] + [f"chapters/{n:02}_" for n in range(1, last + 1)]
+    return allowed + {"bench": ["bench/"], "tests": ["bench/", "tests/"]}.get(name[:5], [])
+
+
+def layers_hold(root, build):
+    """everybody includes only what lies below: engine, chapters in their order, bench, tests"""
+    measuring = re.compile(r"engine/(measure|record|plan|program|summary)\.")
+    for path in files(root, ".cpp", ".h"):
+        name = str(path.relative_to(root))
+        engine = name.startswith("engine/") and not measuring.match(name)
+        for header in re.findall(r'^\s*#include "([^"]+)"', read(path), re.M):
+            if header.endswith(".cpp") or not header.startswith(tuple(may_include(name))):
+                yield f"{name} must not include {header}"
+            elif engine and measuring.match(header):
+                yield f"{name} must not include {header}: the engine does not measure"
+
+
+def sources_are_short(root, build):
+    """no line is longer than 100 columns, no source longer than 330 lines"""
+    for path in files(root, ".cpp", ".h", ".py"):
+        name, lines = str(path.relative_to(root)), read(path).splitlines()
+        for number, line in enumerate(lines, 1):
+            if len(line) > MOST_COLUMNS:
+                yield f"{name}:{number} has {len(line)} columns"
+        if len(lines) > MOST_LINES and name in LONG_FILES:
+            notes.append(f"{name} has {len(lines)} lines: {LONG_FILES[name]}")
+        elif len(lines) > MOST_LINES:
+            yield f"{name} has {len(lines)} lines"
+
+
+# ---- programs ------------------------------------------------------------------------------------
+
+def run(program, *arguments, **more):
+    return subprocess.run([str(program), *arguments], capture_output=True, text=True, timeout=60,
+                          **more)
+
+
+def programs_carry_what_they_use(root, build):
+    """a program carries no symbol of what it does not use"""
+    foreign = {program: r"joints::(SequentialImpulses|\w*Joint)\b" for program in PROGRAMS}
+    foreign["01_distance_run"] += r"|joints::(Point::|block_impulse|turned)\b"
+    for program, pattern in foreign.items():
+        symbols = run("nm", "-C", str(build / program)).stdout
+        if "joints::apply_impulse" not in symbols:
+            yield f"{program}: nm shows no symbols"
+        for symbol in sorted({match[0] for match in re.finditer(pattern, symbols)}):
+            yield f"{program} carries {symbol}"
+
+
+def bad_words_are_refused(root, build):
+    """a bad command line gets one line that names the option, and exit status 2"""
+    bad = ["--nonsense", "--iterations 0", "--iterations x", "--iterations", "--seconds -1",
+           "--beta nan", "nonsense", "--seconds 0.1 --out file/below"]
+    for program in PROGRAMS:
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "file").write_text("")
+            for words in bad:
+                result = run(build / program, *words.split(), cwd=folder)
+                name = "out" if "--out" in words else words.split()[0]
+                if result.returncode != 2:
+                    yield f"{program} {words}: exit status {result.returncode}, not 2"
+                elif result.stderr.count("\n") != 1 or name not in result.stderr:
+                    yield f"{program} {words}: says {result.stderr!r}"
+            help_ = run(build / program, "--help", cwd=folder)
+            if help_.returncode != 0 or help_.stderr or "--iterations" not in help_.stdout:
+                yield f"{program} --help: exit status {help_.returncode}, {help_.stderr!r}"
+
+
+def programs_repeat_themselves(root, build):
+    """a program that runs twice writes the same tables and motions, apart from times"""
+    for program in PROGRAMS:
+        with tempfile.TemporaryDirectory() as folder:
+            one, two = Path(folder) / "one", Path(folder) / "two"
+            for out in (one, two):
+                result = run(build / program, "--seconds", "0.5", "--out", str(out))
+                if result.returncode != 0:
+                    yield f"{program}: exit status {result.returncode}: {result.stderr.strip()}"
+            if not (one / "summary.csv").is_file():
+                yield f"{program} writes no summary.csv"
+            for path in sorted(one.glob("*")):
+                if untimed(path) != untimed(two / path.name):
+                    yield f"{program}: {path.name} differs from run to run"
+                if path.suffix == ".csv" and len({len(row) for row in table(path)}) != 1:
+                    yield f"{program}: {path.name} has rows that are longer than its header"
+
+
+def table(path):
+    return list(csv.reader(read(path).splitlines()))
+
+
+def untimed(path):
+    """What a file says, without the columns that hold times."""
+    if path.name != "summary.csv":
+        return read(path)
+    rows = table(path)
+    timed = [k for k, column in enumerate(rows[0]) if re.match(r"(us|ns)_", column)]
+    last = len(rows[0])  # count from the right: a name on the left may hold a comma
+    return [[word for k, word in enumerate(row, last - len(row)) if k not in timed] for row in rows]
+
+
+PROOFS = [stubs_are_fresh, every_region_has_a_task, every_exercise_has_hints,
+          every_exercise_stands_in_the_table, every_exercise_has_tests,
+          every_exercise_has_wrong_answers, texts_have_their_headings, questions_have_answers,
+          equations_exist, texts_keep_the_solution, links_lead_somewhere, layers_hold,
+          sources_are_short, programs_carry_what_they_use, bad_words_are_refused,
+          programs_repeat_themselves]
+
+
+def main(arguments):
+    if len(arguments) != 2 or not all(Path(argument).is_dir() for argument in arguments):
+        print("workbook_test.py ROOT BUILD", file=sys.stderr)
+        return 2
+    root, build = (Path(argument).resolve() for argument in arguments)
+    broken = 0
+    for proof in PROOFS:
+        wrong = list(proof(root, build))
+        broken += bool(wrong)
+        print(f"{'WRONG' if wrong else 'holds'}  {proof.__doc__}")
+        for line in wrong:
+            print(f"         {line}")
+    for note in notes:
+        print(f"note   {note}")
+    print(f"{len(PROOFS) - broken} of {len(PROOFS)} proofs hold")
+    return 1 if broken else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

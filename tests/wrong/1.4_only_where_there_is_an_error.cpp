@@ -1,4 +1,5 @@
-// expects: Likely mistake: no impulse was applied. A row whose error is 0 is solved all the same, for the sake of its velocity
+// expects: Likely mistake: no impulse was applied. A row whose error is 0 is solved all the same,
+// expects: for the sake of its velocity
   for (Body& body : bodies)
     if (!body.is_static()) body.v += settings.h * settings.gravity;
   std::vector<LinkRow> rows;

@@ -1,5 +1,5 @@
-// expects: Likely mistake: body-space inertia: it must be turned into the world, R I^-1 R^T
-// expects: Likely mistake: body-space inertia of both bodies: it must be turned into the world, R I^-1 R^T (upright, turned, moved, broken)
+// expects: Likely mistake: body-space inertia of both bodies: it must be turned into the world, R
+// expects: I^-1 R^T (upright, turned, moved, broken)
   const auto local = [](const Body& body) {
     const vec3 i = body.inverse_inertia_local;
     return mat3(i.x, 0, 0, 0, i.y, 0, 0, 0, i.z);

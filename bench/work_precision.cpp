@@ -11,7 +11,7 @@ using namespace joints::bench;
 
 namespace {
 
-// ---- solvers and settings ------------------------------------------------------------------------
+// ---- solvers and settings -----------------------------------------------------------------------
 
 Setting sequential_impulses(int iterations, bool warm) {
   return {"sequential impulses", "3x3 blocks", iterations, warm, [=] {
@@ -22,7 +22,7 @@ Setting sequential_impulses(int iterations, bool warm) {
           }};
 }
 
-// ---- scenes --------------------------------------------------------------------------------------
+// ---- scenes -------------------------------------------------------------------------------------
 
 std::vector<MakeScene> scenes(bool quick) {
   std::vector<MakeScene> list;
@@ -32,7 +32,7 @@ std::vector<MakeScene> scenes(bool quick) {
   return list;
 }
 
-// ---- the table -----------------------------------------------------------------------------------
+// ---- the table ----------------------------------------------------------------------------------
 
 const char* const columns =
     "scene,chains,solver,setting,real,iterations,substeps,warm,us_per_step,ns_per_joint_iteration,"

@@ -59,7 +59,8 @@ const std::array<real, N>& to_vector(const std::array<real, N>& a) { return a; }
 inline Matrix<1> to_matrix(real a) { return {{{{a}}}}; }
 /// See to_vector(): from GLM's columns to rows.
 inline Matrix<3> to_matrix(const mat3& a) {
-  return {{{{a[0][0], a[1][0], a[2][0]}, {a[0][1], a[1][1], a[2][1]}, {a[0][2], a[1][2], a[2][2]}}}};
+  const mat3 t = transpose(a);
+  return {{{{t[0].x, t[0].y, t[0].z}, {t[1].x, t[1].y, t[1].z}, {t[2].x, t[2].y, t[2].z}}}};
 }
 /// Already of that kind.
 template <int N>

@@ -54,7 +54,9 @@ void GapMeter::look(const std::vector<Mark>& marks, const std::vector<Pose>& pos
   }
 }
 
-double GapMeter::rms() const { return count_ > 0 ? std::sqrt(sum_of_squares_ / double(count_)) : 0; }
+double GapMeter::rms() const {
+  return count_ > 0 ? std::sqrt(sum_of_squares_ / double(count_)) : 0;
+}
 
 namespace {
 

@@ -86,7 +86,8 @@ struct Pair {
   Body body1, body2;
 };
 inline Pair uneven_pair() {
-  Pair pair{body_with(real(2.5), vec3(real(0.4), real(0.9), real(1.2)), vec3(real(0.3), real(-0.2), real(0.5))),
+  Pair pair{body_with(real(2.5), vec3(real(0.4), real(0.9), real(1.2)),
+                      vec3(real(0.3), real(-0.2), real(0.5))),
             body_with(real(0.7), vec3(real(0.2), real(0.15), real(0.11)),
                       vec3(real(1.1), real(0.9), real(-0.3)),
                       rotation(vec3(real(0.7), real(-0.4), real(0.5))))};

@@ -11,11 +11,11 @@ import subprocess
 import sys
 import tempfile
 from collections import Counter
-from dataclasses import dataclass
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tools"))
 import exercises  # noqa: E402
+import house  # noqa: E402
 
 HEADINGS = ["Goal", "Derivation", "Numbers", "Code", "Exercises", "Check", "Predict", "See it",
             "A printed formula that is wrong: find it", "Questions", "Further reading"]
@@ -27,37 +27,15 @@ MOST_LINES, MOST_COLUMNS = 330, 100
 notes = []
 
 
-# ---- what there is -------------------------------------------------------------------------------
-
-@dataclass
-class Chapter:
-    """A chapter and the files that belong to it."""
-    root: Path
-    folder: str  # 01_distance
-
-    def __post_init__(self):
-        self.number, name = int(self.folder[:2]), self.folder[3:]
-        given, solved = self.root / "chapters" / self.folder, self.root / "solutions" / self.folder
-        self.mine, self.text = given / f"{name}.cpp", given / "README.md"
-        self.hints = given / "hints.md"
-        self.solution, self.answers = solved / f"{name}.cpp", solved / "answers.md"
-        self.tests = self.root / "tests" / f"{self.folder}_test.cpp"
-
-    def regions(self):
-        return exercises.regions(read(self.solution), self.solution.name)
-
-    def ids(self):
-        return list(dict.fromkeys(region.id for region in self.regions()))
-
+# ---- reading -------------------------------------------------------------------------------------
 
 def read(path):
     """The text of a file; "" where there is none (a proof of its own says so)."""
     return path.read_text(encoding="utf-8") if path.is_file() else ""
 
 
-def chapters(root):
-    return [Chapter(root, folder.name) for folder in sorted((root / "solutions").iterdir())
-            if re.fullmatch(r"\d\d_\w+", folder.name)]
+def regions(chapter):
+    return exercises.regions(read(chapter.solution), chapter.solution.name)
 
 
 def files(root, *endings):
@@ -82,10 +60,14 @@ def prose(text):
 
 
 def sections(text, mark):
-    """The parts of a Markdown text: (heading, body) for each heading that begins with mark."""
-    text = prose(text)
+    """The parts of a Markdown text by their headings, which begin with mark: (heading, body)."""
     parts = re.split(rf"^{mark} (.+)$", text, flags=re.M)[1:]
     return list(zip([heading.strip() for heading in parts[::2]], parts[1::2]))
+
+
+def section(chapter, heading):
+    """One section of a chapter's text."""
+    return dict(sections(prose(read(chapter.text)), "##")).get(heading, "")
 
 
 def folded(text):
@@ -96,41 +78,35 @@ def folded(text):
 
 def stubs_are_fresh(root, build):
     """the committed stubs are what the solutions make of them"""
-    strict = os.environ.get("CI") == "true"
-    for chapter in chapters(root):
+    for chapter in house.chapters():
         fresh, mine = exercises.stub(read(chapter.solution)), read(chapter.mine)
         where = chapter.mine.relative_to(root)
-        if fresh == mine:
-            continue
-        if strict:
+        if fresh != mine and os.environ.get("CI") == "true":
             yield f"{where} differs from the stub of the solution"
-            continue
-        try:
-            same = exercises.outside(fresh) == exercises.outside(mine)
-            notes.append(f"{where} holds work" if same else
-                         f"{where} differs from the stub outside the exercises, too")
-        except exercises.Broken as error:
-            notes.append(f"{where}: {error}")
+        elif fresh != mine:
+            try:
+                same = exercises.outside(fresh) == exercises.outside(mine)
+                notes.append(f"{where} " + ("holds work" if same else "differs from the stub "
+                                            "outside the exercises, too"))
+            except exercises.Broken as error:
+                notes.append(str(error))
 
 
 def every_region_has_a_task(root, build):
     """every exercise states its task, has an answer, and is numbered by its chapter"""
-    for chapter in chapters(root):
-        for region in chapter.regions():
-            where = f"{chapter.solution.name}: {region.id}"
-            if not region.task():
-                yield f"{where} lacks the comment that states the task"
-            if not "".join(region.answer()).strip():
-                yield f"{where} has no answer"
+    for chapter in house.chapters():
+        for region in regions(chapter):
+            if not region.task() or not "".join(region.answer()).strip():
+                yield f"{chapter.solution.name}: {region.id} lacks its task or its answer"
         wanted = [f"{chapter.number}.{n + 1}" for n in range(len(chapter.ids()))]
-        if sorted(chapter.ids(), key=lambda id_: int(id_.split(".")[1])) != wanted:
+        if chapter.ids() != wanted:
             yield f"{chapter.folder}: the exercises are {chapter.ids()}, not {wanted}"
 
 
 def every_exercise_has_hints(root, build):
     """every exercise has three hints, and no hint belongs to nothing"""
-    for chapter in chapters(root):
-        found = sections(read(chapter.hints), "##")
+    for chapter in house.chapters():
+        found = sections(prose(read(chapter.hints)), "##")
         yield from differ(f"{chapter.folder}/hints.md", [id_ for id_, _ in found], chapter.ids())
         for id_, body in found:
             hints = sections(body, "###")
@@ -140,38 +116,36 @@ def every_exercise_has_hints(root, build):
 
 def every_exercise_stands_in_the_table(root, build):
     """every exercise has a row in the table of its chapter's text"""
-    for chapter in chapters(root):
-        table = dict(sections(read(chapter.text), "##")).get("Exercises", "")
-        rows = re.findall(r"^\|\s*(\d+\.\d+)\s*\|", table, re.M)
+    for chapter in house.chapters():
+        rows = re.findall(r"^\|\s*(\d+\.\d+)\s*\|", section(chapter, "Exercises"), re.M)
         yield from differ(f"{chapter.folder}/README.md, Exercises", rows, chapter.ids())
 
 
 def every_exercise_has_tests(root, build):
     """every exercise has a test, and no test belongs to no exercise"""
-    for chapter in chapters(root):
-        cases = re.findall(r"TEST_CASE\((.*?)\)\s*\{", read(chapter.tests), re.S)
+    for chapter in house.chapters():
+        file = root / "tests" / f"{chapter.folder}_test.cpp"
+        cases = re.findall(r"TEST_CASE\((.*?)\)\s*\{", read(file), re.S)
         tags = [tag for case in cases for tag in re.findall(r"\[(\d+\.\d+)\]", case)]
-        yield from differ(chapter.tests.name, list(dict.fromkeys(tags)), chapter.ids())
+        yield from differ(file.name, list(dict.fromkeys(tags)), chapter.ids())
 
 
 def every_exercise_has_wrong_answers(root, build):
     """every exercise has two known wrong answers, and no answer belongs to no exercise"""
-    places = {(r.id, n) for c in chapters(root) for r in c.regions()
-              for n in range(1, 1 + sum(other.id == r.id for other in c.regions()))}
+    places = Counter(region.id for chapter in house.chapters() for region in regions(chapter))
     count = Counter()
-    for path in [*files(root / "tests/wrong", ".cpp"), *files(root / "tests/right", ".cpp")]:
+    for path in files(root / "tests", ".cpp"):
+        kind = path.parent.name
+        if kind not in ("wrong", "right"):
+            continue
         id_, place, promise, body = exercises.read_answer(path)
-        where = f"tests/{path.parent.name}/{path.name}"
-        if (id_, place) not in places:
-            yield f"{where}: there is no region {place} of exercise {id_}"
-        if not body.strip():
-            yield f"{where} is empty"
-        if (path.parent.name == "wrong") != bool(promise):
-            yield f"{where}: '// expects:' belongs to every wrong answer and to no right one"
-        count[id_] += path.parent.name == "wrong"
-    for id_ in sorted({id_ for id_, _ in places}):
-        if count[id_] < 2:
-            yield f"exercise {id_} has {count[id_]} wrong answers: at least two are wanted"
+        if not 1 <= place <= places[id_] or not body.strip():
+            yield f"tests/{kind}/{path.name} is empty, or there is no region {place} of {id_}"
+        if (kind == "wrong") != bool(promise):
+            yield f"tests/{kind}/{path.name}: every wrong answer and no right one has '// expects:'"
+        count[id_] += kind == "wrong"
+    yield from (f"{id_} has {count[id_]} wrong answers: at least two are wanted"
+                for id_ in places if count[id_] < 2)
 
 
 def differ(where, found, wanted):
@@ -185,8 +159,8 @@ def differ(where, found, wanted):
 
 def texts_have_their_headings(root, build):
     """every chapter's text has the headings that all chapters have, in their order"""
-    for chapter in chapters(root):
-        found = [heading for heading, _ in sections(read(chapter.text), "##")]
+    for chapter in house.chapters():
+        found = [heading for heading, _ in sections(prose(read(chapter.text)), "##")]
         wanted = [h for h in HEADINGS if h not in OPTIONAL or h in found]
         if found != wanted:
             yield f"{chapter.folder}/README.md: {found} where {wanted} is wanted"
@@ -194,10 +168,10 @@ def texts_have_their_headings(root, build):
 
 def questions_have_answers(root, build):
     """every chapter asks three questions, and each has an answer"""
-    for chapter in chapters(root):
-        questions = dict(sections(read(chapter.text), "##")).get("Questions", "")
-        asked = re.findall(r"^(\d+)\. ", questions, re.M)
-        answered = [h.removeprefix("Question ") for h, _ in sections(read(chapter.answers), "##")]
+    for chapter in house.chapters():
+        asked = re.findall(r"^(\d+)\. ", section(chapter, "Questions"), re.M)
+        answers = prose(read(chapter.solution.parent / "answers.md"))
+        answered = [heading.removeprefix("Question ") for heading, _ in sections(answers, "##")]
         for what, numbers in (("README.md asks", asked), ("answers.md answers", answered)):
             if numbers != ["1", "2", "3"]:
                 yield f"{chapter.folder}/{what} {numbers}, not 1, 2, 3"
@@ -205,7 +179,7 @@ def questions_have_answers(root, build):
 
 def equations_exist(root, build):
     """every equation is numbered once, in order, and every number that is used exists"""
-    tags = {c.number: re.findall(r"\\tag\{([^}]*)\}", read(c.text)) for c in chapters(root)}
+    tags = {c.number: re.findall(r"\\tag\{([^}]*)\}", read(c.text)) for c in house.chapters()}
     for number, found in tags.items():
         wanted = [f"{number}-{n + 1}" for n in range(len(found))]
         if found != wanted or not found:
@@ -221,11 +195,11 @@ def equations_exist(root, build):
 
 def texts_keep_the_solution(root, build):
     """no line of a solution stands in a chapter's text or in a first or second hint"""
-    for chapter in chapters(root):
+    for chapter in house.chapters():
         hints = [hint for _, body in sections(read(chapter.hints), "##")
                  for number, hint in sections(body, "###") if number in "12"]
         public = folded(read(chapter.text) + " ".join(hints))
-        for region in chapter.regions():
+        for region in regions(chapter):
             for line in region.answer():
                 code = folded(line.split("//")[0])
                 if len(code) > 25 and code in public:
@@ -346,8 +320,7 @@ def untimed(path):
         return read(path)
     rows = table(path)
     timed = [k for k, column in enumerate(rows[0]) if re.match(r"(us|ns)_", column)]
-    last = len(rows[0])  # count from the right: a name on the left may hold a comma
-    return [[word for k, word in enumerate(row, last - len(row)) if k not in timed] for row in rows]
+    return [[word for k, word in enumerate(row) if k not in timed] for row in rows]
 
 
 PROOFS = [stubs_are_fresh, every_region_has_a_task, every_exercise_has_hints,

@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 
 import house
 
-DONE, OPEN, WAITS, WRONG, BROKEN = "done", "not written yet", "waits for", "wrong", "does not compile"
+DONE, OPEN, WAITS = "done", "not written yet", "waits for"
+WRONG, BROKEN = "wrong", "does not compile"
 
 
 @dataclass

@@ -192,8 +192,8 @@ def tour():
     house.progress_done()
     print()
     summary_table(chapters)
-    print("\nenergy drift: change of energy over the run, as a share of the energy to hand. Ropes "
-          "that\nbecome taut lose some, as in nature; what rods and balls lose is the error of the method.")
+    print("\nenergy drift: change of energy over the run, as a share of the energy to hand. Ropes\n"
+          "that become taut lose some, as in nature; what rods and balls lose is the method's error.")
     print("\n" + bold("pictures"))
     for path in dict.fromkeys(figures):
         print(f"  {house.short(path)}")

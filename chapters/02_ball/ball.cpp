@@ -33,7 +33,8 @@ vec3 block_impulse(const Jacobian<3>& J, const mat3& K, const vec3& bias, const 
 
 void apply_impulse(const Jacobian<3>& J, const vec3& lambda, Body& body1, Body& body2) {
   // begin [exercise 2.3]
-  // Change the velocities of both bodies by M^-1 J^T lambda: each row pushes with its own lambda[i].
+  // Change the velocities of both bodies by M^-1 J^T lambda, Eq. 2-8: each row pushes with its own
+  // lambda[i].
   todo("2.3");
   // end [exercise 2.3]
 }

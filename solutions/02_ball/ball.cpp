@@ -39,7 +39,8 @@ vec3 block_impulse(const Jacobian<3>& J, const mat3& K, const vec3& bias, const 
 
 void apply_impulse(const Jacobian<3>& J, const vec3& lambda, Body& body1, Body& body2) {
   // begin [exercise 2.3]
-  // Change the velocities of both bodies by M^-1 J^T lambda: each row pushes with its own lambda[i].
+  // Change the velocities of both bodies by M^-1 J^T lambda, Eq. 2-8: each row pushes with its own
+  // lambda[i].
   for (int i = 0; i < 3; ++i) {
     body1.v += body1.inverse_mass * lambda[i] * J[i].v1;  // Eq. 2-8
     body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);

@@ -63,7 +63,8 @@ TEST_CASE("more sweeps close the gaps of a thousand cubes on balls") {
 
 TEST_CASE("the tip of a short chain misses its reference by half a kick of gravity") {
   // semi-implicit Euler is too far down by g h t / 2 in free fall; a converged chain comes near it
-  const bench::Result result = bench::run([] { return bench::cubes_on_balls(1, 100); }, cold(2000), 1);
+  const bench::Result result =
+      bench::run([] { return bench::cubes_on_balls(1, 100); }, cold(2000), 1);
   CHECK(result.tip_error == Approx(9.81 / 60 / 2).epsilon(0.05));
 }
 

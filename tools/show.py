@@ -193,7 +193,7 @@ def tour():
     print()
     summary_table(chapters)
     print("\nenergy drift: change of energy over the run, as a share of the energy to hand. Ropes\n"
-          "that become taut lose some, as in nature; what rods and balls lose is the method's error.")
+          "that become taut lose some, as in nature; what rods and balls lose, the method loses.")
     print("\n" + bold("pictures"))
     for path in dict.fromkeys(figures):
         print(f"  {house.short(path)}")

@@ -29,6 +29,12 @@ void Blocks::append(int slot1, int slot2, int rows, const Row* rows_J, const rea
   J.insert(J.end(), rows_J, rows_J + rows);
   C.insert(C.end(), rows_C, rows_C + rows);
   K.insert(K.end(), rows_K, rows_K + rows * rows);
+  for (int i = 0; i < rows; ++i) {  // a row without a direction: nothing answers to it
+    const Row& row = rows_J[i];
+    if (row.v1 != vec3(0) || row.w1 != vec3(0) || row.v2 != vec3(0) || row.w2 != vec3(0)) continue;
+    real* K_block = &K[list.back().first_K];
+    for (int j = 0; j < rows; ++j) K_block[i * rows + j] = K_block[j * rows + i] = 0;
+  }
 }
 
 }  // namespace joints

@@ -54,7 +54,9 @@ quat rotation(const vec3& phi) {
   return quat(std::cos(half), scale * phi.x, scale * phi.y, scale * phi.z);
 }
 
-vec3 gyroscopic_midpoint(const vec3& inertia, const vec3& w, real h) {
+vec3 gyroscopic_midpoint(const vec3& moments, const vec3& w, real h) {
+  // only the ratios count; of order 1 their determinant neither overflows nor vanishes
+  const vec3 inertia = moments / glm::max(moments.x, glm::max(moments.y, moments.z));
   const mat3 I(inertia.x, 0, 0, 0, inertia.y, 0, 0, 0, inertia.z);
   vec3 next = w;
   for (int newton = 0; newton < 3; ++newton) {

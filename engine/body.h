@@ -68,8 +68,8 @@ void integrate_forces(Body& body, const vec3& gravity, real h);
 void integrate_pose(Body& body, real h);
 /// The angular velocity after a torque-free step of length h: implicit midpoint rule in the
 /// body's axes, which keeps the energy w.(I w)/2 exactly. \return new angular velocity, body space
-/// \param inertia principal moments [kg m^2] \param w angular velocity now [rad/s, body space]
-vec3 gyroscopic_midpoint(const vec3& inertia, const vec3& w, real h);
+/// \param moments principal moments [kg m^2] \param w angular velocity now [rad/s, body space]
+vec3 gyroscopic_midpoint(const vec3& moments, const vec3& w, real h);
 
 /// Names a body for as long as it lives: a slot of the array, and which tenant of that slot.
 struct BodyId {

@@ -13,7 +13,8 @@ void invert_symmetric(real* K, int n) {
 
   for (int k = 0; k < n; ++k) {
     const real pivot = at(k, k);
-    if (!(pivot > epsilon * original[k])) continue;  // a dependent row, or no mass at all
+    if (!(pivot > 4 * epsilon * original[k])) continue;  // a dependent row, or no mass at all:
+    // what is left of it is the rounding of the sweeps before, a few epsilon
     swept[k] = true;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)

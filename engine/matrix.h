@@ -78,7 +78,7 @@ inline real row_velocity(const Row& row, const Body& body1, const Body& body2) {
 }
 
 /// Inverts a symmetric positive matrix of n x n numbers (n at most 6) in place.
-/// A pivot at most epsilon(real) times its own original diagonal entry belongs to a row that
+/// A pivot at most 4 epsilon(real) times its own original diagonal entry belongs to a row that
 /// depends on the others: its row and column of the inverse become zero, so that it gets no
 /// impulse. No other threshold: masses and lengths may have any size.
 void invert_symmetric(real* K, int n);

@@ -43,14 +43,16 @@ double axis_error(const Mark& mark, const std::vector<Pose>& poses) {
   return std::atan2(length(cross(a, b)), dot(a, b));
 }
 
+// The larger of two numbers; a NaN gets through and stays.
+static double larger(double a, double b) { return std::isnan(a) || a >= b ? a : b; }
+
 void GapMeter::look(const std::vector<Mark>& marks, const std::vector<Pose>& poses) {
   for (const Mark& mark : marks) {
     const double size = gap(mark, poses);
     sum_of_squares_ += size * size;
     ++count_;
-    max_ = size <= max_ ? max_ : size;  // a NaN gets through and stays
-    const double angle = axis_error(mark, poses);
-    axis_max_ = angle <= axis_max_ ? axis_max_ : angle;
+    max_ = larger(max_, size);
+    axis_max_ = larger(axis_max_, axis_error(mark, poses));
   }
 }
 

@@ -21,6 +21,9 @@ class PartJoint : public Joint {
   PartJoint(BodyId body1, BodyId body2, const Part& part) : Joint(body1, body2), part(part) {
     check(part);
   }
+  void begin_step(const Bodies& bodies, real) override {
+    if (bodies[body1].is_static() && bodies[body2].is_static()) impulse_ = {};  // no live row
+  }
   void append(const Bodies& bodies, Blocks& blocks) const override {
     const real lower = Part::one_sided ? real(0) : -unbounded;
     blocks.append(bodies, body1, body2, part, {.beta = beta, .lower = lower}, impulse_.data());

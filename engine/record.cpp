@@ -28,6 +28,16 @@ std::string field(const std::string& word) {
   return word.find(',') == std::string::npos ? word : '"' + word + '"';
 }
 
+// A text of a JSON file.
+std::string json(const std::string& words) {
+  std::string out = "\"";
+  for (char c : words) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return out + '"';
+}
+
 std::string triple(const std::array<double, 3>& a) {
   return "[" + text(a[0]) + "," + text(a[1]) + "," + text(a[2]) + "]";
 }
@@ -63,7 +73,10 @@ void CsvFile::row(std::initializer_list<std::string> words,
 }
 
 Motion::Motion(std::string title, double h, int every)
-    : title_(std::move(title)), h_(h), every_(every) {}
+    : title_(std::move(title)), h_(h), every_(every) {
+  require(std::isfinite(h) && h > 0, "h: the time between two frames must be positive [s]");
+  require(every > 0, "every: one frame of how many, at least 1");
+}
 
 void Motion::body(const Shape& shape) { shapes_.push_back(shape); }
 void Motion::line(const Line& line) { lines_.push_back(line); }
@@ -79,7 +92,7 @@ void Motion::frame(const Body* bodies) {
 
 void Motion::write(const std::string& path) const {
   std::ofstream file = open(path);
-  file << "{\"title\":\"" << title_ << "\",\"dt\":" << text(h_ * every_) << ",\"bodies\":[";
+  file << "{\"title\":" << json(title_) << ",\"dt\":" << text(h_ * every_) << ",\"bodies\":[";
   for (std::size_t i = 0; i < shapes_.size(); ++i)
     file << (i ? "," : "") << "{\"kind\":\"" << shapes_[i].kind
          << "\",\"size\":" << triple(shapes_[i].size) << "}";

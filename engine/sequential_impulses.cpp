@@ -103,13 +103,15 @@ void SequentialImpulses::prepare_rows(const Bodies& bodies, const Block& block, 
   prepared_.push_back(out);
 }
 
-// Warm: apply what the joints remember of the last step. Cold: make them forget it.
+// Warm: apply what the joints remember of the last step. Cold: make them forget it. A row that can
+// do nothing now (no direction, or dependent on others) forgets it too.
 void SequentialImpulses::apply_stored_impulses(Bodies& bodies, real scale) {
   for (const Prepared& block : prepared_) {
     Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
     for (int i = 0; i < block.rows; ++i) {
       real& lambda = block.impulse[i];
-      lambda = warm_start ? scale * lambda : 0;
+      const bool live = inverse_K_[block.first_K + i * block.rows + i] > 0;
+      lambda = warm_start && live ? scale * lambda : 0;
       const PreparedRow& row = rows_[block.first + i];
       body1.v += body1.inverse_mass * lambda * row.J.v1;
       body1.w += lambda * row.turn1;

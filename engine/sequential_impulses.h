@@ -1,6 +1,7 @@
 // Sequential Impulses (Catto 2006; Algorithm 1 of the thesis): the engine's own solver.
 #pragma once
 
+#include <optional>
 #include <random>
 
 #include "engine/world.h"
@@ -75,7 +76,7 @@ class SequentialImpulses {
   std::vector<real> inverse_K_;
   std::vector<int> sequence_;
   std::mt19937 random_;
-  unsigned seeded_with_ = 0;
+  std::optional<unsigned> seeded_with_;  // empty before the first draw
   real last_h_ = 0;
 };
 

@@ -296,16 +296,20 @@ std::vector<std::string> poses_of(const std::vector<const Sample*>& samples) {
   return names;
 }
 
-// The fewest mistakes that explain all samples, each with its poses.
+// The fewest mistakes that explain all samples, each with its poses. The pose of the text has many
+// zeros, so that a mistake may fit there by chance: it must be one that shows elsewhere, too.
 std::string likely_mistakes(std::vector<const Sample*> open) {
   std::string out;
   const auto names = [](const Sample* s, const std::string& words) {
     return std::find(s->mistakes.begin(), s->mistakes.end(), words) != s->mistakes.end();
   };
-  while (!open.empty()) {
+  const auto by_hand = [](const Sample* s) { return s->pose == pencil_and_paper; };
+  const bool only_by_hand = std::all_of(open.begin(), open.end(), by_hand);
+  while (only_by_hand ? !open.empty() : !std::all_of(open.begin(), open.end(), by_hand)) {
     std::string best;
     std::vector<const Sample*> explained;
-    for (const Sample* s : open)
+    for (const Sample* s : open) {
+      if (by_hand(s) && !only_by_hand) continue;
       for (const std::string& words : s->mistakes) {
         std::vector<const Sample*> also;
         std::copy_if(open.begin(), open.end(), std::back_inserter(also),
@@ -314,6 +318,7 @@ std::string likely_mistakes(std::vector<const Sample*> open) {
         best = words;
         explained = also;
       }
+    }
     if (explained.empty())
       return out + "None of the usual mistakes explains it (" + joined(poses_of(open)) +
              "): compare it with the equation, entry by entry.\n";

@@ -132,31 +132,17 @@ std::vector<std::string> row_names() {
   return {Fixture::rows.begin(), Fixture::rows.end()};
 }
 
-/// The pair after `change` of body 1, of body 2, of both: is an answer right there that is wrong
-/// elsewhere, then what was taken away is what it gets wrong.
-inline std::array<Pair, 3> changed(const Pair& pair, const std::function<void(Body&)>& change) {
-  std::array<Pair, 3> out{pair, pair, pair};
-  change(out[0].body1);
-  change(out[1].body2);
-  change(out[2].body1);
-  change(out[2].body2);
-  return out;
-}
+/// The pair with body 1, body 2, both not turned: an answer that is right there and wrong elsewhere
+/// has left a lever in body space.
 inline std::array<Pair, 3> unturned(const Pair& pair) {
-  return changed(pair, [](Body& body) { body.q = quat(1, 0, 0, 0); });
-}
-inline std::array<Pair, 3> isotropic(const Pair& pair) {
-  return changed(pair, [](Body& b) { b.inverse_inertia_local = vec3(b.inverse_inertia_local.x); });
+  std::array<Pair, 3> out{pair, pair, pair};
+  out[0].body1.q = out[1].body2.q = out[2].body1.q = out[2].body2.q = quat(1, 0, 0, 0);
+  return out;
 }
 inline constexpr std::array body_space_arm{
     "body-space arm: the lever of body 1 is not turned into the world",
     "body-space arm: the lever of body 2 is not turned into the world",
     "body-space arm: the levers of both bodies are not turned into the world"};
-inline constexpr std::array body_space_inertia{
-    "body-space inertia of body 1: it must be turned into the world, R I^-1 R^T",
-    "body-space inertia of body 2: it must be turned into the world, R I^-1 R^T",
-    "body-space inertia of both bodies: it must be turned into the world, R I^-1 R^T"};
-
 /// The Jacobians of some mistakes with levers. A fixture may have more of them in a function
 /// `mistakes(part, pair)`.
 template <class Fixture, int N>
@@ -232,6 +218,12 @@ template <class Fixture, int N>
 auto wrong_Ks(const typename Fixture::Part& part, const Jacobian<N>& J, const Pair& pair) {
   const Body &a = pair.body1, &b = pair.body2;
   const mat3 I1 = inverse_inertia(a), I2 = inverse_inertia(b), none(0);
+  const auto with_turn = [](Body body, const quat& q) {
+    body.q = q;
+    return inverse_inertia(body);
+  };
+  const quat unturned(1, 0, 0, 0);
+  const mat3 local1 = with_turn(a, unturned), local2 = with_turn(b, unturned);
   const real m1 = a.inverse_mass, m2 = b.inverse_mass, both = 1 / (1 / m1 + 1 / m2);
   std::vector<std::pair<std::string, Matrix<N>>> out;
   const auto add = [&](const char* words, real p1, const mat3& A1, real p2, const mat3& A2) {
@@ -262,6 +254,14 @@ auto wrong_Ks(const typename Fixture::Part& part, const Jacobian<N>& J, const Pa
   add("the inverse mass of body 2 is missing", m1, I1, 0, I2);
   add("the inverse masses are missing", 0, I1, 0, I2);
   add("the inverse inertia is missing", m1, mat3(1), m2, mat3(1));
+  add("body-space inertia of body 1: it must be turned into the world, R I^-1 R^T", m1, local1, m2,
+      I2);
+  add("body-space inertia of body 2: it must be turned into the world, R I^-1 R^T", m1, I1, m2,
+      local2);
+  add("body-space inertia of both bodies: it must be turned into the world, R I^-1 R^T", m1, local1,
+      m2, local2);
+  add("the inertia is turned the wrong way round: R I^-1 R^T, not R^T I^-1 R", m1,
+      with_turn(a, conjugate(a.q)), m2, with_turn(b, conjugate(b.q)));
   add("the sign of the rotation's share: it is added (skew(r) I^-1 skew(r) lacks a transpose)", m1,
       -I1, m2, -I2);
   add("the sign of body 1's share: the shares of both bodies are added", -m1, -I1, m2, I2);
@@ -288,8 +288,7 @@ Sample K_sample(int pose, const typename Fixture::Part& part, const Pair& pair,
   for (const auto& [words, wrong] : wrong_Ks<Fixture>(part, J(pair), pair))
     if (close(sample.yours, flat(wrong), K_tolerance)) sample.mistakes.push_back(words);
   for (int k = 0; k < 3; ++k)
-    if (holds(isotropic(pair)[k])) sample.mistakes.push_back(body_space_inertia[k]);
-    else if (holds(unturned(pair)[k])) sample.mistakes.push_back(body_space_arm[k]);
+    if (holds(unturned(pair)[k])) sample.mistakes.push_back(body_space_arm[k]);
   return sample;
 }
 

@@ -22,7 +22,8 @@ HEADINGS = ["Goal", "Derivation", "Numbers", "Code", "Exercises", "Check", "Pred
 OPTIONAL = {"A printed formula that is wrong: find it"}
 PROGRAMS = ["01_distance_run", "02_ball_run"]
 LONG_FILES = {"tests/01_distance_test.cpp": "the tests of six exercises",
-              "tests/check.cpp": "the reports and the usual mistakes"}
+              "tests/check.cpp": "the reports and the usual mistakes",
+              "tests/workbook_test.py": "many short proofs"}
 MOST_LINES, MOST_COLUMNS = 330, 100
 notes = []
 
@@ -89,7 +90,7 @@ def stubs_are_fresh(root, build):
                 notes.append(f"{where} " + ("holds work" if same else "differs from the stub "
                                             "outside the exercises, too"))
             except exercises.Broken as error:
-                notes.append(str(error))
+                notes.append(str(error).replace("this file", str(where)))
 
 
 def every_region_has_a_task(root, build):
@@ -186,7 +187,7 @@ def equations_exist(root, build):
             yield f"chapter {number}: the equations are {found}"
     known = {tag for found in tags.values() for tag in found}
     used = re.compile(r"\bEqs?\. (\d+-\d+(?:(?:,| and| or| to|, and) \d+-\d+)*)")
-    for path in files(root, ".cpp", ".h", ".md"):
+    for path in files(root, ".cpp", ".h", ".md", ".py"):
         text = prose(read(path)) if path.suffix == ".md" else read(path)
         for match in used.finditer(folded(text)):
             for tag in set(re.findall(r"\d+-\d+", match[1])) - known:
@@ -287,6 +288,8 @@ def bad_words_are_refused(root, build):
                     yield f"{program} {words}: exit status {result.returncode}, not 2"
                 elif result.stderr.count("\n") != 1 or name not in result.stderr:
                     yield f"{program} {words}: says {result.stderr!r}"
+                if os.listdir(folder) != ["file"]:
+                    yield f"{program} {words}: writes something all the same"
             help_ = run(build / program, "--help", cwd=folder)
             if help_.returncode != 0 or help_.stderr or "--iterations" not in help_.stdout:
                 yield f"{program} --help: exit status {help_.returncode}, {help_.stderr!r}"
@@ -336,6 +339,7 @@ def main(arguments):
         print("workbook_test.py ROOT BUILD", file=sys.stderr)
         return 2
     root, build = (Path(argument).resolve() for argument in arguments)
+    house.ROOT = root
     broken = 0
     for proof in PROOFS:
         wrong = list(proof(root, build))

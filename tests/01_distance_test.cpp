@@ -73,7 +73,7 @@ TEST_CASE("1.2 a static body adds nothing to K", "[1.2]") {
 
 namespace {
 const Subject impulse{"1.3", "the impulse of a row"};
-const Subject application{"1.3", "applying the impulse of a row"};
+const Subject application{"1.3", "applying the impulse of a row", 2};
 }  // namespace
 
 TEST_CASE("1.3 the impulse is what the row lacks over K", "[1.3]") {

@@ -54,7 +54,7 @@ TEST_CASE("2.2 K between two static bodies is zero", "[2.2]") {
 namespace {
 
 const Subject impulse{"2.3", "the impulse of a block"};
-const Subject application{"2.3", "applying the impulse of a block"};
+const Subject application{"2.3", "applying the impulse of a block", 2};
 
 // J and K of a ball joint from the numeric twin, so that this exercise waits for no other.
 struct Joint3 {

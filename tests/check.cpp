@@ -108,7 +108,7 @@ void check(const Subject& subject, const std::string& report) {
 void fail(const Subject& subject, const std::string& words) {
   const std::string id = subject.id;
   std::string all = (id.empty() ? "" : "Exercise " + id + ": ") + subject.words + "\n\n" + words;
-  const std::string place = exercise_place(id);
+  const std::string place = exercise_place(id, subject.region);
   if (!place.empty()) all += "\nWhere: " + place + "\nNext:  ./wb hint " + id + "\n";
   std::string report;
   for (std::size_t from = 0; from < all.size();) {

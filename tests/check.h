@@ -24,6 +24,7 @@ namespace joints::testing {
 struct Subject {
   const char* id;
   const char* words;
+  int region = 1;  ///< which of the regions that share the id
 };
 
 using Numbers = std::vector<double>;

@@ -49,7 +49,7 @@ struct CentreDistanceFixture {
 struct DistanceFixture {
   using Part = Distance;
   static constexpr Subject J{"1.6", "the row J of a rod between anchors"};
-  static constexpr Subject K{"1.6", "K of a rod between anchors"};
+  static constexpr Subject K{"1.6", "K of a rod between anchors", 2};
   static constexpr std::array rows{"C"};
   static constexpr bool exact_when_broken = true;
   static Part make(const Pair& pair) {

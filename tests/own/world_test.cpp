@@ -56,6 +56,7 @@ TEST_CASE("a slot that became free is given to the next body and old ids are ref
   hanging.world.remove(old);
   CHECK_FALSE(bodies.alive(old));
   CHECK_FALSE(bodies.used(int(old.slot)));
+  CHECK(bodies.at(int(old.slot)).is_static());  // an empty slot is nothing that could fall
   CHECK_THROWS_AS(bodies[old], std::invalid_argument);
   CHECK_THROWS_AS(hanging.world.remove(old), std::invalid_argument);
   CHECK(bodies.size() == 3);

@@ -143,7 +143,7 @@ def blow(solution, mine, out):
     strips = {(who, order): strip(table["blow"], order) for who, table in sources
               for order in orders}
     needs = [crossing(strips["the solution", order]) for order in orders]
-    title = "The blow crosses the chain in " + ", in ".join(
+    title = "The blow is at joint 2 after " + ", after ".join(
         f"{need} sweep{'s' * (need != 1)} {order}" for need, order in zip(needs, orders))
     figure, axes = style.figure(title, len(orders), len(sources), sharex=True, sharey=True,
                                 squeeze=False)
@@ -194,7 +194,7 @@ def describe(ax, values, touched):
     else:
         ax.annotate("", (0, joints - first), (0, joints - 0.4),
                     arrowprops={"arrowstyle": "->", "color": INK, "linewidth": 1.2})
-        ax.text(0.97, 0.2, f"the first sweep\nreaches {first} joints", ha="right", fontsize=9,
+        ax.text(0.97, 0.2, f"the first sweep\ndisturbs {first} joints", ha="right", fontsize=9,
                 transform=ax.transAxes)
     for joint in (0, joints - 1):
         if (values[joint, 1:3] < FAINTEST).all() and touched[joint, 2]:

@@ -268,7 +268,7 @@ auto wrong_Ks(const typename Fixture::Part& part, const Jacobian<N>& J, const Pa
   add("the sign of body 1's share: the shares of both bodies are added", -m1, -I1, m2, I2);
   add("the sign of body 2's share: the shares of both bodies are added", m1, I1, -m2, -I2);
   add("the lever of one body with the inertia of the other", m1, I2, m2, I1);
-  out.push_back({"a matrix plus a number adds it to all nine entries: write mat3(mm)",
+  out.push_back({"a matrix plus a number adds it to all nine entries: write mat3(a)",
                  everywhere});
   for (const auto& [words, wrong] : wrong_jacobians<Fixture>(part, J, pair))
     out.push_back({words, product_K(wrong, m1, I1, m2, I2)});

@@ -77,6 +77,7 @@ def test(word):
         grades = grading.grade(chapter)
     if grades[0].status == grading.BROKEN:
         print(f"{house.short(chapter.mine)}: {bad('does not compile')}\n")
+        place_of_error(chapter, grades[0].detail)
         print(indented(grades[0].detail))
         return 1
     stopped = False
@@ -99,8 +100,19 @@ def after(chapter, id_):
     place = ids.index(id_)
     if place + 1 < len(ids):
         return f"Next: {ids[place + 1]}, {chapter.place(ids[place + 1])}"
-    return f"See what you built: ./wb run {chapter.number}, ./wb plot {chapter.number}, " \
-           f"./wb see {chapter.number}"
+    words = f"See what you built: ./wb run {chapter.number}, ./wb plot {chapter.number}, " \
+            f"./wb see {chapter.number}"
+    later = [c for c in house.chapters() if c.number == chapter.number + 1]
+    return words + (f"\nThen {house.short(later[0].text)}" if later else "")
+
+
+def place_of_error(chapter, words):
+    """Which exercise the first error of the compiler lies in."""
+    match = re.search(rf"{re.escape(chapter.mine.name)}:(\d+):", words)
+    for region in exercises.regions(chapter.mine.read_text()) if match else []:
+        if region.begin <= int(match[1]) <= region.end + 1:
+            print(f"  The first error lies in exercise {region.id}, line {match[1]}.\n")
+            return
 
 
 def watch(word):

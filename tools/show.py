@@ -71,6 +71,7 @@ def run(chapter, options):
         program = f"{chapter.folder}_run_mine"
     folder = MINE / chapter.folder
     call_program(program, folder, options, False)
+    (folder / "options.txt").write_text(" ".join(options))  # for the solution to be run alike
     print(faint(f"tables: {house.short(folder)}/   figures: ./wb plot {chapter.number}   "
                 f"motion: ./wb see {chapter.number}"))
     return 0
@@ -83,19 +84,27 @@ def stale(folder, program):
 
 
 def both_runs(chapter):
-    """Sees to it that both recorded runs are there; returns the reader's folder or None.
+    """Sees to it that both recorded runs are there: (solution's folder, reader's or None).
 
-    What ./wb run recorded, with whatever options, is kept: it is what the reader wants to see.
+    What ./wb run recorded is kept, with the options it was given: it is what the reader wants to
+    see. The solution it is laid over has run with the same options.
     """
     house.must_build([f"{chapter.folder}_run"])
-    if stale(SOLUTIONS / chapter.folder, house.BUILD / f"{chapter.folder}_run"):
+    solution, mine = SOLUTIONS / chapter.folder, MINE / chapter.folder
+    if stale(solution, house.BUILD / f"{chapter.folder}_run"):
         run_solution(chapter)
-    mine = MINE / chapter.folder
+    note = mine / "options.txt"
+    options = note.read_text().split() if note.exists() else []
     if prepare_mine(chapter) is None:
-        return mine if (mine / "summary.csv").exists() else None
-    if stale(mine, house.BUILD / f"{chapter.folder}_run_mine"):
-        call_program(f"{chapter.folder}_run_mine", mine, [], True)
-    return mine
+        if not (mine / "summary.csv").exists():
+            return solution, None
+    elif stale(mine, house.BUILD / f"{chapter.folder}_run_mine"):
+        call_program(f"{chapter.folder}_run_mine", mine, options, True)
+    if options:
+        solution = house.OUT / "solutions_alike" / chapter.folder
+        call_program(f"{chapter.folder}_run", solution, options, True)
+        print(f"with {' '.join(options)}, as ./wb run {chapter.number} was called last")
+    return solution, mine
 
 
 # ---- figures and pages ---------------------------------------------------------------------------
@@ -112,8 +121,8 @@ def draw(script, *arguments):
 
 
 def plot_chapter(chapter, with_mine=True):
-    mine = both_runs(chapter) if with_mine else None
-    arguments = ["--solution", SOLUTIONS / chapter.folder]
+    solution, mine = both_runs(chapter) if with_mine else (SOLUTIONS / chapter.folder, None)
+    arguments = ["--solution", solution]
     if mine:
         arguments += ["--mine", mine]
     return draw(f"chapter_{chapter.number:02}.py", *arguments)
@@ -133,12 +142,11 @@ def plot(chapter):
     return 0
 
 
-def make_page(chapter, mine):
+def make_page(chapter, solution, mine):
     page = house.OUT / "see" / f"{chapter.folder}.html"
     page.parent.mkdir(parents=True, exist_ok=True)
     try:
-        motion.write_page(page, f"Chapter {chapter.number}: {chapter.name}",
-                          SOLUTIONS / chapter.folder, mine)
+        motion.write_page(page, f"Chapter {chapter.number}: {chapter.name}", solution, mine)
     except motion.MotionError as error:
         raise house.Trouble(str(error))
     return page
@@ -146,8 +154,8 @@ def make_page(chapter, mine):
 
 def see(chapter):
     """The page that plays the motion."""
-    mine = both_runs(chapter)
-    page = make_page(chapter, mine)
+    solution, mine = both_runs(chapter)
+    page = make_page(chapter, solution, mine)
     print(f"{house.short(page)}" + ("" if mine else "   (the solution; yours is not written yet)"))
     if house.TERMINAL and ("DISPLAY" in os.environ or "WAYLAND_DISPLAY" in os.environ
                            or sys.platform == "darwin"):
@@ -185,7 +193,7 @@ def tour():
         run_solution(chapter)
         house.progress(f"chapter {chapter.number}: drawing")
         figures += plot_chapter(chapter, with_mine=False)
-        pages.append(make_page(chapter, None))
+        pages.append(make_page(chapter, SOLUTIONS / chapter.folder, None))
     house.progress("error against run time, the short form")
     run_bench("work_precision", ["--quick", "1"])
     figures += draw("work_precision.py", "--csv", TABLE)

@@ -40,7 +40,7 @@ vec3 block_impulse(const Jacobian<3>& J, const mat3& K, const vec3& bias, const 
 void apply_impulse(const Jacobian<3>& J, const vec3& lambda, Body& body1, Body& body2) {
   // begin [exercise 2.3]
   // Change the velocities of both bodies by M^-1 J^T lambda, Eq. 2-8: each row pushes with its own
-  // lambda[i].
+  // lambda[i] along J[i].v1, J[i].w1, J[i].v2, J[i].w2, as the one row of exercise 1.3 did.
   for (int i = 0; i < 3; ++i) {
     body1.v += body1.inverse_mass * lambda[i] * J[i].v1;  // Eq. 2-8
     body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);

@@ -22,7 +22,8 @@ class Joint {
   virtual ~Joint() = default;
 
   /// Called once before the blocks are asked for; may change the joint (count turns, choose the
-  /// live rows, zero the impulse of a row that died). \param h step [s]
+  /// live rows, zero the impulse of a row that died). Call this one from yours: it remembers h.
+  /// \param h step [s]
   virtual void begin_step(const Bodies& bodies, real h);
   /// Appends the live blocks at the bodies' present poses. Has no side effect, so that it may be
   /// asked again at other poses.
@@ -38,6 +39,14 @@ class Joint {
     int motors = 0;       ///< motors, running or not
   };
   virtual Extras extras() const;  ///< none, unless a joint says otherwise
+
+  /// The mean force in the last step of a row with this impulse, impulse / h [N or N m]; 0 before
+  /// the first step.
+  real in_step(real impulse) const { return h_ > 0 ? impulse / h_ : real(0); }
+  real last_h() const { return h_; }  ///< length of the last step [s], 0 before the first
+
+ private:
+  real h_ = 0;  // the last step [s]
 };
 
 }  // namespace joints

@@ -21,7 +21,8 @@ class PartJoint : public Joint {
   PartJoint(BodyId body1, BodyId body2, const Part& part) : Joint(body1, body2), part(part) {
     check(part);
   }
-  void begin_step(const Bodies& bodies, real) override {
+  void begin_step(const Bodies& bodies, real h) override {
+    Joint::begin_step(bodies, h);
     if (bodies[body1].is_static() && bodies[body2].is_static()) impulse_ = {};  // no live row
   }
   void append(const Bodies& bodies, Blocks& blocks) const override {
@@ -31,6 +32,12 @@ class PartJoint : public Joint {
   int most_rows() const override { return Part::rows; }
   /// The impulse of each row in the last step [N s, or N m s for an angular row].
   const Vector<Part::rows>& impulse() const { return impulse_; }
+  /// The mean force of each row in the last step, impulse / h [N or N m].
+  Vector<Part::rows> forces() const {
+    Vector<Part::rows> out;
+    for (int i = 0; i < Part::rows; ++i) out[i] = in_step(impulse_[i]);
+    return out;
+  }
 
  private:
   mutable Vector<Part::rows> impulse_{};  // written by the solver through the block

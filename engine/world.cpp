@@ -5,7 +5,7 @@
 
 namespace joints {
 
-void Joint::begin_step(const Bodies&, real) {}
+void Joint::begin_step(const Bodies&, real h) { h_ = h; }
 void Joint::second_look(const Bodies&, real, Blocks&) {}
 Joint::Extras Joint::extras() const { return {}; }
 

@@ -15,7 +15,7 @@ const real h = real(1) / 60;
 
 // Two parts on top of each other in one block.
 template <class A, class B>
-struct Stack {
+struct Pile {
   A a;
   B b;
   static constexpr int rows = A::rows + B::rows;
@@ -41,7 +41,7 @@ struct Stack {
   }
 };
 template <class A, class B>
-void check(const Stack<A, B>&) {}
+void check(const Pile<A, B>&) {}
 
 // One sweep of one block of N random rows against the dense solution. \return its Touches
 template <int N>
@@ -155,7 +155,7 @@ TEST_CASE("X14 two identical ball joints hold a pendulum as one does") {
     world.add<BallJoint>(a, b, part);
   };
   const auto both_in_one_block = [](World& world, BodyId a, BodyId b, const Point& part) {
-    world.add<PartJoint<Stack<Point, Point>>>(a, b, Stack<Point, Point>{part, part});
+    world.add<PartJoint<Pile<Point, Point>>>(a, b, Pile<Point, Point>{part, part});
   };
   for (bool warm : {false, true})
     for (Order order : {Order::forward, Order::alternating}) {
@@ -176,7 +176,7 @@ TEST_CASE("a rod that a ball joint already holds adds nothing and takes nothing 
   const auto ball_and_rod = [](World& world, BodyId a, BodyId b, const Point& part) {
     // from the ceiling's other corner to the anchor of the body: always 2 m
     const Distance rod{part.anchor1_local + vec3(0, 2, 0), part.anchor2_local, 2};
-    world.add<PartJoint<Stack<Point, Distance>>>(a, b, Stack<Point, Distance>{part, rod});
+    world.add<PartJoint<Pile<Point, Distance>>>(a, b, Pile<Point, Distance>{part, rod});
   };
   SequentialImpulses solver;
   const std::vector<vec3> path = swing(ball_alone, solver, 120);

@@ -1,0 +1,155 @@
+// A joint with one free coordinate that may have limits and a motor: what hinge and slider share.
+// Given, there is nothing to edit here.
+#pragma once
+
+#include "chapters/03_hinge/stack.h"
+#include "engine/reaction.h"
+
+/// \addtogroup chapter3
+/// @{
+namespace joints {
+
+/// Two rigid parts, and the part whose error is the coordinate that they leave free.
+/// Its blocks in order: motor, limit, rigid rows, so that the rigid rows have the last word. As a
+/// `whole` joint the rigid rows are one block, and the limit is that block's last row.
+template <class First, class Second, class Coordinate>
+class DrivenJoint : public Joint {
+ public:
+  First first;            ///< a rigid part
+  Second second;          ///< the other rigid part
+  Coordinate coordinate;  ///< the angle [rad] or way [m] that stays free
+  bool whole = true;      ///< one block for all rigid rows and the limit, not one for each part
+
+  /// Bounds for the coordinate, of any width; equal ones hold it where it is.
+  /// \throws std::invalid_argument unless lower <= upper
+  void set_limits(real lower, real upper) {
+    require(lower <= upper, "lower: must not be above upper [rad or m]");
+    range_ = {lower, upper};
+  }
+  void clear_limits() { range_ = {}; }  ///< free again
+  /// Runs the motor. \param speed [rad/s or m/s] \param strength [N m or N], 0 to switch it off
+  /// \throws std::invalid_argument unless the speed is finite and the strength not negative
+  void set_motor(real speed, real strength) {
+    require(finite(speed), "speed: must be finite [rad/s or m/s]");
+    require(strength >= 0, "strength: must not be negative [N m or N]");
+    motor_ = {speed, strength};
+  }
+  const Range& limits() const { return range_; }  ///< the bounds of the coordinate
+  const Motor& motor() const { return motor_; }   ///< what the motor is set to
+
+  /// The coordinate [rad or m]. Turns are counted while the joint has a limit or a running motor.
+  real position(const Bodies& bodies) const {
+    return coordinate.error(bodies[body1], bodies[body2]);
+  }
+  /// Its rate [rad/s or m/s].
+  real speed(const Bodies& bodies) const {
+    const Body &a = bodies[body1], &b = bodies[body2];
+    return row_velocity(coordinate.jacobian(a, b), a, b);
+  }
+  real motor_force() const { return in_step(impulse_[motor_place]); }  ///< last step [N m or N]
+  /// What the limits gave in the last step [N m or N]; positive pushes the coordinate up.
+  real limit_force() const {
+    return in_step(limit_.sign * impulse_[limit_place] + late_.sign * impulse_[late_place]);
+  }
+  /// The forces of the rigid rows in the last step [N or N m], first part, then second.
+  Vector<First::rows + Second::rows> forces() const {
+    Vector<First::rows + Second::rows> out;
+    for (int i = 0; i < limit_place; ++i) out[i] = in_step(impulse_[i]);
+    return out;
+  }
+
+  void begin_step(const Bodies& bodies, real h) override;
+  void append(const Bodies& bodies, Blocks& blocks) const override;
+  void second_look(const Bodies& bodies, real h, Blocks& blocks) override;
+  int most_rows() const override { return places; }
+  Extras extras() const override {
+    return {limited() ? 1 : 0, limit_.live || late_.live ? 1 : 0, motor_.strength > 0 ? 1 : 0};
+  }
+
+ protected:
+  DrivenJoint(BodyId body1, BodyId body2, const First& first, const Second& second,
+              const Coordinate& coordinate)
+      : Joint(body1, body2), first(first), second(second), coordinate(coordinate) {}
+
+ private:
+  // Places of the impulses: rigid rows, the limit right behind them, motor, late limit.
+  static constexpr int limit_place = First::rows + Second::rows;
+  static constexpr int motor_place = limit_place + 1, late_place = limit_place + 2;
+  static constexpr int places = limit_place + 3;
+
+  bool limited() const { return range_.lower > -unbounded || range_.upper < unbounded; }
+  bool held() const { return range_.lower == range_.upper; }
+  Limit<Coordinate> limit_part(real sign) const {
+    return {coordinate, sign > 0 ? range_.lower : range_.upper, sign};
+  }
+  Demand limit_demand() const { return {.beta = beta, .lower = held() ? -unbounded : real(0)}; }
+
+  Range range_;
+  Motor motor_;
+  LimitRow limit_, late_;  // the limit that has a row in this step; one found by the second look
+  real x_ = 0, next_ = 0;  // the coordinate, and where it will be at the end of the step
+  mutable Vector<places> impulse_{};  // written by the solver through the blocks
+};
+
+template <class First, class Second, class Coordinate>
+void DrivenJoint<First, Second, Coordinate>::begin_step(const Bodies& bodies, real h) {
+  Joint::begin_step(bodies, h);
+  const LimitRow before = limit_;
+  limit_ = late_ = {};
+  if (bodies[body1].is_static() && bodies[body2].is_static()) {
+    impulse_ = {};  // no live row
+    return;
+  }
+  if (limited() || motor_.strength > 0) {
+    coordinate.expected = next_;
+    next_ = x_ = position(bodies);
+  }
+  if (limited()) limit_ = limit_row(range_, x_, speed(bodies), h);
+  if (!limit_.live || !before.live || limit_.sign != before.sign) impulse_[limit_place] = 0;
+  if (motor_.strength == 0) impulse_[motor_place] = 0;
+  impulse_[late_place] = 0;
+}
+
+template <class First, class Second, class Coordinate>
+void DrivenJoint<First, Second, Coordinate>::append(const Bodies& bodies, Blocks& blocks) const {
+  const auto add = [&](const auto& part, const Demand& demand, int place) {
+    blocks.append(bodies, body1, body2, part, demand, &impulse_[place]);
+  };
+  if (motor_.strength > 0)
+    add(coordinate,
+        {.target = motor_.speed, .lower = -motor_.strength, .upper = motor_.strength},
+        motor_place);
+  const Limit<Coordinate> limit = limit_part(limit_.sign);
+  const Stack<First, Second> rigid{first, second};
+  if (!whole) {
+    if (limit_.live) add(limit, limit_demand(), limit_place);
+    add(first, {.beta = beta}, 0);
+    add(second, {.beta = beta}, First::rows);
+  } else if (limit_.live) {
+    add(Stack<Stack<First, Second>, Limit<Coordinate>>{rigid, limit}, limit_demand(), 0);
+  } else {
+    add(rigid, {.beta = beta}, 0);
+  }
+  if (late_.live) add(limit_part(late_.sign), limit_demand(), late_place);
+}
+
+// A neighbour may have driven the joint past a limit that looked far enough away.
+template <class First, class Second, class Coordinate>
+void DrivenJoint<First, Second, Coordinate>::second_look(const Bodies& bodies, real h,
+                                                         Blocks& blocks) {
+  if (bodies[body1].is_static() && bodies[body2].is_static()) return;
+  if (!limited() && motor_.strength == 0) return;
+  const real rate = speed(bodies);
+  next_ = x_ + h * rate;
+  if (!limited() || held() || late_.live) return;
+  for (const real sign : {real(1), real(-1)}) {
+    const real C = sign * (x_ - limit_part(sign).bound);
+    if (C + h * sign * rate >= 0 || (limit_.live && limit_.sign == sign)) continue;
+    late_ = {C, sign, true};
+    blocks.append(bodies, body1, body2, limit_part(sign), limit_demand(), &impulse_[late_place]);
+    return;
+  }
+}
+
+}  // namespace joints
+/// @}

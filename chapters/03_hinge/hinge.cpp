@@ -1,0 +1,128 @@
+// Chapter 3: hinge, limit, motor. Replace each todo(...) by your own code; the text is in
+// README.md.
+#include "chapters/03_hinge/hinge.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace joints {
+
+// ---- the two rows that hold the axis --------------------------------------------------------
+
+Vector<2> Axis::error(const Body& body1, const Body& body2) const {
+  if (far_off(body1, body2)) return far_error(body1, body2);
+  // begin [exercise 3.1]
+  // Return the two numbers C of Eq. 3-2, as in `return {first, second};`. to_world(body, local)
+  // turns a direction into the world.
+  todo("3.1");
+  // end [exercise 3.1]
+}
+
+Jacobian<2> Axis::jacobian(const Body& body1, const Body& body2) const {
+  vec3 a1 = to_world(body1, a1_local);
+  const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local);
+  if (far_off(body1, body2)) a1 = cross(b, c);  // the rows that belong to far_error
+  // begin [exercise 3.1]
+  // Return the two rows J of Eq. 3-4, made of a1, b and c above. A row is Row{v1, w1, v2, w2};
+  // where a block is zero write vec3(0).
+  todo("3.1");
+  // end [exercise 3.1]
+}
+
+Matrix<2> Axis::K(const Body& body1, const Body& body2) const {
+  const Jacobian<2> J = jacobian(body1, body2);
+  const mat3 I = inverse_inertia(body1) + inverse_inertia(body2);
+  const vec3 b = J[0].w2, c = J[1].w2;
+  return {{{{dot(b, I * b), dot(b, I * c)}, {dot(c, I * b), dot(c, I * c)}}}};  // Eq. 3-6
+}
+
+bool Axis::far_off(const Body& body1, const Body& body2) const {
+  const vec3 a2 = to_world(body2, cross(b_local, c_local));
+  return dot(to_world(body1, a1_local), a2) < real(0.5);
+}
+
+Vector<2> Axis::far_error(const Body& body1, const Body& body2) const {
+  const vec3 a1 = to_world(body1, a1_local);
+  const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local), a2 = cross(b, c);
+  const vec3 across = cross(a1, a2);
+  const real sine = length(across);
+  const vec3 about = sine > 0 ? across / sine : b;  // opposite axes: any way round is as short
+  const vec3 phi = std::atan2(sine, dot(a1, a2)) * about;
+  return {-dot(phi, c), dot(phi, b)};  // Eq. 3-7
+}
+
+Axis axis_along(const Body& body1, const Body& body2, const vec3& axis) {
+  require(finite(axis) && length(axis) > 0, "axis: must be finite and not zero");
+  const vec3 a = normalize(to_local(body2, axis));
+  const int least = std::abs(a.x) <= std::abs(a.y) ? (std::abs(a.x) <= std::abs(a.z) ? 0 : 2)
+                                                   : (std::abs(a.y) <= std::abs(a.z) ? 1 : 2);
+  vec3 other(0);
+  other[least] = 1;
+  const vec3 b = normalize(cross(a, other));
+  return {normalize(to_local(body1, axis)), b, cross(a, b)};
+}
+
+real coupling(const Row& a, const Row& b, const Body& body1, const Body& body2) {
+  // begin [exercise 3.2]
+  // Return a M^-1 b^T, Eq. 3-8: M^-1 divides the linear blocks by the mass of their body and turns
+  // the angular ones with its inverse inertia. inverse_inertia(body) is the one in world axes.
+  todo("3.2");
+  // end [exercise 3.2]
+}
+
+// ---- the angle ------------------------------------------------------------------------------
+
+real HingeAngle::twist(const Body& body1, const Body& body2) const {
+  // begin [exercise 3.3]
+  // Return the angle of Eq. 3-9, in (-pi, pi]. conjugate(q) is q^-1 of a unit quaternion; its
+  // parts are q.w and the vector (q.x, q.y, q.z). std::atan2(p, s) is the angle of the point (s, p).
+  todo("3.3");
+  // end [exercise 3.3]
+}
+
+real unwrapped(real measured, real expected) {
+  // begin [exercise 3.3]
+  // Return measured + 2 pi k with the whole number k that brings it nearest to expected. Useful:
+  // std::remainder(x, y), what is left of x after the nearest multiple of y is taken away.
+  todo("3.3");
+  // end [exercise 3.3]
+}
+
+Row HingeAngle::jacobian(const Body& body1, const Body& body2) const {
+  const vec3 a1 = to_world(body1, a1_local);
+  const vec3 a2 = to_world(body2, conjugate(start) * a1_local);
+  const real divisor = 1 + dot(a1, a2);
+  const vec3 g = divisor > real(0.05) ? (a1 + a2) / divisor : a1;  // Eq. 3-10
+  return {vec3(0), -g, vec3(0), g};
+}
+
+real HingeAngle::K(const Body& body1, const Body& body2) const {
+  const vec3 g = jacobian(body1, body2).w2;
+  return dot(g, (inverse_inertia(body1) + inverse_inertia(body2)) * g);  // Eq. 3-11
+}
+
+HingeAngle angle_about(const Body& body1, const Body& body2, const vec3& axis) {
+  require(finite(axis) && length(axis) > 0, "axis: must be finite and not zero");
+  return {normalize(to_local(body1, axis)), normalize(conjugate(body1.q) * body2.q), 0};
+}
+
+// ---- limit and motor ------------------------------------------------------------------------
+
+LimitRow limit_row(const Range& range, real x, real rate, real h) {
+  // begin [exercise 3.4]
+  // Return {C, sign, live} of the limit that has less room at the end of this step, Eq. 3-13:
+  // C = x - lower grows with x (sign +1), C = upper - x shrinks with it (sign -1). It is live if
+  // C < h |rate| + 0.1 h, Eq. 3-14. Two equal limits hold x where it is: always live.
+  todo("3.4");
+  // end [exercise 3.4]
+}
+
+real motor_impulse(real rate, real K, const Motor& motor, real h, real& sum) {
+  // begin [exercise 3.5]
+  // The impulse that would reach motor.speed at once is Eq. 3-15. The sum over all the sweeps of a
+  // step may not leave +-h motor.strength, Eq. 3-16. Store the new sum, return how much it changed.
+  todo("3.5");
+  // end [exercise 3.5]
+}
+
+}  // namespace joints

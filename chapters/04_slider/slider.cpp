@@ -1,0 +1,78 @@
+// Chapter 4: slider. Replace each todo(...) by your own code; the text is in README.md.
+#include "chapters/04_slider/slider.h"
+
+#include "chapters/03_hinge/hinge.h"
+
+namespace joints {
+
+// ---- two rows: a point of body 2 stays on a line of body 1 ----------------------------------
+
+Vector<2> Line::error(const Body& body1, const Body& body2) const {
+  const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
+  // begin [exercise 4.1]
+  // Return the two numbers C of Eq. 4-2, made of u above and the two directions in world space.
+  todo("4.1");
+  // end [exercise 4.1]
+}
+
+Jacobian<2> Line::jacobian(const Body& body1, const Body& body2) const {
+  const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
+  const vec3 n[2] = {to_world(body1, n1_local), to_world(body1, n2_local)};
+  // begin [exercise 4.1]
+  // Return the two rows J of Eq. 4-4, made of u and n[0], n[1] above and the levers r1 and r2.
+  todo("4.1");
+  // end [exercise 4.1]
+}
+
+Matrix<2> Line::K(const Body& body1, const Body& body2) const {
+  return K_of(jacobian(body1, body2), body1, body2);  // Eq. 4-5
+}
+
+// ---- three rows: the orientation of body 2 to body 1 ----------------------------------------
+
+vec3 RotationLock::error(const Body& body1, const Body& body2) const {
+  // begin [exercise 4.2]
+  // Return C of Eq. 4-7: twice the vector of the turn that is too much, with the sign rule.
+  todo("4.2");
+  // end [exercise 4.2]
+}
+
+Jacobian<3> RotationLock::jacobian(const Body&, const Body&) const {
+  // begin [exercise 4.2]
+  // Return the three rows J of Eq. 4-8. jacobian_from_blocks(v1, w1, v2, w2) makes them.
+  todo("4.2");
+  // end [exercise 4.2]
+}
+
+mat3 RotationLock::K(const Body& body1, const Body& body2) const {
+  return inverse_inertia(body1) + inverse_inertia(body2);  // Eq. 4-9
+}
+
+RotationLock lock_of(const Body& body1, const Body& body2) {
+  return {normalize(conjugate(body1.q) * body2.q)};
+}
+
+// ---- one row: the way along the line ---------------------------------------------------------
+
+real Slide::error(const Body& body1, const Body& body2) const {
+  const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
+  // begin [exercise 4.3]
+  // Return the way of Eq. 4-10.
+  todo("4.3");
+  // end [exercise 4.3]
+}
+
+Row Slide::jacobian(const Body& body1, const Body& body2) const {
+  const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
+  // begin [exercise 4.3]
+  // Return the row J of Eq. 4-11: how fast the way grows, for a motor and a limit alike.
+  todo("4.3");
+  // end [exercise 4.3]
+}
+
+real Slide::K(const Body& body1, const Body& body2) const {
+  const Row J = jacobian(body1, body2);
+  return coupling(J, J, body1, body2);  // Eq. 4-12
+}
+
+}  // namespace joints

@@ -1,0 +1,70 @@
+// Chapter 4: slider. What slider.cpp has to provide. Read README.md beside it first.
+// There is nothing to edit here.
+#pragma once
+
+#include "engine/block.h"
+#include "engine/todo.h"
+
+/// \defgroup chapter4 Chapter 4: slider
+/// \brief Two rows that hold a line, three that hold an orientation, and the way along the line.
+/// @{
+namespace joints {
+
+/// Keeps a point of body 2 on a line that is fixed to body 1. Removes two degrees of freedom.
+///
+/// u = p2 - p1, n_i = R1 n_i_local at right angles to the line; C = (u.n1, u.n2) [m];
+/// row i of J: (-n_i, -(r1 + u) x n_i, n_i, r2 x n_i), exact at every pose;
+/// K = J M^-1 J^T [1/kg]. Source: thesis, section 3.7.4.
+struct Line {
+  vec3 anchor1_local{0};     ///< a point of the line [m], body space of body 1
+  vec3 anchor2_local{0};     ///< the point that stays on it [m], body space of body 2
+  vec3 n1_local{0, 1, 0};    ///< unit, at right angles to the line, body space of body 1
+  vec3 n2_local{0, 0, 1};    ///< unit, at right angles to the line and to n1
+
+  static constexpr int rows = 2;            ///< degrees of freedom that it removes
+  static constexpr bool one_sided = false;  ///< it holds both ways
+  Vector<2> error(const Body& body1, const Body& body2) const;       ///< exercise 4.1 [m]
+  Jacobian<2> jacobian(const Body& body1, const Body& body2) const;  ///< exercise 4.1
+  Matrix<2> K(const Body& body1, const Body& body2) const;           ///< Eq. 4-5 [1/kg]
+};
+
+/// Keeps the orientation of body 2 relative to body 1. Removes three degrees of freedom.
+///
+/// q_e = q2 start^-1 q1^-1 = (s, v), with its sign turned where s < 0; C = 2 v [1], close to the
+/// vector of the turn that is too much [rad, world]; J = (0, -E, 0, E), exact where C = 0 and
+/// conserving angular momentum everywhere; K = I1^-1 + I2^-1 [1/(kg m^2)]. At a half turn |C| is
+/// largest and the way back is as long either way round: it takes one of the two.
+/// Source: thesis, section 3.7.4, corrected: no differences of angles.
+struct RotationLock {
+  quat start{1, 0, 0, 0};  ///< q1^-1 q2 where the error is zero
+
+  static constexpr int rows = 3;            ///< degrees of freedom that it removes
+  static constexpr bool one_sided = false;  ///< it holds both ways
+  vec3 error(const Body& body1, const Body& body2) const;            ///< exercise 4.2
+  Jacobian<3> jacobian(const Body& body1, const Body& body2) const;  ///< exercise 4.2
+  mat3 K(const Body& body1, const Body& body2) const;                ///< Eq. 4-9 [1/(kg m^2)]
+};
+
+/// The lock that keeps the bodies turned towards each other as they are now.
+RotationLock lock_of(const Body& body1, const Body& body2);
+
+/// How far the point of body 2 is along the line: the one row that limit and motor share.
+///
+/// a = R1 a1_local, u = p2 - p1; C = u.a [m]; J = (-a, -(r1 + u) x a, a, r2 x a), exact at every
+/// pose; K = J M^-1 J^T [1/kg]. Source: thesis, section 3.7.4, corrected: the motor's row has
+/// levers, too.
+struct Slide {
+  vec3 anchor1_local{0};    ///< where the way is zero [m], body space of body 1
+  vec3 anchor2_local{0};    ///< the point that slides [m], body space of body 2
+  vec3 a1_local{1, 0, 0};   ///< direction of the line, unit, body space of body 1
+  real expected = 0;        ///< not used: a way has no turns to count
+
+  static constexpr int rows = 1;            ///< the one row of limit and motor
+  static constexpr bool one_sided = false;  ///< a limit makes it so
+  real error(const Body& body1, const Body& body2) const;    ///< exercise 4.3 [m]
+  Row jacobian(const Body& body1, const Body& body2) const;  ///< exercise 4.3
+  real K(const Body& body1, const Body& body2) const;        ///< Eq. 4-12 [1/kg]
+};
+
+}  // namespace joints
+/// @}

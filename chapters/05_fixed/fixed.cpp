@@ -1,0 +1,63 @@
+// Chapter 5: fixed joint. Replace each todo(...) by your own code; the text is in README.md.
+#include "chapters/05_fixed/fixed.h"
+
+namespace joints {
+
+// ---- six rows in one block ---------------------------------------------------------------------
+
+mat3 cross_K(const Point& point, const Body& body1, const Body& body2) {
+  // begin [exercise 5.1]
+  // Return the 3x3 matrix X of Eq. 5-2. skew(r) is the matrix of r x, inverse_inertia(body) the
+  // inverse inertia in world axes.
+  todo("5.1");
+  // end [exercise 5.1]
+}
+
+Vector<6> Weld::error(const Body& body1, const Body& body2) const {
+  const vec3 gap = point.error(body1, body2), turn = lock.error(body1, body2);
+  return {gap.x, gap.y, gap.z, turn.x, turn.y, turn.z};
+}
+
+Jacobian<6> Weld::jacobian(const Body& body1, const Body& body2) const {
+  const Jacobian<3> upper = point.jacobian(body1, body2), lower = lock.jacobian(body1, body2);
+  return {{upper[0], upper[1], upper[2], lower[0], lower[1], lower[2]}};
+}
+
+Matrix<6> Weld::K(const Body& body1, const Body& body2) const {
+  const mat3 upper = point.K(body1, body2), lower = lock.K(body1, body2);
+  const mat3 X = cross_K(point, body1, body2);
+  Matrix<6> K;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {  // GLM counts columns first: A[column][row]
+      K[i][j] = upper[j][i];
+      K[i][3 + j] = K[3 + j][i] = X[j][i];  // Eq. 5-3
+      K[3 + i][3 + j] = lower[j][i];
+    }
+  return K;
+}
+
+// ---- what it carries -----------------------------------------------------------------------------
+
+Reaction carried(const Vector<6>& impulse, real h) {
+  // begin [exercise 5.2]
+  // Return {force, torque} of Eq. 5-4: the first three impulses are of the point, the last three of
+  // the lock. Rows of the lock turn, rows of the point push at the anchor.
+  todo("5.2");
+  // end [exercise 5.2]
+}
+
+Reaction about(const Reaction& load, const vec3& from, const vec3& to) {
+  // begin [exercise 5.2]
+  // Return the load with its torque about the point `to`, Eq. 5-5.
+  todo("5.2");
+  // end [exercise 5.2]
+}
+
+bool breaks(const Reaction& load, const Strength& strength) {
+  // begin [exercise 5.2]
+  // Return true if the length of the force or of the torque is above its bound.
+  todo("5.2");
+  // end [exercise 5.2]
+}
+
+}  // namespace joints

@@ -1,0 +1,54 @@
+// Chapter 5: fixed joint. What fixed.cpp has to provide. Read README.md beside it first.
+// There is nothing to edit here.
+#pragma once
+
+#include "chapters/02_ball/ball.h"
+#include "chapters/04_slider/slider.h"
+#include "engine/reaction.h"
+
+/// \defgroup chapter5 Chapter 5: fixed joint
+/// \brief Six rows in one block, the force that a joint carries, and when it breaks.
+/// @{
+namespace joints {
+
+/// Exercise 5.1: what the three rows of a lock do to the three rows of a point, J_t M^-1 J_r^T.
+/// \return the upper right 3x3 block of a weld's K [1/(kg m)]
+mat3 cross_K(const Point& point, const Body& body1, const Body& body2);
+
+/// Holds two bodies together altogether: a point and a lock in one block. Removes six degrees of
+/// freedom.
+///
+/// C = (C of Point, C of RotationLock); J likewise, exact where C = 0;
+/// K = ((K of Point, X), (X^T, K of RotationLock)), X = cross_K. Never singular while one body can
+/// move. Source: thesis, section 3.7.5, which solves the two threes apart.
+struct Weld {
+  Point point;        ///< rows 1 to 3
+  RotationLock lock;  ///< rows 4 to 6
+
+  static constexpr int rows = 6;            ///< degrees of freedom that it removes
+  static constexpr bool one_sided = false;  ///< it holds both ways
+  Vector<6> error(const Body& body1, const Body& body2) const;       ///< C [m, then 1]
+  Jacobian<6> jacobian(const Body& body1, const Body& body2) const;  ///< of both parts
+  Matrix<6> K(const Body& body1, const Body& body2) const;           ///< Eq. 5-3
+};
+
+/// Exercise 5.2, first part: what a weld carried. \param impulse of its six rows [N s, then N m s]
+/// \param h the step in which they were given [s]
+/// \return force on body 2, and torque on it about the anchor
+Reaction carried(const Vector<6>& impulse, real h);
+
+/// Exercise 5.2, second part: the same load with its torque about another point.
+/// \param from the point of `load.torque` [m, world] \param to the point wanted [m, world]
+Reaction about(const Reaction& load, const vec3& from, const vec3& to);
+
+/// What a weld can bear.
+struct Strength {
+  real force = unbounded;   ///< [N]
+  real torque = unbounded;  ///< [N m], about the anchor
+};
+
+/// Exercise 5.2, third part: is this load more than it can bear?
+bool breaks(const Reaction& load, const Strength& strength);
+
+}  // namespace joints
+/// @}

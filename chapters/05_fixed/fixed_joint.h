@@ -1,0 +1,49 @@
+// The fixed joint of the engine: given, there is nothing to edit here.
+#pragma once
+
+#include "chapters/02_ball/ball_joint.h"
+#include "chapters/05_fixed/fixed.h"
+
+/// \addtogroup chapter5
+/// @{
+namespace joints {
+
+/// A fixed joint, or weld: nothing between the two bodies stays free.
+class FixedJoint : public Joint {
+ public:
+  Weld weld;          ///< the geometry; may be changed between steps
+  bool whole = true;  ///< one block of six rows, not two of three
+
+  /// Holds two bodies as they stand now. \param anchor the point at which they are held [m, world]
+  /// \throws std::invalid_argument unless the anchor is finite
+  FixedJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& anchor)
+      : Joint(id1, id2), weld{point_at(bodies[id1], bodies[id2], anchor),
+                              lock_of(bodies[id1], bodies[id2])} {
+    check(weld.point);
+  }
+  void begin_step(const Bodies& bodies, real h) override {
+    Joint::begin_step(bodies, h);
+    if (bodies[body1].is_static() && bodies[body2].is_static()) impulse_ = {};  // no live row
+  }
+  void append(const Bodies& bodies, Blocks& blocks) const override {
+    const Demand demand{.beta = beta};
+    if (whole) {
+      blocks.append(bodies, body1, body2, weld, demand, impulse_.data());
+    } else {
+      blocks.append(bodies, body1, body2, weld.point, demand, impulse_.data());
+      blocks.append(bodies, body1, body2, weld.lock, demand, impulse_.data() + 3);
+    }
+  }
+  int most_rows() const override { return 6; }
+
+  /// Force on body 2 and torque on it about the anchor in the last step, exercise 5.2.
+  Reaction load() const {
+    return last_h() > 0 ? carried(impulse_, last_h()) : Reaction{};
+  }
+
+ private:
+  mutable Vector<6> impulse_{};  // written by the solver through the blocks
+};
+
+}  // namespace joints
+/// @}

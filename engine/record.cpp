@@ -79,7 +79,7 @@ Motion::Motion(std::string title, double h, int every)
 }
 
 void Motion::body(const Shape& shape) { shapes_.push_back(shape); }
-void Motion::line(const Line& line) { lines_.push_back(line); }
+void Motion::line(const Stroke& stroke) { strokes_.push_back(stroke); }
 
 void Motion::frame(const Body* bodies) {
   if (calls_++ % every_ != 0) return;
@@ -97,9 +97,9 @@ void Motion::write(const std::string& path) const {
     file << (i ? "," : "") << "{\"kind\":\"" << shapes_[i].kind
          << "\",\"size\":" << triple(shapes_[i].size) << "}";
   file << "],\"lines\":[";
-  for (std::size_t i = 0; i < lines_.size(); ++i)
-    file << (i ? "," : "") << "[" << lines_[i].body1 << "," << triple(lines_[i].anchor1) << ","
-         << lines_[i].body2 << "," << triple(lines_[i].anchor2) << "]";
+  for (std::size_t i = 0; i < strokes_.size(); ++i)
+    file << (i ? "," : "") << "[" << strokes_[i].body1 << "," << triple(strokes_[i].anchor1) << ","
+         << strokes_[i].body2 << "," << triple(strokes_[i].anchor2) << "]";
   file << "],\"frames\":[";
   const std::size_t width = 7 * shapes_.size();
   for (std::size_t begin = 0; width > 0 && begin < poses_.size(); begin += width) {

@@ -101,7 +101,7 @@ Summary curl(const Settings& settings) {
       HingeJoint& joint = hinge(stage, before, cube, place + vec3(0, real(1.5), 0),
                                 vec3(0, 0, 1), settings, settings.whole);
       joint.set_limits(0, 40 * degree);
-      joint.set_motor(real(0.4), 12000);
+      joint.set_motor(real(0.4), 20000);
       stage.energy_scale += 100 * 9.81 * 1.5 * k;
       hinges.push_back(&joint);
     }
@@ -201,7 +201,8 @@ int main(int argc, char** argv) {
                                                         "rest_deg"});
     for (const std::string scene : {"S4m", "S4l", "S4ml"})
       for (bool whole : {false, true})
-        for (int iterations : {1, 10, 30}) driven(settings, scene, whole, iterations, driven_table);
+        for (int iterations : {1, 3, 10, 30, 100})
+          driven(settings, scene, whole, iterations, driven_table);
     CsvFile sideways_table(settings.out + "/sideways.csv",
                            {"blocks", "iterations", "sideways_m", "gap_rms_m", "us_per_step"});
     for (bool whole : {false, true})

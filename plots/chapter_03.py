@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""Draws the figures of chapter 3: slammed doors, a motor's bound, a chain that curls, and S7.
+
+chapter_03.py --solution DIR [--mine DIR] --out DIR
+"""
+import numpy as np
+
+import style
+from style import COLOURS, INK, PALE, label_ends
+
+APART, WHOLE = "blocks apart", "whole joint"
+
+
+def pick(table, column, **where):
+    """(time, column) of the rows where the other columns have these values."""
+    chosen = np.ones(len(table[column]), bool)
+    for name, value in where.items():
+        chosen &= np.asarray(table[name]) == value
+    return table["time_s"][chosen], table[column][chosen]
+
+
+def door(folder, command):
+    return style.read_csv(folder / "door.csv", ["iterations", "speed_rad_s", "time_s", "angle_deg"],
+                          ["blocks"], command)
+
+
+def draw_door(solution, mine, out):
+    """Left the doors of the whole joint over time, right what iterations do to blocks apart."""
+    (table, driven), own = solution, mine
+    speeds = np.unique(table["speed_rad_s"])
+    farthest = max(pick((own or solution)[0], "angle_deg", blocks=WHOLE, speed_rad_s=speed)[1].max()
+                   for speed in speeds)
+    figure, (left, right) = style.figure(
+        f"Slammed at up to {speeds.max():g} rad/s, the door stops at {farthest:.2f}°", 2)
+    for speed, colour in zip(speeds, COLOURS):
+        t, angle = pick(table, "angle_deg", blocks=WHOLE, speed_rad_s=speed)
+        left.plot(t[t <= 2.5], angle[t <= 2.5], color=colour, label=f"{speed:g} rad/s",
+                  linewidth=1.1 if own else 1.6, dashes=(4, 2) if own else (None, None))
+        if own:
+            t, angle = pick(own[0], "angle_deg", blocks=WHOLE, speed_rad_s=speed)
+            left.plot(t[t <= 2.5], angle[t <= 2.5], color=colour, linewidth=3.2, alpha=0.5,
+                      label="_")
+    left.axhline(110, color=PALE, linewidth=0.8)
+    left.set(xlabel="time  [s]", ylabel="opening angle  [°]", xlim=(0, 2.5),
+             title="doors, whole joint" + (": yours (thick), the solution's" if own else ""))
+    for scene, colour, words in (("S4l", COLOURS[0], "swings down"),
+                                 ("S4ml", COLOURS[1], "driven by\na motor")):
+        chosen = (np.asarray(driven["scene"]) == scene) & (np.asarray(driven["blocks"]) == APART)
+        right.plot(driven["iterations"][chosen], style.visible(driven["overshoot_deg"][chosen]),
+                   color=colour, marker="o", label=words)
+    whole = np.abs(driven["overshoot_deg"][np.asarray(driven["blocks"]) == WHOLE]).max()
+    right.set(xscale="log", yscale="log", xlabel="iterations", ylabel="past the limit  [°]",
+              title="a cube of 100 kg, blocks apart")
+    right.text(0.03, 0.05, f"whole joint: {whole:.0e}° at most,\nwith one iteration too",
+               fontsize=8.5, color=PALE, transform=right.transAxes)
+    style.plain_log(right.xaxis)
+    style.plain_log(right.yaxis)
+    label_ends(left)
+    label_ends(right)
+    style.save(figure, out / "03_door")
+
+
+def draw_motor(solution, mine, out):
+    table = mine or solution
+    ideal_time = np.array([0, 2.5, 4])
+    figure, (left, right) = style.figure("A motor of 2 N m on 1 kg m²: clamp the sum, "
+                                         "and the number of visits does not matter", 2, sharey=True)
+    for ax, clamped, words in ((left, "sum", "the sum of a step is clamped"),
+                               (right, "visit", "each visit is clamped for itself")):
+        for visits, colour in zip((1, 10, 100), COLOURS):
+            t, speed = pick(table, "speed_rad_s", clamped=clamped, visits=visits)
+            ax.plot(t, speed, color=colour, label=f"{visits}",
+                    linewidth={1: 5, 10: 3, 100: 1.2}[visits] if clamped == "sum" else 1.8)
+        ax.plot(ideal_time, np.minimum(2 * ideal_time, 5), color=INK, linewidth=1, dashes=(4, 2),
+                label="2 N m, 5 rad/s" if clamped == "visit" else "_")
+        ax.set_title(words + (", yours" if mine else ""))
+        ax.set(xlabel="time  [s]", xlim=(0, 4))
+    left.set_ylabel("speed  [rad/s]")
+    left.text(0.97, 0.1, "1, 10 and 100 visits", ha="right", fontsize=8.5, color=PALE,
+              transform=left.transAxes)
+    for line in right.lines[:3]:
+        line.set_label(f"{line.get_label()} visit" + "s" * (line.get_label() != "1"))
+    label_ends(right)
+    style.save(figure, out / "03_motor")
+
+
+def draw_curl(solution, mine, out):
+    table = mine or solution
+    joints = np.unique(table["joint"])
+    figure, (left, right) = style.figure("Seven motors bend a hanging chain, the lightest end first",
+                                         2)
+    for joint, shade in zip(joints, np.linspace(0.25, 1, len(joints))):
+        colour = (0, 0.45 * shade, 0.7 * shade)
+        t, angle = pick(table, "angle_deg", joint=joint)
+        left.plot(t, angle, color=colour, label=f"{joint:g}")
+        t, torque = pick(table, "motor_nm", joint=joint)
+        right.plot(t, torque / 1000, color=colour, label=f"{joint:g}", linewidth=1)
+    left.axhline(40, color=PALE, linewidth=0.8)
+    left.text(0.02, 41, "limit", color=PALE, fontsize=8.5, transform=left.get_yaxis_transform())
+    left.set(xlabel="time  [s]", ylabel="angle  [°]", title="angle, by the hinge (1 at the top)")
+    right.set(xlabel="time  [s]", ylabel="torque  [kN m]", title="torque of the motor")
+    label_ends(left)
+    style.save(figure, out / "03_curl")
+
+
+def draw_sideways(solution, mine, out):
+    table = mine or solution
+    figure, ax = style.figure("Gravity across the hinges: no number of iterations keeps the chain "
+                              "in its plane")
+    for blocks, colour, marker in ((APART, COLOURS[0], "o"), (WHOLE, COLOURS[1], "s")):
+        chosen = np.asarray(table["blocks"]) == blocks
+        ax.plot(table["iterations"][chosen], table["sideways_m"][chosen], color=colour,
+                marker=marker, label=blocks)
+    ax.set_xscale("log")
+    style.plain_log(ax.xaxis)
+    ax.set_ylim(0, 1.15 * table["sideways_m"].max())
+    ax.axhline(0, color=INK, linewidth=1.2)
+    ax.text(0.02, 0.02, "exact: 0 m, for ever", color=INK, fontsize=8.5, transform=ax.transAxes)
+    ax.set(xlabel="iterations", ylabel="farthest out of the plane in 5 s  [m]")
+    label_ends(ax)
+    style.save(figure, out / "03_sideways")
+
+
+def tables(folder, command):
+    return ((door(folder, command),
+             style.read_csv(folder / "driven.csv", ["iterations", "overshoot_deg"],
+                            ["scene", "blocks"], command)),
+            style.read_csv(folder / "motor.csv", ["visits", "time_s", "speed_rad_s"], ["clamped"],
+                           command),
+            style.read_csv(folder / "curl.csv", ["time_s", "joint", "angle_deg", "motor_nm"], (),
+                           command),
+            style.read_csv(folder / "sideways.csv", ["iterations", "sideways_m"], ["blocks"],
+                           command))
+
+
+def main():
+    given = style.arguments("Draws the figures of chapter 3.",
+                            solution="folder of the solution's tables",
+                            mine="optional: folder of your tables", out="folder of the figures")
+    solution = tables(given.solution, "./wb plot 3")
+    mine = tables(given.mine, "./wb run 3") if given.mine else (None,) * 4
+    for draw, theirs, own in zip((draw_door, draw_motor, draw_curl, draw_sideways), solution, mine):
+        draw(theirs, own, given.out)
+
+
+if __name__ == "__main__":
+    style.run(main)

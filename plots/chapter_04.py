@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""Draws the figures of chapter 4: the piston, the cannon, and a motor without levers.
+
+chapter_04.py --solution DIR [--mine DIR] --out DIR
+"""
+import numpy as np
+
+import style
+from style import COLOURS, INK, PALE, label_ends
+
+WHOLE = "whole joint"
+
+
+def whole(table):
+    """The rows of the whole joint only."""
+    chosen = np.asarray(table["blocks"]) == WHOLE
+    return {name: np.asarray(column)[chosen] for name, column in table.items()}
+
+
+def draw_piston(solution, mine, out):
+    table = whole(mine or solution)
+    t = table["time_s"]
+    figure, (left, right) = style.figure(
+        "The piston: at the limits the limit takes what the motor has too much", 2)
+    left.plot(t, table["way_m"], color=COLOURS[0 if mine else 1],
+              label="_", linewidth=3 if mine else 1.6)
+    if mine:
+        left.plot(whole(solution)["time_s"], whole(solution)["way_m"], color=INK, linewidth=1.1,
+                  dashes=(4, 2), label="_")
+        left.set_title("way: yours (thick) and the solution's")
+    else:
+        left.set_title("way")
+    for limit in (0, 0.4):
+        left.axhline(limit, color=PALE, linewidth=0.8)
+    left.set(xlabel="time  [s]", ylabel="way  [m]")
+    for column, colour, label in (("motor_n", COLOURS[0], "motor"),
+                                  ("limit_n", COLOURS[1], "limit")):
+        right.plot(t[1:], table[column][1:], color=colour, label=label, linewidth=1.3)
+    right.axhline(5 * 9.81, color=PALE, linewidth=0.8)
+    right.text(0.33, 5 * 9.81 + 5, "its weight", ha="center", fontsize=8.5, color=PALE,
+               transform=right.get_yaxis_transform())
+    right.set(xlabel="time  [s]", ylabel="force along the line  [N]", title="forces")
+    label_ends(right)
+    style.save(figure, out / "04_piston")
+
+
+def draw_cannon(solution, mine, out):
+    table = whole(mine or solution)
+    t, flying = table["time_s"], table["flying"] > 0
+    exit_speed = table["shot_m_s"][flying][0] if flying.any() else float("nan")
+    acceleration = 5000 / 60 - 9.81 * np.sqrt(0.5)
+    figure, (left, right) = style.figure(
+        f"The cannon: the carriage stops at the muzzle, the shot leaves with {exit_speed:.1f} m/s",
+        2)
+    short = t <= 1
+    left.plot(t[short], table["way_m"][short], color=COLOURS[1], label="carriage")
+    left.plot(t[short], -1 + acceleration / 2 * t[short] ** 2, color=INK, linewidth=1,
+              dashes=(4, 2), label="5000 N,\nno limit")
+    left.axhline(10, color=PALE, linewidth=0.8)
+    left.set(xlabel="time  [s]", ylabel="way of the carriage  [m]", ylim=(-2, 14), xlim=(0, 1),
+             title="in the barrel" + (", yours" if mine else ""))
+    label_ends(left)
+    right.plot(table["shot_x_m"][~flying], table["shot_y_m"][~flying], color=COLOURS[1],
+               linewidth=3)
+    right.plot(table["shot_x_m"][flying], table["shot_y_m"][flying], color=COLOURS[0], marker=".",
+               markersize=2, linewidth=0.8)
+    right.set(xlabel="x  [m]", ylabel="y  [m]", title="the shot's path", aspect="equal")
+    style.save(figure, out / "04_cannon")
+
+
+def draw_momentum(solution, mine, out):
+    table = mine or solution
+    figure, (left, right) = style.figure(
+        "Two free bodies: a motor without levers makes angular momentum from nothing", 2)
+    for row, colour, words in (("levers", COLOURS[1], "with levers"),
+                               ("centres", COLOURS[0], "without")):
+        chosen = np.asarray(table["row"]) == row
+        left.plot(table["time_s"][chosen], table["angular_momentum"][chosen], color=colour,
+                  label=words)
+        right.plot(table["time_s"][chosen], table["speed_m_s"][chosen], color=colour, label=words)
+    left.set(xlabel="time  [s]", ylabel="angular momentum of both  [kg m²/s]",
+             title="it may not change" + (": yours" if mine else ""))
+    right.axhline(0.5, color=PALE, linewidth=0.8)
+    right.text(0.02, 0.505, "wanted", color=PALE, fontsize=8.5, va="bottom",
+               transform=right.get_yaxis_transform())
+    right.set(xlabel="time  [s]", ylabel="rate of the way  [m/s]", title="what the motor reaches",
+              ylim=(0, 0.6))
+    label_ends(right)
+    style.save(figure, out / "04_momentum")
+
+
+def tables(folder, command):
+    return (style.read_csv(folder / "piston.csv", ["time_s", "way_m", "motor_n", "limit_n"],
+                           ["blocks"], command),
+            style.read_csv(folder / "cannon.csv", ["time_s", "way_m", "shot_x_m", "shot_y_m",
+                                                   "shot_m_s", "flying"], ["blocks"], command),
+            style.read_csv(folder / "momentum.csv", ["time_s", "angular_momentum", "speed_m_s"],
+                           ["row"], command))
+
+
+def main():
+    given = style.arguments("Draws the figures of chapter 4.",
+                            solution="folder of the solution's tables",
+                            mine="optional: folder of your tables", out="folder of the figures")
+    solution = tables(given.solution, "./wb plot 4")
+    mine = tables(given.mine, "./wb run 4") if given.mine else (None,) * 3
+    for draw, theirs, own in zip((draw_piston, draw_cannon, draw_momentum), solution, mine):
+        draw(theirs, own, given.out)
+
+
+if __name__ == "__main__":
+    style.run(main)

@@ -87,8 +87,8 @@ def draw_motor(solution, mine, out):
 def draw_curl(solution, mine, out):
     table = mine or solution
     joints = np.unique(table["joint"])
-    figure, (left, right) = style.figure("Seven motors bend a hanging chain, the lightest end first",
-                                         2)
+    figure, (left, right) = style.figure(
+        "Seven motors bend a hanging chain, the lightest end first", 2)
     for joint, shade in zip(joints, np.linspace(0.25, 1, len(joints))):
         colour = (0, 0.45 * shade, 0.7 * shade)
         t, angle = pick(table, "angle_deg", joint=joint)

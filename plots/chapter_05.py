@@ -57,7 +57,8 @@ def draw_anchor(solution, mine, out):
             label="3+3, measured")
     ax.plot(apart["lever_m"], apart["left_after_29"], color=COLOURS[2], marker="^",
             label="3+3, left after\n29 more sweeps")
-    ax.plot(whole["lever_m"], whole["measured"], color=COLOURS[1], marker="s", label="6x6, measured")
+    ax.plot(whole["lever_m"], whole["measured"], color=COLOURS[1], marker="s",
+            label="6x6, measured")
     ax.set(xlabel="distance of the anchor from the cube's centre  [m]",
            ylabel="share of the error that a sweep leaves", ylim=(-0.04, 1.04), xlim=(0, 10.2))
     label_ends(ax)
@@ -68,8 +69,8 @@ def draw_break(solution, mine, out):
     table = mine or solution
     held = table["broken"] == 0
     pull = table["pull_n"][held]
-    figure, ax = style.figure(f"The weld at the wall breaks at {pull.max():.0f} N: its load follows "
-                              "statics until then")
+    figure, ax = style.figure(
+        f"The weld at the wall breaks at {pull.max():.0f} N: its load follows statics until then")
     ax.plot(pull, table["wall_nm"][held], color=COLOURS[0 if mine else 1], linewidth=3, alpha=0.8,
             label="measured" + (", yours" if mine else ""))
     ax.plot(pull, table["statics_nm"][held], color=INK, linewidth=1, dashes=(4, 2),

@@ -181,7 +181,7 @@ int main(int argc, char** argv) {
                     {{"iterations", "30", "sweeps a step"},
                      {"beta", "0.2", "share of the error fed back in a step"},
                      {"seconds", "5", "how long doors and chain run"},
-                     {"whole", "1", "record 1: whole joints, 0: motor, limit, 3 and 2 rows apart"}});
+                     {"whole", "1", "recorded with 1: whole joints, 0: blocks apart"}});
     if (!options.read(argc, argv)) return;
     Settings settings;
     settings.iterations = options.count("iterations", 1);

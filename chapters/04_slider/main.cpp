@@ -172,7 +172,7 @@ int main(int argc, char** argv) {
                     {{"iterations", "30", "sweeps a step"},
                      {"beta", "0.2", "share of the error fed back in a step"},
                      {"seconds", "6", "how long the piston runs"},
-                     {"whole", "1", "record 1: whole joints, 0: motor, limit, 2 and 3 rows apart"}});
+                     {"whole", "1", "recorded with 1: whole joints, 0: blocks apart"}});
     if (!options.read(argc, argv)) return;
     Settings settings;
     settings.iterations = options.count("iterations", 1);

@@ -98,7 +98,8 @@ Summary cantilever(const Settings& settings, int iterations, bool whole, bool wa
 // A cube of 1 kg welded to a wall at an anchor r metres beside it, hit once: how much of what is
 // wrong is left after one more sweep, by formula and measured, and after 29 more.
 void far_anchor(const std::string& out) {
-  CsvFile table(out + "/anchor.csv", {"blocks", "lever_m", "predicted", "measured", "left_after_29"});
+  CsvFile table(out + "/anchor.csv",
+                {"blocks", "lever_m", "predicted", "measured", "left_after_29"});
   const real h = real(1) / 60;
   for (const bool whole : {false, true})
     for (real r : {real(0.25), real(0.5), real(1), real(2), real(3), real(5), real(10)}) {
@@ -183,7 +184,8 @@ Summary ragdoll(const Settings& settings) {
   stage.mark(hook, right, hand);
   stage.energy_scale = 233 * 9.81 * 1.5;
   stage.print_plan();
-  return play(stage, words(settings.whole), settings.seconds, settings.out + "/ragdoll.motion.json");
+  return play(stage, words(settings.whole), settings.seconds,
+              settings.out + "/ragdoll.motion.json");
 }
 
 }  // namespace
@@ -194,7 +196,7 @@ int main(int argc, char** argv) {
                     {{"iterations", "30", "sweeps a step, of the recorded motion"},
                      {"beta", "0.2", "share of the error fed back in a step"},
                      {"seconds", "10", "how long the ragdoll hangs; the beam takes twice as long"},
-                     {"whole", "1", "record 1: blocks of six rows, 0: two blocks of three"}});
+                     {"whole", "1", "recorded with 1: blocks of six rows, 0: of three"}});
     if (!options.read(argc, argv)) return;
     Settings settings;
     settings.iterations = options.count("iterations", 1);

@@ -70,8 +70,9 @@ real coupling(const Row& a, const Row& b, const Body& body1, const Body& body2) 
   // begin [exercise 3.2]
   // Return a M^-1 b^T, Eq. 3-8: M^-1 divides the linear blocks by the mass of their body and turns
   // the angular ones with its inverse inertia. inverse_inertia(body) is the one in world axes.
-  return body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
-         body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2);  // Eq. 3-8
+  const mat3 I1 = inverse_inertia(body1), I2 = inverse_inertia(body2);
+  return body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, I1 * b.w1) +
+         body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, I2 * b.w2);  // Eq. 3-8
   // end [exercise 3.2]
 }
 
@@ -80,7 +81,7 @@ real coupling(const Row& a, const Row& b, const Body& body1, const Body& body2) 
 real HingeAngle::twist(const Body& body1, const Body& body2) const {
   // begin [exercise 3.3]
   // Return the angle of Eq. 3-9, in (-pi, pi]. conjugate(q) is q^-1 of a unit quaternion; its
-  // parts are q.w and the vector (q.x, q.y, q.z). std::atan2(p, s) is the angle of the point (s, p).
+  // parts are q.w and the vector (q.x, q.y, q.z). std::atan2(p, s) is the angle of (s, p).
   quat q = conjugate(body1.q) * body2.q * conjugate(start);
   if (q.w < 0) q = -q;
   const real p = dot(vec3(q.x, q.y, q.z), a1_local);
@@ -92,7 +93,8 @@ real unwrapped(real measured, real expected) {
   // begin [exercise 3.3]
   // Return measured + 2 pi k with the whole number k that brings it nearest to expected. Useful:
   // std::remainder(x, y), what is left of x after the nearest multiple of y is taken away.
-  return expected + std::remainder(measured - expected, 2 * std::numbers::pi_v<real>);  // Eq. 3-12
+  const real turn = 2 * std::numbers::pi_v<real>;
+  return expected + std::remainder(measured - expected, turn);  // Eq. 3-12
   // end [exercise 3.3]
 }
 

@@ -37,7 +37,7 @@ Matrix<6> Weld::K(const Body& body1, const Body& body2) const {
   return K;
 }
 
-// ---- what it carries -----------------------------------------------------------------------------
+// ---- what it carries ------------------------------------------------------------------------
 
 Reaction carried(const Vector<6>& impulse, real h) {
   // begin [exercise 5.2]

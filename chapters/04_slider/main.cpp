@@ -96,7 +96,7 @@ Summary cannon(const Settings& settings, bool whole, CsvFile& table) {
   bool flying = false;
   LineGap gap;
   const std::string motion = whole == settings.whole ? settings.out + "/cannon.motion.json" : "";
-  const double seconds = std::min(settings.seconds, 3.0);
+  const double seconds = std::min(settings.seconds, 2.0);
   return gap.into(play(stage, words, seconds, motion, [&](double time) {
     const Bodies& bodies = stage.world.bodies;
     const vec3 x = bodies[shot].x;

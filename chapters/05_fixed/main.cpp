@@ -134,7 +134,7 @@ Summary breaking(const Settings& settings, CsvFile& table) {
   const Strength strength{.torque = 150};
   Bodies& bodies = beam.stage.world.bodies;
   bool broken = false;
-  return play(beam.stage, words(settings.whole), std::min(settings.seconds, 6.0),
+  return play(beam.stage, words(settings.whole), std::min(settings.seconds, 2.8),
               settings.out + "/breaking.motion.json", [&](double time) {
                 const double pull = -double(bodies[beam.tip].force.y);
                 const Reaction wall = broken ? Reaction{} : beam.welds[0]->load();

@@ -77,14 +77,11 @@ def draw_momentum(solution, mine, out):
         chosen = np.asarray(table["row"]) == row
         left.plot(table["time_s"][chosen], table["angular_momentum"][chosen], color=colour,
                   label=words)
-        right.plot(table["time_s"][chosen], table["speed_m_s"][chosen], color=colour, label=words)
-    left.set(xlabel="time  [s]", ylabel="angular momentum of both  [kg m²/s]",
+        right.plot(table["time_s"][chosen], table["turn_rad_s"][chosen], color=colour, label=words)
+    left.set(xlabel="time  [s]", ylabel="angular momentum of both  [N m s]",
              title="it may not change" + (": yours" if mine else ""))
-    right.axhline(0.5, color=PALE, linewidth=0.8)
-    right.text(0.02, 0.505, "wanted", color=PALE, fontsize=8.5, va="bottom",
-               transform=right.get_yaxis_transform())
-    right.set(xlabel="time  [s]", ylabel="rate of the way  [m/s]", title="what the motor reaches",
-              ylim=(0, 0.6))
+    right.set(xlabel="time  [s]", ylabel="how fast the pair turns  [rad/s]",
+              title="so they must turn while they part")
     label_ends(right)
     style.save(figure, out / "04_momentum")
 
@@ -94,7 +91,7 @@ def tables(folder, command):
                            ["blocks"], command),
             style.read_csv(folder / "cannon.csv", ["time_s", "way_m", "shot_x_m", "shot_y_m",
                                                    "shot_m_s", "flying"], ["blocks"], command),
-            style.read_csv(folder / "momentum.csv", ["time_s", "angular_momentum", "speed_m_s"],
+            style.read_csv(folder / "momentum.csv", ["time_s", "angular_momentum", "turn_rad_s"],
                            ["row"], command))
 
 

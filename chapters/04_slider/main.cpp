@@ -90,7 +90,7 @@ Summary cannon(const Settings& settings, bool whole, CsvFile& table) {
   SliderJoint& push = slider(stage, carriage, shot, along, along, settings, whole);
   for (const BodyId id : {carriage, shot}) stage.world.bodies[id].x -= along;  // loaded: at -1 m
   rail.set_limits(-1, 10);
-  rail.set_motor(40, 5000);
+  rail.set_motor(60, 5000);
   push.set_limits(0, unbounded);
   if (whole) stage.print_plan();
   bool flying = false;
@@ -145,11 +145,11 @@ void momentum(const Settings& settings, bool levers, CsvFile& table) {
   SliderJoint& joint =
       slider(stage, id1, id2, vec3(0, real(0.5), 0), vec3(1, 0, 0), settings, settings.whole);
   if (levers)
-    joint.set_motor(real(0.5), 5);
+    joint.set_motor(100, 5);  // a speed that it does not reach: 5 N all the while
   else
-    stage.world.add<CentreMotor>(id1, id2, joint.coordinate.a1_local, real(0.5), real(5));
+    stage.world.add<CentreMotor>(id1, id2, joint.coordinate.a1_local, real(100), real(5));
   const auto masses = joints::masses(stage.world.bodies);
-  play(stage, "", 2, "", [&](double time) {
+  play(stage, "", 1, "", [&](double time) {
     double L = 0;
     for (const BodyId id : {id1, id2}) {
       const Body& body = stage.world.bodies[id];

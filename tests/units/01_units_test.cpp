@@ -35,7 +35,7 @@ TEST_CASE("1.4 a step adds velocities to velocities and ways to places", "[1.4]"
 
 TEST_CASE("1.5 a sum of impulses is an impulse", "[1.5]") {
   real sum = real(0.4) * kg * m / s;
-  has_unit("what is returned", kg * m / s, [&] { return clamp_sum(-kg * m / s, sum); });
+  has_unit("the change of the sum", kg * m / s, [&] { return clamp_sum(-kg * m / s, sum); });
   expect_unit("the sum", sum, kg * m / s);
 }
 

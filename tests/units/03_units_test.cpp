@@ -36,7 +36,7 @@ TEST_CASE("3.5 the bound of a motor's sum is an impulse", "[3.5]") {
   const Motor motor{3 * m / s, 10 * newton};
   for (const real before : {real(-5), real(0.5), real(5)}) {
     real sum = before * kg * m / s;
-    has_unit("what is returned", kg * m / s,
+    has_unit("the change of the sum", kg * m / s,
              [&] { return motor_impulse(real(0.5) * m / s, 2 / kg, motor, h, sum); });
     expect_unit("the sum", sum, kg * m / s);
   }

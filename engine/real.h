@@ -3,14 +3,17 @@
 #pragma once
 
 #include <cmath>
-#include <glm/glm.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <string>
 
 #ifndef REAL
 #define REAL double
 #endif
+#ifdef REAL_HEADER  // where REAL is a type of one's own; before GLM, which collects std::sqrt
+#include REAL_HEADER
+#endif
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 /// \defgroup numbers Numbers and vectors
 /// \brief The scalar of the whole workbook, and GLM's small vectors made of it.

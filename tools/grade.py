@@ -31,10 +31,6 @@ def worse(grade, status, detail=""):
         grade.status, grade.detail = status, detail
 
 
-def test_program(chapter):
-    return house.BUILD / "tests" / f"{chapter.folder}_test_mine"
-
-
 def read_case(grade, case):
     """One test case of Catch's XML."""
     name = case.get("name")
@@ -64,11 +60,12 @@ def read_case(grade, case):
     grade.failures.append((name, text or "it failed without a word"))
 
 
-def run(chapter, ids, timeout=10):
-    """Runs the tests of these exercises in one process; None if it did not end well."""
+def run(chapter, ids, kind="test", timeout=10):
+    """Runs the tests of these exercises in one process; words if it did not end well."""
+    program = house.BUILD / "tests" / f"{chapter.folder}_{kind}_mine"
     filter_ = ",".join(f"[{id_}]" for id_ in ids)
     try:
-        result = subprocess.run([test_program(chapter), filter_, "-r", "xml"],
+        result = subprocess.run([program, filter_, "-r", "xml"],
                                 capture_output=True, text=True, timeout=timeout)
     except subprocess.TimeoutExpired:
         return "it did not end within ten seconds: a loop without an end?"
@@ -104,3 +101,13 @@ def grade(chapter, ids=None):
         if one.tests == 0 and one.status == DONE:
             raise house.Trouble(f"exercise {one.id} has no test")
     return list(grades.values())
+
+
+def units(chapter, id_):
+    """What the units say to a wrong exercise, in a sentence; "" where they have nothing to say or
+    cannot follow the answer. An exercise whose numbers are right is not asked for its units."""
+    if house.build([f"{chapter.folder}_units_mine"], "asking the units"):
+        return ""
+    tree = run(chapter, [id_], "units")
+    found = [] if isinstance(tree, str) else [e.text or "" for e in tree.iter("Failure")]
+    return next((" ".join(words.split()) for words in found if "Units: " in words), "")

@@ -1,5 +1,6 @@
 """The commands of somebody who does the exercises: status, test, watch, hint, show, reset."""
 import re
+import textwrap
 import time
 
 import exercises
@@ -60,11 +61,19 @@ def tell(chapter, one):
         name, report = one.failures[0]
         if name:
             print(f"  {name.removeprefix(one.id).strip()}\n")
+            report = with_units(report, grading.units(chapter, one.id))
         print(indented(report))
         if len(one.failures) > 1:
             others = len(one.failures) - 1
             print(f"\n  {others} more of its {one.tests} tests "
                   f"{'fails' if others == 1 else 'fail'}; mend this one first.")
+
+
+def with_units(report, sentence):
+    """The report with one line more under what is likely, before it says where."""
+    words, where, rest = report.partition("\nWhere: ")
+    lines = textwrap.fill(sentence, 76, subsequent_indent=" " * len("Units: "))
+    return words.rstrip() + "\n" + lines + "\n" + where + rest if sentence else report
 
 
 def test(word):

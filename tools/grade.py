@@ -86,7 +86,7 @@ def grade(chapter, ids=None):
         return list(grades.values())
     tree = run(chapter, ids)
     ended_well = not isinstance(tree, str) and tree.find(".//FatalErrorCondition") is None
-    trees = {None: tree} if ended_well else {
+    trees = {None: tree} if ended_well else {ids[0]: tree} if len(ids) == 1 else {
         id_: run(chapter, [id_]) for id_ in ids}  # one by one: which of them was it?
     for id_, part in trees.items():
         if isinstance(part, str):

@@ -47,14 +47,14 @@ TEST_CASE("3.1 an axis that is tilted by 37 degrees has an error of 0.6", "[3.1]
 
 TEST_CASE("3.1 the error of an axis is as long as the sine of the angle between the axes",
           "[3.1]") {
-  for (const AxisCase& c : axis_cases()) {
+  const CaseTable<AxisCase> table = axis_table();
+  for (const AxisCase& c : table.cases) {
     const Vector<2> C = c.part.error(c.pair.body1, c.pair.body2);
     const vec3 a1 = c.pair.body1.q * c.part.a1_local;
     const vec3 a2 = c.pair.body2.q * cross(c.part.b_local, c.part.c_local);
-    expect({"3.1", "the error C of a hinge's axis"}, "length of C, " + c.words,
-           double(std::hypot(C[0], C[1])), double(length(cross(a1, a2))), 10 * rounding,
-           {{double(1 - dot(a1, a2)), "1 - cos where the sine belongs"},
-            {double(std::acos(dot(a1, a2))), "the angle where its sine belongs"}});
+    const double length_of_C = std::hypot(C[0], C[1]);
+    expect(table.subject, "length of C, " + c.words, length_of_C, double(length(cross(a1, a2))),
+           10 * rounding, table.explain(length_of_C));
   }
 }
 
@@ -110,41 +110,50 @@ TEST_CASE("3.2 an impulse along one row moves another", "[3.2]") {
 }
 
 TEST_CASE("3.2 two rows move each other alike", "[3.2]") {
-  for (const RowsCase& c : rows_cases())
-    expect({"3.2", "the coupling of two rows"}, "b M^-1 a^T beside a M^-1 b^T",
-           double(coupling(c.b, c.a, c.pair.body1, c.pair.body2)),
-           double(coupling(c.a, c.b, c.pair.body1, c.pair.body2)), 10 * rounding);
+  const CaseTable<RowsCase> table = coupling_table();
+  for (const RowsCase& c : table.cases) {
+    const double ab = coupling(c.a, c.b, c.pair.body1, c.pair.body2);
+    const double ba = coupling(c.b, c.a, c.pair.body1, c.pair.body2);
+    expect(table.subject, "b M^-1 a^T beside a M^-1 b^T", ba, ab, 10 * rounding,
+           table.explain(ba));
+  }
 }
 
 TEST_CASE("3.2 nothing moves two static bodies", "[3.2]") {
   const Body wall = static_body(vec3(0)), floor = static_body(vec3(1, 2, 3), paper.body2.q);
-  for (const RowsCase& c : rows_cases())
-    expect({"3.2", "the coupling of two rows"}, "between two static bodies",
-           double(coupling(c.a, c.b, wall, floor)), 0, 0);
+  const CaseTable<RowsCase> table = coupling_table();
+  for (const RowsCase& c : table.cases) {
+    const double yours = coupling(c.a, c.b, wall, floor);
+    expect(table.subject, "between two static bodies", yours, 0, 0, table.explain(yours));
+  }
 }
 
-TEST_CASE("3.2 entry by entry coupling gives the K of a rod a ball and an angle", "[3.2]") {
-  const Subject K{"3.2", "K from the coupling of its rows"};
+TEST_CASE("3.2 row by row coupling gives the known K of a rod a ball and an angle", "[3.2]") {
+  const CaseTable<RowsCase> table = coupling_table();
   Pair pair = uneven_pair();
   Random random(35);
   move_together(pair, random);
   const Body &one = pair.body1, &two = pair.body2;
-  const auto compare = [&](const char* name, const auto& mine, const auto& right) {
-    const Numbers yours = flat(mine), known = flat(right);
-    for (std::size_t i = 0; i < known.size(); ++i)
-      expect(K, name, yours[i], known[i], 10 * rounding);
+  const auto compare = [&](const char* name, const auto& J, const auto& known) {
+    const auto yours = K_of(J, one, two);
+    for (std::size_t i = 0; i < J.row.size(); ++i)
+      for (std::size_t j = 0; j < J.row.size(); ++j)
+        expect(table.subject, name, double(yours.m[i][j]), double(known.m[i][j]), 10 * rounding,
+               table.explain(double(yours.m[i][j])));
   };
   const real masses = one.inverse_mass + two.inverse_mass;
   const vec3 n = normalize(two.x - one.x);
-  compare("K of a rod", K_of(to_jacobian(Row{-n, vec3(0), n, vec3(0)}), one, two),
-          to_matrix(masses));
+  compare("K of a rod", to_jacobian(Row{-n, vec3(0), n, vec3(0)}), to_matrix(masses));
   const mat3 s1 = skew(random.vector(1)), s2 = skew(random.vector(1));
-  compare("K of a ball joint", K_of(jacobian_from_blocks(mat3(-1), s1, mat3(1), -s2), one, two),
+  compare("K of a ball joint", jacobian_from_blocks(mat3(-1), s1, mat3(1), -s2),
           to_matrix(mat3(masses) + s1 * inverse_inertia(one) * transpose(s1) +
                     s2 * inverse_inertia(two) * transpose(s2)));
   const HingeAngle angle = HingeAngleFixture::make(pair);
-  compare("K of an angle", K_of(to_jacobian(angle.jacobian(one, two)), one, two),
-          to_matrix(angle.K(one, two)));
+  compare("K of an angle", to_jacobian(angle.jacobian(one, two)), to_matrix(angle.K(one, two)));
+  const vec3 p = random.vector(1), q = random.vector(1);  // the crosses of an axis, Eq. 3-6
+  const mat3 I = inverse_inertia(one) + inverse_inertia(two);
+  compare("K of an axis", turning("", p, q).second,
+          Matrix<2>{{{{dot(p, I * p), dot(p, I * q)}, {dot(q, I * p), dot(q, I * q)}}}});
 }
 
 // ---- 3.3 ----------------------------------------------------------------------------------------
@@ -170,15 +179,17 @@ TEST_CASE("3.3 the angle of a hinge is its twist however both bodies are turned 
 
 TEST_CASE("3.3 turning both bodies as one leaves the angle of a hinge alone", "[3.3]") {
   Random random(36);
+  const CaseTable<AngleCase> table = angle_table();
   for (const AngleCase& c : angle_cases(true)) {
     Pair pair = uneven_pair();
     pair.body1.q = c.q1;
     pair.body2.q = c.q2;
     const HingeAngle part{c.a1_local, c.start, 0};
-    const real before = part.twist(pair.body1, pair.body2);
+    const double before = part.twist(pair.body1, pair.body2);
     move_together(pair, random);
-    expect({"3.3", "the angle of a hinge"}, "twist of the turned pair [rad]",
-           double(part.twist(pair.body1, pair.body2)), double(before), difference_tolerance);
+    const double after = part.twist(pair.body1, pair.body2);
+    expect(table.subject, "twist after the turn [rad]", after, before, difference_tolerance,
+           table.explain(after));
   }
 }
 
@@ -200,17 +211,14 @@ TEST_CASE("3.3 of all angles that look alike the one nearest to the expected one
 }
 
 TEST_CASE("3.3 a wheel at 1000 rad/s is counted right at 60 steps a second", "[3.3]") {
+  const CaseTable<TurnsCase> table = turns_table();
   const real h = real(1) / 60;
   for (const double rate : {1000.0, -1000.0, 3.0}) {
     real counted = 0;
-    double measured = 0;
-    for (int n = 1; n <= 60; ++n) {
-      measured = std::remainder(n * rate / 60, 2 * pi);
-      counted = unwrapped(real(measured), counted + h * real(rate));
-    }
-    expect({"3.3", "counting turns", 2}, "angle after a second at " + short_number(rate),
-           double(counted), rate, is_float ? 1e-2 : 1e-8,
-           {{measured, "`measured` is returned as it is: no turn is counted"}});
+    for (int n = 1; n <= 60; ++n)
+      counted = unwrapped(real(std::remainder(n * rate / 60, 2 * pi)), counted + h * real(rate));
+    expect(table.subject, "angle after a second at " + short_number(rate), double(counted), rate,
+           is_float ? 1e-2 : 1e-8, table.explain(double(counted)));
   }
 }
 
@@ -228,16 +236,19 @@ TEST_CASE("3.4 of two limits the one with less room AFTER the step counts", "[3.
 }
 
 TEST_CASE("3.4 equal limits hold a coordinate at rest", "[3.4]") {
-  expect({"3.4", "the row of a limit (h = 1/10 s)"}, "live (1 yes), [1, 1] x 1 rate 0",
-         limit_row({1, 1}, 1, 0, real(limit_h)).live ? 1 : 0, 1, 0,
-         {{0, "two equal limits hold x where it is: always live"}});
+  const CaseTable<LimitCase> table = limit_table();
+  const double live = limit_row({1, 1}, 1, 0, real(limit_h)).live;
+  expect(table.subject, "live, [1, 1] x 1 rate 0", live, 1, 0,
+         table.explain(live, {{0, "two equal limits hold x where it is: always live"}}));
 }
 
 TEST_CASE("3.4 without limits there is no row", "[3.4]") {
-  for (const real rate : {real(0), real(50), real(-50)})
-    expect({"3.4", "the row of a limit (h = 1/10 s)"}, "live (1 yes), no limits",
-           limit_row({}, 3, rate, real(limit_h)).live ? 1 : 0, 0, 0,
-           {{1, "a bound that is infinite is never near"}});
+  const CaseTable<LimitCase> table = limit_table();
+  for (const real rate : {real(0), real(50), real(-50)}) {
+    const double live = limit_row({}, 3, rate, real(limit_h)).live;
+    expect(table.subject, "live, no limits", live, 0, 0,
+           table.explain(live, {{1, "a bound that is infinite is never near"}}));
+  }
 }
 
 // ---- 3.5 ----------------------------------------------------------------------------------------
@@ -251,42 +262,30 @@ TEST_CASE("3.5 a motor gives no more than its strength in a step", "[3.5]") {
 
 TEST_CASE("3.5 a motor gives the same in a step however many visits it gets", "[3.5]") {
   // a rotor of 2 kg m^2 that only the motor turns; a step is 1/60 s
-  const double h = 1.0 / 60, inertia = 2;
-  for (const double speed : {3.0, -3.0, 0.01})
-    for (const double strength : {10.0, 0.0, 1e4})
+  const CaseTable<MotorCase> table = motor_table();
+  const real h = real(1) / 60, inertia = 2;
+  for (const real speed : {real(3), real(-3), real(0.01)})
+    for (const real strength : {real(10), real(0), real(1e4)})
       for (const int visits : {1, 10, 100}) {
         real w = 0, sum = 0;
         for (int n = 0; n < visits; ++n)
-          w += motor_impulse(w, real(1 / inertia), {real(speed), real(strength)}, real(h), sum) /
-               real(inertia);
-        const auto clamped = [&](double bound) { return std::clamp(speed, -bound, bound); };
-        const double bound = h * strength / inertia;
-        expect({"3.5", "the impulse of a motor"},
-               "w [rad/s] after " + std::to_string(visits) + " visits", double(w),
-               clamped(bound), 100 * rounding,
-               {{clamped(visits * bound), "each visit is clamped: it is the sum over all visits "
-                                          "of a step that stays within h strength"},
-                {clamped(bound / h), "the bound is h strength: h is missing"},
-                {clamped(visits * bound / h), "each visit is clamped, and h is missing: it is the "
-                                              "sum that stays within h strength"},
-                {-clamped(bound), "the sign: the motor drives backward"},
-                {0, "the motor gives nothing"}});
+          w += motor_impulse(w, 1 / inertia, {speed, strength}, h, sum) / inertia;
+        const real most = h * strength / inertia;
+        expect(table.subject, "w [rad/s] after visits: " + std::to_string(visits), double(w),
+               double(std::clamp(speed, -most, most)), 100 * rounding,
+               table.explain(double(w)));
       }
 }
 
 TEST_CASE("3.5 a motor takes back what it gave too much", "[3.5]") {
-  // between its visits a limit has sped the rotor up: the sum goes down again, to its lower bound
-  real sum = 0;
-  real w = 0;
-  const Motor motor{3, 10};
-  const auto visit = [&] { return motor_impulse(w, real(0.5), motor, real(0.1), sum) / 2; };
-  w += visit();
+  // between two visits something else speeds the rotor up: the sum sinks to its lower bound
+  const CaseTable<MotorCase> table = motor_table();
+  real w = 0, sum = 0;
+  w += motor_impulse(w, real(0.5), {3, 10}, real(0.1), sum) / 2;
   w = 4;
-  w += visit();
-  expect({"3.5", "the impulse of a motor"}, "sum after a push from outside", double(sum), -1,
-         10 * rounding,
-         {{1, "the sum never goes back: it may change either way"},
-          {0, "the sum is kept from 0 to h strength: the torque is bounded either way"}});
-  expect({"3.5", "the impulse of a motor"}, "w after a push from outside", double(w), 3,
-         10 * rounding);
+  w += motor_impulse(w, real(0.5), {3, 10}, real(0.1), sum) / 2;
+  expect(table.subject, "sum after a push from outside", double(sum), -1, 10 * rounding,
+         table.explain(double(sum)));
+  expect(table.subject, "w after a push from outside", double(w), 3, 10 * rounding,
+         table.explain(double(w)));
 }

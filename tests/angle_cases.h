@@ -190,7 +190,7 @@ inline CaseTable<TurnsCase> turns_table() {
        plus(turn, [](double k) { return k > 0 ? std::round(k) : 0; })},
       {"only turns back are added",
        plus(turn, [](double k) { return k < 0 ? std::round(k) : 0; })},
-      {"the number of turns is cut off, not rounded: the nearest one counts",
+      {"the number of turns is cut off (as std::fmod does), not rounded: the nearest one counts",
        plus(turn, [](double k) { return std::trunc(k); })},
       {"the number of turns is rounded down: the nearest one counts",
        plus(turn, [](double k) { return std::floor(k); })},
@@ -210,16 +210,12 @@ inline CaseTable<TurnsCase> turns_table() {
        [](const Case& c) {
          return Numbers{c.measured + std::remainder(c.expected - c.measured, turn)};
        }},
-      {"std::fmod cuts toward zero, std::remainder goes to the nearest: take the latter",
-       [](const Case& c) {
-         return Numbers{c.expected + std::fmod(c.measured - c.expected, turn)};
-       }},
       {"the angle is folded into (-pi, pi]: it must be the one nearest to `expected`",
        [](const Case& c) { return Numbers{std::remainder(c.measured, turn)}; }},
       {"the angle is folded into (-pi, pi]: it must be the one nearest to `expected`",
        [](const Case& c) { return Numbers{std::remainder(c.expected, turn)}; }}};
   for (const double k : {0, 1, -1, 2, -2, 7, -7, 60, -60})
-    for (const double measured : {-3.1, -1.2, 0.4, 3.0})
+    for (const double measured : {-3.1, -1.2, 0.4, 3.0, 4.2})
       for (const double off : {-2.9, -0.5, 0.2, 3.0}) {
         const double expected = std::round(100 * (measured + turn * k + off)) / 100;
         table.cases.push_back({short_number(measured) + " near " + short_number(expected),

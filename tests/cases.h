@@ -29,10 +29,38 @@ struct CaseTable {
     for (std::size_t i = 0; i < expected.size(); ++i) {
       std::vector<Suspect> suspects;
       if (!same({numbers[i]}, {expected[i]}))
-        for (const std::string& words : likely(c)) suspects.push_back({numbers[i], words});
+        for (const std::string& words : likely({c})) suspects.push_back({numbers[i], words});
       expect(subject, entries[i] + (c.words.empty() ? "" : ", ") + c.words, numbers[i],
              expected[i], tolerance, suspects);
     }
+  }
+  /// For a test of another kind: whatever number it finds wrong, the table's mistake explains it.
+  std::vector<Suspect> explain(double number, std::vector<Suspect> otherwise = {}) const {
+    std::vector<Suspect> out;
+    for (const std::string& words : likely()) out.push_back({number, words});
+    out.insert(out.end(), otherwise.begin(), otherwise.end());
+    return out;
+  }
+  /// The mistakes that give your numbers in all cases, then those that do so wherever yours are
+  /// wrong, since there may be two mistakes. \param more further cases
+  std::vector<std::string> likely(std::vector<Case> more = {}) const {
+    more.insert(more.end(), cases.begin(), cases.end());
+    std::vector<Numbers> mine, expected;
+    bool all_right = true;
+    for (const Case& c : more) {
+      mine.push_back(yours(c));
+      expected.push_back(right(c));
+      all_right = all_right && same(mine.back(), expected.back());
+    }
+    std::vector<std::string> out;
+    for (const bool everywhere : {true, false})
+      for (const auto& [words, answer] : mistakes) {
+        bool fits = !all_right;
+        for (std::size_t i = 0; fits && i < more.size(); ++i)
+          if (everywhere || !same(mine[i], expected[i])) fits = same(mine[i], answer(more[i]));
+        if (fits) out.push_back(words);
+      }
+    return out;
   }
 
  private:
@@ -40,21 +68,6 @@ struct CaseTable {
     for (std::size_t i = 0; i < a.size(); ++i)
       if (a[i] != b[i] && !close({a[i]}, {b[i]}, tolerance)) return false;  // infinite ones agree
     return true;
-  }
-  // Mistakes that give your numbers in all cases, then those that do so wherever yours are wrong:
-  // there may be two mistakes.
-  std::vector<std::string> likely(const Case& here) const {
-    std::vector<std::string> out;
-    for (const bool everywhere : {true, false})
-      for (const auto& [words, answer] : mistakes) {
-        bool fits = same(yours(here), answer(here));
-        for (const Case& c : cases) {
-          const Numbers numbers = yours(c);
-          if (everywhere || !same(numbers, right(c))) fits = fits && same(numbers, answer(c));
-        }
-        if (fits) out.push_back(words);
-      }
-    return out;
   }
 };
 

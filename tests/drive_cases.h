@@ -66,8 +66,8 @@ inline CaseTable<LimitCase> limit_table() {
   const char* const violated = "live only where the limit is passed already: then it is too late. "
                                "The row must be there in the step before";
 
-  CaseTable<Case> table{{"3.4", "the row of a limit (h = 1/10 s)"}, {"C", "sign", "live (1 yes)"},
-                        {}, {}, {}, {}};
+  CaseTable<Case> table{{"3.4", "the row of a limit (h = 1/10 s; live 1 is yes)"},
+                        {"C", "sign", "live"}, {}, {}, {}, {}};
   table.yours = [=](const Case& c) {
     const Range range{real(c.lower), real(c.upper)};
     const LimitRow row = limit_row(range, real(c.x), real(c.rate), real(h));
@@ -136,6 +136,7 @@ inline CaseTable<LimitCase> limit_table() {
       limit_case(-1, 2, -5, 0),        limit_case(-1, 2, 2.3, 0),     // beyond
       limit_case(-1, 2, -1.05, -2),    limit_case(-1, 2, 2.05, 2),    // beyond, and on the way out
       limit_case(-1, 2, -0.25, 30),    limit_case(-1, 2, 1.25, -30),  // fast toward the far side
+      limit_case(-1, 2, 0, -30),       limit_case(-1, 2, 1, 30),      // toward the near one
       limit_case(-1, 2, -0.25, 9),     limit_case(-1, 2, 1.25, -9),   // the far side, out of reach
       limit_case(-none, 2, -100, 0),   limit_case(-none, 2, 1.9, 3),  // one limit only
       limit_case(-1, none, 50, 0),     limit_case(-1, none, -0.9, -3),

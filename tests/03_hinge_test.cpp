@@ -152,7 +152,7 @@ TEST_CASE("3.2 row by row coupling gives the known K of a rod a ball and an angl
   compare("K of an angle", to_jacobian(angle.jacobian(one, two)), to_matrix(angle.K(one, two)));
   const vec3 p = random.vector(1), q = random.vector(1);  // the crosses of an axis, Eq. 3-6
   const mat3 I = inverse_inertia(one) + inverse_inertia(two);
-  compare("K of an axis", turning("", p, q).second,
+  compare("K of an axis", turning_rows("", p, q).second,
           Matrix<2>{{{{dot(p, I * p), dot(p, I * q)}, {dot(q, I * p), dot(q, I * q)}}}});
 }
 

@@ -103,8 +103,8 @@ struct PointFixture {
 // ---- chapter 3 ----------------------------------------------------------------------------------
 
 // Rows in which only the turns count, body 1's with the minus.
-inline std::pair<std::string, Jacobian<2>> turning(const char* words, const vec3& first,
-                                                   const vec3& second) {
+inline std::pair<std::string, Jacobian<2>> turning_rows(const char* words, const vec3& first,
+                                                        const vec3& second) {
   return {words,
           {{Row{vec3(0), -first, vec3(0), first}, Row{vec3(0), -second, vec3(0), second}}}};
 }
@@ -129,19 +129,19 @@ struct AxisFixture {
     const vec3 b = to_world(pair.body2, part.b_local), c = to_world(pair.body2, part.c_local);
     const vec3 a2 = cross(b, c), p = cross(b, a1), q = cross(c, a1);
     const Jacobian<2> linear{{Row{-p, vec3(0), p, vec3(0)}, Row{-q, vec3(0), q, vec3(0)}}};
-    return {turning("b_local and c_local are not turned into the world: take b and c above",
-                    cross(part.b_local, a1), cross(part.c_local, a1)),
-            turning("a1_local is not turned into the world: take a1 above", cross(b, a1_local),
-                    cross(c, a1_local)),
-            turning("nothing is turned into the world: take a1, b and c above",
-                    cross(part.b_local, a1_local), cross(part.c_local, a1_local)),
-            turning("a2 in the place of a1: b x a1, not b x a2", cross(b, a2), cross(c, a2)),
-            turning("the two rows are exchanged", q, p),
-            turning("the second row repeats the first: it belongs to c", p, p),
-            turning("b and c themselves: the rows hold their cross products with a1", b, c),
-            turning("a1 itself: the rows hold b x a1 and c x a1", a1, a1),
-            turning("unit vectors: b x a1 becomes shorter as the axes part", direction(p),
-                    direction(q)),
+    return {turning_rows("b_local and c_local are not turned into the world: take b and c above",
+                         cross(part.b_local, a1), cross(part.c_local, a1)),
+            turning_rows("a1_local is not turned into the world: take a1 above",
+                         cross(b, a1_local), cross(c, a1_local)),
+            turning_rows("nothing is turned into the world: take a1, b and c above",
+                         cross(part.b_local, a1_local), cross(part.c_local, a1_local)),
+            turning_rows("a2 in the place of a1: b x a1, not b x a2", cross(b, a2), cross(c, a2)),
+            turning_rows("the two rows are exchanged", q, p),
+            turning_rows("the second row repeats the first: it belongs to c", p, p),
+            turning_rows("b and c themselves: the rows hold their cross products with a1", b, c),
+            turning_rows("a1 itself: the rows hold b x a1 and c x a1", a1, a1),
+            turning_rows("unit vectors: b x a1 becomes shorter as the axes part",
+                         direction(p), direction(q)),
             {"the cross products stand in v1 and v2: they belong to the turns, w1 and w2",
              linear}};
   }

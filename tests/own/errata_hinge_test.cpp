@@ -168,7 +168,8 @@ TEST_CASE("E25 the printed error of the axis is zero upside down too and its K s
   }
 }
 
-TEST_CASE("E26 the printed angle of a pair that is turned by 1 rad as one may read 2 rad", "[E26]") {
+TEST_CASE("E26 the printed angle of a pair that is turned by 1 rad as one may read 2 rad",
+          "[E26]") {
   Random random(32);
   double worst = 0, sum = 0, ours = 0;
   for (int draw = 0; draw < 200; ++draw) {

@@ -52,7 +52,7 @@ struct Listing {
 
 }  // namespace
 
-TEST_CASE("E2 the slope by quaternion components times omega is twice the true rate") {
+TEST_CASE("E2 the slope by quaternion components times omega is twice the true rate", "[E2]") {
   // a point 1 m from the centre of a body that turns about z at 1 rad/s
   const Point part{vec3(0), vec3(1, 0, 0)};
   const Body wall = static_body(vec3(0));
@@ -82,7 +82,8 @@ TEST_CASE("E2 the slope by quaternion components times omega is twice the true r
            vec3(-1, 0, 0)));
 }
 
-TEST_CASE("E5 a violated limit solved as an equality brakes a body that comes back to 0.6") {
+TEST_CASE("E5 a violated limit solved as an equality brakes a body that comes back to 0.6",
+          "[E5]") {
   World world;
   world.gravity = vec3(0);
   const BodyId wall = world.add(static_body(vec3(0)));
@@ -100,7 +101,8 @@ TEST_CASE("E5 a violated limit solved as an equality brakes a body that comes ba
   CHECK(speed_after(Rope<CentreDistance>{{1}}) == Approx(-5).epsilon(near));
 }
 
-TEST_CASE("E5 a limit ignored until it is violated lets a body fly to 0.657 instead of 0.5") {
+TEST_CASE("E5 a limit ignored until it is violated lets a body fly to 0.657 instead of 0.5",
+          "[E5]") {
   World world;
   world.gravity = vec3(0);
   const BodyId wall = world.add(static_body(vec3(0)));
@@ -117,7 +119,8 @@ TEST_CASE("E5 a limit ignored until it is violated lets a body fly to 0.657 inst
   CHECK(double(world.bodies[body].x.x) == Approx(0.5).epsilon(near));
 }
 
-TEST_CASE("E18 inertia left in body space leaves 40 % of a row that it should have solved") {
+TEST_CASE("E18 inertia left in body space leaves 40 % of a row that it should have solved",
+          "[E18]") {
   // the body is turned a quarter about x; the push turns it about the world's z, its own -y
   const real r = std::sqrt(real(0.5));
   Body body = body_with(1, vec3(1, real(0.5), real(0.25)), vec3(0), quat(r, r, 0, 0));
@@ -133,7 +136,8 @@ TEST_CASE("E18 inertia left in body space leaves 40 % of a row that it should ha
   CHECK(std::abs(share_left(pair, J, right)) < near);
 }
 
-TEST_CASE("E19 the printed effective mass m1 + m2 overshoots with masses 1 and 3 and length 2") {
+TEST_CASE("E19 the printed effective mass m1 + m2 overshoots with masses 1 and 3 and length 2",
+          "[E19]") {
   const Pair pair = on_a_line(1, 3, 2, 1);
   const Row J = printed_row(pair);
   CHECK(share_left(pair, J, 1 + 3) == Approx(-1.0 / 3).epsilon(near));
@@ -145,14 +149,15 @@ TEST_CASE("E19 the printed effective mass m1 + m2 overshoots with masses 1 and 3
                             rod.K(pair.body1, pair.body2))) < near);
 }
 
-TEST_CASE("E19 the printed effective mass diverges for light bodies and is idle for heavy ones") {
+TEST_CASE("E19 the printed effective mass diverges for light bodies and is idle for heavy ones",
+          "[E19]") {
   const Pair light = on_a_line(real(0.5), real(0.5), 2, 1);
   const Pair heavy = on_a_line(100, 100, real(2.3), 1);
   CHECK(share_left(light, printed_row(light), 1) == Approx(-15).epsilon(near));
   CHECK(share_left(heavy, printed_row(heavy), 200) == Approx(0.9994710).epsilon(1e-6));
 }
 
-TEST_CASE("E20 an error of another form than the row decays by 1 - beta over the length") {
+TEST_CASE("E20 an error of another form than the row decays by 1 - beta over the length", "[E20]") {
   for (const auto& [L, printed] : {std::pair{10.0, 0.985}, {0.5, 0.7}, {0.1, -0.5}}) {
     const double beta = 0.15, C = 1e-3 * L;
     const auto share_after_a_step = [&](bool same_form) {
@@ -172,14 +177,14 @@ TEST_CASE("E20 an error of another form than the row decays by 1 - beta over the
   }
 }
 
-TEST_CASE("E21 centres that coincide give the printed row no number and ours none to do") {
+TEST_CASE("E21 centres that coincide give the printed row no number and ours none to do", "[E21]") {
   const Pair pair = on_a_line(1, 3, 0, 1);
   CHECK_FALSE(finite(normalize(pair.body2.x - pair.body1.x)));
   const Row J = CentreDistance{1}.jacobian(pair.body1, pair.body2);
   for (const vec3& block : {J.v1, J.w1, J.v2, J.w2}) CHECK(block == vec3(0));
 }
 
-TEST_CASE("E22 the listing never sets its bias and so keeps its error for ever") {
+TEST_CASE("E22 the listing never sets its bias and so keeps its error for ever", "[E22]") {
   for (bool missing_line : {false, true}) {
     Pair pair = on_a_line(1, 3, real(1.1), 0);
     Listing listing;
@@ -195,7 +200,8 @@ TEST_CASE("E22 the listing never sets its bias and so keeps its error for ever")
   }
 }
 
-TEST_CASE("E23 the guard of the listing lets 5 m per s along a rod without error through") {
+TEST_CASE("E23 the guard of the listing lets 5 m per s along a rod without error through",
+          "[E23]") {
   for (bool guard : {true, false}) {
     Pair pair{static_body(vec3(0)), ball(3, real(0.1), vec3(1, 0, 0))};
     pair.body2.v = vec3(5, 0, 0);

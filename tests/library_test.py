@@ -87,8 +87,12 @@ def main(arguments):
     try:
         call("cmake", "--install", build, "--prefix", prefix)
         look_at_installed(root, build, prefix)
+        page = (root / "docs" / "library.md").read_text()
         for library in ("joints", "joints_float"):
-            print(f"{library}: {build_and_run(root, area, prefix, arguments[2], library)}")
+            said = build_and_run(root, area, prefix, arguments[2], library)
+            print(f"{library}: {said}")
+            if said not in page:
+                raise Wrong("docs/library.md says that the program says something else")
     except Wrong as wrong:
         print(wrong, file=sys.stderr)
         return 1

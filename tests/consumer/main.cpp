@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "joints.h"
+#include <joints.h>
 
 int main() {
   using namespace joints;

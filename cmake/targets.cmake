@@ -2,11 +2,11 @@
 
 # What every source is compiled with. No contraction to fused multiply-add and no -march=native:
 # the same digits on every machine. Sections and their collection: a program carries what it uses.
+set(WORKBOOK_DEFINITIONS GLM_FORCE_CTOR_INIT GLM_FORCE_EXPLICIT_CTOR GLM_ENABLE_EXPERIMENTAL)
 add_library(workbook_options INTERFACE)
 target_compile_features(workbook_options INTERFACE cxx_std_20)
 target_include_directories(workbook_options INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_definitions(workbook_options INTERFACE
-  GLM_FORCE_CTOR_INIT GLM_FORCE_EXPLICIT_CTOR GLM_ENABLE_EXPERIMENTAL)
+target_compile_definitions(workbook_options INTERFACE ${WORKBOOK_DEFINITIONS})
 target_compile_options(workbook_options INTERFACE
   -ffp-contract=off -ffunction-sections -fdata-sections)
 target_link_options(workbook_options INTERFACE -Wl,--gc-sections)

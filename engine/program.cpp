@@ -47,8 +47,11 @@ double Options::number(const std::string& name, double least) const {
   const std::string value = text(name);
   char* end = nullptr;
   const double number = std::strtod(value.c_str(), &end);
-  if (value.empty() || *end != '\0' || !std::isfinite(number) || number < least)
-    refuse("--" + name + " " + value + ": must be a number of at least " + std::to_string(least));
+  if (value.empty() || *end != '\0' || !std::isfinite(number) || number < least) {
+    char bound[32];
+    std::snprintf(bound, sizeof bound, "%g", least);
+    refuse("--" + name + " " + value + ": must be a number of at least " + bound);
+  }
   return number;
 }
 

@@ -20,7 +20,19 @@ import house  # noqa: E402
 HEADINGS = ["Goal", "Derivation", "Numbers", "Code", "Exercises", "Check", "Predict", "See it",
             "A printed formula that is wrong: find it", "Questions", "Further reading"]
 OPTIONAL = {"A printed formula that is wrong: find it"}
-PROGRAMS = ["01_distance_run", "02_ball_run"]
+# Every program: a symbol that it uses, and those that it must not carry. Chapters 1 and 2 run on
+# the reader's own loop, so on no solver and no joint of the engine.
+OWN_LOOP = r"SequentialImpulses|\w*Joint"
+LATER = {3: r"Axis::|HingeAngle|HingeJoint|Limit<", 4: r"Line::|Slide::|RotationLock|SliderJoint",
+         5: r"Weld|FixedJoint|cross_K|carried"}
+PROGRAMS = {
+    "01_distance_run": ("apply_impulse", rf"{OWN_LOOP}|Point::|block_impulse|turned|" + "|".join(
+        LATER.values())),
+    "02_ball_run": ("block_impulse", rf"{OWN_LOOP}|" + "|".join(LATER.values())),
+    "03_hinge_run": ("Axis::", rf"{LATER[4]}|{LATER[5]}"),
+    "04_slider_run": ("Line::", rf"{LATER[5]}|HingeJoint|HingeAngle"),
+    "05_fixed_run": ("Weld::", "nothing")}
+QUOTED = {"docs/library.md": ["tests/consumer/CMakeLists.txt", "tests/consumer/main.cpp"]}
 LONG_FILES = {"tests/01_distance_test.cpp": "the tests of six exercises",
               "tests/check.cpp": "the reports and the usual mistakes",
               "tests/workbook_test.py": "many short proofs"}
@@ -219,6 +231,15 @@ def links_lead_somewhere(root, build):
                 yield f"{path.relative_to(root)}: {target} does not exist"
 
 
+def quotations_are_exact(root, build):
+    """a file that a text quotes stands there as it is"""
+    for text, sources in QUOTED.items():
+        blocks = re.findall(r"^```\w+\n(.*?)^```$", read(root / text), re.M | re.S)
+        for source in sources:
+            if not read(root / source) or read(root / source) not in blocks:
+                yield f"{text} does not quote {source} as it is"
+
+
 # ---- sources -------------------------------------------------------------------------------------
 
 def may_include(name):
@@ -264,13 +285,11 @@ def run(program, *arguments, **more):
 
 def programs_carry_what_they_use(root, build):
     """a program carries no symbol of what it does not use"""
-    foreign = {program: r"joints::(SequentialImpulses|\w*Joint)\b" for program in PROGRAMS}
-    foreign["01_distance_run"] += r"|joints::(Point::|block_impulse|turned)\b"
-    for program, pattern in foreign.items():
+    for program, (used, foreign) in PROGRAMS.items():
         symbols = run("nm", "-C", str(build / program)).stdout
-        if "joints::apply_impulse" not in symbols:
+        if f"joints::{used}" not in symbols:
             yield f"{program}: nm shows no symbols"
-        for symbol in sorted({match[0] for match in re.finditer(pattern, symbols)}):
+        for symbol in sorted(set(re.findall(rf"joints::(?:{foreign})\w*", symbols))):
             yield f"{program} carries {symbol}"
 
 
@@ -329,9 +348,9 @@ def untimed(path):
 PROOFS = [stubs_are_fresh, every_region_has_a_task, every_exercise_has_hints,
           every_exercise_stands_in_the_table, every_exercise_has_tests,
           every_exercise_has_wrong_answers, texts_have_their_headings, questions_have_answers,
-          equations_exist, texts_keep_the_solution, links_lead_somewhere, layers_hold,
-          sources_are_short, programs_carry_what_they_use, bad_words_are_refused,
-          programs_repeat_themselves]
+          equations_exist, texts_keep_the_solution, links_lead_somewhere,
+          quotations_are_exact, layers_hold, sources_are_short, programs_carry_what_they_use,
+          bad_words_are_refused, programs_repeat_themselves]
 
 
 def main(arguments):

@@ -104,11 +104,12 @@ def test(word):
 
 
 def after(chapter, id_):
-    """The next thing after an exercise that is done."""
+    """The next thing after an exercise that is done: the next one of the chapter that is not."""
     ids = chapter.ids()
     place = ids.index(id_)
-    if place + 1 < len(ids):
-        return f"Next: {ids[place + 1]}, {chapter.place(ids[place + 1])}"
+    for one in grading.grade(chapter, ids[place + 1:] + ids[:place]) if len(ids) > 1 else []:
+        if one.status != grading.DONE:
+            return f"Next: {one.id}, {chapter.place(one.id)}"
     words = f"See what you built: ./wb run {chapter.number}, ./wb plot {chapter.number}, " \
             f"./wb see {chapter.number}"
     later = [c for c in house.chapters() if c.number == chapter.number + 1]

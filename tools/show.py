@@ -2,12 +2,14 @@
 import csv
 import os
 import re
+import signal
 import subprocess
 import sys
 import time
 import webbrowser
 
 import exercises
+import grade as grading
 import house
 import motion
 from house import bold, faint
@@ -28,8 +30,48 @@ def call_program(name, folder, options, quiet):
     result = subprocess.run([house.BUILD / name, "--out", folder, *options],
                             stdout=subprocess.PIPE if quiet else None,
                             stderr=subprocess.PIPE, text=True)
+    if result.returncode < 0:
+        raise Crash(f"{name} crashed ({signal_name(-result.returncode)})")
     if result.returncode != 0:
         raise house.Trouble(result.stderr.strip() or f"{name} ended with {result.returncode}")
+
+
+class Crash(house.Trouble):
+    """A program was ended by a signal."""
+
+
+def call_and_blame(chapter, written, program, folder, options, quiet):
+    """Runs the reader's program; a crash is said together with the exercise it may come from."""
+    try:
+        call_program(program, folder, options, quiet)
+    except Crash as crash:
+        raise house.Trouble(f"{crash}\n{likely_cause(chapter, written, options)}")
+
+
+def signal_name(number):
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return f"signal {number}"
+
+
+def finite(table):
+    """True when a table has no number that is nan or infinite."""
+    return not re.search(r"(^|,)-?(nan|inf)(,|$)", table.read_text(), re.M | re.I)
+
+
+def likely_cause(chapter, written, options):
+    """Which of the reader's exercises may be to blame for a run that went wrong, and what to do."""
+    wrong = [one.id for one in grading.grade(chapter, written)
+             if one.status in (grading.WRONG, grading.BROKEN)] if written else []
+    if wrong:
+        others = f" (wrong, too: {' '.join(wrong[1:])})" if wrong[1:] else ""
+        return f"The tests say: exercise {wrong[0]} is wrong{others}. Next: ./wb test {wrong[0]}"
+    words = "No test finds a mistake in your code." if written else "The code is the solution's."
+    if options:
+        return (f"{words} Right code cannot bear every option. Without them: "
+                f"./wb run {chapter.number}")
+    return f"{words} Next: ./wb test {chapter.number}"
 
 
 def prepare_mine(chapter):
@@ -70,8 +112,12 @@ def run(chapter, options):
               + (f"   the solution's: {' '.join(rest)}" if rest else ""), flush=True)
         program = f"{chapter.folder}_run_mine"
     folder = MINE / chapter.folder
-    call_program(program, folder, options, False)
+    call_and_blame(chapter, written, program, folder, options, False)
     (folder / "options.txt").write_text(" ".join(options))  # for the solution to be run alike
+    if not finite(folder / "summary.csv"):
+        print(f"The motion did not stay finite (nan or inf above).\n"
+              f"{likely_cause(chapter, written, options)}")
+        return 1
     print(faint(f"tables: {house.short(folder)}/   figures: ./wb plot {chapter.number}   "
                 f"motion: ./wb see {chapter.number}"))
     return 0
@@ -95,11 +141,12 @@ def both_runs(chapter):
         run_solution(chapter)
     note = mine / "options.txt"
     options = note.read_text().split() if note.exists() else []
-    if prepare_mine(chapter) is None:
+    written = prepare_mine(chapter)
+    if written is None:
         if not (mine / "summary.csv").exists():
             return solution, None
     elif stale(mine, house.BUILD / f"{chapter.folder}_run_mine"):
-        call_program(f"{chapter.folder}_run_mine", mine, options, True)
+        call_and_blame(chapter, written, f"{chapter.folder}_run_mine", mine, options, True)
     if options:
         solution = house.OUT / "solutions_alike" / chapter.folder
         call_program(f"{chapter.folder}_run", solution, options, True)
@@ -112,12 +159,12 @@ def both_runs(chapter):
 def draw(script, *arguments):
     """Runs one script of plots/; returns the PNG files that it made."""
     figures = house.OUT / "plots"
-    before = time.time() - 1
+    before = {p: p.stat().st_mtime_ns for p in figures.glob("*.png")}
     result = subprocess.run([sys.executable, "-B", house.ROOT / "plots" / script, *arguments,
                              "--out", figures], capture_output=True, text=True)
     if result.returncode != 0:
         raise house.Trouble(result.stderr.strip() or f"plots/{script} failed")
-    return sorted(p for p in figures.glob("*.png") if p.stat().st_mtime >= before)
+    return sorted(p for p in figures.glob("*.png") if p.stat().st_mtime_ns != before.get(p))
 
 
 def plot_chapter(chapter, with_mine=True):
@@ -153,7 +200,13 @@ def make_page(chapter, solution, mine):
 
 
 def see(chapter):
-    """The page that plays the motion."""
+    """The page that plays the motion of one chapter; without one, all pages, and opens none."""
+    for one in [] if chapter else house.chapters():
+        solution, mine = both_runs(one)
+        print(house.short(make_page(one, solution, mine)), flush=True)
+    if not chapter:
+        print("open them in a browser: they need no network")
+        return 0
     solution, mine = both_runs(chapter)
     page = make_page(chapter, solution, mine)
     print(f"{house.short(page)}" + ("" if mine else "   (the solution; yours is not written yet)"))

@@ -23,7 +23,7 @@ HELP = """The Joint Workbook
 
   ./wb run 2 [...]     the chapter's program with your code (--help lists its options)
   ./wb plot [2]        draw the figures: your curve over the solution's
-  ./wb see 2           the page that plays the motion: yours beside the solution's
+  ./wb see [2]         the page that plays the motion: yours beside the solution's
 
   ./wb bench           error against run time
   ./wb docs            the documentation as a site
@@ -70,7 +70,7 @@ def main(arguments):
         case "plot":
             return show.plot(house.chapter_of(rest[0]) if rest else None)
         case "see":
-            return show.see(house.chapter_of(one_argument(rest, "chapter")))
+            return show.see(house.chapter_of(rest[0]) if rest else None)
         case _:
             raise house.Trouble(f"{command}: no such command; ./wb help lists them")
     return 0

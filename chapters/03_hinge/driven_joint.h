@@ -58,10 +58,14 @@ class DrivenJoint : public Joint {
     return out;
   }
 
+  /// Counts turns, and chooses the limit that has a row in this step.
   void begin_step(const Bodies& bodies, real h) override;
+  /// Motor, limit, rigid rows: those that are live.
   void append(const Bodies& bodies, Blocks& blocks) const override;
+  /// Adds a limit that a neighbour has driven the joint past.
   void second_look(const Bodies& bodies, real h, Blocks& blocks) override;
-  int most_rows() const override { return places; }
+  int most_rows() const override { return places; }  ///< rigid rows, limit, motor, late limit
+  /// A limit if there are bounds, a motor if it has strength.
   Extras extras() const override {
     return {limited() ? 1 : 0, limit_.live || late_.live ? 1 : 0, motor_.strength > 0 ? 1 : 0};
   }

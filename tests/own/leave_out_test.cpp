@@ -8,17 +8,18 @@
 #include "chapters/02_ball/ball_joint.h"
 #include "engine/plan.h"
 #include "tests/catch.h"
+#include "tests/own/allocations.h"
 #include "tests/own/oracle.h"
 
 // ---- every allocation of this program goes through here, counted while `counting` is set --------
 
+bool joints::testing::counting = false;
+long joints::testing::allocations = 0;
+
 namespace {
 
-bool counting = false;
-long allocations = 0;
-
 void* allocate(std::size_t size, std::size_t alignment) {
-  if (counting) ++allocations;
+  if (joints::testing::counting) ++joints::testing::allocations;
   const std::size_t pieces = (std::max(size, std::size_t(1)) + alignment - 1) / alignment;
   return alignment <= alignof(std::max_align_t) ? std::malloc(pieces * alignment)
                                                 : std::aligned_alloc(alignment, pieces * alignment);
@@ -58,15 +59,6 @@ using namespace joints::testing;
 namespace {
 
 const real h = real(1) / 60;
-
-template <class Call>
-long allocations_of(Call call) {
-  allocations = 0;
-  counting = true;
-  call();
-  counting = false;
-  return allocations;
-}
 
 // Adds its six rows in the second look of every third step only, so that the list of blocks grows
 // where nobody expects it.

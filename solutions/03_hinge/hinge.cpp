@@ -122,11 +122,10 @@ LimitRow limit_row(const Range& range, real x, real rate, real h) {
   // begin [exercise 3.4]
   // Return {C, sign, live} of the limit that has less room at the end of this step, Eq. 3-13:
   // C = x - lower grows with x (sign +1), C = upper - x shrinks with it (sign -1). It is live if
-  // C < h |rate| + 0.1 h, Eq. 3-14. Two equal limits hold x where it is: always live.
+  // C < h |rate| + 0.1 h, Eq. 3-14.
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};  // Eq. 3-13
   LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  const bool equal = range.lower == range.upper;
-  nearer.live = equal || nearer.C < h * std::abs(rate) + real(0.1) * h;  // Eq. 3-14
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;  // Eq. 3-14
   return nearer;
   // end [exercise 3.4]
 }

@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+"""Chapter 3's drawing: the shadow of an axis, the arrow of the angle's rate, a door's limits.
+
+    python3 plots/geometry_03.py OUT.svg
+"""
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.patches import Arc, Ellipse, FancyBboxPatch, Polygon, Wedge  # noqa: E402
+from matplotlib.transforms import Affine2D  # noqa: E402
+
+CARD, INK, FAINT = "#f7f5ef", "#222222", "#6b6b6b"
+BODY1, BODY2, ARROW = "#0072B2", "#D55E00", "#009E73"
+WIDTH, HEIGHT = 840, 380  # [px]
+
+plt.rcParams.update({"svg.hashsalt": "geometry_03", "font.family": "DejaVu Sans",
+                     "mathtext.fontset": "dejavusans"})
+
+
+def arrow(ax, start, end, colour, width=2.2):
+    ax.annotate("", xy=end, xytext=start, zorder=4,
+                arrowprops={"arrowstyle": "-|>,head_width=0.3,head_length=0.6", "color": colour,
+                            "linewidth": width, "shrinkA": 0, "shrinkB": 0})
+
+
+def line(ax, start, end, colour=FAINT, dashes=(0, (2, 2)), width=1.1):
+    ax.plot(*zip(start, end), color=colour, linewidth=width, linestyle=dashes, zorder=3)
+
+
+def words(ax, place, text, colour=INK, size=13, **more):
+    ax.text(*place, text, color=colour, fontsize=size, ha="center", va="center", zorder=6, **more)
+
+
+def at_angle(centre, radius, degrees):
+    angle = np.radians(degrees)
+    return np.asarray(centre) + radius * np.array([np.cos(angle), np.sin(angle)])
+
+
+def shadow(ax):
+    """Left: a1 above the plane of b and c, and its shadow there, which is C."""
+    words(ax, (142, 350), "the error: a shadow", size=12.5, weight="bold")
+    middle, length = np.array([134.0, 156.0]), 112.0
+
+    def place(b, c, up):  # seen from a little above; body 2's axis points up
+        right, away = 0.9 * c - 0.44 * b, -0.9 * b - 0.44 * c
+        return middle + length * np.array([right, 0.5 * away + 0.87 * up])
+
+    ax.add_patch(Ellipse(middle, 2 * length, length, facecolor=BODY2 + "1c",
+                         edgecolor=BODY2, linewidth=1.5))
+    C_b, C_c = 0.35, 0.6
+    up = np.sqrt(1 - C_b ** 2 - C_c ** 2)
+    tip, foot = place(C_b, C_c, up), place(C_b, C_c, 0)
+    for end in ((1, 0, 0), (0, 1, 0), (0, 0, 1)):
+        arrow(ax, middle, place(*end), BODY2)
+    line(ax, tip, foot)
+    line(ax, foot, place(C_b, 0, 0))
+    line(ax, foot, place(0, C_c, 0))
+    arrow(ax, middle, foot, INK, 3)
+    arrow(ax, middle, tip, BODY1, 2.6)
+    words(ax, place(0, 0, 1) + (-15, -4), "$a_2$", BODY2)
+    words(ax, place(1, 0, 0) + (-14, -4), "$b$", BODY2)
+    words(ax, place(0, 1, 0) + (15, -4), "$c$", BODY2)
+    words(ax, tip + (14, 8), "$a_1$", BODY1)
+    words(ax, foot + (4, -15), "$C$", INK, 15)
+    words(ax, place(C_b, 0, 0) + (-25, 5), "$a_1\\cdot b$", INK, 11)
+    words(ax, place(0, C_c, 0) + (10, 13), "$a_1\\cdot c$", INK, 11)
+    words(ax, (142, 32), "$b$, $c$ and $a_2$ ride on body 2", FAINT, 11)
+
+
+def rate(ax):
+    """Middle: g lies between the axes and has the component 1 along both."""
+    words(ax, (420, 350), "the angle's rate: $g$", size=12.5, weight="bold")
+    root, length, half = np.array([420.0, 92.0]), 165.0, 32.0
+    tip1, tip2 = at_angle(root, length, 90 + half), at_angle(root, length, 90 - half)
+    tip = root + (0, length / np.cos(np.radians(half)))
+    ax.add_patch(Arc(root, 2 * length, 2 * length, theta1=48, theta2=132, color=FAINT,
+                     linewidth=1, linestyle=(0, (2, 2)), zorder=2))
+    for end in (tip1, tip2):
+        line(ax, tip, end, INK, "solid")
+        inward, across = (root - end) / length, (tip - end) / np.linalg.norm(tip - end)
+        corner = np.array([end + 11 * inward, end + 11 * (inward + across), end + 11 * across])
+        ax.plot(*corner.T, color=INK, linewidth=1, zorder=3)
+    arrow(ax, root, tip1, BODY1, 2.6)
+    arrow(ax, root, tip2, BODY2, 2.6)
+    arrow(ax, root, tip, ARROW, 3)
+    words(ax, tip1 + (-16, 4), "$a_1$", BODY1)
+    words(ax, tip2 + (17, 4), "$a_2$", BODY2)
+    words(ax, tip + (0, 17), "$g$", ARROW, 15)
+    words(ax, (338, 160), "length 1", BODY1, 11)
+    words(ax, (503, 160), "length 1", BODY2, 11)
+    words(ax, (420, 32), "on either axis its shadow is 1 long", FAINT, 11)
+
+
+def door(ax):
+    """Right: a door from above, with its angle x, its two limits and the room to the nearer one."""
+    words(ax, (698, 350), "limits", size=12.5, weight="bold")
+    pin, length, x, upper = np.array([640.0, 118.0]), 132.0, 58.0, 110.0
+    ax.add_patch(Wedge(pin, length, 0, upper, facecolor=BODY2 + "12", edgecolor="none", zorder=1))
+    ax.add_patch(Polygon([(586, 100), (640, 100), (640, 136), (586, 136)], facecolor=BODY1 + "26",
+                         edgecolor=BODY1, linewidth=2))
+    for degrees in (0, upper):
+        line(ax, pin, at_angle(pin, length + 14, degrees), INK, (0, (4, 3)), 1.4)
+    leaf = FancyBboxPatch((0, -6), length, 12, boxstyle="round,pad=0,rounding_size=5",
+                          facecolor="#f6d9c4", edgecolor=BODY2, linewidth=2, zorder=4)
+    leaf.set_transform(Affine2D().rotate_deg(x).translate(*pin) + ax.transData)
+    ax.add_patch(leaf)
+    for start, end, radius, colour in ((0, x - 8, 64, BODY2), (x + 7, upper - 4, 92, INK)):
+        ax.add_patch(Arc(pin, 2 * radius, 2 * radius, theta1=start, theta2=end, color=colour,
+                         linewidth=2, zorder=4))
+        last, before = at_angle(pin, radius, end + 4), at_angle(pin, radius, end - 3)
+        arrow(ax, before, last, colour, 2)
+    ax.plot(*pin, "o", color=INK, markersize=9, markeredgecolor=CARD, zorder=7)
+    words(ax, at_angle(pin, 84, 26), "$x$", BODY2, 15)
+    words(ax, at_angle(pin, 108, 86), "$C$", INK, 15)
+    words(ax, (596, 86), "body 1", BODY1, 12)
+    words(ax, at_angle(pin, length + 30, 58) + (6, 0), "body 2", BODY2, 12)
+    words(ax, (762, 100), "lower", INK, 11)
+    words(ax, (590, 268), "upper", INK, 11)
+    words(ax, (698, 32), "$C$ is the room that is left", FAINT, 11)
+
+
+def main(path):
+    figure = plt.figure(figsize=(WIDTH / 96, HEIGHT / 96))
+    ax = figure.add_axes((0, 0, 1, 1))
+    ax.set_xlim(0, WIDTH)
+    ax.set_ylim(0, HEIGHT)
+    ax.set_axis_off()
+    ax.add_patch(FancyBboxPatch((1, 1), WIDTH - 2, HEIGHT - 2, facecolor=CARD, edgecolor="#d9d5c8",
+                                linewidth=1, boxstyle="round,pad=0,rounding_size=12", zorder=0))
+    for x in (280, 560):
+        ax.plot((x, x), (45, 330), color="#d9d5c8", linewidth=1.2)
+    shadow(ax)
+    rate(ax)
+    door(ax)
+    metadata = {"Date": None} if path.endswith(".svg") else None
+    figure.savefig(path, transparent=True, metadata=metadata)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    main(sys.argv[1])

@@ -95,8 +95,8 @@ void check_momentum(const Subject& subject, int pose, const Part& part, const Pa
   expect(subject, at("angular momentum", pose),
          cross(pair.body1.x, J.v1) + J.w1 + cross(pair.body2.x, J.v2) + J.w2, vec3(0),
          10 * rounding,
-         {{cross(u, n), std::string("u is missing from the lever of body 1") + lines},
-          {cross(u + r1 - r2, n), std::string("the levers are missing") + lines},
+         {{cross(u, n), std::string("u belongs to the lever of body 1 and to no other") + lines},
+          {cross(u + r1 - r2, n), std::string("levers are missing, or are points") + lines},
           {cross(u + r1, n), "the lever of body 1 is missing"},
           {-cross(r2, n), "the lever of body 2 is missing"}});
 }
@@ -134,12 +134,12 @@ void expect_way(int pose, const Slide& slide, const Pair& pair) {
   const vec3 d = pair.body2.x - pair.body1.x;
   const double right = double(dot(u, a));
   expect(way_C, at("way", pose), double(slide.error(pair.body1, pair.body2)), right, 10 * rounding,
-         {{-right, "the sign: the way grows when body 2 moves along a"},
+         {{std::abs(right), "the way has a sign: it is negative behind the start"},
+          {-right, "the sign: the way grows when body 2 moves along a"},
           {double(dot(d, a)), "centres in place of anchors: u is p2 - p1"},
           {double(dot(u, slide.a1_local)), "a is left in body space: turn it with body 1"},
           {double(dot(u, to_world(pair.body2, slide.a1_local))),
            "a is turned with body 2: the line rides on body 1"},
-          {std::abs(right), "the way has a sign: it is negative behind the start"},
           {double(length(u)), "the length of u: only its part along a is the way"}});
 }
 
@@ -202,7 +202,6 @@ void expect_lock(const std::string& entry, const RotationLock& lock, const Body&
       {s * C, "the sine of the whole angle: it is zero again at a half turn"},
       {C / s, "the tangent of half the angle: it has no bound at a half turn"},
       {real(2) * vec3(e.w, e.x, e.y), "the numbers w, x, y: the vector of q is (q.x, q.y, q.z)"},
-      {real(2) * vector_of(q2 - q1), "a difference of quaternions is no turn: multiply"},
       {three_angles, angles},
       {glm::eulerAngles(back1 * q2) - glm::eulerAngles(start), angles},
       {glm::eulerAngles(q2 * back) - glm::eulerAngles(q1), angles},
@@ -222,6 +221,7 @@ void expect_lock(const std::string& entry, const RotationLock& lock, const Body&
       suspects.push_back({real(2) * turn, words});
       suspects.push_back({turn, std::string(words) + "; the factor 2 is forgotten as well"});
     }
+  suspects.push_back({real(2) * vector_of(q2 - q1), "a difference of quaternions is no turn"});
   suspects.push_back({vec3(0), "C is zero, though body 2 is turned too far"});
   expect(lock_C, entry, lock.error(body1, body2), C, 10 * rounding, suspects);
 }
@@ -271,11 +271,11 @@ TEST_CASE("4.2 where the pair turns as one its error turns with it", "[4.2]") {
     const RotationLock lock{random.turn()};
     const quat turn = random.turn();
     const vec3 C = lock.error(body1, body2);
-    expect(lock_C, "C of the turned pair",
-           lock.error(turned_by(turn * body1.q), turned_by(turn * body2.q)), turn * C,
-           10 * rounding,
+    const vec3 yours = lock.error(turned_by(turn * body1.q), turned_by(turn * body2.q));
+    expect(lock_C, "C of the turned pair", yours, turn * C, 10 * rounding,
            {{C, "it is in the axes of a body: C is in the world, q2 start^-1 q1^-1"},
-            {-(turn * C), "the sign rule is forgotten: where s < 0, take -q"}});
+            {-(turn * C), "the sign rule is forgotten: where s < 0, take -q"},
+            {yours, "it is not made of the turn q2 start^-1 q1^-1 alone"}});
   }
 }
 
@@ -289,7 +289,7 @@ TEST_CASE("4.2 at a half turn the error is largest and finite", "[4.2]") {
            10 * rounding,
            {{1, "the factor 2 is forgotten"},
             {0, "the sine of the whole angle: it is zero again at a half turn"},
-            {3.14159265358979, "this is the vector of the turn itself: C is 2 v"}});
+            {3.14159265358979, "an angle: C is 2 v, whose length is 2 sin(angle/2)"}});
     double sum = 0;
     for (double entry : flat(RotationLock{}.jacobian(body1, body2))) sum += entry;
     expect(RotationLockFixture::J, "is J a number (1 yes, 0 no)", std::isfinite(sum), 1, 0);

@@ -1,2 +1,0 @@
-// expects: Likely mistake: the length of u: only its part along a is the way
-  return length(u);

@@ -185,6 +185,48 @@ inline Line line_along(const Pair& pair, const vec3& anchor, const vec3& along) 
           axis.b_local, axis.c_local};
 }
 
+// What may go wrong with rows (-n, -(r1 + u) x n, n, r2 x n), where n rides on body 1.
+template <int N>
+std::vector<std::pair<std::string, Jacobian<N>>> wrong_levers(
+    const Pair& pair, const vec3& anchor1_local, const vec3& anchor2_local,
+    const std::array<vec3, N>& local, const std::string& name) {
+  const vec3 r1 = to_world(pair.body1, anchor1_local), r2 = to_world(pair.body2, anchor2_local);
+  const vec3 d = pair.body2.x - pair.body1.x, u = d + r2 - r1, p1 = pair.body1.x + r1, p2 = p1 + u;
+  std::array<vec3, N> n, on2;
+  for (int i = 0; i < N; ++i) {
+    n[i] = to_world(pair.body1, local[i]);
+    on2[i] = to_world(pair.body2, local[i]);
+  }
+  std::vector<std::pair<std::string, Jacobian<N>>> out;
+  const auto add = [&](const std::string& words, const std::array<vec3, N>& along, const vec3& arm1,
+                       const vec3& arm2, real sign = 1) {
+    Jacobian<N> J;
+    for (int i = 0; i < N; ++i)
+      J[i] = {-sign * along[i], -cross(arm1, along[i]), sign * along[i], cross(arm2, along[i])};
+    out.push_back({words, J});
+  };
+  const std::string rides = name + " rides on body 1", is = "the lever of body 1 is r1 + u";
+  add("u is forgotten, " + is + ", because " + rides, n, r1, r2);
+  add("r1 is forgotten, " + is, n, u, r2);
+  for (real sign : {1, -1}) {
+    add("the sign of u or of r1, " + is, n, sign * (r1 - u), r2);
+    add("u belongs to the lever of body 1: " + rides, n, r1, r2 + sign * u);
+    add("u belongs to the lever of body 1 alone", n, r1 + u, r2 + sign * u);
+  }
+  const std::string centres = "centres in place of anchors: u is p2 - p1";
+  for (const vec3& arm1 : {r1 + d, d}) add(centres, n, arm1, r2);
+  for (const vec3& arm1 : {p1, p2})
+    for (const vec3& arm2 : {r2, p2}) add("a point where a lever belongs: " + is, n, arm1, arm2);
+  for (const vec3& arm1 : {r1 + u, r1}) {
+    add(name + " is turned with body 2 here, but " + rides, on2, arm1, r2);
+    add(name + " is left in body space: turn it into the world with body 1", local, arm1, r2);
+  }
+  const std::string bare = "levers are missing: such a row drives the centres, not the points";
+  add(bare, n, vec3(0), vec3(0));
+  add(bare + ", and its sign is wrong as well", n, vec3(0), vec3(0), -1);
+  return out;
+}
+
 struct LineFixture {
   using Part = Line;
   static constexpr Subject J{"4.1", "the rows J of a line", 2};
@@ -199,6 +241,11 @@ struct LineFixture {
     const vec3 along = to_world(pair.body1, cross(part.n1_local, part.n2_local));
     pair.body2.x += random.uniform(-2, 2) * along;
     turn_about(pair.body2, world_point(pair.body2, part.anchor2_local), random.turn());
+  }
+  static std::vector<std::pair<std::string, Jacobian<2>>> mistakes(const Part& part,
+                                                                   const Pair& pair) {
+    return wrong_levers<2>(pair, part.anchor1_local, part.anchor2_local,
+                           {part.n1_local, part.n2_local}, "n");
   }
 };
 
@@ -215,6 +262,19 @@ struct RotationLockFixture {
     pair.body1.q = normalize(turn * pair.body1.q);
     pair.body2.q = normalize(turn * pair.body2.q);
   }
+  static std::vector<std::pair<std::string, Jacobian<3>>> mistakes(const Part&, const Pair& pair) {
+    const mat3 R1 = glm::mat3_cast(pair.body1.q), R2 = glm::mat3_cast(pair.body2.q);
+    const auto turning = [](const mat3& one, const mat3& two) {
+      return jacobian_from_blocks(mat3(0), -one, mat3(0), two);
+    };
+    const char* const axes = "the rows are in the axes of a body: C and the spins are in the world";
+    return {{axes, turning(transpose(R1), transpose(R1))}, {axes, turning(R1, R1)},
+            {axes, turning(transpose(R2), transpose(R2))}, {axes, turning(R2, R2)},
+            {axes, turning(transpose(R1), transpose(R2))}, {axes, turning(R1, R2)},
+            {"a lock turns and does not push: E belongs to w1 and w2, not to v1 and v2",
+             jacobian_from_blocks(mat3(-1), mat3(0), mat3(1), mat3(0))},
+            {"both spins with the same sign: C grows with w2 - w1", turning(mat3(-1), mat3(1))}};
+  }
 };
 
 struct SlideFixture {
@@ -228,10 +288,13 @@ struct SlideFixture {
     return {line.anchor1_local, line.anchor2_local, cross(line.n1_local, line.n2_local)};
   }
   static void move_freely(const Part& part, Pair& pair, Random& random) {
-    const vec3 a = to_world(pair.body1, part.a1_local);
-    pair.body2.x += random.vector(1);
-    pair.body2.x -= dot(pair.body2.x - pair.body1.x, a) * a;
-    turn_about(pair.body2, pair.body2.x, random.turn());
+    const vec3 a = to_world(pair.body1, part.a1_local), across = random.vector(1);
+    pair.body2.x += across - dot(across, a) * a;
+    turn_about(pair.body2, world_point(pair.body2, part.anchor2_local), random.turn());
+  }
+  static std::vector<std::pair<std::string, Jacobian<1>>> mistakes(const Part& part,
+                                                                   const Pair& pair) {
+    return wrong_levers<1>(pair, part.anchor1_local, part.anchor2_local, {part.a1_local}, "a");
   }
 };
 
@@ -270,7 +333,7 @@ struct SliderFixture {
 struct WeldFixture {
   using Part = Weld;
   static constexpr Subject J{"", "the six rows J of a weld"};
-  static constexpr Subject K{"", "K of a weld"};
+  static constexpr Subject K{"5.1", "K of a weld"};
   static constexpr std::array rows{"C.x", "C.y", "C.z", "turn x", "turn y", "turn z"};
   static constexpr bool exact_when_broken = false;
   static Part make(const Pair& pair) {

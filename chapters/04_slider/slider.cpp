@@ -37,7 +37,8 @@ vec3 RotationLock::error(const Body& body1, const Body& body2) const {
   // end [exercise 4.2]
 }
 
-Jacobian<3> RotationLock::jacobian(const Body&, const Body&) const {
+Jacobian<3> RotationLock::jacobian([[maybe_unused]] const Body& body1,
+                                    [[maybe_unused]] const Body& body2) const {
   // begin [exercise 4.2]
   // Return the three rows J of Eq. 4-8. jacobian_from_blocks(v1, w1, v2, w2) makes them.
   todo("4.2");

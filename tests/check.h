@@ -176,13 +176,13 @@ Sample jacobian_sample(int pose, const typename Fixture::Part& part, const Pair&
   };
   Sample sample{pose, yours(pair), flat(right), {}};
   if (close(sample.yours, sample.right, difference_tolerance)) return sample;
+  for (const auto& [words, wrong] : wrong_jacobians<Fixture>(part, right, pair))
+    if (close(sample.yours, flat(wrong), difference_tolerance)) sample.mistakes.push_back(words);
   for (int k = 0; k < 3; ++k) {
     const Pair at = unturned(pair)[k];
     if (close(yours(at), flat(numeric_jacobian(part, at.body1, at.body2)), difference_tolerance))
       sample.mistakes.push_back(body_space_arm[k]);
   }
-  for (const auto& [words, wrong] : wrong_jacobians<Fixture>(part, right, pair))
-    if (close(sample.yours, flat(wrong), difference_tolerance)) sample.mistakes.push_back(words);
   return sample;
 }
 

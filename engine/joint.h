@@ -32,11 +32,11 @@ class Joint {
   virtual void second_look(const Bodies& bodies, real h, Blocks& blocks);
   /// The most rows that append and second_look can ever give together.
   virtual int most_rows() const = 0;
-  /// How many limits and motors the joint has, live or idle, for the plan line.
+  /// What the joint has of limits and motors, for the plan line.
   struct Extras {
-    int limits = 0;       ///< limits, live or not
-    int live_limits = 0;  ///< limits that have a row at present
-    int motors = 0;       ///< motors, running or not
+    int limits = 0;       ///< 1 where its coordinate has limits, live or not
+    int live_limits = 0;  ///< 1 where one of them has a row at present
+    int motors = 0;       ///< 1 where a motor runs
   };
   virtual Extras extras() const;  ///< none, unless a joint says otherwise
 

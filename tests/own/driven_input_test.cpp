@@ -150,3 +150,20 @@ TEST_CASE("X16 equal infinite limits are refused or at least leave the joint fin
     CHECK(finite(small.world.bodies[small.weight].v));
   }
 }
+
+TEST_CASE("X16 an axis too long or too short to be squared is refused or taken as any other",
+          "[!mayfail]") {
+  const real largest = std::numeric_limits<real>::max(), least = std::numeric_limits<real>::min();
+  for (real size : {std::sqrt(largest) * 8, largest / 2, std::sqrt(least), least * 8}) {
+    Small small;
+    small.world.gravity = vec3(0);
+    const std::string said =
+        small.add<HingeJoint>(small.wall, small.weight, anchor, size * axis);
+    SequentialImpulses().step(small.world, h);
+    CAPTURE(size, said);
+    CHECK(finite(small.world.bodies[small.weight].v));
+    if (said != "accepted") continue;
+    const auto& hinge = static_cast<const HingeJoint&>(*small.world.joints().back());
+    CHECK(double(length(hinge.second.a1_local)) == Approx(1).epsilon(tolerance(1e-12, 1e-6)));
+  }
+}

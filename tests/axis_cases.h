@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/cases.h"
-#include "tests/fixtures.h"
+#include "tests/joint_fixtures.h"
 
 namespace joints::testing {
 

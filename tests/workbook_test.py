@@ -252,7 +252,7 @@ def may_include(name):
 
 def layers_hold(root, build):
     """everybody includes only what lies below: engine, chapters in their order, bench, tests"""
-    measuring = re.compile(r"engine/(measure|record|plan|program|summary)\.")
+    measuring = re.compile(r"engine/(measure|record|plan|program|stage|summary)\.")
     for path in files(root, ".cpp", ".h"):
         name = str(path.relative_to(root))
         engine = name.startswith("engine/") and not measuring.match(name)

@@ -169,7 +169,7 @@ Summary sideways(const Settings& settings, bool whole, int iterations, CsvFile& 
         for (int slot = 0; slot < 100; ++slot)
           largest = std::max(largest, std::abs(double(stage.world.bodies.at(slot).x.x)));
       });
-  table.row({words(whole)}, {double(iterations), largest, line.gap_rms, line.us_per_step});
+  table.row({words(whole)}, {double(iterations), largest, line.gap_rms});
   return line;
 }
 
@@ -204,7 +204,7 @@ int main(int argc, char** argv) {
         for (int iterations : {1, 3, 10, 30, 100})
           driven(settings, scene, whole, iterations, driven_table);
     CsvFile sideways_table(settings.out + "/sideways.csv",
-                           {"blocks", "iterations", "sideways_m", "gap_rms_m", "us_per_step"});
+                           {"blocks", "iterations", "sideways_m", "gap_rms_m"});
     for (bool whole : {false, true})
       for (int iterations : {10, 30, 100, 300})
         lines.push_back(sideways(settings, whole, iterations, sideways_table));

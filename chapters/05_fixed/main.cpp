@@ -88,8 +88,7 @@ Summary cantilever(const Settings& settings, int iterations, bool whole, bool wa
   const double kept = std::pow(rho, iterations);
   table.row({words(whole), warm ? "warm" : "cold"},
             {double(iterations), rho, kept * (1 + double(settings.beta)) < 1 ? 1.0 : 0.0,
-             sag / count, force / count, torque / count, 10 * 9.81, 100 * 9.81 / 2,
-             line.us_per_step});
+             sag / count, force / count, torque / count, 10 * 9.81, 100 * 9.81 / 2});
   return line;
 }
 
@@ -208,7 +207,7 @@ int main(int argc, char** argv) {
     std::vector<Summary> lines;
     CsvFile table(settings.out + "/cantilever.csv",
                   {"blocks", "start", "iterations", "rho", "warm_safe", "sag_m", "wall_n",
-                   "wall_nm", "statics_n", "statics_nm", "us_per_step"});
+                   "wall_nm", "statics_n", "statics_nm"});
     CsvFile curves(settings.out + "/beam.csv", {"blocks", "iterations", "time_s", "sag_m"});
     std::vector<int> counts{10, 30, 100, 300, 1200};
     if (std::find(counts.begin(), counts.end(), settings.iterations) == counts.end())

@@ -1,7 +1,7 @@
 // Formulas of the thesis about motors, hinges and limits that are wrong as printed, or right only
 // where it does not say so: each worked out as it stands, and the right one beside it.
 #include "tests/catch.h"
-#include "tests/fixtures.h"
+#include "tests/joint_fixtures.h"
 #include "tests/own/rigs.h"
 
 using namespace joints;

@@ -3,7 +3,7 @@
 #include "chapters/04_slider/slider_joint.h"
 #include "engine/measure.h"
 #include "tests/catch.h"
-#include "tests/fixtures.h"
+#include "tests/joint_fixtures.h"
 #include "tests/own/rigs.h"
 
 using namespace joints;

@@ -2,7 +2,7 @@
 // near, wherever the anchor is.
 #include "chapters/05_fixed/fixed_joint.h"
 #include "tests/catch.h"
-#include "tests/fixtures.h"
+#include "tests/joint_fixtures.h"
 #include "tests/own/rigs.h"
 
 using namespace joints;

@@ -2,7 +2,7 @@
 // that it was given, it counts its turns, and it does not wear out (cases X7, X8, X12 and X17).
 #include "engine/measure.h"
 #include "tests/catch.h"
-#include "tests/fixtures.h"
+#include "tests/joint_fixtures.h"
 #include "tests/own/rigs.h"
 
 using namespace joints;

@@ -1,7 +1,7 @@
 // What is true of the parts of hinge, slider and weld, alone and stacked, at every kind of pose:
 // rank, invariance, momentum, and numbers that stay numbers where the geometry degenerates.
 #include "tests/catch.h"
-#include "tests/fixtures.h"
+#include "tests/joint_fixtures.h"
 #include "tests/own/rigs.h"
 
 using namespace joints;

@@ -3,7 +3,7 @@
 #include "engine/measure.h"
 #include "engine/part_joint.h"
 #include "tests/catch.h"
-#include "tests/fixtures.h"
+#include "tests/joint_fixtures.h"
 #include "tests/own/rigs.h"
 
 namespace joints {

@@ -1,6 +1,6 @@
 // The parts that no exercise asks for and whole joints, against the numeric checker.
 #include "tests/catch.h"
-#include "tests/fixtures.h"
+#include "tests/joint_fixtures.h"
 
 using namespace joints;
 using namespace joints::testing;

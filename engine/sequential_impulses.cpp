@@ -189,8 +189,9 @@ void SequentialImpulses::solve_block(Body* bodies, const Prepared& block) {
 
   // The last row's sum must stay within its bounds; the others answer to what is cut off.
   const real wanted = block.impulse[N - 1] + dlambda[N - 1];
-  const real cut = std::clamp(wanted, block.lower, block.upper) - wanted;
+  const real kept = std::clamp(wanted, block.lower, block.upper), cut = kept - wanted;
   for (int i = 0; i < N; ++i) dlambda[i] += row[i].answer * cut;
+  if (cut != 0) dlambda[N - 1] = kept - block.impulse[N - 1];  // at the bound to the last digit
 
   vec3 push1(0), turn1(0), push2(0), turn2(0);
   for (int i = 0; i < N; ++i) {

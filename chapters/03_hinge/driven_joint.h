@@ -23,7 +23,8 @@ class DrivenJoint : public Joint {
   /// Bounds for the coordinate, of any width; equal ones hold it where it is.
   /// \throws std::invalid_argument unless lower <= upper
   void set_limits(real lower, real upper) {
-    require(lower <= upper, "lower: must not be above upper [rad or m]");
+    require(lower <= upper && lower < unbounded && upper > -unbounded,
+            "lower: must not be above upper, and neither infinite on its wrong side [rad or m]");
     range_ = {lower, upper};
   }
   void clear_limits() { range_ = {}; }  ///< free again
@@ -39,7 +40,9 @@ class DrivenJoint : public Joint {
 
   /// The coordinate [rad or m]. Turns are counted while the joint has a limit or a running motor.
   real position(const Bodies& bodies) const {
-    return coordinate.error(bodies[body1], bodies[body2]);
+    Coordinate now = coordinate;
+    now.expected = next_;
+    return now.error(bodies[body1], bodies[body2]);
   }
   /// Its rate [rad/s or m/s].
   real speed(const Bodies& bodies) const {

@@ -32,8 +32,8 @@ Jacobian<2> Axis::jacobian(const Body& body1, const Body& body2) const {
 Matrix<2> Axis::K(const Body& body1, const Body& body2) const {
   const Jacobian<2> J = jacobian(body1, body2);
   const mat3 I = inverse_inertia(body1) + inverse_inertia(body2);
-  const vec3 b = J[0].w2, c = J[1].w2;
-  return {{{{dot(b, I * b), dot(b, I * c)}, {dot(c, I * b), dot(c, I * c)}}}};  // Eq. 3-6
+  const vec3 B1 = J[0].w2, B2 = J[1].w2;  // the two rows of B
+  return {{{{dot(B1, I * B1), dot(B1, I * B2)}, {dot(B2, I * B1), dot(B2, I * B2)}}}};  // Eq. 3-6
 }
 
 bool Axis::far_off(const Body& body1, const Body& body2) const {
@@ -51,15 +51,22 @@ Vector<2> Axis::far_error(const Body& body1, const Body& body2) const {
   return {-dot(phi, c), dot(phi, b)};  // Eq. 3-7
 }
 
+// A direction of any length, as long as 1: scaled first, because squares overflow.
+static vec3 unit(const vec3& axis) {
+  const real size = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
+  require(finite(axis) && size > 0, "axis: must be finite and not zero");
+  return normalize(axis / size);
+}
+
 Axis axis_along(const Body& body1, const Body& body2, const vec3& axis) {
-  require(finite(axis) && length(axis) > 0, "axis: must be finite and not zero");
-  const vec3 a = normalize(to_local(body2, axis));
+  const vec3 way = unit(axis);
+  const vec3 a = normalize(to_local(body2, way));
   const int least = std::abs(a.x) <= std::abs(a.y) ? (std::abs(a.x) <= std::abs(a.z) ? 0 : 2)
                                                    : (std::abs(a.y) <= std::abs(a.z) ? 1 : 2);
   vec3 other(0);
   other[least] = 1;
   const vec3 b = normalize(cross(a, other));
-  return {normalize(to_local(body1, axis)), b, cross(a, b)};
+  return {normalize(to_local(body1, way)), b, cross(a, b)};
 }
 
 real coupling(const Row& a, const Row& b, const Body& body1, const Body& body2) {
@@ -102,8 +109,7 @@ real HingeAngle::K(const Body& body1, const Body& body2) const {
 }
 
 HingeAngle angle_about(const Body& body1, const Body& body2, const vec3& axis) {
-  require(finite(axis) && length(axis) > 0, "axis: must be finite and not zero");
-  return {normalize(to_local(body1, axis)), normalize(conjugate(body1.q) * body2.q), 0};
+  return {normalize(to_local(body1, unit(axis))), normalize(conjugate(body1.q) * body2.q), 0};
 }
 
 // ---- limit and motor ------------------------------------------------------------------------

@@ -67,7 +67,7 @@ real unwrapped(real measured, real expected);
 /// q_d = q1^-1 q2 start^-1 = (s, v), with its sign turned where s < 0; p = v.a1_local;
 /// C = 2 atan2(p, s), counted over whole turns to within half a turn of `expected` [rad];
 /// J = (0, -g, 0, g), g = (a1 + a2)/(1 + a1.a2), exact at every misalignment below 180 degrees
-/// (close to it the divisor is kept at 0.05); K = g.(I1^-1 + I2^-1) g [1/(kg m^2)].
+/// (close to that g is a1); K = g.(I1^-1 + I2^-1) g [1/(kg m^2)].
 /// Source: thesis, section 3.7.3, corrected: the twist of the relative turn, in body 1's frame.
 struct HingeAngle {
   vec3 a1_local{1, 0, 0};   ///< the axis, unit, body space of body 1
@@ -85,7 +85,8 @@ struct HingeAngle {
   real K(const Body& body1, const Body& body2) const;        ///< Eq. 3-11 [1/(kg m^2)]
 };
 
-/// The angle that is zero as the bodies stand now. \param axis unit, world
+/// The angle that is zero as the bodies stand now. \param axis world, of any length
+/// \throws std::invalid_argument unless the axis is finite and not zero
 HingeAngle angle_about(const Body& body1, const Body& body2, const vec3& axis);
 
 // ---- limit and motor, of an angle or of a way -----------------------------------------------

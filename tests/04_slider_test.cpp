@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tests/catch.h"
-#include "tests/joint_fixtures.h"
+#include "tests/slider_twins.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -24,63 +24,7 @@ const Subject line_C{"4.1", "the error C of a line"};
 const Subject lock_C{"4.2", "the error C of a lock"};
 const Subject way_C{"4.3", "the way along a line"};
 
-// ---- each part with its error written out once more ---------------------------------------------
-
-// p2 - p1.
-template <class Part>
-vec3 gap(const Part& part, const Body& body1, const Body& body2) {
-  return body2.x + body2.q * part.anchor2_local - body1.x - body1.q * part.anchor1_local;
-}
-// The vector of a turn, from the one of q and -q that turns less.
-vec3 short_way(const quat& q) { return (q.w < 0 ? real(-1) : real(1)) * vec3(q.x, q.y, q.z); }
-
-// J is compared with the slopes of these, so that it waits for no C.
-struct LineTwin : Line {
-  Vector<2> error(const Body& body1, const Body& body2) const {
-    const vec3 u = conjugate(body1.q) * gap(*this, body1, body2);
-    return {dot(u, n1_local), dot(u, n2_local)};
-  }
-};
-struct LockTwin : RotationLock {
-  vec3 error(const Body& body1, const Body& body2) const {
-    return real(2) * short_way(body2.q * conjugate(start) * conjugate(body1.q));
-  }
-};
-struct SlideTwin : Slide {
-  real error(const Body& body1, const Body& body2) const {
-    return dot(gap(*this, body1, body2), body1.q * a1_local);
-  }
-};
-
-template <class Fixture, class Twin>
-struct WithTwin : Fixture {
-  using Part = Twin;
-  static Part make(const Pair& pair) { return {Fixture::make(pair)}; }
-};
-using Lines = WithTwin<LineFixture, LineTwin>;
-using Locks = WithTwin<RotationLockFixture, LockTwin>;
-using Slides = WithTwin<SlideFixture, SlideTwin>;
-
 // ---- comparing ----------------------------------------------------------------------------------
-
-// A direction left in body space holds where the bodies are not turned, too: the mistake that gives
-// the very numbers comes before the one that would.
-template <class Fixture>
-void check_rows(std::vector<Sample> samples = jacobian_samples<Fixture>()) {
-  for (Sample& sample : samples)
-    std::stable_partition(sample.mistakes.begin(), sample.mistakes.end(), [](const auto& words) {
-      return std::find(body_space_arm.begin(), body_space_arm.end(), words) == body_space_arm.end();
-    });
-  check(Fixture::J, jacobian_report(row_names<Fixture>(), samples, difference_tolerance));
-}
-// The first of them by hand; the other poses help to explain.
-template <class Fixture, int N>
-void check_rows(const typename Fixture::Part& part, const Pair& pair, const Jacobian<N>& by_hand) {
-  std::vector<Sample> samples{jacobian_sample<Fixture>(pencil_and_paper, part, pair, by_hand)};
-  if (!close(samples[0].yours, samples[0].right, difference_tolerance))
-    for (const Sample& sample : jacobian_samples<Fixture>()) samples.push_back(sample);
-  check_rows<Fixture>(samples);
-}
 
 std::string at(const std::string& entry, int pose) { return entry + " (" + pose_names[pose] + ")"; }
 
@@ -157,11 +101,11 @@ TEST_CASE("4.1 the lever of body 1 reaches to the point of body 2", "[4.1]") {
   J[0] = {vec3(0, -1, 0), vec3(real(0.5), 0, real(-1.5)), vec3(0, 1, 0),
           vec3(real(-0.5), 0, real(-0.5))};
   J[1] = {vec3(0, 0, -1), vec3(real(-1.5), real(1.5), 0), vec3(0, 0, 1), vec3(0, real(0.5), 0)};
-  check_rows<Lines>({paper_line}, {paper1, paper2}, J);
+  check_jacobian<Lines>({paper_line}, {paper1, paper2}, J);
 }
 
 TEST_CASE("4.1 the rows of a line are the slopes of its error at every pose", "[4.1]") {
-  check_rows<Lines>();
+  check_jacobian<Lines>();
 }
 
 TEST_CASE("4.1 the push on one body and the answer on the other act along one line", "[4.1]") {
@@ -194,7 +138,8 @@ void expect_lock(const std::string& entry, const RotationLock& lock, const Body&
   const char* const order = "the order of the product: q2, then start^-1, then q1^-1";
   std::vector<VectorSuspect> suspects{
       {-C, e.w < 0 ? "the sign rule is forgotten: where s < 0, take -q"
-                   : "the sign: body 2 is turned too far, so q2 stands first and q1 is inverted"},
+                   : "the sign: body 2 is turned too far, so q2 stands first and q1 is inverted; "
+                     "and -q is taken where s < 0, not where s > 0"},
       {v, "the factor 2 is forgotten: v is only half the turn"},
       {vector_of(e), "the factor 2 and the sign rule are forgotten"},
       {phi, either ? "angles: C is 2 v, whose length is 2 sin(angle/2)"
@@ -297,12 +242,44 @@ TEST_CASE("4.2 at a half turn the error is largest and finite", "[4.2]") {
 }
 
 TEST_CASE("4.2 a lock feels how much faster body 2 spins than body 1", "[4.2]") {
-  check_rows<Locks>({RotationLock{quarter_z}}, {paper1, turned_by(quarter_z)},
+  check_jacobian<Locks>({RotationLock{quarter_z}}, {paper1, turned_by(quarter_z)},
                     jacobian_from_blocks(mat3(0), mat3(-1), mat3(0), mat3(1)));
 }
 
 TEST_CASE("4.2 the rows of a lock are the slopes of its error where it is zero", "[4.2]") {
-  check_rows<Locks>();
+  check_jacobian<Locks>();
+}
+
+TEST_CASE("4.2 away from zero the rows are those of Eq. 4-8 or the exact ones", "[4.2]") {
+  Random random(46);
+  std::vector<Sample> samples;
+  for (int draw = 0; draw < 8; ++draw) {
+    Pair pair = uneven_pair();
+    move_together(pair, random);
+    const RotationLock lock = lock_of(pair.body1, pair.body2);
+    const quat extra = random.turn(1);
+    pair.body2.q = draw % 2 ? extra * pair.body2.q : -(extra * pair.body2.q);
+    const quat e = pair.body2.q * conjugate(lock.start) * conjugate(pair.body1.q);
+    const real s = std::abs(e.w);
+    const mat3 across = skew(short_way(e)), E(1);
+    const auto rows = [](const mat3& one, const mat3& two) {
+      return flat(jacobian_from_blocks(mat3(0), one, mat3(0), two));
+    };
+    const Numbers yours = flat(lock.jacobian(pair.body1, pair.body2));
+    const Numbers plain = rows(-E, E), exact = rows(-(s * E + across), s * E - across);
+    const bool is_plain = close(yours, plain, 10 * rounding);
+    Sample sample{3, yours, is_plain ? plain : exact, {}};
+    const auto suspect = [&](const char* words, const Numbers& wrong) {
+      if (close(yours, wrong, 10 * rounding)) sample.mistakes.push_back(words);
+    };
+    suspect("the sign of skew(v)", rows(-(s * E - across), s * E + across));
+    suspect("skew(v) is missing: s alone is neither Eq. 4-8 nor exact", rows(-s * E, s * E));
+    suspect("the sign rule belongs to s and v of J, too", rows(-(e.w * E + skew(vector_of(e))),
+                                                               e.w * E - skew(vector_of(e))));
+    samples.push_back(sample);
+  }
+  check(RotationLockFixture::J,
+        jacobian_report(row_names<RotationLockFixture>(), samples, difference_tolerance));
 }
 
 // ---- 4.3 ----------------------------------------------------------------------------------------
@@ -313,16 +290,16 @@ TEST_CASE("4.3 the way is the part of the gap along the line", "[4.3]") {
 }
 
 TEST_CASE("4.3 the row of a motor has levers", "[4.3]") {
-  check_rows<Slides>({paper_slide}, {paper1, paper2},
+  check_jacobian<Slides>({paper_slide}, {paper1, paper2},
                      to_jacobian(Row{vec3(-1, 0, 0), vec3(0, real(-0.5), real(1.5)), vec3(1, 0, 0),
                                      vec3(0, real(0.5), 0)}));
 }
 
 TEST_CASE("4.3 the row of the way is its slope at every pose", "[4.3]") {
-  check_rows<Slides>();
+  check_jacobian<Slides>();
 }
 
-TEST_CASE("4.3 a motor pushes the pair apart and does not turn it", "[4.3]") {
+TEST_CASE("4.3 a motor gives the pair no angular momentum", "[4.3]") {
   visit_poses<SlideFixture>([](int pose, const Slide& slide, const Pair& pair) {
     check_momentum(SlideFixture::J, pose, slide, pair, slide.jacobian(pair.body1, pair.body2),
                    to_world(pair.body1, slide.a1_local));

@@ -66,6 +66,9 @@ inline CaseTable<AngleCase> angle_table() {
     };
   };
   const auto total = [](real, real s, real v) { return 2 * std::atan2(v, s); };
+  const auto as_it_stands = [=](const quat& q, const vec3& a) {
+    return 2 * std::atan2(dot(vector(q), a), q.w);
+  };
   const auto signed_total = [](real p, real s, real v) {
     return 2 * std::atan2(p < 0 ? -v : v, s);
   };
@@ -90,6 +93,14 @@ inline CaseTable<AngleCase> angle_table() {
   table.right = of(turn);
   table.mistakes = {
       {no_sign, as_it_comes(twist)},
+      {"s alone changes its sign: where s < 0 turn all of q, p too",
+       as_it_comes([](real p, real s, real) { return 2 * std::atan2(p, std::abs(s)); })},
+      {"v alone changes its sign: where s < 0 turn all of q, s too",
+       as_it_comes([](real p, real s, real) { return 2 * std::atan2(s < 0 ? -p : p, s); })},
+      {"the turn as the world sees it (take q1^-1 q2), and no sign rule (s < 0: take -q)",
+       [=](const Case& c) {
+         return degrees(as_it_stands(c.q2 * conjugate(c.q1) * conjugate(c.start), c.a1_local));
+       }},
       {all_of_it, as_it_comes(total)},
       {all_of_it, angle(total)},
       {all_of_it, angle(signed_total)},
@@ -141,6 +152,7 @@ inline CaseTable<AngleCase> angle_table() {
        of([](const Case& c) { return conjugate(c.q2) * c.q1 * conjugate(c.start); })},
       {axis_frame, about([](const Case& c) { return c.q1 * c.a1_local; })},
       {axis_frame, about([](const Case& c) { return c.q2 * c.a1_local; })},
+      {axis_frame, about([](const Case& c) { return conjugate(c.start) * c.a1_local; })},
       {axis_frame,
        of([](const Case& c) { return c.q2 * conjugate(c.start) * conjugate(c.q1); })},
       {"the axis is not used: p is v.a1_local, not one entry of v",
@@ -202,6 +214,8 @@ inline CaseTable<TurnsCase> turns_table() {
       {"degrees where radians belong: a whole turn is 2 pi", plus(360, nearest)},
       {"`expected` is not added again after std::remainder",
        [](const Case& c) { return Numbers{std::remainder(c.measured - c.expected, turn)}; }},
+      {"remainder of measured alone: expected + remainder(measured - expected, 2 pi)",
+       [](const Case& c) { return Numbers{c.expected + std::remainder(c.measured, turn)}; }},
       {"the sign: expected + remainder(measured - expected, 2 pi)",
        [](const Case& c) {
          return Numbers{c.expected - std::remainder(c.measured - c.expected, turn)};

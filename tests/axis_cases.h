@@ -128,6 +128,10 @@ inline CaseTable<RowsCase> coupling_table() {
       return product(c.a, mass(c.pair.body1), mass(c.pair.body2), c.b);
     };
   };
+  const auto turn_of = [](const Case& c, bool second) {
+    return double(second ? dot(c.a.w2, inverse_inertia(c.pair.body2) * c.b.w2)
+                         : dot(c.a.w1, inverse_inertia(c.pair.body1) * c.b.w1));
+  };
   const auto scaled = [=](real one, real two, real linear, real angular) {
     return [=](const Case& c) {
       Mass m1 = inverse_of(c.pair.body1), m2 = inverse_of(c.pair.body2);
@@ -162,6 +166,26 @@ inline CaseTable<RowsCase> coupling_table() {
        with([=](const Body& body) { return Mass{body.inverse_mass, local(body)}; })},
       {"inverse mass where inverse inertia belongs",
        with([](const Body& body) { return Mass{body.inverse_mass, mat3(body.inverse_mass)}; })},
+      {"the turn of body 2 is missing: the blocks w2",
+       [=](const Case& c) { return Numbers{table.right(c)[0] - turn_of(c, true)}; }},
+      {"the turn of body 1 is missing: the blocks w1",
+       [=](const Case& c) { return Numbers{table.right(c)[0] - turn_of(c, false)}; }},
+      {"the push of body 2 is missing: the blocks v2",
+       [=](const Case& c) {
+         return Numbers{table.right(c)[0] -
+                        double(c.pair.body2.inverse_mass * dot(c.a.v2, c.b.v2))};
+       }},
+      {"the push of body 1 is missing: the blocks v1",
+       [=](const Case& c) {
+         return Numbers{table.right(c)[0] -
+                        double(c.pair.body1.inverse_mass * dot(c.a.v1, c.b.v1))};
+       }},
+      {"each product belongs to its own body's inverse mass, not to the sum of both",
+       [=](const Case& c) {
+         const real sum = c.pair.body1.inverse_mass + c.pair.body2.inverse_mass;
+         return product(c.a, {sum, inverse_inertia(c.pair.body1)},
+                        {sum, inverse_inertia(c.pair.body2)}, c.b);
+       }},
       {"M^-1 is missing", with([](const Body&) { return Mass{1, mat3(1)}; })},
       {"the inverse masses are missing",
        with([](const Body& body) { return Mass{1, inverse_inertia(body)}; })},

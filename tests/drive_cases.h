@@ -89,6 +89,11 @@ inline CaseTable<LimitCase> limit_table() {
                      [=](const Case& c, Row3 r) { return live(c, {std::abs(r.C), 1, false}); })},
       {"C is the room now: what the rate does to it in the step decides only which limit it is",
        changed([](const Case& c, Row3& r) { r.C += h * r.sign * c.rate; })},
+      {"C is the room now: what the rate does to it in the step decides only which limit it is",
+       build(less_room_after, [](const Case& c, Row3& r) { r.C += h * r.sign * c.rate; },
+             [=](const Case& c, Row3 r) {
+               return live(c, {r.C + h * r.sign * c.rate, 1, false});
+             })},
       {violated, ruled([](const Case&, const Row3& r) { return r.C < 0; })},
       {violated, ruled([](const Case&, const Row3& r) { return r.C <= 0; })},
       {violated, build([](const Case& c) { return c.upper - c.x <= c.x - c.lower; }, keep,
@@ -227,6 +232,8 @@ inline CaseTable<MotorCase> motor_table() {
          const double sum = std::clamp(wanted(c), 0.0, bound(c));
          return Numbers{sum - c.sum, sum};
        }},
+      {"the new sum is added to the old one: it takes its place",
+       [=](const Case& c) { return Numbers{right(c)[1], c.sum + right(c)[1]}; }},
       {not_stored, [=](const Case& c) { return Numbers{right(c)[0], c.sum}; }},
       {"the sum that is stored is not clamped",
        [=](const Case& c) { return Numbers{right(c)[0], wanted(c)}; }},

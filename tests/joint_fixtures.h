@@ -45,6 +45,7 @@ struct AxisFixture {
             turning_rows("a2 in the place of a1: b x a1, not b x a2", cross(b, a2), cross(c, a2)),
             turning_rows("the two rows are exchanged", q, p),
             turning_rows("the second row repeats the first: it belongs to c", p, p),
+            turning_rows("J[0] is written twice, J[1] never", q, vec3(0)),
             turning_rows("b and c themselves: the rows hold their cross products with a1", b, c),
             turning_rows("a1 itself: the rows hold b x a1 and c x a1", a1, a1),
             turning_rows("unit vectors: b x a1 becomes shorter as the axes part",

@@ -61,10 +61,12 @@ class Chapter:
         return found
 
     def place(self, id_):
-        """file:line at which an exercise begins in the reader's file."""
-        for number, line in enumerate(self.mine.read_text().split("\n"), 1):
-            if f"// begin [exercise {id_}]" in line:
-                return f"{short(self.mine)}:{number}"
+        """file:line of the exercise in the reader's file: its first todo, else where it begins."""
+        lines = self.mine.read_text().split("\n")
+        for words in (f'todo("{id_}")', f"// begin [exercise {id_}]"):
+            for number, line in enumerate(lines, 1):
+                if words in line.split("//")[0] or line.strip() == words:
+                    return f"{short(self.mine)}:{number}"
         return short(self.mine)
 
 

@@ -10,7 +10,7 @@ TEST_CASE("3.1 the error of an axis is a pure number", "[3.1]") {
 }
 
 TEST_CASE("3.1 the rows of an axis turn a body and have no arms", "[3.1]") {
-  row_has_units("J", 1 / m, pure, [] { return Axis{}.jacobian(body1, body2); });
+  row_of_turns_has_units("J", pure, [] { return Axis{}.jacobian(body1, body2); });
 }
 
 TEST_CASE("3.2 an entry of K between two rows with arms is one over a mass", "[3.2]") {

@@ -15,7 +15,7 @@ TEST_CASE("4.1 the rows of a line have arms for the turns", "[4.1]") {
 
 TEST_CASE("4.2 a lock has pure numbers in its error and in its rows", "[4.2]") {
   has_unit("C", pure, [] { return RotationLock{}.error(body1, body2); });
-  row_has_units("J", 1 / m, pure, [] { return RotationLock{}.jacobian(body1, body2); });
+  row_of_turns_has_units("J", pure, [] { return RotationLock{}.jacobian(body1, body2); });
 }
 
 TEST_CASE("4.3 the way along a line is a length", "[4.3]") {

@@ -105,6 +105,17 @@ void row_has_units(const std::string& entry, Quantity v, Quantity w, Call call) 
   }
 }
 
+/// The units of rows that only turn: no pushes at all.
+template <class Call>
+void row_of_turns_has_units(const std::string& entry, Quantity w, Call call) {
+  for (const Row& row : to_jacobian(in(entry, call)).row) {
+    if (row.v1 != vec3(0) || row.v2 != vec3(0))
+      FAIL("Units: the blocks v1 and v2 of " << entry << " are zero: these rows only turn");
+    expect_unit(entry + ".w1", row.w1, w);
+    expect_unit(entry + ".w2", row.w2, w);
+  }
+}
+
 /// The units of two velocities that a call changes.
 template <class Call>
 void keeps_velocities(const std::string& entry, Call call) {

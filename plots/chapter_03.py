@@ -28,21 +28,26 @@ def draw_door(solution, mine, out):
     """Left the doors of the whole joint over time, right what iterations do to blocks apart."""
     (table, driven), own = solution, mine
     speeds = np.unique(table["speed_rad_s"])
-    farthest = max(pick((own or solution)[0], "angle_deg", blocks=WHOLE, speed_rad_s=speed)[1].max()
+    shown = (own or solution)[0]
+    farthest = max(pick(shown, "angle_deg", blocks=WHOLE, speed_rad_s=speed)[1].max()
                    for speed in speeds)
     figure, (left, right) = style.figure(
-        f"Slammed at up to {speeds.max():g} rad/s, the door stops at {farthest:.2f}°", 2)
+        f"Slammed at up to {speeds.max():g} rad/s, {'your' if own else 'the'} door "
+        + (f"stops at {farthest:.2f}°" if farthest < 111 else f"goes to {farthest:.0f}°, limit 110°"),
+        2)
     for speed, colour in zip(speeds, COLOURS):
         t, angle = pick(table, "angle_deg", blocks=WHOLE, speed_rad_s=speed)
-        left.plot(t[t <= 2.5], angle[t <= 2.5], color=colour, label=f"{speed:g} rad/s",
-                  linewidth=1.1 if own else 1.6, dashes=(4, 2) if own else (None, None))
+        short = (t > 0) & (t <= 3)
         if own:
-            t, angle = pick(own[0], "angle_deg", blocks=WHOLE, speed_rad_s=speed)
-            left.plot(t[t <= 2.5], angle[t <= 2.5], color=colour, linewidth=3.2, alpha=0.5,
-                      label="_")
+            left.plot(*(values[short] for values in
+                        pick(own[0], "angle_deg", blocks=WHOLE, speed_rad_s=speed)),
+                      color=colour, linewidth=3.2, alpha=0.5, label="_")
+        left.plot(t[short], angle[short], color=colour, label=f"{speed:g} rad/s", marker=".",
+                  markersize=4, linewidth=1, dashes=(4, 2) if own else (None, None))
     left.axhline(110, color=PALE, linewidth=0.8)
-    left.set(xlabel="time  [s]", ylabel="opening angle  [°]", xlim=(0, 2.5),
+    left.set(xlabel="time, a dot a step  [s]", ylabel="opening angle  [°]", xscale="log",
              title="doors, whole joint" + (": yours (thick), the solution's" if own else ""))
+    style.plain_log(left.xaxis)
     for scene, colour, words in (("S4l", COLOURS[0], "swings down"),
                                  ("S4ml", COLOURS[1], "driven by\na motor")):
         chosen = (np.asarray(driven["scene"]) == scene) & (np.asarray(driven["blocks"]) == APART)
@@ -61,25 +66,27 @@ def draw_door(solution, mine, out):
 
 
 def draw_motor(solution, mine, out):
-    table = mine or solution
-    ideal_time = np.array([0, 2.5, 4])
-    figure, (left, right) = style.figure("A motor of 2 N m on 1 kg m²: clamp the sum, "
-                                         "and the number of visits does not matter", 2, sharey=True)
+    ideal = np.array([0, 2.5, 4])
+    right_way = pick(solution, "speed_rad_s", clamped="sum", visits=1)
+    title = "A motor of 2 N m on 1 kg m²: clamp the sum, and the number of visits does not matter"
+    if mine:
+        title = "A motor of 2 N m on 1 kg m², 100 visits: " + style.verdict(
+            pick(mine, "speed_rad_s", clamped="sum", visits=100), right_way, "rad/s")
+    figure, (left, right) = style.figure(title, 2, sharey=True)
     for ax, clamped, words in ((left, "sum", "the sum of a step is clamped"),
                                (right, "visit", "each visit is clamped for itself")):
         for visits, colour in zip((1, 10, 100), COLOURS):
-            t, speed = pick(table, "speed_rad_s", clamped=clamped, visits=visits)
-            ax.plot(t, speed, color=colour, label=f"{visits}",
+            t, speed = pick(mine or solution, "speed_rad_s", clamped=clamped, visits=visits)
+            ax.plot(t, speed, color=colour, label=f"{visits} visit" + "s" * (visits > 1),
                     linewidth={1: 5, 10: 3, 100: 1.2}[visits] if clamped == "sum" else 1.8)
-        ax.plot(ideal_time, np.minimum(2 * ideal_time, 5), color=INK, linewidth=1, dashes=(4, 2),
+        ax.plot(ideal, np.minimum(2 * ideal, 5), color=INK, linewidth=1, dashes=(4, 2),
                 label="2 N m, 5 rad/s" if clamped == "visit" else "_")
-        ax.set_title(words + (", yours" if mine else ""))
-        ax.set(xlabel="time  [s]", xlim=(0, 4))
+        ax.set(xlabel="time  [s]", xlim=(0, 4), ylim=(-0.3, 5.6),
+               title=words + (", yours" if mine else ""))
     left.set_ylabel("speed  [rad/s]")
-    left.text(0.97, 0.1, "1, 10 and 100 visits", ha="right", fontsize=8.5, color=PALE,
-              transform=left.transAxes)
-    for line in right.lines[:3]:
-        line.set_label(f"{line.get_label()} visit" + "s" * (line.get_label() != "1"))
+    if not mine:
+        left.text(0.97, 0.1, "1, 10 and 100 visits", ha="right", fontsize=8.5, color=PALE,
+                  transform=left.transAxes)
     label_ends(right)
     style.save(figure, out / "03_motor")
 
@@ -87,20 +94,36 @@ def draw_motor(solution, mine, out):
 def draw_curl(solution, mine, out):
     table = mine or solution
     joints = np.unique(table["joint"])
+    limit = 40
+    arrived = [joint for joint in joints
+               if pick(table, "angle_deg", joint=joint)[1][-1] > limit - 0.5]
     figure, (left, right) = style.figure(
-        "Seven motors bend a hanging chain, the lightest end first", 2)
-    for joint, shade in zip(joints, np.linspace(0.25, 1, len(joints))):
-        colour = (0, 0.45 * shade, 0.7 * shade)
+        f"{'Your seven' if mine else 'Seven'} motors bend a hanging chain: {len(arrived)} hinges "
+        "arrive, the lightest end first", 2)
+    for joint in joints:
+        colour = shade(joint / joints.max())
         t, angle = pick(table, "angle_deg", joint=joint)
         left.plot(t, angle, color=colour, label=f"{joint:g}")
         t, torque = pick(table, "motor_nm", joint=joint)
         right.plot(t, torque / 1000, color=colour, label=f"{joint:g}", linewidth=1)
-    left.axhline(40, color=PALE, linewidth=0.8)
-    left.text(0.02, 41, "limit", color=PALE, fontsize=8.5, transform=left.get_yaxis_transform())
-    left.set(xlabel="time  [s]", ylabel="angle  [°]", title="angle, by the hinge (1 at the top)")
-    right.set(xlabel="time  [s]", ylabel="torque  [kN m]", title="torque of the motor")
+        if mine:
+            left.plot(*pick(solution, "angle_deg", joint=joint), color=INK, linewidth=0.9,
+                      dashes=(4, 2), label="_")
+    left.axhline(limit, color=PALE, linewidth=0.8)
+    left.text(0.02, limit + 0.5, "limit", color=PALE, fontsize=8.5,
+              transform=left.get_yaxis_transform())
+    left.set(xlabel="time  [s]", ylabel="angle  [°]",
+             title="angle of the hinges, 1 at the top" + ("; dashed: the solution" if mine else ""))
+    right.set(xlabel="time  [s]", ylabel="torque  [kN m]", title="torque of the motors")
     label_ends(left)
+    label_ends(right)
     style.save(figure, out / "03_curl")
+
+
+def shade(share):
+    """From dark blue to orange, told apart by lightness, too."""
+    dark, light = np.array([0.05, 0.1, 0.35]), np.array([0.95, 0.6, 0.1])
+    return tuple(dark + (light - dark) * share)
 
 
 def draw_sideways(solution, mine, out):

@@ -64,7 +64,11 @@ def draw_cannon(solution, mine, out):
                linewidth=3)
     right.plot(table["shot_x_m"][flying], table["shot_y_m"][flying], color=COLOURS[0], marker=".",
                markersize=2, linewidth=0.8)
-    right.set(xlabel="x  [m]", ylabel="y  [m]", title="the shot's path", aspect="equal")
+    if mine:
+        theirs = whole(solution)
+        right.plot(theirs["shot_x_m"], theirs["shot_y_m"], color=INK, linewidth=1, dashes=(4, 2))
+    right.set(xlabel="x  [m]", ylabel="y  [m]", aspect="equal",
+              title="the shot's path" + ("; dashed: the solution's" if mine else ""))
     style.save(figure, out / "04_cannon")
 
 
@@ -72,7 +76,12 @@ def draw_momentum(solution, mine, out):
     table = mine or solution
     figure, (left, right) = style.figure(
         "Two free bodies: a motor without levers makes angular momentum from nothing", 2)
-    for row, colour, words in (("levers", COLOURS[1], "with levers"),
+    if mine:
+        chosen = np.asarray(solution["row"]) == "levers"
+        for ax, column in ((left, "angular_momentum"), (right, "turn_rad_s")):
+            ax.plot(solution["time_s"][chosen], solution[column][chosen], color=INK, linewidth=1.1,
+                    dashes=(4, 2), label="the solution", zorder=5)
+    for row, colour, words in (("levers", COLOURS[1], "with levers" + (", yours" if mine else "")),
                                ("centres", COLOURS[0], "without")):
         chosen = np.asarray(table["row"]) == row
         left.plot(table["time_s"][chosen], table["angular_momentum"][chosen], color=colour,
@@ -82,6 +91,7 @@ def draw_momentum(solution, mine, out):
              title="it may not change" + (": yours" if mine else ""))
     right.set(xlabel="time  [s]", ylabel="how fast the pair turns  [rad/s]",
               title="so they must turn while they part")
+    label_ends(left)
     label_ends(right)
     style.save(figure, out / "04_momentum")
 

@@ -27,6 +27,10 @@ def draw_beam(solution, mine, out):
     for blocks, colour, marker in (("3+3", COLOURS[0], "o"), ("6x6", COLOURS[1], "s")):
         curve = rows(beam, blocks=blocks, iterations=30)
         left.plot(curve["time_s"], curve["sag_m"], color=colour, label=blocks, linewidth=1.2)
+        if mine:
+            theirs = rows(solution[1], blocks=blocks, iterations=30)
+            left.plot(theirs["time_s"], theirs["sag_m"], color=INK, linewidth=0.9, dashes=(4, 2),
+                      label="_")
         part = rows(cantilever, blocks=blocks, start="cold")
         right.plot(part["iterations"], part["sag_m"], color=colour, marker=marker, label=blocks)
     for name, sag in (("Bullet", 7.94), ("Jolt", 2.52), ("Box3D", 0.62)):
@@ -35,7 +39,7 @@ def draw_beam(solution, mine, out):
                    transform=right.get_yaxis_transform())
     left.invert_yaxis()
     left.set(xlabel="time  [s]", ylabel="tip below the level  [m]",
-             title="30 iterations, cold" + (", yours" if mine else ""))
+             title="30 iterations, cold" + (", yours; dashed: the solution" if mine else ""))
     right.set(xscale="log", yscale="log", xlabel="iterations", ylabel="sag of the tip  [m]",
               title="by the number of iterations")
     style.plain_log(right.xaxis)
@@ -55,8 +59,8 @@ def draw_anchor(solution, mine, out):
             label=r"$m r^2/(i + m r^2)$")
     ax.plot(apart["lever_m"], apart["measured"], color=COLOURS[0], marker="o", linestyle="none",
             label="3+3, measured")
-    ax.plot(apart["lever_m"], apart["left_after_29"], color=COLOURS[2], marker="^",
-            label="3+3, left after\n29 more sweeps")
+    ax.plot(apart["lever_m"], apart["left_after_30"], color=COLOURS[2], marker="^",
+            label="3+3, left after\n30 more sweeps")
     ax.plot(whole["lever_m"], whole["measured"], color=COLOURS[1], marker="s",
             label="6x6, measured")
     ax.set(xlabel="distance of the anchor from the cube's centre  [m]",
@@ -88,7 +92,7 @@ def tables(folder, command):
                                 ["blocks", "start"], command)
     beam = style.read_csv(folder / "beam.csv", ["iterations", "time_s", "sag_m"], ["blocks"],
                           command)
-    anchor = style.read_csv(folder / "anchor.csv", ["lever_m", "measured", "left_after_29"],
+    anchor = style.read_csv(folder / "anchor.csv", ["lever_m", "measured", "left_after_30"],
                             ["blocks"], command)
     breaking = style.read_csv(folder / "breaking.csv", ["pull_n", "wall_nm", "statics_nm",
                                                         "strength_nm", "broken"], (), command)

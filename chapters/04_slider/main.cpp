@@ -1,5 +1,7 @@
 // Chapter 4's program: a piston between two limits, a cannon, and what a motor without levers does
 // to the angular momentum. Read it; there is nothing to edit here.
+#include <algorithm>
+
 #include "chapters/04_slider/slider_joint.h"
 #include "engine/program.h"
 #include "engine/stage.h"
@@ -24,13 +26,16 @@ SliderJoint& slider(Stage& stage, BodyId id1, BodyId id2, const vec3& anchor,
   return joint;
 }
 
-// How far the anchor of body 2 is off the line [m], for all sliders of a stage.
+// How far the anchor of body 2 is off the line, or beyond a limit [m], for all sliders of a stage.
 struct LineGap {
   double sum = 0, worst = 0;
   long count = 0;
   void look(const SliderJoint& joint, const Bodies& bodies) {
     const Vector<2> C = joint.first.error(bodies[joint.body1], bodies[joint.body2]);
-    const double gap = std::hypot(double(C[0]), double(C[1]));
+    const double x = double(joint.position(bodies));
+    const double beyond = std::max({double(joint.limits().lower) - x,
+                                    x - double(joint.limits().upper), 0.0});
+    const double gap = std::hypot(double(C[0]), double(C[1]), beyond);
     sum += gap * gap;
     worst = std::max(worst, gap);
     ++count;

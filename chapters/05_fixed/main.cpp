@@ -1,6 +1,7 @@
 // Chapter 5's program: a welded beam, a weld whose anchor is far away, a beam that breaks and a
 // ragdoll hung by one hand. Read it; there is nothing to edit here.
 #include <algorithm>
+#include <cstdio>
 
 #include "chapters/05_fixed/fixed_joint.h"
 #include "engine/program.h"
@@ -74,9 +75,8 @@ Summary cantilever(const Settings& settings, int iterations, bool whole, bool wa
                                  : "";
   double sag = 0, force = 0, torque = 0;
   int count = 0;
-  const Summary line =
-      play(beam.stage, words(whole) + (warm ? " warm, " : ", ") + std::to_string(iterations),
-           2 * settings.seconds, motion, [&](double time) {
+  Summary line =
+      play(beam.stage, "", 2 * settings.seconds, motion, [&](double time) {
              if (!warm) curves.row({words(whole)}, {double(iterations), time, beam.sag()});
              if (time < 2 * settings.seconds - 2) return;
              const Reaction wall = beam.welds[0]->load();
@@ -85,6 +85,10 @@ Summary cantilever(const Settings& settings, int iterations, bool whole, bool wa
              torque += double(wall.torque.z);
              ++count;
            });
+  char setting[60];
+  std::snprintf(setting, sizeof setting, "%s, %d: sag %.2f m", words(whole).c_str(), iterations,
+                sag / count);
+  line.setting = setting;
   const double kept = std::pow(rho, iterations);
   table.row({words(whole), warm ? "warm" : "cold"},
             {double(iterations), rho, kept * (1 + double(settings.beta)) < 1 ? 1.0 : 0.0,
@@ -95,10 +99,10 @@ Summary cantilever(const Settings& settings, int iterations, bool whole, bool wa
 // ---- a far anchor -------------------------------------------------------------------------------
 
 // A cube of 1 kg welded to a wall at an anchor r metres beside it, hit once: how much of what is
-// wrong is left after one more sweep, by formula and measured, and after 29 more.
+// wrong is left after one more sweep, by formula and measured, and after 30 more.
 void far_anchor(const std::string& out) {
   CsvFile table(out + "/anchor.csv",
-                {"blocks", "lever_m", "predicted", "measured", "left_after_29"});
+                {"blocks", "lever_m", "predicted", "measured", "left_after_30"});
   const real h = real(1) / 60;
   for (const bool whole : {false, true})
     for (real r : {real(0.25), real(0.5), real(1), real(2), real(3), real(5), real(10)}) {
@@ -112,14 +116,14 @@ void far_anchor(const std::string& out) {
       SequentialImpulses solver;
       solver.begin(world, h);
       std::vector<double> left;
-      for (int n = 0; n < 30; ++n) {
+      for (int n = 0; n <= 30; ++n) {
         solver.sweep(world.bodies, n);
         left.push_back(double(length(world.bodies[cube].v)));
       }
       const double i = 1.0 / 6, lever = double(r);
       table.row({words(whole)}, {lever, lever * lever / (i + lever * lever),
                                  left[9] > 1e-12 ? left[10] / left[9] : 0.0,
-                                 left[0] > 1e-12 ? left[29] / left[0] : 0.0});
+                                 left[0] > 1e-12 ? left[30] / left[0] : 0.0});
     }
 }
 
@@ -183,8 +187,21 @@ Summary ragdoll(const Settings& settings) {
   stage.mark(hook, right, hand);
   stage.energy_scale = 233 * 9.81 * 1.5;
   stage.print_plan();
-  return play(stage, words(settings.whole), settings.seconds,
-              settings.out + "/ragdoll.motion.json");
+  CsvFile table(settings.out + "/ragdoll.csv", {"time_s", "hand_n", "weight_n"});
+  const double weight = 233 * 9.81;
+  double sum = 0;
+  int count = 0;
+  Summary line = play(stage, "", settings.seconds, settings.out + "/ragdoll.motion.json",
+                      [&](double time) {  // what the grip gives to the arm, upwards
+                        const double carried = double(grip.forces()[1]);
+                        table.row({time, carried, weight});
+                        sum += carried;
+                        ++count;
+                      });
+  char setting[60];
+  std::snprintf(setting, sizeof setting, "hand: %.0f N of %.0f N", sum / count, weight);
+  line.setting = setting;
+  return line;
 }
 
 }  // namespace

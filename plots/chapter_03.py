@@ -33,7 +33,7 @@ def draw_door(solution, mine, out):
                    for speed in speeds)
     figure, (left, right) = style.figure(
         f"Slammed at up to {speeds.max():g} rad/s, {'your' if own else 'the'} door "
-        + (f"stops at {farthest:.2f}°" if farthest < 111 else f"goes to {farthest:.0f}°, limit 110°"),
+        + (f"stops at {farthest:.2f}°" if farthest < 111 else f"goes to {farthest:.0f}°, not 110°"),
         2)
     for speed, colour in zip(speeds, COLOURS):
         t, angle = pick(table, "angle_deg", blocks=WHOLE, speed_rad_s=speed)

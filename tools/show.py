@@ -254,7 +254,8 @@ def tour():
     print()
     summary_table(chapters)
     print("\nenergy drift: change of energy over the run, as a share of the energy to hand. Ropes\n"
-          "that become taut lose some, as in nature; what rods and balls lose, the method loses.")
+          "that become taut and limits that stop a body take some, as in nature, motors add their\n"
+          "work, and what sags has come to rest lower; what is lost else, the method loses.")
     print("\n" + bold("pictures"))
     for path in dict.fromkeys(figures):
         print(f"  {house.short(path)}")

@@ -231,6 +231,14 @@ def links_lead_somewhere(root, build):
                 yield f"{path.relative_to(root)}: {target} does not exist"
 
 
+def errata_are_shown(root, build):
+    """every test that the list of errata names exists"""
+    tests = "".join(read(path) for path in files(root / "tests" / "own", ".cpp"))
+    for word in sorted(set(re.findall(r"`(\[E\d+\]|[IX]\d+)`", read(root / "docs/errata.md")))):
+        if (word if word[0] == "[" else f'TEST_CASE("{word} ') not in tests:
+            yield f"docs/errata.md names the test {word}: there is none"
+
+
 def quotations_are_exact(root, build):
     """a file that a text quotes stands there as it is"""
     for text, sources in QUOTED.items():
@@ -349,7 +357,7 @@ PROOFS = [stubs_are_fresh, every_region_has_a_task, every_exercise_has_hints,
           every_exercise_stands_in_the_table, every_exercise_has_tests,
           every_exercise_has_wrong_answers, texts_have_their_headings, questions_have_answers,
           equations_exist, texts_keep_the_solution, links_lead_somewhere,
-          quotations_are_exact, layers_hold, sources_are_short, programs_carry_what_they_use,
+          errata_are_shown, quotations_are_exact, layers_hold, sources_are_short, programs_carry_what_they_use,
           bad_words_are_refused, programs_repeat_themselves]
 
 

@@ -356,8 +356,8 @@ def untimed(path):
 PROOFS = [stubs_are_fresh, every_region_has_a_task, every_exercise_has_hints,
           every_exercise_stands_in_the_table, every_exercise_has_tests,
           every_exercise_has_wrong_answers, texts_have_their_headings, questions_have_answers,
-          equations_exist, texts_keep_the_solution, links_lead_somewhere,
-          errata_are_shown, quotations_are_exact, layers_hold, sources_are_short, programs_carry_what_they_use,
+          equations_exist, texts_keep_the_solution, links_lead_somewhere, errata_are_shown,
+          quotations_are_exact, layers_hold, sources_are_short, programs_carry_what_they_use,
           bad_words_are_refused, programs_repeat_themselves]
 
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "engine/plan.h"
+#include "engine/program.h"
 
 namespace joints {
 
@@ -22,6 +23,19 @@ void Stage::mark(BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis) {
 void Stage::print_plan() {
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
   std::printf("%-9s %s\n", name.c_str(), plan(world, solver.warm_start).line().c_str());
+}
+
+bool read(Settings& settings, const std::string& program, const std::string& seconds,
+          const std::string& what_runs, int argc, const char* const* argv) {
+  Options options(program, {{"iterations", "30", "sweeps a step"},
+                            {"beta", "0.2", "share of the error fed back in a step"},
+                            {"seconds", seconds, what_runs},
+                            {"whole", "1", "recorded with 1: whole joints, 0: blocks apart"}});
+  if (!options.read(argc, argv)) return false;
+  settings = {options.count("iterations", 1), real(options.number("beta", 0)),
+              options.count("whole", 0) != 0, options.number("seconds", 0.1),
+              options.text("out")};
+  return true;
 }
 
 double energy(const World& world) {

@@ -31,6 +31,20 @@ struct Stage {
   void print_plan();
 };
 
+/// What the programs of stages can be told on the command line.
+struct Settings {
+  int iterations = 30;      ///< sweeps a step
+  real beta = real(0.2);    ///< share of the error fed back in a step [1]
+  bool whole = true;        ///< whole joints, not a block for each part
+  double seconds = 0;       ///< how long to run [s]
+  std::string out;          ///< folder of tables and recordings
+};
+/// Reads them. \param program what `--help` says first \param seconds default of `--seconds`
+/// \param what_runs what `--help` says of the seconds \return false when --help was asked for
+/// \throws std::invalid_argument for options without sense
+bool read(Settings& settings, const std::string& program, const std::string& seconds,
+          const std::string& what_runs, int argc, const char* const* argv);
+
 /// Kinetic energy and energy of position of all bodies [J].
 double energy(const World& world);
 

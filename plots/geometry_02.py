@@ -3,46 +3,9 @@
 
     python3 plots/geometry_02.py OUT.svg
 """
-import sys
-
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-from matplotlib.patches import Arc, FancyBboxPatch  # noqa: E402
-from matplotlib.transforms import Affine2D  # noqa: E402
-
-CARD, INK, FAINT = "#f7f5ef", "#222222", "#6b6b6b"
-BODY1, BODY2, ARROW = "#0072B2", "#D55E00", "#009E73"
-WIDTH, HEIGHT = 700, 380  # [px]
-
-plt.rcParams.update({"svg.hashsalt": "geometry_02", "font.family": "DejaVu Sans",
-                     "mathtext.fontset": "dejavusans"})
-
-
-def body(ax, centre, size, degrees, colour):
-    """A box with rounded corners, seen from the side."""
-    w, h = size
-    box = FancyBboxPatch((-w / 2, -h / 2), w, h, boxstyle="round,pad=0,rounding_size=10",
-                         facecolor=colour + "26", edgecolor=colour, linewidth=2)
-    box.set_transform(Affine2D().rotate_deg(degrees).translate(*centre) + ax.transData)
-    ax.add_patch(box)
-
-
-def arrow(ax, start, end, colour=ARROW, width=2.2, dashed=False):
-    ax.annotate("", xy=end, xytext=start, zorder=4,
-                arrowprops={"arrowstyle": "-|>,head_width=0.3,head_length=0.6", "color": colour,
-                            "linewidth": width, "shrinkA": 0, "shrinkB": 0,
-                            "linestyle": (0, (3, 2)) if dashed else "solid"})
-
-
-def dot(ax, place, colour, size=7):
-    ax.plot(*place, "o", color=colour, markersize=size, markeredgecolor=CARD, zorder=5)
-
-
-def words(ax, place, text, colour=INK, size=13, **more):
-    ax.text(*place, text, color=colour, fontsize=size, ha="center", va="center", zorder=6, **more)
+import numpy as np
+from drawing import ARROW, BODY1, BODY2, FAINT, INK, arrow, body, dot, draw, words
+from matplotlib.patches import Arc
 
 
 def gap(ax):
@@ -101,22 +64,5 @@ def turning(ax):
     words(ax, (562, 32), "$\\omega$ points out of the page, at you", FAINT, 11)
 
 
-def main(path):
-    figure = plt.figure(figsize=(WIDTH / 96, HEIGHT / 96))
-    ax = figure.add_axes((0, 0, 1, 1))
-    ax.set_xlim(0, WIDTH)
-    ax.set_ylim(0, HEIGHT)
-    ax.set_axis_off()
-    ax.add_patch(FancyBboxPatch((1, 1), WIDTH - 2, HEIGHT - 2, facecolor=CARD, edgecolor="#d9d5c8",
-                                linewidth=1, boxstyle="round,pad=0,rounding_size=12", zorder=0))
-    ax.plot((423, 423), (45, 330), color="#d9d5c8", linewidth=1.2)
-    gap(ax)
-    turning(ax)
-    metadata = {"Date": None} if path.endswith(".svg") else None
-    figure.savefig(path, transparent=True, metadata=metadata)
-
-
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    main(sys.argv[1])
+    draw(__doc__, "geometry_02", (gap, turning), (423,))

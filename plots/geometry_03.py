@@ -3,36 +3,14 @@
 
     python3 plots/geometry_03.py OUT.svg
 """
-import sys
-
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-from matplotlib.patches import Arc, Ellipse, FancyBboxPatch, Polygon, Wedge  # noqa: E402
-from matplotlib.transforms import Affine2D  # noqa: E402
-
-CARD, INK, FAINT = "#f7f5ef", "#222222", "#6b6b6b"
-BODY1, BODY2, ARROW = "#0072B2", "#D55E00", "#009E73"
-WIDTH, HEIGHT = 840, 380  # [px]
-
-plt.rcParams.update({"svg.hashsalt": "geometry_03", "font.family": "DejaVu Sans",
-                     "mathtext.fontset": "dejavusans"})
-
-
-def arrow(ax, start, end, colour, width=2.2):
-    ax.annotate("", xy=end, xytext=start, zorder=4,
-                arrowprops={"arrowstyle": "-|>,head_width=0.3,head_length=0.6", "color": colour,
-                            "linewidth": width, "shrinkA": 0, "shrinkB": 0})
+import numpy as np
+from drawing import ARROW, BODY1, BODY2, CARD, FAINT, INK, arrow, draw, words
+from matplotlib.patches import Arc, Ellipse, FancyBboxPatch, Polygon, Wedge
+from matplotlib.transforms import Affine2D
 
 
 def line(ax, start, end, colour=FAINT, dashes=(0, (2, 2)), width=1.1):
     ax.plot(*zip(start, end), color=colour, linewidth=width, linestyle=dashes, zorder=3)
-
-
-def words(ax, place, text, colour=INK, size=13, **more):
-    ax.text(*place, text, color=colour, fontsize=size, ha="center", va="center", zorder=6, **more)
 
 
 def at_angle(centre, radius, degrees):
@@ -123,24 +101,5 @@ def door(ax):
     words(ax, (698, 32), "$C$ is the room that is left", FAINT, 11)
 
 
-def main(path):
-    figure = plt.figure(figsize=(WIDTH / 96, HEIGHT / 96))
-    ax = figure.add_axes((0, 0, 1, 1))
-    ax.set_xlim(0, WIDTH)
-    ax.set_ylim(0, HEIGHT)
-    ax.set_axis_off()
-    ax.add_patch(FancyBboxPatch((1, 1), WIDTH - 2, HEIGHT - 2, facecolor=CARD, edgecolor="#d9d5c8",
-                                linewidth=1, boxstyle="round,pad=0,rounding_size=12", zorder=0))
-    for x in (280, 560):
-        ax.plot((x, x), (45, 330), color="#d9d5c8", linewidth=1.2)
-    shadow(ax)
-    rate(ax)
-    door(ax)
-    metadata = {"Date": None} if path.endswith(".svg") else None
-    figure.savefig(path, transparent=True, metadata=metadata)
-
-
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    main(sys.argv[1])
+    draw(__doc__, "geometry_03", (shadow, rate, door), (280, 560), width=840)

@@ -3,18 +3,13 @@
 
     python3 plots/geometry_04.py OUT.svg
 """
-import sys
-
 import numpy as np
-from geometry_02 import ARROW, BODY1, BODY2, CARD, FAINT, HEIGHT, INK, WIDTH, plt
-from geometry_02 import arrow, body, dot, words
+from drawing import ARROW, BODY1, BODY2, FAINT, INK, arrow, body, dot, draw, words
 from matplotlib.patches import Arc, FancyBboxPatch
 from matplotlib.transforms import Affine2D
 
 LEVER = "#A0468A"
 TILT = 12  # of body 1 [degrees]
-
-plt.rcParams["svg.hashsalt"] = "geometry_04"
 
 
 def direction(degrees):
@@ -98,22 +93,5 @@ def lock(ax):
     words(ax, (562, 28), "the axis of $q_e$, and $C$, point at you", FAINT, 11)
 
 
-def main(path):
-    figure = plt.figure(figsize=(WIDTH / 96, HEIGHT / 96))
-    ax = figure.add_axes((0, 0, 1, 1))
-    ax.set_xlim(0, WIDTH)
-    ax.set_ylim(0, HEIGHT)
-    ax.set_axis_off()
-    ax.add_patch(FancyBboxPatch((1, 1), WIDTH - 2, HEIGHT - 2, facecolor=CARD, edgecolor="#d9d5c8",
-                                linewidth=1, boxstyle="round,pad=0,rounding_size=12", zorder=0))
-    ax.plot((423, 423), (45, 330), color="#d9d5c8", linewidth=1.2)
-    line(ax)
-    lock(ax)
-    metadata = {"Date": None} if path.endswith(".svg") else None
-    figure.savefig(path, transparent=True, metadata=metadata)
-
-
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    main(sys.argv[1])
+    draw(__doc__, "geometry_04", (line, lock), (423,))

@@ -3,21 +3,9 @@
 
     python3 plots/geometry_05.py OUT.svg
 """
-import sys
-
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-from matplotlib.patches import Arc, FancyBboxPatch, Rectangle  # noqa: E402
-
-CARD, INK, FAINT = "#f7f5ef", "#222222", "#6b6b6b"
-BODY1, BODY2, ARROW = "#0072B2", "#D55E00", "#009E73"
-WIDTH, HEIGHT = 700, 380  # [px]
-
-plt.rcParams.update({"svg.hashsalt": "geometry_05", "font.family": "DejaVu Sans",
-                     "mathtext.fontset": "dejavusans"})
+import numpy as np
+from drawing import ARROW, BODY1, BODY2, FAINT, INK, arrow, dot, draw, words
+from matplotlib.patches import Arc, FancyBboxPatch, Rectangle
 
 
 def box(ax, centre, size, colour):
@@ -33,12 +21,6 @@ def wall(ax, right, low, high):
     ax.plot((right, right), (low, high), color=BODY1, linewidth=2)
 
 
-def arrow(ax, start, end, colour=ARROW, width=2.2):
-    ax.annotate("", xy=end, xytext=start, zorder=4,
-                arrowprops={"arrowstyle": "-|>,head_width=0.3,head_length=0.6", "color": colour,
-                            "linewidth": width, "shrinkA": 0, "shrinkB": 0})
-
-
 def turn(ax, centre, radius, start, end, colour):
     """A bent arrow round a centre from start to end [degrees], either way round."""
     ax.add_patch(Arc(centre, 2 * radius, 2 * radius, theta1=min(start, end),
@@ -47,15 +29,6 @@ def turn(ax, centre, radius, start, end, colour):
     tip = np.array(centre) + radius * np.array([np.cos(angle), np.sin(angle)])
     along = np.sign(end - start) * np.array([-np.sin(angle), np.cos(angle)])
     arrow(ax, tip - along, tip + 9 * along, colour)
-
-
-def dot(ax, place, colour, size=7):
-    ax.plot(*place, "o", color=colour, markersize=size, markeredgecolor=CARD, zorder=5)
-
-
-def words(ax, place, text, colour=INK, size=13, **more):
-    more = {"ha": "center", "va": "center", "zorder": 6} | more
-    ax.text(*place, text, color=colour, fontsize=size, **more)
 
 
 def measure(ax, left, right, y, text):
@@ -111,22 +84,5 @@ def shares(ax):
     words(ax, (520, 32), "a push $P$ at the anchor, and the speed it gives", FAINT, 11)
 
 
-def main(path):
-    figure = plt.figure(figsize=(WIDTH / 96, HEIGHT / 96))
-    ax = figure.add_axes((0, 0, 1, 1))
-    ax.set_xlim(0, WIDTH)
-    ax.set_ylim(0, HEIGHT)
-    ax.set_axis_off()
-    ax.add_patch(FancyBboxPatch((1, 1), WIDTH - 2, HEIGHT - 2, facecolor=CARD, edgecolor="#d9d5c8",
-                                linewidth=1, boxstyle="round,pad=0,rounding_size=12", zorder=0))
-    ax.plot((338, 338), (45, 330), color="#d9d5c8", linewidth=1.2)
-    load(ax)
-    shares(ax)
-    metadata = {"Date": None} if path.endswith(".svg") else None
-    figure.savefig(path, transparent=True, metadata=metadata)
-
-
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    main(sys.argv[1])
+    draw(__doc__, "geometry_05", (load, shares), (338,))

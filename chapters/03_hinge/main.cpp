@@ -14,14 +14,6 @@ namespace {
 
 const real degree = std::numbers::pi_v<real> / 180;
 
-struct Settings {
-  int iterations = 30;
-  real beta = real(0.2);
-  bool whole = true;
-  double seconds = 5;
-  std::string out;
-};
-
 std::string words(bool whole) { return whole ? "whole joint" : "blocks apart"; }
 
 HingeJoint& hinge(Stage& stage, BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis,
@@ -177,18 +169,10 @@ Summary sideways(const Settings& settings, bool whole, int iterations, CsvFile& 
 
 int main(int argc, char** argv) {
   return run_program([&] {
-    Options options("Chapter 3: doors, a motor by hand, a chain that curls up",
-                    {{"iterations", "30", "sweeps a step"},
-                     {"beta", "0.2", "share of the error fed back in a step"},
-                     {"seconds", "5", "how long doors and chain run"},
-                     {"whole", "1", "recorded with 1: whole joints, 0: blocks apart"}});
-    if (!options.read(argc, argv)) return;
     Settings settings;
-    settings.iterations = options.count("iterations", 1);
-    settings.beta = real(options.number("beta", 0));
-    settings.seconds = options.number("seconds", 0.1);
-    settings.whole = options.count("whole", 0) != 0;
-    settings.out = options.text("out");
+    if (!read(settings, "Chapter 3: doors, a motor by hand, a chain that curls up", "5",
+              "how long doors and chain run", argc, argv))
+      return;
 
     std::vector<Summary> lines;
     CsvFile door_table(settings.out + "/door.csv",

@@ -10,14 +10,6 @@ using namespace joints;
 
 namespace {
 
-struct Settings {
-  int iterations = 30;
-  real beta = real(0.2);
-  bool whole = true;
-  double seconds = 6;
-  std::string out;
-};
-
 SliderJoint& slider(Stage& stage, BodyId id1, BodyId id2, const vec3& anchor,
                     const vec3& direction, const Settings& settings, bool whole) {
   auto& joint = stage.world.add<SliderJoint>(stage.world.bodies, id1, id2, anchor, direction);
@@ -173,18 +165,10 @@ void momentum(const Settings& settings, bool levers, CsvFile& table) {
 
 int main(int argc, char** argv) {
   return run_program([&] {
-    Options options("Chapter 4: a piston, a cannon, a motor without levers",
-                    {{"iterations", "30", "sweeps a step"},
-                     {"beta", "0.2", "share of the error fed back in a step"},
-                     {"seconds", "6", "how long the piston runs"},
-                     {"whole", "1", "recorded with 1: whole joints, 0: blocks apart"}});
-    if (!options.read(argc, argv)) return;
     Settings settings;
-    settings.iterations = options.count("iterations", 1);
-    settings.beta = real(options.number("beta", 0));
-    settings.seconds = options.number("seconds", 0.1);
-    settings.whole = options.count("whole", 0) != 0;
-    settings.out = options.text("out");
+    if (!read(settings, "Chapter 4: a piston, a cannon, a motor without levers", "6",
+              "how long the piston runs", argc, argv))
+      return;
 
     std::vector<Summary> lines;
     CsvFile piston_table(settings.out + "/piston.csv",

@@ -11,14 +11,6 @@ using namespace joints;
 
 namespace {
 
-struct Settings {
-  int iterations = 30;
-  real beta = real(0.2);
-  bool whole = true;
-  double seconds = 10;
-  std::string out;
-};
-
 std::string words(bool whole) { return whole ? "6x6" : "3+3"; }
 
 // ---- a beam of cubes ----------------------------------------------------------------------------
@@ -208,18 +200,10 @@ Summary ragdoll(const Settings& settings) {
 
 int main(int argc, char** argv) {
   return run_program([&] {
-    Options options("Chapter 5: a welded beam, a far anchor, a weld that breaks, a ragdoll",
-                    {{"iterations", "30", "sweeps a step, of the recorded motion"},
-                     {"beta", "0.2", "share of the error fed back in a step"},
-                     {"seconds", "10", "how long the ragdoll hangs; the beam takes twice as long"},
-                     {"whole", "1", "recorded with 1: blocks of six rows, 0: of three"}});
-    if (!options.read(argc, argv)) return;
     Settings settings;
-    settings.iterations = options.count("iterations", 1);
-    settings.beta = real(options.number("beta", 0));
-    settings.seconds = options.number("seconds", 0.1);
-    settings.whole = options.count("whole", 0) != 0;
-    settings.out = options.text("out");
+    if (!read(settings, "Chapter 5: a beam, a far anchor, a weld that breaks, a ragdoll", "10",
+              "how long the ragdoll hangs; the beam takes twice as long", argc, argv))
+      return;
 
     std::vector<Summary> lines;
     CsvFile table(settings.out + "/cantilever.csv",

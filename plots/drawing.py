@@ -1,0 +1,63 @@
+"""What the chapters' drawings share: the card, its colours, bodies, arrows, dots and words."""
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.patches import FancyBboxPatch  # noqa: E402
+from matplotlib.transforms import Affine2D  # noqa: E402
+
+CARD, INK, FAINT, EDGE = "#f7f5ef", "#222222", "#6b6b6b", "#d9d5c8"
+BODY1, BODY2, ARROW = "#0072B2", "#D55E00", "#009E73"
+HEIGHT = 380  # [px]
+
+
+def body(ax, centre, size, degrees, colour):
+    """A box with rounded corners, seen from the side."""
+    w, h = size
+    box = FancyBboxPatch((-w / 2, -h / 2), w, h, boxstyle="round,pad=0,rounding_size=10",
+                         facecolor=colour + "26", edgecolor=colour, linewidth=2)
+    box.set_transform(Affine2D().rotate_deg(degrees).translate(*centre) + ax.transData)
+    ax.add_patch(box)
+
+
+def arrow(ax, start, end, colour=ARROW, width=2.2, dashed=False):
+    ax.annotate("", xy=end, xytext=start, zorder=4,
+                arrowprops={"arrowstyle": "-|>,head_width=0.3,head_length=0.6", "color": colour,
+                            "linewidth": width, "shrinkA": 0, "shrinkB": 0,
+                            "linestyle": (0, (3, 2)) if dashed else "solid"})
+
+
+def dot(ax, place, colour, size=7):
+    ax.plot(*place, "o", color=colour, markersize=size, markeredgecolor=CARD, zorder=5)
+
+
+def words(ax, place, text, colour=INK, size=13, **more):
+    ax.text(*place, text, color=colour, fontsize=size, ha=more.pop("ha", "center"), va="center",
+            zorder=6, **more)
+
+
+def draw(usage, name, panels, dividers, width=700):
+    """Draws the panels on a card, with a line at each divider, to the path on the command line.
+
+    The same bytes every time, if the path ends in .svg.
+    """
+    if len(sys.argv) != 2:
+        sys.exit(usage)
+    plt.rcParams.update({"svg.hashsalt": name, "font.family": "DejaVu Sans",
+                         "mathtext.fontset": "dejavusans"})
+    figure = plt.figure(figsize=(width / 96, HEIGHT / 96))
+    ax = figure.add_axes((0, 0, 1, 1))
+    ax.set_xlim(0, width)
+    ax.set_ylim(0, HEIGHT)
+    ax.set_axis_off()
+    ax.add_patch(FancyBboxPatch((1, 1), width - 2, HEIGHT - 2, facecolor=CARD, edgecolor=EDGE,
+                                linewidth=1, boxstyle="round,pad=0,rounding_size=12", zorder=0))
+    for x in dividers:
+        ax.plot((x, x), (45, 330), color=EDGE, linewidth=1.2)
+    for panel in panels:
+        panel(ax)
+    path = sys.argv[1]
+    metadata = {"Date": None} if path.endswith(".svg") else None
+    figure.savefig(path, transparent=True, metadata=metadata)

@@ -17,6 +17,7 @@ struct Demand {
   real frequency = 0;  ///< soft instead of beta: natural frequency [Hz]; 0 means not soft
   real damping = 1;    ///< soft: damping ratio [1]
   real target = 0;     ///< wanted rate of the last row [unit of C per s]: the speed of a motor
+  bool holds_position = true;  ///< C is an error to be removed; false for a motor
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]
 };

@@ -14,6 +14,7 @@ class Joint {
  public:
   BodyId body1, body2;    ///< the two bodies it holds
   real beta = real(0.2);  ///< share of the error fed back in a step [1] (chapter 6)
+  bool projected = true;  ///< takes part in the solver's position projection, if that is on
 
   /// \throws std::invalid_argument for a joint of a body with itself
   Joint(BodyId body1, BodyId body2) : body1(body1), body2(body2) {

@@ -45,6 +45,7 @@ void SequentialImpulses::begin(World& world, real h) {
 void SequentialImpulses::finish(World& world, real h) {
   for (int slot = 0; slot < world.bodies.slots(); ++slot)
     integrate_pose(world.bodies.at(slot), h);
+  for (int i = 0; i < projections; ++i) projection_.sweep(world);
 }
 
 void SequentialImpulses::prepare(const Bodies& bodies, int first_block, real h) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <random>
 
-#include "engine/world.h"
+#include "engine/projection.h"
 
 /// \addtogroup world
 /// @{
@@ -25,6 +25,7 @@ class SequentialImpulses {
  public:
   int iterations = 30;         ///< sweeps a step
   bool warm_start = false;     ///< begin with the impulses of the last step
+  int projections = 0;         ///< sweeps of position projection after a step (chapter 6)
   Order order = Order::forward;  ///< of the blocks in a sweep
   unsigned seed = 1;           ///< of the shuffled order
   bool row_by_row = false;     ///< solve every row as a block of its own (chapter 2)
@@ -39,7 +40,7 @@ class SequentialImpulses {
   void begin(World& world, real h);
   /// One sweep over all blocks. \param number counts from 0; only the alternating order asks
   void sweep(Bodies& bodies, int number);
-  /// The poses from the velocities.
+  /// The poses from the velocities, and the projection if it is on.
   void finish(World& world, real h);
   /// The blocks of the present step.
   const Blocks& blocks() const { return blocks_; }
@@ -71,6 +72,7 @@ class SequentialImpulses {
   void solve_block(Body* bodies, const Prepared& block);
 
   Blocks blocks_;
+  Projection projection_;
   std::vector<Prepared> prepared_;
   std::vector<PreparedRow> rows_;
   std::vector<real> inverse_K_;

@@ -124,7 +124,10 @@ void DrivenJoint<First, Second, Coordinate>::append(const Bodies& bodies, Blocks
   };
   if (motor_.strength > 0)
     add(coordinate,
-        {.target = motor_.speed, .lower = -motor_.strength, .upper = motor_.strength},
+        {.target = motor_.speed,
+         .holds_position = false,
+         .lower = -motor_.strength,
+         .upper = motor_.strength},
         motor_place);
   const Limit<Coordinate> limit = limit_part(limit_.sign);
   const Stack<First, Second> rigid{first, second};

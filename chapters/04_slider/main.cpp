@@ -123,7 +123,11 @@ class CentreMotor : public Joint {
     const real K = bodies[body1].inverse_mass + bodies[body2].inverse_mass;
     blocks.append(bodies.index(body1), bodies.index(body2),
                   to_jacobian(Row{-a, vec3(0), a, vec3(0)}), {0}, to_matrix(K),
-                  {.target = speed, .lower = -strength, .upper = strength}, &impulse_);
+                  {.target = speed,
+                   .holds_position = false,
+                   .lower = -strength,
+                   .upper = strength},
+                  &impulse_);
   }
   int most_rows() const override { return 1; }
 

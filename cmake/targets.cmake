@@ -23,10 +23,11 @@ target_compile_options(workbook_strict INTERFACE -Wall -Wextra -Wpedantic -Werro
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # g++ 12 sees overlaps in std::string that are not there
   target_compile_options(workbook_strict INTERFACE -Wno-restrict)
 endif()
-# A reader's file may be half written: no word about what is not used yet, and no warning stops it.
+# A reader's file may be half written: no word about what is not used yet, and no warning stops it,
+# but for a forgotten return, which would be a crash without a reason.
 add_library(workbook_lenient INTERFACE)
 target_compile_options(workbook_lenient INTERFACE
-  -Wall -Wextra -Wno-unused-parameter -Wno-unused-variable -Wno-unused-but-set-variable)
+  -Wall -Wextra -Werror=return-type -Wno-unused-parameter -Wno-unused-variable -Wno-unused-but-set-variable)
 
 # add_twice(NAME KIND sources...): NAME in double and NAME_float.
 function(add_twice name kind)

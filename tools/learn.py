@@ -120,7 +120,7 @@ def place_of_error(chapter, words):
     """Which exercise the first error of the compiler lies in."""
     match = re.search(rf"{re.escape(chapter.mine.name)}:(\d+):", words)
     for region in exercises.regions(chapter.mine.read_text()) if match else []:
-        if region.begin <= int(match[1]) <= region.end + 1:
+        if region.begin <= int(match[1]) <= region.end + 2:  # the closing brace, too
             print(f"  The first error lies in exercise {region.id}, line {match[1]}.\n")
             return
 

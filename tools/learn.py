@@ -96,11 +96,23 @@ def test(word):
             continue
         tell(chapter, one)
         stopped = stopped or one.status != grading.DONE
+    if len(grades) == 1 and grades[0].status == grading.WRONG:
+        name_earlier(chapter, grades[0].id)
     if all(one.status == grading.DONE for one in grades):
         tests = sum(one.tests for one in grades)
         print(f"{tests} tests passed. " + after(chapter, grades[-1].id))
         return 0
     return 1
+
+
+def name_earlier(chapter, id_):
+    """An exercise may call earlier ones of its chapter: says which of them are wrong themselves."""
+    earlier = chapter.ids()[:chapter.ids().index(id_)]
+    wrong = [one.id for one in grading.grade(chapter, earlier) if one.status == grading.WRONG] \
+        if earlier else []
+    if wrong:
+        print(f"\n  {' and '.join(wrong)} {'is' if len(wrong) == 1 else 'are'} not right yet, and "
+              f"{id_} may call {'it' if len(wrong) == 1 else 'them'}: ./wb test {wrong[0]}")
 
 
 def after(chapter, id_):

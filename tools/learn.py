@@ -14,13 +14,14 @@ MARK = {grading.DONE: good, grading.WRONG: bad, grading.BROKEN: bad}
 def status():
     """Every exercise and the next thing to do."""
     upcoming, all_done = None, True
+    width = max(len(title) for c in house.chapters() for title in c.titles().values())
     for chapter in house.chapters():
         print(f"{bold(f'Chapter {chapter.number}: {chapter.name}')}   "
               f"{faint(house.short(chapter.text))}")
         titles = chapter.titles()
         for one in grading.grade(chapter):
             colour = MARK.get(one.status, lambda words: words)
-            print(f"  {one.id}  {titles.get(one.id, ''):34} {colour(one.words())}")
+            print(f"  {one.id}  {titles.get(one.id, ''):{width}} {colour(one.words())}")
             if one.status != grading.DONE:
                 all_done = False
                 upcoming = upcoming or (chapter, one)

@@ -27,7 +27,8 @@ endif()
 # but for a forgotten return, which would be a crash without a reason.
 add_library(workbook_lenient INTERFACE)
 target_compile_options(workbook_lenient INTERFACE
-  -Wall -Wextra -Werror=return-type -Wno-unused-parameter -Wno-unused-variable -Wno-unused-but-set-variable)
+  -Wall -Wextra -Werror=return-type
+  -Wno-unused-parameter -Wno-unused-variable -Wno-unused-but-set-variable)
 
 # add_twice(NAME KIND sources...): NAME in double and NAME_float.
 function(add_twice name kind)

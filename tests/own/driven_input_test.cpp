@@ -5,6 +5,7 @@
 #include "chapters/05_fixed/fixed_joint.h"
 #include "tests/catch.h"
 #include "tests/own/oracle.h"
+#include "tests/own/shared.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -15,17 +16,6 @@ namespace {
 const real h = real(1) / 60;
 const real no_number = std::numeric_limits<real>::quiet_NaN();
 const vec3 anchor(0, real(-0.5), 0), axis(0, 0, 1);
-
-// What the refusal of a call says; "accepted" where there was none.
-template <class Call>
-std::string refusal(Call call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 // A wall and a weight that moves, held by one hinge.
 struct Small {

@@ -3,6 +3,7 @@
 #include "tests/catch.h"
 #include "tests/joint_fixtures.h"
 #include "tests/own/rigs.h"
+#include "tests/own/shared.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -46,16 +47,6 @@ struct FreshAxis {
     return J;
   }
 };
-
-template <class Part>
-double slope_error(const Part& part, const Body& a, const Body& b) {
-  const Numbers yours = flat(to_jacobian(part.jacobian(a, b)));
-  const Numbers slope = flat(numeric_jacobian(part, a, b));
-  double worst = 0;
-  for (std::size_t i = 0; i < slope.size(); ++i)
-    worst = std::max(worst, std::abs(yours[i] - slope[i]));
-  return worst;
-}
 
 // A rotor on its axis, solved 30 times in a step with the motor's row as it is asked for.
 double rate_after_a_step(double bias) {

@@ -5,6 +5,7 @@
 #include "tests/catch.h"
 #include "tests/joint_fixtures.h"
 #include "tests/own/rigs.h"
+#include "tests/own/shared.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -64,16 +65,6 @@ struct AngleDifferences {
 
 // The row of the printed motor: no levers.
 Row printed_motor(const vec3& a) { return {-a, vec3(0), a, vec3(0)}; }
-
-template <class Part>
-double slope_error(const Part& part, const Body& a, const Body& b) {
-  const Numbers yours = flat(to_jacobian(part.jacobian(a, b)));
-  const Numbers slope = flat(numeric_jacobian(part, a, b));
-  double worst = 0;
-  for (std::size_t i = 0; i < slope.size(); ++i)
-    worst = std::max(worst, std::abs(yours[i] - slope[i]));
-  return worst;
-}
 
 // Two free bodies on a slider along `a`, slid by `way`.
 struct Slid {

@@ -4,6 +4,7 @@
 #include "engine/program.h"
 #include "tests/catch.h"
 #include "tests/own/oracle.h"
+#include "tests/own/shared.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -14,17 +15,6 @@ namespace {
 const real h = real(1) / 60;
 const real no_number = std::numeric_limits<real>::quiet_NaN();
 const real bad_numbers[] = {0, -1, no_number, unbounded, -unbounded};  // where a size is wanted
-
-// What the refusal of a call says; "accepted" where there was none.
-template <class Call>
-std::string refusal(Call call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 // A good body with one field spoilt.
 template <class Spoil>

@@ -68,13 +68,17 @@ function(add_exercise_file target source where warnings)
   set_property(TARGET ${target} PROPERTY EXERCISE_FILE ${where})
 endfunction()
 
-# add_chapter(NN_name name [USES earlier chapters...]) makes
+# add_chapter(NN_name name [USES earlier chapters...] [PROGRAM sources...]) makes
 #   NN_name, NN_name_float   the solution          NN_name_mine   the reader's file
 #   NN_name_run              the program on the solution, NN_name_run_mine on the reader's file,
 #                            its unwritten exercises filled in from the solution
 # Later chapters use the solutions of earlier ones, so that an unfinished one blocks nothing.
 function(add_chapter chapter name)
-  cmake_parse_arguments(arg "" "" "USES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "USES;PROGRAM" ${ARGN})
+  if(NOT arg_PROGRAM)
+    set(arg_PROGRAM main.cpp)
+  endif()
+  list(TRANSFORM arg_PROGRAM PREPEND ${PROJECT_SOURCE_DIR}/chapters/${chapter}/)
   set(solution ${PROJECT_SOURCE_DIR}/solutions/${chapter}/${name}.cpp)
   set(mine ${PROJECT_SOURCE_DIR}/chapters/${chapter}/${name}.cpp)
   set(mixed ${PROJECT_BINARY_DIR}/mixed/${chapter}/${name}.cpp)  # written by ./wb run
@@ -105,7 +109,7 @@ function(add_chapter chapter name)
     if(kind STREQUAL "_mixed")
       set(run ${chapter}_run_mine)
     endif()
-    add_executable(${run} ${PROJECT_SOURCE_DIR}/chapters/${chapter}/main.cpp)
+    add_executable(${run} ${arg_PROGRAM})
     target_link_libraries(${run} PRIVATE ${chapter}${kind} instruments workbook_strict)
   endforeach()
   set_target_properties(${chapter}_run_mine PROPERTIES EXCLUDE_FROM_ALL ON)

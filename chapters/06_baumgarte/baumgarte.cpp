@@ -1,0 +1,71 @@
+// Chapter 6: Baumgarte. Replace each todo(...) by your own code; the text is in README.md.
+#include "chapters/06_baumgarte/baumgarte.h"
+
+namespace joints {
+
+// ---- an error fed back as a velocity -------------------------------------------------------------
+
+real bias(real C, real beta, real h) {
+  // begin [exercise 6.1]
+  // Return b of Eq. 6-2.
+  todo("6.1");
+  // end [exercise 6.1]
+}
+
+real limit_bias(real C, real beta, real h) {
+  // begin [exercise 6.1]
+  // Return b of Eq. 6-5: one line for a limit that is passed, one for a limit that lies ahead.
+  todo("6.1");
+  // end [exercise 6.1]
+}
+
+real beta_for(real half_time, real h) {
+  // begin [exercise 6.1]
+  // Return beta of Eq. 6-4. std::exp2(x) is 2 to the power x.
+  todo("6.1");
+  // end [exercise 6.1]
+}
+
+// ---- beginning with the impulses of the last step ------------------------------------------------
+
+void warm_start(const Jacobian<3>& J, real ratio, vec3& lambda, Body& body1, Body& body2) {
+  // begin [exercise 6.2]
+  // Bring lambda up to date, Eq. 6-8, and give it to the bodies: apply_impulse of exercise 2.3.
+  // lambda goes on from there, so it must hold what has been applied.
+  todo("6.2");
+  // end [exercise 6.2]
+}
+
+bool warm_start_is_safe(real rho, int sweeps, real beta) {
+  // begin [exercise 6.2]
+  // Return true where Eq. 6-9 holds. std::pow(x, n) is x to the power n.
+  todo("6.2");
+  // end [exercise 6.2]
+}
+
+// ---- the places put right themselves -------------------------------------------------------------
+
+void project(const Point& point, Body& body1, Body& body2) {
+  // begin [exercise 6.3]
+  // Find lambda of Eq. 6-10 from the error and K of the point, at the present poses. The moves of
+  // Eq. 6-11 are M^-1 J^T lambda, which apply_impulse of exercise 2.3 adds to velocities: give it
+  // two copies of the bodies that are at rest. turned(q, w, 1) turns q by the arrow w [rad].
+  todo("6.3");
+  // end [exercise 6.3]
+}
+
+void project(const Rope<Distance>& rope, Body& body1, Body& body2) {
+  // begin [exercise 6.3]
+  // The same with a single row, and only where the rope is too long: else nothing moves.
+  todo("6.3");
+  // end [exercise 6.3]
+}
+
+void projection_sweep(Chain& chain) {
+  // begin [exercise 6.3]
+  // Project every joint between its two bodies, one after the other.
+  todo("6.3");
+  // end [exercise 6.3]
+}
+
+}  // namespace joints

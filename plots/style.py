@@ -90,6 +90,28 @@ def read_csv(path, numbers, words=(), command=""):
     return table
 
 
+def rows(table, **where):
+    """The rows where the named columns have these values; every column becomes an array."""
+    chosen = np.ones(len(next(iter(table.values()))), bool)
+    for name, value in where.items():
+        chosen &= np.asarray(table[name]) == value
+    return {name: np.asarray(column)[chosen] for name, column in table.items()}
+
+
+def chapter(number, tables, draws):
+    """A chapter's script: reads its tables, the solution's and yours, and draws its figures.
+
+    tables(folder, command) gives what each draw(solution, mine, out) is called with, in order.
+    """
+    given = arguments(f"Draws the figures of chapter {number}.",
+                      solution="folder of the solution's tables",
+                      mine="optional: folder of your tables", out="folder of the figures")
+    solution = tables(given.solution, f"./wb plot {number}")
+    mine = tables(given.mine, f"./wb run {number}") if given.mine else (None,) * len(draws)
+    for draw, theirs, own in zip(draws, solution, mine):
+        draw(theirs, own, given.out)
+
+
 def figure(title, panels=1, rows=1, **options):
     """A figure with its panels side by side; `title` says what is to be seen."""
     made, axes = plt.subplots(rows, panels, figsize=(WIDTH, HEIGHT * (1 + 0.7 * (rows - 1))),

@@ -129,7 +129,7 @@ void betas(const Choice& choice) {
 // being what is left of a right side after some sweeps over n equal masses in a row.
 double predicted_sag(int n, int sweeps, double beta) {
   std::vector<double> x(std::size_t(n), 0.0);
-  for (int round = 0; round < 20000; ++round) {
+  for (double change = 1; change > 1e-9;) {
     std::vector<double> r = x, lambda(std::size_t(n), 0.0);
     r[0] += 9.81;  // what gravity does to the first joint; the others fall together
     const auto left = [&](std::size_t k) {
@@ -140,7 +140,11 @@ double predicted_sag(int n, int sweeps, double beta) {
     };
     for (int sweep = 0; sweep < sweeps; ++sweep)
       for (std::size_t k = 0; k < r.size(); ++k) lambda[k] += left(k) / (k == 0 ? 1 : 2);
-    for (std::size_t k = 0; k < r.size(); ++k) x[k] = left(k);
+    change = 0;
+    for (std::size_t k = 0; k < r.size(); ++k) {
+      change = std::max(change, std::abs(left(k) - x[k]));
+      x[k] = left(k);
+    }
   }
   double sum = 0;
   for (const double part : x) sum += part;

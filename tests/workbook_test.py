@@ -36,7 +36,6 @@ PROGRAMS = {
     "06_baumgarte_run": ("projection_sweep", LATER[5])}
 QUOTED = {"docs/library.md": ["tests/consumer/CMakeLists.txt", "tests/consumer/main.cpp"]}
 LONG_FILES = {"tests/01_distance_test.cpp": "the tests of six exercises",
-              "tests/check.cpp": "the reports and the usual mistakes",
               "tests/workbook_test.py": "many short proofs"}
 MOST_LINES, MOST_COLUMNS = 330, 100
 notes = []

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <deque>
 
 #include "chapters/02_ball/ball_joint.h"
 #include "chapters/06_baumgarte/own_loop.h"
@@ -71,7 +72,7 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/pendulums.csv",
                 {"method", "time_s", "gap_m", "energy_change", "off_engine_m"});
   Motion motion("pendulums", double(h));
-  std::vector<Pendulum> all;
+  std::deque<Pendulum> all;
   for (std::size_t k = 0; k < methods.size(); ++k) {
     all.emplace_back(methods[k], vec3(0, 0, real(0.6) * real(k)), choice.iterations);
     motion.body({"ball", {0.15, 0.15, 0.15}});
@@ -152,6 +153,7 @@ int main(int argc, char** argv) {
     hanging(choice);
     one_joint(choice, lines);
     many_joints(choice, lines);
+    between_walls(choice, lines);
     report(lines, choice.out);
   });
 }

@@ -46,8 +46,8 @@ struct Pair {
 
 // ---- drift and decay ------------------------------------------------------------------------------
 
-// Thesis fig. 3.1: a hinge without correction. Each step leaves the circle along the arrow from the
-// hinge to the centre by Eq. 6-1; the gap is the sum of these arrows.
+// Thesis fig. 3.1: a hinge without correction. Each step moves the cube's end of the hinge outwards,
+// along the arrow from there to the centre, by Eq. 6-1; the gap is the sum of these arrows.
 Summary drift(const Choice& choice) {
   Pair pair("drift", choice.iterations);
   const HingeJoint& joint = pair.hinge(vec3(0, 0, 1), 0);
@@ -56,7 +56,8 @@ Summary drift(const Choice& choice) {
   vec3 sum(0);
   return play(pair.stage, "beta 0", choice.seconds, "", [&](double time) {
     const Body& cube = pair.body();
-    if (time > 0) sum += dot(cube.w, cube.w) * h * h / real(2) * (cube.x - pair.fixed().x);  // 6-1
+    const vec3 r = -to_world(cube, joint.first.anchor2_local);
+    sum += dot(cube.w, cube.w) * h * h / real(2) * r;  // Eq. 6-1
     table.row({time, double(length(joint.first.error(pair.fixed(), cube))), double(length(sum))});
   });
 }

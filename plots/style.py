@@ -193,11 +193,17 @@ def overlay(ax, mine, solution, labels=("yours", "the solution")):
     ax.plot(*mine, color=MINE, linewidth=3.2, alpha=0.75, label=labels[0])
     ax.plot(*solution, color=INK, linewidth=1.1, dashes=(4, 2), label=labels[1])
     ax.set_xlim(0, max(mine[0].max(), solution[0].max()))
+    hold(ax, mine[1], solution[1])
+
+
+def hold(ax, mine, solution, decades=3):
+    """Keeps a panel's height to what the solution needs, and to a little more for yours."""
     if ax.get_yscale() == "log":  # what explodes may leave the picture
-        (low, high), both = extent(solution[1]), extent(mine[1], solution[1])
-        ax.set_ylim(max(both[0], low / 100, high / 1000) / 1.5, min(both[1], high * 100) * 1.5)
+        (low, high), both = extent(solution), extent(mine, solution)
+        ax.set_ylim(max(both[0], low / 100, high / 10**decades) / 1.5,
+                    min(both[1], high * 100) * 1.5)
         return
-    finite = [y[np.isfinite(y)] for y in (solution[1], np.append(mine[1], solution[1]))]
+    finite = [y[np.isfinite(y)] for y in (solution, np.append(mine, solution))]
     if len(finite[0]):
         (low, high), both = ((y.min(), y.max()) for y in finite)
         span = 1.02 * (high - low) or 1.0

@@ -143,8 +143,9 @@ void between_walls(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/between.csv", {"method", "time_s", "gap_max_m", "speed_m_s"});
   lines.push_back(kicked(choice, "beta 0.05", real(0.05), 0, 0, table));
   lines.push_back(kicked(choice, "beta 0.2", real(0.2), 0, 0, table));
-  lines.push_back(kicked(choice, "beta 0.8", real(0.8), 0, 0, table));
+  lines.push_back(kicked(choice, "beta 1", 1, 0, 0, table));
   lines.push_back(kicked(choice, "projection", 0, 1, 0, table));
+  lines.push_back(kicked(choice, "beta 0.2 + projection", real(0.2), 1, 0, table));
   lines.push_back(kicked(choice, "beta 0.2, bent 0.2 rad", real(0.2), 0, real(0.2), table));
 }
 

@@ -188,7 +188,8 @@ void rods(const Choice& choice) {
     std::string name;
     real beta;
     int projections;
-  } methods[] = {{"beta 0.2", real(0.2), 0}, {"beta 0.05", real(0.05), 0}, {"projection", 0, 1}};
+  } methods[] = {{"beta 0.05", real(0.05), 0}, {"beta 0.2", real(0.2), 0}, {"beta 1", 1, 0},
+                 {"projection", 0, 1}, {"beta 0.2 + projection", real(0.2), 1}};
   for (const auto& method : methods)
     for (const int iterations : {3, 10, 30, 100, 300}) {
       Stage stage{.name = "bridge of rods"};
@@ -229,7 +230,8 @@ void side_by_side(const Choice& choice, std::vector<Summary>& lines) {
     std::string name;
     real beta;
     int projections;
-  } methods[] = {{"Baumgarte 0.2", real(0.2), 0}, {"projection", 0, 1}, {"both", real(0.2), 1}};
+  } methods[] = {{"beta 0.2", real(0.2), 0}, {"beta 1", 1, 0}, {"projection", 0, 1},
+                 {"beta 0.2 + projection", real(0.2), 1}, {"beta 1 + projection", 1, 1}};
   for (const auto& method : methods)
     for (const int iterations : {5, 10, 30, 100}) {
       CubeChain chain("side by side", 20, 100, vec3(1, 0, 0), method.beta);

@@ -29,7 +29,7 @@ Chain bent_chain(real bend) {
   return chain;
 }
 
-// ---- what the rows can do ---------------------------------------------------------------------------
+// ---- what the rows can do ----------------------------------------------------------------------
 
 // How many of the nine rows are independent: elimination in J M^-1 J^T, whose columns are what an
 // impulse of 1 in each row does to the rates of all.
@@ -100,7 +100,7 @@ double contraction(Chain chain) {
   return ratio;
 }
 
-// ---- kicked -------------------------------------------------------------------------------------------
+// ---- kicked ------------------------------------------------------------------------------------
 
 Summary kicked(const Choice& choice, const std::string& method, real beta, int projections,
                real bend, CsvFile& table) {

@@ -12,7 +12,7 @@ namespace joints::chapter6 {
 
 namespace {
 
-// ---- a chain --------------------------------------------------------------------------------------
+// ---- a chain -----------------------------------------------------------------------------------
 
 // Cubes 1 m apart in a row, the first static, each on a ball joint at the centre of the one before.
 struct CubeChain {
@@ -70,7 +70,7 @@ double contraction_of_row(int n, int j) {
   return std::pow(std::cos((2 * j - 1) * std::acos(-1.0) / (2 * n)), 2);
 }
 
-// ---- beta, alone and in a chain ---------------------------------------------------------------------
+// ---- beta, alone and in a chain ----------------------------------------------------------------
 
 // What a step makes of a mode of which its sweeps leave `eta`: the larger root of
 // z^2 - (1 + eta - (1 - eta) beta) z + eta, in size.
@@ -123,7 +123,7 @@ void betas(const Choice& choice) {
     }
 }
 
-// ---- the warm start -----------------------------------------------------------------------------------
+// ---- the warm start ----------------------------------------------------------------------------
 
 // Sag of a cold chain that hangs plumb, Eq. 6-12: x = H (x + b) repeated until nothing changes, H
 // being what is left of a right side after some sweeps over n equal masses in a row.
@@ -177,7 +177,7 @@ void warm(const Choice& choice) {
   }
 }
 
-// ---- rods that contradict each other ---------------------------------------------------------------
+// ---- rods that contradict each other -----------------------------------------------------------
 
 // The bridge of chapter 1 with rods of 2.3 m in place of its ropes: ten cubes 2 m apart, the outer
 // ones static, nine rods that are all too long for the straight line.
@@ -219,7 +219,7 @@ void rods(const Choice& choice) {
     }
 }
 
-// ---- side by side -----------------------------------------------------------------------------------
+// ---- side by side ------------------------------------------------------------------------------
 
 // Twenty cubes of 100 kg let go level: what each method leaves of the gaps and of the energy, and
 // what it costs.

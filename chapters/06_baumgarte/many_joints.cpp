@@ -79,8 +79,8 @@ double step_factor(double eta, double beta) {
   return root < 0 ? std::sqrt(eta) : std::abs(half) + std::sqrt(root);
 }
 
-// The slowest of all modes. A sweep over n equal masses in a row leaves cos^2((2j - 1) pi/2n) of the
-// modes j = 1, 2, .., and nothing of as many others.
+// The slowest of all modes. A sweep over n equal masses in a row leaves cos^2((2j - 1) pi/2n) of
+// the modes j = 1, 2, .., and nothing of as many others.
 double predicted_factor(int links, int sweeps, double beta) {
   double slowest = std::abs(1 - beta);
   if (links > 1)
@@ -90,8 +90,9 @@ double predicted_factor(int links, int sweeps, double beta) {
   return slowest;
 }
 
-// A chain without gravity whose last joint starts open by 0.1 m, along the chain: what a step leaves
-// of the gaps. They may swing: the largest of some steps is compared with the largest of later ones.
+// A chain without gravity whose last joint starts open by 0.1 m, along the chain: what a step
+// leaves of the gaps. They may swing, so the largest of some steps is compared with the largest of
+// later ones.
 double measured_factor(int links, int sweeps, double beta) {
   CubeChain chain("beta", links, 1, vec3(0, -1, 0), real(beta));
   chain.stage.world.gravity = vec3(0);

@@ -46,8 +46,9 @@ struct Pair {
 
 // ---- drift and decay ---------------------------------------------------------------------------
 
-// Thesis fig. 3.1: a hinge without correction. Each step moves the cube's end of the hinge outwards,
-// along the arrow from there to the centre, by Eq. 6-1; the gap is the sum of these arrows.
+// Thesis fig. 3.1: a hinge without correction. Each step moves the cube's end of the hinge
+// outwards, along the arrow from there to the centre, by Eq. 6-1; the gap is the sum of these
+// arrows.
 Summary drift(const Choice& choice) {
   Pair pair("drift", choice.iterations);
   const HingeJoint& joint = pair.hinge(vec3(0, 0, 1), 0);
@@ -165,8 +166,8 @@ void thesis_spin(const Choice& choice) {
 
 // ---- a rope that is too long -------------------------------------------------------------------
 
-// A ball of 1 kg at rest, without gravity, on a rope of 1 m that is stretched by 0.1 m. The rope can
-// give speed and cannot take it back.
+// A ball of 1 kg at rest, without gravity, on a rope of 1 m that is stretched by 0.1 m. The rope
+// can give speed and cannot take it back.
 void rope(const Choice& choice) {
   CsvFile table(choice.out + "/rope.csv", {"method", "time_s", "length_m", "speed_m_s"});
   for (const bool projected : {false, true}) {

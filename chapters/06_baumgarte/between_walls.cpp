@@ -12,10 +12,10 @@ namespace joints::chapter6 {
 
 namespace {
 
-// Each joint sits at the centre of the link before it. The first free link leads 1 m from the centre
-// of the left wall, the second from there to a point that the right wall holds. With the bend 0 the
-// two are stretched straight: there is one place for them and no other. Bent by an angle they have
-// some room.
+// Each joint sits at the centre of the link before it. The first free link leads 1 m from the
+// centre of the left wall, the second from there to a point that the right wall holds. With the
+// bend 0 the two are stretched straight: there is one place for them and no other. Bent by an angle
+// they have some room.
 Chain bent_chain(real bend) {
   const real along = std::cos(bend), down = std::sin(bend);
   const quat first = rotation(vec3(0, 0, -bend)), second = rotation(vec3(0, 0, bend));
@@ -29,7 +29,7 @@ Chain bent_chain(real bend) {
   return chain;
 }
 
-// ---- what the rows can do ---------------------------------------------------------------------------
+// ---- what the rows can do ----------------------------------------------------------------------
 
 // How many of the nine rows are independent: elimination in J M^-1 J^T, whose columns are what an
 // impulse of 1 in each row does to the rates of all.
@@ -100,7 +100,7 @@ double contraction(Chain chain) {
   return ratio;
 }
 
-// ---- kicked -------------------------------------------------------------------------------------------
+// ---- kicked ------------------------------------------------------------------------------------
 
 Summary kicked(const Choice& choice, const std::string& method, real beta, int projections,
                real bend, CsvFile& table) {
@@ -143,8 +143,9 @@ void between_walls(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/between.csv", {"method", "time_s", "gap_max_m", "speed_m_s"});
   lines.push_back(kicked(choice, "beta 0.05", real(0.05), 0, 0, table));
   lines.push_back(kicked(choice, "beta 0.2", real(0.2), 0, 0, table));
-  lines.push_back(kicked(choice, "beta 0.8", real(0.8), 0, 0, table));
+  lines.push_back(kicked(choice, "beta 1", 1, 0, 0, table));
   lines.push_back(kicked(choice, "projection", 0, 1, 0, table));
+  lines.push_back(kicked(choice, "beta 0.2 + projection", real(0.2), 1, 0, table));
   lines.push_back(kicked(choice, "beta 0.2, bent 0.2 rad", real(0.2), 0, real(0.2), table));
 }
 

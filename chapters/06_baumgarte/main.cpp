@@ -25,7 +25,7 @@ void print_plan(const std::string& name, int chains, int links) {
   std::printf("%-11s %s\n", name.c_str(), plan.line().c_str());
 }
 
-// ---- four pendulums -----------------------------------------------------------------------------
+// ---- four pendulums ----------------------------------------------------------------------------
 
 struct Method {
   std::string name;
@@ -111,7 +111,7 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
   motion.write(choice.out + "/pendulums.motion.json");
 }
 
-// ---- a chain that hangs plumb ---------------------------------------------------------------------
+// ---- a chain that hangs plumb ------------------------------------------------------------------
 
 // Ten cubes of 1 kg, each on a ball joint at the centre of the one above it; how much too low the
 // last one hangs.

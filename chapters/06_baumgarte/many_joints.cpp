@@ -12,7 +12,7 @@ namespace joints::chapter6 {
 
 namespace {
 
-// ---- a chain --------------------------------------------------------------------------------------
+// ---- a chain -----------------------------------------------------------------------------------
 
 // Cubes 1 m apart in a row, the first static, each on a ball joint at the centre of the one before.
 struct CubeChain {
@@ -70,7 +70,7 @@ double contraction_of_row(int n, int j) {
   return std::pow(std::cos((2 * j - 1) * std::acos(-1.0) / (2 * n)), 2);
 }
 
-// ---- beta, alone and in a chain ---------------------------------------------------------------------
+// ---- beta, alone and in a chain ----------------------------------------------------------------
 
 // What a step makes of a mode of which its sweeps leave `eta`: the larger root of
 // z^2 - (1 + eta - (1 - eta) beta) z + eta, in size.
@@ -79,8 +79,8 @@ double step_factor(double eta, double beta) {
   return root < 0 ? std::sqrt(eta) : std::abs(half) + std::sqrt(root);
 }
 
-// The slowest of all modes. A sweep over n equal masses in a row leaves cos^2((2j - 1) pi/2n) of the
-// modes j = 1, 2, .., and nothing of as many others.
+// The slowest of all modes. A sweep over n equal masses in a row leaves cos^2((2j - 1) pi/2n) of
+// the modes j = 1, 2, .., and nothing of as many others.
 double predicted_factor(int links, int sweeps, double beta) {
   double slowest = std::abs(1 - beta);
   if (links > 1)
@@ -90,8 +90,9 @@ double predicted_factor(int links, int sweeps, double beta) {
   return slowest;
 }
 
-// A chain without gravity whose last joint starts open by 0.1 m, along the chain: what a step leaves
-// of the gaps. They may swing: the largest of some steps is compared with the largest of later ones.
+// A chain without gravity whose last joint starts open by 0.1 m, along the chain: what a step
+// leaves of the gaps. They may swing, so the largest of some steps is compared with the largest of
+// later ones.
 double measured_factor(int links, int sweeps, double beta) {
   CubeChain chain("beta", links, 1, vec3(0, -1, 0), real(beta));
   chain.stage.world.gravity = vec3(0);
@@ -123,7 +124,7 @@ void betas(const Choice& choice) {
     }
 }
 
-// ---- the warm start -----------------------------------------------------------------------------------
+// ---- the warm start ----------------------------------------------------------------------------
 
 // Sag of a cold chain that hangs plumb, Eq. 6-12: x = H (x + b) repeated until nothing changes, H
 // being what is left of a right side after some sweeps over n equal masses in a row.
@@ -177,7 +178,7 @@ void warm(const Choice& choice) {
   }
 }
 
-// ---- rods that contradict each other ---------------------------------------------------------------
+// ---- rods that contradict each other -----------------------------------------------------------
 
 // The bridge of chapter 1 with rods of 2.3 m in place of its ropes: ten cubes 2 m apart, the outer
 // ones static, nine rods that are all too long for the straight line.
@@ -188,7 +189,8 @@ void rods(const Choice& choice) {
     std::string name;
     real beta;
     int projections;
-  } methods[] = {{"beta 0.2", real(0.2), 0}, {"beta 0.05", real(0.05), 0}, {"projection", 0, 1}};
+  } methods[] = {{"beta 0.05", real(0.05), 0}, {"beta 0.2", real(0.2), 0}, {"beta 1", 1, 0},
+                 {"projection", 0, 1}, {"beta 0.2 + projection", real(0.2), 1}};
   for (const auto& method : methods)
     for (const int iterations : {3, 10, 30, 100, 300}) {
       Stage stage{.name = "bridge of rods"};
@@ -218,7 +220,7 @@ void rods(const Choice& choice) {
     }
 }
 
-// ---- side by side -----------------------------------------------------------------------------------
+// ---- side by side ------------------------------------------------------------------------------
 
 // Twenty cubes of 100 kg let go level: what each method leaves of the gaps and of the energy, and
 // what it costs.
@@ -229,7 +231,8 @@ void side_by_side(const Choice& choice, std::vector<Summary>& lines) {
     std::string name;
     real beta;
     int projections;
-  } methods[] = {{"Baumgarte 0.2", real(0.2), 0}, {"projection", 0, 1}, {"both", real(0.2), 1}};
+  } methods[] = {{"beta 0.2", real(0.2), 0}, {"beta 1", 1, 0}, {"projection", 0, 1},
+                 {"beta 0.2 + projection", real(0.2), 1}, {"beta 1 + projection", 1, 1}};
   for (const auto& method : methods)
     for (const int iterations : {5, 10, 30, 100}) {
       CubeChain chain("side by side", 20, 100, vec3(1, 0, 0), method.beta);

@@ -12,7 +12,7 @@ namespace joints::chapter6 {
 
 namespace {
 
-// ---- the thesis' test scene -----------------------------------------------------------------------
+// ---- the thesis' test scene --------------------------------------------------------------------
 
 // A static cube at the origin, a cube of 100 kg two metres beside it, and a joint at the centre of
 // the static one. `Make` adds the joint to the stage and returns it.
@@ -44,10 +44,11 @@ struct Pair {
   void step() { stage.solver.step(stage.world, h); }
 };
 
-// ---- drift and decay ------------------------------------------------------------------------------
+// ---- drift and decay ---------------------------------------------------------------------------
 
-// Thesis fig. 3.1: a hinge without correction. Each step moves the cube's end of the hinge outwards,
-// along the arrow from there to the centre, by Eq. 6-1; the gap is the sum of these arrows.
+// Thesis fig. 3.1: a hinge without correction. Each step moves the cube's end of the hinge
+// outwards, along the arrow from there to the centre, by Eq. 6-1; the gap is the sum of these
+// arrows.
 Summary drift(const Choice& choice) {
   Pair pair("drift", choice.iterations);
   const HingeJoint& joint = pair.hinge(vec3(0, 0, 1), 0);
@@ -97,7 +98,7 @@ void correction(Pair& pair, const AnyJoint& joint, const std::string& path) {
   }
 }
 
-// ---- energy and the spin that is left -------------------------------------------------------------
+// ---- energy and the spin that is left ----------------------------------------------------------
 
 void energies(const Choice& choice) {
   CsvFile table(choice.out + "/energy.csv",
@@ -163,10 +164,10 @@ void thesis_spin(const Choice& choice) {
   }
 }
 
-// ---- a rope that is too long ----------------------------------------------------------------------
+// ---- a rope that is too long -------------------------------------------------------------------
 
-// A ball of 1 kg at rest, without gravity, on a rope of 1 m that is stretched by 0.1 m. The rope can
-// give speed and cannot take it back.
+// A ball of 1 kg at rest, without gravity, on a rope of 1 m that is stretched by 0.1 m. The rope
+// can give speed and cannot take it back.
 void rope(const Choice& choice) {
   CsvFile table(choice.out + "/rope.csv", {"method", "time_s", "length_m", "speed_m_s"});
   for (const bool projected : {false, true}) {

@@ -6,16 +6,18 @@ chapter_06.py --solution DIR [--mine DIR] --out DIR
 import numpy as np
 
 import style
-from style import COLOURS, INK, PALE, label_ends, rows, visible
+from style import COLOURS, INK, PALE, rows, visible
 
 FORMULA = {"color": INK, "linewidth": 1, "dashes": (4, 2)}
-MARKERS = "os^Dvp"
+LOOKS = {"beta 0.2": 0, "beta 0.2 + projection": 1, "beta 1": 2, "projection": 3,
+         "beta 1 + projection": 4, "beta 0.05": 5, "beta 0.2, bent 0.2 rad": 4}
 
 
 def parts(table, column):
     """(value, its rows, colour, marker) for every value of a column, in the table's order."""
-    return [(value, rows(table, **{column: value}), COLOURS[n % 6], MARKERS[n % 6])
-            for n, value in enumerate(dict.fromkeys(table[column]))]
+    return [(value, rows(table, **{column: value}), COLOURS[look], "os^Dvp"[look])
+            for n, value in enumerate(dict.fromkeys(table[column]))
+            for look in [LOOKS.get(value, n % 6)]]
 
 
 def metres(size):
@@ -42,7 +44,16 @@ def counts(ax, table):
     ax.set(xscale="log", xlabel="iterations")
     ax.set_xticks(np.unique(table["iterations"]))
     ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
-    ax.minorticks_off()
+    ax.set_xticks([], minor=True)
+
+
+def finish(figure, path, *named):
+    """Labels the lines of the panels `named` at their ends, long names on two lines, and saves."""
+    for ax in named:
+        for line in ax.lines:
+            line.set_label(line.get_label().replace(", ", ",\n").replace(" + ", "\n+ "))
+        style.label_ends(ax)
+    style.save(figure, path)
 
 
 def whose(mine):
@@ -64,9 +75,7 @@ def draw_pendulums(solution, mine, out):
     far = np.max(table["off_engine_m"])
     right.text(0.03, 0.03, f"this loop and the\nengine: bars at most\n{metres(far)} apart",
                fontsize=8, color=PALE, transform=right.transAxes)
-    label_ends(left)
-    label_ends(right)
-    style.save(figure, out / "06_pendulums")
+    finish(figure, out / "06_pendulums", left, right)
 
 
 def draw_drift(solution, mine, out):
@@ -90,8 +99,7 @@ def draw_drift(solution, mine, out):
                            arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.8})
     right.set(xlabel="step", ylabel="gap  [m]", yscale="log",
               title=f"no gravity; dashed: {shares[0]:.3g}" r"$^n$ of the start")
-    label_ends(right)
-    style.save(figure, out / "06_drift")
+    finish(figure, out / "06_drift", right)
 
 
 def draw_correction(solution, mine, out):
@@ -139,14 +147,12 @@ def draw_energy_and_spin(solution, mine, out):
                    arrowprops={"arrowstyle": "-", "color": INK, "linewidth": 0.8})
     inset.plot(gap, speed / np.abs(thesis["predicted_rad_s"][0]), color=INK, marker="*")
     inset.axhline(1, **FORMULA)
-    inset.set(xscale="log", ylim=(0, 1.8), xlabel="", yticks=(0, 0.5, 1, 1.5))
+    inset.set(xscale="log", ylim=(0, 1.8), yticks=(0, 0.5, 1, 1.5))
     inset.set_title("measured / formula", fontsize=7.5, pad=2)
     inset.tick_params(labelsize=7)
     right.set(xscale="log", yscale="log", xlabel="gap at the start  [m]",
               ylabel="spin that is left  [rad/s]", title="spin at the end; dashed: second order")
-    label_ends(left)
-    label_ends(right)
-    style.save(figure, out / "06_energy_and_spin")
+    finish(figure, out / "06_energy_and_spin", left, right)
 
 
 def draw_beta(solution, mine, out):
@@ -175,8 +181,7 @@ def draw_beta(solution, mine, out):
         ax.set_xlabel("beta, share fed back in a step")
         ax.text(0.02, 1.015, "above: it grows", fontsize=8.5, color=PALE,
                 transform=ax.get_yaxis_transform())
-    label_ends(right)
-    style.save(figure, out / "06_beta")
+    finish(figure, out / "06_beta", right)
 
 
 def draw_warm(solution, mine, out):
@@ -207,34 +212,32 @@ def draw_warm(solution, mine, out):
     right.text(1.02, 0.03, "beyond 1\nit grows", fontsize=8.5, color=PALE,
                transform=right.get_xaxis_transform())
     right.set(yscale="log", xlabel=r"$\rho^k(1+\beta)$", ylabel="last cube out of place  [m]",
-              title=f"{links.min():g} to {links.max():g} cubes; top: off the scale, bottom: 0")
+              title=f"{links.min():g} to {links.max():g} cubes (top: beyond, bottom: 0)")
     right.legend(frameon=False, labelcolor="linecolor", fontsize=8.5, loc=(0, 0.2),
                  handlelength=1, handletextpad=0.4)
-    label_ends(left)
-    style.save(figure, out / "06_warm")
+    finish(figure, out / "06_warm", left)
 
 
 def draw_rods(solution, mine, out):
     table = mine or solution
-    fastest = [f"{np.max(part['peak_speed_m_s']):.0f} m/s with {name}"
-               for name, part, _, _ in parts(table, "method")]
-    figure, (left, right) = style.figure("Rods too long for their place: a body reaches "
-                                         + ", ".join(fastest), 2)
+    peaks = [(np.max(part["peak_speed_m_s"]), name) for name, part, _, _ in parts(table, "method")]
+    figure, (left, right) = style.figure(
+        f"Rods too long for their place: a body reaches {max(peaks)[0]:.0f} m/s with "
+        f"{max(peaks)[1]}, {min(peaks)[0]:.0f} m/s with {min(peaks)[1]}", 2)
     for name, part, colour, marker in parts(table, "method"):
         for ax, column in ((left, "peak_speed_m_s"), (right, "gap_max_m")):
             ax.plot(part["iterations"], part[column], color=colour, marker=marker, label=name)
-    left.set(ylabel="fastest body  [m/s]", title="speed")
+    left.set(yscale="log", ylabel="fastest body  [m/s]", title="speed")
     right.set(ylabel="largest gap  [m]", title="gap, in the last second")
     for ax in (left, right):
         counts(ax, table)
-        ax.set_ylim(bottom=0)
-        label_ends(ax)
-    style.save(figure, out / "06_rods")
+    style.plain_log(left.yaxis)
+    right.set_ylim(bottom=0)
+    finish(figure, out / "06_rods", left, right)
 
 
 def draw_between(solution, mine, out):
     table, rate = mine or solution
-    table = {**table, "method": [name.replace(", ", ",\n") for name in table["method"]]}
     calm = [(np.max(part["speed_m_s"][part["time_s"] > part["time_s"].max() - 1]), name)
             for name, part, _, _ in parts(table, "method")]
     figure, (left, right) = style.figure(
@@ -255,61 +258,55 @@ def draw_between(solution, mine, out):
     inset.set_title("a sweep leaves", fontsize=7.5, pad=3)
     inset.set_xlabel("bend of the links  [rad]", fontsize=7.5, labelpad=1)
     inset.tick_params(labelsize=7)
-    label_ends(left)
-    label_ends(right)
-    style.save(figure, out / "06_between")
+    finish(figure, out / "06_between", left, right)
 
 
 def draw_side_by_side(solution, mine, out):
     table = mine or solution
-    count = style.common_count(table["iterations"], table["iterations"])
+    drift, counted = table["energy_drift"], table["iterations"]
+    count = style.common_count(counted, counted)
+    gaps = list(zip(table["gap_rms_m"][counted == count],
+                    np.array(table["method"])[counted == count]))
     figure, (left, right) = style.figure(
-        f"20 cubes, {count:g} iterations: the gap is " + ", ".join(
-            f"{metres(part['gap_rms_m'][part['iterations'] == count][0])} with {name}"
-            for name, part, _, _ in parts(table, "method")), 2)
-    for number, (name, part, colour, marker) in enumerate(parts(table, "method")):
+        f"20 cubes, {count:g} iterations: gaps of {metres(max(gaps)[0])} with {max(gaps)[1]}, "
+        f"{metres(min(gaps)[0])} with {min(gaps)[1]}", 2)
+    for name, part, colour, marker in parts(table, "method"):
         left.plot(part["us_per_step"], visible(part["gap_rms_m"]), color=colour, marker=marker,
                   label=name)
         right.plot(part["iterations"], part["energy_drift"], color=colour, marker=marker,
                    label=name)
-        for each, x, y in zip(part["iterations"], part["us_per_step"], part["gap_rms_m"]):
-            below = number == 0 and each < part["iterations"][-1]
-            left.annotate(f"{each:g}", (x, y), xytext=(-5, -11) if below else (3, 5),
-                          ha="right" if below else "left", textcoords="offset points",
+        for n in (0, -1):
+            left.annotate(f"{part['iterations'][n]:g}", (part["us_per_step"][n],
+                          part["gap_rms_m"][n]), xytext=(3, 4), textcoords="offset points",
                           fontsize=7.5, color=colour)
     left.set(xscale="log", yscale="log", xlabel="time of a step  [µs]", ylabel="gap, RMS  [m]",
-             title="error against run time, with iterations")
+             title=", ".join(f"{n:g}" for n in np.unique(counted)) + " iterations")
     left.margins(x=0.12)
     right.axhline(0, color=PALE, linewidth=0.8)
-    right.set(ylabel="change of energy over the energy to hand",
-              title="energy, which may not change")
+    right.set_yscale("symlog", linthresh=0.01)
+    right.set(ylabel="change over the energy to hand", title="energy, which may not change",
+              ylim=(1.8 * drift.min(), max(0.003, 1.8 * drift.max())))
     counts(right, table)
     style.plain_log(left.xaxis)
-    label_ends(left)
-    label_ends(right)
-    style.save(figure, out / "06_side_by_side")
+    finish(figure, out / "06_side_by_side", left, right)
 
 
 def draw_rope(solution, mine, out):
-    table = mine or solution
-    ends = {name: part["speed_m_s"][-1] for name, part, _, _ in parts(table, "method")}
-    figure, (left, right) = style.figure(
-        "A rope too long at the start: " + ", ".join(f"{name} leaves {speed:.2g} m/s"
-                                                     for name, speed in ends.items()), 2)
+    ends = [f"{name} leaves {part['speed_m_s'][-1]:.2g} m/s"
+            for name, part, _, _ in parts(mine or solution, "method")]
+    figure, (left, right) = style.figure("A rope too long at the start: " + ", ".join(ends), 2)
     over_time(left, solution, mine, "length_m", "method")
     over_time(right, solution, mine, "speed_m_s", "method")
     left.set(ylabel="distance  [m]", title="from hook to ball" + whose(mine))
     right.set(ylabel="speed of the ball  [m/s]", title="speed")
-    label_ends(left)
-    label_ends(right)
-    style.save(figure, out / "06_rope")
+    finish(figure, out / "06_rope", left, right)
 
 
 def tables(folder, command):
     def read(name, numbers, *words):
         return style.read_csv(folder / f"{name}.csv", numbers.split(), words, command)
     hanging = read("hanging", "iterations time_s sag_m", "start")
-    hanging["setting"] = [f"{start},\n{count:g} sweeps"
+    hanging["setting"] = [f"{start}, {count:g} sweeps"
                           for start, count in zip(hanging["start"], hanging["iterations"])]
     hanging["size_m"] = visible(np.abs(hanging["sag_m"]))
     return (read("pendulums", "time_s gap_m energy_change off_engine_m", "method"),

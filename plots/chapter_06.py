@@ -22,9 +22,9 @@ def parts(table, column):
 
 def metres(size):
     """A length as one says it."""
-    if size >= 1:
-        return f"{size:.2f} m"
-    return f"{1000 * size:.3g} mm" if size > 1e-4 else f"{size:.0e} m".replace("e-0", "e-")
+    if 1e-4 < size < 1:
+        return f"{1000 * size:.3g} mm"
+    return f"{size:.3g} m" if size >= 1 else f"{size:.1g} m".replace("e-0", "e-")
 
 
 def over_time(ax, solution, mine, column, by, clean=np.asarray, decades=16):
@@ -72,18 +72,18 @@ def draw_pendulums(solution, mine, out):
     left.set(ylabel="gap of the joint  [m]", title="gap" + whose(mine))
     right.axhline(0, color=PALE, linewidth=0.8)
     right.set(ylabel="change of energy over $m\\,g\\,l/2$", title="energy, which may not change")
-    far = np.max(table["off_engine_m"])
-    right.text(0.03, 0.03, f"this loop and the\nengine: bars at most\n{metres(far)} apart",
-               fontsize=8, color=PALE, transform=right.transAxes)
+    right.text(0.03, 0.03, "this loop and the\nengine: bars at most\n"
+               f"{metres(np.max(table['off_engine_m']))} apart", fontsize=8, color=PALE,
+               transform=right.transAxes)
     finish(figure, out / "06_pendulums", left, right)
 
 
 def draw_drift(solution, mine, out):
     drift, decay = mine or solution
-    shares = decay["expected_m"][decay["step"] == 1] / decay["start_m"][decay["step"] == 0]
+    share = (decay["expected_m"][decay["step"] == 1] / decay["start_m"][decay["step"] == 0])[0]
     figure, (left, right) = style.figure(
-        f"Uncorrected, a hinge opens by {drift['gap_m'][-1]:.2f} m in {drift['time_s'][-1]:g} s; "
-        f"beta {1 - shares[0]:.3g} takes {100 * (1 - shares[0]):.3g} % of a gap each step", 2)
+        f"Uncorrected, a hinge opens by {metres(drift['gap_m'][-1])} in {drift['time_s'][-1]:g} s; "
+        f"beta {1 - share:.3g} takes {100 * (1 - share):.3g} % of a gap each step", 2)
     left.plot(drift["time_s"], drift["gap_m"], color=COLOURS[0], linewidth=2.5)
     left.plot(drift["time_s"], drift["predicted_m"], **FORMULA)
     left.set(xlabel="time  [s]", ylabel="gap of the hinge  [m]",
@@ -91,14 +91,14 @@ def draw_drift(solution, mine, out):
     for start, part, colour, marker in parts(decay, "start_m"):
         right.plot(part["step"], visible(part["gap_m"]), color=colour, marker=marker, markersize=3,
                    linewidth=0.8, label=f"from {metres(start)}")
-        right.plot(part["step"], part["expected_m"], label="_", **FORMULA)
-        if part["gap_m"][-1] > 3 * part["expected_m"][-1]:
+        right.plot(part["step"], np.abs(part["expected_m"]), label="_", **FORMULA)
+        if part["gap_m"][-1] > max(1e-6, 3 * np.abs(part["expected_m"][-1])):
             right.annotate("the cube keeps turning:\na new error every step",
                            (part["step"][-10], part["gap_m"][-10]), fontsize=8, color=colour,
                            xytext=(part["step"][-1], 30 * part["gap_m"][-1]), ha="right",
                            arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.8})
     right.set(xlabel="step", ylabel="gap  [m]", yscale="log",
-              title=f"no gravity; dashed: {shares[0]:.3g}" r"$^n$ of the start")
+              title=f"no gravity; dashed: {abs(share):.3g}" r"$^n$ of the start")
     finish(figure, out / "06_drift", right)
 
 
@@ -107,7 +107,7 @@ def draw_correction(solution, mine, out):
     kept = max(table[column][table["time_s"] < 0.501][-1] / table[column][0]
                for table in both for column in ("translation_m", "rotation_rad"))
     figure, axes = style.figure("Place and turn come right together: after half a second "
-                                f"{100 * kept:.2g} % of the error is left", 2, sharey=True)
+                                f"{100 * kept:.3g} % of the error is left", 2, sharey=True)
     for ax, table, name in zip(axes, both, ("slider", "hinge")):
         ax.plot(table["time_s"], table["translation_m"], color=COLOURS[1], marker="o", markersize=6,
                 markerfacecolor="white", linewidth=0.8, label="translation  [m]")
@@ -156,9 +156,8 @@ def draw_energy_and_spin(solution, mine, out):
 
 
 def draw_beta(solution, mine, out):
-    table = mine or solution
-    one, *chains = parts(table, "scene")
-    ends = min(one[1]["beta"][np.abs(one[1]["measured"]) > 0.999], default=np.inf)
+    (_, one, _, _), *chains = parts(mine or solution, "scene")
+    ends = min(one["beta"][np.abs(one["measured"]) > 0.999], default=np.inf)
     few, best = chains[0][0], np.min(np.abs(chains[0][1]["measured"]))
     figure, (left, right) = style.figure(
         f"One joint is stable up to beta {ends:g}; a chain with {few.split(',')[-1].strip()} keeps "
@@ -166,9 +165,8 @@ def draw_beta(solution, mine, out):
     left.axvspan(0, min(ends, 2), color=COLOURS[2], alpha=0.1, linewidth=0)
     left.text(min(ends, 2) / 2, 0.94, "stable", ha="center", color=COLOURS[2], fontsize=8.5,
               transform=left.get_xaxis_transform())
-    left.plot(one[1]["beta"], np.abs(one[1]["predicted"]), **FORMULA)
-    left.plot(one[1]["beta"], np.abs(one[1]["measured"]), color=COLOURS[1], marker="o",
-              linestyle="none")
+    left.plot(one["beta"], np.abs(one["predicted"]), **FORMULA)
+    left.plot(one["beta"], np.abs(one["measured"]), color=COLOURS[1], marker="o", linestyle="none")
     left.set(ylabel="error after a step over error before it",
              title=r"one joint; dashed: $|1-\beta|$")
     for name, part, colour, marker in chains:
@@ -265,8 +263,8 @@ def draw_side_by_side(solution, mine, out):
     table = mine or solution
     drift, counted = table["energy_drift"], table["iterations"]
     count = style.common_count(counted, counted)
-    gaps = list(zip(table["gap_rms_m"][counted == count],
-                    np.array(table["method"])[counted == count]))
+    at = rows(table, iterations=count)
+    gaps = list(zip(at["gap_rms_m"], at["method"]))
     figure, (left, right) = style.figure(
         f"20 cubes, {count:g} iterations: gaps of {metres(max(gaps)[0])} with {max(gaps)[1]}, "
         f"{metres(min(gaps)[0])} with {min(gaps)[1]}", 2)
@@ -280,7 +278,7 @@ def draw_side_by_side(solution, mine, out):
                           part["gap_rms_m"][n]), xytext=(3, 4), textcoords="offset points",
                           fontsize=7.5, color=colour)
     left.set(xscale="log", yscale="log", xlabel="time of a step  [µs]", ylabel="gap, RMS  [m]",
-             title=", ".join(f"{n:g}" for n in np.unique(counted)) + " iterations")
+             title="at " + ", ".join(f"{n:g}" for n in np.unique(counted)) + " iterations")
     left.margins(x=0.12)
     right.axhline(0, color=PALE, linewidth=0.8)
     right.set_yscale("symlog", linthresh=0.01)
@@ -292,9 +290,9 @@ def draw_side_by_side(solution, mine, out):
 
 
 def draw_rope(solution, mine, out):
-    ends = [f"{name} leaves {part['speed_m_s'][-1]:.2g} m/s"
+    ends = [f"{name} gives it {np.max(part['speed_m_s']):.2g} m/s"
             for name, part, _, _ in parts(mine or solution, "method")]
-    figure, (left, right) = style.figure("A rope too long at the start: " + ", ".join(ends), 2)
+    figure, (left, right) = style.figure("A ball too far out on its rope: " + ", ".join(ends), 2)
     over_time(left, solution, mine, "length_m", "method")
     over_time(right, solution, mine, "speed_m_s", "method")
     left.set(ylabel="distance  [m]", title="from hook to ball" + whose(mine))

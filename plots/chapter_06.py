@@ -282,7 +282,7 @@ def draw_side_by_side(solution, mine, out):
     left.margins(x=0.12)
     right.axhline(0, color=PALE, linewidth=0.8)
     right.set_yscale("symlog", linthresh=0.01)
-    right.set(ylabel="change over the energy to hand", title="energy, which may not change",
+    right.set(ylabel="energy gained over m g s, summed", title="energy, which may not change",
               ylim=(1.8 * drift.min(), max(0.003, 1.8 * drift.max())))
     counts(right, table)
     style.plain_log(left.xaxis)

@@ -184,6 +184,13 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
          return idle ? of({}) : of(response<n>(twin.J, twin.lambda(), c.pair),
                                    scaled(-1, -1, velocities_of(c.pair)));
        }},
+      {"the velocities hold the moves now: they stay as they are, take copies of the bodies",
+       [=](const Case& c) {
+         const Twin twin(c.part, c.pair);
+         if (Part::one_sided && twin.C[0] >= 0) return of({});
+         const Moves a = response<n>(twin.J, twin.lambda(), c.pair), b = velocities_of(c.pair);
+         return of(a, {a.way1 - b.way1, a.turn1 - b.turn1, a.way2 - b.way2, a.turn2 - b.turn2});
+       }},
       {"the copies are not at rest: v and w of both must be zero before they are given lambda",
        changed([=](const Twin& twin, const Moves& a) {
          const Moves b = velocities_of(twin.pair);

@@ -143,15 +143,22 @@ inline void stale_visits(Chain& chain, const Visit&) {
             chain.bodies[k], chain.bodies[k + 1]);
 }
 
-inline bool same_poses(const Chain& a, const Chain& b) {
+inline real largest_gap(const Chain& chain) {
+  real out = 0;
+  for (std::size_t k = 0; k < chain.joints.size(); ++k)
+    out = std::max(out, length(chain.joints[k].error(chain.bodies[k], chain.bodies[k + 1])));
+  return out;
+}
+inline bool same_chains(const Chain& a, const Chain& b) {
   for (std::size_t k = 0; k < a.bodies.size(); ++k)
     if (!(length(a.bodies[k].x - b.bodies[k].x) <= difference_tolerance) ||
-        !(length(turn_between(a.bodies[k].q, b.bodies[k].q)) <= 3 * difference_tolerance))
+        !(length(turn_between(a.bodies[k].q, b.bodies[k].q)) <= 3 * difference_tolerance) ||
+        a.bodies[k].v != b.bodies[k].v)
       return false;
   return true;
 }
 
-// The mistake that gives all the poses of a chain; "" where there is none. The subject is another
+// The mistake that gives all the bodies of a chain; "" where there is none. The subject is another
 // one where the sweep is right and its visits are not.
 struct SweepMistake {
   Subject subject;
@@ -166,7 +173,7 @@ inline SweepMistake explain_sweep(const Chain& start, const Chain& yours) {
       {order({0, 1, 2, 3}), "the sweep is right and its visits are not: look at `project` of a "
                             "point, the first part of the exercise"},
       {stale_visits, "the poses are stale: each joint must see the poses that the one before it "
-                     "has left"},
+                     "has left, else both move their body for the same gap"},
       {order({3, 2, 1, 0}), "the sweep runs backwards: from the first joint to the last"},
       {order({1, 2, 3}), "the first joint is left out: it holds body 0 to body 1"},
       {order({0, 1, 2}), "the last joint is left out: there is one joint less than bodies"},
@@ -186,7 +193,7 @@ inline SweepMistake explain_sweep(const Chain& start, const Chain& yours) {
     for (const auto& [sweep, words] : sweeps) {
       Chain chain = start;
       sweep(chain, twin ? twin_visit : your_visit);
-      if (!same_poses(chain, yours)) continue;
+      if (!same_chains(chain, yours)) continue;
       const bool in_order = &words == &sweeps[0].second;
       return {in_order && !twin ? visit : sweep_subject, in_order && twin ? "" : words};
     }

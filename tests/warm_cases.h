@@ -127,22 +127,27 @@ inline CaseTable<WarmCase> warm_table() {
        shares([](double r) { return A{r, 1, 1}; })},
       {"the scaled impulse is applied and the old one is kept: lambda must hold what was applied",
        shares([](double r) { return A{1, r, r}; })},
-      {"the impulse is applied twice", shares([](double r) { return A{r, 2 * r, 2 * r}; })},
+      {"the impulse is applied twice: the sweeps begin where it has been applied once",
+       shares([](double r) { return A{r, 2 * r, 2 * r}; })},
       {"the ratio is taken twice for what is applied",
        shares([](double r) { return A{r, r * r, r * r}; })},
       {"the ratio is taken twice", shares([](double r) { return A{r * r, r * r, r * r}; })},
-      {"only body 2 feels it", shares([](double r) { return A{r, 0, r}; })},
-      {"only body 1 feels it", shares([](double r) { return A{r, r, 0}; })},
-      {"the sign of what is applied", shares([](double r) { return A{r, -r, -r}; })},
-      {"the sign", shares([](double r) { return A{-r, -r, -r}; })},
+      {"only body 2 feels it: body 1 gets the opposite push, and a turn of its own",
+       shares([](double r) { return A{r, 0, r}; })},
+      {"only body 1 feels it: +lambda acts on body 2", shares([](double r) { return A{r, r, 0}; })},
+      {"the sign of what is applied: +M^-1 J^T lambda, as apply_impulse does",
+       shares([](double r) { return A{r, -r, -r}; })},
+      {"the sign: the impulse of this step has the sign of the last one",
+       shares([](double r) { return A{-r, -r, -r}; })},
       {"nothing is applied: lambda is scaled, but the bodies do not feel it",
        shares([](double r) { return A{r, 0, 0}; })},
-      {"nothing is done", shares([](double) { return A{1, 0, 0}; })},
+      {"nothing is done: lambda is a reference, and so are the bodies",
+       shares([](double) { return A{1, 0, 0}; })},
       {"added to the old impulse where it takes its place: = and not +=",
        shares([](double r) { return A{1 + r, r, r}; })},
       {"added to the old impulse where it takes its place: = and not +=",
        shares([](double r) { return A{1 + r, 1 + r, 1 + r}; })},
-      {"the bodies are exchanged", [=](const Case& c) {
+      {"the bodies are exchanged: body 1 first, then body 2", [=](const Case& c) {
          const Moves a = response<3>(c.J, to_vector(real(c.ratio) * c.lambda),
                                      {c.pair.body2, c.pair.body1});
          return of(real(c.ratio) * c.lambda, {a.way2, a.turn2, a.way1, a.turn1});
@@ -234,10 +239,11 @@ inline const std::pair<SafetyRule, const char*> wrong_safety_rules[] = {
 inline std::vector<Suspect> explain_criterion(double yours) {
   std::vector<Suspect> out;
   for (const auto& [rule, words] : wrong_safety_rules)
-    if (std::all_of(std::begin(safety_cases), std::end(safety_cases), [&](const SafetyCase& s) {
-          return rule(s.rho, s.sweeps, s.beta) ==
-                 warm_start_is_safe(real(s.rho), s.sweeps, real(s.beta));
-        }))
+    if (std::all_of(std::begin(safety_cases), std::end(safety_cases),
+                    [&rule = rule](const SafetyCase& s) {
+                      return rule(s.rho, s.sweeps, s.beta) ==
+                             warm_start_is_safe(real(s.rho), s.sweeps, real(s.beta));
+                    }))
       out.push_back({yours, words});
   return out;
 }

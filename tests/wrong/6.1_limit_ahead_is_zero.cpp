@@ -1,3 +1,3 @@
 // region: 2
-// expects: Likely mistake: a limit that lies ahead stops the approach far from it: b = 0 gives up the room C
+// expects: Likely mistake: a limit that lies ahead stops the approach far from it
   return C < 0 ? beta * C / h : 0;

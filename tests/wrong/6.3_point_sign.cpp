@@ -1,5 +1,6 @@
 // expects: move of 2 (on paper).x
 // expects: Likely mistake: the sign: lambda = -K^-1 C
+// expects: Likely mistake: the sweep is right and its visits are not: look at `project`
   const vec3 lambda = inverse(point.K(body1, body2)) * point.error(body1, body2);
   Body move1 = body1, move2 = body2;
   move1.v = move1.w = move2.v = move2.w = vec3(0);

@@ -1,2 +1,2 @@
-// expects: Units: the bias is in m and should be in m/s: a time too many: is a division by h missing?
+// expects: Units: the bias is in m and should be in m/s: a time too many
   return beta * C;

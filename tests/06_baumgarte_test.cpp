@@ -143,7 +143,7 @@ TEST_CASE("6.2 a chain of ten links needs six sweeps for a warm start beside bet
 
 TEST_CASE("6.2 a row that is not safe really runs away and a safe one settles", "[6.2]") {
   for (const SafetyCase& s : safety_cases) {
-    if (s.rho == 0 || s.rho == 1 || s.rho == 0.999 || s.rho == 0.5) continue;  // see above
+    if (s.rho == 0.5 || s.beta == 0) continue;  // at the bound; nothing brings C back
     const double yours = warm_start_is_safe(real(s.rho), s.sweeps, real(s.beta)) ? 1 : 0;
     expect(criterion, s.words(), yours, runs_away(s) < 1e-3 ? 1 : 0, 0, explain_criterion(yours));
   }

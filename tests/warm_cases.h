@@ -183,7 +183,7 @@ inline const SafetyCase safety_cases[] = {
     {0.7, 2, 1, true},           {0.2, 1, 1.5, true},        {0.6, 1, 0.5, true},
     {0.5, 1, 1, false},          {1, 10, 0, false},          {1, 10, 0.2, false},
     {0.999, 10, 0, true},        {0, 1, 1.9, true},          {0.99, 10, 0.5, false},
-    {0.9, 1, 1.5, false}};
+    {0.9, 1, 1.5, false},       {ten_links, 5, 0.15, false}};
 
 // One row whose sweeps each leave the share rho of what is wrong, with a weight on it, warm: how
 // far is it from its place in the end?

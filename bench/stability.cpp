@@ -14,7 +14,7 @@ namespace {
 
 const char* const columns =
     "case,method,real,parameter,value,expected,measured,status,gap_rms_m,gap_max_m,energy_drift,"
-    "energy_peak,rho,criterion\n";
+    "energy_peak,rho,criterion,rho_any\n";
 
 // A number, or nothing where there is none.
 std::string field(double number) {
@@ -28,13 +28,14 @@ std::string quoted(const std::string& words) {
 }
 
 void write(FILE* file, const Line& line) {
-  std::fprintf(file, "%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s\n", line.id.c_str(),
+  std::fprintf(file, "%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s\n", line.id.c_str(),
                quoted(line.method).c_str(), sizeof(real) == 8 ? "double" : "float",
                quoted(line.parameter).c_str(), field(line.value).c_str(),
                field(line.expected).c_str(), field(line.measured).c_str(), line.status.c_str(),
                field(line.gap_rms).c_str(), field(line.gap_max).c_str(),
                field(line.energy_drift).c_str(), field(line.energy_peak).c_str(),
-               field(line.rho).c_str(), field(line.criterion).c_str());
+               field(line.rho).c_str(), field(line.criterion).c_str(),
+               field(line.rho_any).c_str());
 }
 
 }  // namespace
@@ -45,8 +46,13 @@ int main(int argc, char** argv) {
                     {{"csv", "out/stability.csv", "the table"},
                      {"append", "0", "1: add lines to the table that is there"},
                      {"quick", "0", "1: few values"},
-                     {"case", "", "one case only, such as X4"}});
+                     {"case", "", "one case only, such as X4"},
+                     {"list", "0", "1: only say what the cases are"}});
     if (!options.read(argc, argv)) return;
+    if (options.count("list", 0) != 0) {
+      for (const Case& one : cases()) std::printf("%s %s\n", one.id.c_str(), one.what.c_str());
+      return;
+    }
     const bool append = options.count("append", 0) != 0, quick = options.count("quick", 0) != 0;
     const std::string only = options.text("case"), path = options.text("csv");
     bool known = only.empty();

@@ -24,8 +24,9 @@ struct Line {
   std::string status{};  ///< of a scene that was run: its word; of a number that is known: ok, off
   double gap_rms = none, gap_max = none;           ///< [m]
   double energy_drift = none, energy_peak = none;  ///< at the end, and the highest on the way [1]
-  double rho = none;        ///< what a sweep of the first step leaves in the long run [1]
+  double rho = none;        ///< what a sweep leaves in the long run, motions the scene can have [1]
   double criterion = none;  ///< warm: 1 where rho^k (1 + beta) < 1, else 0
+  double rho_any = none;    ///< rho of any motion, also against the hinges' axes [1]
 };
 using Tell = std::function<void(const Line&)>;  ///< is told every line as soon as it is known
 
@@ -70,10 +71,21 @@ Setting setting_of(const Method& method);
 
 /// What a sweep leaves of the error in the long run [1]: the blocks of the first step are swept
 /// until what a sweep changes is rounding. Where that takes more than `most` sweeps it is a lower
-/// bound. \param kick all bodies are given velocities, so that no mode is missing
-double sweep_rate(World& world, int most, bool kick);
+/// bound.
+double sweep_rate(World& world, int most);
+/// Gives all bodies of a scene velocities, so that no mode of the sweeps is missing.
+/// \param planar only those that its forbidden direction leaves: a plane chain stays plane
+void kick(Scene& scene, bool planar);
+
+/// The rates of a scene's sweeps, each a lower bound where it is very close to 1.
+struct Rates {
+  double possible;  ///< of the motions that the scene can have: what the criterion asks for
+  double any;       ///< of any motion
+};
+/// Measures both on the first step of the scene.
+Rates rates_of(const MakeScene& make);
 /// Puts rho and the criterion into the line of a warm method.
-void add_criterion(Line& line, const Method& method, double rho);
+void add_criterion(Line& line, const Method& method, const Rates& rates);
 
 /// Steps a small world and watches that it stays finite.
 struct Watch {

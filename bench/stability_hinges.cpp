@@ -265,12 +265,23 @@ void motors_into_limits(bool quick, const Tell& tell) {
         const std::string method = std::string(whole ? "whole, " : "apart, ") +
                                    (warm ? "warm " : "cold ") + std::to_string(iterations);
         const double furthest = high - 60 > 60 - low ? high : low;
-        tell(compared({.id = "X13", .method = method,
-                       .parameter = "furthest angle from 60 [deg], limit [deg]", .value = 60},
-                      60, watch.seen(furthest), 0.01));
-        tell(compared({.id = "X13", .method = method,
-                       .parameter = "speed at rest [rad/s], limit [deg]", .value = 60},
-                      0, watch.seen(speed), digits(1e-6, 1e-3)));
+        Line angle = compared({.id = "X13", .method = method,
+                               .parameter = "furthest angle from 60 [deg], limit [deg]",
+                               .value = 60},
+                              60, watch.seen(furthest), 0.01);
+        Line at_rest = compared({.id = "X13", .method = method,
+                                 .parameter = "speed at rest [rad/s], limit [deg]", .value = 60},
+                                0, watch.seen(speed), digits(1e-6, 1e-3));
+        const Rates rates = rates_of([&] {
+          Scene again = motor_into_limit();
+          again.forbidden = glm::dvec3(0);  // hinge and limit, blocks apart: all their modes
+          hinge_of(again).whole = whole;
+          return again;
+        });
+        for (Line* line : {&angle, &at_rest}) {
+          add_criterion(*line, {.iterations = iterations, .warm = warm}, rates);
+          tell(*line);
+        }
       }
 }
 

@@ -8,19 +8,11 @@ namespace joints::bench {
 
 namespace {
 
-constexpr int most_sweeps = 3000;
-
-// What a sweep leaves on a scene, all modes excited.
-double rate_of(const MakeScene& make) {
-  Scene scene = make();
-  return sweep_rate(scene.world, most_sweeps, true);
-}
-
 Line run_of(const std::string& id, const std::string& parameter, double value,
-            const MakeScene& make, const Method& method, double rho, const Span& span = {}) {
+            const MakeScene& make, const Method& method, const Rates& rates, const Span& span = {}) {
   Line line = of_run({.id = id, .method = method.name, .parameter = parameter, .value = value},
                      run(make, setting_of(method), 1, span));
-  add_criterion(line, method, rho);
+  add_criterion(line, method, rates);
   return line;
 }
 
@@ -36,15 +28,15 @@ constexpr int links = 21;  // bodies of the chain of X2 and X3, the static one i
 void mass_ratios(bool quick, const Tell& tell) {
   for (double ratio : some(quick, {1, 10, 100, 1000, 1e4, 1e5, 1e6}, {1, 1e6})) {
     const MakeScene make = [=] { return heavy_end_unreferenced(ratio); };
-    const double rho = rate_of(make);
+    const Rates rates = rates_of(make);
     for (const Method& method : methods())
-      if (method.whole) tell(run_of("X1", "end mass / link mass", ratio, make, method, rho));
+      if (method.whole) tell(run_of("X1", "end mass / link mass", ratio, make, method, rates));
   }
 }
 
 void feedback_of_many(bool quick, const Tell& tell) {
   const MakeScene make = [] { return cubes_on_hinges(1, links); };
-  const double rho = rate_of(make);
+  const Rates rates = rates_of(make);
   for (double beta : some(quick, {.05, .1, .2, .5, .8, 1, 1.5, 1.9, 2, 2.2}, {.2, 2.2}))
     for (bool warm : {false, true})
       for (int iterations : {1, 3, 10, 30, 100}) {
@@ -53,22 +45,31 @@ void feedback_of_many(bool quick, const Tell& tell) {
                             .iterations = iterations,
                             .warm = warm,
                             .beta = real(beta)};
-        tell(run_of("X2", "beta, chain of 20 hinges", beta, make, method, rho));
+        tell(run_of("X2", "beta, chain of 20 hinges", beta, make, method, rates));
       }
 }
 
 void steps(bool quick, const Tell& tell) {
   const MakeScene make = [] { return cubes_on_hinges(1, links); };
-  const double rho = rate_of(make), seconds = quick ? 1 : 5;
+  const Rates rates = rates_of(make);
+  const double seconds = quick ? 1 : 5;
   for (const Method& method : methods()) {
-    double before = none;
     for (int rate : {15, 30, 60, 120, 240, 480, 960}) {
       if (quick && rate > 30) continue;
-      const Line line = run_of("X3", "step [s]", 1.0 / rate, make, method, rho,
+      tell(run_of("X3", "step [s]", 1.0 / rate, make, method, rates,
+                  {.h = real(1) / real(rate), .steps = int(seconds * rate)}));
+    }
+  }
+  for (int iterations : {30, 100}) {  // S1 itself, one chain: how the gap falls with the step
+    double before = none;
+    for (int rate : {30, 60, 120, 240, 480, 960}) {
+      if (quick && rate > 60) continue;
+      const Method method{.name = "cold " + std::to_string(iterations), .iterations = iterations};
+      const Line line = run_of("X3", "step [s], S1 with one chain", 1.0 / rate,
+                               [&] { return cubes_on_hinges(1, quick ? 10 : 100); }, method, rates,
                                {.h = real(1) / real(rate), .steps = int(seconds * rate)});
       tell(line);
-      const bool plain = method.name.find(',') == std::string::npos && method.substeps == 1;
-      if (plain && !method.warm && rate >= 60)
+      if (rate > 30)
         tell(compared({.id = "X3", .method = method.name,
                        .parameter = "order of the gap RMS from 2h to h [s]", .value = 1.0 / rate},
                       2, std::log2(before / line.gap_rms), 0.25));
@@ -96,9 +97,9 @@ void lengths(bool quick, const Tell& tell) {
   all.insert(all.begin() + 3, {.name = "cold 200", .iterations = 200});
   for (double length : some(quick, {10, 30, 100, 300, 1000}, {10})) {
     const MakeScene make = [=] { return cubes_on_hinges(1, int(length) + 1); };
-    const double rho = rate_of(make);
+    const Rates rates = rates_of(make);
     for (const Method& method : all)
-      tell(run_of("X4", "links of the chain", length, make, method, rho));
+      tell(run_of("X4", "links of the chain", length, make, method, rates));
   }
 }
 

@@ -112,16 +112,20 @@ Change change_of(const Blocks& blocks, std::vector<double>& before) {
 
 }  // namespace
 
-double sweep_rate(World& world, int most, bool kick) {
-  if (kick) {
-    std::mt19937 random(1);
-    const auto number = [&] { return real(double(random()) / 4294967296.0 - 0.5); };
-    for (int slot = 0; slot < world.bodies.slots(); ++slot) {
-      Body& body = world.bodies.at(slot);
-      if (body.is_static()) continue;
-      for (int i = 0; i < 3; ++i) body.v[i] = number(), body.w[i] = number();
-    }
+void kick(Scene& scene, bool planar) {
+  std::mt19937 random(1);
+  const auto number = [&] { return real(double(random()) / 4294967296.0 - 0.5); };
+  const vec3 f(scene.forbidden);
+  planar = planar && f != vec3(0);
+  for (int slot = 0; slot < scene.world.bodies.slots(); ++slot) {
+    Body& body = scene.world.bodies.at(slot);
+    if (body.is_static()) continue;
+    for (int i = 0; i < 3; ++i) body.v[i] = number(), body.w[i] = number();
+    if (planar) body.v -= dot(body.v, f) * f, body.w = dot(body.w, f) * f;
   }
+}
+
+double sweep_rate(World& world, int most) {
   SequentialImpulses solver;
   solver.begin(world, real(1) / 60);
   std::vector<double> before, sizes;
@@ -137,10 +141,20 @@ double sweep_rate(World& world, int most, bool kick) {
   return std::pow(sizes[last - 1] / sizes[first], 1.0 / double(last - 1 - first));
 }
 
-void add_criterion(Line& line, const Method& method, double rho) {
+Rates rates_of(const MakeScene& make) {
+  const auto rate = [&](bool planar) {
+    Scene scene = make();
+    kick(scene, planar);
+    return sweep_rate(scene.world, 3000);
+  };
+  return {rate(true), rate(false)};
+}
+
+void add_criterion(Line& line, const Method& method, const Rates& rates) {
   if (!method.warm) return;
-  line.rho = rho;
-  const double kept = std::pow(rho, method.iterations) * (1 + double(method.beta));
+  line.rho = rates.possible;
+  line.rho_any = rates.any;
+  const double kept = std::pow(line.rho, method.iterations) * (1 + double(method.beta));
   line.criterion = kept < 1 ? 1 : 0;
 }
 

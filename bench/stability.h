@@ -111,7 +111,8 @@ void lengths(bool quick, const Tell& tell);             ///< X4, the map
 void coincident_points(bool quick, const Tell& tell);   ///< X5
 void static_bodies(bool quick, const Tell& tell);       ///< X6
 void bent_hinges(bool quick, const Tell& tell);         ///< X7
-void spinning(bool quick, const Tell& tell);            ///< X8
+void spinning(bool quick, const Tell& tell);            ///< X8, a free box
+void spinning_hinge(bool quick, const Tell& tell);      ///< X8
 void far_away(bool quick, const Tell& tell);            ///< X9
 void masses_apart(bool quick, const Tell& tell);        ///< X10
 void limits_hit(bool quick, const Tell& tell);          ///< X11

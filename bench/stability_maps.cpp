@@ -9,7 +9,8 @@ namespace joints::bench {
 namespace {
 
 Line run_of(const std::string& id, const std::string& parameter, double value,
-            const MakeScene& make, const Method& method, const Rates& rates, const Span& span = {}) {
+            const MakeScene& make, const Method& method, const Rates& rates,
+            const Span& span = {}) {
   Line line = of_run({.id = id, .method = method.name, .parameter = parameter, .value = value},
                      run(make, setting_of(method), 1, span));
   add_criterion(line, method, rates);

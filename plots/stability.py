@@ -61,7 +61,7 @@ def draw_cell(ax, column, line, row, other):
                                edgecolor="white", linewidth=2))
     words = f"{status}\n{size(row['gap_max_m'])}".strip()
     if other and other["status"] != status:
-        words += f"\nfloat: {other['status']}"
+        words += f"\nf: {other['status']}"
     ax.text(column, line, words, ha="center", va="center", fontsize=7.5, linespacing=1.15,
             color=WORD.get(status, INK))
     if row["criterion"] == 0:
@@ -74,7 +74,7 @@ def draw_map(rows, parameter, label, title, path, value_words=lambda value: f"{v
     """Methods down, values across."""
     table, methods, values = chosen(rows, parameter)
     in_float = chosen(rows, parameter, "float")[0]
-    figure, ax = plt.subplots(figsize=(style.WIDTH, 1.15 + 0.43 * len(methods)),
+    figure, ax = plt.subplots(figsize=(style.WIDTH, 1.3 + 0.43 * len(methods)),
                               layout="constrained")
     figure.suptitle(title, x=0.012, ha="left")
     for line, method in enumerate(methods):
@@ -88,13 +88,16 @@ def draw_map(rows, parameter, label, title, path, value_words=lambda value: f"{v
     ax.grid(False)
     for side in ("left", "bottom"):
         ax.spines[side].set_visible(False)
-    note = "word, largest gap"
+    note = ("largest gap; ok: below 1 % of a link, soft: below half of one, torn: above; "
+            "energy+: over 2 % gained, exploded: over 100 %")
+    more = []
     if any(row["criterion"] == 0 for row in table.values()):
-        note += r"; corner: warm and $\rho^k (1+\beta) \geq 1$"
+        more.append(r"corner: warm and $\rho^k (1+\beta) \geq 1$")
     if any(in_float[key]["status"] != row["status"] for key, row in table.items()
            if key in in_float):
-        note += "; float: where it differs from double"
-    ax.set_title(note, color=PALE, fontsize=8.5)
+        more.append("f: float, where it comes to another word than double")
+    ax.set_title("\n".join([note] + ["; ".join(more)] * bool(more)), color=PALE, fontsize=8.2,
+                 loc="right", multialignment="left")
     style.save(figure, path)
 
 
@@ -102,11 +105,13 @@ def mass_ratio(rows, out):
     parameter = "end mass / link mass"
     table, methods, values = chosen(rows, parameter)
     holds = {method: furthest(table, method, values, HOLDS) or 0 for method in methods}
-    best = max(methods, key=lambda method: (holds[method], -values.index(values[0])))
-    whole = max(holds[method] for method in methods if "substeps" not in method)
-    draw_map(rows, parameter, "mass of the end over mass of a link (20 links, h = 1/60 s)",
-             f"Mass ratio: whole steps hold up to {whole:g} to 1, {best} up to {holds[best]:g}",
-             out / "stability_mass_ratio")
+    best = max(methods, key=holds.get)
+    others = max(holds[method] for method in methods if "substeps" not in method)
+    draw_map(rows, parameter, "mass of the end / mass of a link (20 links on balls let go level, "
+             "h = 1/60 s, 5 s)",
+             f"Mass ratio: without substeps nothing holds beyond {others:g} to 1, "
+             f"{best} up to {holds[best]:g} to 1", out / "stability_mass_ratio",
+             lambda value: rf"$10^{{{np.log10(value):.0f}}}$" if value >= 1e4 else f"{value:g}")
 
 
 def step(rows, out):
@@ -163,6 +168,7 @@ def draw_steps(ax, rows):
         table, methods, values = chosen(rows, "step of one hinge [s]", real)
         if not table:
             continue
+        values = values[::-1]
         gaps = [table[methods[0], value]["measured"] for value in values]
         least[real] = min(gaps)
         ax.plot(values, style.visible(gaps), "o-", color=colour, dashes=dashes, markersize=4,
@@ -172,11 +178,14 @@ def draw_steps(ax, rows):
                     color=INK, linewidth=1, dashes=(1, 2),
                     label=r"$\omega^2 r h^2 / (2\beta)$", zorder=5)
         table, _, values = chosen(rows, "step [s]", real)
+        values = values[::-1]
         name = "16 substeps of 2"
         ax.plot(values, [table[name, value]["gap_max_m"] for value in values], "s-",
                 color=COLOURS[2], dashes=dashes, markersize=3.5,
-                label=f"20 hinges,\n{name}, {real}")
-    ax.set(xscale="log", yscale="log", xlabel="step h  [s]", ylabel="largest gap  [m]")
+                label=f"20 hinges, 16\nsubsteps of 2, {real}")
+    ax.set(xscale="log", yscale="log", xlabel="step h  [s], finer to the right",
+           ylabel="largest gap  [m]")
+    ax.invert_xaxis()
     style.label_ends(ax, size=8)
     return least
 
@@ -196,14 +205,14 @@ def draw_hanging(ax, rows):
         ends.append((real, levers, gaps, colour))
     ax.set(xscale="log", yscale="log", xlabel="lever r from joint to centre  [m]",
            ylabel="largest gap while it hangs  [m]")
-    low = ax.get_ylim()[0] / 30
+    low = ax.get_ylim()[0] / 300
     ax.set_ylim(bottom=low)
     for real, levers, gaps, colour in ends:
         zero = [lever for lever, gap in zip(levers, gaps) if gap == 0]
         if zero:
-            ax.plot(zero, [1.6 * low] * len(zero), "o", color=colour, markerfacecolor="white",
+            ax.plot(zero, [8 * low] * len(zero), "o", color=colour, markerfacecolor="white",
                     clip_on=False, label="_")
-            ax.annotate(f"{real}: exactly 0", (zero[0], 1.6 * low), xytext=(0, 7), ha="left",
+            ax.annotate(f"{real}: exactly 0", (zero[0], 8 * low), xytext=(0, 7), ha="left",
                         textcoords="offset points", fontsize=8, color=colour)
     style.label_ends(ax, size=8)
 
@@ -212,12 +221,12 @@ def floor(rows, out):
     figure, axes = style.figure("", 2)
     least = draw_steps(axes[0], rows)
     draw_hanging(axes[1], rows)
+    title = "The gap follows the square of the step"
     if "float" in least:
-        figure.suptitle(f"Rounding: float ends at a gap of {1e6 * least['float']:.1f} µm, double "
-                        f"still follows the square of the step at {1e6 * least['double']:.2g} µm")
-    else:
-        figure.suptitle("The gap follows the square of the step")
-    axes[0].set_title("one hinge let go level, 2 s", color=PALE, fontsize=8.5)
+        title = (f"Rounding: float ends at a gap of {1e6 * least['float']:.1f} µm, double still "
+                 f"follows the square of the step at {1e6 * least['double']:.2g} µm")
+    figure.suptitle(title, x=0.012, ha="left")
+    axes[0].set_title("let go level", color=PALE, fontsize=8.5)
     axes[1].set_title("one ball joint, hanging for 10 s", color=PALE, fontsize=8.5)
     style.save(figure, out / "stability_floor")
 

@@ -45,7 +45,8 @@ std::vector<Case> cases();
 Line compared(Line line, double expected, double measured, double tolerance);
 /// The line of a rule: ok where it holds, else off, nan where the measured number is none.
 Line judged(Line line, double measured, bool holds);
-/// The line of a scene that was run.
+/// The line of a scene that was run. Energy that was gained on the way counts, too, even where it
+/// is lost again at the end.
 Line of_run(Line line, const Result& result);
 /// A tolerance that depends on the kind of number.
 inline double digits(double in_double, double in_float) {

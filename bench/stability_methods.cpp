@@ -45,6 +45,9 @@ Line judged(Line line, double measured, bool holds) {
 
 Line of_run(Line line, const Result& result) {
   line.status = result.status;
+  const bool calm = line.status == "ok" || line.status == "soft" || line.status == "torn";
+  if ((calm || line.status == "energy+") && result.energy_peak > 1) line.status = "exploded";
+  else if (calm && result.energy_peak > 0.02) line.status = "energy+";
   line.measured = line.gap_max = result.gap_max;
   line.gap_rms = result.gap_rms;
   line.energy_drift = result.energy_drift;

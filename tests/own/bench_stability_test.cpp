@@ -47,6 +47,20 @@ TEST_CASE("a number that is known is ok within its tolerance and off outside and
   CHECK(status(lost, 1) == "nan");
 }
 
+TEST_CASE("energy that is gained on the way is flagged though it is lost again at the end") {
+  Result result;
+  result.status = "soft";
+  result.energy_drift = -0.1;
+  result.energy_peak = 0.01;
+  CHECK(of_run({}, result).status == "soft");
+  result.energy_peak = 0.03;
+  CHECK(of_run({}, result).status == "energy+");
+  result.energy_peak = 1.9;
+  CHECK(of_run({}, result).status == "exploded");
+  result.status = "nan";
+  CHECK(of_run({}, result).status == "nan");
+}
+
 TEST_CASE("the cases whose outcome is known come out as they should") {
   for (const char* id : {"X2", "X5", "X6", "X7", "X9", "X10", "X11", "X12", "X13", "X14", "X15",
                          "X16", "X17"}) {

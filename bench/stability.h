@@ -65,7 +65,8 @@ struct Method {
   int substeps = 1;
   bool whole = true;     ///< hinges as one block of five rows, not of three and of two
 };
-/// The twelve methods of the maps; the last is for hinges only.
+/// The methods of the maps, beta 0.2 where they name none; 0 with projection, if they do not say
+/// another. The last one is for hinges only.
 std::vector<Method> methods();
 /// As a setting of the runner.
 Setting setting_of(const Method& method);

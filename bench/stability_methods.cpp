@@ -64,6 +64,8 @@ std::vector<Method> methods() {
           {.name = "warm 10", .iterations = 10, .warm = true},
           {.name = "warm 30", .warm = true},
           {.name = "warm 100", .iterations = 100, .warm = true},
+          {.name = "cold 30, beta 1", .beta = 1},
+          {.name = "cold 30, beta 1, projection 1", .beta = 1, .projections = 1},
           {.name = "warm 30, projection 1", .warm = true, .beta = 0, .projections = 1},
           {.name = "cold 30, projection 1", .beta = 0, .projections = 1},
           {.name = "cold 30, projection 4", .beta = 0, .projections = 4},

@@ -13,10 +13,6 @@ namespace {
 
 const real h = real(1) / 60;
 
-double largest_impulse(const SequentialImpulses& solver) {
-  const Column lambda = impulses(solver.blocks());
-  return lambda.size() > 0 ? lambda.cwiseAbs().maxCoeff() : 0;
-}
 long rank_of_rows(const SequentialImpulses& solver, const World& world) {
   Eigen::FullPivLU<Dense> lu(system_of(solver.blocks(), world.bodies.slots()).J);
   lu.setThreshold(tolerance(1e-9, 1e-4));

@@ -1,9 +1,8 @@
 // The stability suite, cases X2, X5, X6 and X14 of chapters 1 and 2: feedback from too little to
 // too much, points that coincide, bodies that cannot move, closed loops.
 #include "chapters/01_distance/distance_joint.h"
-#include "chapters/02_ball/ball_joint.h"
 #include "tests/catch.h"
-#include "tests/own/oracle.h"
+#include "tests/own/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -11,17 +10,6 @@ using namespace joints::testing;
 namespace {
 
 const real h = real(1) / 60;
-
-bool all_finite(const World& world) {
-  for (const Body& body : snapshot(world.bodies))
-    if (!finite(body.x) || !finite(body.q) || !finite(body.v) || !finite(body.w)) return false;
-  return true;
-}
-
-double largest_impulse(const SequentialImpulses& solver) {
-  const Column lambda = impulses(solver.blocks());
-  return lambda.size() > 0 ? lambda.cwiseAbs().maxCoeff() : 0;
-}
 
 }  // namespace
 

@@ -1,8 +1,7 @@
 // Warm starting: what the joints remember of the last step, and what it is worth in the next.
 #include "chapters/01_distance/distance_joint.h"
-#include "chapters/02_ball/ball_joint.h"
 #include "tests/catch.h"
-#include "tests/own/oracle.h"
+#include "tests/own/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -28,9 +27,48 @@ struct Hanging {
           point_at(world.bodies[above], world.bodies[ids.back()], vec3(0, y + real(0.5), 0))));
     }
   }
+  void set_beta(real beta) {
+    for (BallJoint* joint : joints) joint->beta = beta;
+  }
+  double rate() { return sweep_rate(world, rows_of(world)); }
   // How far the lowest body has sunk [m].
   double sag() const { return -double(ids.size() - 1) - double(world.bodies[ids.back()].x.y); }
 };
+
+// The largest sag in each of the last two seconds of a run [m].
+struct Sags {
+  double first = 0, second = 0;
+  Sags(Hanging hanging, SequentialImpulses solver, int steps) {
+    for (int step = 0; step < steps; ++step) {
+      solver.step(hanging.world, h);
+      const double sag = std::abs(hanging.sag());
+      if (step >= steps - 60) second = std::max(second, sag);
+      else if (step >= steps - 120) first = std::max(first, sag);
+    }
+  }
+};
+
+SequentialImpulses solver_with(bool warm, int iterations, int projections = 0) {
+  SequentialImpulses solver;
+  solver.warm_start = warm;
+  solver.iterations = iterations;
+  solver.projections = projections;
+  return solver;
+}
+
+std::vector<real> ten_links(real tip = 1) {
+  std::vector<real> masses(10, real(1));
+  masses.back() = tip;
+  return masses;
+}
+
+// Modulus of the slowest root for a mode of which k sweeps leave the share eta, warm, with feedback:
+// z^3 - (1 + 2 eta - (1 - eta) beta) z^2 + 3 eta z - eta = 0.
+double growth_of_a_mode(double eta, double beta) {
+  Eigen::Matrix3d companion;
+  companion << 1 + 2 * eta - (1 - eta) * beta, -3 * eta, eta, 1, 0, 0, 0, 1, 0;
+  return companion.eigenvalues().cwiseAbs().maxCoeff();
+}
 
 }  // namespace
 
@@ -127,4 +165,113 @@ TEST_CASE("I15 warm starting with feedback is stable where rho^k (1 + beta) is b
   const double early = sag_after(4, 200), late = sag_after(4, 300);
   CHECK(early > 0.05);
   CHECK(late / early > 2);
+}
+
+TEST_CASE("E47 the criterion is where the slowest mode of a warm step passes 1", "[E47]") {
+  for (const double beta : {0.05, 0.15, 0.5, 1.0})
+    for (const double kept : {0.9, 0.99, 1.01, 1.1}) {
+      const double eta = kept / (1 + beta);
+      if (eta >= 1) continue;
+      CHECK((growth_of_a_mode(eta, beta) < 1) == (kept < 1));
+    }
+  for (const double eta : {0.5, 0.9, 0.99})  // without feedback it never does
+    CHECK(growth_of_a_mode(eta, 0) < 1 + 1e-9);
+}
+
+TEST_CASE("E47 an unstable warm chain grows by as much a step as its slowest mode", "[E47]") {
+  Hanging hanging(ten_links());
+  CHECK(hanging.rate() ==
+        Approx(std::pow(std::cos(std::numbers::pi / 20), 2)).epsilon(tolerance(1e-9, 1e-5)));
+  const double growth = growth_of_a_mode(std::pow(hanging.rate(), 4), 0.15);
+  CHECK(growth == Approx(1.0175).margin(1e-4));
+  hanging.set_beta(real(0.15));
+  const Sags sags(std::move(hanging), solver_with(true, 4), 300);
+  CHECK(std::pow(sags.second / sags.first, 1.0 / 60) == Approx(growth).epsilon(3e-3));
+}
+
+TEST_CASE("I15 and E47 the criterion tells which warm chains hang still", "[E47]") {
+  for (const auto& [tip, sweeps] : {std::pair{1, 4}, {1, 10}, {1, 30}, {100, 30}, {100, 200}}) {
+    CAPTURE(tip, sweeps);
+    Hanging hanging(ten_links(real(tip)));
+    const double kept = std::pow(hanging.rate(), sweeps) * 1.15;
+    CHECK(std::abs(kept - 1) > 0.03);  // clear of the edge
+    hanging.set_beta(real(0.15));
+    const Sags sags(std::move(hanging), solver_with(true, sweeps), tip == 1 ? 600 : 1200);
+    if (kept < 1) CHECK(sags.second < (tip == 1 ? tolerance(1e-8, 1e-4) : 1e-3));
+    else CHECK(sags.second > 1);
+  }
+}
+
+TEST_CASE("E47 warm without feedback a projected chain is stable on either side", "[E47]") {
+  for (const int tip : {1, 100})
+    for (const int sweeps : {4, 10, 30})
+      for (const int projections : {1, 4}) {
+        CAPTURE(tip, sweeps, projections);
+        Hanging hanging(ten_links(real(tip)));
+        hanging.set_beta(0);
+        const Sags sags(std::move(hanging), solver_with(true, sweeps, projections), 1800);
+        CHECK(sags.second < (tip == 1 ? tolerance(1e-6, 1e-4) : 0.2));
+        CHECK(sags.second < 1.01 * sags.first + tolerance(1e-9, 1e-4));
+      }
+}
+
+TEST_CASE("I26 a cold chain of ten sags joint by joint by what the formula says") {
+  for (const auto& [tip, sweeps] : {std::pair{1, 4}, {1, 10}, {1, 30}, {100, 72}}) {
+    CAPTURE(tip, sweeps);
+    const double beta = 0.15;
+    Hanging hanging(ten_links(real(tip)));
+    hanging.set_beta(real(beta));
+    const System system = rows_of(hanging.world);
+    const Dense A = whole_K(system, hanging.world), G = sweep_matrix(A, system.block);
+    const Dense E = Dense::Identity(A.rows(), A.cols());
+    Dense H = A;
+    for (int k = 0; k < sweeps; ++k) H = H * G;
+    H = (H * A.inverse()).eval();
+    Column g = Column::Zero(system.J.cols());
+    for (std::size_t k = 1; k < hanging.ids.size(); ++k) g[6 * long(k) + 1] = -9.81;
+    const Column C = double(h * h) / beta * (E - H).partialPivLu().solve(H * (system.J * g));
+    SequentialImpulses solver = solver_with(false, sweeps);
+    for (int step = 0; step < (tip == 1 ? 600 : 2400); ++step) solver.step(hanging.world, h);
+    double largest = 0;
+    for (std::size_t k = 0; k < 10; ++k) {
+      const BallJoint& joint = *hanging.joints[k];
+      const double gap = double(joint.part.error(hanging.world.bodies[joint.body1],
+                                                 hanging.world.bodies[joint.body2]).y);
+      largest = std::max(largest, std::abs(gap));
+      CHECK(gap == Approx(C[3 * long(k) + 1]).epsilon(tolerance(1e-4, 1e-2)));
+    }
+    CHECK(largest > 1e-3);
+  }
+}
+
+TEST_CASE("E47 a hinge at its limit in blocks apart does as the criterion says", "[E47]") {
+  const auto beyond = [](bool whole, int sweeps, real beta) {
+    Crane crane(vec3(0, 1, 0));
+    crane.hinge->set_limits(0, 60 * degree);  // at the lower one already: its row is there
+    crane.hinge->whole = whole;
+    const double kept = std::pow(sweep_rate(crane.world, rows_of(crane.world)), sweeps) *
+                        (1 + double(beta));
+    crane.hinge->set_limits(-60 * degree, 60 * degree);
+    crane.hinge->set_motor(3, 500);
+    crane.hinge->beta = beta;
+    crane.solver = solver_with(true, sweeps);
+    double late = 0;
+    for (int step = 0; step < 1200; ++step) {
+      crane.solver.step(crane.world, h);
+      if (!all_finite(crane.world)) return std::pair{kept, 1e30};
+      if (step >= 1100) late = std::max(late, std::abs(crane.in_degrees()) - 60);
+    }
+    return std::pair{kept, late};
+  };
+  const auto [kept, late] = beyond(false, 1, real(0.2));
+  CHECK(kept == Approx(1.2 * 27 / 29).epsilon(1e-4));
+  CHECK(late > 1000);  // degrees: it has been thrown out
+  for (const auto& [sweeps, beta] : {std::pair{10, 0.2}, {30, 0.2}, {1, 0.0}}) {
+    const auto [apart, rests] = beyond(false, sweeps, real(beta));
+    CHECK(apart < 0.95);
+    CHECK(std::abs(rests) < (beta > 0 ? 0.01 : 0.5));
+  }
+  const auto [one, there] = beyond(true, 1, real(0.2));
+  CHECK(one < 1e-5);  // one block: a sweep leaves nothing
+  CHECK(std::abs(there) < 0.01);
 }

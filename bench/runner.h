@@ -19,21 +19,36 @@ struct Setting {
   int iterations = 30;
   bool warm = false;
   std::function<Step()> make;
+  std::function<void(World&)> prepare{};  ///< what the setting changes in the joints, if anything
+};
+
+/// How long a run is.
+struct Span {
+  real h = real(1) / 60;  ///< step [s]
+  int steps = 300;        ///< the gaps are measured in the last two thirds of them
 };
 
 /// What one run gave.
 struct Result {
   double us_per_step = 0;   ///< median over steps 21 to 300 of all repetitions [us]
-  double gap_rms = 0;       ///< last 200 steps [m]
-  double gap_max = 0;       ///< last 200 steps [m]
-  double axis_error = 0;    ///< last 200 steps [rad]
+  double gap_rms = 0;       ///< last 200 steps of 300 [m]
+  double gap_max = 0;       ///< last 200 steps of 300 [m]
+  double axis_error = 0;    ///< last 200 steps of 300 [rad]
   double energy_drift = 0;  ///< (E_end - E_0) / E_scale [1]
-  double tip_error = 0;     ///< after 1 s [m]
+  double tip_error = 0;     ///< after 1 s [m]; 0 where the scene has no reference
   std::string status;       ///< ok, soft, torn, energy+, exploded or nan
+  bool finite = true;       ///< no body ever had a NaN or an infinity
+  int steps = 0;            ///< how many there were: a run that is not finite ends there
+  double energy_peak = 0;   ///< the largest (E - E_0) / E_scale on the way [1]
+  double sideways = 0;      ///< the furthest that a body went in the forbidden direction [m]
 };
 
-/// 300 steps at h = 1/60, `repetitions` times; the measures are those of the first.
-Result run(const MakeScene& make_scene, const Setting& setting, int repetitions);
+/// True while every place, orientation and velocity of every body is an ordinary number.
+bool all_finite(const World& world);
+
+/// Runs a scene `repetitions` times; the measures are those of the first.
+Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
+           const Span& span = {});
 
 /// The word for a run: ok (gap below 1 % of a link), soft (below half a link), torn (above),
 /// energy+ (over 2 % gained), exploded (over 100 %), nan.

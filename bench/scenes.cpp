@@ -1,4 +1,4 @@
-// The benchmark scenes.
+// The benchmark's chains.
 #include "bench/scenes.h"
 
 #include "chapters/02_ball/ball_joint.h"
@@ -7,19 +7,21 @@ namespace joints::bench {
 
 namespace {
 
-// A ball joint at a point of the world, and the mark that measures it.
-void join(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor) {
+Mark mark(const Scene& scene, BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis) {
   const Body &body1 = scene.world.bodies[id1], &body2 = scene.world.bodies[id2];
-  scene.world.add<BallJoint>(id1, id2, point_at(body1, body2, anchor));
-  scene.marks.push_back({int(id1.slot), int(id2.slot), glm::dvec3(anchor - body1.x),
-                         glm::dvec3(anchor - body2.x), glm::dvec3(0), glm::dvec3(0)});
+  return {int(id1.slot),
+          int(id2.slot),
+          glm::dvec3(to_local(body1, anchor - body1.x)),
+          glm::dvec3(to_local(body2, anchor - body2.x)),
+          glm::dvec3(to_local(body1, axis)),
+          glm::dvec3(to_local(body2, axis))};
 }
 
-}  // namespace
-
-Scene cubes_on_balls(int chains, int length) {
+// The cubes of S1 and S1b; `join` holds two of them together at a place.
+template <class Join>
+Scene cubes(const std::string& name, int chains, int length, Join join) {
   Scene scene;
-  scene.name = "S1b";
+  scene.name = name;
   scene.chains = chains;
   scene.energy_scale = 0;
   for (int c = 0; c < chains; ++c) {
@@ -36,13 +38,57 @@ Scene cubes_on_balls(int chains, int length) {
   }
   scene.tip = length - 1;  // of the first chain: they are all alike
   if (length == 100) scene.tip_reference = {0, -4.9050000000, 147.6685472730};
-  if (length == 4) scene.tip_reference = {0, -4.2987677781, 1.1499633763};
+  else if (length == 4) scene.tip_reference = {0, -4.2987677781, 1.1499633763};
+  else scene.tip_mask = glm::dvec3(0);
   return scene;
 }
 
-Scene heavy_end(double ratio) {
+}  // namespace
+
+void join_by_ball(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor) {
+  const Body &body1 = scene.world.bodies[id1], &body2 = scene.world.bodies[id2];
+  scene.world.add<BallJoint>(id1, id2, point_at(body1, body2, anchor));
+  scene.marks.push_back(mark(scene, id1, id2, anchor, vec3(0)));
+}
+
+HingeJoint& join_by_hinge(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor,
+                          const vec3& axis) {
+  scene.marks.push_back(mark(scene, id1, id2, anchor, axis));
+  return scene.world.add<HingeJoint>(scene.world.bodies, id1, id2, anchor, axis);
+}
+
+Scene cubes_on_balls(int chains, int length) {
+  return cubes("S1b", chains, length, join_by_ball);
+}
+
+Scene cubes_on_hinges(int chains, int length) {
+  Scene scene = cubes(length == 4 ? "S5" : "S1", chains, length,
+                      [](Scene& s, BodyId id1, BodyId id2, const vec3& anchor) {
+                        join_by_hinge(s, id1, id2, anchor, vec3(1, 0, 0));
+                      });
+  scene.forbidden = {1, 0, 0};
+  return scene;
+}
+
+Scene loaded_axes() {
+  Scene scene = cubes_on_hinges(1, 11);
+  scene.name = "S6";
+  scene.world.gravity = vec3(1, real(-9.7587), 0);
+  return scene;
+}
+
+Scene sideways_gravity() {
+  Scene scene = cubes_on_hinges(10, 100);
+  scene.name = "S7";
+  scene.world.gravity = vec3(3, real(-9.81), 0);
+  return scene;
+}
+
+Scene heavy_end_unreferenced(double ratio) {
   Scene scene;
-  scene.name = "S2 R=" + std::to_string(int(ratio));
+  char number[32];
+  std::snprintf(number, sizeof number, "%g", ratio);
+  scene.name = std::string("S2 R=") + (ratio < 1e5 ? std::to_string(int(ratio)) : number);
   scene.energy_scale = 0;
   BodyId before;
   for (int i = 0; i <= 21; ++i) {
@@ -52,25 +98,47 @@ Scene heavy_end(double ratio) {
                                 : box(1, vec3(real(0.4)), place);
     const BodyId id = scene.world.add(body);
     if (i > 0) {
-      join(scene, before, id, place - vec3(real(0.25), 0, 0));
+      join_by_ball(scene, before, id, place - vec3(real(0.25), 0, 0));
       scene.energy_scale += (i == 21 ? ratio : 1.0) * 9.81 * 0.5 * i;
     }
     before = id;
   }
   scene.tip = 21;
+  scene.tip_mask = glm::dvec3(0);
+  return scene;
+}
+
+Scene heavy_end(double ratio) {
+  Scene scene = heavy_end_unreferenced(ratio);
   scene.tip_mask = {1, 1, 0};
   const struct {
     double ratio, x, y;
   } references[] = {{1, 8.0970414980, -4.9049921200},      {10, 8.4796476432, -4.9049640418},
                     {100, 9.2624792368, -4.8651145480},    {1000, 9.3528668559, -4.7013348291},
                     {10000, 9.3649385124, -4.6875070381}};
-  bool known = false;
   for (const auto& reference : references)
     if (reference.ratio == ratio) {
       scene.tip_reference = {reference.x, reference.y, 0};
-      known = true;
+      return scene;
     }
-  require(known, "ratio: no reference is known for this mass; take 1, 10, 100, 1000 or 10000");
+  refuse("ratio: no reference is known for this mass; take 1, 10, 100, 1000 or 10000");
+}
+
+Scene chain_of_masses(const std::vector<double>& masses, const vec3& along) {
+  Scene scene;
+  scene.name = "chain of masses";
+  scene.energy_scale = 0;
+  BodyId before = scene.world.add(static_body(vec3(0)));
+  for (std::size_t k = 1; k <= masses.size(); ++k) {
+    const real mass = real(masses[k - 1]);
+    const vec3 place = real(k) * along;
+    const BodyId id = scene.world.add(box(mass, vec3(real(0.4)), place));
+    join_by_ball(scene, before, id, place - real(0.5) * along);
+    scene.energy_scale += masses[k - 1] * 9.81 * double(k);
+    before = id;
+  }
+  scene.tip = int(masses.size());
+  scene.tip_mask = glm::dvec3(0);
   return scene;
 }
 

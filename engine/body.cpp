@@ -1,6 +1,7 @@
 // How bodies are made and how they move when no joint holds them.
 #include "engine/body.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace joints {
@@ -79,8 +80,16 @@ void integrate_forces(Body& body, const vec3& gravity, real h) {
   }
 }
 
+// Keeps the largest component within what is possible at all.
+void keep_possible(vec3& velocity) {
+  const real top = std::max({std::abs(velocity.x), std::abs(velocity.y), std::abs(velocity.z)});
+  if (top > fastest) velocity *= fastest / top;
+}
+
 void integrate_pose(Body& body, real h) {
   if (body.is_static()) return;
+  keep_possible(body.v);
+  keep_possible(body.w);
   body.x += h * body.v;
   if (body.w != vec3(0)) body.q = normalize(rotation(h * body.w) * body.q);
 }

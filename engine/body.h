@@ -64,6 +64,9 @@ quat rotation(const vec3& phi);
 /// First half of a step: gravity, external force and torque, and the gyroscopic torque change the
 /// velocities. \param gravity [m/s^2] \param h step [s]
 void integrate_forces(Body& body, const vec3& gravity, real h);
+/// No velocity has a component above this [m/s or rad/s], the speed of light: what explodes by a
+/// setting without sense stays finite, and can be looked at.
+constexpr real fastest = real(3e8);
 /// Last half of a step: the velocities change place and orientation. \param h step [s]
 void integrate_pose(Body& body, real h);
 /// The angular velocity after a torque-free step of length h: implicit midpoint rule in the

@@ -8,13 +8,10 @@ import numpy as np
 import style
 from style import COLOURS, INK, PALE, label_ends
 
-WHOLE = "whole joint"
-
 
 def whole(table):
     """The rows of the whole joint only."""
-    chosen = np.asarray(table["blocks"]) == WHOLE
-    return {name: np.asarray(column)[chosen] for name, column in table.items()}
+    return style.rows(table, blocks="whole joint")
 
 
 def draw_piston(solution, mine, out):
@@ -105,15 +102,5 @@ def tables(folder, command):
                            ["row"], command))
 
 
-def main():
-    given = style.arguments("Draws the figures of chapter 4.",
-                            solution="folder of the solution's tables",
-                            mine="optional: folder of your tables", out="folder of the figures")
-    solution = tables(given.solution, "./wb plot 4")
-    mine = tables(given.mine, "./wb run 4") if given.mine else (None,) * 3
-    for draw, theirs, own in zip((draw_piston, draw_cannon, draw_momentum), solution, mine):
-        draw(theirs, own, given.out)
-
-
 if __name__ == "__main__":
-    style.run(main)
+    style.run(lambda: style.chapter(4, tables, (draw_piston, draw_cannon, draw_momentum)))

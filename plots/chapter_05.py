@@ -6,15 +6,7 @@ chapter_05.py --solution DIR [--mine DIR] --out DIR
 import numpy as np
 
 import style
-from style import COLOURS, INK, PALE, label_ends
-
-
-def rows(table, **where):
-    """The rows where the named columns have these values."""
-    chosen = np.ones(len(next(iter(table.values()))), bool)
-    for name, value in where.items():
-        chosen &= np.asarray(table[name]) == value
-    return {name: np.asarray(column)[chosen] for name, column in table.items()}
+from style import COLOURS, INK, PALE, label_ends, rows
 
 
 def draw_beam(solution, mine, out):
@@ -99,15 +91,5 @@ def tables(folder, command):
     return (cantilever, beam), anchor, breaking
 
 
-def main():
-    given = style.arguments("Draws the figures of chapter 5.",
-                            solution="folder of the solution's tables",
-                            mine="optional: folder of your tables", out="folder of the figures")
-    solution = tables(given.solution, "./wb plot 5")
-    mine = tables(given.mine, "./wb run 5") if given.mine else (None,) * 3
-    for draw, theirs, own in zip((draw_beam, draw_anchor, draw_break), solution, mine):
-        draw(theirs, own, given.out)
-
-
 if __name__ == "__main__":
-    style.run(main)
+    style.run(lambda: style.chapter(5, tables, (draw_beam, draw_anchor, draw_break)))

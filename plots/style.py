@@ -90,6 +90,28 @@ def read_csv(path, numbers, words=(), command=""):
     return table
 
 
+def rows(table, **where):
+    """The rows where the named columns have these values; every column becomes an array."""
+    chosen = np.ones(len(next(iter(table.values()))), bool)
+    for name, value in where.items():
+        chosen &= np.asarray(table[name]) == value
+    return {name: np.asarray(column)[chosen] for name, column in table.items()}
+
+
+def chapter(number, tables, draws):
+    """A chapter's script: reads its tables, the solution's and yours, and draws its figures.
+
+    tables(folder, command) gives what each draw(solution, mine, out) is called with, in order.
+    """
+    given = arguments(f"Draws the figures of chapter {number}.",
+                      solution="folder of the solution's tables",
+                      mine="optional: folder of your tables", out="folder of the figures")
+    solution = tables(given.solution, f"./wb plot {number}")
+    mine = tables(given.mine, f"./wb run {number}") if given.mine else (None,) * len(draws)
+    for draw, theirs, own in zip(draws, solution, mine):
+        draw(theirs, own, given.out)
+
+
 def figure(title, panels=1, rows=1, **options):
     """A figure with its panels side by side; `title` says what is to be seen."""
     made, axes = plt.subplots(rows, panels, figsize=(WIDTH, HEIGHT * (1 + 0.7 * (rows - 1))),
@@ -171,11 +193,17 @@ def overlay(ax, mine, solution, labels=("yours", "the solution")):
     ax.plot(*mine, color=MINE, linewidth=3.2, alpha=0.75, label=labels[0])
     ax.plot(*solution, color=INK, linewidth=1.1, dashes=(4, 2), label=labels[1])
     ax.set_xlim(0, max(mine[0].max(), solution[0].max()))
+    hold(ax, mine[1], solution[1])
+
+
+def hold(ax, mine, solution, decades=3):
+    """Keeps a panel's height to what the solution needs, and to a little more for yours."""
     if ax.get_yscale() == "log":  # what explodes may leave the picture
-        (low, high), both = extent(solution[1]), extent(mine[1], solution[1])
-        ax.set_ylim(max(both[0], low / 100, high / 1000) / 1.5, min(both[1], high * 100) * 1.5)
+        (low, high), both = extent(solution), extent(mine, solution)
+        ax.set_ylim(max(both[0], low / 100, high / 10**decades) / 1.5,
+                    min(both[1], high * 100) * 1.5)
         return
-    finite = [y[np.isfinite(y)] for y in (solution[1], np.append(mine[1], solution[1]))]
+    finite = [y[np.isfinite(y)] for y in (solution, np.append(mine, solution))]
     if len(finite[0]):
         (low, high), both = ((y.min(), y.max()) for y in finite)
         span = 1.02 * (high - low) or 1.0

@@ -15,7 +15,7 @@ import motion
 from house import bold, faint
 
 SOLUTIONS, MINE = house.OUT / "solutions", house.OUT / "mine"
-TABLE = house.OUT / "work_precision.csv"
+TABLE, STABILITY = house.OUT / "work_precision.csv", house.OUT / "stability.csv"
 
 
 # ---- programs ------------------------------------------------------------------------------------
@@ -183,6 +183,8 @@ def plot(chapter):
         made += plot_chapter(one)
     if not chapter and TABLE.exists():
         made += draw("work_precision.py", "--csv", TABLE)
+    if not chapter and STABILITY.exists():
+        made += draw("stability.py", "--csv", STABILITY)
     house.progress_done()
     for path in made:
         print(house.short(path))
@@ -284,10 +286,10 @@ def check():
     return process.wait()
 
 
-def run_bench(program, options):
-    """One run of the benchmark program; its progress is shown."""
+def run_bench(program, options, table=TABLE):
+    """One run of a benchmark program; its progress is shown."""
     house.OUT.mkdir(exist_ok=True)
-    process = subprocess.Popen([house.BUILD / "bench" / program, "--csv", TABLE, *options],
+    process = subprocess.Popen([house.BUILD / "bench" / program, "--csv", table, *options],
                                stderr=subprocess.PIPE, text=True)
     said = ""
     for line in process.stderr:
@@ -300,10 +302,13 @@ def run_bench(program, options):
 
 
 def bench(options):
-    """Error against run time: the table, the figures, and the cost of a joint and iteration."""
-    import benchmark
+    """Error against run time, or with --stability the stability suite: tables and figures."""
+    if options == ["--stability"]:
+        import stability
+        return stability.main()
     if options:
-        raise house.Trouble(f"bench takes no option {options[0]}")
+        raise house.Trouble(f"bench: {' '.join(options)}: it takes no option but --stability")
+    import benchmark
     return benchmark.main()
 
 

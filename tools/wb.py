@@ -26,6 +26,7 @@ HELP = """The Joint Workbook
   ./wb see [2]         the page that plays the motion: yours beside the solution's
 
   ./wb bench           error against run time
+  ./wb bench --stability   what is stiff, extreme or redundant: which method holds what
   ./wb docs            the documentation as a site
 """
 

@@ -3,7 +3,7 @@
 
 namespace joints {
 
-// ---- an error fed back as a velocity -------------------------------------------------------------
+// ---- an error fed back as a velocity -----------------------------------------------------------
 
 real bias(real C, real beta, real h) {
   // begin [exercise 6.1]
@@ -26,7 +26,7 @@ real beta_for(real half_time, real h) {
   // end [exercise 6.1]
 }
 
-// ---- beginning with the impulses of the last step ------------------------------------------------
+// ---- beginning with the impulses of the last step ----------------------------------------------
 
 void warm_start(const Jacobian<3>& J, real ratio, vec3& lambda, Body& body1, Body& body2) {
   // begin [exercise 6.2]
@@ -43,7 +43,7 @@ bool warm_start_is_safe(real rho, int sweeps, real beta) {
   // end [exercise 6.2]
 }
 
-// ---- the places put right themselves -------------------------------------------------------------
+// ---- the places put right themselves -----------------------------------------------------------
 
 void project(const Point& point, Body& body1, Body& body2) {
   // begin [exercise 6.3]

@@ -11,17 +11,19 @@ namespace joints::chapter6 {
 constexpr real h = real(1) / 60;  // [s]
 
 // What the command line says.
-struct Options6 {
-  int iterations = 30;      // sweeps a step
-  real beta = real(0.15);   // share of the error fed back in a step [1]
-  double seconds = 10;      // how long the pendulums swing [s]
-  std::string out;          // folder of tables and recordings
+struct Choice {
+  int iterations = 30;     // sweeps a step
+  real beta = real(0.15);  // share of the error fed back in a step [1]
+  double seconds = 10;     // how long the scenes run [s]
+  std::string out;         // folder of tables and recordings
 };
 
-// One joint: drift, decay, energy, leftover spin, rope. (one_joint.cpp)
-void one_joint(const Options6& options, std::vector<Summary>& lines);
-// Many joints: warm start, beta in a chain, rods that contradict, a chain between two walls, the
-// methods side by side. (many_joints.cpp)
-void many_joints(const Options6& options, std::vector<Summary>& lines);
+// One joint and an error: drift, decay, energy, leftover spin, a rope. (one_joint.cpp)
+void one_joint(const Choice& choice, std::vector<Summary>& lines);
+// Many joints: beta and the warm start in a chain, rods that contradict each other, the methods
+// side by side. (many_joints.cpp)
+void many_joints(const Choice& choice, std::vector<Summary>& lines);
+// The thesis' chain of four links whose ends cannot move, kicked. (between_walls.cpp)
+void between_walls(const Choice& choice, std::vector<Summary>& lines);
 
 }  // namespace joints::chapter6

@@ -120,6 +120,10 @@ inline Quantity asin(Quantity a) { return of_pure("arc sine", std::asin, a); }
 inline Quantity acos(Quantity a) { return of_pure("arc cosine", std::acos, a); }
 inline Quantity atan(Quantity a) { return of_pure("arc tangent", std::atan, a); }
 inline Quantity exp(Quantity a) { return of_pure("exponential", std::exp, a); }
+inline Quantity exp2(Quantity a) { return of_pure("exponential", std::exp2, a); }
+inline Quantity expm1(Quantity a) { return of_pure("exponential", std::expm1, a); }
+inline Quantity log(Quantity a) { return of_pure("logarithm", std::log, a); }
+inline Quantity log1p(Quantity a) { return of_pure("logarithm", std::log1p, a); }
 inline Quantity floor(Quantity a) { return of_pure("whole part", std::floor, a); }
 inline Quantity ceil(Quantity a) { return of_pure("whole part", std::ceil, a); }
 inline Quantity round(Quantity a) { return of_pure("whole part", std::round, a); }
@@ -127,6 +131,12 @@ inline Quantity abs(Quantity a) { return {std::abs(a.value), a.unit, a.measured}
 inline Quantity fabs(Quantity a) { return abs(a); }
 inline Quantity pow(Quantity a, double n) {
   return {std::pow(a.value, n), combined(a.unit, float(n), {}, 0), a.measured};
+}
+inline Quantity pow(Quantity a, Quantity n) {
+  if (n.unit != Unit{})
+    throw UnitError("raising to the power of " + in_words(n.unit), {}, n.unit);
+  return {std::pow(a.value, n.value), combined(a.unit, float(n.value), {}, 0),
+          a.measured || n.measured};
 }
 inline Quantity sqrt(Quantity a) { return pow(a, 0.5); }
 inline Quantity atan2(Quantity y, Quantity x) {
@@ -149,6 +159,7 @@ namespace std {
 using joints::sin, joints::cos, joints::tan, joints::asin, joints::acos, joints::atan, joints::exp;
 using joints::floor, joints::ceil, joints::round, joints::abs, joints::fabs, joints::pow;
 using joints::sqrt, joints::atan2, joints::remainder, joints::fmod, joints::isfinite, joints::isnan;
+using joints::exp2, joints::expm1, joints::log, joints::log1p;
 
 template <>
 struct numeric_limits<joints::Quantity> : numeric_limits<double> {};

@@ -1,0 +1,129 @@
+// The stability suite: seventeen cases of what is stiff, extreme, redundant or out of order, each a
+// function that tells its lines one by one. `./wb bench --stability` runs them all.
+#pragma once
+
+#include <limits>
+
+#include "bench/runner.h"
+#include "engine/sequential_impulses.h"
+
+/// \addtogroup bench
+/// @{
+namespace joints::bench {
+
+/// What a line leaves empty.
+inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// A line of the table: what was done, what was expected, what came out.
+struct Line {
+  std::string id{};         ///< X1 to X17
+  std::string method{};     ///< solver and setting, or what else was varied in words
+  std::string parameter{};  ///< what `value` is, with its unit
+  double value = none;
+  double expected = none, measured = none;
+  std::string status{};  ///< of a scene that was run: its word; of a number that is known: ok, off
+  double gap_rms = none, gap_max = none;           ///< [m]
+  double energy_drift = none, energy_peak = none;  ///< at the end, and the highest on the way [1]
+  double rho = none;        ///< what a sweep leaves in the long run, motions the scene can have [1]
+  double criterion = none;  ///< warm: 1 where rho^k (1 + beta) < 1, else 0
+  double rho_any = none;    ///< rho of any motion, also against the hinges' axes [1]
+};
+using Tell = std::function<void(const Line&)>;  ///< is told every line as soon as it is known
+
+/// A case of the suite.
+struct Case {
+  std::string id, what;
+  std::function<void(bool quick, const Tell&)> run;  ///< quick: few values
+};
+/// All of them, X1 to X17; some have two entries.
+std::vector<Case> cases();
+
+// ---- lines --------------------------------------------------------------------------------------
+
+/// The line of a number that is known: ok where the two are at most `tolerance` apart, else off,
+/// nan where the measured one is no number.
+Line compared(Line line, double expected, double measured, double tolerance);
+/// The line of a rule: ok where it holds, else off, nan where the measured number is none.
+Line judged(Line line, double measured, bool holds);
+/// The line of a scene that was run. Energy that was gained on the way counts, too, even where it
+/// is lost again at the end.
+Line of_run(Line line, const Result& result);
+/// A tolerance that depends on the kind of number.
+inline double digits(double in_double, double in_float) {
+  return sizeof(real) == 8 ? in_double : in_float;
+}
+
+// ---- methods ------------------------------------------------------------------------------------
+
+/// A setting of the solver, as the rows of the maps have it.
+struct Method {
+  std::string name{};
+  int iterations = 30;   ///< sweeps a step, or a substep
+  bool warm = false;
+  real beta = real(0.2);
+  int projections = 0;
+  int substeps = 1;
+  bool whole = true;     ///< hinges as one block of five rows, not of three and of two
+};
+/// The methods of the maps, beta 0.2 where they name none; 0 with projection, if they do not say
+/// another. The last one is for hinges only.
+std::vector<Method> methods();
+/// As a setting of the runner.
+Setting setting_of(const Method& method);
+
+/// What a sweep leaves of the error in the long run [1]: the blocks of the first step are swept
+/// until what a sweep changes is rounding. Where that takes more than `most` sweeps it is a lower
+/// bound.
+double sweep_rate(World& world, int most);
+/// Gives all bodies of a scene velocities, so that no mode of the sweeps is missing.
+/// \param planar only those that its forbidden direction leaves: a plane chain stays plane
+void kick(Scene& scene, bool planar);
+
+/// The rates of a scene's sweeps, each a lower bound where it is very close to 1.
+struct Rates {
+  double possible;  ///< of the motions that the scene can have: what the criterion asks for
+  double any;       ///< of any motion
+};
+/// Measures both on the first step of the scene.
+Rates rates_of(const MakeScene& make);
+/// Puts rho and the criterion into the line of a warm method.
+void add_criterion(Line& line, const Method& method, const Rates& rates);
+
+/// Steps a small world and watches that it stays finite.
+struct Watch {
+  World& world;
+  SequentialImpulses solver{};
+  bool finite = true;
+  void step(real h) {
+    solver.step(world, h);
+    finite = finite && all_finite(world);
+  }
+  /// The number, or NaN where a body was not finite at some time.
+  double seen(double number) const { return finite ? number : none; }
+};
+
+// ---- the cases ----------------------------------------------------------------------------------
+
+void mass_ratios(bool quick, const Tell& tell);         ///< X1, the map
+void feedback_of_one(bool quick, const Tell& tell);     ///< X2, one joint
+void feedback_of_many(bool quick, const Tell& tell);    ///< X2, the map
+void steps(bool quick, const Tell& tell);               ///< X3, the map
+void truncation(bool quick, const Tell& tell);          ///< X3, one hinge, down to rounding
+void lengths(bool quick, const Tell& tell);             ///< X4, the map
+void coincident_points(bool quick, const Tell& tell);   ///< X5
+void static_bodies(bool quick, const Tell& tell);       ///< X6
+void bent_hinges(bool quick, const Tell& tell);         ///< X7
+void spinning(bool quick, const Tell& tell);            ///< X8, a free box
+void spinning_hinge(bool quick, const Tell& tell);      ///< X8
+void far_away(bool quick, const Tell& tell);            ///< X9
+void masses_apart(bool quick, const Tell& tell);        ///< X10
+void limits_hit(bool quick, const Tell& tell);          ///< X11
+void motors(bool quick, const Tell& tell);              ///< X12
+void motors_into_limits(bool quick, const Tell& tell);  ///< X13
+void redundant(bool quick, const Tell& tell);           ///< X14
+void sweep_rates(bool quick, const Tell& tell);         ///< X15
+void bad_input(bool quick, const Tell& tell);           ///< X16
+void a_long_time(bool quick, const Tell& tell);         ///< X17
+
+}  // namespace joints::bench
+/// @}

@@ -1,0 +1,53 @@
+// The units of chapter 6's exercises.
+#include "chapters/06_baumgarte/baumgarte.h"
+#include "tests/units/units.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+const Jacobian<3> J = jacobian_from_blocks(mat3(-1), skew(lever1), mat3(1), -skew(lever2));
+
+// Ways to places, angles to turns, and no velocity anywhere.
+void keeps_poses(const Body& body) {
+  expect_unit("the place x", body.x, m);
+  expect_unit("the orientation q", body.q, pure);
+  expect_unit("the velocity v", body.v, m / s);
+  expect_unit("the angular velocity w", body.w, 1 / s);
+}
+}  // namespace
+
+TEST_CASE("6.1 an error over a step is a velocity", "[6.1]") {
+  has_unit("the bias", m / s, [] { return bias(real(0.02) * m, real(0.15) * pure, h); });
+  has_unit("the bias of an angle", 1 / s,
+           [] { return bias(real(0.02) * pure, real(0.15) * pure, h); });
+  for (const real C : {real(-0.02), real(0.02)})
+    has_unit("the bias of a limit", m / s,
+             [&] { return limit_bias(C * m, real(0.15) * pure, h); });
+}
+
+TEST_CASE("6.1 beta is a share", "[6.1]") {
+  has_unit("beta", pure, [] { return beta_for(real(0.5) * s, h); });
+}
+
+TEST_CASE("6.2 a warm start gives impulses and keeps impulses", "[6.2]") {
+  vec3 lambda = direction1 * (kg * m / s);
+  keeps_velocities("the warm start", [&](Body& a, Body& b) {
+    warm_start(J, real(0.5) * pure, lambda, a, b);
+  });
+  expect_unit("lambda", lambda, kg * m / s);
+  in("warm_start_is_safe", [] { return warm_start_is_safe(real(0.5) * pure, 4, pure / 5); });
+}
+
+TEST_CASE("6.3 projection adds ways to places and angles to turns", "[6.3]") {
+  Body a = body1, b = body2;
+  in("the projection of a point", [&] { project(Point{lever1, lever2}, a, b); });
+  keeps_poses(a);
+  keeps_poses(b);
+  in("the projection of a rope", [&] { project(Rope<Distance>{{lever1, lever2, m}}, a, b); });
+  keeps_poses(a);
+  keeps_poses(b);
+  Chain chain{{body1, body2}, {{lever1, lever2}}};
+  in("the sweep", [&] { projection_sweep(chain); });
+  keeps_poses(chain.bodies[1]);
+}

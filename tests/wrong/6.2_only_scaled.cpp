@@ -1,0 +1,2 @@
+// expects: Likely mistake: nothing is applied: lambda is scaled
+  lambda *= ratio;

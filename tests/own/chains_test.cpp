@@ -1,5 +1,5 @@
-// The stability suite, cases X1, X3, X4 and X15: chains with a heavy end, shorter and shorter steps,
-// a long chain of hinges cold and warm.
+// The stability suite, cases X1, X3, X4 and X15: chains with a heavy end, ever shorter steps, and a
+// long chain of hinges cold and warm.
 #include "bench/runner.h"
 #include "tests/catch.h"
 #include "tests/own/rigs.h"
@@ -106,7 +106,7 @@ struct Cubes {
 };
 
 const Way cold{"cold", 30, false, 0, real(0.2)}, warm{"warm", 30, true, 0, real(0.2)},
-    projected{"projected", 30, true, 4, 0};
+    projected{"projected", 30, true, 1, 0};
 
 }  // namespace
 

@@ -62,7 +62,7 @@ std::vector<real> ten_links(real tip = 1) {
   return masses;
 }
 
-// Modulus of the slowest root for a mode of which k sweeps leave the share eta, warm, with feedback:
+// Modulus of the slowest root for a mode of which k sweeps leave the share eta, warm, fed back:
 // z^3 - (1 + 2 eta - (1 - eta) beta) z^2 + 3 eta z - eta = 0.
 double growth_of_a_mode(double eta, double beta) {
   Eigen::Matrix3d companion;
@@ -238,7 +238,8 @@ TEST_CASE("I26 a cold chain of ten sags joint by joint by what the formula says"
       const double gap = double(joint.part.error(hanging.world.bodies[joint.body1],
                                                  hanging.world.bodies[joint.body2]).y);
       largest = std::max(largest, std::abs(gap));
-      CHECK(gap == Approx(C[3 * long(k) + 1]).epsilon(tolerance(1e-4, 1e-2)));
+      CHECK(gap == Approx(C[3 * long(k) + 1])
+                       .epsilon(tolerance(1e-4, 1e-2)).margin(tolerance(1e-12, 2e-5)));
     }
     CHECK(largest > 1e-3);
   }
@@ -259,13 +260,15 @@ TEST_CASE("E47 a hinge at its limit in blocks apart does as the criterion says",
     for (int step = 0; step < 1200; ++step) {
       crane.solver.step(crane.world, h);
       if (!all_finite(crane.world)) return std::pair{kept, 1e30};
-      if (step >= 1100) late = std::max(late, std::abs(crane.in_degrees()) - 60);
+      const double past = std::abs(crane.in_degrees()) - 60;
+      if (step >= 1100) late = std::max(late, past);
+      if (length(crane.world.bodies[crane.cube].v) > 1e4) return std::pair{kept, 1e30};
     }
     return std::pair{kept, late};
   };
   const auto [kept, late] = beyond(false, 1, real(0.2));
   CHECK(kept == Approx(1.2 * 27 / 29).epsilon(1e-4));
-  CHECK(late > 1000);  // degrees: it has been thrown out
+  CHECK(late > 1e29);  // it has been thrown out at more than 1e4 m/s
   for (const auto& [sweeps, beta] : {std::pair{10, 0.2}, {30, 0.2}, {1, 0.0}}) {
     const auto [apart, rests] = beyond(false, sweeps, real(beta));
     CHECK(apart < 0.95);

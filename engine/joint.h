@@ -29,6 +29,9 @@ class Joint {
   /// Appends the live blocks at the bodies' present poses. Has no side effect, so that it may be
   /// asked again at other poses.
   virtual void append(const Bodies& bodies, Blocks& blocks) const = 0;
+  /// Called when the bodies were moved without a velocity (position projection), before the blocks
+  /// are asked for at the new poses: a joint that counts turns looks again.
+  virtual void moved(const Bodies& bodies);
   /// Called after the sweeps; appends the blocks of limits that turn out to be needed after all.
   virtual void second_look(const Bodies& bodies, real h, Blocks& blocks);
   /// The most rows that append and second_look can ever give together.

@@ -7,6 +7,7 @@ namespace joints {
 
 void Projection::sweep(World& world) {
   for (const auto& joint : world.joints()) {
+    joint->moved(world.bodies);
     if (!joint->projected) continue;
     blocks_.clear();
     blocks_.reserve(joint->most_rows());

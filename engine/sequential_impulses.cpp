@@ -22,6 +22,7 @@ void SequentialImpulses::step(World& world, real h) {
 void SequentialImpulses::begin(World& world, real h) {
   require(finite(h) && h > 0, "h: the step must be positive and finite [s]");
   require(iterations > 0, "iterations: there must be at least one");
+  require(projections >= 0, "projections: must not be negative");
   for (int slot = 0; slot < world.bodies.slots(); ++slot)
     integrate_forces(world.bodies.at(slot), world.gravity, h);
 

@@ -6,6 +6,7 @@
 namespace joints {
 
 void Joint::begin_step(const Bodies&, real h) { h_ = h; }
+void Joint::moved(const Bodies&) {}
 void Joint::second_look(const Bodies&, real, Blocks&) {}
 Joint::Extras Joint::extras() const { return {}; }
 

@@ -7,5 +7,6 @@
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
+#include "chapters/06_baumgarte/baumgarte.h"
 #include "engine/reaction.h"
 #include "engine/sequential_impulses.h"

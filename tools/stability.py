@@ -31,7 +31,8 @@ def print_table():
                           for row in rows) for word in WORDS]
             print(f"{id_:5} {real:7} " + " ".join(f"{count or '.':>8}" for count in counts)
                   + (f"  {words}" if real == "double" else ""))
-    print("\nA scene that was run is ok (gap below 1 % of a link), soft (below half), torn (above),\n"
+    print("\nA scene that was run is ok (gap below 1 % of a link), soft (below half), torn (above),"
+          "\n"
           "energy+ (over 2 % gained), exploded (over 100 %) or nan. A number that is known\n"
           "comes out ok or off. What is off:")
     for row in rows:

@@ -63,6 +63,8 @@ class DrivenJoint : public Joint {
 
   /// Counts turns, and chooses the limit that has a row in this step.
   void begin_step(const Bodies& bodies, real h) override;
+  /// Keeps the count of turns up to date while projection turns the bodies.
+  void moved(const Bodies& bodies) override;
   /// Motor, limit, rigid rows: those that are live.
   void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Adds a limit that a neighbour has driven the joint past.
@@ -115,6 +117,13 @@ void DrivenJoint<First, Second, Coordinate>::begin_step(const Bodies& bodies, re
   if (!limit_.live || !before.live || limit_.sign != before.sign) impulse_[limit_place] = 0;
   if (motor_.strength == 0) impulse_[motor_place] = 0;
   impulse_[late_place] = 0;
+}
+
+template <class First, class Second, class Coordinate>
+void DrivenJoint<First, Second, Coordinate>::moved(const Bodies& bodies) {
+  if (!limited() && motor_.strength == 0) return;
+  coordinate.expected = next_;
+  next_ = position(bodies);
 }
 
 template <class First, class Second, class Coordinate>

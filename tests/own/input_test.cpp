@@ -162,6 +162,10 @@ TEST_CASE("X16 a step without a proper length or without sweeps is refused and n
   for (int bad : {0, -1}) {
     solver.iterations = bad;
     CHECK_THAT(refusal([&] { solver.step(small.world, h); }), StartsWith("iterations:"));
+    solver.iterations = 1;
+    solver.projections = std::min(bad, -1);
+    CHECK_THAT(refusal([&] { solver.step(small.world, h); }), StartsWith("projections:"));
+    solver.projections = 0;
     CHECK(small.unchanged());
   }
 }

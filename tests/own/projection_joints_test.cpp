@@ -234,6 +234,20 @@ TEST_CASE("X13 projected without feedback a motor rests at its limit without dri
   }
 }
 
+TEST_CASE("X11 projection reaches a limit beyond half a turn and its turns are counted") {
+  for (const auto& [lower, upper] : {std::pair{5, 5}, {5, 6}, {10, 11}, {-11, -10}})
+    for (const int projections : {1, 4, 20}) {
+      Rotor rotor;
+      rotor.hinge->set_limits(real(lower), real(upper));
+      rotor.solver.projections = projections;
+      rotor.run(300, h);
+      CAPTURE(lower, upper, projections);
+      CHECK(rotor.angle() > lower - tolerance(1e-9, 1e-4));
+      CHECK(rotor.angle() < upper + tolerance(1e-9, 1e-4));
+      CHECK(std::abs(double(rotor.rotor().w.z)) < tolerance(1e-9, 1e-4));
+    }
+}
+
 TEST_CASE("a joint without projection keeps its gap and its neighbours close theirs") {
   Bars all(4), but_one(4);
   but_one.joints[2]->projected = false;

@@ -95,7 +95,8 @@ void Motion::write(const std::string& path) const {
   file << "{\"title\":" << json(title_) << ",\"dt\":" << text(h_ * every_) << ",\"bodies\":[";
   for (std::size_t i = 0; i < shapes_.size(); ++i)
     file << (i ? "," : "") << "{\"kind\":\"" << shapes_[i].kind
-         << "\",\"size\":" << triple(shapes_[i].size) << "}";
+         << "\",\"size\":" << triple(shapes_[i].size)
+         << (shapes_[i].label.empty() ? "" : ",\"label\":" + json(shapes_[i].label)) << "}";
   file << "],\"lines\":[";
   for (std::size_t i = 0; i < strokes_.size(); ++i)
     file << (i ? "," : "") << "[" << strokes_[i].body1 << "," << triple(strokes_[i].anchor1) << ","

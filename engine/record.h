@@ -33,6 +33,7 @@ class CsvFile {
 struct Shape {
   std::string kind = "box";                ///< "box" or "ball"
   std::array<double, 3> size{1, 1, 1};     ///< edges [m]; a ball's diameter in all three
+  std::string label{};                     ///< written beside it, if it is not empty
 };
 /// A line drawn from a point of one body to a point of another: rods, ropes, joints.
 struct Stroke {

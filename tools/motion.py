@@ -3,8 +3,9 @@
 
     motion.py PAGE.html --title "Chapter 1: distance" --solution DIR [--mine DIR]
 
-Every *.motion.json in the solution's folder becomes a scene of the page; where the learner's folder
-has a recording of the same name, the two play side by side.
+Every *.motion.json in the solution's folder becomes a scene of the page, in the order in which the
+program wrote them; where the learner's folder has a recording of the same name, the two play side
+by side.
 """
 import argparse
 import json
@@ -38,6 +39,7 @@ def read_run(path, label):
         check(isfinite(run["dt"]) and run["dt"] > 0, "dt is not a positive number")
         for body in run["bodies"]:
             check(body["kind"] in ("box", "ball"), f"no body is a {body['kind']!r}")
+            check(isinstance(body.get("label", ""), str), "a label is not a text")
             check(len(body["size"]) == 3 and all(map(isfinite, body["size"])), "a size is wrong")
         for one, anchor1, two, anchor2 in run["lines"]:
             check({one, two} <= set(range(count)), "a line names a body that does not exist")
@@ -65,7 +67,8 @@ def write_page(page, title, solution_dir, mine_dir=None):
         if not folder.is_dir():
             raise MotionError(f"there is no folder {folder}")
     scenes = []
-    for path in sorted(Path(solution_dir).glob("*.motion.json")):
+    recordings = Path(solution_dir).glob("*.motion.json")
+    for path in sorted(recordings, key=lambda one: (one.stat().st_mtime_ns, one.name)):
         runs = [read_run(folder / path.name, label) for folder, label in folders
                 if (folder / path.name).exists()]
         if any(run["frames"] for run in runs):

@@ -75,7 +75,7 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
   std::deque<Pendulum> all;
   for (std::size_t k = 0; k < methods.size(); ++k) {
     all.emplace_back(methods[k], vec3(0, 0, real(0.6) * real(k)), choice.iterations);
-    motion.body({"ball", {0.15, 0.15, 0.15}});
+    motion.body({"ball", {0.15, 0.15, 0.15}, methods[k].name});
     motion.body({"box", {bar_size.x, bar_size.y, bar_size.z}});
   }
   const int steps = int(std::lround(choice.seconds / double(h)));

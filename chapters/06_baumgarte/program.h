@@ -6,24 +6,29 @@
 
 #include "engine/stage.h"
 
+/// \addtogroup chapter6
+/// @{
+
+/// Chapter 6's program.
 namespace joints::chapter6 {
 
-constexpr real h = real(1) / 60;  // [s]
+constexpr real h = real(1) / 60;  ///< the step of its scenes [s]
 
-// What the command line says.
+/// What the command line says.
 struct Choice {
-  int iterations = 30;     // sweeps a step
-  real beta = real(0.15);  // share of the error fed back in a step [1]
-  double seconds = 10;     // how long the scenes run [s]
-  std::string out;         // folder of tables and recordings
+  int iterations = 30;     ///< sweeps a step
+  real beta = real(0.15);  ///< share of the error fed back in a step [1]
+  double seconds = 10;     ///< how long the scenes run [s]
+  std::string out;         ///< folder of tables and recordings
 };
 
-// One joint and an error: drift, decay, energy, leftover spin, a rope. (one_joint.cpp)
+/// One joint and an error: drift, decay, energy, leftover spin, a rope. (one_joint.cpp)
 void one_joint(const Choice& choice, std::vector<Summary>& lines);
-// Many joints: beta and the warm start in a chain, rods that contradict each other, the methods
-// side by side. (many_joints.cpp)
+/// Many joints: beta and the warm start in a chain, rods that contradict each other, the methods
+/// side by side. (many_joints.cpp)
 void many_joints(const Choice& choice, std::vector<Summary>& lines);
-// The thesis' chain of four links whose ends cannot move, kicked. (between_walls.cpp)
+/// The thesis' chain of four links whose ends cannot move, kicked. (between_walls.cpp)
 void between_walls(const Choice& choice, std::vector<Summary>& lines);
 
 }  // namespace joints::chapter6
+/// @}

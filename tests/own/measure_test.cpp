@@ -190,7 +190,7 @@ TEST_CASE("a table refuses a row of another width and writes what it was given")
 TEST_CASE("a recorded motion can be read whatever its title and wherever its bodies went") {
   const std::string path = path_of("motion.json");
   Motion motion("a \"door\" \\ slammed", 0.01, 2);
-  motion.body({"ball", {1, 1, 1}});
+  motion.body({"ball", {1, 1, 1}, "the \"one\""});
   motion.body({});
   motion.line({0, 1, {0, 1, 0}, {0, 0, 2}});
   Body bodies[] = {ball(1, 1, vec3(real(0.25), 0, 0)), static_body(vec3(3))};
@@ -202,6 +202,8 @@ TEST_CASE("a recorded motion can be read whatever its title and wherever its bod
   Json json{contents(path)};
   CHECK(json.whole());
   CHECK(json.text.find("\"dt\":0.02") != std::string::npos);
+  CHECK(json.text.find("[1,1,1],\"label\":\"the \\\"one\\\"\"},{\"kind\":\"box\",\"size\":[1,1,1]}") !=
+        std::string::npos);
   CHECK(json.text.find("[0,[0,1,0],1,[0,0,2]]") != std::string::npos);
   CHECK(json.text.find("[0.25,0,0,1,0,0,0,3,3,3,1,0,0,0]") != std::string::npos);
   CHECK_THROWS_AS(Motion("no frames", 0.01, 0), std::invalid_argument);

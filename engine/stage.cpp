@@ -55,6 +55,7 @@ Summary play(Stage& stage, const std::string& setting, double seconds,
     motion.line({mark.body1, mark.body1, {0, 0, 0}, {a.x, a.y, a.z}});
     motion.line({mark.body2, mark.body2, {0, 0, 0}, {b.x, b.y, b.z}});
   }
+  for (const Stroke& stroke : stage.strokes) motion.line(stroke);
   StepClock clock;
   GapMeter gaps;
   std::vector<Pose> now;

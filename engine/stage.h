@@ -19,6 +19,7 @@ struct Stage {
   SequentialImpulses solver{};    ///< with its settings
   std::vector<Mark> marks{};      ///< one a joint: what should stay together
   std::vector<Shape> shapes{};    ///< one a body, in their order
+  std::vector<Stroke> strokes{};  ///< lines of the recording, beside those of the marks
   double energy_scale = 1;        ///< what the change of the energy is divided by [J]
   real h = real(1) / 60;          ///< the step [s]
 

@@ -193,7 +193,7 @@ def draw_warm(solution, mine, out):
         return metres(np.max(rows(table, start=start, iterations=count)["size_m"][-60:]))
     figure, (left, right) = style.figure(
         f"With {many:g} sweeps a warm start takes the sag from {end('cold', many)} to "
-        f"{end('warm', many)}; with {few:g} it ends at {end('warm', few)}", 2)
+        f"{end('warm', many)}; with {few:g} it swings by {end('warm', few)}", 2)
     left.set_yscale("log")
     over_time(left, solution[0], mine and mine[0], "size_m", "setting", decades=12)
     left.set(ylabel="last cube out of place  [m]", title="ten cubes" + whose(mine))
@@ -236,14 +236,15 @@ def draw_rods(solution, mine, out):
 
 def draw_between(solution, mine, out):
     table, rate = mine or solution
+    table = style.peaks(table, "method")
     calm = [(np.max(part["speed_m_s"][part["time_s"] > part["time_s"].max() - 1]), name)
             for name, part, _, _ in parts(table, "method")]
     figure, (left, right) = style.figure(
-        f"Kicked between two walls: in the end {max(calm)[1]} still moves with "
-        f"{max(calm)[0]:.1f} m/s, {min(calm)[1]} with {min(calm)[0]:.1f} m/s", 2)
+        f"Kicked between two walls: in the last second {max(calm)[1]} still reaches "
+        f"{max(calm)[0]:.1f} m/s, {min(calm)[1]} {min(calm)[0]:.2f} m/s", 2)
     over_time(left, table, None, "gap_max_m", "method", visible)
     over_time(right, table, None, "speed_m_s", "method")
-    left.set(yscale="log", ylabel="largest gap  [m]", title="gap")
+    left.set(yscale="log", ylabel="largest gap  [m]", title="gap, peaks of a third of a second")
     right.set(ylabel="fastest link  [m/s]", title="speed")
     inset = right.inset_axes((0.5, 0.64, 0.48, 0.28))
     inset.plot(rate["bend_rad"], rate["rho"], color=INK, marker="o", markersize=3, linewidth=0.8)
@@ -253,7 +254,7 @@ def draw_between(solution, mine, out):
     for bend, rho, rank in zip(*(rate[name][stuck] for name in ("bend_rad", "rho", "rank"))):
         inset.annotate(f"rank\n{rank:g} of {rate['rank'].max():g}", (bend, rho), fontsize=7,
                        xytext=(-2, -28), textcoords="offset points", color=COLOURS[0])
-    inset.set_title("a sweep leaves", fontsize=7.5, pad=3)
+    inset.set_title("share that a sweep leaves", fontsize=7.5, pad=3)
     inset.set_xlabel("bend of the links  [rad]", fontsize=7.5, labelpad=1)
     inset.tick_params(labelsize=7)
     finish(figure, out / "06_between", left, right)

@@ -200,9 +200,11 @@ void rods(const Choice& choice) {
       for (int i = 0; i < 10; ++i) {
         const BodyId id = stage.box(i == 0 || i == 9 ? 0 : 100, vec3(1),
                                     vec3(real(2 * i - 9), 0, 0));
-        if (i > 0)
+        if (i > 0) {
           stage.world.add<CentreDistanceJoint>(before, id, CentreDistance{real(2.3)}).beta =
               method.beta;
+          stage.strokes.push_back({i - 1, i, {}, {}});
+        }
         before = id;
       }
       double peak = 0, gap = 0;
@@ -244,6 +246,7 @@ void side_by_side(const Choice& choice, std::vector<Summary>& lines) {
       chain.stage.h = h / real(method.substeps);
       chain.stage.solver.iterations = iterations / method.substeps;
       chain.stage.solver.projections = method.projections;
+      if (&method == methods && iterations == 5) chain.stage.print_plan();
       Summary line = play(chain.stage, method.name + ", " + std::to_string(iterations), 5);
       line.us_per_step *= method.substeps;
       table.row({method.name}, {double(iterations), line.gap_rms, line.gap_max, line.energy_drift,

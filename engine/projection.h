@@ -11,7 +11,8 @@ namespace joints {
 /// blocks at the present poses, and moves its two bodies by M^-1 J^T K^-1 (-C), so that C is zero
 /// to first order; velocities stay as they are. A one-sided row moves them only where it is
 /// violated.
-/// Source: the thesis, section 6; Catto, "Box2D" 2007, calls it nonlinear Gauss-Seidel.
+/// Source: the thesis, section 6; Catto, Position Correction Notes (in the source of Box2D 2), who
+/// calls it nonlinear Gauss-Seidel.
 class Projection {
  public:
   real longest_move = real(0.2);  ///< a block moves a centre no further than this in a visit [m]

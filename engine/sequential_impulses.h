@@ -32,6 +32,7 @@ class SequentialImpulses {
 
   /// Moves the world on by one step. Allocates only when the world has grown since the last step.
   /// \param h step [s] \throws std::invalid_argument unless h and the iterations are positive
+  /// and the projections not negative
   void step(World& world, real h);
 
   // The pieces of a step, for those who measure between the sweeps (chapter 2, tests).

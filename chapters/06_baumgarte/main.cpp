@@ -16,8 +16,9 @@ using namespace joints::chapter6;
 
 namespace {
 
-void print_plan(const std::string& name, int chains, int links) {
+void print_plan(const std::string& name, int chains, int links, bool warm) {
   Plan plan;
+  plan.warm_start = warm;
   plan.bodies = chains * (links + 1);
   plan.static_bodies = chains;
   plan.blocks = chains * links;
@@ -68,7 +69,7 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
   std::snprintf(chosen, sizeof chosen, "beta %g", double(choice.beta));
   const std::vector<Method> methods{{"beta 0", 0, 0}, {chosen, choice.beta, 0},
                                     {"beta 1", 1, 0}, {"projection", 0, 1}};
-  print_plan("pendulums", int(methods.size()), 1);
+  print_plan("pendulums", int(methods.size()), 1, false);
   CsvFile table(choice.out + "/pendulums.csv",
                 {"method", "time_s", "gap_m", "energy_change", "off_engine_m"});
   Motion motion("pendulums", double(h));
@@ -81,8 +82,8 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
   const int steps = int(std::lround(choice.seconds / double(h)));
   std::vector<Body> frame;
   std::vector<StepClock> clocks(methods.size());
-  for (std::size_t k = 0; k < methods.size(); ++k)
-    lines.push_back({"pendulums", methods[k].name, 0, 0, 0, 0});
+  std::vector<Summary> found;
+  for (const Method& method : methods) found.push_back({"pendulums", method.name, 0, 0, 0, 0});
   for (int n = 0; n <= steps; ++n) {
     frame.clear();
     for (std::size_t k = 0; k < methods.size(); ++k) {
@@ -95,7 +96,7 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
       }
       const double gap = pendulum.gap(), change = pendulum.energy() / (9.81 * 0.5);
       table.row({methods[k].name}, {n * double(h), gap, change, pendulum.off_engine()});
-      Summary& line = lines[lines.size() - methods.size() + k];
+      Summary& line = found[k];
       line.gap_rms += gap * gap / (steps + 1);
       line.gap_max = std::max(line.gap_max, gap);
       line.energy_drift = change;
@@ -104,9 +105,9 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
     motion.frame(frame.data());
   }
   for (std::size_t k = 0; k < methods.size(); ++k) {
-    Summary& line = lines[lines.size() - methods.size() + k];
-    line.gap_rms = std::sqrt(line.gap_rms);
-    line.us_per_step = clocks[k].median_us();
+    found[k].gap_rms = std::sqrt(found[k].gap_rms);
+    found[k].us_per_step = clocks[k].median_us();
+    lines.push_back(found[k]);
   }
   motion.write(choice.out + "/pendulums.motion.json");
 }
@@ -118,8 +119,8 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
 void hanging(const Choice& choice) {
   CsvFile table(choice.out + "/hanging.csv", {"start", "iterations", "time_s", "sag_m"});
   const int links = 10;
-  print_plan("hanging", 1, links);
-  for (const bool warm : {false, true})
+  for (const bool warm : {false, true}) {
+    print_plan("hanging", 1, links, warm);
     for (const int iterations : {4, 10}) {
       OwnLoop own;
       own.settings = {.beta = choice.beta, .warm = warm, .iterations = iterations};
@@ -135,6 +136,7 @@ void hanging(const Choice& choice) {
                                              -links - double(own.chain.bodies.back().x.y)});
       }
     }
+  }
 }
 
 }  // namespace
@@ -152,6 +154,7 @@ int main(int argc, char** argv) {
     pendulums(choice, lines);
     hanging(choice);
     one_joint(choice, lines);
+    in_a_chain(choice);
     many_joints(choice, lines);
     between_walls(choice, lines);
     report(lines, choice.out);

@@ -24,8 +24,9 @@ struct Choice {
 
 /// One joint and an error: drift, decay, energy, leftover spin, a rope. (one_joint.cpp)
 void one_joint(const Choice& choice, std::vector<Summary>& lines);
-/// Many joints: beta and the warm start in a chain, rods that contradict each other, the methods
-/// side by side. (many_joints.cpp)
+/// Beta and the warm start in a chain. (in_a_chain.cpp)
+void in_a_chain(const Choice& choice);
+/// Many joints: rods that contradict each other, the methods side by side. (many_joints.cpp)
 void many_joints(const Choice& choice, std::vector<Summary>& lines);
 /// The thesis' chain of four links whose ends cannot move, kicked. (between_walls.cpp)
 void between_walls(const Choice& choice, std::vector<Summary>& lines);

@@ -27,7 +27,7 @@ constexpr int links = 21;  // bodies of the chain of X2 and X3, the static one i
 }  // namespace
 
 void mass_ratios(bool quick, const Tell& tell) {
-  for (double ratio : some(quick, {1, 10, 100, 1000, 1e4, 1e5, 1e6}, {1, 1e6})) {
+  for (double ratio : some(quick, {1, 10, 30, 100, 300, 1000, 1e4, 1e5, 1e6}, {1, 1e6})) {
     const MakeScene make = [=] { return heavy_end_unreferenced(ratio); };
     const Rates rates = rates_of(make);
     for (const Method& method : methods())

@@ -67,10 +67,14 @@ std::vector<Method> methods() {
           {.name = "cold 30, beta 1", .beta = 1},
           {.name = "cold 30, beta 1, projection 1", .beta = 1, .projections = 1},
           {.name = "warm 30, projection 1", .warm = true, .beta = 0, .projections = 1},
+          {.name = "warm 30, projection 4", .warm = true, .beta = 0, .projections = 4},
           {.name = "cold 30, projection 1", .beta = 0, .projections = 1},
           {.name = "cold 30, projection 4", .beta = 0, .projections = 4},
+          {.name = "4 substeps of 8, beta 1", .iterations = 8, .beta = 1, .substeps = 4},
           {.name = "16 substeps of 2", .iterations = 2, .substeps = 16},
+          {.name = "16 substeps of 2, beta 1", .iterations = 2, .beta = 1, .substeps = 16},
           {.name = "16 substeps of 4", .iterations = 4, .substeps = 16},
+          {.name = "64 substeps of 1", .iterations = 1, .substeps = 64},
           {.name = "cold 30, apart", .whole = false}};
 }
 

@@ -70,8 +70,9 @@ def draw_cell(ax, column, line, row, other):
                                  color=WORD.get(status, INK), linewidth=0))
 
 
-def draw_map(rows, parameter, label, title, path, value_words=lambda value: f"{value:g}"):
-    """Methods down, values across."""
+def draw_map(rows, parameter, link, label, title, path,
+             value_words=lambda value: f"{value:g}"):
+    """Methods down, values across; a link is so many metres long."""
     table, methods, values = chosen(rows, parameter)
     in_float = chosen(rows, parameter, "float")[0]
     figure, ax = plt.subplots(figsize=(style.WIDTH, 1.3 + 0.43 * len(methods)),
@@ -88,8 +89,8 @@ def draw_map(rows, parameter, label, title, path, value_words=lambda value: f"{v
     ax.grid(False)
     for side in ("left", "bottom"):
         ax.spines[side].set_visible(False)
-    note = ("largest gap; ok: below 1 % of a link, soft: below half of one, torn: above; "
-            "energy+: over 2 % gained, exploded: over 100 %")
+    note = (f"largest gap; ok: below 1 % of a link ({size(link / 100)}), soft: below half of one, "
+            "torn: above; energy+: over 2 % of energy gained, exploded: over 100 %")
     more = []
     if any(row["criterion"] == 0 for row in table.values()):
         more.append(r"corner: warm and $\rho^k (1+\beta) \geq 1$")
@@ -107,9 +108,9 @@ def mass_ratio(rows, out):
     holds = {method: furthest(table, method, values, HOLDS) or 0 for method in methods}
     best = max(methods, key=holds.get)
     others = max(holds[method] for method in methods if "substeps" not in method)
-    draw_map(rows, parameter, "mass of the end / mass of a link (20 links on balls let go level, "
-             "h = 1/60 s, 5 s)",
-             f"Mass ratio: without substeps nothing holds beyond {others:g} to 1, "
+    draw_map(rows, parameter, 0.5, "mass of the end / mass of a link (20 links on balls let go "
+             "level, h = 1/60 s, 5 s)",
+             f"Mass ratio: of these, nothing without substeps holds beyond {others:g} to 1, "
              f"{best} up to {holds[best]:g} to 1", out / "stability_mass_ratio",
              lambda value: rf"$10^{{{np.log10(value):.0f}}}$" if value >= 1e4 else f"{value:g}")
 
@@ -124,7 +125,7 @@ def step(rows, out):
     plain = "cold 30" if "cold 30" in methods else methods[0]
     said = [f"{method} from {fraction(coarsest(method))} s on" if coarsest(method) else
             f"{method} never" for method in (plain, best)]
-    draw_map(rows, parameter, "step h [s] (chain of 20 hinges let go level, 5 s)",
+    draw_map(rows, parameter, 1.5, "step h [s] (chain of 20 hinges let go level, 5 s)",
              f"Step: gaps below 1 % of a link with {said[0]}, with {said[1]}",
              out / "stability_step", fraction)
 
@@ -142,7 +143,7 @@ def beta(rows, out):
         return f"up to {last:g}" if last else "nowhere"
     pair = [method for method in ("cold 30", "warm 30", "warm 3") if method in methods]
     said = ", ".join(f"{method} {without_gain(method)}" for method in pair)
-    draw_map(rows, parameter, r"$\beta$ (chain of 20 hinges let go level, h = 1/60 s, 5 s)",
+    draw_map(rows, parameter, 1.5, r"$\beta$ (chain of 20 hinges let go level, h = 1/60 s, 5 s)",
              f"Beta without a gain of energy: {said}", out / "stability_beta")
 
 
@@ -153,7 +154,8 @@ def length(rows, out):
     warm = f"warm 30 gains energy from {gains[0]:g} links on" if gains else "warm 30 holds all"
     at_end = table["cold 30", values[-1]]
     best = min(methods, key=lambda method: table[method, values[-1]]["gap_max_m"])
-    draw_map(rows, parameter, "links of the chain (hinges, let go level, h = 1/60 s, 5 s)",
+    draw_map(rows, parameter, 1.5, "links of the chain (hinges, let go level, h = 1/60 s, 5 s: "
+             "from 100 on it is still falling then)",
              f"Length: {warm}; at {values[-1]:g} cold 30 leaves {size(at_end['gap_max_m'])}, "
              f"{best} {size(table[best, values[-1]]['gap_max_m'])}", out / "stability_length")
 

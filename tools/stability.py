@@ -43,7 +43,7 @@ def print_table():
 
 
 def main():
-    print("the stability suite: about three minutes", flush=True)
+    print("the stability suite: about three and a half minutes", flush=True)
     house.must_build(["stability", "stability_float"])
     show.run_bench("stability", [], show.STABILITY)
     show.run_bench("stability_float", ["--append", "1"], show.STABILITY)

@@ -89,7 +89,8 @@ def draw_map(rows, parameter, link, label, title, path,
     ax.grid(False)
     for side in ("left", "bottom"):
         ax.spines[side].set_visible(False)
-    note = f"largest gap; ok: below 1 % of a link ({size(link / 100)}), soft: below half, torn: above"
+    note = (f"largest gap; ok: below 1 % of a link ({size(link / 100)}), soft: below half, "
+            "torn: above")
     more = ["energy+: over 2 % of energy gained, exploded: over 100 %"]
     if any(row["criterion"] == 0 for row in table.values()):
         more.append(r"corner: warm and $\rho^k (1+\beta) \geq 1$")

@@ -199,6 +199,8 @@ inline CaseTable<HalfTimeCase> half_time_table() {
        [](const Case& c) { return Numbers{1 - std::exp2(-c.h)}; }},
       {"1/60 in the place of h: a step need not be 1/60 s",
        [](const Case& c) { return Numbers{1 - std::exp2(-1 / (60 * c.half_time))}; }},
+      {"h/T is cut to a whole number: it is a real, a step is a part of a half-time",
+       of_ratio([](double t) { return 1 - std::exp2(-std::floor(t)); })},
       {"it is always 1: 1/2 of whole numbers is 0, write real(0.5) or std::exp2",
        of_ratio([](double) { return 1.0; })},
       {"this is a half in every step: h/T is forgotten", of_ratio([](double) { return 0.5; })}};

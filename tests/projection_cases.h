@@ -6,6 +6,10 @@
 
 namespace joints::testing {
 
+inline bool near_one(real a) { return std::abs(double(a) - 1) <= rounding; }
+inline constexpr const char* no_sum =
+    "a sum of quaternions is no orientation: take turned(q, w, 1), which normalises it";
+
 template <class Part>
 CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
                                        std::vector<VisitCase<Part>> cases) {
@@ -25,14 +29,16 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
     };
   };
   // what a mistake does to the velocities: of the moves and the velocities before
-  const auto velocities = [=](bool poses_stay, auto change) {
+  const auto velocities = [=](auto poses, auto change) {
     return [=](const Case& c) {
       const Twin twin(c.part, c.pair);
       if (Part::one_sided && twin.C[0] >= 0) return of({});
-      const Moves a = twin.moves();
-      return of(poses_stay ? Moves{} : a, change(a, velocities_of(c.pair)));
+      const Moves a = twin.moves(), b = velocities_of(c.pair);
+      return of(poses(a, b), change(a, b));
     };
   };
+  const auto the_moves = [](const Moves& a, const Moves&) { return a; };
+  const auto no_moves = [](const Moves&, const Moves&) { return Moves{}; };
   const auto pushed = [=](auto lambda) {
     return changed([=](const Twin& twin, const Moves&) {
       return response<n>(twin.J, lambda(twin), twin.pair);
@@ -74,14 +80,20 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
            !close(yours(c), of({}), difference_tolerance);
   });
 
+  const bool normal = std::all_of(cases.begin(), cases.end(), [](const Case& c) {
+    Pair after = c.pair;
+    project(c.part, after.body1, after.body2);
+    return near_one(length(after.body1.q)) && near_one(length(after.body2.q));
+  });
+
   CaseTable<Case> table{subject,
                         {"move of 1", "turn of 1", "move of 2", "turn of 2", "change of v1",
                          "change of w1", "change of v2", "change of w2"},
                         yours, right, {}, cases};
   table.tolerance = difference_tolerance;
   auto& add = table.mistakes;
-  add = {{moves ? "nothing moves here, and elsewhere it does: a visit closes every gap, however "
-                  "large or small it is"
+  add = {{moves ? "nothing moves here, and elsewhere it does: every gap is closed, large or small, "
+                  "beside a static body, too"
                 : "nothing moves: nothing is done yet, or the copies move and not the bodies "
                   "themselves, or the copies are brought to rest after the push: before it",
           times(0)},
@@ -96,14 +108,18 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
                    times(factor)});
   add.insert(add.end(), {
       {"the velocities are changed, and the poses stay: add the moves to x and turn q by them",
-       velocities(true, [](const Moves& a, const Moves&) { return a; })},
+       velocities(no_moves, the_moves)},
       {"the velocities are changed, too: they stay as they are, take copies of the bodies",
-       velocities(false, [](const Moves& a, const Moves&) { return a; })},
+       velocities(the_moves, the_moves)},
+      {"the bodies' own velocities are pushed and added: take copies of the bodies, at rest",
+       velocities(sum, the_moves)},
       {"the velocities are lost: they stay as they are, only the copies are at rest",
-       velocities(false, [](const Moves&, const Moves& b) { return scaled(-1, -1, b); })},
+       velocities(the_moves, [](const Moves&, const Moves& b) { return scaled(-1, -1, b); })},
       {"the velocities hold the moves now: they stay as they are. Are those of the copies "
        "written back, too? Only x and q move",
-       velocities(false, [](const Moves& a, const Moves& b) { return sum(a, scaled(-1, -1, b)); })},
+       velocities(the_moves, [](const Moves& a, const Moves& b) {
+         return sum(a, scaled(-1, -1, b));
+       })},
       {"the velocities are in lambda: K lambda = -C has no J V, the copies are at rest",
        pushed([](const Twin& twin) { return twin.with_velocities(); })},
       {"K is missing: lambda is -K^-1 C",
@@ -120,13 +136,13 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
       {"a body turns in its own axes: exp(w) q and not q exp(w), w is in world axes",
        turns([](const Body& body, const vec3& turn) { return body.q * turn; })},
       {"the sign of the turns", turns([](const Body&, const vec3& turn) { return -turn; })},
-      {"half the turn: turned(q, w, 1) halves the angle itself",
+      {normal ? "half the turn: turned(q, w, 1) halves the angle itself" : no_sum,
        turns([](const Body&, const vec3& turn) { return turn / real(2); })},
       {"twice the turn: turned(q, w, 1) halves the angle itself",
        turns([](const Body&, const vec3& turn) { return real(2) * turn; })},
       {"the turn is multiplied by h: turned(q, w, 1), for w is an angle already",
        turns([](const Body&, const vec3& turn) { return turn / real(60); })},
-      {"q + (0, w) q/2 is only the first term of the turn: take turned(q, w, 1)",
+      {normal ? "q + (0, w) q/2 is only the first term of the turn: take turned(q, w, 1)" : no_sum,
        turns([](const Body&, const vec3& turn) {
          const real half = length(turn) / 2;
          return half > 0 ? std::atan(half) / half * turn : turn;
@@ -161,7 +177,21 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
        changed([](const Twin&, const Moves& a) {
          return Moves{-a.way1, a.turn1, -a.way2, a.turn2};
        })},
-      {"this is two visits: one closes the gap to first order, a sweep comes back to it",
+      {"both moves are added to body 1: body 2 has its own",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{a.way1 + a.way2, a.turn1, vec3(0), a.turn2};
+       })},
+      {"both moves are added to body 2: body 1 has its own",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{vec3(0), a.turn1, a.way1 + a.way2, a.turn2};
+       })},
+      {"body 2 is turned from where body 1 stands: its own q, turned",
+       changed([](const Twin& twin, Moves a) {
+         const quat q1 = rotation(a.turn1) * twin.pair.body1.q;
+         a.turn2 = turn_between(twin.pair.body2.q, rotation(a.turn2) * q1);
+         return a;
+       })},
+      {"this is two visits: one closes the gap to first order, the next sweep does the rest",
        [=](const Case& c) {
          Pair at = c.pair;
          for (int n = 0; n < 2; ++n) move_by(twin_moves(c.part, at), at.body1, at.body2);
@@ -179,6 +209,13 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
   if (n > 1)
     add.push_back({"each row divided by its own K: the rows of a block are solved together",
                    pushed([](const Twin& twin) { return twin.each_row_alone(); })});
+  if constexpr (n == 3)
+    for (const real share : {real(0), real(0.5), real(1)})  // of body 1
+      add.push_back({"the gap itself is shared out: how much a body moves and turns is M^-1 J^T "
+                     "lambda, Eq. 6-11", changed([=](const Twin& twin, const Moves&) {
+                       const vec3 gap(twin.C[0], twin.C[1], twin.C[2]);
+                       return Moves{share * gap, vec3(0), (share - 1) * gap, vec3(0)};
+                     })});
   for (const bool all : {false, true})
     for (const bool place : {false, true})
       add.push_back({place ? "the place of an anchor is no lever: that begins at the centre, "

@@ -108,8 +108,7 @@ void expect_left_alone(const CaseTable<VisitCase<Part>>& table) {
         expect(table.subject, "q of the static body", body.q, before.q, rounding);
       expect(table.subject, "length of q (" + c.words + ")", double(length(body.q)), 1, rounding,
              table.explain(double(length(body.q)),
-                           {{double(length(body.q)), "a sum of quaternions is no orientation: "
-                                                     "take turned(q, w, 1), which normalises"}}));
+                           {{double(length(body.q)), no_sum}}));
     };
     look(c.pair.body1, after.body1);
     look(c.pair.body2, after.body2);
@@ -238,7 +237,14 @@ inline SweepMistake explain_sweep(const Chain& start, const Chain& yours) {
       {[](Chain& chain, const Visit& visit) {
          for (std::size_t k = 0; k < chain.joints.size(); ++k)
            visit(chain.joints[k], chain.bodies[0], chain.bodies[k + 1]);
-       }, "every joint holds its body to body 0: joint k holds body k to body k + 1"}};
+       }, "every joint holds its body to body 0: joint k holds body k to body k + 1"},
+      {[](Chain& chain, const Visit& visit) {
+         for (const Point& joint : chain.joints) visit(joint, chain.bodies[0], chain.bodies[1]);
+       }, "every joint is given bodies 0 and 1: joint k holds body k to body k + 1"},
+      {[](Chain& chain, const Visit& visit) {
+         for (std::size_t k = 0; k < chain.joints.size(); ++k)
+           visit(chain.joints[0], chain.bodies[k], chain.bodies[k + 1]);
+       }, "joint 0 is taken for all of them: joint k holds body k to body k + 1"}};
   for (const bool twin : {true, false})
     for (const auto& [sweep, words] : sweeps) {
       Chain chain = start;

@@ -40,6 +40,9 @@ def plainly(words):
     """What was thrown, or said by a crash, in plain words."""
     if OUTSIDE.search(words):
         return "an index outside a vector: places run from 0 to size() - 1"
+    if re.search(r"SIGSEGV|exit status -11\b", words):
+        return ("the program crashed: it reached for memory that is not its own. An index or a "
+                "pointer gone\nastray, or a function that calls itself without end?")
     return words
 
 

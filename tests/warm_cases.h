@@ -157,7 +157,7 @@ inline CaseTable<WarmCase> warm_table() {
        shares([](double r) { return A{-r, -r, -r}; })},
       {"nothing is applied: lambda is scaled, but the bodies do not feel it",
        shares([](double r) { return A{r, 0, 0}; })},
-      {"nothing is done: lambda is a reference, and so are the bodies",
+      {"nothing is done yet, or copies are changed: lambda is a reference, and so are the bodies",
        shares([](double) { return A{1, 0, 0}; })},
       {"added to the old impulse where it takes its place: = and not +=",
        shares([](double r) { return A{1 + r, r, r}; })},

@@ -33,7 +33,8 @@ def worse(grade, status, detail=""):
 
 
 # What the standard library says of an index that is not there: operator[], front(), back(), at().
-OUTSIDE = re.compile(r"Assertion '(__n < this->size\(\)|!this->empty\(\))'|_M_range_check|array::at")
+OUTSIDE = re.compile(
+    r"Assertion '(__n < this->size\(\)|!this->empty\(\))'|_M_range_check|array::at")
 
 
 def plainly(words):

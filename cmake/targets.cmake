@@ -24,8 +24,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # g++ 12 sees overlaps in std::string 
   target_compile_options(workbook_strict INTERFACE -Wno-restrict)
 endif()
 # A reader's file may be half written: no word about what is not used yet, and no warning stops it,
-# but for a forgotten return, which would be a crash without a reason.
+# but for a forgotten return, which would be a crash without a reason. An index outside a vector
+# stops the program at once: without the check it reads what happens to lie there.
 add_library(workbook_lenient INTERFACE)
+target_compile_definitions(workbook_lenient INTERFACE _GLIBCXX_ASSERTIONS)
 target_compile_options(workbook_lenient INTERFACE
   -Wall -Wextra -Werror=return-type
   -Wno-unused-parameter -Wno-unused-variable -Wno-unused-but-set-variable)

@@ -158,6 +158,12 @@ const Pair paper{static_body(vec3(0)),
                  body_with(2, vec3(real(0.5), real(0.5), real(0.5)), vec3(1, 0, 0))};
 const Point paper_point{vec3(0), vec3(-1, real(0.1), 0)};
 
+// "all of the gap", "a 100th of the gap": how much of it a visit starts with.
+std::string part_of(int part, const std::string& what) {
+  return part == 1 ? "all of " + what
+                   : (part == 2 ? "half" : "a " + std::to_string(part) + "th") + " of " + what;
+}
+
 }  // namespace
 
 TEST_CASE("6.3 a gap of ten centimetres is closed by a move and a turn", "[6.3]") {
@@ -186,8 +192,8 @@ TEST_CASE("6.3 a gap that is left after a visit falls with the square of the gap
       const Pair after = visited(torn);
       const double left = length(torn.part.error(after.body1, after.body2));
       const double most = bend(torn, after) + rounding / 10;
-      expect(table.subject, "left at most (" + c.words + ", gap/" + std::to_string(part) + ")",
-             std::max(left, most), most, 0, table.explain(left));
+      expect(table.subject, "gap left, at most (" + c.words + ", " + part_of(part, "the gap") + ")",
+             std::max(left, most), most, 0, why_left(table, torn, after, left));
     }
   }
 }
@@ -261,8 +267,8 @@ TEST_CASE("6.3 what a rope is off its length after a visit falls with the square
       const Pair after = visited(rope);
       const double left = std::abs(double(rope.part.error(after.body1, after.body2)));
       const double most = bend(rope, after) + rounding / 10;
-      expect(table.subject, "off by at most (" + c.words + ", C/" + std::to_string(part) + ")",
-             std::max(left, most), most, 0, table.explain(left));
+      expect(table.subject, "error left, at most (" + c.words + ", " + part_of(part, "C") + ")",
+             std::max(left, most), most, 0, why_left(table, rope, after, left));
     }
   }
 }

@@ -23,7 +23,7 @@ inline BiasCase bias_case(double C, double beta, double rate) {
 inline std::vector<BiasCase> bias_cases() {
   std::vector<BiasCase> out;
   for (const double rate : {60.0, 100.0, 10.0})
-    for (const double beta : {0.15, 0.8})
+    for (const double beta : {0.15, 0.8, 1.5})
       for (const double C : {-0.02, 0.02, -0.7, 0.3, 0.0})
         out.push_back(bias_case(C, beta, rate));
   return out;
@@ -39,6 +39,8 @@ inline std::vector<std::pair<std::string, BiasRule>> wrong_biases() {
        [](double C, double beta, double h) { return beta * C * h; }},
       {"60 in the place of 1/h: a step need not be 1/60 s",
        [](double C, double beta, double) { return beta * C * 60; }},
+      {"divided by 60: one over h is times 60, and a step need not be 1/60 s",
+       [](double C, double beta, double) { return beta * C / 60; }},
       {"the sign: b has the sign of C. J V + b = 0 turns it round already",
        [](double C, double beta, double h) { return -beta * C / h; }},
       {"beta is forgotten: this takes all of the error in one step",
@@ -115,6 +117,11 @@ inline CaseTable<BiasCase> limit_bias_table() {
        [](const Case& c) { return Numbers{c.C < 0 ? c.beta * c.C / c.h : c.C}; }},
       {"h is forgotten where the limit is passed: b is a velocity",
        [](const Case& c) { return Numbers{c.C < 0 ? c.beta * c.C : c.C / c.h}; }},
+      {"the larger one of the two: that is the right one only where beta is below 1, ask for the "
+       "sign of C",
+       [](const Case& c) { return Numbers{std::max(c.beta * c.C, c.C) / c.h}; }},
+      {"the smaller one of the two: ask for the sign of C",
+       [](const Case& c) { return Numbers{std::min(c.beta * c.C, c.C) / c.h}; }},
       {"60 in the place of 1/h: a step need not be 1/60 s",
        [](const Case& c) { return Numbers{60 * (c.C < 0 ? c.beta * c.C : c.C)}; }}};
   for (const auto& [words, rule] : wrong_biases())
@@ -192,6 +199,10 @@ inline CaseTable<HalfTimeCase> half_time_table() {
        [](const Case& c) { return Numbers{1 - std::exp2(-c.h)}; }},
       {"1/60 in the place of h: a step need not be 1/60 s",
        [](const Case& c) { return Numbers{1 - std::exp2(-1 / (60 * c.half_time))}; }},
+      {"h/T is cut to a whole number: it is a real, a step is a part of a half-time",
+       of_ratio([](double t) { return 1 - std::exp2(-std::floor(t)); })},
+      {"it is always 1: 1/2 of whole numbers is 0, write real(0.5) or std::exp2",
+       of_ratio([](double) { return 1.0; })},
       {"this is a half in every step: h/T is forgotten", of_ratio([](double) { return 0.5; })}};
   for (const double half_time : {0.1, 0.5, 0.02, 2.0})
     for (const double rate : {60.0, 120.0, 10.0})

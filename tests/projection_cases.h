@@ -1,93 +1,14 @@
 // Exercise 6.3 as tables of cases with their usual mistakes: a visit of position projection to a
-// point and to a rope, and the chain that a sweep visits.
+// point and to a rope.
 #pragma once
 
-#include "tests/warm_cases.h"
+#include "tests/projection_twin.h"
 
 namespace joints::testing {
 
-/// The rotation vector [rad] that leads from one orientation to another.
-inline vec3 turn_between(const quat& from, const quat& to) {
-  quat turn = to * conjugate(from);
-  if (turn.w < 0) turn = -turn;
-  const vec3 axis(turn.x, turn.y, turn.z);
-  const real sine = length(axis);
-  return sine > 0 ? 2 * std::atan2(sine, turn.w) / sine * axis : vec3(0);
-}
-
-template <class Part>
-struct VisitCase {
-  std::string words;
-  Part part;
-  Pair pair;
-};
-
-inline const Distance& rod_of(const Rope<Distance>& rope) { return rope.rod; }
-inline const Point& rod_of(const Point& point) { return point; }
-
-/// K lambda = -C and all that belongs to it, with J by differences.
-template <class Part>
-struct VisitTwin {
-  static constexpr int n = Part::rows;
-  Pair pair;
-  Jacobian<n> J;
-  Matrix<n> K;
-  Vector<n> C;
-
-  VisitTwin(const Part& part, const Pair& pair)
-      : pair(pair), J(numeric_jacobian(part, pair.body1, pair.body2)),
-        K(dense_K(J, pair.body1, pair.body2)), C(to_vector(part.error(pair.body1, pair.body2))) {}
-
-  static Vector<n> solved(Matrix<n> K, const Vector<n>& C) {
-    invert_symmetric(K.m[0].data(), n);
-    return times(K, C);
-  }
-  static Vector<n> times(const Matrix<n>& K, const Vector<n>& C) {
-    Vector<n> out{};
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) out[i] -= K[i][j] * C[j];
-    return out;
-  }
-  Vector<n> lambda() const { return solved(K, C); }
-  Vector<n> without_K() const {
-    Vector<n> out{};
-    for (int i = 0; i < n; ++i) out[i] = -C[i];
-    return out;
-  }
-  Vector<n> each_row_alone() const {
-    Vector<n> out{};
-    for (int i = 0; i < n; ++i) out[i] = -C[i] / K[i][i];
-    return out;
-  }
-  Vector<n> with_velocities() const {
-    Vector<n> all = C;
-    for (int i = 0; i < n; ++i) all[i] += row_velocity(J[i], pair.body1, pair.body2);
-    return solved(K, all);
-  }
-  /// The rows with other levers: w1 = -(r1 x n), w2 = r2 x n for each direction n.
-  Jacobian<n> levers(const vec3& r1, const vec3& r2) const {
-    Jacobian<n> out = J;
-    for (int i = 0; i < n; ++i) {
-      out[i].w1 = cross(r1, J[i].v1);
-      out[i].w2 = cross(r2, J[i].v2);
-    }
-    return out;
-  }
-};
-
-/// The moves of a visit; none where the part is one-sided and its error is not negative.
-template <class Part>
-Moves twin_moves(const Part& part, const Pair& pair) {
-  const VisitTwin<Part> twin(part, pair);
-  if (Part::one_sided && twin.C[0] >= 0) return {};
-  return response<Part::rows>(twin.J, twin.lambda(), pair);
-}
-inline void move_by(const Moves& a, Body& body1, Body& body2) {
-  body1.x += a.way1;
-  body2.x += a.way2;
-  body1.q = normalize(rotation(a.turn1) * body1.q);
-  body2.q = normalize(rotation(a.turn2) * body2.q);
-}
+inline bool near_one(real a) { return std::abs(double(a) - 1) <= rounding; }
+inline constexpr const char* no_sum =
+    "a sum of quaternions is no orientation: take turned(q, w, 1), which normalises it";
 
 template <class Part>
 CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
@@ -104,10 +25,20 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
   const auto changed = [=](auto change) {
     return [=](const Case& c) {
       const Twin twin(c.part, c.pair);
-      return Part::one_sided && twin.C[0] >= 0
-                 ? of({}) : of(change(twin, response<n>(twin.J, twin.lambda(), c.pair)));
+      return Part::one_sided && twin.C[0] >= 0 ? of({}) : of(change(twin, twin.moves()));
     };
   };
+  // what a mistake does to the velocities: of the moves and the velocities before
+  const auto velocities = [=](auto poses, auto change) {
+    return [=](const Case& c) {
+      const Twin twin(c.part, c.pair);
+      if (Part::one_sided && twin.C[0] >= 0) return of({});
+      const Moves a = twin.moves(), b = velocities_of(c.pair);
+      return of(poses(a, b), change(a, b));
+    };
+  };
+  const auto the_moves = [](const Moves& a, const Moves&) { return a; };
+  const auto no_moves = [](const Moves&, const Moves&) { return Moves{}; };
   const auto pushed = [=](auto lambda) {
     return changed([=](const Twin& twin, const Moves&) {
       return response<n>(twin.J, lambda(twin), twin.pair);
@@ -126,15 +57,11 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
     });
   };
   const auto right = changed([](const Twin&, const Moves& a) { return a; });
-  const auto velocities_of = [](const Pair& pair) {
-    return Moves{pair.body1.v, pair.body1.w, pair.body2.v, pair.body2.w};
-  };
   const auto yours = [=](const Case& c) {
     Pair after = c.pair;
     project(c.part, after.body1, after.body2);
     const Body &a = c.pair.body1, &b = c.pair.body2;
-    return of({after.body1.x - a.x, turn_between(a.q, after.body1.q), after.body2.x - b.x,
-               turn_between(b.q, after.body2.q)},
+    return of(between(c.pair, after),
               {after.body1.v - a.v, after.body1.w - a.w, after.body2.v - b.v,
                after.body2.w - b.w});
   };
@@ -148,6 +75,16 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
     }
     factor /= size;
   }
+  const bool moves = std::any_of(cases.begin(), cases.end(), [&](const Case& c) {
+    return close(yours(c), right(c), difference_tolerance) &&
+           !close(yours(c), of({}), difference_tolerance);
+  });
+
+  const bool normal = std::all_of(cases.begin(), cases.end(), [](const Case& c) {
+    Pair after = c.pair;
+    project(c.part, after.body1, after.body2);
+    return near_one(length(after.body1.q)) && near_one(length(after.body2.q));
+  });
 
   CaseTable<Case> table{subject,
                         {"move of 1", "turn of 1", "move of 2", "turn of 2", "change of v1",
@@ -155,8 +92,14 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
                         yours, right, {}, cases};
   table.tolerance = difference_tolerance;
   auto& add = table.mistakes;
-  add = {{"nothing moves: the bodies themselves must, and not copies of them", times(0)},
-         {"the sign: lambda = -K^-1 C works against the gap", times(-1)},
+  add = {{moves ? "nothing moves here, and elsewhere it does: every gap is closed, large or small, "
+                  "beside a static body, too"
+                : "nothing moves: nothing is done yet, or the copies move and not the bodies "
+                  "themselves, or the copies are brought to rest after the push: before it",
+          times(0)},
+         {Part::one_sided ? "the sign: lambda = -C/K works against the error of the rope (that of "
+                            "its rod has the other sign)"
+                          : "the sign: lambda = -K^-1 C works against the gap", times(-1)},
          {"times h: there is no step in it. lambda is an impulse times a time already",
           times(1.0 / 60)},
          {"divided by h: there is no step in it, K lambda = -C", times(60)}};
@@ -165,36 +108,17 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
                    times(factor)});
   add.insert(add.end(), {
       {"the velocities are changed, and the poses stay: add the moves to x and turn q by them",
-       [=](const Case& c) {
-         const Twin twin(c.part, c.pair);
-         if (Part::one_sided && twin.C[0] >= 0) return of({});
-         return of({}, response<n>(twin.J, twin.lambda(), c.pair));
-       }},
+       velocities(no_moves, the_moves)},
       {"the velocities are changed, too: they stay as they are, take copies of the bodies",
-       [=](const Case& c) {
-         const Twin twin(c.part, c.pair);
-         if (Part::one_sided && twin.C[0] >= 0) return of({});
-         const Moves a = response<n>(twin.J, twin.lambda(), c.pair);
-         return of(a, a);
-       }},
+       velocities(the_moves, the_moves)},
+      {"the bodies' own velocities are pushed and added: take copies of the bodies, at rest",
+       velocities(sum, the_moves)},
       {"the velocities are lost: they stay as they are, only the copies are at rest",
-       [=](const Case& c) {
-         const Twin twin(c.part, c.pair);
-         const bool idle = Part::one_sided && twin.C[0] >= 0;
-         return idle ? of({}) : of(response<n>(twin.J, twin.lambda(), c.pair),
-                                   scaled(-1, -1, velocities_of(c.pair)));
-       }},
-      {"the velocities hold the moves now: they stay as they are, take copies of the bodies",
-       [=](const Case& c) {
-         const Twin twin(c.part, c.pair);
-         if (Part::one_sided && twin.C[0] >= 0) return of({});
-         const Moves a = response<n>(twin.J, twin.lambda(), c.pair), b = velocities_of(c.pair);
-         return of(a, {a.way1 - b.way1, a.turn1 - b.turn1, a.way2 - b.way2, a.turn2 - b.turn2});
-       }},
-      {"the copies are not at rest: v and w of both must be zero before they are given lambda",
-       changed([=](const Twin& twin, const Moves& a) {
-         const Moves b = velocities_of(twin.pair);
-         return Moves{a.way1 + b.way1, a.turn1 + b.turn1, a.way2 + b.way2, a.turn2 + b.turn2};
+       velocities(the_moves, [](const Moves&, const Moves& b) { return scaled(-1, -1, b); })},
+      {"the velocities hold the moves now: they stay as they are. Are those of the copies "
+       "written back, too? Only x and q move",
+       velocities(the_moves, [](const Moves& a, const Moves& b) {
+         return sum(a, scaled(-1, -1, b));
        })},
       {"the velocities are in lambda: K lambda = -C has no J V, the copies are at rest",
        pushed([](const Twin& twin) { return twin.with_velocities(); })},
@@ -212,13 +136,13 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
       {"a body turns in its own axes: exp(w) q and not q exp(w), w is in world axes",
        turns([](const Body& body, const vec3& turn) { return body.q * turn; })},
       {"the sign of the turns", turns([](const Body&, const vec3& turn) { return -turn; })},
-      {"half the turn: turned(q, w, 1) halves the angle itself",
+      {normal ? "half the turn: turned(q, w, 1) halves the angle itself" : no_sum,
        turns([](const Body&, const vec3& turn) { return turn / real(2); })},
       {"twice the turn: turned(q, w, 1) halves the angle itself",
        turns([](const Body&, const vec3& turn) { return real(2) * turn; })},
       {"the turn is multiplied by h: turned(q, w, 1), for w is an angle already",
        turns([](const Body&, const vec3& turn) { return turn / real(60); })},
-      {"q + (0, w) q/2 is only the first term of the turn: take turned(q, w, 1)",
+      {normal ? "q + (0, w) q/2 is only the first term of the turn: take turned(q, w, 1)" : no_sum,
        turns([](const Body&, const vec3& turn) {
          const real half = length(turn) / 2;
          return half > 0 ? std::atan(half) / half * turn : turn;
@@ -241,6 +165,38 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
        changed([](const Twin&, const Moves& a) {
          return Moves{a.way2, a.turn2, a.way1, a.turn1};
        })},
+      {"the moves of the two bodies are exchanged, their turns are not",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{a.way2, a.turn1, a.way1, a.turn2};
+       })},
+      {"the turns of the two bodies are exchanged, their moves are not",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{a.way1, a.turn2, a.way2, a.turn1};
+       })},
+      {"the sign of the moves: they are added to x, lambda has the sign already",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{-a.way1, a.turn1, -a.way2, a.turn2};
+       })},
+      {"both moves are added to body 1: body 2 has its own",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{a.way1 + a.way2, a.turn1, vec3(0), a.turn2};
+       })},
+      {"both moves are added to body 2: body 1 has its own",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{vec3(0), a.turn1, a.way1 + a.way2, a.turn2};
+       })},
+      {"body 2 is turned from where body 1 stands: its own q, turned",
+       changed([](const Twin& twin, Moves a) {
+         const quat q1 = rotation(a.turn1) * twin.pair.body1.q;
+         a.turn2 = turn_between(twin.pair.body2.q, rotation(a.turn2) * q1);
+         return a;
+       })},
+      {"this is two visits: one closes the gap to first order, the next sweep does the rest",
+       [=](const Case& c) {
+         Pair at = c.pair;
+         for (int n = 0; n < 2; ++n) move_by(twin_moves(c.part, at), at.body1, at.body2);
+         return of(between(c.pair, at));
+       }},
       {"the inverse masses are missing",
        changed([](const Twin& twin, Moves a) {
          const auto push = [&](const Body& body, const vec3& way) {
@@ -253,28 +209,110 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
   if (n > 1)
     add.push_back({"each row divided by its own K: the rows of a block are solved together",
                    pushed([](const Twin& twin) { return twin.each_row_alone(); })});
+  if constexpr (n == 3)
+    for (const real share : {real(0), real(0.5), real(1)})  // of body 1
+      add.push_back({"the gap itself is shared out: how much a body moves and turns is M^-1 J^T "
+                     "lambda, Eq. 6-11", changed([=](const Twin& twin, const Moves&) {
+                       const vec3 gap(twin.C[0], twin.C[1], twin.C[2]);
+                       return Moves{share * gap, vec3(0), (share - 1) * gap, vec3(0)};
+                     })});
   for (const bool all : {false, true})
-    add.push_back({"body-space arm: the levers are not turned into the world",
-                   [=](const Case& c) {
-                     Twin twin(c.part, c.pair);
-                     if (Part::one_sided && twin.C[0] >= 0) return of({});
-                     const auto& rod = rod_of(c.part);
-                     const Jacobian<n> J = twin.levers(rod.anchor1_local, rod.anchor2_local);
-                     if (all) twin.K = dense_K(J, c.pair.body1, c.pair.body2);
-                     return of(response<n>(J, twin.lambda(), c.pair));
-                   }});
+    for (const bool place : {false, true})
+      add.push_back({place ? "the place of an anchor is no lever: that begins at the centre, "
+                             "to_world(body, anchor)"
+                           : "body-space arm: the levers are not turned into the world",
+                     [=](const Case& c) {
+                       Twin twin(c.part, c.pair);
+                       if (Part::one_sided && twin.C[0] >= 0) return of({});
+                       const auto& rod = rod_of(c.part);
+                       const auto lever = [=](const Body& body, const vec3& anchor) {
+                         return place ? world_point(body, anchor) : anchor;
+                       };
+                       twin.J = twin.levers(lever(c.pair.body1, rod.anchor1_local),
+                                            lever(c.pair.body2, rod.anchor2_local));
+                       if (all) twin.K = dense_K(twin.J, c.pair.body1, c.pair.body2);
+                       return of(twin.moves());
+                     }});
+  for (int k = 0; k < 4; ++k) {  // each of the four moves alone
+    const auto& [move, words] = four_moves[k];
+    const auto one = [=, move = move](auto instead) {
+      return changed([=](const Twin& twin, Moves a) {
+        a.*move = instead(twin.pair, a);
+        return a;
+      });
+    };
+    const auto other = four_moves[(k + 2) % 4].of;
+    add.push_back({words + " is missing", one([](const Pair&, const Moves&) { return vec3(0); })});
+    add.push_back({"the sign of " + words, one([=, move = move](const Pair&, const Moves& a) {
+                     return -(a.*move);
+                   })});
+    add.push_back({words + " is that of the other body",
+                   one([=](const Pair&, const Moves& a) { return a.*other; })});
+    add.push_back({words + " gets that of the other body, too",
+                   one([=, move = move](const Pair&, const Moves& a) {
+                     return a.*move + a.*other;
+                   })});
+    if (k % 2 == 1)
+      add.push_back({words + " is in its own axes: exp(w) q and not q exp(w)",
+                     one([=, move = move](const Pair& pair, const Moves& a) {
+                       return (k == 1 ? pair.body1 : pair.body2).q * (a.*move);
+                     })});
+  }
+  for (int flying = 15; flying > 0; --flying)  // which of the four velocities of the copies
+    add.push_back({"the copies are not at rest: v and w of both must be zero before they are given "
+                   "lambda",
+                   changed([=](const Twin& twin, Moves a) {
+                     const Moves b = velocities_of(twin.pair);
+                     for (int k = 0; k < 4; ++k)
+                       if (flying >> k & 1) a.*four_moves[k].of += b.*four_moves[k].of;
+                     return a;
+                   })});
+  for (int which = 1; which < 8; ++which) {
+    add.push_back({"the bodies are exchanged in " + Twin::words(which) + ": body 1 first",
+                   changed([=](const Twin& twin, const Moves&) {
+                     const Pair& pair = twin.pair;
+                     const Twin back(twin.part, {pair.body2, pair.body1});
+                     return twin.with(back, which).moves();
+                   })});
+    add.push_back({"taken again after body 1 has moved (" + Twin::words(which) + "): one lambda, "
+                   "from the poses before the visit, moves both",
+                   changed([=](const Twin& twin, Moves a) {
+                     Pair at = twin.pair;
+                     move_by({a.way1, a.turn1, vec3(0), vec3(0)}, at.body1, at.body2);
+                     const Moves late = twin.with(Twin(twin.part, at), which).moves();
+                     return Moves{a.way1, a.turn1, late.way2, late.turn2};
+                   })});
+  }
   if constexpr (Part::one_sided) {
-    const auto whatever = [=](auto live) {
+    const auto whatever = [=](auto live, int sign = 1) {
       return [=](const Case& c) {
         const Twin twin(c.part, c.pair);
-        return live(twin.C[0]) ? of(response<n>(twin.J, twin.lambda(), c.pair)) : of({});
+        return live(twin.C[0]) ? of(scaled(real(sign), real(sign), twin.moves())) : of({});
       };
     };
+    const auto as_point = [=](auto live) {
+      return [=](const Case& c) {
+        const Twin twin(c.part, c.pair);
+        const Point point{c.part.rod.anchor1_local, c.part.rod.anchor2_local};
+        return live(twin.C[0]) ? of(twin_moves(point, c.pair)) : of({});
+      };
+    };
+    const auto always = [](real) { return true; };
+    const auto too_long = [](real C) { return C < 0; };
+    const auto slack = [](real C) { return C > 0; };
+    const char* const no_point = "this is the visit of a point, which draws the two anchors into "
+                                 "one: a rope is drawn to its length, by its own row";
+    const char* const rod = "the error of the rod has the other sign: rope.error is negative "
+                            "where the rope is too long";
     add.insert(add.begin(),
                {{"a slack rope is pushed to its length: it is left alone where C >= 0",
-                 whatever([](real) { return true; })},
-                {"the wrong way round: C < 0 is too long, C > 0 is slack",
-                 whatever([](real C) { return C > 0; })}});
+                 whatever(always)},
+                {"the wrong way round: C < 0 is too long, C > 0 is slack. (The error of its rod "
+                 "has the other sign)", whatever(slack)},
+                {rod, whatever(slack, -1)},
+                {rod, whatever(always, -1)},
+                {no_point, as_point(too_long)},
+                {no_point, as_point(always)}});
   }
   return table;
 }

@@ -80,6 +80,18 @@ double bend(const VisitCase<Part>& c, const Pair& after) {
          of(c.pair.body2, after.body2, rod.anchor2_local) + across;
 }
 
+// What explains an error that is left, where the table of mistakes does not.
+template <class Part>
+std::vector<Suspect> why_left(const CaseTable<VisitCase<Part>>& table, const VisitCase<Part>& c,
+                              const Pair& after, double left) {
+  const Moves a = between(c.pair, after);
+  const bool rests = a.way1 == vec3(0) && a.way2 == vec3(0);
+  return table.explain(left, {{left, rests ? "nothing moves where the error is small: there is no "
+                                             "threshold, a visit closes every gap"
+                                           : "what is left must fall with the square of the error: "
+                                             "are the moves right to first order?"}});
+}
+
 // The velocities and the static body of a visit are the same afterwards, to the last bit.
 template <class Part>
 void expect_left_alone(const CaseTable<VisitCase<Part>>& table) {
@@ -95,7 +107,8 @@ void expect_left_alone(const CaseTable<VisitCase<Part>>& table) {
       if (before.is_static())
         expect(table.subject, "q of the static body", body.q, before.q, rounding);
       expect(table.subject, "length of q (" + c.words + ")", double(length(body.q)), 1, rounding,
-             table.explain(double(length(body.q))));
+             table.explain(double(length(body.q)),
+                           {{double(length(body.q)), no_sum}}));
     };
     look(c.pair.body1, after.body1);
     look(c.pair.body2, after.body2);
@@ -143,6 +156,35 @@ inline void stale_visits(Chain& chain, const Visit&) {
             chain.bodies[k], chain.bodies[k + 1]);
 }
 
+// All errors are taken before the sweep, K and J are fresh.
+inline void stale_errors(Chain& chain, const Visit&) {
+  const Chain before = chain;
+  for (std::size_t k = 0; k < chain.joints.size(); ++k) {
+    Body &a = chain.bodies[k], &b = chain.bodies[k + 1];
+    VisitTwin<Point> twin(chain.joints[k], {a, b});
+    twin.C = to_vector(chain.joints[k].error(before.bodies[k], before.bodies[k + 1]));
+    move_by(twin.moves(), a, b);
+  }
+}
+// One of the two bodies of each joint is a copy.
+inline auto visit_copy(int copied) {
+  return [=](Chain& chain, const Visit& visit) {
+    for (std::size_t k = 0; k < chain.joints.size(); ++k) {
+      Body copy = chain.bodies[k + copied];
+      visit(chain.joints[k], copied == 0 ? copy : chain.bodies[k],
+            copied == 1 ? copy : chain.bodies[k + 1]);
+    }
+  };
+}
+// Joint k is given the bodies that stand `by` too far along the chain, where there are such.
+inline auto visit_shifted(int by) {
+  return [=](Chain& chain, const Visit& visit) {
+    for (int k = 0; k < int(chain.joints.size()); ++k)
+      if (k + by >= 0 && k + by + 1 < int(chain.bodies.size()))
+        visit(chain.joints[k], chain.bodies[k + by], chain.bodies[k + by + 1]);
+  };
+}
+
 inline real largest_gap(const Chain& chain) {
   real out = 0;
   for (std::size_t k = 0; k < chain.joints.size(); ++k)
@@ -180,7 +222,14 @@ inline SweepMistake explain_sweep(const Chain& start, const Chain& yours) {
       {order({0}), "only the first joint is visited"},
       {order({0, 1, 2, 3, 0, 1, 2, 3}), "this is two sweeps: every joint is visited once"},
       {order({0, 1, 2, 3, 3, 2, 1, 0}), "there and back: every joint is visited once"},
-      {order({}), "nothing moves: take the bodies of the chain by reference, not copies of them"},
+      {order({}), "nothing moves: nothing is done yet, or copies move: take the bodies of the "
+                  "chain by reference, auto& and not auto"},
+      {stale_errors, "the errors are taken before the sweep: each joint needs its error at the "
+                     "poses that the one before it has left"},
+      {visit_copy(1), "body k + 1 is a copy: take it by reference, auto& and not auto"},
+      {visit_copy(0), "body k is a copy: take it by reference, auto& and not auto"},
+      {visit_shifted(-1), "bodies k - 1 and k: joint k holds body k to body k + 1"},
+      {visit_shifted(1), "bodies k + 1 and k + 2: joint k holds body k to body k + 1"},
       {[](Chain& chain, const Visit& visit) {
          for (std::size_t k = 0; k < chain.joints.size(); ++k)
            visit(chain.joints[k], chain.bodies[k + 1], chain.bodies[k]);
@@ -188,7 +237,14 @@ inline SweepMistake explain_sweep(const Chain& start, const Chain& yours) {
       {[](Chain& chain, const Visit& visit) {
          for (std::size_t k = 0; k < chain.joints.size(); ++k)
            visit(chain.joints[k], chain.bodies[0], chain.bodies[k + 1]);
-       }, "every joint holds its body to body 0: joint k holds body k to body k + 1"}};
+       }, "every joint holds its body to body 0: joint k holds body k to body k + 1"},
+      {[](Chain& chain, const Visit& visit) {
+         for (const Point& joint : chain.joints) visit(joint, chain.bodies[0], chain.bodies[1]);
+       }, "every joint is given bodies 0 and 1: joint k holds body k to body k + 1"},
+      {[](Chain& chain, const Visit& visit) {
+         for (std::size_t k = 0; k < chain.joints.size(); ++k)
+           visit(chain.joints[0], chain.bodies[k], chain.bodies[k + 1]);
+       }, "joint 0 is taken for all of them: joint k holds body k to body k + 1"}};
   for (const bool twin : {true, false})
     for (const auto& [sweep, words] : sweeps) {
       Chain chain = start;

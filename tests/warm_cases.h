@@ -115,6 +115,22 @@ inline CaseTable<WarmCase> warm_table() {
   };
   table.right = shares([](double r) { return A{r, r, r}; });
   table.mistakes = {
+      {"nothing is applied where the step has not changed: the bodies feel lambda in every step",
+       shares([](double r) { return r == 1 ? A{1, 0, 0} : A{r, r, r}; })},
+      {"the ratio is cut to a whole number: it is a real, and half a step is 0.5",
+       shares([](double r) { return A{std::floor(r), std::floor(r), std::floor(r)}; })},
+      {"only v changes: lambda turns the bodies, too, w gets its share",
+       [=](const Case& c) {
+         Moves a = scaled(real(c.ratio), real(c.ratio), moves(c));
+         a.turn1 = a.turn2 = vec3(0);
+         return of(real(c.ratio) * c.lambda, a);
+       }},
+      {"only w changes: lambda pushes the bodies, too, v gets its share",
+       [=](const Case& c) {
+         Moves a = scaled(real(c.ratio), real(c.ratio), moves(c));
+         a.way1 = a.way2 = vec3(0);
+         return of(real(c.ratio) * c.lambda, a);
+       }},
       {"the ratio is forgotten: half a step needs half the impulse",
        shares([](double) { return A{1, 1, 1}; })},
       {"divided by the ratio: half a step needs half the impulse",
@@ -141,7 +157,7 @@ inline CaseTable<WarmCase> warm_table() {
        shares([](double r) { return A{-r, -r, -r}; })},
       {"nothing is applied: lambda is scaled, but the bodies do not feel it",
        shares([](double r) { return A{r, 0, 0}; })},
-      {"nothing is done: lambda is a reference, and so are the bodies",
+      {"nothing is done yet, or copies are changed: lambda is a reference, and so are the bodies",
        shares([](double) { return A{1, 0, 0}; })},
       {"added to the old impulse where it takes its place: = and not +=",
        shares([](double r) { return A{1 + r, r, r}; })},
@@ -213,10 +229,17 @@ inline const std::pair<SafetyRule, const char*> wrong_safety_rules[] = {
      "the square root: rho is what a whole sweep leaves"},
     {[](double rho, int k, double beta) { return std::pow(rho, 2 * k) * (1 + beta) < 1; },
      "twice the sweeps: rho is what a whole sweep leaves"},
+    {[](double rho, int k, double beta) { return std::pow(rho, k - 1) * (1 + beta) < 1; },
+     "one sweep less: k sweeps leave rho to the power k, the first one counts, too"},
+    {[](double rho, int k, double beta) { return std::pow(rho, k + 1) * (1 + beta) < 1; },
+     "one sweep more: k sweeps leave rho to the power k"},
+    {[](double rho, int k, double beta) { return std::pow(rho, k) / (1 - beta) < 1; },
+     "divided by 1 - beta: rho^k is multiplied by 1 + beta"},
     {[](double rho, int k, double beta) { return std::pow(rho, k) < 1 / beta; },
      "1 is forgotten: 1 + beta and not beta"},
     {[](double rho, int k, double beta) { return std::pow(rho, k) * (1 - beta) < 1; },
-     "the sign of beta: 1 + beta. (1 - beta is what a cold step leaves of an error)"},
+     "the sign of beta, or 1 + beta stands on the other side: rho^k times (1 + beta) is compared "
+     "with 1. (1 - beta is what a cold step leaves of an error)"},
     {[](double rho, int k, double beta) { return std::pow(rho, k) * (1 + 2 * beta) < 1; },
      "twice beta: it comes once a step"},
     {[](double rho, int k, double beta) { return std::pow(rho, k) + beta < 1; },

@@ -4,6 +4,7 @@ import subprocess
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 
+import exercises
 import house
 
 DONE, OPEN, WAITS = "done", "not written yet", "waits for"
@@ -31,19 +32,49 @@ def worse(grade, status, detail=""):
         grade.status, grade.detail = status, detail
 
 
-def read_case(grade, case):
+# What the standard library says of an index that is not there: operator[], front(), back(), at().
+OUTSIDE = re.compile(
+    r"Assertion '(__n < this->size\(\)|!this->empty\(\))'|_M_range_check|array::at")
+
+
+def plainly(words):
+    """What was thrown, or said by a crash, in plain words."""
+    if OUTSIDE.search(words):
+        return "an index outside a vector: places run from 0 to size() - 1"
+    if re.search(r"SIGSEGV|exit status -11\b", words):
+        return ("the program crashed: it reached for memory that is not its own. An index or a "
+                "pointer gone\nastray, or a function that calls itself without end?")
+    return words
+
+
+def with_place(words, chapter, id_):
+    """A report that no test has written: where the exercise is, and the next command. Of several
+    regions it is the one that has an index in it, where that is the trouble."""
+    place = chapter.place(id_)
+    if words.startswith("an index"):
+        regions = exercises.regions(chapter.mine.read_text())
+        found = [region for region in regions if region.id == id_
+                 and re.search(r"\w\[|\.at\(|\.back\(|\.front\(", "\n".join(region.answer()))]
+        if len(found) == 1:
+            place = f"{house.short(chapter.mine)}:{found[0].begin}"
+    return f"{words}\n\nWhere: {place}\nNext:  ./wb hint {id_}"
+
+
+def read_case(grade, case, chapter):
     """One test case of Catch's XML."""
     name = case.get("name")
     grade.tests += 1
     result = case.find("OverallResult")
     if result is not None and result.get("success") == "true":
         return
-    words = []
+    words, says_where = [], True
     for element in case.iter():
         if element.tag == "FatalErrorCondition":
-            words.append(f"the program crashed: {(element.text or '').strip()}")
+            words.append(plainly(f"the program crashed: {(element.text or '').strip()}"))
+            says_where = False
         elif element.tag in ("Exception", "Failure") and element.text:
-            words.append(element.text.strip())
+            words.append(plainly(element.text.strip()))
+            says_where = element.tag == "Failure"
         elif element.tag == "Expression" and element.get("success") == "false":
             words.append(f"{element.findtext('Original', '').strip()} is not true: "
                          f"{element.findtext('Expanded', '').strip()}")
@@ -57,7 +88,8 @@ def read_case(grade, case):
             worse(grade, WAITS, match[1])
         return
     worse(grade, WRONG)
-    grade.failures.append((name, text or "it failed without a word"))
+    text = text or "it failed without a word"
+    grade.failures.append((name, text if says_where else with_place(text, chapter, grade.id)))
 
 
 def run(chapter, ids, kind="test", timeout=10):
@@ -70,9 +102,12 @@ def run(chapter, ids, kind="test", timeout=10):
     except subprocess.TimeoutExpired:
         return "it did not end within ten seconds: a loop without an end?"
     try:
-        return ElementTree.fromstring(result.stdout)
+        tree = ElementTree.fromstring(result.stdout)
     except ElementTree.ParseError:
-        return f"the program crashed (exit status {result.returncode})"
+        return plainly(f"the program crashed (exit status {result.returncode})\n{result.stderr}")
+    for crash in tree.iter("FatalErrorCondition"):  # the library's reason stands beside the report
+        crash.text = f"{(crash.text or '').strip()}\n{result.stderr}".strip()
+    return tree
 
 
 def grade(chapter, ids=None):
@@ -91,12 +126,12 @@ def grade(chapter, ids=None):
     for id_, part in trees.items():
         if isinstance(part, str):
             worse(grades[id_], WRONG)
-            grades[id_].failures.append(("", part))
+            grades[id_].failures.append(("", with_place(part, chapter, id_)))
             continue
         for case in part.iter("TestCase"):
             for tag in re.findall(r"\[(\d+\.\d+)\]", case.get("tags", "")):
                 if tag in grades and (id_ is None or tag == id_):
-                    read_case(grades[tag], case)
+                    read_case(grades[tag], case, chapter)
     for one in grades.values():
         if one.tests == 0 and one.status == DONE:
             raise house.Trouble(f"exercise {one.id} has no test")

@@ -36,10 +36,12 @@ void warm_start(const Jacobian<3>& J, real ratio, vec3& lambda, Body& body1, Bod
 bool warm_start_is_safe(real rho, int sweeps, real beta);
 
 /// Exercise 6.3, first part: a visit of position projection. Moves and turns the two bodies so that
-/// the gap of the point is zero to first order; their velocities stay as they are.
+/// the gap of the point is zero to first order; their velocities stay as they are. At least one of
+/// the two can move: between two static bodies K is zero and has no inverse.
 void project(const Point& point, Body& body1, Body& body2);
 
-/// Exercise 6.3, second part: the same for a rope, which is left alone while it is slack.
+/// Exercise 6.3, second part: the same for a rope, which is left alone while it is slack. At least
+/// one of the two bodies can move.
 void project(const Rope<Distance>& rope, Body& body1, Body& body2);
 
 /// Bodies in a row; joint k holds body k to body k + 1.

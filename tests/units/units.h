@@ -50,10 +50,18 @@ inline constexpr std::array reasons{
     Reason{1 / (kg * kg * m * m * m * m), "inertia where its inverse belongs",
            "an inverse inertia where inertia belongs (K may be one, divide by it)"}};
 
+/// What an exercise knows better than the list above of a time that is missing or too many.
+struct OfTime {
+  const char* missing = nullptr;
+  const char* too_many = nullptr;
+};
+
 /// ": an arm is missing", or nothing. \param sum of `wants` and `has`: either of them may be the
 /// wrong one, and a length or a mass is missing more often than it is too many
-inline std::string reason(const Unit& has, const Unit& wants, bool sum) {
+inline std::string reason(const Unit& has, const Unit& wants, bool sum, const OfTime& time) {
   const Unit missing = combined(wants, 1, has, -1), too_many = combined(has, 1, wants, -1);
+  if (missing == s.unit && time.missing) return std::string(": ") + time.missing;
+  if (too_many == s.unit && time.too_many) return std::string(": ") + time.too_many;
   for (const Reason& one : reasons) {
     const bool turned = sum && one.missing.unit != s.unit && too_many == one.missing.unit;
     if (missing == one.missing.unit || turned) return std::string(": ") + one.words;
@@ -64,13 +72,14 @@ inline std::string reason(const Unit& has, const Unit& wants, bool sum) {
 
 /// Fails with a sentence unless every number of `yours` has the unit of `wanted`, or none.
 template <class Numbers>  // a real, a vector, a matrix: some reals in a row at any rate
-void expect_unit(const std::string& entry, const Numbers& yours, Quantity wanted) {
+void expect_unit(const std::string& entry, const Numbers& yours, Quantity wanted,
+                 const OfTime& time = {}) {
   const std::span numbers(reinterpret_cast<const real*>(&yours), sizeof yours / sizeof(real));
   for (const real& number : numbers) {
     if (number.takes_any_unit() || number.unit == wanted.unit) continue;
     const auto is = [](const Unit& unit) { return (unit == Unit{} ? "" : "in ") + in_words(unit); };
     FAIL("Units: " << entry << " is " << is(number.unit) << " and should be " << is(wanted.unit)
-                   << reason(number.unit, wanted.unit, false));
+                   << reason(number.unit, wanted.unit, false, time));
   }
   SUCCEED();
 }
@@ -78,20 +87,20 @@ void expect_unit(const std::string& entry, const Numbers& yours, Quantity wanted
 /// Runs what calls an exercise; a sum of unlike units in it becomes a sentence. An exercise that
 /// is not written says so itself.
 template <class Call>
-auto in(const std::string& entry, Call call) {
+auto in(const std::string& entry, Call call, const OfTime& time = {}) {
   try {
     return call();
   } catch (const UnitError& error) {
     FAIL("Units: in " << entry << ", " << error.what()
-                      << reason(error.second, error.first, true));
+                      << reason(error.second, error.first, true, time));
     throw;
   }
 }
 
 /// The unit of what a call returns.
 template <class Call>
-void has_unit(const std::string& entry, Quantity wanted, Call call) {
-  expect_unit(entry, in(entry, call), wanted);
+void has_unit(const std::string& entry, Quantity wanted, Call call, const OfTime& time = {}) {
+  expect_unit(entry, in(entry, call, time), wanted, time);
 }
 
 /// The units of a row, or of several: factors of velocities, factors of angular velocities.

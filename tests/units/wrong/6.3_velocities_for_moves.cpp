@@ -1,4 +1,5 @@
 // expects: Units: in the projection of a point, adding
+// expects: a velocity has got among the moves
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
   Body move1 = body1, move2 = body2;
   apply_impulse(point.jacobian(body1, body2), lambda, move1, move2);

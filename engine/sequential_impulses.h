@@ -4,6 +4,7 @@
 #include <optional>
 #include <random>
 
+#include "engine/preparation.h"
 #include "engine/projection.h"
 
 /// \addtogroup world
@@ -47,36 +48,16 @@ class SequentialImpulses {
   const Blocks& blocks() const { return blocks_; }
 
  private:
-  // What the inner loop reads of a row: J, the angular half of M^-1 J^T, and the bias.
-  struct PreparedRow {
-    Row J;
-    vec3 turn1, turn2;  // I1^-1 J_w1^T, I2^-1 J_w2^T
-    real bias;          // wanted J V, with its sign turned
-    real answer;        // Kinv[i][last] / Kinv[last][last]
-  };
-  // What the inner loop reads of a block.
-  struct Prepared {
-    int body1, body2, rows, first, first_K;
-    Touches touches;
-    real mass_scale, impulse_scale, lower, upper;  // bounds as impulses [N s or N m s]
-    real* impulse;
-  };
-
-  void prepare(const Bodies& bodies, int first_block, real h);
-  void prepare_rows(const Bodies& bodies, const Block& block, int from, int to, real h);
-  void apply_stored_impulses(Bodies& bodies, real scale);
   void draw_order(int number);
-  void solve(Body* bodies, const Prepared& block);
+  void solve(Body* bodies, const PreparedBlock& block);
   template <int N>
-  void solve_rows(Body* bodies, const Prepared& block);
+  void solve_rows(Body* bodies, const PreparedBlock& block);
   template <int N, bool linear, bool angular>
-  void solve_block(Body* bodies, const Prepared& block);
+  void solve_block(Body* bodies, const PreparedBlock& block);
 
   Blocks blocks_;
   Projection projection_;
-  std::vector<Prepared> prepared_;
-  std::vector<PreparedRow> rows_;
-  std::vector<real> inverse_K_;
+  Preparation prepared_;
   std::vector<int> sequence_;
   std::mt19937 random_;
   std::optional<unsigned> seeded_with_;  // empty before the first draw

@@ -1,0 +1,90 @@
+// Turns what is asked of a block, with the step's h, into what the inner loop reads.
+#include "engine/preparation.h"
+
+#include <numbers>
+
+namespace joints {
+
+void Preparation::clear(int most_rows) {
+  blocks.clear();
+  rows.clear();
+  inverse_K.clear();
+  blocks.reserve(most_rows);
+  rows.reserve(most_rows);
+  inverse_K.reserve(6 * most_rows);
+}
+
+void Preparation::add(const Bodies& bodies, const Blocks& list, int first, real h,
+                      bool row_by_row) {
+  for (std::size_t k = std::size_t(first); k < list.list.size(); ++k) {
+    const Block& block = list.list[k];
+    if (row_by_row)
+      for (int i = 0; i < block.rows; ++i) add_rows(bodies, list, block, i, i + 1, h);
+    else
+      add_rows(bodies, list, block, 0, block.rows, h);
+  }
+}
+
+// The rows [from, to) of a block.
+void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block& block, int from,
+                           int to, real h) {
+  const Demand& demand = block.demand;
+  const int n = to - from;
+  const bool has_last = to == block.rows;  // the row to which target and bounds belong
+  PreparedBlock out{block.body1, block.body2, n, int(rows.size()), int(inverse_K.size()),
+                    block.touches, 1, 0, -unbounded, unbounded, block.impulse + from};
+
+  real rate = demand.beta / h;  // share of C that is removed each second
+  if (demand.frequency > 0) {   // a spring and damper, implicit in time (Catto 2011)
+    const real omega = 2 * std::numbers::pi_v<real> * demand.frequency;
+    const real a1 = 2 * demand.damping + h * omega, a2 = h * omega * a1;
+    rate = omega / a1;
+    out.mass_scale = a2 / (1 + a2);
+    out.impulse_scale = 1 / (1 + a2);
+  }
+  if (has_last) {
+    out.lower = h * demand.lower;
+    out.upper = h * demand.upper;
+  }
+
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      inverse_K.push_back(list.K[block.first_K + (from + i) * block.rows + from + j]);
+  real* inverse = inverse_K.data() + out.first_K;
+  invert_symmetric(inverse, n);
+
+  const mat3 I1 = inverse_inertia(bodies.at(block.body1));
+  const mat3 I2 = inverse_inertia(bodies.at(block.body2));
+  const real last = inverse[n * n - 1];
+  for (int i = 0; i < n; ++i) {
+    const Row& J = list.J[block.first + from + i];
+    const real C = list.C[block.first + from + i];
+    real bias = rate * C;
+    if (has_last && i == n - 1) {
+      const bool one_sided = demand.lower == 0 && demand.upper == unbounded;
+      if (one_sided && C > 0) bias = C / h;  // still room: it may be used up, no more
+      bias -= demand.target;
+    }
+    const real answer = last > 0 ? inverse[i * n + n - 1] / last : real(0);
+    rows.push_back({J, I1 * J.w1, I2 * J.w2, bias, answer});
+  }
+  blocks.push_back(out);
+}
+
+void Preparation::start(Bodies& bodies, bool warm, real scale) {
+  for (const PreparedBlock& block : blocks) {
+    Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
+    for (int i = 0; i < block.rows; ++i) {
+      real& lambda = block.impulse[i];
+      const bool live = inverse_K[block.first_K + i * block.rows + i] > 0;
+      lambda = warm && live ? scale * lambda : 0;
+      const PreparedRow& row = rows[block.first + i];
+      body1.v += body1.inverse_mass * lambda * row.J.v1;
+      body1.w += lambda * row.turn1;
+      body2.v += body2.inverse_mass * lambda * row.J.v2;
+      body2.w += lambda * row.turn2;
+    }
+  }
+}
+
+}  // namespace joints

@@ -1,0 +1,52 @@
+// What the inner loop of a solver needs to know of the blocks: worked out once a step.
+#pragma once
+
+#include "engine/world.h"
+
+/// \addtogroup rows
+/// @{
+namespace joints {
+
+/// What the inner loop reads of a row: J, the angular half of M^-1 J^T, and the bias.
+struct PreparedRow {
+  Row J;              ///< the row
+  vec3 turn1, turn2;  ///< I1^-1 J_w1^T, I2^-1 J_w2^T
+  real bias;          ///< wanted J V, with its sign turned [unit of C per s]
+  real answer;        ///< Kinv[i][last] / Kinv[last][last]
+};
+
+/// What the inner loop reads of a block.
+struct PreparedBlock {
+  int body1, body2;        ///< slots
+  int rows;                ///< 1 to 6
+  int first, first_K;      ///< where its rows and its inverse begin in Preparation
+  Touches touches;         ///< which half of the velocities it needs
+  real mass_scale, impulse_scale;  ///< soft rows; 1 and 0 for hard ones
+  real lower, upper;       ///< bounds of the last row's sum, as impulses [N s or N m s]
+  real* impulse;           ///< its sums, in the joint
+};
+
+/// The blocks of a step, prepared: each demand turned, with this h, into bias, scales, bounds and
+/// the inverse of K.
+class Preparation {
+ public:
+  std::vector<PreparedBlock> blocks;  ///< in the order of the list
+  std::vector<PreparedRow> rows;      ///< of all of them
+  std::vector<real> inverse_K;        ///< rows x rows numbers a block
+
+  /// Forgets all, and makes room for so many rows.
+  void clear(int most_rows);
+  /// Prepares the blocks of the list from number `first` on.
+  /// \param row_by_row every row as a block of its own
+  void add(const Bodies& bodies, const Blocks& list, int first, real h, bool row_by_row = false);
+  /// Warm: applies what the joints remember of the last step, times `scale`. Cold: makes them
+  /// forget it. A row that can do nothing now (no direction, or dependent on others) forgets it too.
+  void start(Bodies& bodies, bool warm, real scale);
+
+ private:
+  void add_rows(const Bodies& bodies, const Blocks& list, const Block& block, int from, int to,
+                real h);
+};
+
+}  // namespace joints
+/// @}

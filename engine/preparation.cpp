@@ -5,6 +5,15 @@
 
 namespace joints {
 
+void collect(World& world, real h, Blocks& blocks) {
+  for (int slot = 0; slot < world.bodies.slots(); ++slot)
+    integrate_forces(world.bodies.at(slot), world.gravity, h);
+  blocks.clear();
+  blocks.reserve(world.most_rows());
+  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
+  for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
+}
+
 void Preparation::clear(int most_rows) {
   blocks.clear();
   rows.clear();

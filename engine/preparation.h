@@ -7,6 +7,9 @@
 /// @{
 namespace joints {
 
+/// How every step begins: forces, then the joints are asked for their blocks.
+void collect(World& world, real h, Blocks& blocks);
+
 /// What the inner loop reads of a row: J, the angular half of M^-1 J^T, and the bias.
 struct PreparedRow {
   Row J;              ///< the row

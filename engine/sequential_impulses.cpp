@@ -22,14 +22,7 @@ void SequentialImpulses::begin(World& world, real h) {
   require(finite(h) && h > 0, "h: the step must be positive and finite [s]");
   require(iterations > 0, "iterations: there must be at least one");
   require(projections >= 0, "projections: must not be negative");
-  for (int slot = 0; slot < world.bodies.slots(); ++slot)
-    integrate_forces(world.bodies.at(slot), world.gravity, h);
-
-  blocks_.clear();
-  blocks_.reserve(world.most_rows());
-  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
-  for (const auto& joint : world.joints()) joint->append(world.bodies, blocks_);
-
+  collect(world, h, blocks_);
   prepared_.clear(world.most_rows());
   sequence_.reserve(world.most_rows());
   prepared_.add(world.bodies, blocks_, 0, h, row_by_row);

@@ -4,6 +4,7 @@
 
 #include "bench/runner.h"
 #include "engine/program.h"
+#include "engine/wide.h"
 #include "engine/sequential_impulses.h"
 
 using namespace joints;
@@ -13,22 +14,54 @@ namespace {
 
 // ---- solvers and settings -----------------------------------------------------------------------
 
+// A solver with everything but its sweeps.
+using Solver = std::function<Setting(int iterations)>;
+
 Setting sequential_impulses(int iterations, bool warm) {
-  return {"sequential impulses", "3x3 blocks", iterations, warm, [=] {
+  return {"sequential impulses", "whole blocks", iterations, warm, [=] {
             SequentialImpulses solver;
             solver.iterations = iterations;
             solver.warm_start = warm;
             return [solver](World& world, real h) mutable { solver.step(world, h); };
-          }};
+          }, {}};
 }
+Setting cold(int iterations) { return sequential_impulses(iterations, false); }
+Setting warm(int iterations) { return sequential_impulses(iterations, true); }
+
+Setting on_lanes(int iterations, Packing packing, real beta) {
+  Setting setting{"on lanes", packing == Packing::trees ? "a tree a lane" : "coloured", iterations,
+                  false, [=] {
+                    WideImpulses solver;
+                    solver.iterations = iterations;
+                    solver.packing = packing;
+                    return [solver](World& world, real h) mutable { solver.step(world, h); };
+                  }, {}};
+  if (beta == real(0.2)) return setting;
+  setting.name += ", beta 1";
+  setting.prepare = [=](World& world) {
+    for (const auto& joint : world.joints()) joint->beta = beta;
+  };
+  return setting;
+}
+Setting trees(int iterations) { return on_lanes(iterations, Packing::trees, real(0.2)); }
+Setting coloured(int iterations) { return on_lanes(iterations, Packing::colours, real(0.2)); }
+Setting trees_beta_1(int iterations) { return on_lanes(iterations, Packing::trees, 1); }
 
 // ---- scenes -------------------------------------------------------------------------------------
 
-std::vector<MakeScene> scenes(bool quick) {
-  std::vector<MakeScene> list;
-  list.push_back([] { return cubes_on_balls(10, 100); });
+// A scene and the solvers that run it.
+struct Entry {
+  MakeScene make;
+  std::vector<Solver> solvers;
+};
+
+std::vector<Entry> scenes(bool quick) {
+  std::vector<Entry> list;
+  list.push_back({[] { return cubes_on_balls(10, 100); }, {cold, warm}});
+  list.push_back({[] { return cubes_on_hinges(10, 100); }, {cold, trees, coloured, trees_beta_1}});
   for (double ratio : {1, 10, 100, 1000, 10000})
-    if (!quick || ratio == 1 || ratio == 100) list.push_back([=] { return heavy_end(ratio); });
+    if (!quick || ratio == 1 || ratio == 100)
+      list.push_back({[=] { return heavy_end(ratio); }, {cold, warm}});
   return list;
 }
 
@@ -48,26 +81,28 @@ void write(FILE* file, const Scene& scene, const Setting& setting, const Result&
 
 // One scene with one kind of setting, over the iteration counts. What one more iteration costs a
 // joint is the slope of the time between a count and its neighbour.
-void series(FILE* file, const MakeScene& make, bool warm, const std::vector<int>& counts,
-            int repetitions) {
+void series(FILE* file, const MakeScene& make, const Solver& solver,
+            const std::vector<int>& counts, int repetitions) {
   const Scene scene = make();
   std::vector<Result> results;
   for (int count : counts) {
-    std::fprintf(stderr, "%s %s %d\n", scene.name.c_str(), warm ? "warm" : "cold", count);
-    results.push_back(run(make, sequential_impulses(count, warm), repetitions));
+    const Setting setting = solver(count);
+    std::fprintf(stderr, "%s, %s, %s %d\n", scene.name.c_str(), setting.name.c_str(),
+                 setting.warm ? "warm" : "cold", count);
+    results.push_back(run(make, setting, repetitions));
   }
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const std::size_t a = k == 0 ? 0 : k - 1, b = a + 1;
     const double ns = 1000 * (results[b].us_per_step - results[a].us_per_step) /
                       (double(scene.marks.size()) * (counts[b] - counts[a]));
-    write(file, scene, sequential_impulses(counts[k], warm), results[k], ns);
+    write(file, scene, solver(counts[k]), results[k], ns);
   }
 }
 
 // Nothing but steps, for counting instructions: the difference of two calls is what is sought.
 void only_steps(int iterations, int steps) {
   Scene scene = cubes_on_balls(1, 100);
-  const Step step = sequential_impulses(iterations, false).make();
+  const Step step = cold(iterations).make();
   for (int n = 0; n < steps; ++n) step(scene.world, real(1) / 60);
 }
 
@@ -93,8 +128,9 @@ int main(int argc, char** argv) {
     FILE* file = std::fopen(path.c_str(), append ? "a" : "w");
     if (!file) refuse("--csv " + path + ": cannot be written");
     if (!append) std::fputs(columns, file);
-    for (const MakeScene& make : scenes(quick))
-      for (bool warm : {false, true}) series(file, make, warm, counts, repetitions);
+    for (const Entry& entry : scenes(quick))
+      for (const Solver& solver : entry.solvers)
+        series(file, entry.make, solver, counts, repetitions);
     std::fclose(file);
   });
 }

@@ -10,3 +10,4 @@
 #include "chapters/06_baumgarte/baumgarte.h"
 #include "engine/reaction.h"
 #include "engine/sequential_impulses.h"
+#include "engine/wide.h"

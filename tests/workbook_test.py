@@ -302,6 +302,18 @@ def programs_carry_what_they_use(root, build):
             yield f"{program} carries {symbol}"
 
 
+def lanes_stay_at_home(root, build):
+    """what is compiled for one kind of processor shares no function with the rest"""
+    for kind in ("wide", "wide_float"):
+        for path in (build / "CMakeFiles" / f"{kind}.dir" / "engine").glob("*avx2*.o"):
+            lines = run("nm", "-C", str(path)).stdout.splitlines()
+            if not any("sweep_lanes_avx2" in line for line in lines):
+                yield f"{path.name}: nm shows no symbols"
+            for line in lines:  # W, V, u: one definition of several, whichever the linker takes
+                if re.match(r"[0-9a-f]* ?[WVu] ", line.strip()):
+                    yield f"{kind}, {path.name}: {line.strip()}"
+
+
 def bad_words_are_refused(root, build):
     """a bad command line gets one line that names the option, and exit status 2"""
     bad = ["--nonsense", "--iterations 0", "--iterations x", "--iterations", "--seconds -1",
@@ -359,7 +371,7 @@ PROOFS = [stubs_are_fresh, every_region_has_a_task, every_exercise_has_hints,
           every_exercise_has_wrong_answers, texts_have_their_headings, questions_have_answers,
           equations_exist, texts_keep_the_solution, links_lead_somewhere, errata_are_shown,
           quotations_are_exact, layers_hold, sources_are_short, programs_carry_what_they_use,
-          bad_words_are_refused, programs_repeat_themselves]
+          lanes_stay_at_home, bad_words_are_refused, programs_repeat_themselves]
 
 
 def main(arguments):

@@ -24,8 +24,8 @@ struct Variant {
 
 Scene in_chain_order(int chains) { return cubes_on_hinges(chains, 100); }
 
-// The same joints, but the first of every chain, then the second of every chain, and so on: then the
-// processor need not wait for one joint before it begins with the next.
+// The same joints, but the first of every chain, then the second of every chain, and so on: then
+// the processor need not wait for one joint before it begins with the next.
 Scene interleaved(int chains) {
   Scene scene = cubes_on_hinges(chains, 100);
   World world;

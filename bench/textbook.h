@@ -1,5 +1,5 @@
-// The textbook's loop: a class a joint, set up once a step, one virtual call a joint and sweep, small
-// matrices by GLM. It is what the faster loops are measured against.
+// The textbook's loop: a class a joint, set up once a step, one virtual call a joint and sweep,
+// small matrices by GLM. It is what the faster loops are measured against.
 #pragma once
 
 #include "engine/world.h"

@@ -1,6 +1,6 @@
-// Several numbers that are computed with at once: the compiler's own vector type, and how records of
-// bodies are turned into columns and back. The same code serves every processor; what it becomes is
-// decided by the options of the file that includes it.
+// Several numbers that are computed with at once: the compiler's own vector type, and how records
+// of bodies are turned into columns and back. The same code serves every processor; what it becomes
+// is decided by the options of the file that includes it.
 #pragma once
 
 #include "engine/lane_records.h"

@@ -43,7 +43,8 @@ class Preparation {
   /// \param row_by_row every row as a block of its own
   void add(const Bodies& bodies, const Blocks& list, int first, real h, bool row_by_row = false);
   /// Warm: applies what the joints remember of the last step, times `scale`. Cold: makes them
-  /// forget it. A row that can do nothing now (no direction, or dependent on others) forgets it too.
+  /// forget it. A row that can do nothing now (no direction, or dependent on others) forgets it
+  /// too.
   void start(Bodies& bodies, bool warm, real scale);
 
  private:

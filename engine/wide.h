@@ -1,5 +1,5 @@
-// The blocks of a step packed into lanes: eight (float) or four (double) that are alike and share no
-// body that moves are solved side by side.
+// The blocks of a step packed into lanes: eight (float) or four (double) that are alike and share
+// no body that moves are solved side by side.
 #pragma once
 
 #include "engine/lane_records.h"

@@ -1,5 +1,5 @@
-// The inner loop on lanes. Included once by each file that is compiled for a kind of processor; what
-// stands here is that file's own.
+// The inner loop on lanes. Included once by each file that is compiled for a kind of processor;
+// what stands here is that file's own.
 #pragma once
 
 #include "engine/lanes.h"
@@ -97,13 +97,15 @@ inline void solve_any(const LaneGroup& group, Lanes* numbers, LaneBody* bodies) 
   Lanes e[N], dlambda[N];
   for (int i = 0; i < N; ++i) {
     const Lanes* row = g.rest + 18 * i;
-    e[i] = g.bias[i] + dot(vector3(row), vector3(body1.v())) + dot(vector3(row + 3), vector3(body1.w())) +
-           dot(vector3(row + 6), vector3(body2.v())) + dot(vector3(row + 9), vector3(body2.w()));
+    e[i] = g.bias[i] + dot(vector3(row), vector3(body1.v())) +
+           dot(vector3(row + 3), vector3(body1.w())) + dot(vector3(row + 6), vector3(body2.v())) +
+           dot(vector3(row + 9), vector3(body2.w()));
   }
   impulses<N>(g, e, dlambda);
   for (int i = 0; i < N; ++i) {
     const Lanes* row = g.rest + 18 * i;
-    const Lanes along1 = body1.inverse_mass() * dlambda[i], along2 = body2.inverse_mass() * dlambda[i];
+    const Lanes along1 = body1.inverse_mass() * dlambda[i];
+    const Lanes along2 = body2.inverse_mass() * dlambda[i];
     for (int k = 0; k < 3; ++k) {
       body1.v()[k] += along1 * row[k];
       body2.v()[k] += along2 * row[6 + k];

@@ -302,12 +302,15 @@ def run_bench(program, options, table=TABLE):
 
 
 def bench(options):
-    """Error against run time, or with --stability the stability suite: tables and figures."""
+    """Error against run time; --stability: the stability suite; --loop: the loop's variants."""
     if options == ["--stability"]:
         import stability
         return stability.main()
+    if options == ["--loop"]:
+        import loop
+        return loop.main()
     if options:
-        raise house.Trouble(f"bench: {' '.join(options)}: it takes no option but --stability")
+        raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability or --loop")
     import benchmark
     return benchmark.main()
 

@@ -7,10 +7,12 @@
 
 namespace joints {
 
+/// \cond
 // So many numbers side by side; + - * / and comparisons work on each by itself.
 typedef real Lanes __attribute__((vector_size(32), may_alias));
 typedef float Floats __attribute__((vector_size(32), may_alias));
 typedef double Doubles __attribute__((vector_size(32), may_alias));
+/// \endcond
 
 // Of each file its own: what was compiled for one processor must not be called on another.
 namespace {

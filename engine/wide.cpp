@@ -130,14 +130,14 @@ bool WideBlocks::add_trees(const Bodies& from, const Preparation& prepared, int 
   }
   if (2 * used < lanes) return false;
   for (const auto& [kinds, list] : alike)
-    for (std::size_t at = 0; at < list.size(); at += lane_count) {
-      const int n = std::min(lane_count, int(list.size() - at));
-      for (std::size_t k = 0; k < kinds.size(); ++k) {
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+      // All trees' blocks number k, before any tree's next one: nobody has to wait for it.
+      for (std::size_t at = 0; at < list.size(); at += lane_count) {
+        const int n = std::min(lane_count, int(list.size() - at));
         int blocks[lane_count];
         for (int lane = 0; lane < n; ++lane) blocks[lane] = (*list[at + std::size_t(lane)])[k];
         add_group(from, prepared, blocks, n);
       }
-    }
   return true;
 }
 

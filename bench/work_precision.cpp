@@ -37,7 +37,7 @@ Setting on_lanes(int iterations, Packing packing, real beta) {
                     return [solver](World& world, real h) mutable { solver.step(world, h); };
                   }, {}};
   if (beta == real(0.2)) return setting;
-  setting.name += ", beta 1";
+  setting.name += " with beta 1";
   setting.prepare = [=](World& world) {
     for (const auto& joint : world.joints()) joint->beta = beta;
   };

@@ -38,6 +38,7 @@ class WideBlocks {
 };
 
 /// Sequential Impulses on lanes: the same rows, the same order within a colour, other blocks first.
+/// The blocks are packed anew in every step, which takes memory from the heap.
 class WideImpulses {
  public:
   int iterations = 30;      ///< sweeps a step

@@ -119,3 +119,27 @@ function(add_chapter chapter name)
   set_property(GLOBAL PROPERTY WORKBOOK_NAME_${chapter} ${name})
   set_property(GLOBAL PROPERTY WORKBOOK_USES_${chapter} ${arg_USES})
 endfunction()
+
+# use_best_instructions(NN_name): a chapter's file and all that use it may have the 32 byte registers
+# of an x86 processor, if the one that builds has them. None of it is installed: what goes elsewhere
+# chooses where it runs (engine/wide_sweep.cpp).
+function(use_best_instructions chapter)
+  include(CheckCXXSourceRuns)
+  check_cxx_source_runs("
+    int main() {
+    #ifdef __x86_64__
+      return __builtin_cpu_supports(\"avx2\") ? 0 : 1;
+    #else
+      return 1;
+    #endif
+    }" WORKBOOK_HAS_AVX2)
+  set(options -Wno-psabi)  # vectors never pass by value between what is compiled in two ways
+  if(WORKBOOK_HAS_AVX2)
+    list(APPEND options -mavx2)
+  endif()
+  foreach(version "" _float _mine _mixed)
+    target_compile_options(${chapter}${version} PUBLIC ${options})
+  endforeach()
+  set_property(GLOBAL PROPERTY WORKBOOK_OPTIONS_${chapter} ${options})
+  set_property(GLOBAL APPEND PROPERTY WORKBOOK_STAYS_HOME ${chapter})
+endfunction()

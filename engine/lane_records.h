@@ -1,7 +1,7 @@
 // What the lanes read and write, as plain numbers in memory.
 #pragma once
 
-#include "engine/real.h"
+#include "engine/triple.h"
 
 /// \addtogroup world
 /// @{
@@ -9,30 +9,31 @@ namespace joints {
 
 constexpr int lane_count = 32 / int(sizeof(real));  ///< 8 in float, 4 in double
 
-/// A number of each lane.
-struct alignas(32) LaneNumber {
-  real lane[lane_count];  ///< side by side
-};
-
-/// What a sweep reads and writes of a body: a record of eight numbers.
-struct alignas(32) LaneBody {
-  real v[3];          ///< velocity [m/s]
-  real inverse_mass;  ///< [1/kg]
-  real w[3];          ///< angular velocity [rad/s]
-  real unused;        ///< fills the record
-};
-
-/// Blocks that are solved side by side, a lane each.
+/// Blocks that are solved side by side, a lane each. What a group does not need is not there: the
+/// three switches say which numbers it has.
 struct LaneGroup {
   int rows = 0;        ///< of each block, 1 to 6
   bool point = false;  ///< the first three rows hold two points together, the others only turn
-  int first = 0;       ///< where its numbers begin
-  int body1[lane_count], body2[lane_count];  ///< records of its bodies
-  int block[lane_count];  ///< which prepared block, -1 in a lane that is not used
+  bool hard = false;   ///< neither soft nor bounded: no scales, no bounds
+  bool round = false;  ///< point: no body's inertia has a direction, one number says it
+  int first = 0;       ///< where its numbers begin, counted in single numbers
+  int first_end = 0;   ///< where its lanes' bodies 1, then its lanes' bodies 2 begin
 };
 
-/// One sweep over the groups, with the best instructions of the processor that runs it.
-void sweep_lanes(const LaneGroup* groups, int count, LaneNumber* numbers, LaneBody* bodies);
+/// All that a sweep works on.
+struct LaneSweep {
+  const LaneGroup* groups;   ///< in the order in which they are solved
+  int count;                 ///< how many
+  real* numbers;             ///< of the groups, at an address that 32 divides
+  const int* ends;           ///< which records the groups' bodies have
+  Velocities<real>* bodies;  ///< a record a body; or, in columns, lane_count bodies' side by side
+  bool columns;              ///< bodies stand as the lanes want them
+};
+
+/// One sweep, one block at a time.
+void sweep_single(const LaneSweep& sweep);
+/// One sweep on lanes, with the best instructions of the processor that runs it.
+void sweep_lanes(const LaneSweep& sweep);
 
 }  // namespace joints
 /// @}

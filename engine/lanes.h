@@ -1,6 +1,6 @@
-// Several numbers that are computed with at once: the compiler's own vector type, and how records
-// of bodies are turned into columns and back. The same code serves every processor; what it becomes
-// is decided by the options of the file that includes it.
+// Several numbers that are computed with at once: the compiler's own vector type behind a small one
+// of ours, and how records of bodies are turned into columns and back. The same code serves every
+// processor; what it becomes is decided by the options of the file that includes it.
 #pragma once
 
 #include "engine/lane_records.h"
@@ -8,22 +8,39 @@
 namespace joints {
 
 /// \cond
-// So many numbers side by side; + - * / and comparisons work on each by itself.
-typedef real Lanes __attribute__((vector_size(32), may_alias));
+#ifdef __AVX2__  // the kind of processor that this file is compiled for
+#define JOINTS_PROCESSOR 2
+#else
+#define JOINTS_PROCESSOR 0
+#endif
 typedef float Floats __attribute__((vector_size(32), may_alias));
 typedef double Doubles __attribute__((vector_size(32), may_alias));
+template <class Number>
+struct VectorOf;
+template <>
+struct VectorOf<float> { typedef Floats type; };
+template <>
+struct VectorOf<double> { typedef Doubles type; };
 /// \endcond
 
-// Of each file its own: what was compiled for one processor must not be called on another.
-namespace {
+/// So many numbers side by side, one of each joint: + - * work on each by itself. What is compiled
+/// for one kind of processor has another type, and so another name, than what is compiled for
+/// another: the linker cannot mix them up.
+template <int processor>
+struct LanesFor {
+  typedef VectorOf<real>::type Vector;  ///< the compiler's
+  Vector all;                           ///< all of them
 
-// The records of lane_count bodies as columns: v.x of all, v.y of all, and so on.
-struct BodyLanes {
-  Lanes column[8];
-  Lanes* v() { return column; }
-  Lanes& inverse_mass() { return column[3]; }
-  Lanes* w() { return column + 4; }
+  friend LanesFor operator+(const LanesFor& a, const LanesFor& b) { return {a.all + b.all}; }
+  friend LanesFor operator-(const LanesFor& a, const LanesFor& b) { return {a.all - b.all}; }
+  friend LanesFor operator*(const LanesFor& a, const LanesFor& b) { return {a.all * b.all}; }
+  friend LanesFor operator-(const LanesFor& a) { return {-a.all}; }
 };
+/// Those of this file.
+using Lanes = LanesFor<JOINTS_PROCESSOR>;
+
+/// \cond
+namespace {
 
 // Eight rows of eight become eight columns: pairs, then fours, then halves change places.
 inline void transpose(Floats* r) {
@@ -57,26 +74,29 @@ inline void transpose(Doubles* r) {
   }
 }
 
-// Loads the records with these numbers and turns them into columns. (Not by gather instructions:
-// those take longer.)
-inline void load(const LaneBody* records, const int* index, BodyLanes& out) {
+// Loads the records with these numbers and turns them into columns: v.x of all, v.y of all, and so
+// on. (Not by gather instructions: those take longer.)
+inline void load(const Velocities<real>* records, const int* index, Velocities<Lanes>& out) {
   constexpr int parts = 8 / lane_count;  // of a record
+  Lanes::Vector* const column = reinterpret_cast<Lanes::Vector*>(&out);
   for (int k = 0; k < lane_count; ++k) {
-    const Lanes* record = reinterpret_cast<const Lanes*>(&records[index[k]]);
-    for (int part = 0; part < parts; ++part) out.column[part * lane_count + k] = record[part];
+    const auto* record = reinterpret_cast<const Lanes::Vector*>(&records[index[k]]);
+    for (int part = 0; part < parts; ++part) column[part * lane_count + k] = record[part];
   }
-  for (int part = 0; part < parts; ++part) transpose(out.column + part * lane_count);
+  for (int part = 0; part < parts; ++part) transpose(column + part * lane_count);
 }
 
 // The way back.
-inline void store(LaneBody* records, const int* index, BodyLanes& in) {
+inline void store(Velocities<real>* records, const int* index, Velocities<Lanes>& in) {
   constexpr int parts = 8 / lane_count;
-  for (int part = 0; part < parts; ++part) transpose(in.column + part * lane_count);
+  Lanes::Vector* const column = reinterpret_cast<Lanes::Vector*>(&in);
+  for (int part = 0; part < parts; ++part) transpose(column + part * lane_count);
   for (int k = 0; k < lane_count; ++k) {
-    Lanes* record = reinterpret_cast<Lanes*>(&records[index[k]]);
-    for (int part = 0; part < parts; ++part) record[part] = in.column[part * lane_count + k];
+    auto* record = reinterpret_cast<Lanes::Vector*>(&records[index[k]]);
+    for (int part = 0; part < parts; ++part) record[part] = column[part * lane_count + k];
   }
 }
 
 }  // namespace
+/// \endcond
 }  // namespace joints

@@ -51,15 +51,18 @@ void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block
     out.mass_scale = a2 / (1 + a2);
     out.impulse_scale = 1 / (1 + a2);
   }
+  out.mass_scale *= relaxation;
+  out.impulse_scale *= relaxation;
   if (has_last) {
     out.lower = h * demand.lower;
     out.upper = h * demand.upper;
   }
 
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      inverse_K.push_back(list.K[block.first_K + (from + i) * block.rows + from + j]);
+  inverse_K.resize(inverse_K.size() + std::size_t(n * n));
   real* inverse = inverse_K.data() + out.first_K;
+  const real* const K = &list.K[block.first_K + from * block.rows + from];
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) inverse[i * n + j] = K[i * block.rows + j];
   invert_symmetric(inverse, n);
 
   const mat3 I1 = inverse_inertia(bodies.at(block.body1));
@@ -87,6 +90,7 @@ void Preparation::start(Bodies& bodies, bool warm, real scale) {
       real& lambda = block.impulse[i];
       const bool live = inverse_K[block.first_K + i * block.rows + i] > 0;
       lambda = warm && live ? scale * lambda : 0;
+      if (!warm) continue;
       const PreparedRow& row = rows[block.first + i];
       body1.v += body1.inverse_mass * lambda * row.J.v1;
       body1.w += lambda * row.turn1;

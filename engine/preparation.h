@@ -36,6 +36,7 @@ class Preparation {
   std::vector<PreparedBlock> blocks;  ///< in the order of the list
   std::vector<PreparedRow> rows;      ///< of all of them
   std::vector<real> inverse_K;        ///< rows x rows numbers a block
+  real relaxation = 1;                ///< factor of every impulse [1]: over-relaxation above 1
 
   /// Forgets all, and makes room for so many rows.
   void clear(int most_rows);

@@ -22,9 +22,11 @@ void SequentialImpulses::begin(World& world, real h) {
   require(finite(h) && h > 0, "h: the step must be positive and finite [s]");
   require(iterations > 0, "iterations: there must be at least one");
   require(projections >= 0, "projections: must not be negative");
+  require(finite(relaxation) && relaxation > 0, "relaxation: must be positive and finite");
   collect(world, h, blocks_);
   prepared_.clear(world.most_rows());
   sequence_.reserve(world.most_rows());
+  prepared_.relaxation = relaxation;
   prepared_.add(world.bodies, blocks_, 0, h, row_by_row);
   prepared_.start(world.bodies, warm_start, last_h_ > 0 ? h / last_h_ : 1);
   last_h_ = h;

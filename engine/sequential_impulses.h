@@ -27,13 +27,14 @@ class SequentialImpulses {
   int iterations = 30;         ///< sweeps a step
   bool warm_start = false;     ///< begin with the impulses of the last step
   int projections = 0;         ///< sweeps of position projection after a step (chapter 6)
+  real relaxation = 1;         ///< over-relaxation: a factor of every impulse [1], below 2
   Order order = Order::forward;  ///< of the blocks in a sweep
   unsigned seed = 1;           ///< of the shuffled order
   bool row_by_row = false;     ///< solve every row as a block of its own (chapter 2)
 
   /// Moves the world on by one step. Allocates only when the world has grown since the last step.
-  /// \param h step [s] \throws std::invalid_argument unless h and the iterations are positive
-  /// and the projections not negative
+  /// \param h step [s] \throws std::invalid_argument unless h, iterations and relaxation are
+  /// positive and the projections not negative
   void step(World& world, real h);
 
   // The pieces of a step, for those who measure between the sweeps (chapter 2, tests).

@@ -1,10 +1,7 @@
-// Packing blocks into lanes, and the step that solves them.
+// The step over packed blocks, and the numbers of a group.
 #include "engine/wide.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
-#include <numeric>
 
 namespace joints {
 
@@ -12,15 +9,16 @@ namespace {
 
 // Whether the first three rows hold two points together and the others only turn: then two levers
 // and the axes say it all. The levers are read off the rows.
-bool holds_a_point(const PreparedRow* row, int rows, vec3& r1, vec3& r2) {
+bool holds_a_point(const PreparedRow* row, int rows) {
   if (rows < 3) return false;
-  r1 = vec3(row[2].J.w1.y, row[0].J.w1.z, row[1].J.w1.x);
-  r2 = -vec3(row[2].J.w2.y, row[0].J.w2.z, row[1].J.w2.x);
   for (int i = 0; i < 3; ++i) {
-    vec3 unit(0);
-    unit[i] = 1;  // row i of skew(r) is unit x r
-    if (row[i].J.v1 != -unit || row[i].J.v2 != unit) return false;
-    if (row[i].J.w1 != cross(unit, r1) || row[i].J.w2 != -cross(unit, r2)) return false;
+    const Row& J = row[i].J;
+    for (int k = 0; k < 3; ++k) {
+      const real one = k == i ? real(1) : real(0);
+      if (J.v1[k] != -one || J.v2[k] != one) return false;
+      // skew of the levers: nothing on the diagonal, the opposite across it
+      if (J.w1[k] != -row[k].J.w1[i] || J.w2[k] != -row[k].J.w2[i]) return false;
+    }
   }
   for (int i = 3; i < rows; ++i)
     if (row[i].J.v1 != vec3(0) || row[i].J.v2 != vec3(0) || row[i].J.w1 != -row[i].J.w2)
@@ -28,182 +26,159 @@ bool holds_a_point(const PreparedRow* row, int rows, vec3& r1, vec3& r2) {
   return true;
 }
 
-// What a block is like: only like blocks are solved side by side.
-int kind_of(const Preparation& prepared, int number) {
-  const PreparedBlock& block = prepared.blocks[number];
-  vec3 r1, r2;
-  return holds_a_point(&prepared.rows[block.first], block.rows, r1, r2) ? 10 + block.rows
-                                                                        : block.rows;
+// A kind as one number. Only blocks of one kind are solved side by side.
+int kind_of(const Bodies& bodies, const Preparation& prepared, const PreparedBlock& block) {
+  const bool point = holds_a_point(&prepared.rows[block.first], block.rows);
+  const bool hard = block.impulse_scale == 0 && block.lower == -unbounded &&
+                    block.upper == unbounded;
+  const bool round = point && bodies.at(block.body1).is_isotropic() &&
+                     bodies.at(block.body2).is_isotropic();
+  return 8 * block.rows + 4 * point + 2 * hard + round;
+}
+// After how many numbers of a block its sums begin.
+int sums_at(const LaneGroup& group) {
+  const int n = group.rows;
+  return group.point ? 6 + (group.round ? 2 : 12) + n + 3 * (n - 3) : 19 * n;
 }
 
 }  // namespace
 
-void WideBlocks::begin(const Bodies& from) {
-  groups.clear();
-  numbers.clear();
-  bodies.resize(std::size_t(from.slots()) + 1);
-  for (int slot = 0; slot < from.slots(); ++slot) {
-    const Body& body = from.at(slot);
-    bodies[std::size_t(slot)] = {{body.v.x, body.v.y, body.v.z}, body.inverse_mass,
-                                 {body.w.x, body.w.y, body.w.z}, 0};
+int WideBlocks::size_of(const LaneGroup& group) {
+  const int n = group.rows;
+  return sums_at(group) + n + n * (n + 1) / 2 + (group.hard ? 0 : 3 + n);
+}
+
+// A record's first number: in columns the others stand lane_count apart.
+real* WideBlocks::record(int number) {
+  real* const all = reinterpret_cast<real*>(records_.data());
+  return columns_ ? all + number / width_ * 8 * width_ + number % width_ : all + 8 * number;
+}
+const real* WideBlocks::record(int number) const {
+  return const_cast<WideBlocks*>(this)->record(number);
+}
+
+void WideBlocks::pack(const Bodies& bodies, const Preparation& prepared, Packing packing,
+                      bool lanes) {
+  const int width = lanes && packing != Packing::list ? lane_count : 1;
+  now_.clear();
+  for (const PreparedBlock& block : prepared.blocks) {
+    const int still1 = bodies.at(block.body1).is_static(), still2 = bodies.at(block.body2).is_static();
+    now_.push_back({4 * kind_of(bodies, prepared, block) + 2 * still1 + still2, block.body1,
+                    block.body2});
   }
-  bodies.back() = {};
-}
-
-void WideBlocks::end(Bodies& to, const Preparation& prepared) const {
-  for (int slot = 0; slot < to.slots(); ++slot) {
-    Body& body = to.at(slot);
-    if (body.is_static()) continue;
-    const LaneBody& from = bodies[std::size_t(slot)];
-    body.v = vec3(from.v[0], from.v[1], from.v[2]);
-    body.w = vec3(from.w[0], from.w[1], from.w[2]);
+  if (packing != packing_ || width != width_ || now_ != signs_) {
+    signs_ = now_;
+    packing_ = packing;
+    width_ = width;
+    ++packed_;
+    arrange(bodies, packing);
   }
-  for (const LaneGroup& group : groups)
-    for (int lane = 0; lane < lane_count; ++lane)
-      if (group.block[lane] >= 0)
-        for (int i = 0; i < group.rows; ++i)
-          prepared.blocks[group.block[lane]].impulse[i] = numbers[group.first + 4 + i].lane[lane];
+
+  const int step = columns_ ? width_ : 1;
+  for (std::size_t k = 0; k < slots_.size(); ++k) {
+    if (slots_[k] < 0) continue;
+    const Body& body = bodies.at(slots_[k]);
+    real* const to = record(int(k));
+    const real from[] = {body.v.x, body.v.y, body.v.z, body.inverse_mass,
+                         body.w.x, body.w.y, body.w.z};
+    for (int i = 0; i < 7; ++i) to[i * step] = from[i];
+  }
+  for (std::size_t k = 0; k < groups.size(); ++k)
+    fill(bodies, prepared, groups[k], int(k) * width_);
 }
 
-void WideBlocks::sweep() {
-  sweep_lanes(groups.data(), int(groups.size()), numbers.data(), bodies.data());
-}
-
-// Neighbours get different colours: each block takes the first one that none of its two moving
-// bodies has yet. Within a colour, like blocks come together.
-void WideBlocks::add(const Bodies& from, const Preparation& prepared, int first, Packing packing) {
-  if (packing == Packing::trees && add_trees(from, prepared, first)) return;
-  std::vector<std::vector<bool>> taken(std::size_t(from.slots()));
-  std::vector<std::map<int, std::vector<int>>> colours;  // of each colour: kind -> blocks
-  for (int k = first; k < int(prepared.blocks.size()); ++k) {
-    const PreparedBlock& block = prepared.blocks[k];
-    const int ends[] = {block.body1, block.body2};
-    std::size_t colour = 0;
-    const auto is_taken = [&](int body) {
-      return !from.at(body).is_static() && colour < taken[body].size() && taken[body][colour];
+// The numbers of a group, each block into its lane.
+void WideBlocks::fill(const Bodies& bodies, const Preparation& prepared, const LaneGroup& group,
+                      int first) {
+  const int n = group.rows;
+  for (int lane = 0; lane < width_; ++lane) {
+    if (blocks[first + lane] < 0) continue;
+    const PreparedBlock& block = prepared.blocks[blocks[first + lane]];
+    const PreparedRow* const row = &prepared.rows[block.first];
+    real* to = reinterpret_cast<real*>(numbers_.data()) + group.first + lane;
+    const auto put = [&](real number) {
+      *to = number;
+      to += width_;
     };
-    while (is_taken(ends[0]) || is_taken(ends[1])) ++colour;
-    for (const int body : ends) {
-      if (from.at(body).is_static()) continue;
-      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
-      taken[body][colour] = true;
-    }
-    if (colours.size() <= colour) colours.resize(colour + 1);
-    colours[colour][kind_of(prepared, k)].push_back(k);
-  }
-  for (const auto& colour : colours)
-    for (const auto& [kind, list] : colour)
-      for (std::size_t at = 0; at < list.size(); at += lane_count)
-        add_group(from, prepared, &list[at], std::min(lane_count, int(list.size() - at)));
-}
-
-// Trees that hang together by bodies that move, alike in the kinds of their blocks, a lane each:
-// then each keeps its own order. Returns false where fewer than half of the lanes would be used.
-bool WideBlocks::add_trees(const Bodies& from, const Preparation& prepared, int first) {
-  std::vector<int> root(std::size_t(from.slots()));
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int body) {
-    while (root[body] != body) body = root[body] = root[root[body]];
-    return body;
-  };
-  const int count = int(prepared.blocks.size());
-  for (int k = first; k < count; ++k) {
-    const PreparedBlock& block = prepared.blocks[k];
-    if (!from.at(block.body1).is_static() && !from.at(block.body2).is_static())
-      root[find(block.body1)] = find(block.body2);
-  }
-  std::map<int, std::vector<int>> trees;  // root -> its blocks in their order
-  for (int k = first; k < count; ++k) {
-    const PreparedBlock& block = prepared.blocks[k];
-    trees[find(from.at(block.body1).is_static() ? block.body2 : block.body1)].push_back(k);
-  }
-  std::map<std::vector<int>, std::vector<const std::vector<int>*>> alike;  // kinds -> trees
-  for (const auto& [body, list] : trees) {
-    std::vector<int> kinds;
-    for (const int k : list) kinds.push_back(kind_of(prepared, k));
-    alike[kinds].push_back(&list);
-  }
-  std::size_t used = 0, lanes = 0;
-  for (const auto& [kinds, list] : alike) {
-    used += kinds.size() * list.size();
-    lanes += kinds.size() * ((list.size() + lane_count - 1) / lane_count * lane_count);
-  }
-  if (2 * used < lanes) return false;
-  for (const auto& [kinds, list] : alike)
-    for (std::size_t k = 0; k < kinds.size(); ++k)
-      // All trees' blocks number k, before any tree's next one: nobody has to wait for it.
-      for (std::size_t at = 0; at < list.size(); at += lane_count) {
-        const int n = std::min(lane_count, int(list.size() - at));
-        int blocks[lane_count];
-        for (int lane = 0; lane < n; ++lane) blocks[lane] = (*list[at + std::size_t(lane)])[k];
-        add_group(from, prepared, blocks, n);
-      }
-  return true;
-}
-
-void WideBlocks::add_group(const Bodies& from, const Preparation& prepared, const int* blocks,
-                           int count) {
-  const int rows = prepared.blocks[blocks[0]].rows;
-  LaneGroup group;
-  group.rows = rows;
-  group.point = kind_of(prepared, blocks[0]) >= 10;
-  group.first = int(numbers.size());
-  const int rest = 4 + 3 * rows + rows * rows;
-  const int size = rest + (group.point ? 18 + 3 * (rows - 3) : 18 * rows);
-  numbers.resize(numbers.size() + std::size_t(size), LaneNumber{});
-  LaneNumber* const to = &numbers[std::size_t(group.first)];
-  for (int lane = 0; lane < lane_count; ++lane) {
-    group.body1[lane] = group.body2[lane] = int(bodies.size()) - 1;
-    group.block[lane] = -1;
-    if (lane >= count) continue;
-    const PreparedBlock& block = prepared.blocks[blocks[lane]];
-    group.block[lane] = blocks[lane];
-    group.body1[lane] = block.body1;
-    group.body2[lane] = block.body2;
-    int at = 0;
-    const auto put = [&](real number) { to[at++].lane[lane] = number; };
     const auto put_vector = [&](const vec3& a) { put(a.x), put(a.y), put(a.z); };
-    const PreparedRow* row = &prepared.rows[block.first];
-    put(block.mass_scale), put(block.impulse_scale), put(block.lower), put(block.upper);
-    for (int i = 0; i < rows; ++i) put(block.impulse[i]);
-    for (int i = 0; i < rows; ++i) put(row[i].bias);
-    for (int i = 0; i < rows; ++i) put(row[i].answer);
-    for (int i = 0; i < rows * rows; ++i) put(prepared.inverse_K[block.first_K + i]);
-    if (vec3 r1, r2; group.point && holds_a_point(row, rows, r1, r2)) {
-      put_vector(r1), put_vector(r2);
-      for (const int body : {block.body1, block.body2}) {
-        const mat3 I = inverse_inertia(from.at(body));
+    if (group.point) {
+      put_vector(vec3(row[2].J.w1.y, row[0].J.w1.z, row[1].J.w1.x));
+      put_vector(-vec3(row[2].J.w2.y, row[0].J.w2.z, row[1].J.w2.x));
+      for (const int slot : {block.body1, block.body2}) {
+        const Body& body = bodies.at(slot);
+        if (group.round) {
+          put(body.inverse_inertia_local.x);
+          continue;
+        }
+        const mat3 I = inverse_inertia(body);
         put_vector(vec3(I[0][0], I[1][1], I[2][2]));
         put_vector(vec3(I[1][0], I[2][0], I[2][1]));
       }
-      for (int i = 3; i < rows; ++i) put_vector(row[i].J.w2);
+      for (int i = 0; i < n; ++i) put(row[i].bias);
+      for (int i = 3; i < n; ++i) put_vector(row[i].J.w2);
     } else {
-      for (int i = 0; i < rows; ++i)
+      for (int i = 0; i < n; ++i) put(row[i].bias);
+      for (int i = 0; i < n; ++i)
         for (const vec3& a : {row[i].J.v1, row[i].J.w1, row[i].J.v2, row[i].J.w2, row[i].turn1,
                               row[i].turn2})
           put_vector(a);
     }
+    for (int i = 0; i < n; ++i) put(block.impulse[i]);
+    const real* const inverse_K = &prepared.inverse_K[block.first_K];
+    for (int i = 0; i < n; ++i)
+      for (int j = i; j < n; ++j) put(block.mass_scale * inverse_K[i * n + j]);
+    if (group.hard) continue;
+    put(block.impulse_scale), put(block.lower), put(block.upper);
+    for (int i = 0; i < n; ++i) put(row[i].answer);
   }
-  groups.push_back(group);
+}
+
+void WideBlocks::sweep() {
+  const LaneSweep all{groups.data(), int(groups.size()),
+                      reinterpret_cast<real*>(numbers_.data()), ends.data(), records_.data(),
+                      columns_};
+  width_ == 1 ? sweep_single(all) : sweep_lanes(all);
+}
+
+void WideBlocks::end(Bodies& bodies, const Preparation& prepared) const {
+  const int step = columns_ ? width_ : 1;
+  for (std::size_t k = 0; k < slots_.size(); ++k) {
+    if (slots_[k] < 0 || bodies.at(slots_[k]).is_static()) continue;
+    Body& body = bodies.at(slots_[k]);
+    const real* const from = record(int(k));
+    body.v = vec3(from[0], from[step], from[2 * step]);
+    body.w = vec3(from[4 * step], from[5 * step], from[6 * step]);
+  }
+  for (std::size_t k = 0; k < groups.size(); ++k)
+    for (int lane = 0; lane < width_; ++lane) {
+      const int block = blocks[k * width_ + lane];
+      if (block < 0) continue;
+      const real* from = reinterpret_cast<const real*>(numbers_.data()) + groups[k].first + lane +
+                         sums_at(groups[k]) * width_;
+      for (int i = 0; i < groups[k].rows; ++i, from += width_)
+        prepared.blocks[block].impulse[i] = *from;
+    }
 }
 
 void WideImpulses::step(World& world, real h) {
   require(finite(h) && h > 0, "h: the step must be positive and finite [s]");
   require(iterations > 0, "iterations: there must be at least one");
   require(projections >= 0, "projections: must not be negative");
+  require(finite(relaxation) && relaxation > 0, "relaxation: must be positive and finite");
   collect(world, h, blocks_);
   prepared_.clear(world.most_rows());
+  prepared_.relaxation = relaxation;
   prepared_.add(world.bodies, blocks_, 0, h);
   prepared_.start(world.bodies, warm_start, last_h_ > 0 ? h / last_h_ : 1);
   last_h_ = h;
-  lanes_.begin(world.bodies);
-  for (int known = 0; known < int(blocks_.list.size());) {
-    prepared_.add(world.bodies, blocks_, int(prepared_.blocks.size()), h);
-    lanes_.add(world.bodies, prepared_, known, packing);
-    known = int(blocks_.list.size());
-    for (int i = 0; i < iterations; ++i) lanes_.sweep();
-    lanes_.end(world.bodies, prepared_);
+  for (;;) {  // a limit that lies ahead may have been reached during the sweeps
+    packed_.pack(world.bodies, prepared_, packing, lanes);
+    for (int i = 0; i < iterations; ++i) packed_.sweep();
+    packed_.end(world.bodies, prepared_);
+    const int known = int(blocks_.list.size());
     for (const auto& joint : world.joints()) joint->second_look(world.bodies, h, blocks_);
+    if (int(blocks_.list.size()) == known) break;
+    prepared_.add(world.bodies, blocks_, known, h);
   }
   for (int slot = 0; slot < world.bodies.slots(); ++slot)
     integrate_pose(world.bodies.at(slot), h);

@@ -1,5 +1,5 @@
-// The blocks of a step packed into lanes: eight (float) or four (double) that are alike and share
-// no body that moves are solved side by side.
+// The blocks of a step packed for the fastest loop: one after the other, or in lanes, where eight
+// (float) or four (double) that are alike and share no body that moves are solved side by side.
 #pragma once
 
 #include "engine/lane_records.h"
@@ -10,52 +10,88 @@
 /// @{
 namespace joints {
 
-/// Which blocks come together.
+/// Which blocks come together, and in which order.
 enum class Packing {
-  trees,   ///< a tree of joints a lane, where so many are alike that most lanes are used; else:
-  colours  ///< neighbours get different colours, and one colour comes after the other
+  trees,    ///< the first block of every tree of joints, then the second of every one; on lanes a
+            ///< tree a lane, where so many are alike that most lanes are used, else colours
+  colours,  ///< neighbours get different colours, and one colour comes after the other
+  list      ///< one at a time, in the order of the list: no lanes
 };
 
-/// All blocks of a step in groups of lanes.
+/// All blocks of a step in groups that are solved side by side. Who comes with whom is worked out
+/// once and kept for as long as the next steps have blocks of the same kinds between the same
+/// bodies; then a step takes no memory from the heap.
 class WideBlocks {
  public:
   std::vector<LaneGroup> groups;  ///< in the order in which they are solved
-  std::vector<LaneNumber> numbers;  ///< what the sweeps read, group by group
-  std::vector<LaneBody> bodies;   ///< the velocities; the last record belongs to unused lanes
+  std::vector<int> blocks;        ///< of each group's lanes, which prepared block; -1: lane unused
+  std::vector<int> ends;          ///< of each group, its bodies: LaneGroup::first_end
 
-  /// Forgets all groups and takes over the bodies' velocities.
-  void begin(const Bodies& bodies);
-  /// Packs the prepared blocks from number `first` on.
-  void add(const Bodies& bodies, const Preparation& prepared, int first, Packing packing);
+  /// \param lanes false: every group is one block
+  void pack(const Bodies& bodies, const Preparation& prepared, Packing packing, bool lanes);
   /// One sweep over all groups, with the best instructions that this processor has.
   void sweep();
   /// Gives velocities and sums of impulses back. \param prepared whose blocks were packed
   void end(Bodies& bodies, const Preparation& prepared) const;
 
+  int width() const { return width_; }  ///< lanes of a group: 1 or lane_count
+  /// The slots of bodies that the records belong to, -1: to none.
+  const std::vector<int>& slots() const { return slots_; }
+  int packed() const { return packed_; }  ///< how often the groups had to be worked out anew
+
  private:
-  bool add_trees(const Bodies& bodies, const Preparation& prepared, int first);
-  void add_group(const Bodies& bodies, const Preparation& prepared, const int* blocks, int count);
+  // What a block is like, and between which bodies: while these stay, so do the groups.
+  struct Sign {
+    int kind, body1, body2;
+    bool operator==(const Sign&) const = default;
+  };
+  // So many numbers begin where 32 bytes begin.
+  struct alignas(32) LaneNumber {
+    real lane[lane_count];
+  };
+
+  void arrange(const Bodies& bodies, Packing packing);
+  using Trees = std::vector<std::vector<int>>;  // of each, its blocks
+  Trees find_trees(const Bodies& bodies) const;
+  void interleave(const Trees& trees);
+  bool arrange_trees(const Bodies& bodies, const Trees& trees);
+  void arrange_colours(const Bodies& bodies);
+  void add_group(const int* list, int count);
+  static int size_of(const LaneGroup& group);
+  real* record(int number);
+  const real* record(int number) const;
+  void fill(const Bodies& bodies, const Preparation& prepared, const LaneGroup& group, int first);
+
+  std::vector<Sign> signs_, now_;
+  std::vector<LaneNumber> numbers_;
+  std::vector<Velocities<real>> records_;
+  std::vector<int> slots_;
+  Packing packing_ = Packing::trees;
+  int width_ = 0, packed_ = 0;
+  bool columns_ = false;
 };
 
-/// Sequential Impulses on lanes: the same rows, the same order within a colour, other blocks first.
-/// The blocks are packed anew in every step, which takes memory from the heap.
+/// Sequential Impulses over packed blocks: the same rows, the same order within a tree or a colour,
+/// other blocks first.
 class WideImpulses {
  public:
   int iterations = 30;      ///< sweeps a step
   bool warm_start = false;  ///< begin with the impulses of the last step
   int projections = 0;      ///< sweeps of position projection after a step
+  real relaxation = 1;      ///< over-relaxation: a factor of every impulse [1], below 2
   Packing packing = Packing::trees;  ///< which blocks come together
+  bool lanes = true;        ///< false: one block at a time
 
   /// Moves the world on by one step. \param h step [s]
-  /// \throws std::invalid_argument unless h and the iterations are positive and the projections not
-  /// negative
+  /// \throws std::invalid_argument unless h, the iterations and the relaxation are positive and the
+  /// projections not negative
   void step(World& world, real h);
-  const WideBlocks& lanes() const { return lanes_; }  ///< of the last step
+  const WideBlocks& packed() const { return packed_; }  ///< of the last step
 
  private:
   Blocks blocks_;
   Preparation prepared_;
-  WideBlocks lanes_;
+  WideBlocks packed_;
   Projection projection_;
   real last_h_ = 0;
 };

@@ -3,9 +3,7 @@
 
 namespace joints {
 
-void sweep_lanes_avx2(const LaneGroup* groups, int count, LaneNumber* numbers, LaneBody* bodies);
-void sweep_lanes_avx2(const LaneGroup* groups, int count, LaneNumber* numbers, LaneBody* bodies) {
-  sweep_all(groups, count, numbers, bodies);
-}
+void sweep_lanes_avx2(const LaneSweep& sweep);
+void sweep_lanes_avx2(const LaneSweep& sweep) { sweep_all<Lanes>(sweep); }
 
 }  // namespace joints

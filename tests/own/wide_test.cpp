@@ -70,7 +70,7 @@ TEST_CASE("on lanes a tree each keeps its own order: chains move as with the sca
       other.step(wide.world, h);
     }
     CHECK(distance(scalar.world, wide.world) < tolerance(1e-11, 1e-3));
-    CHECK(other.lanes().groups.size() == std::size_t(11 * ((10 + lane_count - 1) / lane_count)));
+    CHECK(other.packed().groups.size() == std::size_t(11 * ((10 + lane_count - 1) / lane_count)));
   }
 }
 
@@ -82,9 +82,8 @@ TEST_CASE("on lanes in colours the numbers are those of the scalar solver in tha
   World first = zoo(order);
   wide.step(first, h);
   std::vector<int> coloured;  // of the joints: here each has one block
-  for (const LaneGroup& group : wide.lanes().groups)
-    for (const int block : group.block)
-      if (block >= 0) coloured.push_back(block);
+  for (const int block : wide.packed().blocks)
+    if (block >= 0) coloured.push_back(block);
   REQUIRE(coloured.size() == 15);
 
   World on_lanes = zoo(order), in_order = zoo(coloured);
@@ -106,13 +105,18 @@ TEST_CASE("in a group of lanes no two blocks share a body that moves") {
   wide.packing = Packing::colours;
   wide.step(world, h);
   int blocks = 0;
-  for (const LaneGroup& group : wide.lanes().groups) {
+  const WideBlocks& packed = wide.packed();
+  REQUIRE(packed.width() == lane_count);
+  for (std::size_t group = 0; group < packed.groups.size(); ++group) {
     std::vector<int> seen;
     for (int lane = 0; lane < lane_count; ++lane) {
-      if (group.block[lane] < 0) continue;
+      if (packed.blocks[group * lane_count + std::size_t(lane)] < 0) continue;
       ++blocks;
-      for (const int body : {group.body1[lane], group.body2[lane]})
-        if (!world.bodies.at(body).is_static()) seen.push_back(body);
+      const int* ends = &packed.ends[std::size_t(packed.groups[group].first_end)];
+      for (const int record : {ends[lane], ends[lane_count + lane]})
+        if (const int body = packed.slots()[std::size_t(record)];
+            !world.bodies.at(body).is_static())
+          seen.push_back(body);
     }
     std::sort(seen.begin(), seen.end());
     CHECK(std::adjacent_find(seen.begin(), seen.end()) == seen.end());

@@ -1,0 +1,148 @@
+// The loop of chapter 7's program: hinges only, moved by your own four functions. Given, there is
+// nothing to edit here.
+#pragma once
+
+#include "chapters/07_performance/performance.h"
+#include "engine/lanes.h"
+
+/// \addtogroup chapter7
+/// @{
+namespace joints {
+
+/// Joints that are solved side by side, in groups that come one after the other.
+using Groups = std::vector<std::vector<int>>;
+
+/// Every joint by itself, in the order of the list: one lane.
+inline Groups one_by_one(const std::vector<int>& order) {
+  Groups groups;
+  for (const int link : order) groups.push_back({link});
+  return groups;
+}
+
+/// Colour after colour, `width` joints at a time.
+inline Groups by_colour(const std::vector<int>& colours, int width) {
+  Groups groups;
+  std::vector<int> open;  // of each colour, the group that still has room, or -1
+  for (std::size_t link = 0; link < colours.size(); ++link)
+    open.resize(std::max(open.size(), std::size_t(colours[link]) + 1), -1);
+  for (int colour = 0; colour < int(open.size()); ++colour)
+    for (std::size_t link = 0; link < colours.size(); ++link) {
+      if (colours[link] != colour) continue;
+      if (open[colour] < 0 || int(groups[open[colour]].size()) == width) {
+        open[colour] = int(groups.size());
+        groups.push_back({});
+      }
+      groups[open[colour]].push_back(int(link));
+    }
+  return groups;
+}
+
+/// The first joint of every chain, then the second of every chain, and so on, `width` chains at a
+/// time. \param chains how many \param length joints of each, which stand in the list in a row
+inline Groups a_chain_a_lane(int chains, int length, int width) {
+  Groups groups;
+  for (int k = 0; k < length; ++k)
+    for (int first = 0; first < chains; first += width) {
+      groups.push_back({});
+      for (int chain = first; chain < std::min(chains, first + width); ++chain)
+        groups.back().push_back(chain * length + k);
+    }
+  return groups;
+}
+
+/// Bodies and hinges, and the sweeps over them. Number is `real` or Lanes.
+template <class Number>
+class HingeLoop {
+ public:
+  static constexpr int width = int(sizeof(Number) / sizeof(real));  ///< hinges side by side
+
+  std::vector<Body> bodies;        ///< those that the links name
+  std::vector<Link> links;         ///< a hinge each
+  std::vector<Hinge> hinges;       ///< their geometry
+  Groups groups;                   ///< who comes with whom, and when; at most `width` in each
+  vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
+  int iterations = 30;             ///< sweeps a step
+  real relaxation = 1;             ///< over-relaxation: factor of every impulse [1], below 2
+  bool once_a_step = true;         ///< false: prepare anew before every solve
+
+  /// Forces, preparation, sweeps, places. \param h the step [s]
+  void step(real h) {
+    for (Body& body : bodies) integrate_forces(body, gravity, h);
+    records_.resize(bodies.size() + 1);  // the last one belongs to lanes that are not used
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      const Body& body = bodies[k];
+      records_[k] = {triple(body.v), body.inverse_mass, triple(body.w), 0};
+    }
+    numbers_.assign(groups.size(), HingeNumbers<Number>{});
+    ends_.assign(groups.size(), {});
+    for (std::size_t k = 0; k < groups.size(); ++k) prepare(k, h);
+    for (int sweep = 0; sweep < iterations; ++sweep)
+      for (std::size_t k = 0; k < groups.size(); ++k) {
+        if (!once_a_step) prepare(k, h);
+        visit(k);
+      }
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      Body& body = bodies[k];
+      if (body.is_static()) continue;
+      body.v = vec3(records_[k].v.x, records_[k].v.y, records_[k].v.z);
+      body.w = vec3(records_[k].w.x, records_[k].w.y, records_[k].w.z);
+      integrate_pose(body, h);
+    }
+  }
+
+  /// Gap of a hinge [m].
+  real gap(std::size_t k) const {
+    return length(hinges[k].point.error(bodies[links[k].body1], bodies[links[k].body2]));
+  }
+
+ private:
+  // The records of a group's bodies.
+  struct Ends {
+    int body1[width], body2[width];
+  };
+
+  // What the sweeps read of a group: each hinge's numbers into its lane.
+  void prepare(std::size_t group, real h) {
+    Ends& ends = ends_[group];
+    real* const to = reinterpret_cast<real*>(&numbers_[group]);
+    for (int lane = 0; lane < width; ++lane) {
+      ends.body1[lane] = ends.body2[lane] = int(bodies.size());
+      if (lane >= int(groups[group].size())) continue;
+      const std::size_t k = std::size_t(groups[group][std::size_t(lane)]);
+      const Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
+      HingeNumbers<real> one{};
+      hoist(hinges[k], body1, body2, h, one);
+      Matrix<5> K = whole_K(one, body1.inverse_mass, body2.inverse_mass);
+      invert_symmetric(K[0].data(), 5);
+      for (int i = 0; i < 5; ++i)
+        for (int j = i; j < 5; ++j) one.inverse_K[one.place(i, j)] = relaxation * K[i][j];
+      const real* const from = reinterpret_cast<const real*>(&one);
+      for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n)
+        to[n * width + std::size_t(lane)] = from[n];
+      ends.body1[lane] = links[k].body1;
+      ends.body2[lane] = links[k].body2;
+    }
+  }
+
+  // One solve of a group.
+  void visit(std::size_t group) {
+    const Ends& ends = ends_[group];
+    if constexpr (width == 1) {
+      solve(numbers_[group], records_[ends.body1[0]], records_[ends.body2[0]]);
+    } else {
+      Velocities<Number> body1, body2;
+      load(records_.data(), ends.body1, body1);
+      load(records_.data(), ends.body2, body2);
+      solve(numbers_[group], body1, body2);
+      store(records_.data(), ends.body1, body1);
+      store(records_.data(), ends.body2, body2);
+    }
+  }
+
+  std::vector<Velocities<real>> records_;
+  std::vector<HingeNumbers<Number>> numbers_;
+  std::vector<Ends> ends_;
+};
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,66 @@
+// Chapter 7: the performance loop. Replace each todo(...) by your own code; the text is in
+// README.md.
+#include "chapters/07_performance/performance.h"
+
+#ifndef REAL_HEADER  // lanes are of plain numbers
+#include "engine/lanes.h"
+#endif
+
+namespace joints {
+
+// ---- what does not depend on the velocities ----------------------------------------------------
+
+void hoist(const Hinge& hinge, const Body& body1, const Body& body2, real h,
+           HingeNumbers<real>& out) {
+  // begin [exercise 7.1]
+  // Fill in r1, r2, axis_row, I1, I2 and bias, Eq. 7-1. to_world(body, lever) turns a lever;
+  // hinge.axis.jacobian(body1, body2)[i].w2 is an axis row; inverse_inertia(body) is a mat3;
+  // triple() and symmetric() change vec3 and mat3 into what HingeNumbers holds.
+  todo("7.1");
+  // end [exercise 7.1]
+}
+
+// ---- one block a joint -------------------------------------------------------------------------
+
+Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inverse_mass2) {
+  const Triple<real>(&row)[2] = hinge.axis_row;
+  Matrix<5> K;
+  // begin [exercise 7.2]
+  // Fill K with the three parts of Eq. 7-3: the point's 3x3, the axis' 2x2, and between them the
+  // columns -(r1 x I1 a + r2 x I2 a), which stand below the diagonal once more.
+  // hinge.I1 * row[i] is an arrow; cross() and dot() work on those.
+  todo("7.2");
+  // end [exercise 7.2]
+  return K;
+}
+
+// ---- who may be solved side by side ------------------------------------------------------------
+
+std::vector<int> colours_of(const std::vector<Link>& links, const std::vector<bool>& moves) {
+  // begin [exercise 7.3]
+  // Keep, for each body, the colours that its joints have taken so far; taken[body][colour] is one
+  // way. Joint after joint takes the least colour that neither of its bodies has; a body that
+  // cannot move takes part in nothing.
+  todo("7.3");
+  // end [exercise 7.3]
+}
+
+// ---- the row solve, on lanes -------------------------------------------------------------------
+
+template <class Number>
+void solve(const HingeNumbers<Number>& hinge, Velocities<Number>& body1,
+           Velocities<Number>& body2) {
+  // begin [exercise 7.4]
+  // Eq. 7-6 in four steps: how far each row is from what is wanted (e = bias + J V); lambda =
+  // -K^-1 e with hinge.inverse_K[hinge.place(i, j)]; the push and the turn that lambda makes; and
+  // what they do to both bodies. Only + - * and the functions of Triple: then lanes work as well.
+  todo("7.4");
+  // end [exercise 7.4]
+}
+
+template void solve(const HingeNumbers<real>&, Velocities<real>&, Velocities<real>&);
+#ifndef REAL_HEADER
+template void solve(const HingeNumbers<Lanes>&, Velocities<Lanes>&, Velocities<Lanes>&);
+#endif
+
+}  // namespace joints

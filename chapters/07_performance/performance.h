@@ -1,0 +1,69 @@
+// Chapter 7: the performance loop. What performance.cpp has to provide. Read README.md beside it
+// first. There is nothing to edit here.
+#pragma once
+
+#include <vector>
+
+#include "chapters/02_ball/ball.h"
+#include "chapters/03_hinge/hinge.h"
+#include "engine/triple.h"
+
+/// \defgroup chapter7 Chapter 7: the performance loop
+/// \brief What belongs inside the loop, and how eight joints are solved in the time of one.
+/// @{
+namespace joints {
+
+/// The geometry of a hinge: a point that is held (chapter 2) and an axis that is held (chapter 3).
+struct Hinge {
+  Point point;            ///< three rows
+  Axis axis;              ///< two rows
+  real beta = real(0.2);  ///< share of the error fed back in a step [1]
+};
+
+/// Which two bodies a joint holds, by their numbers.
+struct Link {
+  int body1 = 0;  ///< one of them
+  int body2 = 0;  ///< the other
+};
+
+/// All that the sweeps of a step read of a hinge. Number is `real` for one hinge, or a lane type
+/// for several hinges side by side: then each number below is one of every hinge.
+template <class Number>
+struct HingeNumbers {
+  Triple<Number> r1, r2;      ///< levers from the centres to the anchors [m], world
+  Triple<Number> axis_row[2];  ///< b x a1 and c x a1, Eq. 3-4: factor of w2, and less of w1 [1]
+  Symmetric<Number> I1, I2;   ///< inverse inertia [1/(kg m^2)], world
+  Number bias[5];             ///< beta C / h: three of the point [m/s], two of the axis [rad/s]
+  Number inverse_K[15];       ///< upper half of the symmetric K^-1, in the order of place()
+
+  /// Where the entry of row i and column j stands in inverse_K, 0 to 14.
+  static constexpr int place(int i, int j) {
+    return i <= j ? 5 * i - i * (i - 1) / 2 + j - i : place(j, i);
+  }
+};
+
+/// Exercise 7.1: everything a hinge's sweeps need that does not depend on the velocities, apart
+/// from inverse_K, which stays as it is. \param h the step [s]
+void hoist(const Hinge& hinge, const Body& body1, const Body& body2, real h,
+           HingeNumbers<real>& out);
+
+/// Exercise 7.2: K of the hinge's five rows as one block, in closed form. The first three rows
+/// [1/kg], the last two [1/(kg m^2)], what stands between them [1/(kg m)].
+/// \param hinge its levers, axis rows and inverse inertias \param inverse_mass1 of body 1 [1/kg]
+/// \param inverse_mass2 of body 2 [1/kg]
+Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inverse_mass2);
+
+/// Exercise 7.3: a colour for every joint, such that no two joints of one colour share a body that
+/// moves. Each joint, from the first to the last, takes the least colour that is free at both of
+/// its bodies. \param links which bodies each joint holds \param moves of each body: can it move?
+/// \return colours, counted from 0
+std::vector<int> colours_of(const std::vector<Link>& links, const std::vector<bool>& moves);
+
+/// Exercise 7.4: one solve of the whole block. The velocities change so that all five rows are
+/// true. Written once; Number is `real` or a lane type.
+template <class Number>
+void solve(const HingeNumbers<Number>& hinge, Velocities<Number>& body1,
+           Velocities<Number>& body2);
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,72 @@
+// Arrows, inertias and velocities of any kind of number: of one, or of several side by side. GLM's own know
+// only single numbers. There is nothing to edit here.
+#pragma once
+
+#include "engine/real.h"
+
+/// \addtogroup numbers
+/// @{
+namespace joints {
+
+/// Three numbers: an arrow, or in lanes several arrows side by side. Written like a vec3.
+template <class Number>
+struct Triple {
+  Number x, y, z;  ///< its parts
+};
+
+/// The sum.
+template <class Number>
+inline Triple<Number> operator+(const Triple<Number>& a, const Triple<Number>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+/// The difference.
+template <class Number>
+inline Triple<Number> operator-(const Triple<Number>& a, const Triple<Number>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+/// A number times an arrow.
+template <class Number>
+inline Triple<Number> operator*(const Number& factor, const Triple<Number>& a) {
+  return {factor * a.x, factor * a.y, factor * a.z};
+}
+/// The dot product.
+template <class Number>
+inline Number dot(const Triple<Number>& a, const Triple<Number>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+/// The cross product.
+template <class Number>
+inline Triple<Number> cross(const Triple<Number>& a, const Triple<Number>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+/// From a vec3.
+inline Triple<real> triple(const vec3& a) { return {a.x, a.y, a.z}; }
+
+/// A symmetric 3x3 matrix, such as an inverse inertia in world axes: six numbers instead of nine.
+template <class Number>
+struct Symmetric {
+  Number xx, yy, zz, xy, xz, yz;  ///< the diagonal, then what stands on both sides of it
+};
+
+/// Matrix times arrow.
+template <class Number>
+inline Triple<Number> operator*(const Symmetric<Number>& m, const Triple<Number>& a) {
+  return {m.xx * a.x + m.xy * a.y + m.xz * a.z, m.xy * a.x + m.yy * a.y + m.yz * a.z,
+          m.xz * a.x + m.yz * a.y + m.zz * a.z};
+}
+/// From a mat3 that is symmetric.
+inline Symmetric<real> symmetric(const mat3& m) {
+  return {m[0][0], m[1][1], m[2][2], m[1][0], m[2][0], m[2][1]};
+}
+
+/// What a sweep reads and writes of a body: a record of eight numbers.
+template <class Number>
+struct alignas(32) Velocities {
+  Triple<Number> v;     ///< of the centre [m/s], world
+  Number inverse_mass;  ///< [1/kg], 0 for a static body
+  Triple<Number> w;     ///< angular velocity [rad/s], world
+  Number unused;        ///< fills the record
+};
+
+}  // namespace joints
+/// @}

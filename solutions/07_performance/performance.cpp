@@ -1,0 +1,119 @@
+// Chapter 7: the performance loop. Replace each todo(...) by your own code; the text is in
+// README.md.
+#include "chapters/07_performance/performance.h"
+
+#ifndef REAL_HEADER  // lanes are of plain numbers
+#include "engine/lanes.h"
+#endif
+
+namespace joints {
+
+// ---- what does not depend on the velocities ----------------------------------------------------
+
+void hoist(const Hinge& hinge, const Body& body1, const Body& body2, real h,
+           HingeNumbers<real>& out) {
+  // begin [exercise 7.1]
+  // Fill in r1, r2, axis_row, I1, I2 and bias, Eq. 7-1. to_world(body, lever) turns a lever;
+  // hinge.axis.jacobian(body1, body2)[i].w2 is an axis row; inverse_inertia(body) is a mat3;
+  // triple() and symmetric() change vec3 and mat3 into what HingeNumbers holds.
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));  // Eq. 7-1
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+  // end [exercise 7.1]
+}
+
+// ---- one block a joint -------------------------------------------------------------------------
+
+Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inverse_mass2) {
+  const Triple<real>(&row)[2] = hinge.axis_row;
+  Matrix<5> K;
+  // begin [exercise 7.2]
+  // Fill K with the three parts of Eq. 7-3: the point's 3x3, the axis' 2x2, and between them the
+  // columns -(r1 x I1 a + r2 x I2 a), which stand below the diagonal once more.
+  // hinge.I1 * row[i] is an arrow; cross() and dot() work on those.
+  const real diagonal = inverse_mass1 + inverse_mass2;
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {  // what an impulse along j does to the gap
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) + (i == j ? diagonal : real(0));  // Eq. 7-3
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+  // end [exercise 7.2]
+  return K;
+}
+
+// ---- who may be solved side by side ------------------------------------------------------------
+
+std::vector<int> colours_of(const std::vector<Link>& links, const std::vector<bool>& moves) {
+  // begin [exercise 7.3]
+  // Keep, for each body, the colours that its joints have taken so far; taken[body][colour] is one
+  // way. Joint after joint takes the least colour that neither of its bodies has; a body that
+  // cannot move takes part in nothing.
+  std::vector<std::vector<bool>> taken(moves.size());
+  std::vector<int> colours;
+  for (const Link& link : links) {
+    std::size_t colour = 0;
+    const auto is_taken = [&](int body) {
+      return moves[body] && colour < taken[body].size() && taken[body][colour];
+    };
+    while (is_taken(link.body1) || is_taken(link.body2)) ++colour;
+    for (const int body : {link.body1, link.body2}) {
+      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
+      taken[body][colour] = true;
+    }
+    colours.push_back(int(colour));
+  }
+  return colours;
+  // end [exercise 7.3]
+}
+
+// ---- the row solve, on lanes -------------------------------------------------------------------
+
+template <class Number>
+void solve(const HingeNumbers<Number>& hinge, Velocities<Number>& body1,
+           Velocities<Number>& body2) {
+  // begin [exercise 7.4]
+  // Eq. 7-6 in four steps: how far each row is from what is wanted (e = bias + J V); lambda =
+  // -K^-1 e with hinge.inverse_K[hinge.place(i, j)]; the push and the turn that lambda makes; and
+  // what they do to both bodies. Only + - * and the functions of Triple: then lanes work as well.
+  const Triple<Number> gap =
+      body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
+  const Triple<Number> turning = body2.w - body1.w;
+  const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
+                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
+                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
+  Number lambda[5];
+  for (int i = 0; i < 5; ++i) {
+    lambda[i] = -hinge.inverse_K[hinge.place(i, 0)] * e[0];
+    for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
+  }
+  const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
+  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  body1.v = body1.v - body1.inverse_mass * push;
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body2.v = body2.v + body2.inverse_mass * push;
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);  // Eq. 7-6
+  // end [exercise 7.4]
+}
+
+template void solve(const HingeNumbers<real>&, Velocities<real>&, Velocities<real>&);
+#ifndef REAL_HEADER
+template void solve(const HingeNumbers<Lanes>&, Velocities<Lanes>&, Velocities<Lanes>&);
+#endif
+
+}  // namespace joints

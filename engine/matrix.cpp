@@ -1,39 +1,61 @@
 // The inverse of a small symmetric matrix by the sweep operator (Goodnight 1979).
 #include "engine/matrix.h"
 
+#include <utility>
+
 namespace joints {
 
 namespace {
 
+// f(0), f(1), .. f(n - 1), each with a number that the compiler knows: no loop is left, and every
+// entry below has a register of its own.
+template <int n, class F>
+void unrolled(const F& f) {
+  [&]<int... k>(std::integer_sequence<int, k...>) {
+    (f(std::integral_constant<int, k>{}), ...);
+  }(std::make_integer_sequence<int, n>{});
+}
+
 // Sweeping pivot k solves row k for its unknown and puts the result into all the other rows; once
-// every pivot has been swept, the inverse stands in the matrix' place, with its sign turned. Works
-// on the lower half; N is known to the compiler, which leaves no loop.
+// every pivot has been swept, the inverse stands in the matrix' place, with its sign turned.
 template <int N>
 void invert(real* K) {
-  real original[N];
-  bool swept[N] = {};
-  for (int k = 0; k < N; ++k) original[k] = K[k * N + k];
-  const auto at = [&](int i, int j) -> real& { return i >= j ? K[i * N + j] : K[j * N + i]; };
-
-  for (int k = 0; k < N; ++k) {
+  real lower[N * (N + 1) / 2], original[N];
+  bool dependent[N] = {}, any_dependent = false;
+  const auto at = [&](int i, int j) -> real& {
+    return i >= j ? lower[i * (i + 1) / 2 + j] : lower[j * (j + 1) / 2 + i];
+  };
+  unrolled<N>([&](auto i) {
+    unrolled<i + 1>([&](auto j) { at(i, j) = K[i * N + j]; });
+    original[i] = at(i, i);
+  });
+  unrolled<N>([&](auto k) {
     const real pivot = at(k, k);
-    if (!(pivot > 4 * epsilon * original[k])) continue;  // a dependent row, or no mass at all:
-    // what is left of it is the rounding of the sweeps before, a few epsilon
-    swept[k] = true;
-    const real over_pivot = 1 / pivot;
-    for (int i = 0; i < N; ++i) {
-      if (i == k) continue;
-      const real factor = at(i, k) * over_pivot;
-      for (int j = 0; j <= i; ++j)
-        if (j != k) at(i, j) -= factor * at(j, k);
+    if (!(pivot > 4 * epsilon * original[k])) {  // a dependent row, or no mass at all: what is
+      dependent[k] = any_dependent = true;       // left of it is the rounding of the sweeps before
+      return;
     }
-    for (int i = 0; i < N; ++i)
-      if (i != k) at(i, k) *= over_pivot;
+    const real over_pivot = 1 / pivot;
+    unrolled<N>([&](auto i) {
+      if constexpr (i != k) {
+        const real factor = at(i, k) * over_pivot;
+        unrolled<i + 1>([&](auto j) {
+          if constexpr (j != k) at(i, j) -= factor * at(j, k);
+        });
+      }
+    });
+    unrolled<N>([&](auto i) {
+      if constexpr (i != k) at(i, k) *= over_pivot;
+    });
     at(k, k) = -over_pivot;
-  }
+  });
+  unrolled<N>([&](auto i) {
+    unrolled<i + 1>([&](auto j) { K[i * N + j] = K[j * N + i] = -at(i, j); });
+  });
+  if (!any_dependent) return;
   for (int i = 0; i < N; ++i)
-    for (int j = 0; j <= i; ++j)
-      K[i * N + j] = K[j * N + i] = swept[i] && swept[j] ? -at(i, j) : real(0);
+    for (int j = 0; j < N; ++j)
+      if (dependent[i] || dependent[j]) K[i * N + j] = 0;
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // nothing to edit here.
 #pragma once
 
+#include <algorithm>
+
 #include "chapters/07_performance/performance.h"
 #include "engine/lanes.h"
 
@@ -73,12 +75,12 @@ class HingeLoop {
       const Body& body = bodies[k];
       records_[k] = {triple(body.v), body.inverse_mass, triple(body.w), 0};
     }
-    numbers_.assign(groups.size(), HingeNumbers<Number>{});
-    ends_.assign(groups.size(), {});
-    for (std::size_t k = 0; k < groups.size(); ++k) prepare(k, h);
+    numbers_.resize(groups.size());
+    ends_.resize(groups.size());
+    for (std::size_t k = 0; k < groups.size(); ++k) prepare_group(k, h);
     for (int sweep = 0; sweep < iterations; ++sweep)
       for (std::size_t k = 0; k < groups.size(); ++k) {
-        if (!once_a_step) prepare(k, h);
+        if (!once_a_step) prepare_group(k, h);
         visit(k);
       }
     for (std::size_t k = 0; k < bodies.size(); ++k) {
@@ -101,26 +103,35 @@ class HingeLoop {
     int body1[width], body2[width];
   };
 
-  // What the sweeps read of a group: each hinge's numbers into its lane.
-  void prepare(std::size_t group, real h) {
+  // What the sweeps read of a hinge.
+  void prepare(std::size_t k, real h, HingeNumbers<real>& out) const {
+    const Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
+    hoist(hinges[k], body1, body2, h, out);
+    Matrix<5> K = whole_K(out, body1.inverse_mass, body2.inverse_mass);
+    invert_symmetric(K[0].data(), 5);
+    for (int i = 0; i < 5; ++i)
+      for (int j = i; j < 5; ++j) out.inverse_K[out.place(i, j)] = relaxation * K[i][j];
+  }
+
+  // The same for a group: each hinge's numbers into its lane, zeros into a lane without a hinge.
+  void prepare_group(std::size_t group, real h) {
+    const std::vector<int>& members = groups[group];
     Ends& ends = ends_[group];
-    real* const to = reinterpret_cast<real*>(&numbers_[group]);
     for (int lane = 0; lane < width; ++lane) {
-      ends.body1[lane] = ends.body2[lane] = int(bodies.size());
-      if (lane >= int(groups[group].size())) continue;
-      const std::size_t k = std::size_t(groups[group][std::size_t(lane)]);
-      const Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
-      HingeNumbers<real> one{};
-      hoist(hinges[k], body1, body2, h, one);
-      Matrix<5> K = whole_K(one, body1.inverse_mass, body2.inverse_mass);
-      invert_symmetric(K[0].data(), 5);
-      for (int i = 0; i < 5; ++i)
-        for (int j = i; j < 5; ++j) one.inverse_K[one.place(i, j)] = relaxation * K[i][j];
-      const real* const from = reinterpret_cast<const real*>(&one);
-      for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n)
-        to[n * width + std::size_t(lane)] = from[n];
-      ends.body1[lane] = links[k].body1;
-      ends.body2[lane] = links[k].body2;
+      const bool used = lane < int(members.size());
+      const std::size_t k = used ? std::size_t(members[std::size_t(lane)]) : 0;
+      ends.body1[lane] = used ? links[k].body1 : int(bodies.size());
+      ends.body2[lane] = used ? links[k].body2 : int(bodies.size());
+      if constexpr (width == 1) {
+        prepare(k, h, numbers_[group]);
+      } else {
+        HingeNumbers<real> one{};
+        if (used) prepare(k, h, one);
+        const real* const from = reinterpret_cast<const real*>(&one);
+        real* const to = reinterpret_cast<real*>(&numbers_[group]);
+        for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n)
+          to[n * width + std::size_t(lane)] = from[n];
+      }
     }
   }
 

@@ -27,8 +27,8 @@ Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inve
   Matrix<5> K;
   // begin [exercise 7.2]
   // Fill K with the three parts of Eq. 7-3: the point's 3x3, the axis' 2x2, and between them the
-  // columns -(r1 x I1 a + r2 x I2 a), which stand below the diagonal once more.
-  // hinge.I1 * row[i] is an arrow; cross() and dot() work on those.
+  // columns -(r1 x I1 a + r2 x I2 a), which stand below the diagonal once more. hinge.I1 * row[i]
+  // is an arrow; cross() and dot() work on those.
   todo("7.2");
   // end [exercise 7.2]
   return K;
@@ -51,9 +51,9 @@ template <class Number>
 void solve(const HingeNumbers<Number>& hinge, Velocities<Number>& body1,
            Velocities<Number>& body2) {
   // begin [exercise 7.4]
-  // Eq. 7-6 in four steps: how far each row is from what is wanted (e = bias + J V); lambda =
-  // -K^-1 e with hinge.inverse_K[hinge.place(i, j)]; the push and the turn that lambda makes; and
-  // what they do to both bodies. Only + - * and the functions of Triple: then lanes work as well.
+  // Eq. 7-6 in four steps: how far each row is from what is wanted (e = bias + J V); K^-1 e, by
+  // hinge.inverse_K_times(e, out), whose opposite is lambda; the push and the turn of it; and what
+  // they do to both bodies. Only + - * and the functions of Triple: then lanes work as well.
   todo("7.4");
   // end [exercise 7.4]
 }

@@ -40,6 +40,15 @@ struct HingeNumbers {
   static constexpr int place(int i, int j) {
     return i <= j ? 5 * i - i * (i - 1) / 2 + j - i : place(j, i);
   }
+  /// out = K^-1 e, line by line: both halves from the upper one.
+  void inverse_K_times(const Number* e, Number* out) const {
+    const Number* k = inverse_K;
+    out[0] = k[0] * e[0] + k[1] * e[1] + k[2] * e[2] + k[3] * e[3] + k[4] * e[4];
+    out[1] = k[1] * e[0] + k[5] * e[1] + k[6] * e[2] + k[7] * e[3] + k[8] * e[4];
+    out[2] = k[2] * e[0] + k[6] * e[1] + k[9] * e[2] + k[10] * e[3] + k[11] * e[4];
+    out[3] = k[3] * e[0] + k[7] * e[1] + k[10] * e[2] + k[12] * e[3] + k[13] * e[4];
+    out[4] = k[4] * e[0] + k[8] * e[1] + k[11] * e[2] + k[13] * e[3] + k[14] * e[4];
+  }
 };
 
 /// Exercise 7.1: everything a hinge's sweeps need that does not depend on the velocities, apart

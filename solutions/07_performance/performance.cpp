@@ -37,21 +37,22 @@ Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inve
   Matrix<5> K;
   // begin [exercise 7.2]
   // Fill K with the three parts of Eq. 7-3: the point's 3x3, the axis' 2x2, and between them the
-  // columns -(r1 x I1 a + r2 x I2 a), which stand below the diagonal once more.
-  // hinge.I1 * row[i] is an arrow; cross() and dot() work on those.
-  const real diagonal = inverse_mass1 + inverse_mass2;
-  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  // columns -(r1 x I1 a + r2 x I2 a), which stand below the diagonal once more. hinge.I1 * row[i]
+  // is an arrow; cross() and dot() work on those.
   for (int j = 0; j < 3; ++j) {  // what an impulse along j does to the gap
-    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
-    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
-    for (int i = 0; i < 3; ++i)
-      K[i][j] = dot(unit[i], at1 + at2) + (i == j ? diagonal : real(0));  // Eq. 7-3
+    const Triple<real> along{real(j == 0), real(j == 1), real(j == 2)};
+    const Triple<real> gap = cross(hinge.I1 * cross(hinge.r1, along), hinge.r1) +
+                             cross(hinge.I2 * cross(hinge.r2, along), hinge.r2);
+    K[0][j] = gap.x, K[1][j] = gap.y, K[2][j] = gap.z;
+    K[j][j] += inverse_mass1 + inverse_mass2;  // Eq. 7-3
   }
-  for (int j = 0; j < 2; ++j) {
+  for (int j = 0; j < 2; ++j) {  // and one about axis row j, to the gap and to the tilt
     const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    const Triple<real> gap = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    K[0][3 + j] = K[3 + j][0] = -gap.x;
+    K[1][3 + j] = K[3 + j][1] = -gap.y;
+    K[2][3 + j] = K[3 + j][2] = -gap.z;
     for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
-    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
   // end [exercise 7.2]
   return K;
@@ -88,22 +89,19 @@ template <class Number>
 void solve(const HingeNumbers<Number>& hinge, Velocities<Number>& body1,
            Velocities<Number>& body2) {
   // begin [exercise 7.4]
-  // Eq. 7-6 in four steps: how far each row is from what is wanted (e = bias + J V); lambda =
-  // -K^-1 e with hinge.inverse_K[hinge.place(i, j)]; the push and the turn that lambda makes; and
-  // what they do to both bodies. Only + - * and the functions of Triple: then lanes work as well.
+  // Eq. 7-6 in four steps: how far each row is from what is wanted (e = bias + J V); K^-1 e, by
+  // hinge.inverse_K_times(e, out), whose opposite is lambda; the push and the turn of it; and what
+  // they do to both bodies. Only + - * and the functions of Triple: then lanes work as well.
   const Triple<Number> gap =
       body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
   const Triple<Number> turning = body2.w - body1.w;
   const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
                       hinge.bias[3] + dot(hinge.axis_row[0], turning),
                       hinge.bias[4] + dot(hinge.axis_row[1], turning)};
-  Number lambda[5];
-  for (int i = 0; i < 5; ++i) {
-    lambda[i] = -hinge.inverse_K[hinge.place(i, 0)] * e[0];
-    for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
-  }
-  const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  Number back[5];  // what has to be taken away: -lambda
+  hinge.inverse_K_times(e, back);
+  const Triple<Number> push{-back[0], -back[1], -back[2]};
+  const Triple<Number> turn = -back[3] * hinge.axis_row[0] - back[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
   body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
   body2.v = body2.v + body2.inverse_mass * push;

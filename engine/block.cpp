@@ -3,6 +3,8 @@
 
 namespace joints {
 
+static bool is_zero(const vec3& a) { return a.x == 0 && a.y == 0 && a.z == 0; }
+
 void Blocks::clear() {
   list.clear();
   J.clear();
@@ -19,22 +21,23 @@ void Blocks::reserve(int rows) {
 
 void Blocks::append(int slot1, int slot2, int rows, const Row* rows_J, const real* rows_C,
                     const real* rows_K, const Demand& demand, real* impulse) {
-  bool linear = false, angular = false;
-  for (int i = 0; i < rows; ++i) {
-    linear = linear || rows_J[i].v1 != vec3(0) || rows_J[i].v2 != vec3(0);
-    angular = angular || rows_J[i].w1 != vec3(0) || rows_J[i].w2 != vec3(0);
-  }
-  const Touches touches = !angular ? Touches::linear : linear ? Touches::both : Touches::angular;
-  list.push_back({slot1, slot2, rows, int(J.size()), int(K.size()), touches, demand, impulse});
+  const int first = int(J.size()), first_K = int(K.size());
   J.insert(J.end(), rows_J, rows_J + rows);
   C.insert(C.end(), rows_C, rows_C + rows);
   K.insert(K.end(), rows_K, rows_K + rows * rows);
-  for (int i = 0; i < rows; ++i) {  // a row without a direction: nothing answers to it
+  bool linear = false, angular = false;
+  for (int i = 0; i < rows; ++i) {
     const Row& row = rows_J[i];
-    if (row.v1 != vec3(0) || row.w1 != vec3(0) || row.v2 != vec3(0) || row.w2 != vec3(0)) continue;
-    real* K_block = &K[list.back().first_K];
+    const bool row_linear = !is_zero(row.v1) || !is_zero(row.v2);
+    const bool row_angular = !is_zero(row.w1) || !is_zero(row.w2);
+    linear = linear || row_linear;
+    angular = angular || row_angular;
+    if (row_linear || row_angular) continue;
+    real* K_block = &K[first_K];  // a row without a direction: nothing answers to it
     for (int j = 0; j < rows; ++j) K_block[i * rows + j] = K_block[j * rows + i] = 0;
   }
+  const Touches touches = !angular ? Touches::linear : linear ? Touches::both : Touches::angular;
+  list.push_back({slot1, slot2, rows, first, first_K, touches, demand, impulse});
 }
 
 }  // namespace joints

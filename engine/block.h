@@ -59,8 +59,12 @@ class Blocks {
     const int slot1 = bodies.index(id1), slot2 = bodies.index(id2);
     const Body &body1 = bodies.at(slot1), &body2 = bodies.at(slot2);
     if (body1.is_static() && body2.is_static()) return;
-    append(slot1, slot2, to_jacobian(part.jacobian(body1, body2)),
-           to_vector(part.error(body1, body2)), to_matrix(part.K(body1, body2)), demand, impulse);
+    const auto J_part = to_jacobian(part.jacobian(body1, body2));
+    const auto C_part = to_vector(part.error(body1, body2));
+    if constexpr (requires { part.K_of_rows(J_part, body1, body2); })  // made of others: knows J
+      append(slot1, slot2, J_part, C_part, part.K_of_rows(J_part, body1, body2), demand, impulse);
+    else
+      append(slot1, slot2, J_part, C_part, to_matrix(part.K(body1, body2)), demand, impulse);
   }
 
   /// The same from the numbers themselves.

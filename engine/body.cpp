@@ -8,9 +8,8 @@ namespace joints {
 
 void refuse(const std::string& what) { throw std::invalid_argument(what); }
 
-mat3 inverse_inertia(const Body& body) {
+mat3 turned_inverse_inertia(const Body& body) {
   const vec3& inverse = body.inverse_inertia_local;
-  if (body.is_isotropic()) return mat3(inverse.x);
   const mat3 R = mat3_cast(body.q);
   return mat3(R[0] * inverse.x, R[1] * inverse.y, R[2] * inverse.z) * transpose(R);
 }

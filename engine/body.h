@@ -41,8 +41,12 @@ inline vec3 world_point(const Body& body, const vec3& local) { return body.x + b
 /// Velocity [m/s] of the point of the body at lever `r` [m, world] from its centre.
 inline vec3 point_velocity(const Body& body, const vec3& r) { return body.v + cross(body.w, r); }
 
+/// The same for a body that is not isotropic.
+mat3 turned_inverse_inertia(const Body& body);
 /// The inverse inertia in world axes, R I_local^-1 R^T [1/(kg m^2)].
-mat3 inverse_inertia(const Body& body);
+inline mat3 inverse_inertia(const Body& body) {
+  return body.is_isotropic() ? mat3(body.inverse_inertia_local.x) : turned_inverse_inertia(body);
+}
 
 /// A body that never moves. \param x its place [m] \param q its orientation (normalised here)
 Body static_body(const vec3& x, const quat& q = quat(1, 0, 0, 0));

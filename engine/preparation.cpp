@@ -1,6 +1,7 @@
 // Turns what is asked of a block, with the step's h, into what the inner loop reads.
 #include "engine/preparation.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace joints {
@@ -24,19 +25,19 @@ void Preparation::clear(int most_rows) {
 }
 
 void Preparation::add(const Bodies& bodies, const Blocks& list, int first, real h,
-                      bool row_by_row) {
+                      bool row_by_row, bool turns) {
   for (std::size_t k = std::size_t(first); k < list.list.size(); ++k) {
     const Block& block = list.list[k];
     if (row_by_row)
-      for (int i = 0; i < block.rows; ++i) add_rows(bodies, list, block, i, i + 1, h);
+      for (int i = 0; i < block.rows; ++i) add_rows(bodies, list, block, i, i + 1, h, turns);
     else
-      add_rows(bodies, list, block, 0, block.rows, h);
+      add_rows(bodies, list, block, 0, block.rows, h, turns);
   }
 }
 
 // The rows [from, to) of a block.
 void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block& block, int from,
-                           int to, real h) {
+                           int to, real h, bool turns) {
   const Demand& demand = block.demand;
   const int n = to - from;
   const bool has_last = to == block.rows;  // the row to which target and bounds belong
@@ -65,37 +66,48 @@ void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block
     for (int j = 0; j < n; ++j) inverse[i * n + j] = K[i * block.rows + j];
   invert_symmetric(inverse, n);
 
-  const mat3 I1 = inverse_inertia(bodies.at(block.body1));
-  const mat3 I2 = inverse_inertia(bodies.at(block.body2));
   const real last = inverse[n * n - 1];
+  const real over_last = last > 0 ? 1 / last : real(0);
+  rows.resize(rows.size() + std::size_t(n));
+  PreparedRow* const row = &rows[std::size_t(out.first)];
   for (int i = 0; i < n; ++i) {
-    const Row& J = list.J[block.first + from + i];
-    const real C = list.C[block.first + from + i];
-    real bias = rate * C;
-    if (has_last && i == n - 1) {
-      const bool one_sided = demand.lower == 0 && demand.upper == unbounded;
-      if (one_sided && C > 0) bias = C / h;  // still room: it may be used up, no more
-      bias -= demand.target;
+    row[i].bias = rate * list.C[out.first + i];
+    row[i].answer = inverse[i * n + n - 1] * over_last;
+  }
+  if (turns) {
+    const mat3 I1 = inverse_inertia(bodies.at(block.body1));
+    const mat3 I2 = inverse_inertia(bodies.at(block.body2));
+    for (int i = 0; i < n; ++i) {
+      row[i].turn1 = I1 * list.J[out.first + i].w1;
+      row[i].turn2 = I2 * list.J[out.first + i].w2;
     }
-    const real answer = last > 0 ? inverse[i * n + n - 1] / last : real(0);
-    rows.push_back({J, I1 * J.w1, I2 * J.w2, bias, answer});
+  }
+  if (has_last) {
+    const real C = list.C[block.first + to - 1];
+    const bool one_sided = demand.lower == 0 && demand.upper == unbounded;
+    if (one_sided && C > 0) row[n - 1].bias = C / h;  // still room: it may be used up, no more
+    row[n - 1].bias -= demand.target;
   }
   blocks.push_back(out);
 }
 
-void Preparation::start(Bodies& bodies, bool warm, real scale) {
+void Preparation::start(Bodies& bodies, const Blocks& list, bool warm, real scale) {
   for (const PreparedBlock& block : blocks) {
+    if (!warm) {
+      std::fill_n(block.impulse, block.rows, real(0));
+      continue;
+    }
     Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
+    const mat3 I1 = inverse_inertia(body1), I2 = inverse_inertia(body2);
     for (int i = 0; i < block.rows; ++i) {
       real& lambda = block.impulse[i];
       const bool live = inverse_K[block.first_K + i * block.rows + i] > 0;
-      lambda = warm && live ? scale * lambda : 0;
-      if (!warm) continue;
-      const PreparedRow& row = rows[block.first + i];
-      body1.v += body1.inverse_mass * lambda * row.J.v1;
-      body1.w += lambda * row.turn1;
-      body2.v += body2.inverse_mass * lambda * row.J.v2;
-      body2.w += lambda * row.turn2;
+      lambda = live ? scale * lambda : 0;
+      const Row& J = list.J[block.first + i];
+      body1.v += body1.inverse_mass * lambda * J.v1;
+      body1.w += lambda * (I1 * J.w1);
+      body2.v += body2.inverse_mass * lambda * J.v2;
+      body2.w += lambda * (I2 * J.w2);
     }
   }
 }

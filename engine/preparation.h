@@ -10,19 +10,18 @@ namespace joints {
 /// How every step begins: forces, then the joints are asked for their blocks.
 void collect(World& world, real h, Blocks& blocks);
 
-/// What the inner loop reads of a row: J, the angular half of M^-1 J^T, and the bias.
+/// What the inner loop reads of a row beside J: the bias and the angular half of M^-1 J^T.
 struct PreparedRow {
-  Row J;              ///< the row
-  vec3 turn1, turn2;  ///< I1^-1 J_w1^T, I2^-1 J_w2^T
   real bias;          ///< wanted J V, with its sign turned [unit of C per s]
   real answer;        ///< Kinv[i][last] / Kinv[last][last]
+  vec3 turn1, turn2;  ///< I1^-1 J_w1^T, I2^-1 J_w2^T; only where they were asked for
 };
 
 /// What the inner loop reads of a block.
 struct PreparedBlock {
   int body1, body2;        ///< slots
   int rows;                ///< 1 to 6
-  int first, first_K;      ///< where its rows and its inverse begin in Preparation
+  int first, first_K;      ///< where its rows and its inverse begin: Blocks::J, rows, inverse_K
   Touches touches;         ///< which half of the velocities it needs
   real mass_scale, impulse_scale;  ///< soft rows; 1 and 0 for hard ones
   real lower, upper;       ///< bounds of the last row's sum, as impulses [N s or N m s]
@@ -34,23 +33,24 @@ struct PreparedBlock {
 class Preparation {
  public:
   std::vector<PreparedBlock> blocks;  ///< in the order of the list
-  std::vector<PreparedRow> rows;      ///< of all of them
+  std::vector<PreparedRow> rows;      ///< of all of them, one for each of Blocks::J
   std::vector<real> inverse_K;        ///< rows x rows numbers a block
   real relaxation = 1;                ///< factor of every impulse [1]: over-relaxation above 1
 
   /// Forgets all, and makes room for so many rows.
   void clear(int most_rows);
   /// Prepares the blocks of the list from number `first` on.
-  /// \param row_by_row every row as a block of its own
-  void add(const Bodies& bodies, const Blocks& list, int first, real h, bool row_by_row = false);
+  /// \param row_by_row every row as a block of its own \param turns PreparedRow::turn1, turn2, too
+  void add(const Bodies& bodies, const Blocks& list, int first, real h, bool row_by_row,
+           bool turns);
   /// Warm: applies what the joints remember of the last step, times `scale`. Cold: makes them
   /// forget it. A row that can do nothing now (no direction, or dependent on others) forgets it
   /// too.
-  void start(Bodies& bodies, bool warm, real scale);
+  void start(Bodies& bodies, const Blocks& list, bool warm, real scale);
 
  private:
   void add_rows(const Bodies& bodies, const Blocks& list, const Block& block, int from, int to,
-                real h);
+                real h, bool turns);
 };
 
 }  // namespace joints

@@ -12,7 +12,7 @@ void SequentialImpulses::step(World& world, real h) {
     const int known = int(blocks_.list.size());
     for (const auto& joint : world.joints()) joint->second_look(world.bodies, h, blocks_);
     if (int(blocks_.list.size()) == known) break;
-    prepared_.add(world.bodies, blocks_, known, h, row_by_row);
+    prepared_.add(world.bodies, blocks_, known, h, row_by_row, true);
     for (int i = 0; i < iterations; ++i) sweep(world.bodies, i);
   }
   finish(world, h);
@@ -27,8 +27,8 @@ void SequentialImpulses::begin(World& world, real h) {
   prepared_.clear(world.most_rows());
   sequence_.reserve(world.most_rows());
   prepared_.relaxation = relaxation;
-  prepared_.add(world.bodies, blocks_, 0, h, row_by_row);
-  prepared_.start(world.bodies, warm_start, last_h_ > 0 ? h / last_h_ : 1);
+  prepared_.add(world.bodies, blocks_, 0, h, row_by_row, true);
+  prepared_.start(world.bodies, blocks_, warm_start, last_h_ > 0 ? h / last_h_ : 1);
   last_h_ = h;
 }
 
@@ -87,14 +87,15 @@ void SequentialImpulses::solve_rows(Body* bodies, const PreparedBlock& block) {
 template <int N, bool linear, bool angular>
 void SequentialImpulses::solve_block(Body* bodies, const PreparedBlock& block) {
   Body &body1 = bodies[block.body1], &body2 = bodies[block.body2];
+  const Row* J = &blocks_.J[block.first];
   const PreparedRow* row = &prepared_.rows[block.first];
   const real* inverse_K = &prepared_.inverse_K[block.first_K];
 
   real e[N];  // how far the rate of each row is from what is wanted: bias + J V
   for (int i = 0; i < N; ++i) {
     e[i] = row[i].bias;
-    if constexpr (linear) e[i] += dot(row[i].J.v1, body1.v) + dot(row[i].J.v2, body2.v);
-    if constexpr (angular) e[i] += dot(row[i].J.w1, body1.w) + dot(row[i].J.w2, body2.w);
+    if constexpr (linear) e[i] += dot(J[i].v1, body1.v) + dot(J[i].v2, body2.v);
+    if constexpr (angular) e[i] += dot(J[i].w1, body1.w) + dot(J[i].w2, body2.w);
   }
 
   real dlambda[N];  // the impulse that takes it away
@@ -114,8 +115,8 @@ void SequentialImpulses::solve_block(Body* bodies, const PreparedBlock& block) {
   for (int i = 0; i < N; ++i) {
     block.impulse[i] += dlambda[i];
     if constexpr (linear) {
-      push1 += dlambda[i] * row[i].J.v1;
-      push2 += dlambda[i] * row[i].J.v2;
+      push1 += dlambda[i] * J[i].v1;
+      push2 += dlambda[i] * J[i].v2;
     }
     if constexpr (angular) {
       turn1 += dlambda[i] * row[i].turn1;

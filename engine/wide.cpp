@@ -9,26 +9,24 @@ namespace {
 
 // Whether the first three rows hold two points together and the others only turn: then two levers
 // and the axes say it all. The levers are read off the rows.
-bool holds_a_point(const PreparedRow* row, int rows) {
+bool holds_a_point(const Row* J, int rows) {
   if (rows < 3) return false;
-  for (int i = 0; i < 3; ++i) {
-    const Row& J = row[i].J;
+  for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) {
       const real one = k == i ? real(1) : real(0);
-      if (J.v1[k] != -one || J.v2[k] != one) return false;
+      if (J[i].v1[k] != -one || J[i].v2[k] != one) return false;
       // skew of the levers: nothing on the diagonal, the opposite across it
-      if (J.w1[k] != -row[k].J.w1[i] || J.w2[k] != -row[k].J.w2[i]) return false;
+      if (k <= i && (J[i].w1[k] != -J[k].w1[i] || J[i].w2[k] != -J[k].w2[i])) return false;
     }
-  }
   for (int i = 3; i < rows; ++i)
-    if (row[i].J.v1 != vec3(0) || row[i].J.v2 != vec3(0) || row[i].J.w1 != -row[i].J.w2)
-      return false;
+    for (int k = 0; k < 3; ++k)
+      if (J[i].v1[k] != 0 || J[i].v2[k] != 0 || J[i].w1[k] != -J[i].w2[k]) return false;
   return true;
 }
 
 // A kind as one number. Only blocks of one kind are solved side by side.
-int kind_of(const Bodies& bodies, const Preparation& prepared, const PreparedBlock& block) {
-  const bool point = holds_a_point(&prepared.rows[block.first], block.rows);
+int kind_of(const Bodies& bodies, const Blocks& list, const PreparedBlock& block) {
+  const bool point = holds_a_point(&list.J[block.first], block.rows);
   const bool hard = block.impulse_scale == 0 && block.lower == -unbounded &&
                     block.upper == unbounded;
   const bool round = point && bodies.at(block.body1).is_isotropic() &&
@@ -57,14 +55,13 @@ const real* WideBlocks::record(int number) const {
   return const_cast<WideBlocks*>(this)->record(number);
 }
 
-void WideBlocks::pack(const Bodies& bodies, const Preparation& prepared, Packing packing,
-                      bool lanes) {
+void WideBlocks::pack(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
+                      Packing packing, bool lanes) {
   const int width = lanes && packing != Packing::list ? lane_count : 1;
   now_.clear();
   for (const PreparedBlock& block : prepared.blocks) {
-    const int still1 = bodies.at(block.body1).is_static(), still2 = bodies.at(block.body2).is_static();
-    now_.push_back({4 * kind_of(bodies, prepared, block) + 2 * still1 + still2, block.body1,
-                    block.body2});
+    const int still = 2 * bodies.at(block.body1).is_static() + bodies.at(block.body2).is_static();
+    now_.push_back({4 * kind_of(bodies, list, block) + still, block.body1, block.body2});
   }
   if (packing != packing_ || width != width_ || now_ != signs_) {
     signs_ = now_;
@@ -84,16 +81,17 @@ void WideBlocks::pack(const Bodies& bodies, const Preparation& prepared, Packing
     for (int i = 0; i < 7; ++i) to[i * step] = from[i];
   }
   for (std::size_t k = 0; k < groups.size(); ++k)
-    fill(bodies, prepared, groups[k], int(k) * width_);
+    fill(bodies, list, prepared, groups[k], int(k) * width_);
 }
 
 // The numbers of a group, each block into its lane.
-void WideBlocks::fill(const Bodies& bodies, const Preparation& prepared, const LaneGroup& group,
-                      int first) {
+void WideBlocks::fill(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
+                      const LaneGroup& group, int first) {
   const int n = group.rows;
   for (int lane = 0; lane < width_; ++lane) {
     if (blocks[first + lane] < 0) continue;
     const PreparedBlock& block = prepared.blocks[blocks[first + lane]];
+    const Row* const J = &list.J[block.first];
     const PreparedRow* const row = &prepared.rows[block.first];
     real* to = reinterpret_cast<real*>(numbers_.data()) + group.first + lane;
     const auto put = [&](real number) {
@@ -102,8 +100,8 @@ void WideBlocks::fill(const Bodies& bodies, const Preparation& prepared, const L
     };
     const auto put_vector = [&](const vec3& a) { put(a.x), put(a.y), put(a.z); };
     if (group.point) {
-      put_vector(vec3(row[2].J.w1.y, row[0].J.w1.z, row[1].J.w1.x));
-      put_vector(-vec3(row[2].J.w2.y, row[0].J.w2.z, row[1].J.w2.x));
+      put_vector(vec3(J[2].w1.y, J[0].w1.z, J[1].w1.x));
+      put_vector(-vec3(J[2].w2.y, J[0].w2.z, J[1].w2.x));
       for (const int slot : {block.body1, block.body2}) {
         const Body& body = bodies.at(slot);
         if (group.round) {
@@ -115,12 +113,13 @@ void WideBlocks::fill(const Bodies& bodies, const Preparation& prepared, const L
         put_vector(vec3(I[1][0], I[2][0], I[2][1]));
       }
       for (int i = 0; i < n; ++i) put(row[i].bias);
-      for (int i = 3; i < n; ++i) put_vector(row[i].J.w2);
+      for (int i = 3; i < n; ++i) put_vector(J[i].w2);
     } else {
       for (int i = 0; i < n; ++i) put(row[i].bias);
+      const mat3 I1 = inverse_inertia(bodies.at(block.body1));
+      const mat3 I2 = inverse_inertia(bodies.at(block.body2));
       for (int i = 0; i < n; ++i)
-        for (const vec3& a : {row[i].J.v1, row[i].J.w1, row[i].J.v2, row[i].J.w2, row[i].turn1,
-                              row[i].turn2})
+        for (const vec3& a : {J[i].v1, J[i].w1, J[i].v2, J[i].w2, I1 * J[i].w1, I2 * J[i].w2})
           put_vector(a);
     }
     for (int i = 0; i < n; ++i) put(block.impulse[i]);
@@ -168,17 +167,17 @@ void WideImpulses::step(World& world, real h) {
   collect(world, h, blocks_);
   prepared_.clear(world.most_rows());
   prepared_.relaxation = relaxation;
-  prepared_.add(world.bodies, blocks_, 0, h);
-  prepared_.start(world.bodies, warm_start, last_h_ > 0 ? h / last_h_ : 1);
+  prepared_.add(world.bodies, blocks_, 0, h, false, false);
+  prepared_.start(world.bodies, blocks_, warm_start, last_h_ > 0 ? h / last_h_ : 1);
   last_h_ = h;
   for (;;) {  // a limit that lies ahead may have been reached during the sweeps
-    packed_.pack(world.bodies, prepared_, packing, lanes);
+    packed_.pack(world.bodies, blocks_, prepared_, packing, lanes);
     for (int i = 0; i < iterations; ++i) packed_.sweep();
     packed_.end(world.bodies, prepared_);
     const int known = int(blocks_.list.size());
     for (const auto& joint : world.joints()) joint->second_look(world.bodies, h, blocks_);
     if (int(blocks_.list.size()) == known) break;
-    prepared_.add(world.bodies, blocks_, known, h);
+    prepared_.add(world.bodies, blocks_, known, h, false, false);
   }
   for (int slot = 0; slot < world.bodies.slots(); ++slot)
     integrate_pose(world.bodies.at(slot), h);

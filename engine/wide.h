@@ -28,7 +28,8 @@ class WideBlocks {
   std::vector<int> ends;          ///< of each group, its bodies: LaneGroup::first_end
 
   /// \param lanes false: every group is one block
-  void pack(const Bodies& bodies, const Preparation& prepared, Packing packing, bool lanes);
+  void pack(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
+            Packing packing, bool lanes);
   /// One sweep over all groups, with the best instructions that this processor has.
   void sweep();
   /// Gives velocities and sums of impulses back. \param prepared whose blocks were packed
@@ -60,7 +61,8 @@ class WideBlocks {
   static int size_of(const LaneGroup& group);
   real* record(int number);
   const real* record(int number) const;
-  void fill(const Bodies& bodies, const Preparation& prepared, const LaneGroup& group, int first);
+  void fill(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
+            const LaneGroup& group, int first);
 
   std::vector<Sign> signs_, now_;
   std::vector<LaneNumber> numbers_;

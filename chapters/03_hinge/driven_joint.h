@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chapters/03_hinge/stack.h"
+#include "chapters/03_hinge/leeway.h"
 #include "engine/reaction.h"
 
 /// \addtogroup chapter3
@@ -26,14 +27,17 @@ class DrivenJoint : public Joint {
     require(lower <= upper && lower < unbounded && upper > -unbounded,
             "lower: must not be above upper, and neither infinite on its wrong side [rad or m]");
     range_ = {lower, upper};
+    leeway_.forget();
   }
-  void clear_limits() { range_ = {}; }  ///< free again
+  /// Free again.
+  void clear_limits() { range_ = {}, leeway_.forget(); }
   /// Runs the motor. \param speed [rad/s or m/s] \param strength [N m or N], 0 to switch it off
   /// \throws std::invalid_argument unless the speed is finite and the strength not negative
   void set_motor(real speed, real strength) {
     require(finite(speed), "speed: must be finite [rad/s or m/s]");
     require(strength >= 0, "strength: must not be negative [N m or N]");
     motor_ = {speed, strength};
+    leeway_.forget();
   }
   const Range& limits() const { return range_; }  ///< the bounds of the coordinate
   const Motor& motor() const { return motor_; }   ///< what the motor is set to
@@ -86,6 +90,14 @@ class DrivenJoint : public Joint {
   static constexpr int motor_place = limit_place + 1, late_place = limit_place + 2;
   static constexpr int places = limit_place + 3;
 
+  // Limit or motor: the coordinate, with its turns, has to be known.
+  bool counted() const { return limited() || motor_.strength > 0; }
+  void measure(const Bodies& bodies) {
+    coordinate.expected = next_;
+    next_ = x_ = position(bodies);
+    measured_ = true;
+  }
+  real room() const { return std::min(x_ - range_.lower, range_.upper - x_); }
   bool limited() const { return range_.lower > -unbounded || range_.upper < unbounded; }
   bool held() const { return range_.lower == range_.upper; }
   Limit<Coordinate> limit_part(real sign) const {
@@ -96,7 +108,9 @@ class DrivenJoint : public Joint {
   Range range_;
   Motor motor_;
   LimitRow limit_, late_;  // the limit that has a row in this step; one found by the second look
-  real x_ = 0, next_ = 0;  // the coordinate, and where it will be at the end of the step
+  real x_ = 0, next_ = 0;  // the coordinate when it was measured, and where it was going
+  bool measured_ = false;    // in this step
+  Leeway<Coordinate> leeway_;  // says when it need not be
   mutable Vector<places> impulse_{};  // written by the solver through the blocks
 };
 
@@ -109,11 +123,13 @@ void DrivenJoint<First, Second, Coordinate>::begin_step(const Bodies& bodies, re
     impulse_ = {};  // no live row
     return;
   }
-  if (limited() || motor_.strength > 0) {
-    coordinate.expected = next_;
-    next_ = x_ = position(bodies);
+  const Body &a = bodies[body1], &b = bodies[body2];
+  measured_ = false;
+  if (counted() && !(leeway_.is_slow(a, b, h) && leeway_.still_near(coordinate, a, b))) {
+    measure(bodies);
+    leeway_.measured(coordinate, a, b, room());
+    if (limited()) limit_ = limit_row(range_, x_, speed(bodies), h);
   }
-  if (limited()) limit_ = limit_row(range_, x_, speed(bodies), h);
   if (!limit_.live || !before.live || limit_.sign != before.sign) impulse_[limit_place] = 0;
   if (motor_.strength == 0) impulse_[motor_place] = 0;
   impulse_[late_place] = 0;
@@ -121,9 +137,9 @@ void DrivenJoint<First, Second, Coordinate>::begin_step(const Bodies& bodies, re
 
 template <class First, class Second, class Coordinate>
 void DrivenJoint<First, Second, Coordinate>::moved(const Bodies& bodies) {
-  if (!limited() && motor_.strength == 0) return;
-  coordinate.expected = next_;
-  next_ = position(bodies);
+  if (!counted() || leeway_.still_near(coordinate, bodies[body1], bodies[body2])) return;
+  measure(bodies);
+  leeway_.forget();
 }
 
 template <class First, class Second, class Coordinate>
@@ -156,8 +172,10 @@ void DrivenJoint<First, Second, Coordinate>::append(const Bodies& bodies, Blocks
 template <class First, class Second, class Coordinate>
 void DrivenJoint<First, Second, Coordinate>::second_look(const Bodies& bodies, real h,
                                                          Blocks& blocks) {
-  if (bodies[body1].is_static() && bodies[body2].is_static()) return;
-  if (!limited() && motor_.strength == 0) return;
+  if (!counted() || (bodies[body1].is_static() && bodies[body2].is_static())) return;
+  if (leeway_.is_slow(bodies[body1], bodies[body2], h)) return;
+  leeway_.forget();
+  if (!measured_) measure(bodies);
   const real rate = speed(bodies);
   next_ = x_ + h * rate;
   if (!limited() || held() || late_.live) return;

@@ -33,9 +33,12 @@ struct Stack {
   }
   /// K of both, with what the rows of the one do to those of the other, Eq. 3-8.
   Matrix<rows> K(const Body& body1, const Body& body2) const {
+    return K_of_rows(jacobian(body1, body2), body1, body2);
+  }
+  /// The same where J is known already.
+  Matrix<rows> K_of_rows(const Jacobian<rows>& J, const Body& body1, const Body& body2) const {
     const Matrix<First::rows> upper = to_matrix(first.K(body1, body2));
     const Matrix<Second::rows> lower = to_matrix(second.K(body1, body2));
-    const Jacobian<rows> J = jacobian(body1, body2);
     Matrix<rows> K;
     for (int i = 0; i < First::rows; ++i)
       for (int j = 0; j < First::rows; ++j) K[i][j] = upper[i][j];

@@ -105,6 +105,7 @@ Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
       step(scene.world, span.h);
       if (n > 20) clock.stop();
       if (!measuring) continue;
+      if (setting.show) setting.show(scene.world);
       look.after(n);
       if (!result.finite) break;
     }
@@ -112,6 +113,19 @@ Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
   }
   result.us_per_step = clock.median_us();
   return result;
+}
+
+double time_of_step(const MakeScene& make_scene, const Setting& setting, const Span& span) {
+  Scene scene = make_scene();
+  if (setting.prepare) setting.prepare(scene.world);
+  const Step step = setting.make();
+  StepClock clock;
+  for (int n = 1; n <= span.steps; ++n) {
+    if (n > 20) clock.start();
+    step(scene.world, span.h);
+    if (n > 20) clock.stop();
+  }
+  return clock.median_us();
 }
 
 }  // namespace joints::bench

@@ -156,9 +156,8 @@ def both_runs(chapter):
 
 # ---- figures and pages ---------------------------------------------------------------------------
 
-def draw(script, *arguments):
+def draw(script, *arguments, figures=house.OUT / "plots"):
     """Runs one script of plots/; returns the PNG files that it made."""
-    figures = house.OUT / "plots"
     before = {p: p.stat().st_mtime_ns for p in figures.glob("*.png")}
     result = subprocess.run([sys.executable, "-B", house.ROOT / "plots" / script, *arguments,
                              "--out", figures], capture_output=True, text=True)
@@ -302,15 +301,18 @@ def run_bench(program, options, table=TABLE):
 
 
 def bench(options):
-    """Error against run time; --stability: the stability suite; --loop: the loop's variants."""
+    """Error against run time, and what the options name: a suite or a table of its own each."""
     if options == ["--stability"]:
         import stability
         return stability.main()
     if options == ["--loop"]:
         import loop
         return loop.main()
+    if options in (["--cost"], ["--cost", "--keep"]):
+        import cost
+        return cost.main(keep="--keep" in options)
     if options:
-        raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability or --loop")
+        raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --loop or --cost")
     import benchmark
     return benchmark.main()
 

@@ -137,23 +137,24 @@ double median(std::vector<double> values) {
   return (values[n / 2] + values[(n - 1) / 2]) / 2;
 }
 
+// One more timing of a count of sweeps.
+void time_again(const Row& row, Row::Point& point) {
+  const Setting setting = row.variant.setting(row.chains, point.iterations);
+  const bool takes_long = point.iterations * row.chains > 1500 || row.variant.most < 100;
+  const Span span{.steps = takes_long ? 40 : 90};
+  point.us.push_back(time_of_step(row.scene, setting, span));
+}
+
+// The first look at a count of sweeps: what gap it leaves, and how long a step takes.
 void look(Row& row, int iterations) {
   const Result result = run(row.scene, row.variant.setting(row.chains, iterations), 1);
-  row.points.push_back({iterations, {result.us_per_step}, result.gap_rms});
+  row.points.push_back({iterations, {}, result.gap_rms});
+  time_again(row, row.points.back());
 }
 
 void add_slope(Row& row) {
   row.slope.push_back(1000 * (row.points[1].us.back() - row.points[0].us.back()) /
                       (double(length - 1) * row.chains * (many - few)));
-}
-
-// One more timing with few sweeps and one with many, right after each other.
-void time_again(Row& row) {
-  const Span span{.steps = row.variant.most < 100 ? 40 : 100};
-  for (Row::Point& point : row.points)
-    point.us.push_back(time_of_step(
-        row.scene, row.variant.setting(row.chains, point.iterations), span));
-  add_slope(row);
 }
 
 const char* const kind = sizeof(real) == 8 ? "double" : "float";
@@ -167,12 +168,12 @@ std::vector<Row> measure(int rounds, bool all_counts) {
     for (Row& row : rows) {
       std::fprintf(stderr, "round %d of %d: %s, %d chains\n", round + 1, rounds,
                    row.variant.name.c_str(), row.chains);
-      if (round > 0) {
-        time_again(row);
-        continue;
+      if (round == 0) {
+        look(row, few);
+        look(row, many);
+      } else {
+        for (Row::Point& point : row.points) time_again(row, point);
       }
-      look(row, few);
-      look(row, many);
       add_slope(row);
     }
   for (Row& row : rows) {

@@ -52,7 +52,8 @@ bool all_finite(const World& world);
 Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
            const Span& span = {});
 
-/// Median time of a step [us], from step 21 on, of one run in which nothing else is measured.
+/// Median time of a step [us], from step 21 on, of one run in which nothing else is measured. It is
+/// the time that the processor gave to the step: what else runs meanwhile counts little.
 double time_of_step(const MakeScene& make_scene, const Setting& setting, const Span& span);
 
 /// The word for a run: ok (gap below 1 % of a link), soft (below half a link), torn (above),

@@ -1,4 +1,4 @@
-"""Counts of instructions, by valgrind's callgrind: the same today and tomorrow, whatever else runs."""
+"""Counts of instructions, by valgrind's callgrind: the same whatever else the machine does."""
 import csv
 import re
 import shutil

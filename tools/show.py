@@ -16,6 +16,7 @@ from house import bold, faint
 
 SOLUTIONS, MINE = house.OUT / "solutions", house.OUT / "mine"
 TABLE, STABILITY = house.OUT / "work_precision.csv", house.OUT / "stability.csv"
+LOOP = house.OUT / "loop.csv"
 
 
 # ---- programs ------------------------------------------------------------------------------------
@@ -184,6 +185,9 @@ def plot(chapter):
         made += draw("work_precision.py", "--csv", TABLE)
     if not chapter and STABILITY.exists():
         made += draw("stability.py", "--csv", STABILITY)
+    if not chapter and LOOP.exists():
+        import loop
+        made += loop.draw()
     house.progress_done()
     for path in made:
         print(house.short(path))

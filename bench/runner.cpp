@@ -1,6 +1,8 @@
 // The runner: the same measures for every scene and solver, from poses only.
 #include "bench/runner.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,6 +18,13 @@ double link_length(const Scene& scene) {
   const auto at_start = poses(scene.world.bodies);
   const Mark& mark = scene.marks.back();
   return length(at_start[mark.body2].x - at_start[mark.body1].x);
+}
+
+// The time that the processor has given to this thread [us].
+double own_us() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e6 * double(time.tv_sec) + 1e-3 * double(time.tv_nsec);
 }
 
 // The measures of one run, filled in step by step.
@@ -105,6 +114,7 @@ Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
       step(scene.world, span.h);
       if (n > 20) clock.stop();
       if (!measuring) continue;
+      if (setting.show) setting.show(scene.world);
       look.after(n);
       if (!result.finite) break;
     }
@@ -112,6 +122,20 @@ Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
   }
   result.us_per_step = clock.median_us();
   return result;
+}
+
+double time_of_step(const MakeScene& make_scene, const Setting& setting, const Span& span) {
+  Scene scene = make_scene();
+  if (setting.prepare) setting.prepare(scene.world);
+  const Step step = setting.make();
+  std::vector<double> times;
+  for (int n = 1; n <= span.steps; ++n) {
+    const double before = own_us();
+    step(scene.world, span.h);
+    if (n > 20) times.push_back(own_us() - before);
+  }
+  std::sort(times.begin(), times.end());
+  return times.empty() ? 0 : times[times.size() / 2];
 }
 
 }  // namespace joints::bench

@@ -20,6 +20,8 @@ struct Setting {
   bool warm = false;
   std::function<Step()> make;
   std::function<void(World&)> prepare{};  ///< what the setting changes in the joints, if anything
+  /// Where a solver has bodies of its own: their poses into the world, after a step and not timed.
+  std::function<void(World&)> show{};
 };
 
 /// How long a run is.
@@ -49,6 +51,10 @@ bool all_finite(const World& world);
 /// Runs a scene `repetitions` times; the measures are those of the first.
 Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
            const Span& span = {});
+
+/// Median time of a step [us], from step 21 on, of one run in which nothing else is measured. It is
+/// the time that the processor gave to the step: what else runs meanwhile counts little.
+double time_of_step(const MakeScene& make_scene, const Setting& setting, const Span& span);
 
 /// The word for a run: ok (gap below 1 % of a link), soft (below half a link), torn (above),
 /// energy+ (over 2 % gained), exploded (over 100 %), nan.

@@ -36,7 +36,7 @@ void TextbookHinge::set_up(real h) {
   axis_bias_[1] = beta_ / h * dot(a1, c);
 }
 
-void TextbookHinge::solve() {
+inline void TextbookHinge::solve_here() {
   const vec3 turning = body2_.w - body1_.w;
   const real e0 = dot(ba_, turning) + axis_bias_[0], e1 = dot(ca_, turning) + axis_bias_[1];
   const vec3 turn = -(axis_inverse_K_[0] * e0 + axis_inverse_K_[1] * e1) * ba_ -
@@ -52,6 +52,8 @@ void TextbookHinge::solve() {
   body2_.w += I2_ * cross(r2_, push);
 }
 
+void TextbookHinge::solve() { solve_here(); }
+
 void TextbookSolver::step(World& world, real h) {
   for (int slot = 0; slot < world.bodies.slots(); ++slot)
     integrate_forces(world.bodies.at(slot), world.gravity, h);
@@ -61,6 +63,16 @@ void TextbookSolver::step(World& world, real h) {
       if (recompute) joint->set_up(h);
       joint->solve();
     }
+  for (int slot = 0; slot < world.bodies.slots(); ++slot)
+    integrate_pose(world.bodies.at(slot), h);
+}
+
+void FlatSolver::step(World& world, real h) {
+  for (int slot = 0; slot < world.bodies.slots(); ++slot)
+    integrate_forces(world.bodies.at(slot), world.gravity, h);
+  for (TextbookHinge& hinge : hinges) hinge.TextbookHinge::set_up(h);
+  for (int i = 0; i < iterations; ++i)
+    for (TextbookHinge& hinge : hinges) hinge.solve_here();
   for (int slot = 0; slot < world.bodies.slots(); ++slot)
     integrate_pose(world.bodies.at(slot), h);
 }

@@ -1,5 +1,6 @@
 // The textbook's loop: a class a joint, set up once a step, one virtual call a joint and sweep,
-// small matrices by GLM. It is what the faster loops are measured against.
+// small matrices by GLM. It is what the faster loops are measured against. Beside it the same
+// hinges in one array, without the virtual call.
 #pragma once
 
 #include "engine/world.h"
@@ -25,6 +26,8 @@ class TextbookHinge : public TextbookJoint {
   TextbookHinge(Body& body1, Body& body2, const vec3& anchor, const vec3& axis, real beta);
   void set_up(real h) override;
   void solve() override;
+  /// The same without a call: the compiler has to put it where it is named.
+  [[gnu::always_inline]] void solve_here();
 
  private:
   Body &body1_, &body2_;
@@ -42,6 +45,14 @@ class TextbookSolver {
   bool recompute = false;    ///< set up anew in every sweep: what it costs not to hoist
   std::vector<std::unique_ptr<TextbookJoint>> joints;  ///< in the order in which they are solved
   void step(World& world, real h);  ///< \param h step [s]
+};
+
+/// The same hinges by value in one array, solved without any call.
+class FlatSolver {
+ public:
+  int iterations = 30;                ///< sweeps a step
+  std::vector<TextbookHinge> hinges;  ///< in the order in which they are solved
+  void step(World& world, real h);    ///< \param h step [s]
 };
 
 }  // namespace joints::bench

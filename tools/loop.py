@@ -2,33 +2,72 @@
 import csv
 
 import house
+import instructions
 import show
 
-LOOP = house.OUT / "loop.csv"
+THESIS = house.ROOT / "bench" / "thesis_frames.csv"
+PER_SWEEP, PER_STEP = "instructions_per_joint_iteration", "instructions_per_joint_step"
+
+
+def read():
+    with open(show.LOOP, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def add_instructions():
+    """Fills in what is counted: of a joint and sweep, and of a joint and step where it is known."""
+    rows = read()
+    counts = {(row["variant"], row["chains"]): row for row in instructions.table(
+        house.BUILD / "bench" / "loop_float", "--count", "1")}
+    for row in rows:
+        if row["real"] != "float":
+            continue
+        count = counts[row["variant"], row["chains"]]
+        row[PER_SWEEP] = f"{count['per_sweep']:.1f}"
+        for sweeps, at in (("few", "at_few"), ("many", "at_many")):
+            if row["iterations"] == count[sweeps]:
+                row[PER_STEP] = f"{count[at]:.1f}"
+    with open(show.LOOP, "w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
 
 
 def print_table():
     """A line a variant; the ratio is against the textbook's in the same run."""
-    with open(LOOP, newline="") as file:
-        rows = [row for row in csv.DictReader(file) if row["iterations"] == "30"]
-    print(f"{'variant':18} {'real':7} {'chains':>6} {'us a step':>10} {'ns a joint and sweep':>21} "
-          f"{'textbook / this':>16} {'gap RMS mm':>11}")
+    rows = [row for row in read() if row["iterations"] == "30"]
+    print(f"{'':38}{'30 sweeps':>10} {'one joint, one sweep':^34}")
+    print(f"{'variant':22} {'real':7} {'chains':>6} {'us a step':>10} {'ns':>8} "
+          f"{'textbook / this':>16} {'instructions':>13} {'gap RMS mm':>11}")
     for row in rows:
         base = next(float(other["ns_per_joint_iteration"]) for other in rows
                     if other["variant"] == "textbook" and other["real"] == row["real"]
                     and other["chains"] == row["chains"])
         ns = float(row["ns_per_joint_iteration"])
-        print(f"{row['variant']:18} {row['real']:7} {row['chains']:>6} "
-              f"{float(row['us_per_step']):10.1f} {ns:21.2f} {base / ns:16.2f} "
-              f"{1000 * float(row['gap_rms_m']):11.2f}")
+        print(f"{row['variant']:22} {row['real']:7} {row['chains']:>6} "
+              f"{float(row['us_per_step']):10.1f} {ns:8.2f} {base / ns:16.2f} "
+              f"{row[PER_SWEEP] or '-':>13} {1000 * float(row['gap_rms_m']):11.2f}")
+
+
+def draw():
+    return show.draw("loop.py", "--csv", show.LOOP, "--thesis", THESIS, figures=house.OUT)
 
 
 def main():
-    print("the inner loop in its variants: about a minute; leave the machine alone meanwhile",
-          flush=True)
+    print("the inner loop in its variants: about three and a half minutes; leave the machine alone "
+          "meanwhile", flush=True)
     house.must_build(["loop", "loop_float"])
-    show.run_bench("loop_float", [], LOOP)
-    show.run_bench("loop", ["--append", "1"], LOOP)
+    show.run_bench("loop_float", [], show.LOOP)
+    show.run_bench("loop", ["--append", "1", "--rounds", "3", "--all-counts", "0"], show.LOOP)
+    if instructions.there():
+        house.progress("counting instructions (float)")
+        add_instructions()
+        house.progress_done()
     print_table()
-    print(f"\nthe table: {house.short(LOOP)}")
+    if not instructions.there():
+        print(f"\n{instructions.MISSING}")
+    print()
+    for path in draw():
+        print(house.short(path))
+    print(f"the table: {house.short(show.LOOP)}")
     return 0

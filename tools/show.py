@@ -16,6 +16,7 @@ from house import bold, faint
 
 SOLUTIONS, MINE = house.OUT / "solutions", house.OUT / "mine"
 TABLE, STABILITY = house.OUT / "work_precision.csv", house.OUT / "stability.csv"
+LOOP = house.OUT / "loop.csv"
 
 
 # ---- programs ------------------------------------------------------------------------------------
@@ -156,9 +157,8 @@ def both_runs(chapter):
 
 # ---- figures and pages ---------------------------------------------------------------------------
 
-def draw(script, *arguments):
+def draw(script, *arguments, figures=house.OUT / "plots"):
     """Runs one script of plots/; returns the PNG files that it made."""
-    figures = house.OUT / "plots"
     before = {p: p.stat().st_mtime_ns for p in figures.glob("*.png")}
     result = subprocess.run([sys.executable, "-B", house.ROOT / "plots" / script, *arguments,
                              "--out", figures], capture_output=True, text=True)
@@ -185,6 +185,9 @@ def plot(chapter):
         made += draw("work_precision.py", "--csv", TABLE)
     if not chapter and STABILITY.exists():
         made += draw("stability.py", "--csv", STABILITY)
+    if not chapter and LOOP.exists():
+        import loop
+        made += loop.draw()
     house.progress_done()
     for path in made:
         print(house.short(path))
@@ -302,15 +305,18 @@ def run_bench(program, options, table=TABLE):
 
 
 def bench(options):
-    """Error against run time; --stability: the stability suite; --loop: the loop's variants."""
+    """Error against run time, and what the options name: a suite or a table of its own each."""
     if options == ["--stability"]:
         import stability
         return stability.main()
     if options == ["--loop"]:
         import loop
         return loop.main()
+    if options in (["--cost"], ["--cost", "--keep"]):
+        import cost
+        return cost.main(keep="--keep" in options)
     if options:
-        raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability or --loop")
+        raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --loop or --cost")
     import benchmark
     return benchmark.main()
 

@@ -28,6 +28,7 @@ HELP = """The Joint Workbook
   ./wb bench           error against run time
   ./wb bench --stability   what is stiff, extreme or redundant: which method holds what
   ./wb bench --loop    what a joint and sweep costs, from the textbook's loop to lanes
+  ./wb bench --cost    rows, bytes and instructions of every kind of joint
   ./wb docs            the documentation as a site
 """
 

@@ -1,0 +1,226 @@
+// What a joint costs: rows, memory and instructions, for every kind of joint, and what a limit out
+// of reach and an idle motor add. `./wb bench --cost` calls it under valgrind, which counts.
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+
+#include "bench/counted.h"
+#include "bench/own_loop.h"
+#include "chapters/05_fixed/fixed_joint.h"
+#include "chapters/04_slider/slider_joint.h"
+#include "chapters/03_hinge/hinge_joint.h"
+#include "engine/plan.h"
+#include "engine/program.h"
+#include "engine/sequential_impulses.h"
+#include "engine/wide.h"
+
+using namespace joints;
+using namespace joints::bench;
+
+// ---- the heap -----------------------------------------------------------------------------------
+
+namespace {
+
+long long held = 0;                 // bytes that were asked for and not given back
+constexpr std::size_t header = 64;  // in front of each piece: its size, and room to keep it aligned
+
+void* take(std::size_t size) {
+  void* const all = std::aligned_alloc(header, (size + 2 * header - 1) / header * header);
+  if (!all) throw std::bad_alloc();
+  *static_cast<std::size_t*>(all) = size;
+  held += static_cast<long long>(size);
+  return static_cast<char*>(all) + header;
+}
+
+void give_back(void* piece) noexcept {
+  if (!piece) return;
+  void* const all = static_cast<char*>(piece) - header;
+  held -= static_cast<long long>(*static_cast<std::size_t*>(all));
+  std::free(all);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return take(size); }
+void* operator new(std::size_t size, std::align_val_t) { return take(size); }
+void operator delete(void* piece) noexcept { give_back(piece); }
+void operator delete(void* piece, std::size_t) noexcept { give_back(piece); }
+void operator delete(void* piece, std::align_val_t) noexcept { give_back(piece); }
+void operator delete(void* piece, std::size_t, std::align_val_t) noexcept { give_back(piece); }
+
+namespace {
+
+// ---- the cases ----------------------------------------------------------------------------------
+
+constexpr int bodies = 100, joint_count = bodies - 1;
+
+// A kind of joint: how two bodies are joined by it.
+struct Case {
+  const char* name;
+  std::function<void(World& world, BodyId a, BodyId b, const vec3& anchor)> join;
+  bool plain_hinge = false;  // chapter 7's loop has it
+};
+
+HingeJoint& hinge(World& world, BodyId a, BodyId b, const vec3& anchor) {
+  return world.add<HingeJoint>(world.bodies, a, b, anchor, vec3(1, 0, 0));
+}
+
+std::vector<Case> cases() {
+  return {
+      {"none", [](World&, BodyId, BodyId, const vec3&) {}, true},
+      {"ball",
+       [](World& world, BodyId a, BodyId b, const vec3& anchor) {
+         world.add<BallJoint>(a, b, point_at(world.bodies[a], world.bodies[b], anchor));
+       }},
+      {"hinge",
+       [](World& world, BodyId a, BodyId b, const vec3& anchor) { hinge(world, a, b, anchor); },
+       true},
+      {"hinge + inactive limit",
+       [](World& world, BodyId a, BodyId b, const vec3& anchor) {
+         hinge(world, a, b, anchor).set_limits(-3, 3);  // [rad], far from both
+       }},
+      {"hinge + idle motor",
+       [](World& world, BodyId a, BodyId b, const vec3& anchor) {
+         hinge(world, a, b, anchor).set_motor(1, 0);  // has a speed, is switched off
+       }},
+      {"hinge + motor",
+       [](World& world, BodyId a, BodyId b, const vec3& anchor) {
+         hinge(world, a, b, anchor).set_motor(1, 500);
+       }},
+      {"slider",
+       [](World& world, BodyId a, BodyId b, const vec3& anchor) {
+         world.add<SliderJoint>(world.bodies, a, b, anchor, vec3(1, 0, 0));
+       }},
+      {"fixed", [](World& world, BodyId a, BodyId b, const vec3& anchor) {
+         world.add<FixedJoint>(world.bodies, a, b, anchor);
+       }}};
+}
+
+// The thesis' chain: cubes of edge 1 m and 100 kg, 1.5 m apart, held out level by the first.
+World chain(const Case& what) {
+  World world;
+  BodyId before;
+  for (int i = 0; i < bodies; ++i) {
+    const vec3 place(0, 0, real(1.5) * real(i));
+    const BodyId id = world.add(i == 0 ? static_body(place) : box(100, vec3(1), place));
+    if (i > 0) what.join(world, before, id, place - vec3(0, 0, real(1.5)));
+    before = id;
+  }
+  return world;
+}
+
+// ---- the solvers --------------------------------------------------------------------------------
+
+// Everything that one run of a case holds in memory, and its step.
+struct Run {
+  virtual ~Run() = default;
+  virtual void step() = 0;
+  virtual int rows() const = 0;  // of the last step
+};
+using MakeRun = std::unique_ptr<Run> (*)(const Case& what, int iterations);
+
+constexpr real h = real(1) / 60;
+
+int rows_of(const SequentialImpulses& solver) { return int(solver.blocks().J.size()); }
+int rows_of(const WideImpulses& solver) {
+  int rows = 0;
+  for (const LaneGroup& group : solver.packed().groups) rows += group.rows;
+  return rows;
+}
+
+template <class Solver>
+struct EngineRun : Run {
+  World world;
+  Solver solver;
+
+  explicit EngineRun(World made) : world(std::move(made)) {}
+  void step() override { solver.step(world, h); }
+  int rows() const override { return rows_of(solver); }
+};
+
+struct OwnRun : Run {
+  std::unique_ptr<OwnLoop> loop;
+  int hinges = 0;
+
+  void step() override { loop->step(h); }
+  int rows() const override { return 5 * hinges; }
+};
+
+std::unique_ptr<Run> rows_run(const Case& what, int iterations) {
+  auto run = std::make_unique<EngineRun<SequentialImpulses>>(chain(what));
+  run->solver.iterations = iterations;
+  return run;
+}
+
+std::unique_ptr<Run> packed_run(const Case& what, int iterations) {
+  auto run = std::make_unique<EngineRun<WideImpulses>>(chain(what));
+  run->solver.iterations = iterations;
+  run->solver.lanes = false;
+  return run;
+}
+
+std::unique_ptr<Run> own_run(const Case& what, int iterations) {
+  const World world = chain(what);
+  auto run = std::make_unique<OwnRun>();
+  run->hinges = int(world.joints().size());
+  run->loop = own_loop(world, 1, iterations, Visits::chain_order);
+  return run;
+}
+
+struct Solver {
+  const char* name;
+  MakeRun make;
+  bool only_plain_hinges;
+};
+const Solver solvers[] = {{"engine rows", rows_run, false},
+                          {"engine packed", packed_run, false},
+                          {"chapter 7", own_run, true}};
+
+// ---- rows and memory ----------------------------------------------------------------------------
+
+// Rows and bytes of a run that stands in its third step.
+struct Size {
+  int rows = 0;
+  long long bytes = 0;
+};
+
+Size size_of(const Solver& solver, const Case& what) {
+  const long long before = held;
+  const auto run = solver.make(what, 10);
+  for (int n = 0; n < 3; ++n) run->step();
+  return {run->rows(), held - before};
+}
+
+// One line and two counts for each case. The memory of a joint: what the heap holds more with the
+// joints than without, through as many.
+void all(const Solver& solver) {
+  const Counted counted;
+  const std::vector<Case> list = cases();
+  const Size none = size_of(solver, list.front());
+  for (const Case& what : list) {
+    if (solver.only_plain_hinges && !what.plain_hinge) continue;
+    const Size size = size_of(solver, what);
+    std::printf("%s,%g,%.1f,%s,%s,%d,%d,%d,%d\n", what.name, double(size.rows) / joint_count,
+                double(size.bytes - none.bytes) / joint_count, solver.name,
+                sizeof(real) == 8 ? "double" : "float", joint_count, counted.steps, counted.few,
+                counted.many);
+    count(
+        [&](int iterations) -> std::function<void()> {
+          const std::shared_ptr<Run> run = solver.make(what, iterations);
+          return [=] { run->step(); };
+        },
+        counted);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program([&] {
+    Options options("What a joint costs", {});
+    if (!options.read(argc, argv)) return;
+    std::puts("case,rows,bytes_per_joint,solver,real,joints,steps,few,many");
+    for (const Solver& solver : solvers) all(solver);
+  });
+}

@@ -1,0 +1,69 @@
+// From the bodies and hinges of a world to chapter 7's loop and back.
+#include "bench/own_loop.h"
+
+#include <numeric>
+
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/07_performance/hinge_loop.h"
+
+namespace joints::bench {
+
+namespace {
+
+template <class Number>
+class Adapted : public OwnLoop {
+ public:
+  Adapted(const World& world, int chains, int iterations, Visits visits) {
+    std::vector<bool> moves;
+    for (int slot = 0; slot < world.bodies.slots(); ++slot) {
+      loop_.bodies.push_back(world.bodies.at(slot));
+      moves.push_back(!world.bodies.at(slot).is_static());
+    }
+    for (const auto& joint : world.joints()) {
+      const HingeJoint& hinge = static_cast<const HingeJoint&>(*joint);
+      loop_.links.push_back({world.bodies.index(hinge.body1), world.bodies.index(hinge.body2)});
+      loop_.hinges.push_back({hinge.first, hinge.second, hinge.beta});
+    }
+    loop_.gravity = world.gravity;
+    loop_.iterations = iterations;
+    const int links = int(loop_.links.size()), width = HingeLoop<Number>::width;
+    if (visits == Visits::chain_order) {
+      std::vector<int> order(std::size_t(links), 0);
+      std::iota(order.begin(), order.end(), 0);
+      loop_.groups = one_by_one(order);
+    } else if (visits == Visits::coloured_lanes) {
+      loop_.groups = by_colour(colours_of(loop_.links, moves), width);
+    } else {
+      loop_.groups = a_chain_a_lane(chains, links / chains, width);
+    }
+  }
+  void step(real h) override { loop_.step(h); }
+  void show(World& world) const override {
+    for (int slot = 0; slot < world.bodies.slots(); ++slot)
+      world.bodies.at(slot) = loop_.bodies[std::size_t(slot)];
+  }
+
+ private:
+  HingeLoop<Number> loop_;
+};
+
+}  // namespace
+
+std::unique_ptr<OwnLoop> own_loop(const World& world, int chains, int iterations, Visits visits) {
+  if (visits == Visits::chain_order || visits == Visits::interleaved)
+    return std::make_unique<Adapted<real>>(world, chains, iterations, visits);
+  return std::make_unique<Adapted<Lanes>>(world, chains, iterations, visits);
+}
+
+std::string own_instructions() {
+#if defined(__AVX2__)
+  const std::string processor = "AVX2";
+#elif defined(__SSE2__)
+  const std::string processor = "SSE2";
+#else
+  const std::string processor = "the compiler's choice of instructions";
+#endif
+  return processor + ", " + std::to_string(lane_count) + " lanes";
+}
+
+}  // namespace joints::bench

@@ -63,7 +63,7 @@ One lane_of(const All& all, int lane) {
   for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n) to[n] = from[n * lane_count + lane];
   return one;
 }
-/// As many hinges as there are lanes, from the one with this number on; no_lane of them is left out.
+/// As many hinges as there are lanes, from the one with this number on, but for no_lane.
 inline LaneCase on_lanes(std::size_t first, int no_lane = -1) {
   const std::vector<SolveCase> cases = solve_cases();
   LaneCase all{};

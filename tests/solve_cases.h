@@ -242,7 +242,6 @@ inline CaseTable<SolveCase> solve_table() {
                                 change(twin);
                                 return flat(twin.solved());
                               }});
-  // in which the right pieces are taken at the wrong time
   table.mistakes.push_back({"lambda is written over e while e is still being read: keep them apart",
                             [](const Case& c) {
                               SolveTwin twin(c);
@@ -251,21 +250,6 @@ inline CaseTable<SolveCase> solve_table() {
                               twin.apply(e);
                               return flat(twin.V);
                             }});
-  for (const bool blocks : {false, true})  // where the velocities change: after a row, after three
-    table.mistakes.push_back(
-        {"the velocities change while e is still being read: all five lambda come from one e",
-         [=](const Case& c) {
-           SolveTwin twin(c);
-           for (int i = 0; i < 5; i = blocks && i == 0 ? 3 : i + 1) {
-             Vector<5> some{};
-             const Vector<5> all = twin.lambda(twin.e());
-             const int end = !blocks ? i + 1 : i == 0 ? 3 : 5;
-             for (int k = i; k < end; ++k) some[k] = all[k];
-             twin.apply(some);
-             if (end == 5) break;
-           }
-           return flat(twin.V);
-         }});
   table.tolerance = is_float ? 1e-3 : 1e-10;
   return table;
 }

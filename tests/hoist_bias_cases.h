@@ -75,18 +75,6 @@ inline CaseTable<HingeCase> hinge_bias_table() {
        times([](const Case& c) { return real(0.2) / c.h; })},
       {"60 in the place of 1/h: a step need not be 1/60 s",
        times([](const Case& c) { return 60 * c.hinge.beta; })},
-      {"the velocities are mixed in: bias holds what does not depend on them, J V comes in the "
-       "solve",
-       of_entries([](const Case& c, A& b) {
-         const Jacobian<5> J = hinge_rows(twin_lever(c, false), twin_lever(c, true), twin_rows(c));
-         for (int i = 0; i < 5; ++i) b[i] += row_velocity(J[i], c.pair.body1, c.pair.body2);
-       })},
-      {"the velocities are mixed in: bias holds what does not depend on them, J V comes in the "
-       "solve",
-       of_entries([](const Case& c, A& b) {
-         const vec3 u = c.pair.body2.v - c.pair.body1.v;
-         for (int i = 0; i < 3; ++i) b[i] += u[i];
-       })},
       {"the two of the axis are exchanged: first a1.b, then a1.c",
        of_entries([](const Case&, A& b) { std::swap(b[3], b[4]); })},
       {"a1.b stands there twice: the last one is of a1.c",
@@ -114,6 +102,20 @@ inline CaseTable<HingeCase> hinge_bias_table() {
        tilt(q1, not_turned)},
       {"the axis error with the bodies exchanged: a1 rides on body 1, b and c on body 2",
        tilt(q2, q1)}};
+  for (const bool turns : {true, false})  // of which rows, and with or without what w does
+    for (const auto& [from, to] : {std::pair{0, 5}, {0, 3}, {3, 5}})
+      for (const bool scaled : {false, true})
+        table.mistakes.push_back(
+            {"the velocities are mixed in: bias holds what does not depend on them, J V comes in "
+             "the solve",
+             of_entries([=, from = from, to = to](const Case& c, A& b) {
+               Jacobian<5> J = hinge_rows(twin_lever(c, false), twin_lever(c, true), twin_rows(c));
+               if (!turns)
+                 for (Row& row : J.row) row.w1 = row.w2 = vec3(0);
+               for (int i = from; i < to; ++i)
+                 b[i] += (scaled ? rate(c) : real(1)) *
+                         row_velocity(J[i], c.pair.body1, c.pair.body2);
+             })});
   for (int present = 1; present < 31; ++present) {  // which of the five are written or not zero
     std::string missing;
     for (int i = 0; i < 5; ++i)

@@ -25,18 +25,19 @@ inline constexpr double loose = is_float ? 5e-3 : 1e-9;  ///< what mounts up whe
 struct Momentum {
   vec3 push{0}, turn{0};
   double energy = 0;
-  explicit Momentum(const SolveCase& c) {
-    const auto add = [&](const Velocities<real>& body, const Triple<real>& r,
+  /// \param c with these velocities \param masses and these masses
+  Momentum(const SolveCase& c, const SolveCase& masses) {
+    const auto add = [&](const Velocities<real>& body, real inverse_mass, const Triple<real>& r,
                          const Symmetric<real>& I) {
-      if (body.inverse_mass == 0) return;
-      const vec3 p = to_vec3(body.v) / body.inverse_mass, w = to_vec3(body.w);
+      if (inverse_mass == 0) return;
+      const vec3 p = to_vec3(body.v) / inverse_mass, w = to_vec3(body.w);
       const vec3 L = inverse(to_mat3(I)) * w;
       push += p;
       turn += cross(-to_vec3(r), p) + L;
       energy += double(dot(to_vec3(body.v), p) + dot(w, L)) / 2;
     };
-    add(c.body1, c.hinge.r1, c.hinge.I1);
-    add(c.body2, c.hinge.r2, c.hinge.I2);
+    add(c.body1, masses.body1.inverse_mass, c.hinge.r1, c.hinge.I1);
+    add(c.body2, masses.body2.inverse_mass, c.hinge.r2, c.hinge.I2);
   }
 };
 

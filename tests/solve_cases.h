@@ -209,6 +209,12 @@ inline std::vector<std::pair<std::string, std::function<void(SolveTwin&)>>> wron
       {"the inverse mass of body 2 is missing", [](T& t) { t.inverse_M[2] = mat3(1); }},
       {"the inverse inertias are exchanged: I1 belongs to body 1",
        [](T& t) { std::swap(t.inverse_M[1], t.inverse_M[3]); }},
+      {"I1 is taken for both bodies", [](T& t) { t.inverse_M[3] = t.inverse_M[1]; }},
+      {"I2 is taken for both bodies", [](T& t) { t.inverse_M[1] = t.inverse_M[3]; }},
+      {"the inverse mass of body 1 is taken for both",
+       [](T& t) { t.inverse_M[2] = t.inverse_M[0]; }},
+      {"the inverse mass of body 2 is taken for both",
+       [](T& t) { t.inverse_M[0] = t.inverse_M[2]; }},
       {"the inverse masses are exchanged",
        [](T& t) { std::swap(t.inverse_M[0], t.inverse_M[2]); }},
       {"K^-1 is missing: lambda = -K^-1 e", [](T& t) {

@@ -1,4 +1,5 @@
 // expects: w2.x
+// expects: Likely mistake: I1 is taken for both bodies
   const Triple<Number> gap =
       body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
   const Triple<Number> turning = body2.w - body1.w;

@@ -1,4 +1,5 @@
 // expects: v1 of lane 1
+// expects: Likely mistake: the lanes are mixed: nothing may pass
 // expects: Likely mistake: the numbers of another lane
   const Triple<Number> gap =
       body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);

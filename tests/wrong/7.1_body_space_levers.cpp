@@ -1,0 +1,13 @@
+// expects: Likely mistake: r1 and r2: not turned into the world
+// expects: Fails at upright, turned, moved, broken, 1 static and 2 static; holds at no levers
+  out.r1 = triple(hinge.point.anchor1_local);
+  out.r2 = triple(hinge.point.anchor2_local);
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];

@@ -1,0 +1,17 @@
+// expects: Scene: a chain of 4 on a wall
+// expects: Likely mistake: the colours are counted from 0
+  std::vector<std::vector<bool>> taken(moves.size());
+  std::vector<int> colours;
+  for (const Link& link : links) {
+    std::size_t colour = 1;
+    const auto is_taken = [&](int body) {
+      return moves[body] && colour < taken[body].size() && taken[body][colour];
+    };
+    while (is_taken(link.body1) || is_taken(link.body2)) ++colour;
+    for (const int body : {link.body1, link.body2}) {
+      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
+      taken[body][colour] = true;
+    }
+    colours.push_back(int(colour));
+  }
+  return colours;

@@ -1,0 +1,17 @@
+// expects: Likely mistake: only the diagonal of K^-1 is used
+  const Triple<Number> gap =
+      body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
+  const Triple<Number> turning = body2.w - body1.w;
+  const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
+                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
+                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
+  Number lambda[5];
+  for (int i = 0; i < 5; ++i) {
+    lambda[i] = -hinge.inverse_K[hinge.place(i, i)] * e[i];
+  }
+  const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
+  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  body1.v = body1.v - body1.inverse_mass * push;
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body2.v = body2.v + body2.inverse_mass * push;
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);

@@ -68,7 +68,7 @@ void colours(const Choice& choice) {
                                               "body2_y", "body2_z", "colour"});
   for (const Sketch& sketch : {a_chain(), a_bridge(), a_net()}) {
     print_plan(sketch.name, sketch.bodies, sketch.links.size());
-    const std::vector<int> found = colours_of(sketch.links, sketch.bodies);
+    const std::vector<int> found = checked_colours(sketch.links, sketch.bodies);
     for (std::size_t k = 0; k < found.size(); ++k) {
       const vec3 &a = sketch.bodies[sketch.links[k].body1].x,
                  &b = sketch.bodies[sketch.links[k].body2].x;

@@ -72,13 +72,13 @@ Groups from_the_end(const Chains& chains) {
 }
 
 Groups colour_order(const Chains& chains, int width) {
-  return by_colour(colours_of(chains.links, chains.bodies), width);
+  return by_colour(checked_colours(chains.links, chains.bodies), width);
 }
 
-std::vector<int> colours_of(const std::vector<Link>& links, const std::vector<Body>& bodies) {
+std::vector<int> checked_colours(const std::vector<Link>& links, const std::vector<Body>& bodies) {
   std::vector<bool> moves;
   for (const Body& body : bodies) moves.push_back(!body.is_static());
-  std::vector<int> colours = joints::colours_of(links, moves);
+  std::vector<int> colours = colours_of(links, moves);
   require(colours.size() == links.size(), "colours_of: there must be one colour for each joint");
   return colours;
 }

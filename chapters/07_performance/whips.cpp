@@ -8,10 +8,10 @@
 namespace joints::chapter7 {
 
 void whips(const Choice& choice, std::vector<Summary>& lines) {
-  // Twenty cubes each, let go level with the last five hanging over; a third of the sweeps, so that
-  // one sees what they leave.
-  const Chains one = bent_chains(1, 20, 5, choice.beta);
-  const int iterations = std::max(1, choice.iterations / 3), steps = steps_in(choice.seconds);
+  // Twenty cubes each, let go level with the last three hanging over; a tenth of the sweeps,
+  // so that one sees what they leave.
+  const Chains one = bent_chains(1, 20, 3, choice.beta);
+  const int iterations = std::max(1, choice.iterations / 10), steps = steps_in(choice.seconds);
   struct Whip {
     std::string name;
     HingeLoop<real> loop;
@@ -21,8 +21,8 @@ void whips(const Choice& choice, std::vector<Summary>& lines) {
   std::vector<Whip> all{
       {"chain order", loop_over<real>(one, chain_order(one), iterations), Watch(one, steps)},
       {"colours", loop_over<real>(one, colour_order(one, 1), iterations), Watch(one, steps)},
-      {"omega 1.9", loop_over<real>(one, chain_order(one), iterations), Watch(one, steps)}};
-  all[2].loop.relaxation = real(1.9);
+      {"omega 1.7", loop_over<real>(one, chain_order(one), iterations), Watch(one, steps)}};
+  all[2].loop.relaxation = real(1.7);
   print_plan("whips", one.bodies, one.links.size());
 
   Motion motion("whips, " + std::to_string(iterations) + " sweeps a step", double(h));
@@ -50,7 +50,7 @@ void whips(const Choice& choice, std::vector<Summary>& lines) {
         whip.watch.look(n, whip.loop.bodies);
       }
       for (Body body : whip.loop.bodies) {
-        body.x.x += 2 * spacing * real(k);  // side by side
+        body.x.x += 8 * spacing * real(k);  // side by side
         frame.push_back(body);
       }
     }

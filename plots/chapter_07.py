@@ -38,14 +38,14 @@ def draw_steps(solution, mine, out):
     table = rows(table, sweeps=table["sweeps"].max())
     names, ns = list(table["step"]), table["ns_per_hinge_and_sweep"]
     good = np.where(np.isfinite(ns) & (ns > 0), ns, np.nan)
-    first, least = good[0], int(np.nanargmin(good)) if np.isfinite(good).any() else 0
+    first, least = good[0], int(np.argmin(np.nan_to_num(good, nan=np.inf)))
     figure, ax = style.figure(
         f"A hinge and sweep, {first:.3g} ns when all is prepared in every visit, takes "
         f"{good[least]:.3g} ns with {names[least]}" + (": yours" if mine else ""))
     places = np.arange(len(names))[::-1]
     ax.barh(places, good, height=0.62, color=[COLOURS[1 if count == 1 else 2]
                                               for count in table["lanes"]])
-    right = np.nanmax(good)
+    right = np.nanmax(np.append(good, 1.0))
     for k, place in enumerate(places):
         words = f"{good[k]:.3g} ns"
         if k > 0 and np.isfinite(good[k] * good[k - 1]):
@@ -65,10 +65,9 @@ def draw_steps(solution, mine, out):
     ax.tick_params(axis="y", length=0)
     ax.grid(axis="y", visible=False)
     far = np.max(np.nan_to_num(table["off_m"], nan=np.inf))
-    same = "to the last digit" if far == 0 else f"to {1000 * far:.2g} mm"
     ax.set(xlabel="time of a hinge and sweep, a linear axis  [ns]", xlim=(0, 1.03 * right),
-           title=f"gap: RMS at {table['sweeps'][0]:g} sweeps; all bodies are where one lane "
-                 f"in the same order has them, {same}" + ("; |: the solution's" if mine else ""))
+           title=("|: the solution's" if mine else f"gap: RMS, sweeps: {table['sweeps'][0]:g}")
+           + f"; off one lane in the same order by {1000 * far:.2g} mm")
     style.save(figure, out / "07_steps")
 
 
@@ -78,10 +77,10 @@ def draw_order(solution, mine, out):
     table = mine or solution
     chain = rows(table, order="chain")
     colours = rows(table, order="colours")
-    ratio = np.median(colours["gap_rms_m"] / chain["gap_rms_m"])
+    low, high = style.extent(colours["gap_rms_m"] / chain["gap_rms_m"])
     figure, (left, right) = style.figure(
-        f"Colour after colour leaves {ratio:.2f} times the gap that chain order leaves, at every "
-        "count of sweeps", 2)
+        f"Colour after colour leaves {low:.2f} to {high:.2f} times the gap "
+        "that chain order leaves", 2)
     for ax, column, words in ((left, "gap_rms_m", "gap, RMS"), (right, "gap_max_m", "largest gap")):
         for order, part in parts(table, "order"):
             colour, marker = look(order)
@@ -92,6 +91,8 @@ def draw_order(solution, mine, out):
                 theirs(ax, part["sweeps"], 1000 * visible(part[column]))
         ax.set(xscale="log", yscale="log", xlabel="sweeps a step", ylabel=f"{words}  [mm]",
                title=words + (": yours; dashed: the solution's" if mine else ""))
+        if mine:
+            style.hold(ax, 1000 * mine[column], 1000 * solution[column])
         ax.set_xticks(np.unique(table["sweeps"]))
         ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
         ax.set_xticks([], minor=True)
@@ -111,19 +112,24 @@ def draw_order(solution, mine, out):
 
 # ---- over-relaxation ---------------------------------------------------------------------------
 
+def holds(table):
+    """Where neither energy nor numbers have run away."""
+    return ~np.isin(table["status"], ("exploded", "nan", "energy+"))
+
+
 def draw_relaxation(solution, mine, out):
     table = mine or solution
-    held = ~np.isin(table["status"], ("exploded", "nan", "energy+"))
-    burst = min(table["omega"][~held], default=np.inf)
-    most = table["sweeps"].max()
-    chain = rows({**table, "held": held}, order="chain", sweeps=most, held=True)
-    best = int(np.argmin(chain["gap_rms_m"]))
-    plain = chain["gap_rms_m"][np.argmin(np.abs(chain["omega"] - 1))]
+    table["held"], most = holds(table), table["sweeps"].max()
+    chain = rows(table, order="chain", sweeps=most)
+    burst = min(chain["omega"][~chain["held"]], default=np.inf)
+    gaps = np.where(chain["held"], chain["gap_rms_m"], np.inf)
+    best, plain = int(np.argmin(gaps)), gaps[np.argmin(np.abs(chain["omega"] - 1))]
     figure, ax = style.figure(
-        f"Chain order, {most:g} sweeps: omega {chain['omega'][best]:g} leaves "
-        f"{milli(chain['gap_rms_m'][best])} in place of {milli(plain)}; from {burst:g} on it "
-        "explodes" + (" (yours)" if mine else ""))
-    for order, of_order in parts({**table, "held": held}, "order"):
+        f"Chain order, sweeps: {most:g}; omega {chain['omega'][best]:g} leaves "
+        f"{milli(gaps[best])} in place of {milli(plain)}"
+        + (f"; from {burst:g} on it explodes" if np.isfinite(burst) else "")
+        + (" (yours)" if mine else ""))
+    for order, of_order in parts(table, "order"):
         colour, marker = look(order)
         for count, part in parts(of_order, "sweeps"):
             gaps = np.where(part["held"], 1000 * part["gap_rms_m"], np.nan)
@@ -133,7 +139,7 @@ def draw_relaxation(solution, mine, out):
     if mine:
         for _, of_order in parts(solution, "order"):
             for _, part in parts(of_order, "sweeps"):
-                fine = ~np.isin(part["status"], ("exploded", "nan", "energy+"))
+                fine = holds(part)
                 theirs(ax, part["omega"][fine], 1000 * visible(part["gap_rms_m"][fine]))
     last = table["omega"].max()
     if np.isfinite(burst):
@@ -144,7 +150,11 @@ def draw_relaxation(solution, mine, out):
     ax.text(1.01, 0.03, "1: plain sweeps", fontsize=8.5, color=PALE,
             transform=ax.get_xaxis_transform())
     ax.set(yscale="log", xlabel=r"$\omega$, factor of every impulse", ylabel="gap, RMS  [mm]",
-           xlim=(table["omega"].min() - 0.03, last + 0.05), title="one chain of 100 cubes")
+           xlim=(table["omega"].min() - 0.03, last + 0.05),
+           title="one chain of 100 cubes" + ("; dashed: the solution's" if mine else ""))
+    if mine:
+        style.hold(ax, 1000 * mine["gap_rms_m"][holds(mine)],
+                   1000 * solution["gap_rms_m"][holds(solution)])
     style.plain_log(ax.yaxis)
     style.label_ends(ax)
     style.save(figure, out / "07_relaxation")
@@ -173,6 +183,8 @@ def draw_inside(solution, mine, out):
         ax.set(yscale="log", xlabel="sweeps of one step, after 1 s",
                title=("chain order" if order == "chain" else "colour after colour")
                + (": yours; dashed: the solution's" if mine else ""))
+        if mine:
+            style.hold(ax, mine["largest_e"], solution["largest_e"])
         style.plain_log(ax.yaxis)
     axes[0].set_ylabel("largest |e| of any row  [m/s]")
     for ax in axes:

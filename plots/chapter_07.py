@@ -21,9 +21,9 @@ def parts(table, column):
     return [(value, rows(table, **{column: value})) for value in dict.fromkeys(table[column])]
 
 
-def milli(size):
-    """A length in millimetres as one says it."""
-    return f"{1000 * size:.3g} mm"
+def length(size):
+    """A length as one says it."""
+    return f"{size:.3g} m" if size >= 1 else f"{1000 * size:.3g} mm"
 
 
 def theirs(ax, x, y):
@@ -60,14 +60,14 @@ def draw_steps(solution, mine, out):
         ax.plot(given["ns_per_hinge_and_sweep"], places[:len(given["step"])], linestyle="none",
                 marker="|", markersize=22, markeredgewidth=1.4, color=MINE)
     ax.set_yticks(places, [
-        f"{name}\n{count:g} {'lane' if count == 1 else 'lanes'}, gap {milli(gap)}"
+        f"{name}\n{count:g} {'lane' if count == 1 else 'lanes'}, gap {length(gap)}"
         for name, count, gap in zip(names, table["lanes"], table["gap_rms_m"])])
     ax.tick_params(axis="y", length=0)
     ax.grid(axis="y", visible=False)
     far = np.max(np.nan_to_num(table["off_m"], nan=np.inf))
     ax.set(xlabel="time of a hinge and sweep, a linear axis  [ns]", xlim=(0, 1.03 * right),
            title=("|: the solution's" if mine else f"gap: RMS, sweeps: {table['sweeps'][0]:g}")
-           + f"; off one lane in the same order by {1000 * far:.2g} mm")
+           + f"; off one lane in the same order by {length(far)}")
     style.save(figure, out / "07_steps")
 
 
@@ -126,7 +126,7 @@ def draw_relaxation(solution, mine, out):
     best, plain = int(np.argmin(gaps)), gaps[np.argmin(np.abs(chain["omega"] - 1))]
     figure, ax = style.figure(
         f"Chain order, sweeps: {most:g}; omega {chain['omega'][best]:g} leaves "
-        f"{milli(gaps[best])} in place of {milli(plain)}"
+        f"{length(gaps[best])} in place of {length(plain)}"
         + (f"; from {burst:g} on it explodes" if np.isfinite(burst) else "")
         + (" (yours)" if mine else ""))
     for order, of_order in parts(table, "order"):

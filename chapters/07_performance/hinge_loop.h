@@ -21,12 +21,16 @@ inline Groups one_by_one(const std::vector<int>& order) {
   return groups;
 }
 
-/// Colour after colour, `width` joints at a time.
+/// Colour after colour, `width` joints at a time; with a width of 1 the same order, one at a time.
+/// \throws std::invalid_argument for a colour that cannot be one
 inline Groups by_colour(const std::vector<int>& colours, int width) {
   Groups groups;
   std::vector<int> open;  // of each colour, the group that still has room, or -1
-  for (std::size_t link = 0; link < colours.size(); ++link)
-    open.resize(std::max(open.size(), std::size_t(colours[link]) + 1), -1);
+  for (const int colour : colours) {
+    require(colour >= 0 && colour < int(colours.size()),
+            "colours_of: a colour must be at least 0 and less than there are joints");
+    open.resize(std::max(open.size(), std::size_t(colour) + 1), -1);
+  }
   for (int colour = 0; colour < int(open.size()); ++colour)
     for (std::size_t link = 0; link < colours.size(); ++link) {
       if (colours[link] != colour) continue;
@@ -40,7 +44,8 @@ inline Groups by_colour(const std::vector<int>& colours, int width) {
 }
 
 /// The first joint of every chain, then the second of every chain, and so on, `width` chains at a
-/// time. \param chains how many \param length joints of each, which stand in the list in a row
+/// time; with a width of 1 the same order, one at a time: interleaved chains.
+/// \param chains how many \param length joints of each, which stand in the list in a row
 inline Groups a_chain_a_lane(int chains, int length, int width) {
   Groups groups;
   for (int k = 0; k < length; ++k)
@@ -52,7 +57,9 @@ inline Groups a_chain_a_lane(int chains, int length, int width) {
   return groups;
 }
 
-/// Bodies and hinges, and the sweeps over them. Number is `real` or Lanes.
+/// Bodies and hinges, and the sweeps over them. Number is `real`, one hinge at a time, or Lanes,
+/// `width` hinges at a time. It needs the four functions of performance.h and no joint or solver of
+/// the engine.
 template <class Number>
 class HingeLoop {
  public:
@@ -97,7 +104,30 @@ class HingeLoop {
     return length(hinges[k].point.error(bodies[links[k].body1], bodies[links[k].body2]));
   }
 
+  /// What the last step's sweeps left: the greatest |bias + J V| of any row of any hinge, with the
+  /// velocities after them [m/s for the point's rows, rad/s for the axis' rows].
+  real largest_error() const {
+    real largest = 0;
+    for (std::size_t group = 0; group < groups.size(); ++group)
+      for (std::size_t lane = 0; lane < groups[group].size(); ++lane) {
+        const HingeNumbers<real> one = numbers_of(group, lane);
+        const Link& link = links[std::size_t(groups[group][lane])];
+        const Velocities<real> &body1 = records_[link.body1], &body2 = records_[link.body2];
+        const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        for (int i = 0; i < 5; ++i) {  // row after row of J, each with what the bodies do
+          const Triple<real> v = i < 3 ? unit[i] : Triple<real>{0, 0, 0};
+          const Triple<real> w1 = i < 3 ? cross(one.r1, v) : one.axis_row[i - 3];
+          const Triple<real> w2 = i < 3 ? cross(one.r2, v) : one.axis_row[i - 3];
+          const real rate = dot(v, body2.v) + dot(w2, body2.w) - dot(v, body1.v) - dot(w1, body1.w);
+          largest = std::max(largest, std::abs(one.bias[i] + rate));
+        }
+      }
+    return largest;
+  }
+
  private:
+  static constexpr std::size_t numbers_each = sizeof(HingeNumbers<real>) / sizeof(real);
+
   // The records of a group's bodies.
   struct Ends {
     int body1[width], body2[width];
@@ -129,10 +159,18 @@ class HingeLoop {
         if (used) prepare(k, h, one);
         const real* const from = reinterpret_cast<const real*>(&one);
         real* const to = reinterpret_cast<real*>(&numbers_[group]);
-        for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n)
-          to[n * width + std::size_t(lane)] = from[n];
+        for (std::size_t n = 0; n < numbers_each; ++n) to[n * width + std::size_t(lane)] = from[n];
       }
     }
+  }
+
+  // The numbers of one hinge out of its lane.
+  HingeNumbers<real> numbers_of(std::size_t group, std::size_t lane) const {
+    HingeNumbers<real> one;
+    const real* const from = reinterpret_cast<const real*>(&numbers_[group]);
+    real* const to = reinterpret_cast<real*>(&one);
+    for (std::size_t n = 0; n < numbers_each; ++n) to[n] = from[n * width + lane];
+    return one;
   }
 
   // One solve of a group.

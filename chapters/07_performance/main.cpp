@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
     Options options("Chapter 7: the performance loop, step by step",
                     {{"iterations", "30", "sweeps a step"},
                      {"beta", "0.2", "share of the error fed back in a step"},
-                     {"seconds", "2", "how long the scenes run"},
+                     {"seconds", "5", "how long the scenes run"},
                      {"chains", "10", "chains of 100 cubes"}});
     if (!options.read(argc, argv)) return;
     const Choice choice{options.count("iterations", 1), real(options.number("beta", 0)),
@@ -19,6 +19,8 @@ int main(int argc, char** argv) {
     std::vector<Summary> lines;
     steps(choice, lines);
     relaxation(choice);
+    colours(choice);
+    whips(choice, lines);
     report(lines, choice.out);
   });
 }

@@ -38,7 +38,8 @@ struct HingeNumbers {
 
   /// Where the entry of row i and column j stands in inverse_K, 0 to 14.
   static constexpr int place(int i, int j) {
-    return i <= j ? 5 * i - i * (i - 1) / 2 + j - i : place(j, i);
+    const int low = i < j ? i : j, high = i < j ? j : i;
+    return low * (9 - low) / 2 + high;
   }
   /// out = K^-1 e, line by line: both halves from the upper one.
   void inverse_K_times(const Number* e, Number* out) const {

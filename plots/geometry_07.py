@@ -15,7 +15,8 @@ CELL = 17.0
 
 def joint(ax, place, colour):
     """A joint: a disc in its colour, with the colour's number in it."""
-    ax.add_patch(Circle(place, 10, facecolor=COLOURS[colour], edgecolor=CARD, linewidth=1, zorder=5))
+    ax.add_patch(Circle(place, 10, facecolor=COLOURS[colour], edgecolor=CARD, linewidth=1,
+                        zorder=5))
     words(ax, (place[0], place[1] - 0.5), str(colour), CARD, 10, weight="bold")
 
 

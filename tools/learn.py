@@ -131,11 +131,13 @@ def after(chapter, id_):
 
 def place_of_error(chapter, words):
     """Which exercise the first error of the compiler lies in."""
-    match = re.search(rf"{re.escape(chapter.mine.name)}:(\d+):", words)
-    for region in exercises.regions(chapter.mine.read_text()) if match else []:
-        if region.begin <= int(match[1]) <= region.end + 2:  # the closing brace, too
-            print(f"  The first error lies in exercise {region.id}, line {match[1]}.\n")
-            return
+    line = rf"{re.escape(chapter.mine.name)}:(\d+):"
+    errors = re.findall(rf"{line}.*\berror:", words)[:1]  # a template's error begins with its user
+    for number in map(int, errors or re.findall(line, words)):
+        for region in exercises.regions(chapter.mine.read_text()):
+            if region.begin <= number <= region.end + 2:  # the closing brace, too
+                print(f"  The first error lies in exercise {region.id}, line {number}.\n")
+                return
 
 
 def watch(word):

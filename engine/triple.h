@@ -1,5 +1,5 @@
-// Arrows, inertias and velocities of any kind of number: of one, or of several side by side. GLM's own know
-// only single numbers. There is nothing to edit here.
+// Arrows, inertias and velocities of any kind of number: of one, or of several side by side. GLM's
+// own know only single numbers. There is nothing to edit here.
 #pragma once
 
 #include "engine/real.h"

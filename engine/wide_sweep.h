@@ -4,6 +4,8 @@
 
 #include "engine/lanes.h"
 
+/// \addtogroup world
+/// @{
 namespace joints {
 /// \cond
 
@@ -171,3 +173,4 @@ inline void sweep_all(const LaneSweep& sweep) {
 
 /// \endcond
 }  // namespace joints
+/// @}

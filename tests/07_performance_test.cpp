@@ -191,7 +191,7 @@ TEST_CASE("7.3 every joint has the least colour that the joints before it leave"
 TEST_CASE("7.3 at most 2 d - 1 colours are taken where no body has more than d joints", "[7.3]") {
   for (const ColourScene& scene : colour_scenes()) {
     std::vector<int> joints(scene.moves.size(), 0);
-    for (const Link& link : scene.links)
+    for (const BodyPair& link : scene.links)
       for (const int body : {link.body1, link.body2}) joints[std::size_t(body)] += 1;
     int d = 1;
     for (std::size_t body = 0; body < joints.size(); ++body)

@@ -14,7 +14,7 @@ inline constexpr Subject colours_subject{"7.3", "the colours of the joints"};
 
 struct ColourScene {
   std::string words;
-  std::vector<Link> links;
+  std::vector<BodyPair> links;
   std::vector<bool> moves;
 };
 using Colours = std::vector<int>;
@@ -35,7 +35,7 @@ inline ColourScene star_scene(int joints, bool hub_moves) {
                       (hub_moves ? "moves" : "is static"),
                   {}, std::vector<bool>(std::size_t(joints + 1), true)};
   out.moves[0] = hub_moves;
-  for (int k = 1; k <= joints; ++k) out.links.push_back(k % 2 ? Link{0, k} : Link{k, 0});
+  for (int k = 1; k <= joints; ++k) out.links.push_back(k % 2 ? BodyPair{0, k} : BodyPair{k, 0});
   return out;
 }
 inline ColourScene ring_scene(int joints) {
@@ -87,7 +87,7 @@ inline std::vector<ColourScene> colour_scenes() {
 // ---- what is right, and what is not -------------------------------------------------------------
 
 /// A body that moves and that both joints hold.
-inline bool share_a_body(const ColourScene& scene, const Link& a, const Link& b) {
+inline bool share_a_body(const ColourScene& scene, const BodyPair& a, const BodyPair& b) {
   const auto both = [&](int body) {
     return scene.moves[std::size_t(body)] && (body == b.body1 || body == b.body2);
   };
@@ -111,7 +111,7 @@ Colours first_fit(const ColourScene& scene, InTheWay in_the_way, int first = 0) 
   return out;
 }
 inline Colours right_colours(const ColourScene& scene) {
-  return first_fit(scene, [&](const Link& a, const Link& b) { return share_a_body(scene, a, b); });
+  return first_fit(scene, [&](const BodyPair& a, const BodyPair& b) { return share_a_body(scene, a, b); });
 }
 
 /// Each joint's colour from what its bodies have seen: a number a body, changed by every joint.
@@ -119,7 +119,7 @@ template <class Rule>
 Colours counted(const ColourScene& scene, Rule rule) {
   std::vector<int> of(scene.moves.size(), 0);
   Colours out;
-  for (const Link& link : scene.links) {
+  for (const BodyPair& link : scene.links) {
     int &one = of[std::size_t(link.body1)], &two = of[std::size_t(link.body2)];
     out.push_back(rule(one, two, scene.moves[std::size_t(link.body1)],
                        scene.moves[std::size_t(link.body2)]));
@@ -137,36 +137,36 @@ inline std::vector<ColourMistake> colour_mistakes() {
     return [=](const Scene& scene) {
       const auto moves = [&](int body) { return bool(scene.moves[std::size_t(body)]); };
       return first_fit(
-          scene, [&](const Link& a, const Link& b) { return in_the_way(moves, a, b); }, first);
+          scene, [&](const BodyPair& a, const BodyPair& b) { return in_the_way(moves, a, b); }, first);
     };
   };
-  const auto named = [](int body, const Link& b) { return body == b.body1 || body == b.body2; };
+  const auto named = [](int body, const BodyPair& b) { return body == b.body1 || body == b.body2; };
   return {
       {"a static body counts: it does not move, so any number of joints may hold it at once",
-       fit([=](auto, const Link& a, const Link& b) {
+       fit([=](auto, const BodyPair& a, const BodyPair& b) {
          return named(a.body1, b) || named(a.body2, b);
        })},
       {"the other way round: the bodies that move are those that no two joints may share",
-       fit([=](auto moves, const Link& a, const Link& b) {
+       fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (!moves(a.body1) && named(a.body1, b)) || (!moves(a.body2) && named(a.body2, b));
        })},
       {"the colours are counted from 0",
-       fit([=](auto moves, const Link& a, const Link& b) {
+       fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (moves(a.body1) && named(a.body1, b)) || (moves(a.body2) && named(a.body2, b));
        }, 1)},
       {"only body 1 of a joint is asked: the colour must be free at both",
-       fit([=](auto moves, const Link& a, const Link& b) {
+       fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return moves(a.body1) && named(a.body1, b);
        })},
       {"only body 2 of a joint is asked: the colour must be free at both",
-       fit([=](auto moves, const Link& a, const Link& b) {
+       fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return moves(a.body2) && named(a.body2, b);
        })},
       {"the colour must be free at both bodies: go on while the one or the other has it",
        [](const Scene& scene) {
          std::vector<Colours> taken(scene.moves.size());
          Colours out;
-         for (const Link& link : scene.links) {
+         for (const BodyPair& link : scene.links) {
            const auto has = [&](int body, int colour) {
              const Colours& of = taken[std::size_t(body)];
              return scene.moves[std::size_t(body)] &&
@@ -181,16 +181,16 @@ inline std::vector<ColourMistake> colour_mistakes() {
          return out;
        }},
       {"the colour is kept for body 1 of a joint only: it is taken at both",
-       fit([=](auto moves, const Link& a, const Link& b) {
+       fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (moves(a.body1) && a.body1 == b.body1) || (moves(a.body2) && a.body2 == b.body1);
        })},
       {"the colour is kept for body 2 of a joint only: it is taken at both",
-       fit([=](auto moves, const Link& a, const Link& b) {
+       fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (moves(a.body1) && a.body1 == b.body2) || (moves(a.body2) && a.body2 == b.body2);
        })},
       {"body 1 is compared with the bodies 1 of other joints, body 2 with their bodies 2: a body "
        "may be either",
-       fit([=](auto moves, const Link& a, const Link& b) {
+       fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (moves(a.body1) && a.body1 == b.body1) || (moves(a.body2) && a.body2 == b.body2);
        })},
       {"all have one colour: a joint must not have that of another one at the same body",
@@ -228,7 +228,7 @@ inline std::vector<ColourMistake> colour_mistakes() {
        [](const Scene& scene) {
          std::vector<int> last(scene.moves.size(), -1);
          Colours out;
-         for (const Link& link : scene.links) {
+         for (const BodyPair& link : scene.links) {
            const auto taken = [&](int body, int colour) {
              return scene.moves[std::size_t(body)] && last[std::size_t(body)] == colour;
            };
@@ -278,7 +278,7 @@ inline std::string explain_colours() {
 }
 
 inline std::string joint_words(const ColourScene& scene, std::size_t k) {
-  const Link& link = scene.links[k];
+  const BodyPair& link = scene.links[k];
   const auto body = [&](int number) {
     return std::to_string(number) + (scene.moves[std::size_t(number)] ? "" : " (static)");
   };

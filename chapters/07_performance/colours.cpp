@@ -13,7 +13,7 @@ namespace {
 struct Sketch {
   std::string name;
   std::vector<Body> bodies;
-  std::vector<Link> links;
+  std::vector<BodyPair> links;
 
   int add(real mass, const vec3& place) {
     bodies.push_back(mass > 0 ? box(mass, vec3(real(0.8)), place) : static_body(place));

@@ -66,7 +66,7 @@ class HingeLoop {
   static constexpr int width = int(sizeof(Number) / sizeof(real));  ///< hinges side by side
 
   std::vector<Body> bodies;        ///< those that the links name
-  std::vector<Link> links;         ///< a hinge each
+  std::vector<BodyPair> links;         ///< a hinge each
   std::vector<Hinge> hinges;       ///< their geometry
   Groups groups;                   ///< who comes with whom, and when; at most `width` in each
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
@@ -111,7 +111,7 @@ class HingeLoop {
     for (std::size_t group = 0; group < groups.size(); ++group)
       for (std::size_t lane = 0; lane < groups[group].size(); ++lane) {
         const HingeNumbers<real> one = numbers_of(group, lane);
-        const Link& link = links[std::size_t(groups[group][lane])];
+        const BodyPair& link = links[std::size_t(groups[group][lane])];
         const Velocities<real> &body1 = records_[link.body1], &body2 = records_[link.body2];
         const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         for (int i = 0; i < 5; ++i) {  // row after row of J, each with what the bodies do

@@ -36,7 +36,7 @@ Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inve
 
 // ---- who may be solved side by side ------------------------------------------------------------
 
-std::vector<int> colours_of(const std::vector<Link>& links, const std::vector<bool>& moves) {
+std::vector<int> colours_of(const std::vector<BodyPair>& links, const std::vector<bool>& moves) {
   // begin [exercise 7.3]
   // Keep, for each body, the colours that its joints have taken so far; taken[body][colour] is one
   // way. Joint after joint takes the least colour that neither of its bodies has; a body that

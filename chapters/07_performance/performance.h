@@ -21,7 +21,7 @@ struct Hinge {
 };
 
 /// Which two bodies a joint holds, by their numbers.
-struct Link {
+struct BodyPair {
   int body1 = 0;  ///< one of them
   int body2 = 0;  ///< the other
 };
@@ -67,7 +67,7 @@ Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inve
 /// moves. Each joint, from the first to the last, takes the least colour that is free at both of
 /// its bodies. \param links which bodies each joint holds \param moves of each body: can it move?
 /// \return colours, counted from 0
-std::vector<int> colours_of(const std::vector<Link>& links, const std::vector<bool>& moves);
+std::vector<int> colours_of(const std::vector<BodyPair>& links, const std::vector<bool>& moves);
 
 /// Exercise 7.4: one solve of the whole block. The velocities change so that all five rows are
 /// true. Written once; Number is `real` or a lane type.

@@ -18,7 +18,7 @@ struct Chains {
   int count = 0;               ///< how many chains
   int length = 0;              ///< hinges of each
   std::vector<Body> bodies;    ///< chain after chain, each from its static cube on
-  std::vector<Link> links;     ///< in the same order
+  std::vector<BodyPair> links;     ///< in the same order
   std::vector<Hinge> hinges;   ///< one a link
   double energy_scale = 0;     ///< m g times the way along the chain, over all cubes [J]
 };
@@ -52,7 +52,7 @@ Groups colour_order(const Chains& chains, int width);
 
 /// The colours of these links, by exercise 7.3. \param bodies a static one takes part in nothing
 /// \throws std::invalid_argument unless there is one for each link
-std::vector<int> checked_colours(const std::vector<Link>& links, const std::vector<Body>& bodies);
+std::vector<int> checked_colours(const std::vector<BodyPair>& links, const std::vector<Body>& bodies);
 
 /// Watches a loop while it runs: gaps over the last two thirds of the steps, and the energy.
 class Watch {

@@ -60,20 +60,21 @@ Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inve
 
 // ---- who may be solved side by side ------------------------------------------------------------
 
-std::vector<int> colours_of(const std::vector<Link>& links, const std::vector<bool>& moves) {
+std::vector<int> colours_of(const std::vector<BodyPair>& links, const std::vector<bool>& moves) {
   // begin [exercise 7.3]
   // Keep, for each body, the colours that its joints have taken so far; taken[body][colour] is one
   // way. Joint after joint takes the least colour that neither of its bodies has; a body that
   // cannot move takes part in nothing.
   std::vector<std::vector<bool>> taken(moves.size());
   std::vector<int> colours;
-  for (const Link& link : links) {
+  for (const BodyPair& link : links) {
     std::size_t colour = 0;
     const auto is_taken = [&](int body) {
       return moves[body] && colour < taken[body].size() && taken[body][colour];
     };
     while (is_taken(link.body1) || is_taken(link.body2)) ++colour;
     for (const int body : {link.body1, link.body2}) {
+      if (!moves[body]) continue;
       if (taken[body].size() <= colour) taken[body].resize(colour + 1);
       taken[body][colour] = true;
     }

@@ -2,7 +2,7 @@
 // expects: Likely mistake: the colours are counted from 0
   std::vector<std::vector<bool>> taken(moves.size());
   std::vector<int> colours;
-  for (const Link& link : links) {
+  for (const BodyPair& link : links) {
     std::size_t colour = 1;
     const auto is_taken = [&](int body) {
       return moves[body] && colour < taken[body].size() && taken[body][colour];

@@ -1,7 +1,7 @@
 // expects: Likely mistake: the colour is kept for body 2 of a joint only
   std::vector<std::vector<bool>> taken(moves.size());
   std::vector<int> colours;
-  for (const Link& link : links) {
+  for (const BodyPair& link : links) {
     std::size_t colour = 0;
     const auto is_taken = [&](int body) {
       return moves[body] && colour < taken[body].size() && taken[body][colour];

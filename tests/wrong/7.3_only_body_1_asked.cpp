@@ -1,7 +1,7 @@
 // expects: Likely mistake: only body 1 of a joint is asked
   std::vector<std::vector<bool>> taken(moves.size());
   std::vector<int> colours;
-  for (const Link& link : links) {
+  for (const BodyPair& link : links) {
     std::size_t colour = 0;
     const auto is_taken = [&](int body) {
       return moves[body] && colour < taken[body].size() && taken[body][colour];

@@ -2,7 +2,7 @@
 // expects: Likely mistake: a static body counts: it does not move
   std::vector<std::vector<bool>> taken(moves.size());
   std::vector<int> colours;
-  for (const Link& link : links) {
+  for (const BodyPair& link : links) {
     std::size_t colour = 0;
     const auto is_taken = [&](int body) {
       return colour < taken[body].size() && taken[body][colour];

@@ -111,7 +111,8 @@ Colours first_fit(const ColourScene& scene, InTheWay in_the_way, int first = 0) 
   return out;
 }
 inline Colours right_colours(const ColourScene& scene) {
-  return first_fit(scene, [&](const BodyPair& a, const BodyPair& b) { return share_a_body(scene, a, b); });
+  return first_fit(
+      scene, [&](const BodyPair& a, const BodyPair& b) { return share_a_body(scene, a, b); });
 }
 
 /// Each joint's colour from what its bodies have seen: a number a body, changed by every joint.
@@ -137,7 +138,8 @@ inline std::vector<ColourMistake> colour_mistakes() {
     return [=](const Scene& scene) {
       const auto moves = [&](int body) { return bool(scene.moves[std::size_t(body)]); };
       return first_fit(
-          scene, [&](const BodyPair& a, const BodyPair& b) { return in_the_way(moves, a, b); }, first);
+          scene,
+          [&](const BodyPair& a, const BodyPair& b) { return in_the_way(moves, a, b); }, first);
     };
   };
   const auto named = [](int body, const BodyPair& b) { return body == b.body1 || body == b.body2; };

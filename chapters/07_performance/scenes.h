@@ -52,7 +52,8 @@ Groups colour_order(const Chains& chains, int width);
 
 /// The colours of these links, by exercise 7.3. \param bodies a static one takes part in nothing
 /// \throws std::invalid_argument unless there is one for each link
-std::vector<int> checked_colours(const std::vector<BodyPair>& links, const std::vector<Body>& bodies);
+std::vector<int> checked_colours(const std::vector<BodyPair>& links,
+                                 const std::vector<Body>& bodies);
 
 /// Watches a loop while it runs: gaps over the last two thirds of the steps, and the energy.
 class Watch {

@@ -38,14 +38,16 @@ std::vector<int> list_order(std::size_t count) {
   return order;
 }
 
-// Chains of turned boxes, no two edges alike, on hinges about axes that are not alike either.
-World uneven_chains(int count, int links) {
+// Chains of turned boxes, no two edges alike, on hinges about axes that are not alike either; the
+// first of each is static if they are held.
+World uneven_chains(int count, int links, bool held = true) {
   World world;
   Random random(71);
   for (int chain = 0; chain < count; ++chain) {
-    BodyId before = world.add(static_body(vec3(real(3 * chain), 0, 0)));
+    const vec3 first(real(3 * chain), 0, 0);
+    BodyId before = world.add(held ? static_body(first) : box(2, vec3(1, 2, 3), first));
     for (int k = 1; k <= links; ++k) {
-      const vec3 x(real(3 * chain), 0, real(k));
+      const vec3 x = first + vec3(0, 0, real(k));
       Body body = box(real(1 + k % 3), vec3(real(0.6), real(0.4), real(0.3)), x, random.turn());
       body.w = random.vector(1);
       const BodyId id = world.add(body);
@@ -158,8 +160,9 @@ TEST_CASE("turned boxes on skew hinges move in the hinges' loop as with the engi
 }
 
 TEST_CASE("a chain a lane is one hinge at a time to the last bit") {
-  const World both[] = {cubes(), uneven_chains(chains, hinges)};
-  for (const World& world : both) {
+  const World worlds[] = {cubes(), uneven_chains(chains, hinges),
+                          uneven_chains(chains, hinges, false)};
+  for (const World& world : worlds) {
     const auto one = after(
         loop_of<real>(world, one_by_one(list_order(world.joints().size()))), 60);
     const auto interleaved = after(loop_of<real>(world, a_chain_a_lane(chains, hinges, 1)), 60);

@@ -41,8 +41,12 @@ inline void impulses(Number*& at, const Number* e, Number* dlambda) {
     at += 3 + N;
     for (int i = 0; i < N; ++i) dlambda[i] = dlambda[i] - impulse_scale * lambda[i];
     const Number wanted = lambda[N - 1] + dlambda[N - 1];
-    const Number cut = lesser(greater(wanted, lower), upper) - wanted;
-    for (int i = 0; i < N; ++i) dlambda[i] = dlambda[i] + answer[i] * cut;
+    const Number kept = lesser(greater(wanted, lower), upper), cut = kept - wanted;
+    for (int i = 0; i < N - 1; ++i) dlambda[i] = dlambda[i] + answer[i] * cut;
+    dlambda[N - 1] = kept - lambda[N - 1];
+    lambda[N - 1] = kept;  // at the bound to the last digit
+    for (int i = 0; i < N - 1; ++i) lambda[i] = lambda[i] + dlambda[i];
+    return;
   }
   for (int i = 0; i < N; ++i) lambda[i] = lambda[i] + dlambda[i];
 }

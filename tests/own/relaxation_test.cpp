@@ -167,14 +167,16 @@ TEST_CASE("relaxed sums stay within the strength of a motor and a limit only pus
     }
   };
   const double last_digit = 4 * double(epsilon);
-  for (const real speed : {real(3), real(1e6)}) check(SequentialImpulses(), last_digit, speed);
-  for (const Packing packing : {Packing::trees, Packing::colours})
-    for (const bool lanes : {true, false}) {
-      WideImpulses wide;
-      wide.packing = packing;
-      wide.lanes = lanes;
-      check(wide, tolerance(1e-13, 1e-5), 3);
-    }
+  for (const real speed : {real(3), real(1e6)}) {
+    check(SequentialImpulses(), last_digit, speed);
+    for (const Packing packing : {Packing::trees, Packing::colours})
+      for (const bool lanes : {true, false}) {
+        WideImpulses wide;
+        wide.packing = packing;
+        wide.lanes = lanes;
+        check(wide, last_digit, speed);
+      }
+  }
 }
 
 TEST_CASE("relaxed sweeps settle where plain sweeps do") {

@@ -4,15 +4,12 @@
 
 #include <algorithm>
 
-#include "chapters/07_performance/performance.h"
+#include "chapters/07_performance/columns.h"
 #include "engine/lanes.h"
 
 /// \addtogroup chapter7
 /// @{
 namespace joints {
-
-/// Joints that are solved side by side, in groups that come one after the other.
-using Groups = std::vector<std::vector<int>>;
 
 /// Every joint by itself, in the order of the list: one lane.
 inline Groups one_by_one(const std::vector<int>& order) {
@@ -66,7 +63,7 @@ class HingeLoop {
   static constexpr int width = int(sizeof(Number) / sizeof(real));  ///< hinges side by side
 
   std::vector<Body> bodies;        ///< those that the links name
-  std::vector<BodyPair> links;         ///< a hinge each
+  std::vector<BodyPair> links;     ///< a hinge each
   std::vector<Hinge> hinges;       ///< their geometry
   Groups groups;                   ///< who comes with whom, and when; at most `width` in each
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
@@ -77,11 +74,13 @@ class HingeLoop {
   /// Forces, preparation, sweeps, places. \param h the step [s]
   void step(real h) {
     for (Body& body : bodies) integrate_forces(body, gravity, h);
+    arrange();
     records_.resize(bodies.size() + 1);  // the last one belongs to lanes that are not used
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       const Body& body = bodies[k];
       records_[k] = {triple(body.v), body.inverse_mass, triple(body.w), 0};
     }
+    for_each_in_columns([](real& column, real& record) { column = record; });
     numbers_.resize(groups.size());
     ends_.resize(groups.size());
     for (std::size_t k = 0; k < groups.size(); ++k) prepare_group(k, h);
@@ -90,6 +89,7 @@ class HingeLoop {
         if (!once_a_step) prepare_group(k, h);
         visit(k);
       }
+    for_each_in_columns([](real& column, real& record) { record = column; });
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       Body& body = bodies[k];
       if (body.is_static()) continue;
@@ -132,6 +132,26 @@ class HingeLoop {
   struct Ends {
     int body1[width], body2[width];
   };
+
+  // With groups that are new: can the velocities stand in columns?
+  void arrange() {
+    if (width == 1 || (groups == arranged_ && !groups.empty())) return;
+    arranged_ = groups;
+    columns_ = columns_of(groups, links, bodies, width);
+    in_columns_.assign(columns_ ? columns_->body.size() / width : 0, Velocities<Number>{});
+  }
+
+  // Every number that a column has of a body, beside the same one of the body's record.
+  template <class F>
+  void for_each_in_columns(const F& f) {
+    if (!columns_) return;
+    for (std::size_t k = 0; k < columns_->body.size(); ++k) {
+      if (columns_->body[k] < 0) continue;
+      real* const column = reinterpret_cast<real*>(&in_columns_[k / width]) + k % width;
+      real* const record = reinterpret_cast<real*>(&records_[std::size_t(columns_->body[k])]);
+      for (int n = 0; n < 8; ++n) f(column[n * width], record[n]);
+    }
+  }
 
   // What the sweeps read of a hinge.
   void prepare(std::size_t k, real h, HingeNumbers<real>& out) const {
@@ -178,6 +198,9 @@ class HingeLoop {
     const Ends& ends = ends_[group];
     if constexpr (width == 1) {
       solve(numbers_[group], records_[ends.body1[0]], records_[ends.body2[0]]);
+    } else if (columns_) {
+      solve(numbers_[group], in_columns_[std::size_t(columns_->end1[group])],
+            in_columns_[std::size_t(columns_->end2[group])]);
     } else {
       Velocities<Number> body1, body2;
       load(records_.data(), ends.body1, body1);
@@ -191,6 +214,9 @@ class HingeLoop {
   std::vector<Velocities<real>> records_;
   std::vector<HingeNumbers<Number>> numbers_;
   std::vector<Ends> ends_;
+  Groups arranged_;                // those that columns_ belong to
+  std::optional<Columns> columns_;  // none: a group's bodies are transposed there and back
+  std::vector<Velocities<Number>> in_columns_;
 };
 
 }  // namespace joints

@@ -2,6 +2,7 @@
 #include "bench/runner.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -94,7 +95,14 @@ Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
            const Span& span) {
   Result result;
   StepClock clock;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
   for (int repetition = 0; repetition < repetitions; ++repetition) {
+    if (repetition > 0 && (!result.finite || seconds() > span.patience)) break;
+    if (repetition == 1) clock = StepClock();
+    result.timed = std::max(1, repetition);
     Scene scene = make_scene();
     if (setting.prepare) setting.prepare(scene.world);
     Step step = setting.make();

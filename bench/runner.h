@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "bench/scenes.h"
@@ -26,11 +27,13 @@ struct Setting {
 struct Span {
   real h = real(1) / 60;  ///< step [s]
   int steps = 300;        ///< the gaps are measured in the last two thirds of them
+  /// No repetition begins once all together have taken so long [s].
+  double patience = std::numeric_limits<double>::infinity();
 };
 
 /// What one run gave.
 struct Result {
-  double us_per_step = 0;   ///< median over steps 21 to 300 of all repetitions [us]
+  double us_per_step = 0;   ///< median of the steps from the 21st on that were timed [us]
   double gap_rms = 0;       ///< last 200 steps of 300 [m]
   double gap_max = 0;       ///< last 200 steps of 300 [m]
   double axis_error = 0;    ///< last 200 steps of 300 [rad]
@@ -41,12 +44,14 @@ struct Result {
   int steps = 0;            ///< how many there were: a run that is not finite ends there
   double energy_peak = 0;   ///< the largest (E - E_0) / E_scale on the way [1]
   double sideways = 0;      ///< the furthest that a body went in the forbidden direction [m]
+  int timed = 0;            ///< how many repetitions the time is from
 };
 
 /// True while every place, orientation and velocity of every body is an ordinary number.
 bool all_finite(const World& world);
 
-/// Runs a scene `repetitions` times; the measures are those of the first.
+/// Runs a scene `repetitions` times. The measures are those of the first; if there are more, the
+/// time is that of the others, in which nothing stands between two steps.
 Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
            const Span& span = {});
 

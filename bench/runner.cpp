@@ -2,7 +2,6 @@
 #include "bench/runner.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -95,25 +94,20 @@ Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
            const Span& span) {
   Result result;
   StepClock clock;
-  const auto begin = std::chrono::steady_clock::now();
-  const auto seconds = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
-  for (int repetition = 0; repetition < repetitions; ++repetition) {
-    if (repetition > 0 && (!result.finite || seconds() > span.patience)) break;
-    if (repetition == 1) clock = StepClock();
-    result.timed = std::max(1, repetition);
+  const bool apart = repetitions > 1;  // the measures are taken in a run of their own
+  for (int n = 0; n < repetitions + int(apart) && result.finite; ++n) {
     Scene scene = make_scene();
     if (setting.prepare) setting.prepare(scene.world);
     Step step = setting.make();
-    const bool measuring = repetition == 0;
+    const bool measuring = n == 0;
+    if (n == 1) clock = StepClock();
     Look look(scene, span, result);
-    for (int n = 1; n <= span.steps; ++n) {
-      if (n > 20) clock.start();
+    for (int k = 1; k <= (measuring ? span.steps : std::min(span.steps, span.timed)); ++k) {
+      if (k > 20) clock.start();
       step(scene.world, span.h);
-      if (n > 20) clock.stop();
+      if (k > 20) clock.stop();
       if (!measuring) continue;
-      look.after(n);
+      look.after(k);
       if (!result.finite) break;
     }
     if (measuring) look.end();

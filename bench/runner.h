@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <string>
 
 #include "bench/scenes.h"
@@ -27,8 +26,7 @@ struct Setting {
 struct Span {
   real h = real(1) / 60;  ///< step [s]
   int steps = 300;        ///< the gaps are measured in the last two thirds of them
-  /// No repetition begins once all together have taken so long [s].
-  double patience = std::numeric_limits<double>::infinity();
+  int timed = 300;        ///< steps of a repetition that is there for the time alone
 };
 
 /// What one run gave.
@@ -44,14 +42,13 @@ struct Result {
   int steps = 0;            ///< how many there were: a run that is not finite ends there
   double energy_peak = 0;   ///< the largest (E - E_0) / E_scale on the way [1]
   double sideways = 0;      ///< the furthest that a body went in the forbidden direction [m]
-  int timed = 0;            ///< how many repetitions the time is from
 };
 
 /// True while every place, orientation and velocity of every body is an ordinary number.
 bool all_finite(const World& world);
 
-/// Runs a scene `repetitions` times. The measures are those of the first; if there are more, the
-/// time is that of the others, in which nothing stands between two steps.
+/// Runs a scene and measures it. Where one repetition is enough, its steps are timed; else as many
+/// runs more as there are repetitions, and in these nothing stands between two steps.
 Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
            const Span& span = {});
 

@@ -18,25 +18,25 @@ struct Entry {
   std::string key;
   MakeScene make;
   std::vector<std::string> measures;
-  int repetitions = 5;
+  int repetitions = 2;
   bool quick = true;
   int steps = 300;
   int most = 200;  // sweeps
 };
 
 std::vector<Entry> scenes(int repetitions) {
-  const int most = sizeof(real) == 4 ? repetitions : std::min(repetitions, 2);
+  const int most = sizeof(real) == 4 ? repetitions : 1;
   std::vector<Entry> list = {
       {"S1", [] { return cubes_on_hinges(10, 100); }, {"gap_rms_m", "tip_error_m"}, most},
       {"S1x", [] { return cubes_on_hinges(20, 100); }, {"gap_rms_m"}, 2, false, 300, 60},
       {"S1b", [] { return cubes_on_balls(10, 100); }, {"gap_rms_m"}, 1}};
   for (const double ratio : {1, 100, 1000})
-    list.push_back({"S2", [=] { return heavy_end(ratio); }, {"gap_max_m"}, 5, ratio == 100});
+    list.push_back({"S2", [=] { return heavy_end(ratio); }, {"gap_max_m"}, 2, ratio == 100});
   list.push_back({"S3", [] { return hanging_bridge(true); }, {"gap_rms_m"}});
-  list.push_back({"S3b", [] { return hanging_bridge(false); }, {"gap_rms_m"}, 5, false});
+  list.push_back({"S3b", [] { return hanging_bridge(false); }, {"gap_rms_m"}, 2, false});
   list.push_back({"S5", [] { return cubes_on_hinges(1, 4); }, {"tip_error_m"}});
   list.push_back({"S6", loaded_axes, {"gap_rms_m"}});
-  list.push_back({"S7", sideways_gravity, {"sideways_m"}, 1, false, 600});  // it swings back
+  list.push_back({"S7", sideways_gravity, {"sideways_m"}, 1, false, 600, 120});  // it swings back
   return list;
 }
 
@@ -96,7 +96,7 @@ std::vector<Point> series(const Entry& entry, const Scene& scene, const Way& way
                  way.solver().c_str(), way.name.c_str(), count);
     Span span;
     span.steps = entry.steps;
-    span.timed = 100;
+    span.timed = 80;
     points.push_back({way, count, run(entry.make, way.setting(count), repetitions, span)});
   }
   for (std::size_t k = 0; k < points.size(); ++k) {

@@ -13,8 +13,8 @@ namespace {
 
 // ---- the table ----------------------------------------------------------------------------------
 
-// Keys of scenes: S1x is S1 with twice the chains, S2 stands for all its ratios. What one sweep
-// does to a joint does not depend on the loop: where there are trees, what is set is tried on lanes.
+// Keys of scenes: S1x is S1 with twice the chains, S2 stands for all its ratios. What a sweep does
+// to a joint does not depend on the loop: where there are trees, what is set is tried on lanes.
 const char* const alone = "S2 S3 S3b S5 S6";  // one chain: no two trees
 const char* const trees = "S1 S7";            // ten of them side by side
 
@@ -52,6 +52,7 @@ std::vector<Way> ways() {
        .relaxation = real(1.5), .substeps = 4, .half_kick = true},
       {.name = "omega 1.5 4 substeps", .scenes = alone, .loop = Loop::packed,
        .relaxation = real(1.5), .substeps = 4},
+      {.name = "16 substeps", .scenes = alone, .loop = Loop::packed, .substeps = 16},
 
       {.name = "trees", .scenes = "S1 S1x S7", .loop = Loop::lanes, .quick = true},
       {.name = "colours", .scenes = "S1 S1x S2 S3 S3b S7", .loop = Loop::lanes,
@@ -62,7 +63,7 @@ std::vector<Way> ways() {
       {.name = "colours omega 1.9", .scenes = "S1 S3 S7", .loop = Loop::lanes,
        .packing = colours, .relaxation = real(1.9)},
       {.name = "trees beta 1", .scenes = trees, .loop = Loop::lanes, .beta = 1},
-      {.name = "trees omega 1.9 beta 1", .scenes = trees, .loop = Loop::lanes, .beta = 1,
+      {.name = "trees omega 1.9 beta 1", .scenes = "S1 S1x S7", .loop = Loop::lanes, .beta = 1,
        .relaxation = real(1.9), .quick = true},
       {.name = "trees warm", .scenes = trees, .loop = Loop::lanes, .warm = true},
       {.name = "trees omega 1.5 beta 1", .scenes = "S1", .loop = Loop::lanes, .beta = 1,

@@ -92,6 +92,7 @@ std::vector<Point> series(const Entry& entry, const Scene& scene, const Way& way
   std::vector<Point> points;
   for (const int count : counts) {
     if (count > std::min(way.most, entry.most)) continue;
+    if (!points.empty() && way.sweeps_of(count) == way.sweeps_of(points.back().sweeps)) continue;
     std::fprintf(stderr, "%s, %d chains, %s, %s, %d sweeps\n", scene.name.c_str(), scene.chains,
                  way.solver().c_str(), way.name.c_str(), count);
     Span span;

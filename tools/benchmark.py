@@ -1,4 +1,4 @@
-"""Error against run time, and what a joint costs as a scene grows: runs, draws, and says it short."""
+"""Error against run time, and what a joint costs as a scene grows: runs, draws, tells the best."""
 import csv
 import re
 import shutil
@@ -56,9 +56,10 @@ def microseconds(row):
 
 
 def print_fastest(scenes):
-    """Of every scene the fastest run that keeps all gaps below 1 % of a link and gains no energy."""
+    """Of every scene the fastest run whose gaps stay below 1 % of a link, without more energy."""
     print("\nthe fastest that holds 1 % of a link (largest gap), and plain cold sweeps beside it:")
-    print(f"  {'scene':10} {'chains':>6} {'real':7} {'us a step':>10} {'cold':>10}  setting, sweeps")
+    print(f"  {'scene':10} {'chains':>6} {'real':7} {'us a step':>10} {'cold':>10}  "
+          "setting, sweeps")
     for (scene, chains, real), rows in scenes.items():
         if len({(row["solver"], row["setting"]) for row in rows}) < 2:
             continue
@@ -84,8 +85,9 @@ def print_fronts(scenes):
             words, factor, unit = UNITS[measure]
             print(f"  {scene}, {chains} chain{'s' * (chains != '1')}, {words}:")
             for k in sorted({round(i * last / max(1, most - 1)) for i in range(most)}):
-                print(f"    {microseconds(front[k]):9.1f} us {factor * float(front[k][measure]):9.3g} "
-                      f"{unit:2}  {called(front[k])}")
+                size = factor * float(front[k][measure])
+                print(f"    {microseconds(front[k]):9.1f} us {size:9.3g} {unit:2}  "
+                      f"{called(front[k])}")
 
 
 def print_scaling():
@@ -120,7 +122,8 @@ def print_instructions():
 
 
 def main():
-    print("error against run time: about six minutes; leave the machine alone meanwhile", flush=True)
+    print("error against run time: about six minutes; leave the machine alone meanwhile",
+          flush=True)
     began = time.time()
     house.must_build(["work_precision", "work_precision_float", "scaling_float"])
     show.run_bench("work_precision_float", [])

@@ -23,21 +23,21 @@ enum class Loop {
 
 /// A line of the figures: a solver, and all that is set in it and in the joints.
 struct Way {
-  std::string name{};
+  std::string name{};    ///< what is set, in words without a comma
   std::string scenes{};  ///< keys of the scenes on which it is tried, with blanks between
   Loop loop = Loop::rows;
   Packing packing = Packing::trees;  ///< packed and lanes only
   Order order = Order::forward;      ///< rows only
-  bool warm = false;
+  bool warm = false;        ///< begin with the impulses of the last step
   bool row_by_row = false;  ///< rows only
   bool whole = true;        ///< false: a hinge's point and its axis are blocks of their own
-  int projections = 0;
-  real beta = real(0.2);
-  real relaxation = 1;
-  int substeps = 1;        ///< they share the sweeps of a step
-  bool half_kick = false;  ///< begin with the velocities of half a step earlier
-  int most = 200;          ///< no more sweeps than this: further ones say nothing new
-  bool quick = false;      ///< also in the short form
+  int projections = 0;      ///< sweeps of position projection after a step
+  real beta = real(0.2);    ///< of every joint [1]
+  real relaxation = 1;      ///< over-relaxation [1]; not the textbook's
+  int substeps = 1;         ///< they share the sweeps of a step
+  bool half_kick = false;   ///< begin with the velocities of half a step earlier
+  int most = 200;           ///< no more sweeps than this: further ones say nothing new
+  bool quick = false;       ///< also in the short form
 
   /// \param scene a key
   bool means_something_on(const std::string& scene) const;
@@ -58,7 +58,8 @@ Step with_half_a_kick(Step step);
 
 /// What is compared in a front: how long it took, and how far off it was.
 struct Cost {
-  double time, error;
+  double time;   ///< [us]
+  double error;  ///< in the unit of what is measured
 };
 /// Those that no other beats in both, fastest first: their numbers in the list. What has no finite
 /// error is in no front.

@@ -153,11 +153,11 @@ def draw_peers(ax, peers, name, factor):
         x = np.array([row["us_per_step"] for row in group])
         y, _ = heights(group, name, factor, low, high)
         ax.plot(x, y, ":", color=PEER, linewidth=0.8)
-        none = np.array([row[name] == 0 for row in group])
+        none = np.array([factor * row[name] < low for row in group])  # below the picture
         ax.plot(x[~none], y[~none], "D", color=PEER, markersize=4, zorder=3)
         if none.any():
             ax.plot(x[none], y[none], "v", color=PEER, markersize=5, zorder=3, clip_on=False)
-        out.append((engine + (": no gap" if none.all() else ""), np.column_stack([x, y])))
+        out.append((engine, np.column_stack([x, y])))
     return out
 
 
@@ -168,7 +168,8 @@ def draw(rows, measure, peers, out):
     figure.set_size_inches(style.WIDTH, 6.4)
     kept = [row for row in rows if row["status"] not in LOST]
     floor = [1000 * FLOOR] if measure == "tip_error_m" else []
-    seen = [factor * row[measure] for row in kept + peers if row[measure] > 1e-4]
+    seen = [factor * row[measure] for row in kept] \
+        + [factor * row[measure] for row in peers if row[measure] > 1e-4]
     ax.set(xscale="log", yscale="log", ylabel=words, ylim=limits(seen + floor, 1.5),
            xlabel=f"time of a step, one core, {real}  [µs]",
            xlim=limits([row["us_per_step"] for row in rows + peers], 1.4))
@@ -195,6 +196,7 @@ def draw(rows, measure, peers, out):
 def explain(ax, rows, peers):
     """The families in their colours, and what the markers say: above the panel."""
     states = list(dict.fromkeys(LOOKS[row["status"]][2] for row in rows))
+    states += ["v at the edge: below this picture"] * peers
     most = max(row["iterations"] for row in rows if row["substeps"] == 1)
     ax.set_title(f"{title_of(rows[0])}; along a line: 10 to {most:g} sweeps a step\n"
                  + "; ".join(word for word in states if word) + "\n", fontsize=8, color=PALE)

@@ -261,12 +261,14 @@ def headline(rows, measure, factor, unit):
                 f"{number(without)} {unit} at best")
     held = [row for row in rows if row["status"] == "ok"]
     if not held:
-        return f"{scene}: nothing tried holds 1 % of a link; the least is {least}\n({called(best)})"
+        kind = "RMS gap" if measure == "gap_rms_m" else "largest gap"
+        return (f"{scene}: nothing tried keeps every gap below 1 % of a link;\n"
+                f"the least {kind} is {least} ({called(best)})")
     first = fastest(held)
     plain = fastest([row for row in held if row["setting"] == "cold"])
     rest = f"plain cold sweeps in {number(plain['us_per_step'])} µs" if plain else \
         "plain cold sweeps never, up to 200"
-    return (f"{scene}: 1 % of a link is held in {number(first['us_per_step'])} µs\nby "
+    return (f"{scene}: every gap stays below 1 % of a link in {number(first['us_per_step'])} µs\nby "
             f"{called(first)}; by {rest}")
 
 

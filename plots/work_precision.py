@@ -268,8 +268,8 @@ def headline(rows, measure, factor, unit):
     plain = fastest([row for row in held if row["setting"] == "cold"])
     rest = f"plain cold sweeps in {number(plain['us_per_step'])} µs" if plain else \
         "plain cold sweeps never, up to 200"
-    return (f"{scene}: every gap stays below 1 % of a link in {number(first['us_per_step'])} µs\nby "
-            f"{called(first)}; by {rest}")
+    return (f"{scene}: every gap stays below 1 % of a link in {number(first['us_per_step'])} µs\n"
+            f"by {called(first)}; by {rest}")
 
 
 def slug(row):

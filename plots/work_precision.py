@@ -263,7 +263,7 @@ def headline(rows, measure, factor, unit):
     if not held:
         kind = "RMS gap" if measure == "gap_rms_m" else "largest gap"
         return (f"{scene}: nothing tried keeps every gap below 1 % of a link;\n"
-                f"the least {kind} is {least} ({called(best)})")
+                f"at best the {kind} is {least} ({called(best)})")
     first = fastest(held)
     plain = fastest([row for row in held if row["setting"] == "cold"])
     rest = f"plain cold sweeps in {number(plain['us_per_step'])} µs" if plain else \

@@ -265,9 +265,10 @@ def headline(rows, measure, factor, unit):
         return (f"{scene}: nothing tried keeps every gap below 1 % of a link;\n"
                 f"at best the {kind} is {least} ({called(best)})")
     first = fastest(held)
+    most = max([row["iterations"] for row in rows if row["setting"] == "cold"], default=0)
     plain = fastest([row for row in held if row["setting"] == "cold"])
     rest = f"plain cold sweeps in {number(plain['us_per_step'])} µs" if plain else \
-        "plain cold sweeps never, up to 200"
+        f"plain cold sweeps never, up to {most:g}"
     return (f"{scene}: every gap stays below 1 % of a link in {number(first['us_per_step'])} µs\n"
             f"by {called(first)}; by {rest}")
 

@@ -103,19 +103,21 @@ Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
            const Span& span) {
   Result result;
   StepClock clock;
-  for (int repetition = 0; repetition < repetitions; ++repetition) {
+  const bool apart = repetitions > 1;  // the measures are taken in a run of their own
+  for (int n = 0; n < repetitions + int(apart) && result.finite; ++n) {
     Scene scene = make_scene();
     if (setting.prepare) setting.prepare(scene.world);
     Step step = setting.make();
-    const bool measuring = repetition == 0;
+    const bool measuring = n == 0;
+    if (n == 1) clock = StepClock();
     Look look(scene, span, result);
-    for (int n = 1; n <= span.steps; ++n) {
-      if (n > 20) clock.start();
+    for (int k = 1; k <= (measuring ? span.steps : std::min(span.steps, span.timed)); ++k) {
+      if (k > 20) clock.start();
       step(scene.world, span.h);
-      if (n > 20) clock.stop();
+      if (k > 20) clock.stop();
       if (!measuring) continue;
       if (setting.show) setting.show(scene.world);
-      look.after(n);
+      look.after(k);
       if (!result.finite) break;
     }
     if (measuring) look.end();

@@ -1,109 +1,143 @@
-// Error against run time: every scene with every setting, a line each. `./wb bench` calls it.
-// A scene, a solver or a setting more is one line more, below.
+// Error against run time: every scene with every setting that means something on it, a line each.
+// `./wb bench` calls it. A scene more is a line more below, a setting more one in settings.cpp.
 #include <cstdio>
 
-#include "bench/runner.h"
+#include "bench/settings.h"
 #include "engine/program.h"
-#include "engine/wide.h"
-#include "engine/sequential_impulses.h"
 
 using namespace joints;
 using namespace joints::bench;
 
 namespace {
 
-// ---- solvers and settings -----------------------------------------------------------------------
-
-// A solver with everything but its sweeps.
-using Solver = std::function<Setting(int iterations)>;
-
-Setting sequential_impulses(int iterations, bool warm) {
-  return {"sequential impulses", "whole blocks", iterations, warm, [=] {
-            SequentialImpulses solver;
-            solver.iterations = iterations;
-            solver.warm_start = warm;
-            return [solver](World& world, real h) mutable { solver.step(world, h); };
-          }, {}};
-}
-Setting cold(int iterations) { return sequential_impulses(iterations, false); }
-Setting warm(int iterations) { return sequential_impulses(iterations, true); }
-
-Setting on_lanes(int iterations, Packing packing, real beta) {
-  Setting setting{"on lanes", packing == Packing::trees ? "a tree a lane" : "coloured", iterations,
-                  false, [=] {
-                    WideImpulses solver;
-                    solver.iterations = iterations;
-                    solver.packing = packing;
-                    return [solver](World& world, real h) mutable { solver.step(world, h); };
-                  }, {}};
-  if (beta == real(0.2)) return setting;
-  setting.name += " with beta 1";
-  setting.prepare = [=](World& world) {
-    for (const auto& joint : world.joints()) joint->beta = beta;
-  };
-  return setting;
-}
-Setting trees(int iterations) { return on_lanes(iterations, Packing::trees, real(0.2)); }
-Setting coloured(int iterations) { return on_lanes(iterations, Packing::colours, real(0.2)); }
-Setting trees_beta_1(int iterations) { return on_lanes(iterations, Packing::trees, 1); }
-
 // ---- scenes -------------------------------------------------------------------------------------
 
-// A scene and the solvers that run it.
+// A scene, its key in the table of settings, and by what its fronts and figures go: the first of
+// its measures, or both.
 struct Entry {
+  std::string key;
   MakeScene make;
-  std::vector<Solver> solvers;
+  std::vector<std::string> measures;
+  int repetitions = 2;
+  bool quick = true;
+  int steps = 300;
+  int most = 200;  // sweeps
 };
 
-std::vector<Entry> scenes(bool quick) {
-  std::vector<Entry> list;
-  list.push_back({[] { return cubes_on_balls(10, 100); }, {cold, warm}});
-  list.push_back({[] { return cubes_on_hinges(10, 100); }, {cold, trees, coloured, trees_beta_1}});
-  for (double ratio : {1, 10, 100, 1000, 10000})
-    if (!quick || ratio == 1 || ratio == 100)
-      list.push_back({[=] { return heavy_end(ratio); }, {cold, warm}});
+std::vector<Entry> scenes(int repetitions) {
+  const int most = sizeof(real) == 4 ? repetitions : 1;
+  std::vector<Entry> list = {
+      {"S1", [] { return cubes_on_hinges(10, 100); }, {"gap_rms_m", "tip_error_m"}, most},
+      {"S1x", [] { return cubes_on_hinges(20, 100); }, {"gap_rms_m"}, 2, false, 300, 60},
+      {"S1b", [] { return cubes_on_balls(10, 100); }, {"gap_rms_m"}, 1}};
+  for (const double ratio : {1, 100, 1000})
+    list.push_back({"S2", [=] { return heavy_end(ratio); }, {"gap_max_m"}, 2, ratio == 100});
+  list.push_back({"S3", [] { return hanging_bridge(true); }, {"gap_rms_m"}});
+  list.push_back({"S3b", [] { return hanging_bridge(false); }, {"gap_rms_m"}, 2, false});
+  list.push_back({"S5", [] { return cubes_on_hinges(1, 4); }, {"tip_error_m"}});
+  list.push_back({"S6", loaded_axes, {"gap_rms_m"}});
+  list.push_back({"S7", sideways_gravity, {"sideways_m"}, 1, false, 600, 120});  // it swings back
   return list;
 }
 
 // ---- the table ----------------------------------------------------------------------------------
 
-const char* const columns =
-    "scene,chains,solver,setting,real,iterations,substeps,warm,us_per_step,ns_per_joint_iteration,"
-    "gap_rms_m,gap_max_m,axis_error_rad,energy_drift,tip_error_m,status\n";
+// A run, and in the fronts of which measures it stands.
+struct Point {
+  Way way;
+  int sweeps = 0;
+  Result result;
+  double ns = 0;
+  std::string fronts{};
+};
 
-void write(FILE* file, const Scene& scene, const Setting& setting, const Result& r, double ns) {
-  std::fprintf(file, "%s,%d,%s,%s,%s,%d,1,%d,%.4f,%.3f,%.8g,%.8g,%.8g,%.8g,%.8g,%s\n",
-               scene.name.c_str(), scene.chains, setting.solver.c_str(), setting.name.c_str(),
-               sizeof(real) == 8 ? "double" : "float", setting.iterations, int(setting.warm),
-               r.us_per_step, ns, r.gap_rms, r.gap_max, r.axis_error, r.energy_drift, r.tip_error,
-               r.status.c_str());
+double value(const Result& r, const std::string& measure) {
+  return measure == "gap_rms_m"     ? r.gap_rms
+         : measure == "gap_max_m"   ? r.gap_max
+         : measure == "tip_error_m" ? r.tip_error
+                                    : r.sideways;
 }
 
-// One scene with one kind of setting, over the iteration counts. What one more iteration costs a
-// joint is the slope of the time between a count and its neighbour.
-void series(FILE* file, const MakeScene& make, const Solver& solver,
-            const std::vector<int>& counts, int repetitions) {
-  const Scene scene = make();
-  std::vector<Result> results;
-  for (int count : counts) {
-    const Setting setting = solver(count);
-    std::fprintf(stderr, "%s, %s, %s %d\n", scene.name.c_str(), setting.name.c_str(),
-                 setting.warm ? "warm" : "cold", count);
-    results.push_back(run(make, setting, repetitions));
+const char* const columns =
+    "scene,chains,solver,setting,real,iterations,substeps,warm,us_per_step,ns_per_joint_iteration,"
+    "gap_rms_m,gap_max_m,axis_error_rad,energy_drift,tip_error_m,status,sideways_m,measures,"
+    "fronts\n";
+
+void write(FILE* file, const Scene& scene, const std::string& measures, const Point& point) {
+  const Result& r = point.result;
+  std::fprintf(file, "%s,%d,%s,%s,%s,%d,%d,%d,%.4f,%.3f,%.8g,%.8g,%.8g,%.8g,%.8g,%s,%.8g,%s,%s\n",
+               scene.name.c_str(), scene.chains, point.way.solver().c_str(),
+               point.way.name.c_str(), sizeof(real) == 8 ? "double" : "float",
+               point.way.sweeps_of(point.sweeps), point.way.substeps, int(point.way.warm),
+               r.us_per_step, point.ns, r.gap_rms, r.gap_max, r.axis_error, r.energy_drift,
+               r.tip_error, r.status.c_str(), r.sideways, measures.c_str(), point.fronts.c_str());
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : "+") + word;
+  return out;
+}
+
+// What one more sweep costs a joint is the slope of the time between a count and its neighbour.
+double slope(const Point& a, const Point& b, std::size_t joints) {
+  const int sweeps = b.way.sweeps_of(b.sweeps) - a.way.sweeps_of(a.sweeps);
+  return 1000 * (b.result.us_per_step - a.result.us_per_step) /
+         (double(joints) * sweeps * a.way.substeps);
+}
+
+// One setting on one scene, over the counts of sweeps.
+std::vector<Point> series(const Entry& entry, const Scene& scene, const Way& way,
+                          const std::vector<int>& counts, int repetitions) {
+  std::vector<Point> points;
+  for (const int count : counts) {
+    if (count > std::min(way.most, entry.most)) continue;
+    if (!points.empty() && way.sweeps_of(count) == way.sweeps_of(points.back().sweeps)) continue;
+    std::fprintf(stderr, "%s, %d chains, %s, %s, %d sweeps\n", scene.name.c_str(), scene.chains,
+                 way.solver().c_str(), way.name.c_str(), count);
+    Span span;
+    span.steps = entry.steps;
+    span.timed = 80;
+    points.push_back({way, count, run(entry.make, way.setting(count), repetitions, span)});
   }
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    const std::size_t a = k == 0 ? 0 : k - 1, b = a + 1;
-    const double ns = 1000 * (results[b].us_per_step - results[a].us_per_step) /
-                      (double(scene.marks.size()) * (counts[b] - counts[a]));
-    write(file, scene, solver(counts[k]), results[k], ns);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::size_t a = k == 0 ? 0 : k - 1;
+    if (points.size() > 1) points[k].ns = slope(points[a], points[a + 1], scene.marks.size());
   }
+  return points;
+}
+
+// Energy that is gained is no good, however small the gap.
+bool counts(const Result& r) {
+  return r.status == "ok" || r.status == "soft" || r.status == "torn";
+}
+
+void measure(FILE* file, const Entry& entry, const std::vector<int>& counted, bool quick) {
+  const Scene scene = entry.make();
+  std::vector<Point> points;
+  for (const Way& way : ways()) {
+    if (!way.means_something_on(entry.key) || (quick && !way.quick)) continue;
+    const auto more = series(entry, scene, way, counted, quick ? 1 : entry.repetitions);
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  for (const std::string& name : entry.measures) {
+    std::vector<Cost> costs;
+    for (const Point& point : points)
+      costs.push_back({point.result.us_per_step,
+                       counts(point.result) ? value(point.result, name)
+                                            : std::numeric_limits<double>::quiet_NaN()});
+    for (const int k : pareto_front(costs))
+      points[k].fronts += (points[k].fronts.empty() ? "" : "+") + name;
+  }
+  for (const Point& point : points) write(file, scene, joined(entry.measures), point);
 }
 
 // Nothing but steps, for counting instructions: the difference of two calls is what is sought.
 void only_steps(int iterations, int steps) {
-  Scene scene = cubes_on_balls(1, 100);
-  const Step step = cold(iterations).make();
-  for (int n = 0; n < steps; ++n) step(scene.world, real(1) / 60);
+  Scene scene = cubes_on_hinges(1, 100);
+  SequentialImpulses solver;
+  solver.iterations = iterations;
+  for (int n = 0; n < steps; ++n) solver.step(scene.world, real(1) / 60);
 }
 
 }  // namespace
@@ -113,24 +147,27 @@ int main(int argc, char** argv) {
     Options options("Error against run time",
                     {{"csv", "out/work_precision.csv", "the table"},
                      {"append", "0", "1: add lines to the table that is there"},
-                     {"quick", "0", "1: fewer scenes, one repetition"},
-                     {"repetitions", "5", "how often each run is timed"},
+                     {"quick", "0", "1: fewer scenes, settings and counts, one repetition"},
+                     {"scene", "", "one scene alone, by its key: S1, S1x (20 chains), S2, ..."},
+                     {"repetitions", "5", "how often each run is timed at the most"},
                      {"only-steps", "0", "do so many steps of one chain and measure nothing"},
                      {"iterations", "30", "with --only-steps: sweeps a step"}});
     if (!options.read(argc, argv)) return;
     if (const int steps = options.count("only-steps", 0); steps > 0)
       return only_steps(options.count("iterations", 1), steps);
     const bool append = options.count("append", 0) != 0, quick = options.count("quick", 0) != 0;
-    const int repetitions = quick ? 1 : options.count("repetitions", 1);
-    const std::vector<int> counts = quick ? std::vector<int>{10, 30, 100, 200}
+    const std::vector<int> counts = quick ? std::vector<int>{10, 30, 120}
                                           : std::vector<int>{10, 20, 30, 60, 120, 200};
-    const std::string path = options.text("csv");
+    const std::string path = options.text("csv"), only = options.text("scene");
+    std::vector<Entry> list = scenes(options.count("repetitions", 1));
+    std::erase_if(list, [&](const Entry& one) {
+      return (quick && !one.quick) || (!only.empty() && one.key != only);
+    });
+    if (list.empty()) refuse("--scene " + only + ": there is none of this name");
     FILE* file = std::fopen(path.c_str(), append ? "a" : "w");
     if (!file) refuse("--csv " + path + ": cannot be written");
     if (!append) std::fputs(columns, file);
-    for (const Entry& entry : scenes(quick))
-      for (const Solver& solver : entry.solvers)
-        series(file, entry.make, solver, counts, repetitions);
+    for (const Entry& entry : list) measure(file, entry, counts, quick);
     std::fclose(file);
   });
 }

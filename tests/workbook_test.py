@@ -28,7 +28,7 @@ LATER = {3: r"Axis::|HingeAngle|HingeJoint|Limit<", 4: r"Line::|Slide::|Rotation
          6: r"limit_bias|beta_for|warm_start\(|projection_sweep|project\(",
          7: r"colours_of|whole_K|hoist|LanesFor|WideImpulses"}
 PROGRAMS = {
-    "01_distance_run": ("apply_impulse", rf"{OWN_LOOP}|Point::|block_impulse|turned|" + "|".join(
+    "01_distance_run": ("apply_impulse", rf"{OWN_LOOP}|Point::|block_impulse|turned\(|" + "|".join(
         LATER.values())),
     "02_ball_run": ("block_impulse", rf"{OWN_LOOP}|" + "|".join(LATER.values())),
     "03_hinge_run": ("Axis::", rf"{LATER[4]}|{LATER[5]}|{LATER[6]}|{LATER[7]}"),

@@ -16,7 +16,8 @@ from house import bold, faint
 
 SOLUTIONS, MINE = house.OUT / "solutions", house.OUT / "mine"
 TABLE, STABILITY = house.OUT / "work_precision.csv", house.OUT / "stability.csv"
-LOOP = house.OUT / "loop.csv"
+LOOP, SCALING = house.OUT / "loop.csv", house.OUT / "scaling.csv"
+PEERS = house.ROOT / "bench" / "peers.csv"
 
 
 # ---- programs ------------------------------------------------------------------------------------
@@ -182,7 +183,9 @@ def plot(chapter):
         house.progress(f"drawing chapter {one.number}")
         made += plot_chapter(one)
     if not chapter and TABLE.exists():
-        made += draw("work_precision.py", "--csv", TABLE)
+        made += draw("work_precision.py", "--csv", TABLE, "--peers", PEERS)
+    if not chapter and SCALING.exists():
+        made += draw("scaling.py", "--csv", SCALING)
     if not chapter and STABILITY.exists():
         made += draw("stability.py", "--csv", STABILITY)
     if not chapter and LOOP.exists():
@@ -254,7 +257,7 @@ def tour():
         pages.append(make_page(chapter, SOLUTIONS / chapter.folder, None))
     house.progress("error against run time, the short form")
     run_bench("work_precision", ["--quick", "1"])
-    figures += draw("work_precision.py", "--csv", TABLE)
+    figures += draw("work_precision.py", "--csv", TABLE, "--peers", PEERS)
     house.progress_done()
     print()
     summary_table(chapters)

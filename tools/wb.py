@@ -25,7 +25,7 @@ HELP = """The Joint Workbook
   ./wb plot [2]        draw the figures: your curve over the solution's
   ./wb see [2]         the page that plays the motion: yours beside the solution's
 
-  ./wb bench           error against run time
+  ./wb bench           error against run time, and what a joint costs in larger scenes
   ./wb bench --stability   what is stiff, extreme or redundant: which method holds what
   ./wb bench --loop    what a joint and sweep costs, from the textbook's loop to lanes
   ./wb bench --cost    rows, bytes and instructions of every kind of joint

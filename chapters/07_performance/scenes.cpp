@@ -75,7 +75,8 @@ Groups colour_order(const Chains& chains, int width) {
   return by_colour(checked_colours(chains.links, chains.bodies), width);
 }
 
-std::vector<int> checked_colours(const std::vector<BodyPair>& links, const std::vector<Body>& bodies) {
+std::vector<int> checked_colours(const std::vector<BodyPair>& links,
+                                 const std::vector<Body>& bodies) {
   std::vector<bool> moves;
   for (const Body& body : bodies) moves.push_back(!body.is_static());
   std::vector<int> colours = colours_of(links, moves);

@@ -1,0 +1,109 @@
+// What a joint costs as a scene grows: chains of a hundred cubes, from one to a thousand of them,
+// time and memory. `./wb bench` calls it.
+#include <algorithm>
+#include <cstdio>
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
+#include "bench/settings.h"
+#include "engine/program.h"
+#include "engine/summary.h"
+
+using namespace joints;
+using namespace joints::bench;
+
+namespace {
+
+constexpr int length = 100;  // bodies of a chain
+
+// A solver; `least` is how many chains it needs to be what its name says.
+struct Solver {
+  std::string name, setting;
+  Way way;
+  int least = 1;
+};
+
+std::vector<Solver> solvers() {
+  return {{"textbook", "one at a time", {.loop = Loop::textbook}},
+          {"engine rows", "one at a time", {.loop = Loop::rows}},
+          {"packed", "one at a time", {.loop = Loop::packed}},
+          {"lanes", "trees", {.loop = Loop::lanes}, 10},  // of one tree seven lanes would be idle
+          {"lanes", "colours", {.loop = Loop::lanes, .packing = Packing::colours}}};
+}
+
+// Bytes that the program has taken from the heap and not given back, with what the heap itself
+// needs for them; 0 where this cannot be asked.
+double bytes_in_use() {
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
+  const struct mallinfo2 info = mallinfo2();
+  return double(info.uordblks) + double(info.hblkhd);
+#else
+  return 0;
+#endif
+}
+
+// What one size and number of sweeps takes.
+struct Seen {
+  double us = 0, bytes = 0;
+};
+
+// Bodies, joints and what the solver keeps for itself: made, run, and counted while they are there.
+Seen look(const Solver& solver, int chains, int sweeps, int repetitions) {
+  const double before = bytes_in_use();
+  Seen seen;
+  Scene scene = cubes_on_hinges(chains, length);
+  scene.marks = {};  // they are the measure's
+  const Setting setting = solver.way.setting(sweeps);
+  setting.prepare(scene.world);
+  const Step step = setting.make();
+  const real h = real(1) / 60;
+  const double joints = double(chains) * (length - 1);
+  const int steps = std::clamp(int(3e6 / (joints * sweeps)), 7, 200) * repetitions;
+  for (int k = 0; k < 3; ++k) step(scene.world, h);
+  seen.bytes = std::max(0.0, bytes_in_use() - before);
+  StepClock clock;
+  for (int k = 0; k < steps; ++k) {
+    clock.start();
+    step(scene.world, h);
+    clock.stop();
+  }
+  seen.us = clock.median_us();
+  return seen;
+}
+
+void measure(FILE* file, const Solver& solver, int chains, int repetitions) {
+  const double joints = double(chains) * (length - 1);
+  std::fprintf(stderr, "%.0f joints, %s, %s\n", joints, solver.name.c_str(),
+               solver.setting.c_str());
+  const Seen few = look(solver, chains, 10, repetitions),
+             many = look(solver, chains, 30, repetitions);
+  const double slope = 1000 * (many.us - few.us) / (joints * 20);
+  for (const auto& [sweeps, seen] : {std::pair{10, few}, std::pair{30, many}}) {
+    std::fprintf(file, "%.0f,%s,%s,%s,%.4f,%.3f,%.3f,", joints, solver.name.c_str(),
+                 solver.setting.c_str(), sizeof(real) == 8 ? "double" : "float", seen.us, slope,
+                 1000 * seen.us / joints);
+    if (seen.bytes > 0) std::fprintf(file, "%.1f", seen.bytes / joints);
+    std::fprintf(file, ",%d,%d\n", sweeps, chains);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program([&] {
+    Options options("What a joint costs as a scene grows",
+                    {{"csv", "out/scaling.csv", "the table"},
+                     {"repetitions", "1", "as many times the steps that each run is timed over"}});
+    if (!options.read(argc, argv)) return;
+    const std::string path = options.text("csv");
+    FILE* file = std::fopen(path.c_str(), "w");
+    if (!file) refuse("--csv " + path + ": cannot be written");
+    std::fputs("joints,solver,setting,real,us_per_step,ns_per_joint_iteration,ns_per_joint_step,"
+               "bytes_per_joint,sweeps,chains\n", file);
+    for (const int chains : {1, 10, 101, 1010})
+      for (const Solver& solver : solvers())
+        if (chains >= solver.least) measure(file, solver, chains, options.count("repetitions", 1));
+    std::fclose(file);
+  });
+}

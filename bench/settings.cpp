@@ -1,0 +1,188 @@
+// The table of the settings, and how one becomes a step.
+#include "bench/settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "bench/textbook.h"
+
+namespace joints::bench {
+
+namespace {
+
+// ---- the table ----------------------------------------------------------------------------------
+
+// Keys of scenes: S1x is S1 with twice the chains, S2 stands for all its ratios. What a sweep does
+// to a joint does not depend on the loop: where there are trees, what is set is tried on lanes.
+const char* const alone = "S2 S3 S3b S5 S6";  // one chain: no two trees
+const char* const trees = "S1 S7";            // ten of them side by side
+
+}  // namespace
+
+std::vector<Way> ways() {
+  const Packing colours = Packing::colours, list = Packing::list;
+  return {
+      {.name = "cold", .scenes = "S1 S1b S1x S2 S3 S3b S5 S6", .quick = true},
+      {.name = "cold", .scenes = "S7", .most = 60},
+      {.name = "warm", .scenes = "S2 S3 S3b S5 S6", .warm = true, .quick = true},
+      {.name = "rows one by one", .scenes = "S1 S2 S3 S3b S5 S6", .row_by_row = true, .most = 30},
+      {.name = "two blocks a hinge", .scenes = "S1 S3 S5 S6 S7", .whole = false, .most = 30},
+      {.name = "backward", .scenes = "S1", .order = Order::backward, .most = 30},
+      {.name = "alternating", .scenes = "S1", .order = Order::alternating, .most = 30},
+      {.name = "shuffled", .scenes = "S1", .order = Order::shuffled, .most = 30},
+      {.name = "projection 1", .scenes = alone, .projections = 1},
+      {.name = "beta 1", .scenes = alone, .beta = 1},
+      {.name = "4 substeps", .scenes = alone, .substeps = 4},
+      {.name = "half a kick", .scenes = "S2 S5", .half_kick = true},
+
+      {.name = "list", .scenes = "S1", .loop = Loop::packed, .packing = list, .most = 30},
+      {.name = "list", .scenes = "S2 S3 S3b S5 S6", .loop = Loop::packed, .packing = list},
+      {.name = "trees", .scenes = "S1 S1x", .loop = Loop::packed},
+      {.name = "omega 1.5", .scenes = alone, .loop = Loop::packed, .relaxation = real(1.5)},
+      {.name = "omega 1.9", .scenes = alone, .loop = Loop::packed, .relaxation = real(1.9),
+       .quick = true},
+      {.name = "omega 1.9 beta 1", .scenes = alone, .loop = Loop::packed, .beta = 1,
+       .relaxation = real(1.9)},
+      {.name = "omega 1.5 beta 1", .scenes = alone, .loop = Loop::packed, .beta = 1,
+       .relaxation = real(1.5)},
+      {.name = "omega 1.5 half a kick", .scenes = "S2 S5", .loop = Loop::packed,
+       .relaxation = real(1.5), .half_kick = true, .quick = true},
+      {.name = "omega 1.5 4 substeps half a kick", .scenes = "S2 S5", .loop = Loop::packed,
+       .relaxation = real(1.5), .substeps = 4, .half_kick = true},
+      {.name = "omega 1.5 4 substeps", .scenes = alone, .loop = Loop::packed,
+       .relaxation = real(1.5), .substeps = 4},
+      {.name = "16 substeps", .scenes = alone, .loop = Loop::packed, .substeps = 16},
+
+      {.name = "trees", .scenes = "S1 S1x S7", .loop = Loop::lanes, .quick = true},
+      {.name = "colours", .scenes = "S1 S1x S2 S3 S3b S7", .loop = Loop::lanes,
+       .packing = colours, .quick = true},
+      {.name = "trees omega 1.5", .scenes = "S1", .loop = Loop::lanes, .relaxation = real(1.5)},
+      {.name = "trees omega 1.9", .scenes = "S1 S1x S7", .loop = Loop::lanes,
+       .relaxation = real(1.9), .quick = true},
+      {.name = "colours omega 1.9", .scenes = "S1 S3 S7", .loop = Loop::lanes,
+       .packing = colours, .relaxation = real(1.9)},
+      {.name = "trees beta 1", .scenes = trees, .loop = Loop::lanes, .beta = 1},
+      {.name = "trees omega 1.9 beta 1", .scenes = "S1 S1x S7", .loop = Loop::lanes, .beta = 1,
+       .relaxation = real(1.9), .quick = true},
+      {.name = "trees warm", .scenes = trees, .loop = Loop::lanes, .warm = true},
+      {.name = "trees omega 1.5 beta 1", .scenes = "S1", .loop = Loop::lanes, .beta = 1,
+       .relaxation = real(1.5)},
+      {.name = "trees projection 1", .scenes = trees, .loop = Loop::lanes, .projections = 1},
+      {.name = "trees 4 substeps", .scenes = trees, .loop = Loop::lanes, .substeps = 4},
+      {.name = "trees omega 1.9 half a kick", .scenes = "S1", .loop = Loop::lanes,
+       .relaxation = real(1.9), .half_kick = true, .quick = true},
+
+      {.name = "set up once a step", .scenes = "S1 S1x", .loop = Loop::textbook},
+      {.name = "recomputed", .scenes = "S1", .loop = Loop::recomputed, .most = 30},
+  };
+}
+
+bool Way::means_something_on(const std::string& scene) const {
+  return (" " + scenes + " ").find(" " + scene + " ") != std::string::npos;
+}
+
+std::string Way::solver() const {
+  switch (loop) {
+    case Loop::rows: return "sequential impulses";
+    case Loop::packed: return "packed";
+    case Loop::lanes: return "lanes";
+    default: return "textbook";
+  }
+}
+
+int Way::sweeps_of(int a_step) const { return std::max(1, (a_step + substeps / 2) / substeps); }
+
+// ---- a setting becomes a step -------------------------------------------------------------------
+
+namespace {
+
+template <class Solver>
+Step stepping(const Way& way, int sweeps) {
+  Solver solver;
+  solver.iterations = sweeps;
+  solver.warm_start = way.warm;
+  solver.projections = way.projections;
+  solver.relaxation = way.relaxation;
+  if constexpr (std::is_same_v<Solver, SequentialImpulses>) {
+    solver.order = way.order;
+    solver.row_by_row = way.row_by_row;
+  } else {
+    solver.packing = way.packing;
+    solver.lanes = way.loop == Loop::lanes;
+  }
+  return [solver](World& world, real h) mutable { solver.step(world, h); };
+}
+
+Step of_the_textbook(const Way& way, int sweeps) {
+  const auto solver = std::make_shared<TextbookSolver>();
+  solver->iterations = sweeps;
+  solver->recompute = way.loop == Loop::recomputed;
+  return [solver](World& world, real h) {
+    if (solver->joints.empty())
+      for (const auto& joint : world.joints()) {
+        Body &a = world.bodies[joint->body1], &b = world.bodies[joint->body2];
+        solver->joints.push_back(
+            std::make_unique<TextbookHinge>(a, b, a.x, vec3(1, 0, 0), joint->beta));
+      }
+    solver->step(world, h);
+  };
+}
+
+Step step_of(const Way& way, int sweeps) {
+  if (way.loop == Loop::rows) return stepping<SequentialImpulses>(way, sweeps);
+  if (way.loop == Loop::packed || way.loop == Loop::lanes)
+    return stepping<WideImpulses>(way, sweeps);
+  return of_the_textbook(way, sweeps);
+}
+
+}  // namespace
+
+Step in_substeps(Step step, int substeps) {
+  return [step = std::move(step), substeps](World& world, real h) mutable {
+    for (int k = 0; k < substeps; ++k) step(world, h / real(substeps));
+  };
+}
+
+Step with_half_a_kick(Step step) {
+  return [step = std::move(step), first = true](World& world, real h) mutable {
+    for (int slot = 0; first && slot < world.bodies.slots(); ++slot)
+      if (Body& body = world.bodies.at(slot); !body.is_static())
+        body.v -= world.gravity * (h / 2);  // Eq. 7-9
+    first = false;
+    step(world, h);
+  };
+}
+
+Setting Way::setting(int sweeps_a_step) const {
+  Setting setting{solver(), name, sweeps_of(sweeps_a_step), warm, {}, {}};
+  setting.make = [way = *this, sweeps = setting.iterations] {
+    Step step = step_of(way, sweeps);
+    if (way.half_kick) step = with_half_a_kick(std::move(step));
+    return way.substeps > 1 ? in_substeps(std::move(step), way.substeps) : step;
+  };
+  setting.prepare = [beta = beta, whole = whole](World& world) {
+    for (const auto& joint : world.joints()) {
+      joint->beta = beta;
+      if (auto* hinge = dynamic_cast<HingeJoint*>(joint.get())) hinge->whole = whole;
+    }
+  };
+  return setting;
+}
+
+// ---- the front ----------------------------------------------------------------------------------
+
+std::vector<int> pareto_front(const std::vector<Cost>& costs) {
+  std::vector<int> order, front;
+  for (int k = 0; k < int(costs.size()); ++k)
+    if (std::isfinite(costs[k].time) && std::isfinite(costs[k].error)) order.push_back(k);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return costs[a].time != costs[b].time ? costs[a].time < costs[b].time
+                                          : costs[a].error < costs[b].error;
+  });
+  for (const int k : order)
+    if (front.empty() || costs[k].error < costs[front.back()].error) front.push_back(k);
+  return front;
+}
+
+}  // namespace joints::bench

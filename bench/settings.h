@@ -1,0 +1,69 @@
+// The settings of error against run time: every solver with all that can be set in it, and on which
+// scenes it means something. A setting more is a line more in settings.cpp.
+#pragma once
+
+#include <vector>
+
+#include "bench/runner.h"
+#include "engine/sequential_impulses.h"
+#include "engine/wide.h"
+
+/// \addtogroup bench
+/// @{
+namespace joints::bench {
+
+/// Which loop solves the rows.
+enum class Loop {
+  rows,       ///< the engine's own, any row
+  packed,     ///< packed blocks, one at a time
+  lanes,      ///< packed blocks, eight (float) or four (double) at a time
+  textbook,   ///< a class a joint, set up once a step
+  recomputed  ///< the same, set up anew in every sweep
+};
+
+/// A line of the figures: a solver, and all that is set in it and in the joints.
+struct Way {
+  std::string name{};    ///< what is set, in words without a comma
+  std::string scenes{};  ///< keys of the scenes on which it is tried, with blanks between
+  Loop loop = Loop::rows;
+  Packing packing = Packing::trees;  ///< packed and lanes only
+  Order order = Order::forward;      ///< rows only
+  bool warm = false;        ///< begin with the impulses of the last step
+  bool row_by_row = false;  ///< rows only
+  bool whole = true;        ///< false: a hinge's point and its axis are blocks of their own
+  int projections = 0;      ///< sweeps of position projection after a step
+  real beta = real(0.2);    ///< of every joint [1]
+  real relaxation = 1;      ///< over-relaxation [1]; not the textbook's
+  int substeps = 1;         ///< they share the sweeps of a step
+  bool half_kick = false;   ///< begin with the velocities of half a step earlier
+  int most = 200;           ///< no more sweeps than this: further ones say nothing new
+  bool quick = false;       ///< also in the short form
+
+  /// \param scene a key
+  bool means_something_on(const std::string& scene) const;
+  std::string solver() const;  ///< the word for its loop
+  /// Sweeps of a substep where a step has so many.
+  int sweeps_of(int a_step) const;
+  /// As a setting of the runner.
+  Setting setting(int sweeps_a_step) const;
+};
+/// All of them.
+std::vector<Way> ways();
+
+/// Several steps in the place of one. \param step of one substep
+Step in_substeps(Step step, int substeps);
+/// Before its first step every body that moves gets the velocity of half a step earlier,
+/// v -= g h/2. Semi-implicit Euler then falls as far as a body does, and not g h t/2 further.
+Step with_half_a_kick(Step step);
+
+/// What is compared in a front: how long it took, and how far off it was.
+struct Cost {
+  double time;   ///< [us]
+  double error;  ///< in the unit of what is measured
+};
+/// Those that no other beats in both, fastest first: their numbers in the list. What has no finite
+/// error is in no front.
+std::vector<int> pareto_front(const std::vector<Cost>& costs);
+
+}  // namespace joints::bench
+/// @}

@@ -13,7 +13,8 @@ namespace {
 template <class Number>
 class Adapted : public OwnLoop {
  public:
-  Adapted(const World& world, int chains, int iterations, Visits visits) {
+  Adapted(const World& world, int chains, int iterations, Visits visits, real relaxation) {
+    loop_.relaxation = relaxation;
     std::vector<bool> moves;
     for (int slot = 0; slot < world.bodies.slots(); ++slot) {
       loop_.bodies.push_back(world.bodies.at(slot));
@@ -49,10 +50,11 @@ class Adapted : public OwnLoop {
 
 }  // namespace
 
-std::unique_ptr<OwnLoop> own_loop(const World& world, int chains, int iterations, Visits visits) {
+std::unique_ptr<OwnLoop> own_loop(const World& world, int chains, int iterations, Visits visits,
+                                  real relaxation) {
   if (visits == Visits::chain_order || visits == Visits::interleaved)
-    return std::make_unique<Adapted<real>>(world, chains, iterations, visits);
-  return std::make_unique<Adapted<Lanes>>(world, chains, iterations, visits);
+    return std::make_unique<Adapted<real>>(world, chains, iterations, visits, relaxation);
+  return std::make_unique<Adapted<Lanes>>(world, chains, iterations, visits, relaxation);
 }
 
 std::string own_instructions() {

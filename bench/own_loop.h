@@ -29,7 +29,9 @@ class OwnLoop {
 
 /// \param world chains of as many hinges each, one chain after the other, and nothing else
 /// \param chains how many there are \param iterations sweeps a step
-std::unique_ptr<OwnLoop> own_loop(const World& world, int chains, int iterations, Visits visits);
+/// \param relaxation factor of every impulse [1]
+std::unique_ptr<OwnLoop> own_loop(const World& world, int chains, int iterations, Visits visits,
+                                  real relaxation = 1);
 
 /// For which processors the loop was compiled, and how many lanes it has: "AVX2, 8 lanes".
 std::string own_instructions();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bench/own_loop.h"
 #include "bench/textbook.h"
 
 namespace joints::bench {
@@ -73,6 +74,14 @@ std::vector<Way> ways() {
       {.name = "trees omega 1.9 half a kick", .scenes = "S1", .loop = Loop::lanes,
        .relaxation = real(1.9), .half_kick = true, .quick = true},
 
+      {.name = "hinges alone", .scenes = "S1 S1x", .loop = Loop::hinges},
+      {.name = "hinges alone omega 1.9", .scenes = "S1 S1x", .loop = Loop::hinges,
+       .relaxation = real(1.9), .quick = true},
+      {.name = "hinges alone omega 1.9 beta 1", .scenes = "S1 S1x", .loop = Loop::hinges,
+       .beta = 1, .relaxation = real(1.9)},
+      {.name = "hinges alone omega 1.9 half a kick", .scenes = "S1", .loop = Loop::hinges,
+       .relaxation = real(1.9), .half_kick = true},
+
       {.name = "set up once a step", .scenes = "S1 S1x", .loop = Loop::textbook},
       {.name = "recomputed", .scenes = "S1", .loop = Loop::recomputed, .most = 30},
   };
@@ -87,6 +96,7 @@ std::string Way::solver() const {
     case Loop::rows: return "sequential impulses";
     case Loop::packed: return "packed";
     case Loop::lanes: return "lanes";
+    case Loop::hinges: return "chapter 7";
     default: return "textbook";
   }
 }
@@ -129,6 +139,20 @@ Step of_the_textbook(const Way& way, int sweeps) {
   };
 }
 
+// Chapter 7's loop has bodies of its own: `loop` keeps them, for those who want to see them.
+Step of_chapter_7(const Way& way, int sweeps, std::shared_ptr<std::unique_ptr<OwnLoop>> loop) {
+  loop->reset();
+  return [=](World& world, real h) {
+    if (!*loop) {
+      int chains = 0;  // each hangs on a static body of its own
+      for (int slot = 0; slot < world.bodies.slots(); ++slot)
+        chains += world.bodies.at(slot).is_static();
+      *loop = own_loop(world, chains, sweeps, Visits::chain_a_lane, way.relaxation);
+    }
+    (*loop)->step(h);
+  };
+}
+
 Step step_of(const Way& way, int sweeps) {
   if (way.loop == Loop::rows) return stepping<SequentialImpulses>(way, sweeps);
   if (way.loop == Loop::packed || way.loop == Loop::lanes)
@@ -156,11 +180,13 @@ Step with_half_a_kick(Step step) {
 
 Setting Way::setting(int sweeps_a_step) const {
   Setting setting{solver(), name, sweeps_of(sweeps_a_step), warm, {}, {}};
-  setting.make = [way = *this, sweeps = setting.iterations] {
-    Step step = step_of(way, sweeps);
+  const auto loop = std::make_shared<std::unique_ptr<OwnLoop>>();
+  setting.make = [way = *this, sweeps = setting.iterations, loop] {
+    Step step = way.loop == Loop::hinges ? of_chapter_7(way, sweeps, loop) : step_of(way, sweeps);
     if (way.half_kick) step = with_half_a_kick(std::move(step));
     return way.substeps > 1 ? in_substeps(std::move(step), way.substeps) : step;
   };
+  if (this->loop == Loop::hinges) setting.show = [loop](World& world) { (*loop)->show(world); };
   setting.prepare = [beta = beta, whole = whole](World& world) {
     for (const auto& joint : world.joints()) {
       joint->beta = beta;

@@ -17,6 +17,7 @@ enum class Loop {
   rows,       ///< the engine's own, any row
   packed,     ///< packed blocks, one at a time
   lanes,      ///< packed blocks, eight (float) or four (double) at a time
+  hinges,     ///< chapter 7's: hinges alone, a chain a lane; its bodies start anew in every run
   textbook,   ///< a class a joint, set up once a step
   recomputed  ///< the same, set up anew in every sweep
 };

@@ -16,7 +16,7 @@ WORDS = ["scene", "solver", "setting", "real", "status", "measures", "fronts"]
 PEER_NUMBERS = ["us_per_step", "gap_rms_m", "gap_max_m", "tip_error_m"]
 PEER_WORDS = ["engine", "setting", "scene", "source"]
 FAMILY = {"sequential impulses": COLOURS[1], "packed": COLOURS[2], "lanes": COLOURS[0],
-          "textbook": INK}
+          "chapter 7": COLOURS[5], "textbook": INK}
 PEER = COLOURS[3]
 LOOKS = {  # of a status: marker, full or hollow, words
     "ok": ("o", True, "large: gap max. below 1 % of a link"), "soft": ("o", True, ""),
@@ -207,7 +207,7 @@ def explain(ax, rows, peers):
         shape = "◆ " if colour == PEER else "● "
         ax.text(at, 1.012, shape + name, transform=ax.transAxes, color=colour, fontsize=8,
                 in_layout=False)
-        at += 0.0122 * len(name) + 0.045
+        at += 0.0105 * len(name) + 0.035
 
 
 def label(ax, lines, others, at_front, floor):

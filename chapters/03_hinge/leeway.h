@@ -15,12 +15,12 @@ namespace joints {
 template <class Coordinate>
 struct Leeway {
   /// The coordinate was measured just now. \param room to the nearer limit [rad or m]
-  void measured(const Coordinate&, const Body&, const Body&, real) {}
+  void measured(const Coordinate&, const Body&, const Body&, [[maybe_unused]] real room) {}
   void forget() {}  ///< measure next time in any case
   /// The bodies' poses are still near those at which it was measured.
   bool still_near(const Coordinate&, const Body&, const Body&) const { return false; }
   /// This step cannot use up the room. \param h step [s]
-  bool is_slow(const Body&, const Body&, real) const { return false; }
+  bool is_slow(const Body&, const Body&, [[maybe_unused]] real h) const { return false; }
 };
 
 /// For an angle. Its rate is g.(w2 - w1) with |g| = 1/cos(s/2), where s is the angle between the

@@ -4,8 +4,6 @@
 #include <cstring>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
-
 #include "chapters/03_hinge/hinge_joint.h"
 #include "tests/own/oracle.h"
 
@@ -30,53 +28,22 @@ inline double angle_between(const vec3& a, const vec3& b) {
 }
 
 /// The largest impulse in a solver's blocks [N s or N m s].
-inline double largest_impulse(const SequentialImpulses& solver) {
-  const Column lambda = impulses(solver.blocks());
-  return lambda.size() > 0 ? lambda.cwiseAbs().maxCoeff() : 0;
-}
+double largest_impulse(const SequentialImpulses& solver);
 
 /// The rows of a world as it stands, found by beginning a step on a copy of the solver.
-inline System rows_of(World& world, SequentialImpulses solver = {}) {
-  const Bodies as_it_was = world.bodies;
-  solver.begin(world, real(1) / 60);
-  world.bodies = as_it_was;
-  return system_of(solver.blocks(), world.bodies.slots());
-}
+System rows_of(World& world, SequentialImpulses solver = {});
 
 /// J M^-1 J^T of all rows together.
-inline Dense whole_K(const System& system, const World& world) {
-  return system.J * inverse_masses(snapshot(world.bodies)) * system.J.transpose();
-}
+Dense whole_K(const System& system, const World& world);
 
 /// What a sweep of block Gauss-Seidel leaves of an error in the impulses: E - L^-1 A, L the blocks
 /// on and below the diagonal.
-inline Dense sweep_matrix(const Dense& A, const std::vector<int>& block) {
-  Dense L = A;
-  for (long i = 0; i < A.rows(); ++i)
-    for (long j = 0; j < A.cols(); ++j)
-      if (block[std::size_t(j)] > block[std::size_t(i)]) L(i, j) = 0;
-  return Dense::Identity(A.rows(), A.cols()) - L.partialPivLu().solve(A);
-}
+Dense sweep_matrix(const Dense& A, const std::vector<int>& block);
 /// The share of an error that a sweep leaves in the long run.
-inline double sweep_rate(const World& world, const System& system) {
-  const Dense G = sweep_matrix(whole_K(system, world), system.block);
-  return G.eigenvalues().cwiseAbs().maxCoeff();
-}
+double sweep_rate(const World& world, const System& system);
 
 /// The same, measured: what a sweep leaves of J V on average, once others have settled the rest.
-inline double measured_rate(World& world, int settling, int sweeps) {
-  const Bodies as_it_was = world.bodies;
-  SequentialImpulses solver;
-  solver.begin(world, real(1) / 60);
-  const System system = system_of(solver.blocks(), world.bodies.slots());
-  const auto left = [&] { return (system.J * velocities(snapshot(world.bodies))).norm(); };
-  for (int k = 0; k < settling; ++k) solver.sweep(world.bodies, k);
-  const double before = left();
-  for (int k = 0; k < sweeps; ++k) solver.sweep(world.bodies, k);
-  const double rate = std::pow(left() / before, 1.0 / sweeps);
-  world.bodies = as_it_was;
-  return rate;
-}
+double measured_rate(World& world, int settling, int sweeps);
 
 /// A rotor of 1 kg and 1 kg m^2 on a hinge about z through the origin, its centre `lever` beside
 /// it, no gravity, turning at `speed` [rad/s].

@@ -154,6 +154,7 @@ inline std::vector<std::pair<std::string, std::function<void(SolveTwin&)>>> wron
       {"both bodies get the turn T the same way: w1 loses it", times(push, 3, 5, 1, -1, 1, 1)},
       {"only lambda4 turns: T = lambda4 a_1 + lambda5 a_2", times(push, 4, 5, 1, 0, 1, 0)},
       {"only lambda5 turns: T = lambda4 a_1 + lambda5 a_2", times(push, 3, 4, 1, 0, 1, 0)},
+      {"the sign of the push P: v1 loses it, v2 gets it", times(push, 0, 3, -1, -1, -1, -1)},
       {"half of lambda is applied", times(push, 0, 5, real(0.5), real(0.5), real(0.5), real(0.5))},
       {"lambda is applied twice", times(push, 0, 5, 2, 2, 2, 2)},
       {"P x r in the place of r x P", [=](T& t) {
@@ -169,6 +170,13 @@ inline std::vector<std::pair<std::string, std::function<void(SolveTwin&)>>> wron
        [=](T& t) { t.push = exchanged(t); }},
       {"the levers are exchanged: r1 belongs to body 1",
        [=](T& t) { t.read = t.push = exchanged(t); }},
+      {"r1 is taken for both bodies",
+       [=](T& t) { t.read = t.push = hinge_rows(t.r1, t.r1, t.a); }},
+      {"r2 is taken for both bodies",
+       [=](T& t) { t.read = t.push = hinge_rows(t.r2, t.r2, t.a); }},
+      {"w1 and w2 are exchanged in e", [](T& t) {
+         for (int i = 0; i < 5; ++i) std::swap(t.read[i].w1, t.read[i].w2);
+       }},
       {"the levers are missing in the gap's rate: v2 + w2 x r2 - v1 - w1 x r1",
        times(read, 0, 3, 1, 0, 1, 0)},
       {"w1 x r1 is missing in the gap's rate", times(read, 0, 3, 1, 0, 1, 1)},
@@ -180,6 +188,10 @@ inline std::vector<std::pair<std::string, std::function<void(SolveTwin&)>>> wron
        times(read, 0, 5, 1, 1, 0, 0)},
       {"the velocities of body 1 are added in e: the rates are of body 2 less those of body 1",
        times(read, 0, 5, -1, -1, 1, 1)},
+      {"the sign of e in the point's rows: rates of body 2 less those of body 1", [=](T& t) {
+         t.read = T::scaled(t.read, 0, 3, -1, -1, -1, -1);
+         for (int i = 0; i < 3; ++i) t.bias[i] = -t.bias[i];
+       }},
       {"the sign of J V: e = bias + J V, and C grows when body 2 moves positively",
        times(read, 0, 5, -1, -1, -1, -1)},
       {"the sign of w1 x r1 in the gap's rate: it is taken away", times(read, 0, 3, 1, -1, 1, 1)},
@@ -195,6 +207,10 @@ inline std::vector<std::pair<std::string, std::function<void(SolveTwin&)>>> wron
       {"the bias is forgotten: e = bias + J V", [](T& t) { t.bias = {}; }},
       {"the bias of the axis is forgotten", [](T& t) { t.bias[3] = t.bias[4] = 0; }},
       {"the bias of the point is forgotten", [](T& t) { t.bias[0] = t.bias[1] = t.bias[2] = 0; }},
+      {"the sign of the point's bias: e = bias + J V",
+       [](T& t) { t.bias[0] = -t.bias[0], t.bias[1] = -t.bias[1], t.bias[2] = -t.bias[2]; }},
+      {"the sign of the axis' bias: e = bias + J V",
+       [](T& t) { t.bias[3] = -t.bias[3], t.bias[4] = -t.bias[4]; }},
       {"the sign of the bias: e = bias + J V", [](T& t) {
          for (real& b : t.bias) b = -b;
        }},

@@ -81,8 +81,12 @@ inline KMistakes wrong_points(const KSource& s) {
   add("the sign of the turns: skew(r) I^-1 skew(r) lacks a transpose", masses - t1 - t2);
   add("the sign of the turns of body 1: the shares of both bodies are added", masses - t1 + t2);
   add("the sign of the turns of body 2: the shares of both bodies are added", masses + t1 - t2);
-  add("the levers are exchanged in the point's 3x3: r1 belongs to I1",
+  add("the levers, or the inverse inertias, are exchanged in the point's 3x3: r1 belongs to I1",
       masses + s.turns(s.r2, s.I1) + s.turns(s.r1, s.I2));
+  add("I1 is taken twice in the point's 3x3", masses + t1 + s.turns(s.r2, s.I1));
+  add("I2 is taken twice in the point's 3x3", masses + s.turns(s.r1, s.I2) + t2);
+  add("r1 is taken twice in the point's 3x3", masses + t1 + s.turns(s.r1, s.I2));
+  add("r2 is taken twice in the point's 3x3", masses + s.turns(s.r2, s.I1) + t2);
   add("the inverse inertias are missing in the point's 3x3",
       masses + s.turns(s.r1, mat3(1)) + s.turns(s.r2, mat3(1)));
   add("the point's 3x3 has only its diagonal", mat3(vec3(masses[0][0] + t1[0][0] + t2[0][0], 0, 0),
@@ -142,8 +146,17 @@ inline KMistakes wrong_crosses(const KSource& s) {
        [&](int j) { return -(s.I1 * cross(s.r1, s.a[j])) - s.I2 * cross(s.r2, s.a[j]); });
   both("the same with the other sign: r x (I^-1 a), not I^-1 (r x a), and a minus",
        [&](int j) { return s.I1 * cross(s.r1, s.a[j]) + s.I2 * cross(s.r2, s.a[j]); });
-  both("the levers are exchanged between the point and the axis: r1 belongs to I1",
+  both("the levers, or the inverse inertias, are exchanged between the point and the axis: r1 "
+       "belongs to I1",
        [&](int j) { return -cross(s.r2, s.I1 * s.a[j]) - cross(s.r1, s.I2 * s.a[j]); });
+  both("r1 is taken twice between the point and the axis",
+       [&](int j) { return -x1(j) - cross(s.r1, s.I2 * s.a[j]); });
+  both("r2 is taken twice between the point and the axis",
+       [&](int j) { return -cross(s.r2, s.I1 * s.a[j]) - x2(j); });
+  both("I1 is taken twice between the point and the axis",
+       [&](int j) { return -x1(j) - cross(s.r2, s.I1 * s.a[j]); });
+  both("I2 is taken twice between the point and the axis",
+       [&](int j) { return -cross(s.r1, s.I2 * s.a[j]) - x2(j); });
   return out;
 }
 
@@ -190,7 +203,8 @@ inline KMistakes wrong_wholes(const HingeCase& c) {
   };
   add("body 1 is missing", [](KSource& s) { s.m1 = 0, s.I1 = mat3(0); });
   add("body 2 is missing", [](KSource& s) { s.m2 = 0, s.I2 = mat3(0); });
-  add("the levers are exchanged: r1 belongs to body 1", [](KSource& s) { std::swap(s.r1, s.r2); });
+  add("the levers, or the inverse inertias, are exchanged: r1 and I1 belong to body 1",
+      [](KSource& s) { std::swap(s.r1, s.r2); });
   add("the inverse inertias are exchanged: I1 belongs to body 1",
       [](KSource& s) { std::swap(s.I1, s.I2); });
   add("I1 is taken for both bodies", [](KSource& s) { s.I2 = s.I1; });

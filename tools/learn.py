@@ -136,7 +136,11 @@ def place_of_error(chapter, words):
     for number in map(int, errors or re.findall(line, words)):
         for region in exercises.regions(chapter.mine.read_text()):
             if region.begin <= number <= region.end + 2:  # the closing brace, too
-                print(f"  The first error lies in exercise {region.id}, line {number}.\n")
+                print(f"  The first error lies in exercise {region.id}, line {number}.")
+                if "LanesFor" in words:
+                    print("  Likely mistake: lanes have only + - * with other lanes: no if, no "
+                          "comparison, no\n  division, no plain number such as 2.")
+                print(f"  Next: ./wb hint {region.id}\n")
                 return
 
 

@@ -1,4 +1,4 @@
-// expects: Likely mistake: the levers are exchanged: r1 belongs to body 1
+// expects: Likely mistake: the levers, or the inverse inertias, are exchanged
   const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int j = 0; j < 3; ++j) {
     const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r2, unit[j]), hinge.r2);

@@ -60,7 +60,7 @@ inline ColourScene random_scene(unsigned seed) {
   Random random(seed);
   const int bodies = 5 + int(seed % 4) * 4;
   const auto any = [&] { return int(random.uniform(0, real(bodies))) % bodies; };
-  ColourScene out{"any joints (" + std::to_string(seed) + ")", {}, {}};
+  ColourScene out{"joints at random (seed " + std::to_string(seed) + ")", {}, {}};
   for (int k = 0; k < bodies; ++k) out.moves.push_back(random.uniform(0, 1) < real(0.8));
   for (int k = 0; k < 2 * bodies; ++k) {
     const int body1 = any();
@@ -269,7 +269,8 @@ inline std::string explain_colours() {
   std::string out = "Holds in " + std::to_string(holds.size()) + " of " +
                     std::to_string(scenes.size()) + " scenes" +
                     (holds.empty() ? "" : ", such as " + holds.back()) + ".\n";
-  if (holds.size() == scenes.size()) return out;
+  if (holds.size() == scenes.size())
+    return out + likely("there is a greatest colour: a body may need any number of them");
   for (const ColourMistake& mistake : colour_mistakes()) {
     bool fits = true;
     for (std::size_t k = 0; fits && k < scenes.size(); ++k)

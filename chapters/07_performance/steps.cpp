@@ -74,8 +74,8 @@ struct Race {
                       (double(chains.links.size()) * (counts[0] - counts[1]));  // Eq. 7-2
     std::printf("              %-24s %6.1f ns a hinge and sweep\n", name.c_str(), ns);
     if (const double off = std::max(runs[0].off, runs[1].off); off > 1e-3)
-      std::printf("              off by %.3g m from one lane in the same order: two neighbours of one "
-                  "colour? ./wb test 7.3\n", off);
+      std::printf("              off by %.3g m from one lane in the same order: two neighbours of "
+                  "one colour? ./wb test 7.3\n", off);
     for (int k = 0; k < 2; ++k) {
       const Run& run = runs[k];
       table.row({name}, {double(run.loop.width), double(counts[k]), run.clock.median_us(), ns,

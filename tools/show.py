@@ -245,8 +245,8 @@ def tour():
     chapters = house.chapters()
     new = not (house.BUILD / "build.ninja").exists()
     print(f"{len(chapters)} chapters: build, run, draw. "
-          + ("The first time takes about a minute and a half." if new
-             else "About half a minute when nothing has to be built."), flush=True)
+          + ("The first time takes about two minutes." if new
+             else "Less than a minute when nothing has to be built."), flush=True)
     house.must_build([f"{c.folder}_run" for c in chapters] + ["work_precision"], "building")
     figures, pages = [], []
     for chapter in chapters:

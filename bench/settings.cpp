@@ -207,7 +207,7 @@ std::vector<int> pareto_front(const std::vector<Cost>& costs) {
                                           : costs[a].error < costs[b].error;
   });
   for (const int k : order)
-    if (front.empty() || costs[k].error < costs[front.back()].error) front.push_back(k);
+    if (front.empty() || costs[k].error < 0.999 * costs[front.back()].error) front.push_back(k);
   return front;
 }
 

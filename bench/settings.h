@@ -62,8 +62,8 @@ struct Cost {
   double time;   ///< [us]
   double error;  ///< in the unit of what is measured
 };
-/// Those that no other beats in both, fastest first: their numbers in the list. What has no finite
-/// error is in no front.
+/// Those that no other beats in both, fastest first: their numbers in the list. An error counts as
+/// better from a thousandth on: rounding is no merit. What has no finite error is in no front.
 std::vector<int> pareto_front(const std::vector<Cost>& costs);
 
 }  // namespace joints::bench

@@ -52,6 +52,10 @@ TEST_CASE("no point of a front is beaten in both, and every other one is beaten 
                        [&](int a, int b) { return costs[a].time < costs[b].time; }));
 }
 
+TEST_CASE("what is better by rounding alone and slower is in no front") {
+  CHECK(bench::pareto_front({{1, 0.41}, {2, 0.41 - 1e-7}, {3, 0.40}}) == std::vector<int>{0, 2});
+}
+
 TEST_CASE("without half a kick a free fall is g h t / 2 too deep, with it exact") {
   const auto list = bench::ways();
   const double exact = 9.81 / 2, h = 1.0 / 60;

@@ -42,7 +42,7 @@ void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block
   const int n = to - from;
   const bool has_last = to == block.rows;  // the row to which target and bounds belong
   PreparedBlock out{block.body1, block.body2, n, int(rows.size()), int(inverse_K.size()),
-                    block.touches, 1, 0, -unbounded, unbounded, block.impulse + from};
+                    block.touches, 0, 1, 0, -unbounded, unbounded, block.impulse + from};
 
   real rate = demand.beta / h;  // share of C that is removed each second
   if (demand.frequency > 0) {   // a spring and damper, implicit in time (Catto 2011)
@@ -54,7 +54,10 @@ void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block
   }
   out.mass_scale *= relaxation;
   out.impulse_scale *= relaxation;
-  if (has_last) {
+  if (has_last && demand.follows != 0) {
+    out.follows = static_cast<signed char>(demand.follows);
+    out.upper = demand.upper;
+  } else if (has_last) {
     out.lower = h * demand.lower;
     out.upper = h * demand.upper;
   }

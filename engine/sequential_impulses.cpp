@@ -53,6 +53,10 @@ void SequentialImpulses::sweep(Bodies& bodies, int number) {
   }
 }
 
+void SequentialImpulses::sweep(Bodies& bodies, int from, int to) {
+  for (int k = from; k < to; ++k) solve(bodies.data(), prepared_.blocks[k]);
+}
+
 // Fisher and Yates, written out because std::shuffle differs from library to library.
 void SequentialImpulses::draw_order(int n) {
   if (seeded_with_ != seed) random_.seed(seed);
@@ -107,7 +111,12 @@ void SequentialImpulses::solve_block(Body* bodies, const PreparedBlock& block) {
 
   // The last row's sum must stay within its bounds; the others answer to what is cut off.
   const real wanted = block.impulse[N - 1] + dlambda[N - 1];
-  const real kept = std::clamp(wanted, block.lower, block.upper), cut = kept - wanted;
+  real lower = block.lower, upper = block.upper;
+  if (block.follows != 0) {  // a multiple of a sum as it is now
+    upper *= block.impulse[N - 1 + block.follows];
+    lower = -upper;
+  }
+  const real kept = std::clamp(wanted, lower, upper), cut = kept - wanted;
   for (int i = 0; i < N; ++i) dlambda[i] += row[i].answer * cut;
   if (cut != 0) dlambda[N - 1] = kept - block.impulse[N - 1];  // at the bound to the last digit
 

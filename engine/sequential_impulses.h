@@ -43,6 +43,9 @@ class SequentialImpulses {
   void begin(World& world, real h);
   /// One sweep over all blocks. \param number counts from 0; only the alternating order asks
   void sweep(Bodies& bodies, int number);
+  /// The blocks from number `from` up to `to`, in the order of the list: for those who solve some
+  /// of them before others (chapter 8).
+  void sweep(Bodies& bodies, int from, int to);
   /// The poses from the velocities, and the projection if it is on.
   void finish(World& world, real h);
   /// The blocks of the present step.

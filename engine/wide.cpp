@@ -25,13 +25,13 @@ bool holds_a_point(const Row* J, int rows) {
 }
 
 // A kind as one number. Only blocks of one kind are solved side by side.
-int kind_of(const Bodies& bodies, const Blocks& list, const PreparedBlock& block) {
-  const bool point = holds_a_point(&list.J[block.first], block.rows);
+int kind_of(const Bodies& bodies, const Blocks& list, const PreparedBlock& block, bool follows) {
+  const bool point = !follows && holds_a_point(&list.J[block.first], block.rows);
   const bool hard = block.impulse_scale == 0 && block.lower == -unbounded &&
                     block.upper == unbounded;
   const bool round = point && bodies.at(block.body1).is_isotropic() &&
                      bodies.at(block.body2).is_isotropic();
-  return 8 * block.rows + 4 * point + 2 * hard + round;
+  return 64 * follows + 8 * block.rows + 4 * point + 2 * hard + round;
 }
 // After how many numbers of a block its sums begin.
 int sums_at(const LaneGroup& group) {
@@ -41,9 +41,37 @@ int sums_at(const LaneGroup& group) {
 
 }  // namespace
 
+// The sum that block k follows, as 8 * block + row; a neighbour in the list has it, or nobody.
+int WideBlocks::find_sum(const Preparation& prepared, int k) {
+  const auto& all = prepared.blocks;
+  const PreparedBlock& block = all[std::size_t(k)];
+  const real* const sum = block.impulse + block.rows - 1 + block.follows;
+  for (int d = 1; d < int(all.size()); ++d)
+    for (const int other : {k + d, k - d})
+      if (other >= 0 && other < int(all.size()) && sum >= all[other].impulse &&
+          sum < all[other].impulse + all[other].rows)
+        return 8 * other + int(sum - all[std::size_t(other)].impulse);
+  return -1;
+}
+
 int WideBlocks::size_of(const LaneGroup& group) {
   const int n = group.rows;
-  return sums_at(group) + n + n * (n + 1) / 2 + (group.hard ? 0 : 3 + n);
+  return sums_at(group) + n + n * (n + 1) / 2 + (group.hard ? 0 : 3 + n) + (group.first_sum >= 0);
+}
+
+// Where among the numbers each group finds the sums that it follows.
+void WideBlocks::place_sums() {
+  std::vector<int> place(signs_.size());  // of each block's first sum
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const LaneGroup& group = groups[k / width_];
+    if (blocks[k] >= 0) place[blocks[k]] = group.first + int(k) % width_ + sums_at(group) * width_;
+  }
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const LaneGroup& group = groups[k / width_];
+    if (blocks[k] < 0 || group.first_sum < 0) continue;
+    const int followed = signs_[blocks[k]].followed;
+    sums_[group.first_sum + k % width_] = place[followed / 8] + followed % 8 * width_;
+  }
 }
 
 // A record's first number: in columns the others stand lane_count apart.
@@ -61,7 +89,9 @@ void WideBlocks::pack(const Bodies& bodies, const Blocks& list, const Preparatio
   now_.clear();
   for (const PreparedBlock& block : prepared.blocks) {
     const int still = 2 * bodies.at(block.body1).is_static() + bodies.at(block.body2).is_static();
-    now_.push_back({4 * kind_of(bodies, list, block) + still, block.body1, block.body2});
+    const int followed = block.follows != 0 ? find_sum(prepared, int(now_.size())) : -1;
+    now_.push_back({4 * kind_of(bodies, list, block, followed >= 0) + still, block.body1,
+                    block.body2, followed});
   }
   if (packing != packing_ || width != width_ || now_ != signs_) {
     signs_ = now_;
@@ -127,14 +157,17 @@ void WideBlocks::fill(const Bodies& bodies, const Blocks& list, const Preparatio
     for (int i = 0; i < n; ++i)
       for (int j = i; j < n; ++j) put(block.mass_scale * inverse_K[i * n + j]);
     if (group.hard) continue;
-    put(block.impulse_scale), put(block.lower), put(block.upper);
+    const real now = block.follows != 0 ? block.impulse[n - 1 + block.follows] : 1;
+    put(block.impulse_scale);
+    put(block.follows != 0 ? -block.upper * now : block.lower), put(block.upper * now);
     for (int i = 0; i < n; ++i) put(row[i].answer);
+    if (group.first_sum >= 0) put(block.upper);
   }
 }
 
 void WideBlocks::sweep() {
   const LaneSweep all{groups.data(), int(groups.size()),
-                      reinterpret_cast<real*>(numbers_.data()), ends.data(), records_.data(),
+                      reinterpret_cast<real*>(numbers_.data()), ends.data(), sums_.data(), records_.data(),
                       columns_};
   width_ == 1 ? sweep_single(all) : sweep_lanes(all);
 }

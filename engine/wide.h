@@ -44,6 +44,7 @@ class WideBlocks {
   // What a block is like, and between which bodies: while these stay, so do the groups.
   struct Sign {
     int kind, body1, body2;
+    int followed;  // 8 * block + row of the sum that its bounds follow, or -1
     bool operator==(const Sign&) const = default;
   };
   // So many numbers begin where 32 bytes begin.
@@ -58,6 +59,8 @@ class WideBlocks {
   bool arrange_trees(const Bodies& bodies, const Trees& trees);
   void arrange_colours(const Bodies& bodies);
   void add_group(const int* list, int count);
+  static int find_sum(const Preparation& prepared, int k);
+  void place_sums();
   static int size_of(const LaneGroup& group);
   real* record(int number);
   const real* record(int number) const;
@@ -67,7 +70,7 @@ class WideBlocks {
   std::vector<Sign> signs_, now_;
   std::vector<LaneNumber> numbers_;
   std::vector<Velocities<real>> records_;
-  std::vector<int> slots_;
+  std::vector<int> slots_, sums_;
   Packing packing_ = Packing::trees;
   int width_ = 0, packed_ = 0;
   bool columns_ = false;

@@ -67,6 +67,20 @@ inline auto next_inertia(const Number*& at) {
   }
 }
 
+// The bounds of a group that follows other sums: multiples of them, as they are now.
+// `sums` says which; the group's last numbers are lower, upper, answers, factor.
+template <class Number>
+inline void move_bounds(const LaneGroup& group, real* all, const int* sums) {
+  constexpr int width = int(sizeof(Number) / sizeof(real));
+  const int n = group.rows;
+  real* const lower = all + group.first + (20 * n + n * (n + 1) / 2 + 1) * width;
+  real *const upper = lower + width, *const factor = upper + (1 + n) * width;
+  for (int lane = 0; lane < width; ++lane) {
+    upper[lane] = factor[lane] * all[sums[lane]];
+    lower[lane] = -upper[lane];
+  }
+}
+
 // Three rows of a point, and rows that only turn: ball, hinge, weld, with or without a limit.
 template <int N, bool hard, bool round, class Number>
 inline void solve_point(Number* numbers, Velocities<Number>& body1, Velocities<Number>& body2) {
@@ -159,6 +173,8 @@ inline void sweep_all(const LaneSweep& sweep) {
     const LaneGroup& group = sweep.groups[k];
     Number* const numbers = reinterpret_cast<Number*>(sweep.numbers + group.first);
     const int* const ends = sweep.ends + group.first_end;
+    if (group.first_sum >= 0)
+      move_bounds<Number>(group, sweep.numbers, sweep.sums + group.first_sum);
     if constexpr (width == 1) {
       solve_group(group, numbers, sweep.bodies[ends[0]], sweep.bodies[ends[1]]);
     } else if (sweep.columns) {

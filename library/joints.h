@@ -8,6 +8,7 @@
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/06_baumgarte/baumgarte.h"
+#include "chapters/08_ground/ground_contact.h"
 #include "engine/reaction.h"
 #include "engine/sequential_impulses.h"
 #include "engine/wide.h"

@@ -1,0 +1,69 @@
+// Chapter 8: the ground. What ground.cpp has to provide. Read README.md beside it first.
+// There is nothing to edit here.
+#pragma once
+
+#include <array>
+
+#include "chapters/03_hinge/hinge.h"
+
+/// \defgroup chapter8 Chapter 8: ground
+/// \brief A row that only pushes, two rows whose bounds follow it, and bodies that rest and roll.
+/// @{
+namespace joints {
+
+/// A corner of body 2 above the top of body 1, or the lowest point of a ball of body 2. "Up" is the
+/// y axis of body 1. Removes one degree of freedom while it touches, none otherwise.
+///
+/// n = R1 e_y; p = x2 + R2 corner_local - radius n, r1 = p - x1, r2 = p - x2;
+/// C = n.r1 - height >= 0, the room left [m]; J = (-n, -(r1 x n), n, r2 x n), exact at every pose,
+/// because n rides on body 1 and r1 reaches to the corner; K = J M^-1 J^T [1/kg].
+/// Source: thesis, section 3.2; Catto 2006 for the contact as a row that only pushes.
+struct Corner {
+  vec3 corner_local{0};  ///< the corner, or the ball's centre [m], body space of body 2
+  real radius = 0;       ///< of a ball about it [m]; 0 for a sharp corner
+  real height = 0;       ///< of the top above the centre of body 1 [m]
+
+  static constexpr int rows = 1;           ///< at most, while it touches
+  static constexpr bool one_sided = true;  ///< it only pushes
+  /// n, the direction in which the top faces: unit, world.
+  static vec3 up(const Body& body1) { return to_world(body1, vec3(0, 1, 0)); }
+  /// p, the point of body 2 that touches first [m, world].
+  vec3 point(const Body& body1, const Body& body2) const {
+    return world_point(body2, corner_local) - radius * up(body1);
+  }
+  real error(const Body& body1, const Body& body2) const;  ///< exercise 8.1: C, the room left [m]
+  /// The row of C: the one along n.
+  Row jacobian(const Body& body1, const Body& body2) const {
+    return along(up(body1), body1, body2);
+  }
+  /// J M^-1 J^T by chapter 3's coupling() [1/kg].
+  real K(const Body& body1, const Body& body2) const {
+    const Row J = jacobian(body1, body2);
+    return coupling(J, J, body1, body2);
+  }
+  /// Exercise 8.1: the row whose J V is the speed at which the point of body 2 moves along
+  /// `direction` over the matter of body 1 below it [m/s]. \param direction unit, world
+  Row along(const vec3& direction, const Body& body1, const Body& body2) const;
+};
+
+/// Exercise 8.2: the two directions of friction.
+/// \param n unit \param sliding the velocity of the point over the ground [m/s], of any direction
+/// \return t1, t2: unit, at right angles to n and to each other; t1 looks where the point slides,
+/// t2 = n x t1. Where nothing slides (below 1e-9 m/s across n), t1 is any such direction.
+std::array<vec3, 2> tangents(const vec3& n, const vec3& sliding);
+
+/// Exercise 8.2: what one visit of a sweep adds to the impulse of a friction row.
+/// \param rate J V, the speed along its direction now [m/s] \param K of its row [1/kg], positive
+/// \param mu coefficient of friction [1] \param normal what the normal row has given in this step
+/// up to now [N s] \param sum what this row has given in this step [N s]; brought up to date
+/// \return the change of the sum
+real friction_impulse(real rate, real K, real mu, real normal, real& sum);
+
+/// Given: how fast a corner really arrives at the ground, Eq. 8-9. Forces have changed `rate` by
+/// `kick` in this step; on the way through the room C they go on pulling.
+/// \param C room left [m] \param rate J V with the forces of this step [m/s], negative
+/// \param kick their share of it [m/s] \param h step [s] \return positive [m/s]
+real impact_speed(real C, real rate, real kick, real h);
+
+}  // namespace joints
+/// @}

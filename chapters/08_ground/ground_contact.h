@@ -1,0 +1,231 @@
+// A contact with the ground as a joint of the engine: given, there is nothing to edit here.
+#pragma once
+
+#include <algorithm>
+
+#include "chapters/08_ground/ground.h"
+#include "engine/joint.h"
+
+/// \addtogroup chapter8
+/// @{
+namespace joints {
+
+/// Where a body can stand on the ground: its corners, or the centre of a ball and its radius.
+struct Outline {
+  std::array<vec3, 8> corners{};  ///< [m, body space]
+  int count = 0;                  ///< how many of them
+  real radius = 0;                ///< about each of them [m]
+};
+/// \param size the edges [m] \throws std::invalid_argument unless they are positive and finite
+inline Outline box_outline(const vec3& size) {
+  require(finite(size) && size.x > 0 && size.y > 0 && size.z > 0,
+          "size: the edges of a box must be positive and finite [m]");
+  Outline out{.count = 8};
+  for (int k = 0; k < 8; ++k)
+    out.corners[k] = real(0.5) * size * vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+  return out;
+}
+/// \throws std::invalid_argument unless the radius is positive and finite [m]
+inline Outline ball_outline(real radius) {
+  require(finite(radius) && radius > 0, "radius: of a ball must be positive and finite [m]");
+  return {.count = 1, .radius = radius};
+}
+
+/// The top of a body: a plane at right angles to the body's own y axis, or a part of one.
+struct Top {
+  real height = 0;          ///< above the body's centre [m]
+  real half_x = unbounded;  ///< how far it reaches either way along the body's own x axis [m]
+  real half_z = unbounded;  ///< and along its z axis [m]
+  real depth = unbounded;   ///< a corner deeper than this is beside the body, not under its top [m]
+};
+/// The upper face of a box. \param size its edges [m]
+inline Top box_top(const vec3& size) {
+  return {size.y / 2, size.x / 2, size.z / 2, size.y / 2};
+}
+
+/// Keeps body 2 above the top of body 1. Each corner that touches, or will within this step, has
+/// three rows, a block each: friction along t1, friction along t2, then the normal row, which has
+/// the last word. The friction is bounded in each direction by itself (a box with an edge along the
+/// sliding, not a cone). At most four corners have rows at the same time.
+class GroundContact : public Joint {
+ public:
+  Top top;                ///< the surface, on body 1
+  Outline outline;        ///< what of body 2 can touch it
+  real friction = real(0.5);   ///< coefficient mu [1]
+  real restitution = 0;        ///< share of the impact speed with which it rebounds [1]
+  real threshold = real(0.5);  ///< no rebound from an impact slower than this [m/s]
+  bool turned_tangents = true;  ///< t1 looks where the corner slides; false: it stays as it is
+
+  static constexpr int most_corners = 4;  ///< that have rows at the same time
+
+  /// \param ground body 1, most often a static one
+  /// \throws std::invalid_argument for a body with itself, or an outline without corners
+  GroundContact(BodyId ground, BodyId body, const Top& top, const Outline& outline)
+      : Joint(ground, body), top(top), outline(outline) {
+    require(outline.count >= 1 && outline.count <= 8, "outline: needs one to eight corners");
+  }
+
+  /// Chooses the corners that have rows in this step, and their directions of friction.
+  void begin_step(const Bodies& bodies, real h) override;
+  /// Friction, friction, normal, of each corner that has rows.
+  void append(const Bodies& bodies, Blocks& blocks) const override;
+  /// Adds a corner that a neighbour has driven into the ground after all.
+  void second_look(const Bodies& bodies, real h, Blocks& blocks) override;
+  int most_rows() const override { return 3 * most_corners; }
+
+  /// How many corners have rows in this step.
+  int touching() const { return live_; }
+  /// Room between the deepest corner over the top and the ground [m]; negative: penetration.
+  real room(const Bodies& bodies) const;
+
+ private:
+  // A corner: its room and rates are those of the step's beginning, forces included.
+  struct Foot {
+    bool live = false;        // has rows in this step
+    real C = 0, rate = 0;     // room [m] and J V of the normal row [m/s]
+    real last_rate = 0;       // J V at the end of the last step, if that was looked at
+    bool followed = false;    // was it?
+    real bounce = 0;          // an impact in the last step: how fast it leaves in this one [m/s]
+    real target = 0;          // the speed that its normal row wants now [m/s]
+    std::array<vec3, 2> t{};  // directions of friction
+    std::array<real, 3> impulse{};  // friction along t[0], along t[1], normal [N s]
+  };
+
+  Corner corner(int k) const {
+    return {outline.corners[std::size_t(k)], outline.radius, top.height};
+  }
+  real normal_rate(int k, const Body& body1, const Body& body2) const;
+  bool over_top(int k, const Body& body1, const Body& body2) const;
+  void look_at_impact(Foot& foot, real h) const;
+  void turn_friction(int k, const Body& body1, const Body& body2);
+  void append_foot(int k, const Bodies& bodies, Blocks& blocks) const;
+
+  mutable std::array<Foot, 8> feet_{};  // the solver writes the impulses
+  int live_ = 0;
+};
+
+// ---- which corners have rows --------------------------------------------------------------------
+
+inline void GroundContact::begin_step(const Bodies& bodies, real h) {
+  Joint::begin_step(bodies, h);
+  const Body &a = bodies[body1], &b = bodies[body2];
+  live_ = 0;
+  std::array<int, 8> near{};  // corners that will touch in this step, or nearly
+  int count = 0;
+  for (int k = 0; k < outline.count; ++k) {
+    Foot& foot = feet_[std::size_t(k)];
+    foot.C = corner(k).error(a, b);
+    foot.rate = normal_rate(k, a, b);
+    const bool movable = !a.is_static() || !b.is_static();
+    if (movable && over_top(k, a, b) && foot.C + h * foot.rate < real(0.1) * h)  // Eq. 8-4
+      near[std::size_t(count++)] = k;
+  }
+  const auto room_left = [&](int k) {
+    return feet_[std::size_t(k)].C + h * feet_[std::size_t(k)].rate;
+  };
+  std::sort(near.begin(), near.begin() + count,
+            [&](int i, int k) { return std::pair(room_left(i), i) < std::pair(room_left(k), k); });
+  count = std::min(count, most_corners);
+  std::sort(near.begin(), near.begin() + count);
+  for (int k = 0, at = 0; k < outline.count; ++k) {
+    Foot& foot = feet_[std::size_t(k)];
+    foot.live = at < count && near[std::size_t(at)] == k;
+    if (foot.live) {
+      ++at, ++live_;
+      look_at_impact(foot, h);
+      turn_friction(k, a, b);
+    } else {
+      foot.impulse = {};
+      foot.bounce = foot.target = 0;
+    }
+  }
+}
+
+inline void GroundContact::append(const Bodies& bodies, Blocks& blocks) const {
+  for (int k = 0; k < outline.count; ++k)
+    if (feet_[std::size_t(k)].live) append_foot(k, bodies, blocks);
+}
+
+inline void GroundContact::second_look(const Bodies& bodies, real h, Blocks& blocks) {
+  const Body &a = bodies[body1], &b = bodies[body2];
+  if (a.is_static() && b.is_static()) return;
+  for (int k = 0; k < outline.count; ++k) {
+    Foot& foot = feet_[std::size_t(k)];
+    const real rate = normal_rate(k, a, b);
+    foot.last_rate = rate;
+    foot.followed = true;
+    if (foot.live || live_ == most_corners || foot.C + h * rate >= 0 || !over_top(k, a, b))
+      continue;
+    foot.live = true;
+    ++live_;
+    turn_friction(k, a, b);
+    append_foot(k, bodies, blocks);
+  }
+}
+
+inline real GroundContact::room(const Bodies& bodies) const {
+  const Body &a = bodies[body1], &b = bodies[body2];
+  real least = unbounded;
+  for (int k = 0; k < outline.count; ++k)
+    if (over_top(k, a, b)) least = std::min(least, corner(k).error(a, b));
+  return least;
+}
+
+// ---- one corner ---------------------------------------------------------------------------------
+
+inline real GroundContact::normal_rate(int k, const Body& body1, const Body& body2) const {
+  const Row J = corner(k).jacobian(body1, body2);
+  return dot(J.v1, body1.v) + dot(J.w1, body1.w) + dot(J.v2, body2.v) + dot(J.w2, body2.w);
+}
+
+inline bool GroundContact::over_top(int k, const Body& body1, const Body& body2) const {
+  const vec3 p = to_local(body1, corner(k).point(body1, body2) - body1.x);
+  return std::abs(p.x) <= top.half_x && std::abs(p.z) <= top.half_z &&
+         p.y - top.height >= -top.depth;
+}
+
+// A rebound takes two steps: in the first the corner comes to the ground and no further, and the
+// speed that it had is remembered; in the second it leaves.
+inline void GroundContact::look_at_impact(Foot& foot, real h) const {
+  const real kick = foot.followed ? foot.rate - foot.last_rate : real(0);  // by forces, this step
+  foot.target = 0;
+  if (foot.bounce > 0) {
+    foot.target = std::max(real(0), foot.bounce + kick / 2);  // Eq. 8-10
+    foot.bounce = 0;
+  } else if (restitution > 0 && foot.C + h * foot.rate < 0) {
+    const real speed = impact_speed(foot.C, foot.rate, kick, h);
+    if (speed > threshold) foot.bounce = restitution * speed;  // Eq. 8-10
+  }
+}
+
+// New directions of friction; what was remembered of the old ones is an arrow, and stays one.
+inline void GroundContact::turn_friction(int k, const Body& body1, const Body& body2) {
+  Foot& foot = feet_[std::size_t(k)];
+  const vec3 arrow = foot.impulse[0] * foot.t[0] + foot.impulse[1] * foot.t[1];
+  const vec3 p = corner(k).point(body1, body2);
+  const vec3 sliding = turned_tangents ? point_velocity(body2, p - body2.x) -
+                                             point_velocity(body1, p - body1.x)
+                                       : vec3(0);
+  foot.t = tangents(Corner::up(body1), sliding);
+  foot.impulse[0] = dot(arrow, foot.t[0]);
+  foot.impulse[1] = dot(arrow, foot.t[1]);
+}
+
+inline void GroundContact::append_foot(int k, const Bodies& bodies, Blocks& blocks) const {
+  Foot& foot = feet_[std::size_t(k)];
+  const Body &a = bodies[body1], &b = bodies[body2];
+  const Corner part = corner(k);
+  for (const int i : {0, 1}) {
+    if (friction == 0) break;
+    const Row J = part.along(foot.t[std::size_t(i)], a, b);
+    blocks.append(bodies.index(body1), bodies.index(body2), to_jacobian(J), {0},
+                  to_matrix(coupling(J, J, a, b)),
+                  {.holds_position = false, .follows = 2 - i, .upper = friction},  // Eq. 8-6
+                  &foot.impulse[std::size_t(i)]);
+  }
+  blocks.append(bodies, body1, body2, part, {.beta = beta, .target = foot.target, .lower = 0},
+                &foot.impulse[2]);
+}
+
+}  // namespace joints
+/// @}

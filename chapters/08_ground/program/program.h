@@ -1,0 +1,59 @@
+// What the files of chapter 8's program share. Read it; there is nothing to edit here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "chapters/08_ground/ground_contact.h"
+#include "engine/stage.h"
+
+namespace joints::chapter8 {
+
+/// What the command line chose.
+struct Choice {
+  int iterations = 30;      ///< sweeps a step
+  real beta = real(0.2);    ///< share of the error fed back in a step [1]
+  double seconds = 10;      ///< how long the machines run [s]
+  std::string machine;      ///< one of them by name, or "all"
+  std::string out;          ///< folder of tables and recordings
+};
+
+const real h = real(1) / 60;  ///< the step [s]
+
+/// A static slab whose top is the plane y = 0. \param width how much of it is drawn [m]
+inline BodyId add_ground(Stage& stage, real width) {
+  return stage.box(0, vec3(width, real(0.2), width), vec3(0, real(-0.1), 0));
+}
+/// Lets a box of this size stand on that ground.
+inline GroundContact& stand(Stage& stage, BodyId ground, BodyId body, const vec3& size,
+                            real friction) {
+  auto& contact = stage.world.add<GroundContact>(ground, body, Top{.height = real(0.1)},
+                                                 box_outline(size));
+  contact.friction = friction;
+  return contact;
+}
+/// How deep the deepest corner of all contacts is in the ground [m], 0 if none is.
+inline double penetration(const World& world) {
+  double deepest = 0;
+  for (const auto& joint : world.joints())
+    if (const auto* contact = dynamic_cast<const GroundContact*>(joint.get()))
+      deepest = std::max(deepest, -double(contact->room(world.bodies)));
+  return deepest;
+}
+
+/// A box at rest, one that slides, one on a slope, balls that bounce.
+void basics(const Choice& choice, std::vector<Summary>& lines);
+/// A box that slides, by the functions of the exercises alone.
+void by_hand(const Choice& choice);
+/// Joints and contacts in one loop, or in two.
+void order(const Choice& choice, std::vector<Summary>& lines);
+/// Thesis fig. 3.2: a hinge without correction that is hit.
+void drift(const Choice& choice, std::vector<Summary>& lines);
+/// The machines, each for itself.
+void ragdoll(const Choice& choice, std::vector<Summary>& lines);
+void wheels(const Choice& choice, std::vector<Summary>& lines);
+void cannon(const Choice& choice, std::vector<Summary>& lines);
+void bridge(const Choice& choice, std::vector<Summary>& lines);
+void curl(const Choice& choice, std::vector<Summary>& lines);
+
+}  // namespace joints::chapter8

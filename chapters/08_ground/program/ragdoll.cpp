@@ -1,0 +1,7 @@
+#include "chapters/08_ground/program/program.h"
+
+namespace joints::chapter8 {
+
+void ragdoll(const Choice&, std::vector<Summary>&) {}
+
+}  // namespace joints::chapter8

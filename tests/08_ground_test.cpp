@@ -1,0 +1,1 @@
+// Exercises 8.1 and 8.2.

@@ -167,8 +167,8 @@ void WideBlocks::fill(const Bodies& bodies, const Blocks& list, const Preparatio
 
 void WideBlocks::sweep() {
   const LaneSweep all{groups.data(), int(groups.size()),
-                      reinterpret_cast<real*>(numbers_.data()), ends.data(), sums_.data(), records_.data(),
-                      columns_};
+                      reinterpret_cast<real*>(numbers_.data()), ends.data(), sums_.data(),
+                      records_.data(), columns_};
   width_ == 1 ? sweep_single(all) : sweep_lanes(all);
 }
 

@@ -89,6 +89,7 @@ class GroundContact : public Joint {
     real target = 0;          // the speed that its normal row wants now [m/s]
     std::array<vec3, 2> t{};  // directions of friction
     std::array<real, 3> impulse{};  // friction along t[0], along t[1], normal [N s]
+    real room_after(real h) const { return C + h * rate; }  // if nothing holds it [m]
   };
 
   Corner corner(int k) const {
@@ -97,6 +98,7 @@ class GroundContact : public Joint {
   real normal_rate(int k, const Body& body1, const Body& body2) const;
   bool over_top(int k, const Body& body1, const Body& body2) const;
   void look_at_impact(Foot& foot, real h) const;
+  Foot& farthest_live(real h);
   void turn_friction(int k, const Body& body1, const Body& body2);
   void append_foot(int k, const Bodies& bodies, Blocks& blocks) const;
 
@@ -110,28 +112,18 @@ inline void GroundContact::begin_step(const Bodies& bodies, real h) {
   Joint::begin_step(bodies, h);
   const Body &a = bodies[body1], &b = bodies[body2];
   live_ = 0;
-  std::array<int, 8> near{};  // corners that will touch in this step, or nearly
-  int count = 0;
   for (int k = 0; k < outline.count; ++k) {
     Foot& foot = feet_[std::size_t(k)];
     foot.C = corner(k).error(a, b);
     foot.rate = normal_rate(k, a, b);
     const bool movable = !a.is_static() || !b.is_static();
-    if (movable && over_top(k, a, b) && foot.C + h * foot.rate < real(0.1) * h)  // Eq. 8-4
-      near[std::size_t(count++)] = k;
+    foot.live = movable && foot.room_after(h) < real(0.1) * h && over_top(k, a, b);  // Eq. 8-4
+    live_ += foot.live;
   }
-  const auto room_left = [&](int k) {
-    return feet_[std::size_t(k)].C + h * feet_[std::size_t(k)].rate;
-  };
-  std::sort(near.begin(), near.begin() + count,
-            [&](int i, int k) { return std::pair(room_left(i), i) < std::pair(room_left(k), k); });
-  count = std::min(count, most_corners);
-  std::sort(near.begin(), near.begin() + count);
-  for (int k = 0, at = 0; k < outline.count; ++k) {
+  for (; live_ > most_corners; --live_) farthest_live(h).live = false;
+  for (int k = 0; k < outline.count; ++k) {
     Foot& foot = feet_[std::size_t(k)];
-    foot.live = at < count && near[std::size_t(at)] == k;
     if (foot.live) {
-      ++at, ++live_;
       look_at_impact(foot, h);
       turn_friction(k, a, b);
     } else {
@@ -139,6 +131,14 @@ inline void GroundContact::begin_step(const Bodies& bodies, real h) {
       foot.bounce = foot.target = 0;
     }
   }
+}
+
+// The live corner that will have the most room left.
+inline GroundContact::Foot& GroundContact::farthest_live(real h) {
+  Foot* farthest = nullptr;
+  for (Foot& foot : feet_)
+    if (foot.live && (!farthest || foot.room_after(h) > farthest->room_after(h))) farthest = &foot;
+  return *farthest;
 }
 
 inline void GroundContact::append(const Bodies& bodies, Blocks& blocks) const {

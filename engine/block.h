@@ -18,9 +18,9 @@ struct Demand {
   real damping = 1;    ///< soft: damping ratio [1]
   real target = 0;     ///< wanted rate of the last row [unit of C per s]: the speed of a motor
   bool holds_position = true;  ///< C is an error to be removed; false for a motor
-  /// Not 0: the bounds of the last row are not fixed. They are -+`upper` times another sum of the
-  /// same joint, the one that stands so many places behind the last row's own; `upper` is a factor
-  /// [1] then, and `lower` is not read.
+  /// Not 0, for a block of one row: its bounds are not fixed. They are -+`upper` times another sum
+  /// of the same joint, the one that stands so many places behind its own; `upper` is a factor [1]
+  /// then, and `lower` is not read.
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]

@@ -16,9 +16,9 @@ struct LaneGroup {
   bool point = false;  ///< the first three rows hold two points together, the others only turn
   bool hard = false;   ///< neither soft nor bounded: no scales, no bounds
   bool round = false;  ///< point: no body's inertia has a direction, one number says it
+  bool follows = false;  ///< one row whose bounds are multiples of other sums, not fixed
   int first = 0;       ///< where its numbers begin, counted in single numbers
   int first_end = 0;   ///< where its lanes' bodies 1, then its lanes' bodies 2 begin
-  int first_sum = -1;  ///< its bounds follow other sums: where the places of these begin
 };
 
 /// All that a sweep works on.
@@ -27,7 +27,7 @@ struct LaneSweep {
   int count;                 ///< how many
   real* numbers;             ///< of the groups, at an address that 32 divides
   const int* ends;           ///< which records the groups' bodies have
-  const int* sums;           ///< where among `numbers` the sums stand that bounds follow
+  const int* sums;           ///< of each group's lanes, which of `numbers` its bounds follow
   Velocities<real>* bodies;  ///< a record a body; or, in columns, lane_count bodies' side by side
   bool columns;              ///< bodies stand as the lanes want them
 };

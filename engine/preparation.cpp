@@ -55,6 +55,7 @@ void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block
   out.mass_scale *= relaxation;
   out.impulse_scale *= relaxation;
   if (has_last && demand.follows != 0) {
+    require(n == 1, "follows: only a block of one row can follow another sum");
     out.follows = static_cast<signed char>(demand.follows);
     out.upper = demand.upper;
   } else if (has_last) {

@@ -112,8 +112,8 @@ void SequentialImpulses::solve_block(Body* bodies, const PreparedBlock& block) {
   // The last row's sum must stay within its bounds; the others answer to what is cut off.
   const real wanted = block.impulse[N - 1] + dlambda[N - 1];
   real lower = block.lower, upper = block.upper;
-  if (block.follows != 0) {  // a multiple of a sum as it is now
-    upper *= block.impulse[N - 1 + block.follows];
+  if (N == 1 && block.follows != 0) {  // multiples of another sum, as it is now
+    upper *= block.impulse[block.follows];
     lower = -upper;
   }
   const real kept = std::clamp(wanted, lower, upper), cut = kept - wanted;

@@ -45,7 +45,7 @@ int sums_at(const LaneGroup& group) {
 int WideBlocks::find_sum(const Preparation& prepared, int k) {
   const auto& all = prepared.blocks;
   const PreparedBlock& block = all[std::size_t(k)];
-  const real* const sum = block.impulse + block.rows - 1 + block.follows;
+  const real* const sum = block.impulse + block.follows;
   for (int d = 1; d < int(all.size()); ++d)
     for (const int other : {k + d, k - d})
       if (other >= 0 && other < int(all.size()) && sum >= all[other].impulse &&
@@ -56,21 +56,24 @@ int WideBlocks::find_sum(const Preparation& prepared, int k) {
 
 int WideBlocks::size_of(const LaneGroup& group) {
   const int n = group.rows;
-  return sums_at(group) + n + n * (n + 1) / 2 + (group.hard ? 0 : 3 + n) + (group.first_sum >= 0);
+  return sums_at(group) + n + n * (n + 1) / 2 + (group.hard ? 0 : 3 + n) + group.follows;
 }
 
 // Where among the numbers each group finds the sums that it follows.
 void WideBlocks::place_sums() {
+  sums_.clear();
+  if (std::none_of(groups.begin(), groups.end(), [](const LaneGroup& g) { return g.follows; }))
+    return;
   std::vector<int> place(signs_.size());  // of each block's first sum
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const LaneGroup& group = groups[k / width_];
     if (blocks[k] >= 0) place[blocks[k]] = group.first + int(k) % width_ + sums_at(group) * width_;
   }
+  sums_.assign(blocks.size(), 0);
   for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const LaneGroup& group = groups[k / width_];
-    if (blocks[k] < 0 || group.first_sum < 0) continue;
+    if (blocks[k] < 0 || !groups[k / width_].follows) continue;
     const int followed = signs_[blocks[k]].followed;
-    sums_[group.first_sum + k % width_] = place[followed / 8] + followed % 8 * width_;
+    sums_[k] = place[followed / 8] + followed % 8 * width_;
   }
 }
 
@@ -157,11 +160,15 @@ void WideBlocks::fill(const Bodies& bodies, const Blocks& list, const Preparatio
     for (int i = 0; i < n; ++i)
       for (int j = i; j < n; ++j) put(block.mass_scale * inverse_K[i * n + j]);
     if (group.hard) continue;
-    const real now = block.follows != 0 ? block.impulse[n - 1 + block.follows] : 1;
     put(block.impulse_scale);
-    put(block.follows != 0 ? -block.upper * now : block.lower), put(block.upper * now);
+    if (block.follows != 0) {
+      const real bound = block.upper * block.impulse[block.follows];
+      put(-bound), put(bound);
+    } else {
+      put(block.lower), put(block.upper);
+    }
     for (int i = 0; i < n; ++i) put(row[i].answer);
-    if (group.first_sum >= 0) put(block.upper);
+    if (group.follows) put(block.upper);
   }
 }
 

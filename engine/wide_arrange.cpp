@@ -18,7 +18,6 @@ void WideBlocks::arrange(const Bodies& bodies, Packing packing) {
   groups.clear();
   blocks.clear();
   ends.clear();
-  sums_.clear();
   numbers_.clear();
   columns_ = false;
   slots_.resize(std::size_t(bodies.slots()) + 1);
@@ -153,10 +152,8 @@ bool WideBlocks::arrange_trees(const Bodies& bodies, const Trees& trees) {
 // A group of blocks of one kind; `list` names them.
 void WideBlocks::add_group(const int* list, int count) {
   const int kind = signs_[list[0]].kind / 4;
-  LaneGroup group{kind / 8 % 8, bool(kind & 4), bool(kind & 2), bool(kind & 1),
-                  int(numbers_.size()) * lane_count, int(ends.size()),
-                  kind / 64 ? int(sums_.size()) : -1};
-  if (kind / 64) sums_.resize(sums_.size() + std::size_t(width_));
+  LaneGroup group{kind / 8 % 8, bool(kind & 4), bool(kind & 2), bool(kind & 1), bool(kind & 64),
+                  int(numbers_.size()) * lane_count, int(ends.size())};
   const int size = size_of(group) * width_;
   numbers_.resize(numbers_.size() + std::size_t(size + lane_count - 1) / lane_count, {});
   for (int lane = 0; lane < width_; ++lane) blocks.push_back(lane < count ? list[lane] : -1);

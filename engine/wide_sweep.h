@@ -67,16 +67,17 @@ inline auto next_inertia(const Number*& at) {
   }
 }
 
-// The bounds of a group that follows other sums: multiples of them, as they are now.
-// `sums` says which; the group's last numbers are lower, upper, answers, factor.
+// The bounds of a group that follows other sums: multiples of them, as they are now. The numbers of
+// one bounded row end with lower, upper, answer, and here a factor. Not inlined: the loop of those
+// who follow nothing must not pay for it.
 template <class Number>
-inline void move_bounds(const LaneGroup& group, real* all, const int* sums) {
+__attribute__((noinline)) void move_bounds(const LaneSweep& sweep, const LaneGroup& group) {
   constexpr int width = int(sizeof(Number) / sizeof(real));
-  const int n = group.rows;
-  real* const lower = all + group.first + (20 * n + n * (n + 1) / 2 + 1) * width;
-  real *const upper = lower + width, *const factor = upper + (1 + n) * width;
+  const int* const sums = sweep.sums + (&group - sweep.groups) * width;
+  real* const lower = sweep.numbers + group.first + 22 * width;
+  real *const upper = lower + width, *const factor = lower + 3 * width;
   for (int lane = 0; lane < width; ++lane) {
-    upper[lane] = factor[lane] * all[sums[lane]];
+    upper[lane] = factor[lane] * sweep.numbers[sums[lane]];
     lower[lane] = -upper[lane];
   }
 }
@@ -153,10 +154,12 @@ inline void solve_rows(const LaneGroup& group, Number* numbers, Velocities<Numbe
 }
 
 template <class Number>
-inline void solve_group(const LaneGroup& group, Number* numbers, Velocities<Number>& body1,
-                        Velocities<Number>& body2) {
+inline void solve_group(const LaneSweep& sweep, const LaneGroup& group, Number* numbers,
+                        Velocities<Number>& body1, Velocities<Number>& body2) {
   switch (group.rows) {
-    case 1: return solve_rows<1>(group, numbers, body1, body2);
+    case 1:
+      if (group.follows) move_bounds<Number>(sweep, group);
+      return solve_rows<1>(group, numbers, body1, body2);
     case 2: return solve_rows<2>(group, numbers, body1, body2);
     case 3: return solve_rows<3>(group, numbers, body1, body2);
     case 4: return solve_rows<4>(group, numbers, body1, body2);
@@ -173,18 +176,16 @@ inline void sweep_all(const LaneSweep& sweep) {
     const LaneGroup& group = sweep.groups[k];
     Number* const numbers = reinterpret_cast<Number*>(sweep.numbers + group.first);
     const int* const ends = sweep.ends + group.first_end;
-    if (group.first_sum >= 0)
-      move_bounds<Number>(group, sweep.numbers, sweep.sums + group.first_sum);
     if constexpr (width == 1) {
-      solve_group(group, numbers, sweep.bodies[ends[0]], sweep.bodies[ends[1]]);
+      solve_group(sweep, group, numbers, sweep.bodies[ends[0]], sweep.bodies[ends[1]]);
     } else if (sweep.columns) {
       auto* const columns = reinterpret_cast<Velocities<Number>*>(sweep.bodies);
-      solve_group(group, numbers, columns[ends[0]], columns[ends[1]]);
+      solve_group(sweep, group, numbers, columns[ends[0]], columns[ends[1]]);
     } else {
       Velocities<Number> body1, body2;
       load(sweep.bodies, ends, body1);
       load(sweep.bodies, ends + width, body2);
-      solve_group(group, numbers, body1, body2);
+      solve_group(sweep, group, numbers, body1, body2);
       store(sweep.bodies, ends, body1);
       store(sweep.bodies, ends + width, body2);
     }

@@ -2,8 +2,9 @@
 
 Installs BUILD into a folder of its own, copies tests/consumer next to it, builds the copy against
 the installed files and runs it, once in double and once in float. Nothing that is compiled may come
-from ROOT, nothing that is installed may name it, and the program of a hinge may carry no slider and
-no weld. Exit status 0 when all of that holds, 1 otherwise, 2 for a bad command line.
+from ROOT, nothing that is installed may name it, and the program of a hinge may carry no slider, no
+weld and no ground, that of a crate on the ground no hinge joint. Exit status 0 when all of that
+holds, 1 otherwise, 2 for a bad command line.
 """
 import json
 import re
@@ -12,7 +13,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-FOREIGN = re.compile(r"joints::(Line|Slide|RotationLock|Weld|SliderJoint|FixedJoint)\b")
+# Of each program: what it must carry, and what it must not.
+OTHERS = r"Line|Slide|RotationLock|Weld|SliderJoint|FixedJoint"
+PROGRAMS = {"door": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
+            "crate": ("Corner::error", rf"{OTHERS}|HingeJoint")}
 
 
 class Wrong(Exception):
@@ -56,7 +60,7 @@ def look_at_build(root, area, folder):
 
 
 def build_and_run(root, area, prefix, compiler, library):
-    """Builds a copy of the program with one of the two libraries; returns what it says."""
+    """Builds a copy of the programs with one of the two libraries; returns what they say."""
     source, folder = area / f"{library}_source", area / f"{library}_build"
     shutil.copytree(root / "tests" / "consumer", source)
     lists = source / "CMakeLists.txt"
@@ -67,12 +71,15 @@ def build_and_run(root, area, prefix, compiler, library):
          "-DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF")
     call("cmake", "--build", folder)
     look_at_build(root, area, folder)
-    symbols = call("nm", "-C", folder / "door")
-    if "joints::Axis::error" not in symbols:
-        raise Wrong("nm shows no symbols of the hinge")
-    if foreign := FOREIGN.search(symbols):
-        raise Wrong(f"the program of a hinge carries {foreign[0]}")
-    return call(folder / "door").strip()
+    said = []
+    for program, (used, foreign) in PROGRAMS.items():
+        symbols = call("nm", "-C", folder / program)
+        if f"joints::{used}" not in symbols:
+            raise Wrong(f"{program}: nm shows no joints::{used}")
+        if found := re.search(rf"joints::({foreign})\b", symbols):
+            raise Wrong(f"{program} carries {found[0]}")
+        said.append(call(folder / program).strip())
+    return said
 
 
 def main(arguments):
@@ -89,10 +96,10 @@ def main(arguments):
         look_at_installed(root, build, prefix)
         page = (root / "docs" / "library.md").read_text()
         for library in ("joints", "joints_float"):
-            said = build_and_run(root, area, prefix, arguments[2], library)
-            print(f"{library}: {said}")
-            if said not in page:
-                raise Wrong("docs/library.md says that the program says something else")
+            for said in build_and_run(root, area, prefix, arguments[2], library):
+                print(f"{library}: {said}")
+                if said not in page:
+                    raise Wrong("docs/library.md says that a program says something else")
     except Wrong as wrong:
         print(wrong, file=sys.stderr)
         return 1

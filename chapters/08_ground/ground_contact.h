@@ -66,11 +66,11 @@ class GroundContact : public Joint {
   }
 
   /// Chooses the corners that have rows in this step, and their directions of friction.
-  void begin_step(const Bodies& bodies, real h) override;
+  inline void begin_step(const Bodies& bodies, real h) override;
   /// Friction, friction, normal, of each corner that has rows.
-  void append(const Bodies& bodies, Blocks& blocks) const override;
+  inline void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Adds a corner that a neighbour has driven into the ground after all.
-  void second_look(const Bodies& bodies, real h, Blocks& blocks) override;
+  inline void second_look(const Bodies& bodies, real h, Blocks& blocks) override;
   int most_rows() const override { return 3 * most_corners; }
 
   /// How many corners have rows in this step.

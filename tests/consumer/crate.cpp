@@ -1,0 +1,25 @@
+// A crate slides over the ground until friction stops it. Exit status 1 if it stops elsewhere.
+#include <cmath>
+#include <cstdio>
+
+#include <joints.h>
+
+int main() {
+  using namespace joints;
+  World world;
+  const vec3 size(1, real(0.6), real(0.8));
+  const BodyId ground = world.add(static_body(vec3(0)));
+  const BodyId crate = world.add(box(10, size, vec3(0, size.y / 2, 0)));
+  auto& contact = world.add<GroundContact>(ground, crate, Top{}, box_outline(size));
+  contact.friction = real(0.5);
+  world.bodies[crate].v = vec3(4, 0, 0);
+
+  SequentialImpulses solver;
+  solver.iterations = 30;
+  solver.warm_start = true;
+  for (int step = 0; step < 120; ++step) solver.step(world, real(1) / 60);
+
+  const real way = world.bodies[crate].x.x, expected = real(4 * 4 / (2 * 0.5 * 9.81));
+  std::printf("the crate stops after %.3f m, on %d corners\n", double(way), contact.touching());
+  return std::abs(way - expected) < real(0.05) ? 0 : 1;
+}

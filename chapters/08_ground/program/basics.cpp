@@ -50,7 +50,7 @@ void rest(const Choice& choice, std::vector<Summary>& lines) {
       double farthest = 0, fastest = 0;
       const std::string name = warm ? "warm" : "cold";
       const Summary line = play(
-          one.stage, name + ", " + std::to_string(iterations), 60, "", [&](double) {
+          one.stage, name + " " + std::to_string(iterations) + " sweeps", 60, "", [&](double) {
             for (int k = 0; k < 8; ++k) {
               const vec3 p = one.corner(k);
               farthest = std::max(farthest, double(length(p - start[std::size_t(k)])));
@@ -111,7 +111,8 @@ void slide(const Choice& choice, std::vector<Summary>& lines) {
 void tilt(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/tilt.csv", {"mu", "angle_deg", "way_m"});
   for (const double mu : {0.2, 0.5, 1.0})
-    for (const double beyond : {-5.0, -2.0, -1.0, -0.5, -0.2, -0.1, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0}) {
+    for (const double beyond :
+         {-5.0, -2.0, -1.0, -0.5, -0.2, -0.1, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0}) {
       const double angle = std::atan(mu) / double(degree) + beyond;  // Eq. 8-8
       OneBox one("slope", choice, vec3(1, real(0.2), 1), real(angle) * degree);
       one.stage.solver.warm_start = true;
@@ -148,8 +149,8 @@ void bounce(const Choice& choice, std::vector<Summary>& lines) {
       stage.shapes.push_back({"ball", {2 * double(radius), 2 * double(radius),
                                        2 * double(radius)}});
       balls.push_back({stage.world.add(ball(1, radius, x))});
-      auto& contact = stage.world.add<GroundContact>(ground, balls.back().id,
-                                                     Top{.height = real(0.1)}, ball_outline(radius));
+      auto& contact = stage.world.add<GroundContact>(
+          ground, balls.back().id, Top{.height = real(0.1)}, ball_outline(radius));
       contact.restitution = real(restitution);
       contact.beta = choice.beta;
       stage.energy_scale += g * drop;
@@ -157,7 +158,7 @@ void bounce(const Choice& choice, std::vector<Summary>& lines) {
     const bool seen = drop == 1.0;
     if (seen) stage.print_plan();
     const Summary line = play(
-        stage, "", 5, seen ? choice.out + "/bounce.motion.json" : "", [&](double time) {
+        stage, "five restitutions", 5, seen ? choice.out + "/bounce.motion.json" : "", [&](double time) {
           for (std::size_t k = 0; k < balls.size(); ++k) {
             const Body& body = stage.world.bodies[balls[k].id];
             const double height = double(body.x.y - radius);

@@ -44,7 +44,10 @@ void drift(const Choice& choice, std::vector<Summary>& lines) {
       const Body& cube = world.bodies[id];
       if (n > 0) {
         clock.start();
-        step_in_turns(stage, 1, turns);  // the hinge is one block
+        if (turns == Turns::joints_first)
+          step_in_turns(stage, 1, turns);  // the hinge is one block
+        else
+          stage.solver.step(world, h);
         clock.stop();
         const vec3 r = -to_world(cube, joint.first.anchor2_local);
         sum += dot(cube.w, cube.w) * h * h / real(2) * r;  // Eq. 6-1

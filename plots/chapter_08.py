@@ -29,9 +29,9 @@ def draw_rest(solution, mine, out):
         if mine:
             for _, part, _, _ in parts(solution, "start"):
                 ax.plot(part["iterations"], visible(part[column]), label="_", **FORMULA)
-            style.hold(ax, mine[column], solution[column])
+            style.hold(ax, mine[column], solution[column], 16)
         counts(ax, table)
-    left.set_title("way of a corner" + (": dashed the solution's" if mine else ""))
+    left.set_title("way of a corner" + ("; dashed: the solution's" if mine else ""))
     right.set_title("speed (in the first steps)")
     style.label_ends(left)
     style.label_ends(right)

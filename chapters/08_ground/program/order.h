@@ -19,7 +19,8 @@ enum class Turns {
   no_ground        ///< there are no contacts
 };
 
-/// One step without a second look; whatever the turns, every block is visited in as many sweeps.
+/// One step; whatever the turns, every block is visited in as many sweeps. Without a second look:
+/// a corner that a neighbour drives into the ground gets its rows in the next step.
 /// \param joint_blocks how many blocks of the list belong to joints; those of contacts follow them
 inline void step_in_turns(Stage& stage, int joint_blocks, Turns turns) {
   SequentialImpulses& solver = stage.solver;

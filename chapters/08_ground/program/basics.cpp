@@ -158,7 +158,8 @@ void bounce(const Choice& choice, std::vector<Summary>& lines) {
     const bool seen = drop == 1.0;
     if (seen) stage.print_plan();
     const Summary line = play(
-        stage, "five restitutions", 5, seen ? choice.out + "/bounce.motion.json" : "", [&](double time) {
+        stage, "five restitutions", 5, seen ? choice.out + "/bounce.motion.json" : "",
+        [&](double time) {
           for (std::size_t k = 0; k < balls.size(); ++k) {
             const Body& body = stage.world.bodies[balls[k].id];
             const double height = double(body.x.y - radius);

@@ -1,7 +1,189 @@
+// Chapter 8's program, one body on the ground: at rest, sliding, on a slope, bouncing. Read it;
+// there is nothing to edit here.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "chapters/08_ground/program/program.h"
 
 namespace joints::chapter8 {
 
-void basics(const Choice&, std::vector<Summary>&) {}
+namespace {
+
+constexpr real degree = std::numbers::pi_v<real> / 180;
+constexpr double g = 9.81;  // [m/s^2]
+
+// One box on the ground, or on a slope: the ground turned about z.
+struct OneBox {
+  Stage stage;
+  vec3 size;
+  BodyId ground, box;
+  GroundContact* contact;
+
+  OneBox(const std::string& name, const Choice& choice, const vec3& size, real slope = 0)
+      : stage{.name = name}, size(size) {
+    stage.solver.iterations = choice.iterations;
+    const quat turn = rotation(vec3(0, 0, slope));
+    ground = stage.box(0, vec3(12, real(0.2), 12), turn * vec3(0, real(-0.1), 0), turn);
+    box = stage.box(10, size, turn * vec3(0, size.y / 2, 0), turn);
+    contact = &stand(stage, ground, box, size, real(0.5));
+    contact->beta = choice.beta;
+    stage.energy_scale = 10 * g;
+  }
+  Body& body() { return stage.world.bodies[box]; }
+  vec3 corner(int k) { return world_point(body(), contact->outline.corners[std::size_t(k)]); }
+};
+
+// ---- at rest -----------------------------------------------------------------------------------
+
+// A box put down and left alone for a minute: how far a corner gets, how fast one ever moves.
+void rest(const Choice& choice, std::vector<Summary>& lines) {
+  CsvFile table(choice.out + "/rest.csv", {"start", "iterations", "farthest_m", "fastest_m_s"});
+  for (const bool warm : {false, true})
+    for (const int iterations : {1, 4, 10, 30}) {
+      OneBox one("rest", choice, vec3(1, real(0.6), real(0.8)));
+      one.stage.solver.iterations = iterations;
+      one.stage.solver.warm_start = warm;
+      if (warm && iterations == 1) one.stage.print_plan();
+      std::array<vec3, 8> start;
+      for (int k = 0; k < 8; ++k) start[std::size_t(k)] = one.corner(k);
+      double farthest = 0, fastest = 0;
+      const std::string name = warm ? "warm" : "cold";
+      const Summary line = play(
+          one.stage, name + " " + std::to_string(iterations) + " sweeps", 60, "", [&](double) {
+            for (int k = 0; k < 8; ++k) {
+              const vec3 p = one.corner(k);
+              farthest = std::max(farthest, double(length(p - start[std::size_t(k)])));
+              fastest = std::max(
+                  fastest, double(length(point_velocity(one.body(), p - one.body().x))));
+            }
+          });
+      table.row({name}, {double(iterations), farthest, fastest});
+      if (iterations == 30) lines.push_back(line);
+    }
+}
+
+// ---- sliding -----------------------------------------------------------------------------------
+
+// What the way of a box should be: with turned tangents straight on, with fixed ones each
+// direction by itself, as two boxes that slide along x and along z. `shorter` for each of them:
+// what steps of h take off it [s].
+double way_of(bool turned, double angle, double speed, double mu, double shorter) {
+  const auto along = [&](double v) { return std::max(0.0, v * v / (2 * mu * g) - v * shorter); };
+  if (turned) return along(speed);  // Eq. 8-7
+  return std::hypot(along(speed * std::cos(angle)), along(speed * std::sin(angle)));
+}
+
+void slide(const Choice& choice, std::vector<Summary>& lines) {
+  CsvFile table(choice.out + "/slide.csv", {"tangents", "direction_deg", "speed_m_s", "way_m",
+                                            "expected_m", "stepped_m"});
+  for (int direction = 0; direction <= 90; direction += 15)
+    for (const double speed : {1.0, 2.0, 4.0}) {
+      const real angle = real(direction) * degree;
+      const vec3 ahead(std::cos(angle), 0, std::sin(angle)), aside(-ahead.z, 0, ahead.x);
+      OneBox both("slide", choice, vec3(1, real(0.2), 1));  // turned, and beside it fixed
+      Stage& stage = both.stage;
+      Bodies& bodies = stage.world.bodies;
+      const BodyId other = stage.box(10, both.size, both.body().x + real(2) * aside);
+      auto& fixed = stand(stage, both.ground, other, both.size, both.contact->friction);
+      fixed.beta = choice.beta;
+      fixed.turned_tangents = false;
+      const bool seen = direction == 45 && speed == 4;
+      if (seen) stage.print_plan();
+      const BodyId ids[] = {both.box, other};
+      const vec3 from[] = {bodies[both.box].x, bodies[other].x};
+      for (const BodyId id : ids) bodies[id].v = real(speed) * ahead;
+      const Summary line = play(stage, "both tangents", 2,
+                                seen ? choice.out + "/slide.motion.json" : "");
+      const double mu = double(fixed.friction);
+      for (const int k : {0, 1})
+        table.row({k == 0 ? "turned" : "fixed"},
+                  {double(direction), speed, double(length(bodies[ids[k]].x - from[k])),
+                   way_of(k == 0, double(angle), speed, mu, 0),
+                   way_of(k == 0, double(angle), speed, mu, double(h) / 2)});
+      if (seen) lines.push_back(line);
+    }
+}
+
+// ---- a slope -----------------------------------------------------------------------------------
+
+// A box put on slopes around arctan(mu), Eq. 8-8: how far it is after ten seconds.
+void tilt(const Choice& choice, std::vector<Summary>& lines) {
+  CsvFile table(choice.out + "/tilt.csv", {"mu", "angle_deg", "way_m"});
+  for (const double mu : {0.2, 0.5, 1.0})
+    for (const double beyond :
+         {-5.0, -2.0, -1.0, -0.5, -0.2, -0.1, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0}) {
+      const double angle = std::atan(mu) / double(degree) + beyond;  // Eq. 8-8
+      OneBox one("slope", choice, vec3(1, real(0.2), 1), real(angle) * degree);
+      one.stage.solver.warm_start = true;
+      one.contact->friction = real(mu);
+      const vec3 start = one.body().x;
+      const Summary line = play(one.stage, beyond < 0 ? "just holds" : "just slides", 10);
+      table.row({mu, angle, double(length(one.body().x - start))});
+      if (mu == 0.5 && std::abs(beyond) == 0.1) lines.push_back(line);
+    }
+}
+
+// ---- bouncing ----------------------------------------------------------------------------------
+
+// Balls let go one beside the other: the height of the first rebound, and the paths of those that
+// fall one metre.
+void bounce(const Choice& choice, std::vector<Summary>& lines) {
+  CsvFile table(choice.out + "/bounce.csv",
+                {"restitution", "drop_m", "rebound_m", "expected_m"});
+  CsvFile path(choice.out + "/bounce_path.csv", {"restitution", "time_s", "height_m"});
+  const real radius = real(0.2);
+  const double restitutions[] = {0.0, 0.25, 0.5, 0.75, 1.0};
+  for (const double drop : {0.5, 1.0, 2.0}) {
+    struct Ball {
+      BodyId id;
+      bool landed = false, left = false;
+      double highest = 0;
+    };
+    Stage stage{.name = "bounce"};
+    stage.solver.iterations = choice.iterations;
+    const BodyId ground = add_ground(stage, 6);
+    std::vector<Ball> balls;
+    for (const double restitution : restitutions) {
+      const vec3 x(real(balls.size()) - 2, real(drop) + radius, 0);
+      stage.shapes.push_back({"ball", {2 * double(radius), 2 * double(radius),
+                                       2 * double(radius)}});
+      balls.push_back({stage.world.add(ball(1, radius, x))});
+      auto& contact = stage.world.add<GroundContact>(
+          ground, balls.back().id, Top{.height = real(0.1)}, ball_outline(radius));
+      contact.restitution = real(restitution);
+      contact.beta = choice.beta;
+      stage.energy_scale += g * drop;
+    }
+    const bool seen = drop == 1.0;
+    if (seen) stage.print_plan();
+    const Summary line = play(
+        stage, "five restitutions", 5, seen ? choice.out + "/bounce.motion.json" : "",
+        [&](double time) {
+          for (std::size_t k = 0; k < balls.size(); ++k) {
+            const Body& body = stage.world.bodies[balls[k].id];
+            const double height = double(body.x.y - radius);
+            if (seen) path.row({restitutions[k], time, height});
+            if (balls[k].landed && balls[k].highest > 0 && body.v.y <= 0) balls[k].left = true;
+            balls[k].landed = balls[k].landed || height < 1e-3;
+            if (balls[k].landed && !balls[k].left)
+              balls[k].highest = std::max(balls[k].highest, height);
+          }
+        });
+    for (std::size_t k = 0; k < balls.size(); ++k)
+      table.row({restitutions[k], drop, balls[k].highest,
+                 restitutions[k] * restitutions[k] * drop});  // Eq. 8-10
+    if (seen) lines.push_back(line);
+  }
+}
+
+}  // namespace
+
+void basics(const Choice& choice, std::vector<Summary>& lines) {
+  rest(choice, lines);
+  slide(choice, lines);
+  tilt(choice, lines);
+  bounce(choice, lines);
+}
 
 }  // namespace joints::chapter8

@@ -1,7 +1,53 @@
+// Chapter 8's program: a box slides, moved by your functions alone, and beside it the same box in
+// the engine. Read it; there is nothing to edit here.
+#include <cmath>
+
+#include "chapters/08_ground/program/own_ground.h"
 #include "chapters/08_ground/program/program.h"
 
 namespace joints::chapter8 {
 
-void by_hand(const Choice&) {}
+// Four corners are enough for a box that does not tip over: those of its lower face.
+void by_hand(const Choice& choice) {
+  const vec3 size(1, real(0.4), real(0.8));
+  Stage stage{.name = "by hand"};
+  stage.solver.iterations = choice.iterations;
+  const BodyId ground = add_ground(stage, 8);
+  const BodyId id = stage.box(10, size, vec3(0, size.y / 2, 0));
+  stage.world.bodies[id].v = vec3(3, 0, 1);
+  Outline lower{.count = 4};
+  for (std::size_t k = 0; k < 4; ++k)
+    lower.corners[k] = real(0.5) * size * vec3(k & 1 ? 1 : -1, -1, k & 2 ? 1 : -1);
+  auto& contact = stage.world.add<GroundContact>(ground, id, Top{.height = real(0.1)}, lower);
+  contact.beta = choice.beta;
+  stage.print_plan();
+
+  const Body start = stage.world.bodies[id];
+  OwnGround own;
+  own.ground = stage.world.bodies[ground];
+  own.body = start;
+  own.friction = contact.friction;
+  own.beta = choice.beta;
+  own.iterations = choice.iterations;
+  for (std::size_t k = 0; k < 4; ++k)
+    own.corners.push_back({lower.corners[k], 0, contact.top.height});
+
+  CsvFile table(choice.out + "/by_hand.csv",
+                {"time_s", "way_m", "speed_m_s", "normal_ns", "friction_ns", "bound_ns",
+                 "off_engine_m"});
+  for (int n = 0; n <= 90; ++n) {
+    if (n > 0) {
+      own.step(h);
+      stage.solver.step(stage.world, h);
+    }
+    double off = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      off = std::max(off, double(length(world_point(own.body, lower.corners[k]) -
+                                        world_point(stage.world.bodies[id], lower.corners[k]))));
+    table.row({n * double(h), double(length(own.body.x - start.x)), double(length(own.body.v)),
+               double(own.normal()), double(length(own.sideways())),
+               double(own.friction * own.normal()), off});
+  }
+}
 
 }  // namespace joints::chapter8

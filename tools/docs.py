@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Builds the site: docs.py OUT_DIR. The page to open is OUT_DIR/html/index.html, no network needed.
+"""Builds the site: docs.py OUT_DIR [RECORDINGS]. The page to open is OUT_DIR/html/index.html, no
+network needed. RECORDINGS, out/solutions if it is not said, has the motions that the chapters'
+programs have recorded; ./wb docs sees to it that they are there.
 
 Exit status: 0 the site stands, 1 Doxygen had something to say, 2 something is missing.
 """
@@ -9,6 +11,9 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+import gallery
+import motion
 
 ROOT = Path(__file__).resolve().parent.parent
 THEME = Path("/usr/share/doxygen-awesome-css/doxygen-awesome.css")
@@ -59,7 +64,7 @@ def finish_pages(html):
             page.write_text(tidy, encoding="utf-8")
 
 
-def build(out):
+def build(out, recordings):
     html = out / "html"
     if (html / "doxygen.css").exists():
         shutil.rmtree(html)  # pages of chapters that are gone
@@ -75,12 +80,27 @@ def build(out):
     for part in MATHJAX_PARTS:
         copy(MATHJAX / part, html / "mathjax" / part)
     finish_pages(html)
+    gallery.fill(html, recordings)
     return html / "index.html"
 
 
+def command():
+    """./wb docs. Programs that have not run since they were built run first, for the gallery."""
+    import house
+    import show
+    chapters = house.chapters()
+    house.must_build([f"{chapter.folder}_run" for chapter in chapters], "building")
+    for chapter in chapters:
+        if show.stale(show.SOLUTIONS / chapter.folder, house.BUILD / f"{chapter.folder}_run"):
+            house.progress(f"chapter {chapter.number}: running")
+            show.run_solution(chapter)
+    house.progress_done()
+    return main([str(house.OUT / "docs"), str(show.SOLUTIONS)])
+
+
 def main(arguments):
-    if len(arguments) != 1 or arguments[0].startswith("-"):
-        stop("usage: docs.py OUT_DIR")
+    if not 1 <= len(arguments) <= 2 or arguments[0].startswith("-"):
+        stop("usage: docs.py OUT_DIR [RECORDINGS]")
     missing = [package for package, there in (("doxygen", shutil.which("doxygen")),
                                               ("doxygen-awesome-css", THEME.exists()),
                                               ("libjs-mathjax", (MATHJAX / "MathJax.js").exists()))
@@ -89,7 +109,10 @@ def main(arguments):
         stop("missing: " + " ".join(missing)
              + "  (Debian packages: doxygen doxygen-awesome-css libjs-mathjax)")
     try:
-        print(f"site: {build(Path(arguments[0]).resolve())}")
+        recordings = Path(arguments[1]) if len(arguments) > 1 else ROOT / "out" / "solutions"
+        print(f"site: {build(Path(arguments[0]).resolve(), recordings)}")
+    except (gallery.GalleryError, motion.MotionError) as error:
+        stop(str(error), 1)
     except (OSError, subprocess.CalledProcessError) as error:
         stop(str(error))
     return 0

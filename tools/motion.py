@@ -59,8 +59,11 @@ def read_run(path, label):
     return {"label": label, **run}
 
 
-def write_page(page, title, solution_dir, mine_dir=None):
-    """Writes the page. Raises MotionError when there is nothing to show or a file is broken."""
+def write_page(page, title, solution_dir, mine_dir=None, back=None):
+    """Writes the page. Raises MotionError when there is nothing to show or a file is broken.
+
+    `back` is a link beside the heading: {"href": where it leads, "textContent": its words}.
+    """
     folders = [(Path(folder), label) for folder, label in
                ((mine_dir, "yours"), (solution_dir, "the solution")) if folder is not None]
     for folder, _ in folders:
@@ -77,7 +80,8 @@ def write_page(page, title, solution_dir, mine_dir=None):
     if not scenes:
         raise MotionError(f"nothing to show: no *.motion.json with a good frame in {solution_dir}")
     # Inside a script element a "<" could end it early; to JSON \u003c is the same.
-    data = json.dumps({"title": title, "scenes": scenes}, separators=(",", ":"), allow_nan=False)
+    data = json.dumps({"title": title, **({"back": back} if back else {}), "scenes": scenes},
+                      separators=(",", ":"), allow_nan=False)
     try:
         before, after = TEMPLATE.read_text(encoding="utf-8").split(SLOT)
         Path(page).parent.mkdir(parents=True, exist_ok=True)

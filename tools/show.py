@@ -1,4 +1,4 @@
-"""The commands that show something: run, plot, see, tour, check, bench, docs."""
+"""The commands that show something: run, plot, see, tour, check, bench."""
 import csv
 import os
 import re
@@ -29,6 +29,9 @@ def run_solution(chapter, quiet=True):
 
 
 def call_program(name, folder, options, quiet):
+    """Runs a program of a chapter. What it made before is taken away: it may not make it again."""
+    for old in [*folder.glob("*.csv"), *folder.glob("*.motion.json")]:
+        old.unlink()
     result = subprocess.run([house.BUILD / name, "--out", folder, *options],
                             stdout=subprocess.PIPE if quiet else None,
                             stderr=subprocess.PIPE, text=True)
@@ -322,8 +325,3 @@ def bench(options):
         raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --loop or --cost")
     import benchmark
     return benchmark.main()
-
-
-def docs():
-    import docs as site
-    return site.main([str(house.OUT / "docs")])

@@ -5,6 +5,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import docs   # noqa: E402
 import house  # noqa: E402
 import learn  # noqa: E402
 import show   # noqa: E402
@@ -22,6 +23,7 @@ HELP = """The Joint Workbook
   ./wb reset 2.1       put the empty stub back (or a whole chapter: ./wb reset 2)
 
   ./wb run 2 [...]     the chapter's program with your code (--help lists its options)
+                       such as ./wb run 8 --machine wheels: one machine alone
   ./wb plot [2]        draw the figures: your curve over the solution's
   ./wb see [2]         the page that plays the motion: yours beside the solution's
 
@@ -29,7 +31,7 @@ HELP = """The Joint Workbook
   ./wb bench --stability   what is stiff, extreme or redundant: which method holds what
   ./wb bench --loop    what a joint and sweep costs, from the textbook's loop to lanes
   ./wb bench --cost    rows, bytes and instructions of every kind of joint
-  ./wb docs            the documentation as a site
+  ./wb docs            the documentation as a site, with a gallery of every motion
 """
 
 
@@ -44,7 +46,7 @@ def main(arguments):
     arguments = [a for a in arguments if a != "--yes"]
     command, rest = (arguments[0], arguments[1:]) if arguments else ("", [])
     takes_none = {"": learn.status, "tour": show.tour, "check": show.check, "bench": None,
-                  "docs": show.docs}
+                  "docs": docs.command}
     if command in takes_none and rest and command != "bench":
         raise house.Trouble(f"{command} takes no argument; {' '.join(rest)} is one too many")
     match command:

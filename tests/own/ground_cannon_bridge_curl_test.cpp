@@ -198,7 +198,7 @@ TEST_CASE("a bridge swings on while its hinges do not rub") {
   CHECK(fastest_from_now(free.stage) > 0.02);
 }
 
-TEST_CASE("a bridge rests under its load with a warm start that is safe, not with one that is not") {
+TEST_CASE("a bridge rests under its load where the warm start is safe, not where it is not") {
   Bridge safe(30), unsafe(30, true, 20, real(0.2));
   for (Bridge* bridge : {&safe, &unsafe}) run(bridge->stage, 9);
   CHECK(fastest_from_now(safe.stage) < 1e-3);

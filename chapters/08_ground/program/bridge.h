@@ -65,7 +65,7 @@ struct Bridge {
   // Its inner upper edge is the hinge.
   BodyId post(const vec3& top, real side) {
     return stage.box(0, vec3(real(0.5), post_top, 2),
-                     vec3(top.x + side * real(0.3), post_top / 2, 0));
+                     vec3(top.x + side * real(0.25), post_top / 2, 0));
   }
   void hinge(BodyId id1, BodyId id2, const vec3& anchor, real rub, real beta) {
     auto& joint = stage.world.add<HingeJoint>(stage.world.bodies, id1, id2, anchor,

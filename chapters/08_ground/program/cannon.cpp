@@ -1,7 +1,47 @@
-#include "chapters/08_ground/program/program.h"
+// The cannon: it shoots, and the shot lands.
+#include "chapters/08_ground/program/cannon.h"
 
 namespace joints::chapter8 {
 
-void cannon(const Choice&, std::vector<Summary>&) {}
+namespace {
+
+// Once from loaded to rest. With a table it is the run that is shown.
+Summary shoot(const Choice& choice, int iterations, double& deepest, CsvFile* table) {
+  Cannon cannon(iterations, choice.beta);
+  if (table) cannon.stage.print_plan();
+  double sum = 0, worst = 0;
+  long count = 0;
+  Summary line = play(
+      cannon.stage, std::to_string(iterations) + " sweeps", choice.seconds,
+      table ? choice.out + "/cannon.motion.json" : "", [&](double time) {
+        const Body& shot = cannon.stage.world.bodies[cannon.shot];
+        if (table)
+          table->row({time, double(shot.x.x), double(shot.x.y), double(length(shot.v)),
+                      double(cannon.landing->touching())});
+        const double gap = cannon.gap();
+        sum += gap * gap;
+        ++count;
+        worst = std::max(worst, gap);
+        deepest = std::max(deepest, penetration(cannon.stage.world));
+        cannon.look();
+      });
+  line.gap_rms = std::sqrt(sum / double(count));
+  line.gap_max = worst;
+  return line;
+}
+
+}  // namespace
+
+void cannon(const Choice& choice, std::vector<Summary>& lines) {
+  CsvFile table(choice.out + "/cannon.csv",
+                {"time_s", "shot_x_m", "shot_y_m", "speed_m_s", "touching"});
+  double deepest = 0;
+  lines.push_back(shoot(choice, choice.iterations, deepest, &table));
+  for (const int iterations : {10, 30}) {
+    deepest = 0;
+    const Summary line = shoot(choice, iterations, deepest, nullptr);
+    machine_row(choice, "cannon", iterations, line, deepest);
+  }
+}
 
 }  // namespace joints::chapter8

@@ -1,0 +1,67 @@
+// A chain on the ground that its motors bend into a ring, after the thesis' fig. 5.4. Given.
+#pragma once
+
+#include <numbers>
+
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/08_ground/program/program.h"
+
+namespace joints::chapter8 {
+
+/// Eight cubes of 100 kg in a row on the ground, nothing static but the ground. A hinge half way
+/// between each two, limits 0 and 45 degrees: bent so far, the eight are a regular octagon.
+/// To lift one half of the straight chain its middle hinge would need 11.8 kN m. The motors have 8:
+/// the outer hinges, which have less to lift, bend first, and shorten what the others have to lift.
+/// Joints and contacts start warm with a beta of 0.02, as in bridge.h: with 0.2 the ring never
+/// comes to rest, and with 10 sweeps it bursts.
+struct Curl {
+  static constexpr int cubes = 8;
+  static constexpr double cube_mass = 100;  ///< [kg]
+  Stage stage{.name = "curl"};
+  real distance = real(1.5);            ///< of two centres in the straight chain [m]
+  real bend = std::numbers::pi_v<real> / 4;  ///< upper limit of each hinge [rad]
+  BodyId ground{};
+  std::vector<BodyId> cube;
+  std::vector<HingeJoint*> hinges;
+  std::vector<GroundContact*> contacts;  ///< one a cube
+
+  /// \param iterations sweeps a step \param strength of a motor [N m] \param beta of all joints [1]
+  explicit Curl(int iterations, real strength = 8000, real beta = real(0.02)) {
+    stage.solver.iterations = iterations;
+    stage.solver.warm_start = true;
+    stage.energy_scale = cubes * cube_mass * 9.81 * 1.8;  // all lifted to the middle of the ring
+    ground = add_ground(stage, 16);
+    for (int k = 0; k < cubes; ++k) {
+      const vec3 place(distance * (real(k) - real(cubes - 1) / 2), real(0.5), 0);
+      cube.push_back(stage.box(real(cube_mass), vec3(1), place));
+      if (k == 0) continue;
+      const vec3 anchor = place - vec3(distance / 2, 0, 0);
+      hinges.push_back(&stage.world.add<HingeJoint>(
+          stage.world.bodies, cube[std::size_t(k - 1)], cube.back(), anchor, vec3(0, 0, 1)));
+      hinges.back()->beta = beta;
+      hinges.back()->set_limits(0, bend);
+      hinges.back()->set_motor(real(0.4), strength);
+      stage.mark(cube[std::size_t(k - 1)], cube.back(), anchor, vec3(0, 0, 1));
+    }
+    for (const BodyId id : cube) {  // contacts behind all joints: they have the last word
+      contacts.push_back(&stand(stage, ground, id, vec3(1), real(0.5)));
+      contacts.back()->beta = beta;
+    }
+  }
+  /// Where the free end of the last cube would hold on to the next hinge [m].
+  vec3 tip() const {
+    return world_point(stage.world.bodies[cube.back()], vec3(distance / 2, 0, 0));
+  }
+  /// The same at the other end.
+  vec3 tail() const {
+    return world_point(stage.world.bodies[cube.front()], vec3(-distance / 2, 0, 0));
+  }
+  /// Corners that have rows in this step.
+  int touching() const {
+    int sum = 0;
+    for (const GroundContact* contact : contacts) sum += contact->touching();
+    return sum;
+  }
+};
+
+}  // namespace joints::chapter8

@@ -1,5 +1,5 @@
-// Exercise 8.2 as tables of cases, each with its usual mistakes: the two directions of friction, and
-// what a visit adds to the impulse along one of them.
+// Exercise 8.2 as tables of cases, each with its usual mistakes: the two directions of friction,
+// and what a visit adds to the impulse along one of them.
 #pragma once
 
 #include <algorithm>
@@ -73,8 +73,8 @@ inline void check_rest_is_finite() {
   if (first.empty()) return;
   const char* const why =
       lost_at_rest == at_rest
-          ? "a zero vector has no direction, 0/0 is not a number. Where less than 1e-4 m/s is left, "
-            "begin with any vector that is not along n"
+          ? "a zero vector has no direction, 0/0 is not a number. Where less than 1e-4 m/s is "
+            "left, begin with any vector that is not along n"
       : lost_at_rest > 0
           ? "the vector that stands in for the sliding is along n here, so that nothing of it is "
             "left: choose it by looking at n"
@@ -95,6 +95,15 @@ inline CaseTable<TangentCase> tangent_table() {
   const auto beside = [=](auto other) {
     return [=](const Case& c) { return numbers(t1(c), other(c)); };
   };
+  // what stands in for the sliding at rest
+  const auto stand_in = [](const Case& c) {
+    return std::abs(c.n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
+  };
+  const char* const ignored = "the velocity is not looked at: t1 looks where the point slides";
+  const char* const against = "t1 looks against the sliding: it looks where the point slides, the "
+                              "impulse is negative then";
+  const char* const aside = "t1 is n x sliding, at right angles to it: t1 looks where the point "
+                            "slides";
   const char* const whole = "what is along n is not taken away: t1 lies in the ground";
   const char* const length_1 = "t1 is not a unit vector: divide by the length of what is left";
   const char* const left_handed = "t2 = t1 x n: it is n x t1, so that n, t1 and t2 go round "
@@ -133,16 +142,20 @@ inline CaseTable<TangentCase> tangent_table() {
        with([](const Case& c) {
          return normalize(c.sliding - vec3(0, c.sliding.y, 0));
        })},
-      {"t1 looks against the sliding: it looks where the point slides, the impulse is negative then",
+      {against,
        with([=](const Case& c) { return -t1(c); })},
-      {"t1 looks against the sliding: it looks where the point slides, the impulse is negative then",
+      {against,
        [=](const Case& c) { return numbers(-t1(c), cross(c.n, t1(c))); }},
+      {ignored, with([=](const Case& c) {
+         return normalize(stand_in(c) - dot(c.n, stand_in(c)) * c.n);
+       })},
+      {ignored, with([=](const Case& c) { return normalize(cross(c.n, stand_in(c))); })},
       {left_handed, beside([=](const Case& c) { return cross(t1(c), c.n); })},
       {"t1 and t2 are exchanged: the first one looks where the point slides",
        [=](const Case& c) { return numbers(cross(c.n, t1(c)), t1(c)); }},
-      {"t1 is n x sliding, at right angles to it: t1 looks where the point slides",
+      {aside,
        with([=](const Case& c) { return cross(c.n, t1(c)); })},
-      {"t1 is n x sliding, at right angles to it: t1 looks where the point slides",
+      {aside,
        with([=](const Case& c) { return cross(t1(c), c.n); })},
       {"t1 twice: t2 = n x t1", beside(t1)},
       {"t2 is at right angles to the velocity, not to n: t2 = n x t1",

@@ -214,7 +214,9 @@ inline std::vector<RoomCase> room_cases() {
 inline CaseTable<RoomCase> room_table() {
   using Case = RoomCase;
   const auto n_of = [](const Case& c) { return to_world(c.pair.body1, vec3(0, 1, 0)); };
-  const auto centre = [](const Case& c) { return world_point(c.pair.body2, c.corner.corner_local); };
+  const auto centre = [](const Case& c) {
+    return world_point(c.pair.body2, c.corner.corner_local);
+  };
   const auto right = [](const Case& c) {
     return Numbers{double(room(c.corner, c.pair.body1, c.pair.body2))};
   };

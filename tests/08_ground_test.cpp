@@ -55,7 +55,7 @@ TEST_CASE("8.1 what is lifted along n has as much more room and what is pushed d
     const vec3 place = c.pair.body2.x, n = to_world(c.pair.body1, y);
     for (const double way : {0.1, -0.1, 2.0, -2.0}) {
       c.pair.body2.x = place + real(way) * n;
-      expect_room(c, ", lifted by " + short_number(way), before + way);
+      expect_room(c, ", lifted " + short_number(way), before + way);
     }
   }
 }
@@ -141,7 +141,7 @@ TEST_CASE("8.1 a corner neither slides nor leaves where both bodies move as one"
     a.v = random.vector(2);
     b.w = a.w = random.vector(2);
     b.v = a.v + cross(a.w, b.x - a.x);
-    expect_row("J V [m/s] " + name, rate(J, a, b), 0);
+    expect_row("J V " + name, rate(J, a, b), 0);
   });
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("8.1 a ball that rolls does not slide", "[8.1]") {
     rolling.w = random.vector(3);
     rolling.v = cross(rolling.w, part.radius * n);
     for (const vec3& t : {t1, t2, n})
-      expect_row("J V [m/s] of a ball that rolls", rate(part.along(t, ground, rolling), ground,
+      expect_row("J V of a ball that rolls", rate(part.along(t, ground, rolling), ground,
                                                         rolling), 0);
   }
 }
@@ -168,8 +168,8 @@ TEST_CASE("8.1 a corner gives no momentum and no spin to two bodies together", "
     const vec3 push = J.v1 + J.v2;
     const vec3 spin = cross(pair.body1.x, J.v1) + J.w1 + cross(pair.body2.x, J.v2) + J.w2;
     for (int k = 0; k < 3; ++k) {
-      expect_row(std::string("momentum ") + "xyz"[k] + ", " + name, push[k], 0);
-      expect_row(std::string("spin ") + "xyz"[k] + ", " + name, spin[k], 0);
+      expect_row(std::string("push.") + "xyz"[k] + " " + name, push[k], 0);
+      expect_row(std::string("spin.") + "xyz"[k] + " " + name, spin[k], 0);
     }
   });
 }
@@ -186,7 +186,7 @@ TEST_CASE("8.2 falling faster does not turn the directions of friction", "[8.2]"
   const CaseTable<TangentCase> table = tangent_table();
   for (const TangentCase& c : table.cases) {
     if (length(c.sliding) < real(0.1)) continue;
-    const TangentCase faster{c.words + ", falling faster", c.n, c.sliding - real(2) * c.n};
+    const TangentCase faster{c.words + ", faster", c.n, c.sliding - real(2) * c.n};
     check_vectors(table, faster, table.right(c), table.tolerance);
   }
 }
@@ -257,7 +257,7 @@ TEST_CASE("8.2 friction never adds energy", "[8.2]") {
     const double change = friction_impulse(real(c.rate), real(c.K), real(c.mu), real(c.normal),
                                            sum);
     const double energy = change * (c.rate + c.K * change / 2);
-    expect_friction("energy [J], at most (" + c.words + ")", std::max(energy, 0.0), 0);
+    expect_friction("energy, " + c.words.substr(0, c.words.find(" sum")), std::max(energy, 0.0), 0);
   }
 }
 
@@ -278,7 +278,7 @@ TEST_CASE("8.2 friction in a mirror is the mirror image of friction", "[8.2]") {
     const double one = friction_impulse(real(c.rate), real(c.K), real(c.mu), real(c.normal), sum);
     const double other =
         friction_impulse(real(-c.rate), real(c.K), real(c.mu), real(c.normal), mirrored);
-    expect_friction("returned, mirrored (" + c.words + ")", other, -one);
-    expect_friction("new sum, mirrored (" + c.words + ")", double(mirrored), -double(sum));
+    expect_friction("mirror, " + c.words, other, -one);
+    expect_friction("sum, " + c.words, double(mirrored), -double(sum));
   }
 }

@@ -19,16 +19,16 @@ struct TangentCase {
 /// Bodies that slide over level and tilted ground, and fall or rise at the same time.
 inline std::vector<TangentCase> tangent_cases() {
   const vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  std::vector<TangentCase> out{{"level ground, along x", y, real(3) * x},
-                               {"level ground, along -z", y, real(-0.5) * z},
-                               {"level ground, askew, falling", y, {3, -2, real(-4)}},
-                               {"a wall that faces along x", x, {2, real(0.3), real(-0.4)}},
-                               {"a wall that faces along -x", -x, {1, real(-0.4), real(0.3)}},
-                               {"a wall that faces along z", z, {real(0.5), 1, real(0.2)}},
-                               {"a ceiling", -y, {real(0.7), 2, real(0.2)}}};
+  std::vector<TangentCase> out{{"level, along x", y, real(3) * x},
+                               {"level, along -z", y, real(-0.5) * z},
+                               {"level, falling", y, {3, -2, real(-4)}},
+                               {"wall along x", x, {2, real(0.3), real(-0.4)}},
+                               {"wall along -x", -x, {1, real(-0.4), real(0.3)}},
+                               {"wall along z", z, {real(0.5), 1, real(0.2)}},
+                               {"ceiling", -y, {real(0.7), 2, real(0.2)}}};
   Random random(82);
   for (int draw = 0; draw < 8; ++draw)
-    out.push_back({"tilted ground", random.turn() * y, random.vector(2)});
+    out.push_back({"tilted", random.turn() * y, random.vector(2)});
   for (const real speed : {real(1e-2), real(1e-3)})  // slow, and it does slide
     out.push_back({"slow, " + short_number(double(speed)) + " m/s", y,
                    speed * vec3(real(0.6), 0, real(0.8))});
@@ -41,18 +41,18 @@ inline std::vector<TangentCase> rest_cases() {
   const auto add = [&](const std::string& name, const vec3& n) {
     out.push_back({"at rest, " + name, n, vec3(0)});
     out.push_back({"falling, " + name, n, real(-3) * n});
-    out.push_back({"rising slowly, " + name, n, real(1e-3) * n});
+    out.push_back({"rising, " + name, n, real(1e-3) * n});
   };
-  add("n along x", x);
-  add("n along -x", -x);
-  add("n along y", y);
-  add("n along z", z);
-  add("n along -z", -z);
-  add("n between x and y", {real(0.6), real(0.8), 0});
-  add("n nearly along x", normalize(vec3(1, real(0.01), real(-0.02))));
-  add("n nearly along y", normalize(vec3(real(0.01), 1, real(0.02))));
+  add("n = x", x);
+  add("n = -x", -x);
+  add("n = y", y);
+  add("n = z", z);
+  add("n = -z", -z);
+  add("n askew", {real(0.6), real(0.8), 0});
+  add("n near x", normalize(vec3(1, real(0.01), real(-0.02))));
+  add("n near y", normalize(vec3(real(0.01), 1, real(0.02))));
   Random random(820);
-  for (int draw = 0; draw < 20; ++draw) add("tilted ground", random.turn() * y);
+  for (int draw = 0; draw < 20; ++draw) add("tilted", random.turn() * y);
   return out;
 }
 
@@ -200,8 +200,8 @@ inline CaseTable<FrictionCase> friction_table() {
   const char* const either = ": friction is bounded either way, -mu normal and +mu normal";
   const char* const returns = "what was wanted is returned: return by how much the sum changed";
 
-  CaseTable<Case> table{{"8.2", "the impulse of friction", 2}, {"returned", "new sum"},
-                        {}, {}, {}, {}};
+  CaseTable<Case> table{{"8.2", "the impulse of friction (v is J V, N the normal impulse)", 2},
+                        {"change", "sum"}, {}, {}, {}, {}};
   table.yours = [=](const Case& c) {
     real sum = real(c.sum);
     const real change =
@@ -289,8 +289,8 @@ inline CaseTable<FrictionCase> friction_table() {
       {"the old sum is divided by K, too",
        wanting([](const Case& c) { return (c.sum - c.rate) / c.K; })}};
   const auto add = [&](double rate, double K, double mu, double normal, double sum) {
-    table.cases.push_back({"rate " + short_number(rate) + " normal " + short_number(normal) +
-                               " sum " + short_number(sum), rate, K, mu, normal, sum});
+    table.cases.push_back({"v " + short_number(rate) + " N " + short_number(normal) + " sum " +
+                               short_number(sum), rate, K, mu, normal, sum});
   };
   for (const double way : {1, -1}) {
     add(way * 2.88, 11.0 / 60, 0.5, 1.2, 0);       // the text's: slides on

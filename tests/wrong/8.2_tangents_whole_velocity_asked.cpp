@@ -1,5 +1,5 @@
 // expects: Likely mistake: the whole velocity is asked whether anything slides
-// expects: (falling, n along x)
+// expects: (falling, n = x)
   vec3 across = sliding - dot(n, sliding) * n;
   if (length(sliding) < real(1e-4)) {
     const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);

@@ -30,7 +30,8 @@ Row Corner::along(const vec3& direction, const Body& body1, const Body& body2) c
 std::array<vec3, 2> tangents(const vec3& n, const vec3& sliding) {
   // begin [exercise 8.2]
   // Return {t1, t2}, Eq. 8-5: take from `sliding` what is along n, and make the rest a unit vector.
-  // Where less than 1e-9 m/s is left, begin with any vector that is not along n instead.
+  // Where less than 1e-4 m/s is left (a body at rest, or one that falls straight down: rounding),
+  // begin with any vector that is not along n instead.
   todo("8.2");
   // end [exercise 8.2]
 }

@@ -49,7 +49,7 @@ struct Corner {
 /// Exercise 8.2: the two directions of friction.
 /// \param n unit \param sliding the velocity of the point over the ground [m/s], of any direction
 /// \return t1, t2: unit, at right angles to n and to each other; t1 looks where the point slides,
-/// t2 = n x t1. Where nothing slides (below 1e-9 m/s across n), t1 is any such direction.
+/// t2 = n x t1. Where nothing slides (below 1e-4 m/s across n), t1 is any such direction.
 std::array<vec3, 2> tangents(const vec3& n, const vec3& sliding);
 
 /// Exercise 8.2: what one visit of a sweep adds to the impulse of a friction row.

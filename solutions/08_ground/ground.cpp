@@ -31,9 +31,10 @@ Row Corner::along(const vec3& direction, const Body& body1, const Body& body2) c
 std::array<vec3, 2> tangents(const vec3& n, const vec3& sliding) {
   // begin [exercise 8.2]
   // Return {t1, t2}, Eq. 8-5: take from `sliding` what is along n, and make the rest a unit vector.
-  // Where less than 1e-9 m/s is left, begin with any vector that is not along n instead.
+  // Where less than 1e-4 m/s is left (a body at rest, or one that falls straight down: rounding),
+  // begin with any vector that is not along n instead.
   vec3 across = sliding - dot(n, sliding) * n;
-  if (length(across) < real(1e-9)) {
+  if (length(across) < real(1e-4)) {
     const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
     across = other - dot(n, other) * n;
   }

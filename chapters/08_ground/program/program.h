@@ -41,6 +41,17 @@ inline double penetration(const World& world) {
   return deepest;
 }
 
+/// The greatest gap of the stage's joints now [m].
+inline double widest(const Stage& stage) {
+  GapMeter meter;
+  meter.look(stage.marks, poses(stage.world.bodies));
+  return meter.maximum();
+}
+/// A row of machines.csv, which holds the rows of all machines that ran: how the machine's joints
+/// held with so many sweeps a step, and how deep a corner was in the ground at the worst [m].
+void machine_row(const Choice& choice, const std::string& machine, int iterations,
+                 const Summary& line, double penetration);
+
 /// A box at rest, one that slides, one on a slope, balls that bounce.
 void basics(const Choice& choice, std::vector<Summary>& lines);
 /// A box that slides, by the functions of the exercises alone.

@@ -57,7 +57,7 @@ class GroundContact : public Joint {
   bool turned_tangents = true;  ///< t1 looks where the corner slides; false: it stays as it is
 
   static constexpr int most_corners = 4;  ///< that have rows at the same time
-  static constexpr real at_rest = real(0.01);  ///< a corner that slides slower than this rests [m/s]
+  static constexpr real at_rest = real(0.01);  ///< a slower corner does not slide [m/s]
 
   /// \param ground body 1, most often a static one
   /// \throws std::invalid_argument for a body with itself, or an outline without corners

@@ -57,6 +57,7 @@ class GroundContact : public Joint {
   bool turned_tangents = true;  ///< t1 looks where the corner slides; false: it stays as it is
 
   static constexpr int most_corners = 4;  ///< that have rows at the same time
+  static constexpr real at_rest = real(0.01);  ///< a slower corner does not slide [m/s]
 
   /// \param ground body 1, most often a static one
   /// \throws std::invalid_argument for a body with itself, or an outline without corners
@@ -198,15 +199,20 @@ inline void GroundContact::look_at_impact(Foot& foot, real h) const {
   }
 }
 
-// New directions of friction; what was remembered of the old ones is an arrow, and stays one.
+// New directions of friction; what was remembered of the old ones is an arrow, and stays one. t1
+// looks where the corner slides; where it rests, along the friction that holds it, so that this has
+// the bound mu lambda_n, too. (The velocity of a corner at rest is what the sweeps left unfinished.
+// Bounds that turn with that move at random, and a corner near its bound creeps.)
 inline void GroundContact::turn_friction(int k, const Body& body1, const Body& body2) {
   Foot& foot = feet_[std::size_t(k)];
   const vec3 arrow = foot.impulse[0] * foot.t[0] + foot.impulse[1] * foot.t[1];
-  const vec3 p = corner(k).point(body1, body2);
-  const vec3 sliding = turned_tangents ? point_velocity(body2, p - body2.x) -
-                                             point_velocity(body1, p - body1.x)
-                                       : vec3(0);
-  foot.t = tangents(Corner::up(body1), sliding);
+  const vec3 p = corner(k).point(body1, body2), n = Corner::up(body1);
+  vec3 sliding(0);
+  if (turned_tangents) {
+    sliding = point_velocity(body2, p - body2.x) - point_velocity(body1, p - body1.x);
+    if (length(sliding - dot(n, sliding) * n) < at_rest) sliding = -arrow;
+  }
+  foot.t = tangents(n, sliding);
   foot.impulse[0] = dot(arrow, foot.t[0]);
   foot.impulse[1] = dot(arrow, foot.t[1]);
 }

@@ -1,6 +1,7 @@
 // What the files of chapter 8's program share. Read it; there is nothing to edit here.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,14 @@ inline double widest(const Stage& stage) {
 /// held with so many sweeps a step, and how deep a corner was in the ground at the worst [m].
 void machine_row(const Choice& choice, const std::string& machine, int iterations,
                  const Summary& line, double penetration);
+
+/// With how many sweeps each machine runs for that table: 10, 30, and what was chosen.
+inline std::vector<int> sweeps_to_compare(const Choice& choice) {
+  std::vector<int> out{10, 30};
+  if (std::find(out.begin(), out.end(), choice.iterations) == out.end())
+    out.push_back(choice.iterations);
+  return out;
+}
 
 /// A box at rest, one that slides, one on a slope, balls that bounce.
 void basics(const Choice& choice, std::vector<Summary>& lines);

@@ -1,0 +1,25 @@
+// The table in which all machines stand. Read it; there is nothing to edit here.
+#include "chapters/08_ground/program/program.h"
+
+namespace joints::chapter8 {
+
+// The file is written anew for each row: whichever machines were chosen, it is complete.
+void machine_row(const Choice& choice, const std::string& machine, int iterations,
+                 const Summary& line, double penetration) {
+  struct MachineRow {
+    std::string machine;
+    int iterations;
+    Summary line;
+    double penetration;
+  };
+  static std::vector<MachineRow> rows;
+  rows.push_back({machine, iterations, line, penetration});
+  CsvFile table(choice.out + "/machines.csv",
+                {"machine", "iterations", "gap_rms_m", "gap_max_m", "penetration_max_m",
+                 "energy_drift"});
+  for (const MachineRow& row : rows)
+    table.row({row.machine}, {double(row.iterations), row.line.gap_rms, row.line.gap_max,
+                              row.penetration, row.line.energy_drift});
+}
+
+}  // namespace joints::chapter8

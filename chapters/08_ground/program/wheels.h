@@ -1,0 +1,113 @@
+// The self-driving wheels of chapter 8 (thesis, fig. 5.7). Read it; nothing to edit here.
+#pragma once
+
+#include <numbers>
+
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/05_fixed/fixed_joint.h"
+#include "chapters/08_ground/program/program.h"
+
+namespace joints::chapter8 {
+
+/// Two wheels behind each other, and a beam from hub to hub. A wheel is a hub and six cubes welded
+/// to it like spokes; a motor in each hub's hinge turns it. Nothing keeps the cubes off the beam:
+/// they pass through it.
+struct Wheels {
+  /// \name What it is made of [m, kg]
+  /// @{
+  static constexpr real edge = 1, spoke = 3, apart = 8, cube_mass = 100, beam_mass = 100;
+  /// @}
+  /// What one wheel and its end of the beam weigh [N].
+  static constexpr double weight = double(7 * cube_mass + beam_mass / 2) * 9.81;
+
+  /// From the hub to the corners of the wheel [m]: it stands on twelve of them, two a cube.
+  static double corner_radius() { return std::hypot(double(spoke + edge / 2), double(edge / 2)); }
+  /// Half the angle at the hub of the gap between two cubes [rad].
+  static double half_gap() {
+    return std::numbers::pi / 6 - std::atan(double(edge / 2) / double(spoke + edge / 2));
+  }
+  /// The gap that the wheel bridges from cube to cube [m].
+  static double chord() { return 2 * corner_radius() * std::sin(half_gap()); }
+  /// How far a wheel comes while it turns by one radian [m].
+  static double rolling_radius() {
+    return (6 * double(edge) + 6 * chord()) / (2 * std::numbers::pi);  // Eq. 8-12
+  }
+  /// What a motor has to give at least [N m]: a wheel that stands across a gap must tip over the
+  /// corner before it, which is chord / 2 in front of the hub: weight * chord / 2, 9.7 kN m. The
+  /// 30 N m of the thesis' engine are 300 times too little.
+  static double needed() { return weight * chord() / 2; }
+
+  /// Of each motor [N m]: a quarter above what is needed. The reaction presses on the beam:
+  /// 2 strength / apart, 3 of the 7.4 kN, is what the rear wheel carries more and the front wheel
+  /// less. From weight * apart / 2 = 29 kN m on the front wheel would not stay down.
+  static constexpr real strength = 12000;
+  /// Of the motors [rad/s]. A corner on which the hub turns cannot hold it down: above
+  /// sqrt(g / corner_radius) = 1.67 rad/s the wheel leaves the ground at the top of each corner, so
+  /// at 3 rad/s it flies and does not roll.
+  static constexpr real speed = 1;
+  /// A step. The hubs are light for what they hold (a hub that is ten times as hard to turn would
+  /// let the error of a wheel shrink by 0.86 in a sweep, not by 0.98), and a warm start that is not
+  /// worked off in its step grows: with 60 sweeps the wheels fly apart while they roll, with 80 and
+  /// more they hold. With fewer than `safe_sweeps` they start cold.
+  static constexpr int sweeps = 300, safe_sweeps = 100;
+
+  Stage stage{.name = "wheels"};
+  BodyId ground, beam;
+  std::array<BodyId, 2> hubs;            ///< front one first
+  std::array<HingeJoint*, 2> motors{};   ///< positive drives towards +x
+  std::vector<GroundContact*> contacts;  ///< one for each cube, not for the hubs
+
+  explicit Wheels(const Choice& choice, real friction = 1) {
+    stage.solver.iterations = choice.iterations;
+    stage.solver.warm_start = choice.iterations >= safe_sweeps;
+    ground = stage.box(0, vec3(56, real(0.2), 10), vec3(14, real(-0.1), 0));  // its top: y = 0
+    World& world = stage.world;
+    const real height = real(corner_radius() * std::cos(half_gap()));
+    beam = stage.box(beam_mass, vec3(apart, real(0.3), real(0.3)), vec3(0, height, 0));
+    std::vector<BodyId> cubes;
+    for (const int wheel : {0, 1}) {
+      const vec3 x(wheel == 0 ? apart / 2 : -apart / 2, height, 0);
+      const BodyId hub = hubs[std::size_t(wheel)] = stage.box(cube_mass, vec3(edge), x);
+      for (int k = 0; k < 6; ++k) {
+        const quat turn = rotation(vec3(0, 0, real(k * std::numbers::pi / 3)));
+        const vec3 out = turn * vec3(1, 0, 0);
+        cubes.push_back(stage.box(cube_mass, vec3(edge), x + spoke * out, turn));
+        const vec3 anchor = x + spoke / 2 * out;
+        world.add<FixedJoint>(world.bodies, hub, cubes.back(), anchor).beta = choice.beta;
+        stage.mark(hub, cubes.back(), anchor);
+      }
+      HingeJoint& hinge = world.add<HingeJoint>(world.bodies, beam, hub, x, vec3(0, 0, -1));
+      hinge.beta = choice.beta;
+      motors[std::size_t(wheel)] = &hinge;
+      stage.mark(beam, hub, x, vec3(0, 0, -1));
+    }
+    for (const BodyId cube : cubes) {
+      contacts.push_back(&stand(stage, ground, cube, vec3(edge), friction));
+      contacts.back()->beta = choice.beta;
+    }
+    stage.energy_scale = 2 * weight * double(height);
+  }
+  /// Both motors. \param rate [rad/s], positive drives towards +x
+  /// \param most strength of each [N m]
+  void drive(real rate, real most) {
+    for (HingeJoint* motor : motors) motor->set_motor(rate, most);
+  }
+  /// What the motors gave in the last step, the mean of both [N m].
+  double torque() const {
+    return double(motors[0]->motor_force() + motors[1]->motor_force()) / 2;
+  }
+  /// Does no cube touch the ground?
+  bool flying() const {
+    return std::all_of(contacts.begin(), contacts.end(),
+                       [](const GroundContact* contact) { return contact->touching() == 0; });
+  }
+  /// How far the middle of the beam has come [m].
+  double place() const { return double(stage.world.bodies[beam].x.x); }
+  /// How far the hubs have turned, the mean of both [rad].
+  double turned() const {
+    const Bodies& bodies = stage.world.bodies;
+    return double(motors[0]->position(bodies) + motors[1]->position(bodies)) / 2;
+  }
+};
+
+}  // namespace joints::chapter8

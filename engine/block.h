@@ -26,8 +26,9 @@ struct Demand {
   real upper = unbounded;   ///< greatest force of the last row [N or N m]
 };
 
-/// Which half of the bodies' velocities a block touches.
-enum class Touches : signed char { linear, angular, both };
+/// Which half of the bodies' velocities a block touches; the last: both, and it reads another sum
+/// (only as PreparedBlock::touches).
+enum class Touches : signed char { linear, angular, both, both_and_a_sum };
 
 /// One block. Its rows, errors and matrix stand in the flat arrays of Blocks, from `first` on.
 /// Bounds belong to the last row; the other rows are equalities.

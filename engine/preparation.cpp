@@ -55,6 +55,7 @@ void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block
   out.mass_scale *= relaxation;
   out.impulse_scale *= relaxation;
   if (has_last && demand.follows != 0) {
+    out.touches = Touches::both_and_a_sum;
     out.follows = static_cast<signed char>(demand.follows);
     out.upper = demand.upper;
   } else if (has_last) {

@@ -22,7 +22,7 @@ struct PreparedBlock {
   int body1, body2;        ///< slots
   int rows;                ///< 1 to 6
   int first, first_K;      ///< where its rows and its inverse begin: Blocks::J, rows, inverse_K
-  Touches touches;         ///< which half of the velocities it needs
+  Touches touches;         ///< which half of the velocities it needs, or that bounds follow a sum
   signed char follows;     ///< Demand::follows: then `upper` is a factor, and there is no `lower`
   real mass_scale, impulse_scale;  ///< soft rows; 1 and 0 for hard ones
   real lower, upper;       ///< bounds of the last row's sum, as impulses [N s or N m s]

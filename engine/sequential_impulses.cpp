@@ -84,11 +84,12 @@ void SequentialImpulses::solve_rows(Body* bodies, const PreparedBlock& block) {
     case Touches::linear: return solve_block<N, true, false>(bodies, block);
     case Touches::angular: return solve_block<N, false, true>(bodies, block);
     case Touches::both: return solve_block<N, true, true>(bodies, block);
+    case Touches::both_and_a_sum: return solve_block<N, true, true, true>(bodies, block);
   }
 }
 
 // The whole inner step, for hard, Baumgarte, soft, one-sided and motor rows alike.
-template <int N, bool linear, bool angular>
+template <int N, bool linear, bool angular, bool follows>
 void SequentialImpulses::solve_block(Body* bodies, const PreparedBlock& block) {
   Body &body1 = bodies[block.body1], &body2 = bodies[block.body2];
   const Row* J = &blocks_.J[block.first];
@@ -112,7 +113,7 @@ void SequentialImpulses::solve_block(Body* bodies, const PreparedBlock& block) {
   // The last row's sum must stay within its bounds; the others answer to what is cut off.
   const real wanted = block.impulse[N - 1] + dlambda[N - 1];
   real lower = block.lower, upper = block.upper;
-  if (block.follows != 0) {  // a multiple of a sum as it is now
+  if constexpr (follows) {  // a multiple of a sum as it is now
     upper *= block.impulse[N - 1 + block.follows];
     lower = -upper;
   }

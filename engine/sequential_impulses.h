@@ -56,7 +56,7 @@ class SequentialImpulses {
   void solve(Body* bodies, const PreparedBlock& block);
   template <int N>
   void solve_rows(Body* bodies, const PreparedBlock& block);
-  template <int N, bool linear, bool angular>
+  template <int N, bool linear, bool angular, bool follows = false>
   void solve_block(Body* bodies, const PreparedBlock& block);
 
   Blocks blocks_;

@@ -153,10 +153,11 @@ bool WideBlocks::arrange_trees(const Bodies& bodies, const Trees& trees) {
 // A group of blocks of one kind; `list` names them.
 void WideBlocks::add_group(const int* list, int count) {
   const int kind = signs_[list[0]].kind / 4;
-  LaneGroup group{kind / 8 % 8, bool(kind & 4), bool(kind & 2), bool(kind & 1),
-                  int(numbers_.size()) * lane_count, int(ends.size()),
-                  kind / 64 ? int(sums_.size()) : -1};
-  if (kind / 64) sums_.resize(sums_.size() + std::size_t(width_));
+  const bool follows = kind / 64;
+  LaneGroup group{kind / 8 % 8, follows ? 0 : kind / 8, bool(kind & 4), bool(kind & 2),
+                  bool(kind & 1), int(numbers_.size()) * lane_count, int(ends.size()),
+                  follows ? int(sums_.size()) : -1};
+  if (follows) sums_.resize(sums_.size() + std::size_t(width_));
   const int size = size_of(group) * width_;
   numbers_.resize(numbers_.size() + std::size_t(size + lane_count - 1) / lane_count, {});
   for (int lane = 0; lane < width_; ++lane) blocks.push_back(lane < count ? list[lane] : -1);

@@ -68,9 +68,10 @@ inline auto next_inertia(const Number*& at) {
 }
 
 // The bounds of a group that follows other sums: multiples of them, as they are now.
-// `sums` says which; the group's last numbers are lower, upper, answers, factor.
+// `sums` says which; the group's last numbers are lower, upper, answers, factor. Not
+// inlined: groups without it would pay.
 template <class Number>
-inline void move_bounds(const LaneGroup& group, real* all, const int* sums) {
+[[gnu::noinline]] void move_bounds(const LaneGroup& group, real* all, const int* sums) {
   constexpr int width = int(sizeof(Number) / sizeof(real));
   const int n = group.rows;
   real* const lower = all + group.first + (20 * n + n * (n + 1) / 2 + 1) * width;
@@ -152,16 +153,20 @@ inline void solve_rows(const LaneGroup& group, Number* numbers, Velocities<Numbe
   return solve_any<N, false>(numbers, body1, body2);
 }
 
+// A group's loop is chosen by its rows; one that follows other sums comes round twice.
 template <class Number>
-inline void solve_group(const LaneGroup& group, Number* numbers, Velocities<Number>& body1,
-                        Velocities<Number>& body2) {
-  switch (group.rows) {
-    case 1: return solve_rows<1>(group, numbers, body1, body2);
-    case 2: return solve_rows<2>(group, numbers, body1, body2);
-    case 3: return solve_rows<3>(group, numbers, body1, body2);
-    case 4: return solve_rows<4>(group, numbers, body1, body2);
-    case 5: return solve_rows<5>(group, numbers, body1, body2);
-    case 6: return solve_rows<6>(group, numbers, body1, body2);
+inline void solve_group(const LaneSweep& sweep, const LaneGroup& group, Number* numbers,
+                        Velocities<Number>& body1, Velocities<Number>& body2) {
+  for (int loop = group.loop;; loop = group.rows) {
+    switch (loop) {
+      case 1: return solve_rows<1>(group, numbers, body1, body2);
+      case 2: return solve_rows<2>(group, numbers, body1, body2);
+      case 3: return solve_rows<3>(group, numbers, body1, body2);
+      case 4: return solve_rows<4>(group, numbers, body1, body2);
+      case 5: return solve_rows<5>(group, numbers, body1, body2);
+      case 6: return solve_rows<6>(group, numbers, body1, body2);
+      default: move_bounds<Number>(group, sweep.numbers, sweep.sums + group.first_sum);
+    }
   }
 }
 
@@ -173,18 +178,16 @@ inline void sweep_all(const LaneSweep& sweep) {
     const LaneGroup& group = sweep.groups[k];
     Number* const numbers = reinterpret_cast<Number*>(sweep.numbers + group.first);
     const int* const ends = sweep.ends + group.first_end;
-    if (group.first_sum >= 0)
-      move_bounds<Number>(group, sweep.numbers, sweep.sums + group.first_sum);
     if constexpr (width == 1) {
-      solve_group(group, numbers, sweep.bodies[ends[0]], sweep.bodies[ends[1]]);
+      solve_group(sweep, group, numbers, sweep.bodies[ends[0]], sweep.bodies[ends[1]]);
     } else if (sweep.columns) {
       auto* const columns = reinterpret_cast<Velocities<Number>*>(sweep.bodies);
-      solve_group(group, numbers, columns[ends[0]], columns[ends[1]]);
+      solve_group(sweep, group, numbers, columns[ends[0]], columns[ends[1]]);
     } else {
       Velocities<Number> body1, body2;
       load(sweep.bodies, ends, body1);
       load(sweep.bodies, ends + width, body2);
-      solve_group(group, numbers, body1, body2);
+      solve_group(sweep, group, numbers, body1, body2);
       store(sweep.bodies, ends, body1);
       store(sweep.bodies, ends + width, body2);
     }

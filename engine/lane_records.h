@@ -12,8 +12,8 @@ constexpr int lane_count = 32 / int(sizeof(real));  ///< 8 in float, 4 in double
 /// Blocks that are solved side by side, a lane each. What a group does not need is not there: the
 /// switches say which numbers it has.
 struct LaneGroup {
-  int rows = 0;        ///< of each block, 1 to 6
-  int loop = 0;        ///< as rows; 0 where bounds follow other sums
+  signed char rows = 0;  ///< of each block, 1 to 6
+  signed char loop = 0;  ///< as rows; 0 where bounds follow other sums
   bool point = false;  ///< the first three rows hold two points together, the others only turn
   bool hard = false;   ///< neither soft nor bounded: no scales, no bounds
   bool round = false;  ///< point: no body's inertia has a direction, one number says it

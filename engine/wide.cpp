@@ -61,16 +61,15 @@ int WideBlocks::size_of(const LaneGroup& group) {
 
 // Where among the numbers each group finds the sums that it follows.
 void WideBlocks::place_sums() {
-  std::vector<int> place(signs_.size());  // of each block's first sum
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const LaneGroup& group = groups[k / width_];
-    if (blocks[k] >= 0) place[blocks[k]] = group.first + int(k) % width_ + sums_at(group) * width_;
-  }
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const LaneGroup& group = groups[k / width_];
-    if (blocks[k] < 0 || group.first_sum < 0) continue;
-    const int followed = signs_[blocks[k]].followed;
-    sums_[group.first_sum + k % width_] = place[followed / 8] + followed % 8 * width_;
+  if (links_.empty()) return;
+  std::vector<int> at(signs_.size());  // of each block, its place in `blocks`
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+    if (blocks[k] >= 0) at[std::size_t(blocks[k])] = int(k);
+  for (const Link& link : links_) {
+    const int follower = at[std::size_t(link.block)], followed = at[std::size_t(link.sum / 8)];
+    const LaneGroup& group = groups[std::size_t(followed / width_)];
+    sums_[std::size_t(groups[std::size_t(follower / width_)].first_sum + follower % width_)] =
+        group.first + followed % width_ + (sums_at(group) + link.sum % 8) * width_;
   }
 }
 
@@ -87,14 +86,17 @@ void WideBlocks::pack(const Bodies& bodies, const Blocks& list, const Preparatio
                       Packing packing, bool lanes) {
   const int width = lanes && packing != Packing::list ? lane_count : 1;
   now_.clear();
+  links_now_.clear();
   for (const PreparedBlock& block : prepared.blocks) {
     const int still = 2 * bodies.at(block.body1).is_static() + bodies.at(block.body2).is_static();
     const int followed = block.follows != 0 ? find_sum(prepared, int(now_.size())) : -1;
+    if (followed >= 0) links_now_.push_back({int(now_.size()), followed});
     now_.push_back({4 * kind_of(bodies, list, block, followed >= 0) + still, block.body1,
-                    block.body2, followed});
+                    block.body2});
   }
-  if (packing != packing_ || width != width_ || now_ != signs_) {
+  if (packing != packing_ || width != width_ || now_ != signs_ || links_now_ != links_) {
     signs_ = now_;
+    links_ = links_now_;
     packing_ = packing;
     width_ = width;
     ++packed_;

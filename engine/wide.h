@@ -44,8 +44,12 @@ class WideBlocks {
   // What a block is like, and between which bodies: while these stay, so do the groups.
   struct Sign {
     int kind, body1, body2;
-    int followed;  // 8 * block + row of the sum that its bounds follow, or -1
     bool operator==(const Sign&) const = default;
+  };
+  // Of a block whose bounds follow a sum, which one: 8 * block + row.
+  struct Link {
+    int block, sum;
+    bool operator==(const Link&) const = default;
   };
   // So many numbers begin where 32 bytes begin.
   struct alignas(32) LaneNumber {
@@ -68,6 +72,7 @@ class WideBlocks {
             const LaneGroup& group, int first);
 
   std::vector<Sign> signs_, now_;
+  std::vector<Link> links_, links_now_;
   std::vector<LaneNumber> numbers_;
   std::vector<Velocities<real>> records_;
   std::vector<int> slots_, sums_;

@@ -154,9 +154,10 @@ bool WideBlocks::arrange_trees(const Bodies& bodies, const Trees& trees) {
 void WideBlocks::add_group(const int* list, int count) {
   const int kind = signs_[list[0]].kind / 4;
   const bool follows = kind / 64;
-  LaneGroup group{kind / 8 % 8, follows ? 0 : kind / 8, bool(kind & 4), bool(kind & 2),
-                  bool(kind & 1), int(numbers_.size()) * lane_count, int(ends.size()),
-                  follows ? int(sums_.size()) : -1};
+  const auto rows = static_cast<signed char>(kind / 8 % 8);
+  LaneGroup group{rows, follows ? static_cast<signed char>(0) : rows, bool(kind & 4),
+                  bool(kind & 2), bool(kind & 1), int(numbers_.size()) * lane_count,
+                  int(ends.size()), follows ? int(sums_.size()) : -1};
   if (follows) sums_.resize(sums_.size() + std::size_t(width_));
   const int size = size_of(group) * width_;
   numbers_.resize(numbers_.size() + std::size_t(size + lane_count - 1) / lane_count, {});

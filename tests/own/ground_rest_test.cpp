@@ -17,12 +17,10 @@ struct Rest {
   double farthest = 0, fastest = 0;
   Rest(Grounded&& box, double seconds) {
     const vec3 first = box.it().x;
-    const quat turn = box.it().q;
     for (int n = 0; n < int(seconds * 60); ++n) {
       box.solver.step(box.world, h);
       const Body& body = box.it();
-      const double turned = 2 * std::sqrt(std::max(0.0, 1 - std::abs(double(dot(turn, body.q)))));
-      farthest = std::max({farthest, double(length(body.x - first)), is_float ? 0 : turned * 1e-3});
+      farthest = std::max(farthest, double(length(body.x - first)));
       fastest = std::max({fastest, double(length(body.v)), double(length(body.w))});
     }
   }
@@ -30,7 +28,7 @@ struct Rest {
 
 // Way and direction of a box that is pushed along the ground until it rests.
 struct Slide {
-  double way = 0, across = 0, turned = 0;
+  double way = 0, across = 0;
   Slide(double speed, double direction, double mu, real step = h) {
     Grounded box = standing();
     const vec3 along(real(std::cos(direction)), 0, real(std::sin(direction)));
@@ -39,7 +37,6 @@ struct Slide {
     box.run(1.2 * speed / (mu * g), step);
     way = double(dot(box.it().x, along));
     across = double(length(cross(box.it().x - vec3(0, brick.y / 2, 0), along)));
-    turned = double(length(box.it().w));
   }
 };
 

@@ -1,5 +1,6 @@
-// What a joint costs: rows, memory and instructions, for every kind of joint, and what a limit out
-// of reach and an idle motor add. `./wb bench --cost` calls it under valgrind, which counts.
+// What a joint costs: rows, memory and instructions, for every kind of joint and a box at rest, and
+// what a limit out of reach and an idle motor add. `./wb bench --cost` calls it under valgrind,
+// which counts.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -7,6 +8,7 @@
 
 #include "bench/counted.h"
 #include "bench/own_loop.h"
+#include "chapters/08_ground/ground_contact.h"
 #include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/03_hinge/hinge_joint.h"
@@ -92,8 +94,13 @@ std::vector<Case> cases() {
        [](World& world, BodyId a, BodyId b, const vec3& anchor) {
          world.add<SliderJoint>(world.bodies, a, b, anchor, vec3(1, 0, 0));
        }},
-      {"fixed", [](World& world, BodyId a, BodyId b, const vec3& anchor) {
+      {"fixed",
+       [](World& world, BodyId a, BodyId b, const vec3& anchor) {
          world.add<FixedJoint>(world.bodies, a, b, anchor);
+       }},
+      {"box at rest", [](World& world, BodyId, BodyId b, const vec3&) {
+         const BodyId ground{0, 1};  // the first body: its top lies under all the others
+         world.add<GroundContact>(ground, b, Top{.height = real(-0.5)}, box_outline(vec3(1)));
        }}};
 }
 

@@ -27,8 +27,8 @@ bool holds_a_point(const Row* J, int rows) {
 // A kind as one number. Only blocks of one kind are solved side by side.
 int kind_of(const Bodies& bodies, const Blocks& list, const PreparedBlock& block, bool follows) {
   const bool point = !follows && holds_a_point(&list.J[block.first], block.rows);
-  const bool hard = block.impulse_scale == 0 && block.lower == -unbounded &&
-                    block.upper == unbounded;
+  const bool hard = block.follows == 0 && block.impulse_scale == 0 &&
+                    block.lower == -unbounded && block.upper == unbounded;
   const bool round = point && bodies.at(block.body1).is_isotropic() &&
                      bodies.at(block.body2).is_isotropic();
   return 64 * follows + 8 * block.rows + 4 * point + 2 * hard + round;

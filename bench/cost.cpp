@@ -101,6 +101,10 @@ std::vector<Case> cases() {
       {"box at rest", [](World& world, BodyId, BodyId b, const vec3&) {
          const BodyId ground{0, 1};  // the first body: its top lies under all the others
          world.add<GroundContact>(ground, b, Top{.height = real(-0.5)}, box_outline(vec3(1)));
+       }},
+      {"box out of reach", [](World& world, BodyId, BodyId b, const vec3&) {
+         const BodyId ground{0, 1};
+         world.add<GroundContact>(ground, b, Top{.height = real(-30)}, box_outline(vec3(1)));
        }}};
 }
 

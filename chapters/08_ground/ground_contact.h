@@ -46,12 +46,13 @@ inline Top box_top(const vec3& size) {
 /// Keeps body 2 above the top of body 1. Each corner that touches, or will within this step, has
 /// three rows, a block each: friction along t1, friction along t2, then the normal row, which has
 /// the last word. The friction is bounded in each direction by itself (a box with an edge along the
-/// sliding, not a cone). At most four corners have rows at the same time.
+/// sliding, not a cone). At most four corners have rows at the same time. Only corners of body 2 are
+/// looked at: an edge of the top does not carry a face that lies across it.
 class GroundContact : public Joint {
  public:
   Top top;                ///< the surface, on body 1
-  Outline outline;        ///< what of body 2 can touch it
-  real friction = real(0.5);   ///< coefficient mu [1]
+  const Outline outline;  ///< what of body 2 can touch it
+  real friction = real(0.5);   ///< coefficient mu [1], not negative
   real restitution = 0;        ///< share of the impact speed with which it rebounds [1]
   real threshold = real(0.5);  ///< no rebound from an impact slower than this [m/s]
   bool turned_tangents = true;  ///< t1 looks where the corner slides; false: it stays as it is
@@ -64,9 +65,12 @@ class GroundContact : public Joint {
   GroundContact(BodyId ground, BodyId body, const Top& top, const Outline& outline)
       : Joint(ground, body), top(top), outline(outline) {
     require(outline.count >= 1 && outline.count <= 8, "outline: needs one to eight corners");
+    for (int k = 0; k < outline.count; ++k)
+      reach_ = std::max(reach_, length(outline.corners[std::size_t(k)]) + outline.radius);
   }
 
   /// Chooses the corners that have rows in this step, and their directions of friction.
+  /// \throws std::invalid_argument for a friction that is negative or not finite
   inline void begin_step(const Bodies& bodies, real h) override;
   /// Friction, friction, normal, of each corner that has rows.
   inline void append(const Bodies& bodies, Blocks& blocks) const override;
@@ -96,6 +100,8 @@ class GroundContact : public Joint {
   Corner corner(int k) const {
     return {outline.corners[std::size_t(k)], outline.radius, top.height};
   }
+  // The least room that any corner can have after so long, with the velocities of now [m].
+  real least_room(const Body& body1, const Body& body2, real time) const;
   real normal_rate(int k, const Body& body1, const Body& body2) const;
   bool over_top(int k, const Body& body1, const Body& body2) const;
   void look_at_impact(Foot& foot, real h) const;
@@ -105,20 +111,31 @@ class GroundContact : public Joint {
 
   mutable std::array<Foot, 8> feet_{};  // the solver writes the impulses
   int live_ = 0;
+  real reach_ = 0;     // from the centre of body 2 to its farthest point [m]
+  bool near_ = false;  // were the corners looked at in this step?
 };
 
 // ---- which corners have rows --------------------------------------------------------------------
 
 inline void GroundContact::begin_step(const Bodies& bodies, real h) {
   Joint::begin_step(bodies, h);
+  require(finite(friction) && friction >= 0, "friction: must be finite and not negative [1]");
   const Body &a = bodies[body1], &b = bodies[body2];
+  const bool was_near = near_;
+  const real reserve = real(0.1) * h;
+  // A rebound has to know the rate of the step before the impact: look three steps ahead.
+  near_ = (!a.is_static() || !b.is_static()) &&
+          least_room(a, b, restitution > 0 ? 3 * h : h) < reserve;
   live_ = 0;
+  if (!near_) {
+    if (was_near) feet_ = {};
+    return;
+  }
   for (int k = 0; k < outline.count; ++k) {
     Foot& foot = feet_[std::size_t(k)];
     foot.C = corner(k).error(a, b);
     foot.rate = normal_rate(k, a, b);
-    const bool movable = !a.is_static() || !b.is_static();
-    foot.live = movable && foot.room_after(h) < real(0.1) * h && over_top(k, a, b);  // Eq. 8-4
+    foot.live = foot.room_after(h) < reserve && over_top(k, a, b);  // Eq. 8-4
     live_ += foot.live;
   }
   for (; live_ > most_corners; --live_) farthest_live(h).live = false;
@@ -149,7 +166,11 @@ inline void GroundContact::append(const Bodies& bodies, Blocks& blocks) const {
 
 inline void GroundContact::second_look(const Bodies& bodies, real h, Blocks& blocks) {
   const Body &a = bodies[body1], &b = bodies[body2];
-  if (a.is_static() && b.is_static()) return;
+  if (!near_) {
+    if ((a.is_static() && b.is_static()) || least_room(a, b, h) >= 0) return;
+    near_ = true;  // a neighbour brings it here
+    for (int k = 0; k < outline.count; ++k) feet_[std::size_t(k)].C = corner(k).error(a, b);
+  }
   for (int k = 0; k < outline.count; ++k) {
     Foot& foot = feet_[std::size_t(k)];
     const real rate = normal_rate(k, a, b);
@@ -173,6 +194,13 @@ inline real GroundContact::room(const Bodies& bodies) const {
 }
 
 // ---- one corner ---------------------------------------------------------------------------------
+
+// The centre comes nearer with one rate, and no corner is faster than its lever allows.
+inline real GroundContact::least_room(const Body& body1, const Body& body2, real time) const {
+  const vec3 n = Corner::up(body1), d = body2.x - body1.x;
+  const real rate = dot(n, body2.v - body1.v - cross(body1.w, d));
+  return dot(n, d) - top.height - reach_ + time * (rate - reach_ * length(body2.w - body1.w));
+}
 
 inline real GroundContact::normal_rate(int k, const Body& body1, const Body& body2) const {
   const Row J = corner(k).jacobian(body1, body2);

@@ -5,6 +5,7 @@
 #include "engine/reaction.h"
 #include "tests/catch.h"
 #include "tests/own/ground_rigs.h"
+#include "tests/numeric.h"
 #include "tests/own/shared.h"
 
 using namespace joints;
@@ -102,6 +103,41 @@ TEST_CASE("a corner has rows from the step in which it would come within h times
     box.it().v.y = real(speed);
     CAPTURE(room, speed);
     CHECK(int(blocks_now(box).size()) == 3 * expected);
+  }
+}
+
+TEST_CASE("who is far off is not looked at, and nobody who comes within a step is overlooked") {
+  Random random(8);
+  int near = 0, none = 0;
+  for (int n = 0; n < 2000; ++n) {
+    Grounded box(lowered(std::abs(random.vector(1).x), random.turn()), box_outline(brick),
+                 real(0.3));
+    for (const BodyId id : {box.ground, box.body}) {  // any velocities, of both bodies
+      box.world.bodies[id].v = random.vector(40);
+      box.world.bodies[id].w = random.vector(20);
+    }
+    const Body &a = box.world.bodies[box.ground], &b = box.world.bodies[box.body];
+    int expected = 0;  // corner by corner, by Eq. 8-4
+    for (const vec3& local : box_outline(brick).corners) {
+      const Corner corner{local};
+      const Row J = corner.jacobian(a, b);
+      const real rate = dot(J.v1, a.v) + dot(J.w1, a.w) + dot(J.v2, b.v) + dot(J.w2, b.w);
+      expected += corner.error(a, b) + h * rate < real(0.1) * h;
+    }
+    box.contact->restitution = n % 2 == 0 ? real(0) : real(0.5);
+    box.contact->begin_step(box.world.bodies, h);
+    REQUIRE(box.contact->touching() == std::min(expected, GroundContact::most_corners));
+    expected > 0 ? ++near : ++none;
+  }
+  CHECK(near > 300);  // both kinds have been met
+  CHECK(none > 300);
+}
+
+TEST_CASE("X16 a friction that is negative or no number is refused when the step begins") {
+  for (const real bad : {real(-0.1), no_number, unbounded}) {
+    Grounded box = standing();
+    box.contact->friction = bad;
+    CHECK_THAT(refusal([&] { box.solver.step(box.world, h); }), StartsWith("friction:"));
   }
 }
 

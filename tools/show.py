@@ -29,9 +29,9 @@ def run_solution(chapter, quiet=True):
 
 
 def call_program(name, folder, options, quiet):
-    """Runs a program of a chapter. What it made before is taken away: it may not make it again."""
-    for old in [*folder.glob("*.csv"), *folder.glob("*.motion.json")]:
-        old.unlink()
+    """Runs a program of a chapter. What an earlier run made and this one did not is taken away."""
+    before = {old: old.stat().st_mtime_ns
+              for pattern in ("*.csv", "*.motion.json") for old in folder.glob(pattern)}
     result = subprocess.run([house.BUILD / name, "--out", folder, *options],
                             stdout=subprocess.PIPE if quiet else None,
                             stderr=subprocess.PIPE, text=True)
@@ -39,6 +39,9 @@ def call_program(name, folder, options, quiet):
         raise Crash(f"{name} crashed ({signal_name(-result.returncode)})")
     if result.returncode != 0:
         raise house.Trouble(result.stderr.strip() or f"{name} ended with {result.returncode}")
+    for old, written in before.items():
+        if old.stat().st_mtime_ns == written:
+            old.unlink()
 
 
 class Crash(house.Trouble):
@@ -93,9 +96,11 @@ def prepare_mine(chapter):
     exercises.write_if_new(mixed, exercises.fill(chapter.mine.read_text(),
                                                  chapter.solution.read_text(), waiting))
     log = house.build([f"{chapter.folder}_run_mine"], "building")
-    if log:
+    if log and f"{chapter.folder}/{chapter.name}.cpp" in house.compiler_words(log):
         raise house.Trouble(f"{house.short(chapter.mine)} does not compile: "
                             f"./wb test {chapter.number}")
+    if log:
+        raise house.Trouble("the build failed:\n" + house.compiler_words(log))
     return written
 
 

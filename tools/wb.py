@@ -41,6 +41,13 @@ def one_argument(arguments, what):
     return arguments[0]
 
 
+def one_at_most(command, arguments):
+    if len(arguments) > 1:
+        raise house.Trouble(f"{command} takes one chapter at most; "
+                            f"{' '.join(arguments[1:])} is too many")
+    return arguments[0] if arguments else None
+
+
 def main(arguments):
     yes = "--yes" in arguments
     arguments = [a for a in arguments if a != "--yes"]
@@ -59,7 +66,7 @@ def main(arguments):
         case "test":
             return learn.test(one_argument(rest, "exercise or chapter"))
         case "watch":
-            return learn.watch(rest[0] if rest else None)
+            return learn.watch(one_at_most(command, rest))
         case "hint":
             if not rest or len(rest) > 2:
                 raise house.Trouble("say which exercise, for example ./wb hint 2.1")
@@ -72,10 +79,9 @@ def main(arguments):
             if not rest:
                 raise house.Trouble("say which chapter, for example ./wb run 2")
             return show.run(house.chapter_of(rest[0]), rest[1:])
-        case "plot":
-            return show.plot(house.chapter_of(rest[0]) if rest else None)
-        case "see":
-            return show.see(house.chapter_of(rest[0]) if rest else None)
+        case "plot" | "see":
+            number = one_at_most(command, rest)
+            return getattr(show, command)(house.chapter_of(number) if number else None)
         case _:
             raise house.Trouble(f"{command}: no such command; ./wb help lists them")
     return 0

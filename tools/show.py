@@ -5,7 +5,6 @@ import re
 import signal
 import subprocess
 import sys
-import time
 import webbrowser
 
 import exercises
@@ -280,24 +279,6 @@ def tour():
         print(f"  {house.short(page)}")
     print("\nYour turn: ./wb leads you to the first exercise.")
     return 0
-
-
-def check():
-    """The workbook's own tests."""
-    house.must_build(["all"], "building the tests")
-    process = subprocess.Popen(["ctest", "--test-dir", house.BUILD, "--no-tests=error",
-                                "--output-on-failure", "-j", str(os.cpu_count() or 1)],
-                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    last = time.time()
-    for line in process.stdout:
-        if match := re.match(r"\s*(\d+)/(\d+) Test +#\d+: (.*?) \.*\s+Passed", line):
-            if house.TERMINAL or time.time() - last > 20:
-                house.progress(f"tests {match[1]} of {match[2]}: {match[3]}")
-                last = time.time()
-        elif not re.match(r"\s*Start +\d+:|Internal ctest|\s*$", line):
-            house.progress_done()
-            print(line, end="", flush=True)
-    return process.wait()
 
 
 def run_bench(program, options, table=TABLE):

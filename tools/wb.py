@@ -5,6 +5,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import checking  # noqa: E402
 import docs   # noqa: E402
 import house  # noqa: E402
 import learn  # noqa: E402
@@ -52,7 +53,7 @@ def main(arguments):
     yes = "--yes" in arguments
     arguments = [a for a in arguments if a != "--yes"]
     command, rest = (arguments[0], arguments[1:]) if arguments else ("", [])
-    takes_none = {"": learn.status, "tour": show.tour, "check": show.check, "bench": None,
+    takes_none = {"": learn.status, "tour": show.tour, "check": checking.check, "bench": None,
                   "docs": docs.command}
     if command in takes_none and rest and command != "bench":
         raise house.Trouble(f"{command} takes no argument; {' '.join(rest)} is one too many")

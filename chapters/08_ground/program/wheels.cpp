@@ -45,10 +45,13 @@ Summary drive(const Choice& choice, const Drive& how) {
                           table->row({time, wheels.place(), wheels.turned(), way,
                                       wheels.torque(), widest(wheels.stage)});
                       });
-  char setting[80];
-  std::snprintf(setting, sizeof setting, "%g rad/s: place %.1f m of %.1f; back %.1f; flies %.0f %%",
-                double(how.speed), place, rolled, wheels.place(), 100.0 * flying / steps);
+  char setting[40];
+  std::snprintf(setting, sizeof setting, "%g rad/s: %.1f m of %.1f", double(how.speed), place,
+                rolled);
   line.setting = setting;
+  if (!how.compared || how.recorded)
+    std::printf("%-9s %s rolled; back at %.1f m; no cube on the ground in %.0f %% of the steps\n",
+                "wheels", setting, wheels.place(), 100.0 * flying / steps);
   if (how.compared) machine_row(choice, "wheels", how.iterations, line, deepest);
   return line;
 }

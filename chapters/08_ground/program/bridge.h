@@ -13,16 +13,17 @@ namespace joints::chapter8 {
 /// of the loaded bridge, and 0.9971^30 (1 + 0.2) = 1.10 is more than 1 (Eq. 6-9): with 0.2 the
 /// bridge throws its load off.
 struct Bridge {
-  static constexpr int planks = 10;
+  static constexpr int planks = 10;  ///< how many
   static constexpr double plank_mass = 20, crate_mass = 100;  ///< [kg]
   static constexpr double bend = 0.08;  ///< between two planks at the start [rad]
-  Stage stage{.name = "bridge"};
+  Stage stage{.name = "bridge"};  ///< world, solver, what is measured and drawn
   vec3 plank_size = vec3(1, real(0.15), 2);               ///< [m]
   vec3 crate_size = vec3(real(1.2), 1, real(1.2));        ///< [m]
   real post_top = 3;                                      ///< height of the two outer hinges [m]
-  std::vector<BodyId> plank;
-  BodyId ground{}, crate{};
-  std::vector<HingeJoint*> hinges;
+  std::vector<BodyId> plank;              ///< from left to right
+  BodyId ground{};  ///< under the bridge
+  BodyId crate{};   ///< the load
+  std::vector<HingeJoint*> hinges;        ///< from left to right, those at the posts too
   std::vector<GroundContact*> contacts;  ///< of the crate, one a plank
 
   /// \param iterations sweeps a step \param loaded with the crate?

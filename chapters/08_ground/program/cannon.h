@@ -12,8 +12,11 @@ namespace joints::chapter8 {
 /// The empty carriage slides back; the shot flies, lands, tumbles and comes to rest. The motor has
 /// 3500 N, not 5000 as in chapter 4, so that this takes ten seconds.
 struct Cannon {
-  Stage stage{.name = "cannon"};
-  BodyId ground{}, barrel{}, carriage{}, shot{};
+  Stage stage{.name = "cannon"};  ///< world, solver, what is measured and drawn
+  BodyId ground{};    ///< where the shot lands
+  BodyId barrel{};    ///< static, at 45 degrees
+  BodyId carriage{};  ///< slides in it
+  BodyId shot{};      ///< is held before it, then flies
   SliderJoint* rail;         ///< of the carriage in the barrel
   FixedJoint* hold;          ///< of the shot in front of the carriage; null once it flies
   GroundContact* landing;    ///< shot and ground

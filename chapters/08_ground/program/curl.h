@@ -15,14 +15,14 @@ namespace joints::chapter8 {
 /// Joints and contacts start warm with a beta of 0.02, as in bridge.h: with 0.2 the ring never
 /// comes to rest, and with 10 sweeps it bursts.
 struct Curl {
-  static constexpr int cubes = 8;
+  static constexpr int cubes = 8;  ///< how many
   static constexpr double cube_mass = 100;  ///< [kg]
-  Stage stage{.name = "curl"};
+  Stage stage{.name = "curl"};  ///< world, solver, what is measured and drawn
   real distance = real(1.5);            ///< of two centres in the straight chain [m]
   real bend = std::numbers::pi_v<real> / 4;  ///< upper limit of each hinge [rad]
-  BodyId ground{};
-  std::vector<BodyId> cube;
-  std::vector<HingeJoint*> hinges;
+  BodyId ground{};                       ///< on which all lie
+  std::vector<BodyId> cube;              ///< from end to end
+  std::vector<HingeJoint*> hinges;       ///< from end to end
   std::vector<GroundContact*> contacts;  ///< one a cube
 
   /// \param iterations sweeps a step \param strength of a motor [N m] \param beta of all joints [1]

@@ -10,8 +10,10 @@ namespace joints::chapter8 {
 /// head welded on, every box a contact with the ground. Nothing keeps the boxes off each other: an
 /// arm can lie inside the torso.
 struct Ragdoll {
-  Stage stage{.name = "ragdoll"};
-  BodyId ground, torso, head;
+  Stage stage{.name = "ragdoll"};  ///< world, solver, what is measured and drawn
+  BodyId ground;  ///< on which it falls
+  BodyId torso;   ///< holds all others
+  BodyId head;    ///< is welded on
   std::vector<BodyId> parts;             ///< all six
   std::vector<GroundContact*> contacts;  ///< one for each of them
 
@@ -71,10 +73,10 @@ struct Ragdoll {
   /// Is every box slower than 1 mm/s and 1 mrad/s?
   bool rests() const { return fastest() < 1e-3 && fastest_turn() < 1e-3; }
 
-  inline static const vec3 torso_size{real(0.6), 1, real(0.4)};
-  inline static const vec3 head_size{real(0.35), real(0.4), real(0.35)};
-  inline static const vec3 arm_size{real(0.8), real(0.2), real(0.2)};
-  inline static const vec3 leg_size{real(0.25), 1, real(0.25)};
+  inline static const vec3 torso_size{real(0.6), 1, real(0.4)};  ///< [m]
+  inline static const vec3 head_size{real(0.35), real(0.4), real(0.35)};  ///< [m]
+  inline static const vec3 arm_size{real(0.8), real(0.2), real(0.2)};  ///< [m]
+  inline static const vec3 leg_size{real(0.25), 1, real(0.25)};  ///< [m]
 };
 
 }  // namespace joints::chapter8

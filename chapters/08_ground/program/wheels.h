@@ -13,10 +13,11 @@ namespace joints::chapter8 {
 /// to it like spokes; a motor in each hub's hinge turns it. Nothing keeps the cubes off the beam:
 /// they pass through it.
 struct Wheels {
-  /// \name What it is made of [m, kg]
-  /// @{
-  static constexpr real edge = 1, spoke = 3, apart = 8, cube_mass = 100, beam_mass = 100;
-  /// @}
+  static constexpr real edge = 1;         ///< of a cube [m]
+  static constexpr real spoke = 3;        ///< from the hub to the centre of a cube [m]
+  static constexpr real apart = 8;        ///< from hub to hub [m]
+  static constexpr real cube_mass = 100;  ///< of each cube and each hub [kg]
+  static constexpr real beam_mass = 100;  ///< [kg]
   /// What one wheel and its end of the beam weigh [N].
   static constexpr double weight = double(7 * cube_mass + beam_mass / 2) * 9.81;
 
@@ -49,14 +50,17 @@ struct Wheels {
   /// let the error of a wheel shrink by 0.86 in a sweep, not by 0.98), and a warm start that is not
   /// worked off in its step grows: with 60 sweeps the wheels fly apart while they roll, with 80 and
   /// more they hold. With fewer than `safe_sweeps` they start cold.
-  static constexpr int sweeps = 300, safe_sweeps = 100;
+  static constexpr int sweeps = 300;
+  static constexpr int safe_sweeps = 100;  ///< a step, from which on a warm start is safe
 
-  Stage stage{.name = "wheels"};
-  BodyId ground, beam;
+  Stage stage{.name = "wheels"};  ///< world, solver, what is measured and drawn
+  BodyId ground;  ///< under both wheels
+  BodyId beam;    ///< from hub to hub
   std::array<BodyId, 2> hubs;            ///< front one first
   std::array<HingeJoint*, 2> motors{};   ///< positive drives towards +x
   std::vector<GroundContact*> contacts;  ///< one for each cube, not for the hubs
 
+  /// \param friction coefficient of all cubes [1]
   explicit Wheels(const Choice& choice, real friction = 1) {
     stage.solver.iterations = choice.iterations;
     stage.solver.warm_start = choice.iterations >= safe_sweeps;

@@ -41,9 +41,10 @@ def draw_machines(solution, mine, out):
     sizes = {name: np.nan_to_num(part["gap_rms_m"][np.argmax(part["iterations"])], nan=np.inf)
              for name, part in parted.items()}
     low, high = min(sizes, key=sizes.get), max(sizes, key=sizes.get)
+    words = f"{metres(sizes[low])} ({low})" if low == high else \
+        f"{metres(sizes[low])} ({low}) to {metres(sizes[high])} ({high})"
     figure, (left, right) = style.figure(
-        f"Gaps of the machines, RMS, each with its most sweeps: {metres(sizes[low])} ({low}) "
-        f"to {metres(sizes[high])} ({high})", 2)
+        f"Gaps of the machines, RMS, each with its most sweeps: {words}", 2)
 
     def place(name, count):
         """A line for every machine, and on it one above the other how often it was swept."""
@@ -73,7 +74,7 @@ def draw_machines(solution, mine, out):
         ax.tick_params(axis="y", length=0)
     left.set_yticks([-n for n in range(len(names))], names)
     right.set_yticks([])
-    left.set(xlabel="gap of the joints  [m]", title="gap: dot RMS, bar the largest"
+    left.set(xlabel="gap of the joints  [m]", title="gap: mark RMS, bar the largest"
              + ("; x: the solution's" if mine else ""))
     right.set(xlabel="deepest corner in the ground  [m]", title="penetration, the largest")
     left.legend(frameon=False, labelcolor="linecolor", fontsize=8.5, loc="lower left",

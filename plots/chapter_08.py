@@ -91,10 +91,11 @@ def draw_slope(solution, mine, out):
     near = np.min(np.abs(table["beyond"]))
     close = np.abs(table["beyond"]) < 1.01 * near
     held = np.max(table["way_m"][close & (table["beyond"] < 0)])
-    slid = np.min(table["way_m"][close & (table["beyond"] > 0)])
+    middle = mus[len(mus) // 2]
+    slid = np.min(table["way_m"][close & (table["beyond"] > 0) & (table["mu"] == middle)])
     figure, (left, right) = style.figure(
         f"{near:.1g}° below arctan µ a box stays (within {metres(held)}), "
-        f"{near:.1g}° above it slides {metres(slid)} in 10 s", 2, width_ratios=(1.5, 1))
+        f"{near:.1g}° above it slides {metres(slid)} (µ {middle:g})", 2, width_ratios=(1.5, 1))
     left.axvspan(-8, 0, color=COLOURS[2], alpha=0.1, linewidth=0)
     left.text(0.25, 0.94, "holds", ha="center", color=COLOURS[2], transform=left.transAxes)
     left.text(0.75, 0.94, "slides", ha="center", color=COLOURS[0], transform=left.transAxes)
@@ -170,7 +171,7 @@ def draw_order(solution, mine, out):
     def end(order, column):
         return rows(ends, order=order, iterations=count)[column][0]
     figure, axes = style.figure(
-        f"Gaps: one loop {metres(end('interleaved', 'gap_rms_m'))}, joints first "
+        f"Gaps, RMS: interleaved {metres(end('interleaved', 'gap_rms_m'))}, joints first "
         f"{metres(end('joints first', 'gap_rms_m'))}; contacts first: "
         f"{metres(end('contacts first', 'penetration_max_m'))} deep", 2, 2)
     for ax, column, words in zip(axes[0], ("gap_m", "penetration_m"),

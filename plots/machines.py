@@ -36,44 +36,49 @@ def over_time(ax, solution, mine, column, by=None, clean=np.asarray, decades=3, 
 def draw_machines(solution, mine, out):
     table = mine or solution
     names = list(dict.fromkeys(table["machine"]))
-    most = table["iterations"].max()
-    at_most = rows(table, iterations=most)
-    worst = int(np.argmax(np.nan_to_num(at_most["gap_rms_m"], nan=np.inf)))
+    counts = np.unique(table["iterations"])
+    parted = {name: rows(table, machine=name) for name in names}
+    sizes = {name: np.nan_to_num(part["gap_rms_m"][np.argmax(part["iterations"])], nan=np.inf)
+             for name, part in parted.items()}
+    low, high = min(sizes, key=sizes.get), max(sizes, key=sizes.get)
+    words = f"{metres(sizes[low])} ({low})" if low == high else \
+        f"{metres(sizes[low])} ({low}) to {metres(sizes[high])} ({high})"
     figure, (left, right) = style.figure(
-        f"The machines with {most:g} sweeps: gaps of {metres(at_most['gap_rms_m'].min())} "
-        f"to {metres(at_most['gap_rms_m'][worst])} ({at_most['machine'][worst]})", 2)
-    places = {name: len(names) - 1 - n for n, name in enumerate(names)}
+        f"Gaps of the machines, RMS, each with its most sweeps: {words}", 2)
+
+    def place(name, count):
+        """A line for every machine, and on it one above the other how often it was swept."""
+        swept = sorted(parted[name]["iterations"])
+        return -names.index(name) + 0.2 * ((swept.index(count) if count in swept else 0)
+                                           - (len(swept) - 1) / 2)
     for ax, columns in ((left, ("gap_rms_m", "gap_max_m")), (right, ("penetration_max_m",))):
-        for count in np.unique(table["iterations"]):
+        for n, count in enumerate(counts):
             part = rows(table, iterations=count)
-            colour = COLOURS[1] if count == most else COLOURS[0]
-            y = np.array([places[name] for name in part["machine"]]) \
-                + (0.13 if count == most else -0.13)
+            colour, marker = COLOURS[n % len(COLOURS)], "os^Dvp"[n % 6]
+            y = np.array([place(name, count) for name in part["machine"]])
             if len(columns) > 1:
                 ax.hlines(y, visible(part[columns[0]]), visible(part[columns[1]]), color=colour,
                           linewidth=1.2)
                 ax.plot(visible(part[columns[1]]), y, color=colour, marker="|", markersize=9,
                         markeredgewidth=1.6, linestyle="none", label="_")
-            ax.plot(visible(part[columns[0]]), y, color=colour, marker="o", markersize=5.5,
-                    linestyle="none", label=f"{count:g} sweeps",
-                    markerfacecolor=colour if count == most else "white")
+            ax.plot(visible(part[columns[0]]), y, color=colour, marker=marker, markersize=5,
+                    linestyle="none", label=f"{count:g} sweeps")
             if mine and count in solution["iterations"]:
                 theirs = rows(solution, iterations=count)
-                ax.plot(visible(theirs[columns[-1]]), [places.get(name, -1) + (
-                    0.13 if count == most else -0.13) for name in theirs["machine"]],
-                    color=INK, marker="x", markersize=4, linestyle="none", label="_")
-        ax.set(xscale="log", ylim=(-0.6, len(names) - 0.4))
+                shown = np.isin(theirs["machine"], names)
+                ax.plot(visible(theirs[columns[-1]][shown]),
+                        [place(name, count) for name in theirs["machine"][shown]],
+                        color=INK, marker="x", markersize=4, linestyle="none", label="_")
+        ax.set(xscale="log", ylim=(0.6 - len(names), 0.6))
         ax.grid(axis="y", visible=False)
         ax.tick_params(axis="y", length=0)
-    drift = {name: change for name, change in zip(at_most["machine"], at_most["energy_drift"])}
-    left.set_yticks(list(places.values()), [
-        f"{name}\nenergy {drift.get(name, np.nan):+.2f}" for name in names])
+    left.set_yticks([-n for n in range(len(names))], names)
     right.set_yticks([])
-    left.set(xlabel="gap of the joints  [m]", title="gap: dot RMS, bar the largest"
+    left.set(xlabel="gap of the joints  [m]", title="gap: mark RMS, bar the largest"
              + ("; x: the solution's" if mine else ""))
     right.set(xlabel="deepest corner in the ground  [m]", title="penetration, the largest")
     left.legend(frameon=False, labelcolor="linecolor", fontsize=8.5, loc="lower left",
-                bbox_to_anchor=(0, 1.06), ncol=2, borderaxespad=0, handletextpad=0.1)
+                bbox_to_anchor=(0, 1.06), ncol=len(counts), borderaxespad=0, handletextpad=0.1)
     style.save(figure, out / "08_machines")
 
 
@@ -81,8 +86,8 @@ def draw_wheels(solution, mine, out):
     table = mine or solution
     way, rolled = (np.abs(table[column] - table[column][0]) for column in ("place_m", "rolled_m"))
     figure, (left, right) = style.figure(
-        f"In {table['time_s'][-1]:g} s the wheels roll {rolled[-1]:.3g} m by their turns, and the "
-        f"cart is {way[-1]:.3g} m on", 2)
+        f"Wheels drive out and back: at most {np.max(way):.3g} m away, by their turns "
+        f"{np.max(rolled):.3g} m", 2)
     left.plot(table["time_s"], way, color=COLOURS[1], linewidth=3, alpha=0.6, label="way")
     left.plot(table["time_s"], rolled, color=COLOURS[0], linewidth=1.2,
               label="turns ×\nrolling\nradius")
@@ -92,8 +97,8 @@ def draw_wheels(solution, mine, out):
     left.set(xlabel="time  [s]", ylabel="way  [m]",
              title="way" + ("; dashed: the solution's" if mine else ""))
     over_time(right, solution, mine, "motor_nm", color=COLOURS[0], label="_")
-    right.set(ylabel="torque of the motor  [N m]", 
-              title=f"motor; joints at most {metres(np.max(table['gap_m']))} apart")
+    right.set(ylabel="torque, mean of both motors  [N m]",
+              title=f"motors; joints at most {metres(np.max(table['gap_m']))} apart")
     style.label_ends(left)
     style.save(figure, out / "08_wheels")
 

@@ -15,8 +15,8 @@ namespace joints {
 /// y axis of body 1. Removes one degree of freedom while it touches, none otherwise.
 ///
 /// n = R1 e_y; p = x2 + R2 corner_local - radius n, r1 = p - x1, r2 = p - x2;
-/// C = n.r1 - height >= 0, the room left [m]; J = (-n, -(r1 x n), n, r2 x n), exact at every pose,
-/// because n rides on body 1 and r1 reaches to the corner; K = J M^-1 J^T [1/kg].
+/// C = n.r1 - height >= 0, the room left [m]; J = (-n, -(r1 x n), n, r2 x n), exact at every pose:
+/// n rides on body 1, and what C gains by its turning is the term of r1; K = J M^-1 J^T [1/kg].
 /// Source: thesis, section 3.2; Catto 2006 for the contact as a row that only pushes.
 struct Corner {
   vec3 corner_local{0};  ///< the corner, or the ball's centre [m], body space of body 2
@@ -42,7 +42,7 @@ struct Corner {
     return coupling(J, J, body1, body2);
   }
   /// Exercise 8.1: the row whose J V is the speed at which the point of body 2 moves along
-  /// `direction` over the matter of body 1 below it [m/s]. \param direction unit, world
+  /// `direction` over body 1, as if this reached up to it [m/s]. \param direction unit, world
   Row along(const vec3& direction, const Body& body1, const Body& body2) const;
 };
 

@@ -45,9 +45,10 @@ inline Top box_top(const vec3& size) {
 
 /// Keeps body 2 above the top of body 1. Each corner that touches, or will within this step, has
 /// three rows, a block each: friction along t1, friction along t2, then the normal row, which has
-/// the last word. The friction is bounded in each direction by itself (a box with an edge along the
-/// sliding, not a cone). At most four corners have rows at the same time. Only corners of body 2 are
-/// looked at: an edge of the top does not carry a face that lies across it.
+/// the last word. The friction is bounded in each direction by itself: a square in the plane of
+/// friction, with an edge across the sliding, in place of a circle. At most four corners have rows
+/// at the same time. Only corners of body 2 are looked at: an edge of the top does not carry a face
+/// that lies across it.
 class GroundContact : public Joint {
  public:
   Top top;                ///< the surface, on body 1

@@ -57,7 +57,7 @@ real friction_impulse(real rate, real K, real mu, real normal, real& sum) {
 // ---- given ----------------------------------------------------------------------------------
 
 real impact_speed(real C, real rate, real kick, real h) {
-  const real now = rate - kick / 2;  // at the middle of the step, which has the right energy
+  const real now = rate - kick / 2;  // with this a true fall over the step's way begins
   return std::sqrt(std::max(real(0), now * now - 2 * kick / h * C));  // Eq. 8-9
 }
 

@@ -10,8 +10,8 @@ namespace joints::chapter8 {
 /// Each plank is a ground of its own for the crate, and moves. Each hinge rubs: a motor that wants
 /// to stand still and has little strength. Without that the bridge swings on.
 /// Joints and contacts start warm with a beta of 0.02. A sweep leaves 0.9971 of the slowest error
-/// of the loaded bridge, and 0.9971^30 (1 + 0.2) = 1.10 is more than 1 (Eq. 6-9): with 0.2 the
-/// bridge throws its load off.
+/// of the loaded bridge, and 0.9971^30 (1 + 0.2) = 1.10 is more than 1 (Eq. 6-9): with 0.2 bridge
+/// and crate never come to rest, and with 10 sweeps the crate falls through.
 struct Bridge {
   static constexpr int planks = 10;  ///< how many
   static constexpr double plank_mass = 20, crate_mass = 100;  ///< [kg]

@@ -35,8 +35,8 @@ inline std::vector<TangentCase> tangent_cases() {
   }
   return out;
 }
-/// One vector that stands in for the sliding at every n would lie in the plane of n and t1, or be at
-/// right angles to t1: if yours is one, it is among these. Any other is just one more n.
+/// One vector that stands in for the sliding at every n would lie in the plane of n and t1, or be
+/// at right angles to t1: if yours is one, it is among these. Any other is just one more n.
 inline std::vector<vec3> stand_ins() {
   const vec3 a = normalize(vec3(1, real(-0.3), real(0.5))), b = normalize(vec3(real(0.2), 1, -2));
   const vec3 t = tangents(a, vec3(0))[0], u = tangents(b, vec3(0))[0];

@@ -155,6 +155,7 @@ inline CaseTable<TangentCase> tangent_table() {
       {std::string(nothing) + ". Or is a squared length compared with it?",
        nothing_below(real(5e-3))},
       {nothing, nothing_below(real(0.1))},
+      {nothing, nothing_below(1)},
       {whole, with([](const Case& c) { return normalize(c.sliding); })},
       {std::string(whole) + ", and it is a unit vector", with([](const Case& c) {
          return c.sliding;

@@ -2,7 +2,8 @@
 // stub and with every known wrong and right answer.
 #include "tests/catch.h"
 #include "tests/friction_cases.h"
-#include "tests/ground_cases.h"
+#include "tests/room_cases.h"
+#include "tests/tangent_cases.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -45,7 +46,7 @@ TEST_CASE("8.1 the room of a corner is measured from the top along its own uprig
 TEST_CASE("8.1 a corner on the ground stays there while its body slides and turns about it",
           "[8.1]") {
   for (const RoomCase& c : room_cases())
-    if (c.words.find("broken") == c.words.npos) expect_room(c, "", 0);
+    if (!c.words.ends_with(CornerFixture::broken.name)) expect_room(c, "", 0);
 }
 
 TEST_CASE("8.1 what is lifted along n has as much more room and what is pushed down has less",
@@ -95,7 +96,7 @@ void visit_rows(const Look& look) {
       const Jacobian<3> J = part.jacobian(pair.body1, pair.body2);
       for (int i = 0; i < 3; ++i)
         look("along " + std::string(CornerSlides::rows[std::size_t(i)]) + ", " + what +
-                 pose_names[std::size_t(pose)],
+                 corner_pose(pose),
              J[i], part, pair);
     };
   };
@@ -207,6 +208,14 @@ TEST_CASE("8.2 where nothing slides there are two directions in the ground all t
           "[8.2]") {
   const double loose = is_float ? 5e-3 : 1e-9;
   check_rest_is_finite();
+  // is there an n for which t1 at rest lies in the ground? Then the stand-in itself is right
+  const auto level = [=](const TangentCase& c) {
+    const vec3 t1 = tangents(c.n, c.sliding)[0];
+    return std::abs(double(dot(t1, c.n))) <= loose * double(length(t1));
+  };
+  const bool ever = std::ranges::any_of(rest_cases(), [=](const TangentCase& c) {
+    return c.words == "at rest, tilted" && level(c);
+  });
   for (const TangentCase& c : rest_cases()) {
     const auto [t1, t2] = tangents(c.n, c.sliding);
     const auto same = [&](const std::string& entry, double yours, double right,
@@ -219,8 +228,11 @@ TEST_CASE("8.2 where nothing slides there are two directions in the ground all t
                         "any vector that is not along n"
                       : "the vector that stands in for the sliding is not made a unit vector");
     same("t1.n", dot(t1, c.n), 0,
-         "t1 does not lie in the ground: take what is along n from the vector that stands in for "
-         "the sliding, too. What is left of a fall is rounding: do not make it a unit vector");
+         ever && length(c.sliding) == 0
+             ? stand_in_along_n
+             : "t1 does not lie in the ground: take what is along n from the vector that stands in "
+               "for the sliding, too. What is left of a fall is rounding: do not make it a unit "
+               "vector");
     expect(rest_subject, "t2 (" + c.words + ")", t2, cross(c.n, t1), loose,
            {{cross(t1, c.n), "t2 = t1 x n: it is n x t1"},
             {t2, "t2 = n x t1 at rest, too"}});

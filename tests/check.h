@@ -72,11 +72,17 @@ inline constexpr std::array pose_words{"body 1 is not turned", "both bodies are 
 inline constexpr int pencil_and_paper = 4;
 inline constexpr int draws_of_a_pose = 4;
 
+/// What the pose "broken" is called where C is no gap: a fixture may have its own, `broken`.
+struct PoseWords {
+  const char *name = pose_names[3], *words = pose_words[3];
+};
+
 /// J (12 numbers a row) or K at one pose.
 struct Sample {
   int pose;
   Numbers yours, right;
   std::vector<std::string> mistakes;  ///< everything that would explain yours, in words
+  PoseWords broken = {};
 };
 
 /// How far a K may be from J M^-1 J^T with J by differences.
@@ -175,6 +181,7 @@ Sample jacobian_sample(int pose, const typename Fixture::Part& part, const Pair&
     return flat(to_jacobian(part.jacobian(at.body1, at.body2)));
   };
   Sample sample{pose, yours(pair), flat(right), {}};
+  if constexpr (requires { Fixture::broken; }) sample.broken = Fixture::broken;
   if (close(sample.yours, sample.right, difference_tolerance)) return sample;
   for (const auto& [words, wrong] : wrong_jacobians<Fixture>(part, right, pair))
     if (close(sample.yours, flat(wrong), difference_tolerance)) sample.mistakes.push_back(words);

@@ -10,6 +10,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tools"))
 import exercises  # noqa: E402
+import grade  # noqa: E402
 
 
 def run(test, id_):
@@ -36,7 +37,7 @@ def check_wrong(test, answer):
     code, output = run(test, id_)
     if code == 0:
         sys.exit(f"this wrong answer passes every test of {id_}")
-    flat = " ".join(output.split())
+    flat = " ".join(f"{output}\n{grade.plainly(output)}".split())  # what is told of a crash, too
     for words in promise:
         if " ".join(words.split()) not in flat:
             sys.exit(f"the report does not say '{words}':\n{output}")

@@ -31,13 +31,37 @@ double common_factor(const Sample& s, double tolerance) {
   return factor;
 }
 
+// The factor 2 or 1/2 of one block, "" where there is none.
+std::string block_factor(const Sample& s, std::size_t block, double tolerance) {
+  for (const char* number : {"2", "0.5"}) {
+    bool fits = true;
+    for (std::size_t i = 0; i < s.yours.size(); ++i)
+      if (i % 12 / 3 == block)
+        fits = fits && near(s.yours[i], std::atof(number) * s.right[i], tolerance);
+    if (fits) return std::string("a factor of ") + number + " in the block " + block_names[block];
+  }
+  return "";
+}
+
+// Is it the right row with its blocks in another order?
+bool other_order(const Sample& s, double tolerance) {
+  std::array<std::size_t, 4> order{0, 1, 2, 3};
+  while (std::next_permutation(order.begin(), order.end())) {
+    Numbers J = s.right;
+    for (std::size_t i = 0; i < J.size(); ++i)
+      J[i] = s.right[i / 12 * 12 + 3 * order[i % 12 / 3] + i % 3];
+    if (close(s.yours, J, tolerance)) return true;
+  }
+  return false;
+}
+
 // "the block w1", "the blocks w1 and w2"
 std::string blocks(const std::vector<std::string>& names) {
   return (names.size() == 1 ? "the block " : "the blocks ") + joined(names);
 }
 
-// The wrong blocks of J, if each of them is the right one with its sign turned, or is missing, or
-// should not be there.
+// The wrong blocks of J, if each of them is the right one with its sign turned, doubled or halved,
+// or is missing, or should not be there.
 std::string block_mistake(const Sample& s, double tolerance) {
   std::vector<std::string> signs, missing, superfluous, words;
   for (std::size_t block = 0; block < 4; ++block) {
@@ -53,6 +77,8 @@ std::string block_mistake(const Sample& s, double tolerance) {
     if (opposite) signs.push_back(block_names[block]);
     else if (zero) missing.push_back(block_names[block]);
     else if (should_be_zero) superfluous.push_back(block_names[block]);
+    else if (const std::string factor = block_factor(s, block, tolerance); !factor.empty())
+      words.push_back(factor);
     else return "";
   }
   if (!signs.empty())
@@ -79,13 +105,18 @@ void guess(Sample& s, double tolerance, const std::string& first) {
 
 void guess_J(Sample& s, double tolerance) {
   const bool swapped = close(s.yours, bodies_swapped(s.right), tolerance);
+  const bool told = std::any_of(s.mistakes.begin(), s.mistakes.end(), [](const auto& known) {
+    return known.starts_with("the sign of the whole row");  // in the fixture's own words
+  });
   std::string words = swapped ? "bodies 1 and 2 swapped" : "";
-  if (close(s.yours, negative(s.right), tolerance))
+  if (close(s.yours, negative(s.right), tolerance) && !told)
     words = swapped ? "the sign of the whole row, or bodies 1 and 2 swapped"
                     : "the sign of the whole row: C grows when body 2 moves positively";
   guess(s, tolerance, words);
   const std::string blocks = block_mistake(s, tolerance);
   if (!blocks.empty()) s.mistakes.push_back(blocks);
+  if (!swapped && all_finite(s.yours) && other_order(s, tolerance))
+    s.mistakes.push_back("the order of the blocks: a row is {v1, w1, v2, w2}");
   if (s.mistakes.empty() && common_factor(s, tolerance) != 0)
     s.mistakes.push_back("a factor: is the direction a unit vector?");
 }
@@ -100,10 +131,16 @@ void guess_K(Sample& s, double tolerance) {
 
 // ---- the report ---------------------------------------------------------------------------------
 
+// The pose's name, and what it is for.
+PoseWords pose_of(const Sample& s) {
+  return s.pose == 3 ? s.broken : PoseWords{pose_names[s.pose], pose_words[s.pose]};
+}
+
 std::vector<std::string> poses_of(const std::vector<const Sample*>& samples) {
   std::vector<std::string> names;
   for (const Sample* s : samples)
-    if (names.empty() || names.back() != pose_names[s->pose]) names.push_back(pose_names[s->pose]);
+    if (const char* name = pose_of(*s).name; names.empty() || names.back() != name)
+      names.push_back(name);
   return names;
 }
 
@@ -169,7 +206,7 @@ const Sample* first_wrong(const std::vector<Sample>& samples, double tolerance) 
 
 // Which pose, and what stands beside yours.
 std::string heading(const Sample& s, const std::string& numeric) {
-  return std::string("Pose: ") + pose_names[s.pose] + " (" + pose_words[s.pose] + ")." +
+  return std::string("Pose: ") + pose_of(s).name + " (" + pose_of(s).words + ")." +
          (s.pose == pencil_and_paper ? "" : " Numeric: " + numeric) + "\n\n";
 }
 Table table_for(const Sample& s) {

@@ -15,6 +15,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tools"))
 import exercises  # noqa: E402
+import grade  # noqa: E402
 import house  # noqa: E402
 
 HEADINGS = ["Goal", "Derivation", "Numbers", "Code", "Exercises", "Check", "Predict", "See it",
@@ -338,6 +339,23 @@ def bad_words_are_refused(root, build):
                 yield f"{program} --help: exit status {help_.returncode}, {help_.stderr!r}"
 
 
+def crashes_are_placed(root, build):
+    """a crash is told in plain words, at the one region of its exercise that it can come from"""
+    chapter, id_ = house.exercise_of("8.2")
+    clamps = [r for r in regions(chapter) if r.id == id_ and "clamp(" in "".join(r.answer())]
+    crash = grade.plainly("std::clamp(...): Assertion '!(__hi < __lo)' failed.")
+    told = grade.with_place(crash, SolutionOf(chapter), id_)
+    for words in ("clamp(a, low, high)", f"{chapter.solution.name}:{clamps[0].begin}\n"):
+        if words not in told:
+            yield f"a crash of {id_} is told without '{words.strip()}': {told}"
+
+
+class SolutionOf:
+    """A chapter whose solution stands in the place of the reader's file."""
+    def __init__(self, chapter):
+        self.mine, self.place = chapter.solution, chapter.place
+
+
 def programs_repeat_themselves(root, build):
     """a program that runs twice writes the same tables and motions, apart from times"""
     for program in PROGRAMS:
@@ -374,7 +392,8 @@ PROOFS = [stubs_are_fresh, every_region_has_a_task, every_exercise_has_hints,
           every_exercise_has_wrong_answers, texts_have_their_headings, questions_have_answers,
           equations_exist, texts_keep_the_solution, links_lead_somewhere, errata_are_shown,
           quotations_are_exact, layers_hold, sources_are_short, programs_carry_what_they_use,
-          lanes_stay_at_home, bad_words_are_refused, programs_repeat_themselves]
+          lanes_stay_at_home, bad_words_are_refused, crashes_are_placed,
+          programs_repeat_themselves]
 
 
 def main(arguments):

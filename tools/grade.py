@@ -37,8 +37,16 @@ OUTSIDE = re.compile(
     r"Assertion '(__n < this->size\(\)|!this->empty\(\))'|_M_range_check|array::at")
 
 
+SWAPPED = re.compile(r"Assertion '!\(__hi < __lo\)'")  # and of std::clamp
+# What the beginning of such words tells of the lines they come from.
+CLUES = {"an index": r"\w\[|\.at\(|\.back\(|\.front\(", "std::clamp": r"\bclamp\("}
+
+
 def plainly(words):
     """What was thrown, or said by a crash, in plain words."""
+    if SWAPPED.search(words):
+        return ("std::clamp(a, low, high) was given a high that is below low: are the ends "
+                "exchanged, or has\na bound the wrong sign?")
     if OUTSIDE.search(words):
         return "an index outside a vector: places run from 0 to size() - 1"
     if re.search(r"SIGSEGV|exit status -11\b", words):
@@ -49,13 +57,13 @@ def plainly(words):
 
 def with_place(words, chapter, id_):
     """A report that no test has written: where the exercise is, and the next command. Of several
-    regions it is the one that has an index in it, where that is the trouble."""
+    regions it is the one that has an index or a clamp in it, where that is the trouble."""
     place = chapter.place(id_)
-    if words.startswith("an index"):
+    for beginning, clue in CLUES.items():
         regions = exercises.regions(chapter.mine.read_text())
         found = [region for region in regions if region.id == id_
-                 and re.search(r"\w\[|\.at\(|\.back\(|\.front\(", "\n".join(region.answer()))]
-        if len(found) == 1:
+                 and re.search(clue, "\n".join(region.answer()))]
+        if words.startswith(beginning) and len(found) == 1:
             place = f"{house.short(chapter.mine)}:{found[0].begin}"
     return f"{words}\n\nWhere: {place}\nNext:  ./wb hint {id_}"
 
@@ -76,6 +84,8 @@ def read_case(grade, case, chapter):
             words.append(plainly(element.text.strip()))
             says_where = element.tag == "Failure"
         elif element.tag == "Expression" and element.get("success") == "false":
+            if element.find("FatalErrorCondition") is not None:
+                continue  # it was right: the crash came after it
             words.append(f"{element.findtext('Original', '').strip()} is not true: "
                          f"{element.findtext('Expanded', '').strip()}")
         elif element.tag == "Info":

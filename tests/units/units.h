@@ -106,7 +106,14 @@ void has_unit(const std::string& entry, Quantity wanted, Call call, const OfTime
 /// The units of a row, or of several: factors of velocities, factors of angular velocities.
 template <class Call>
 void row_has_units(const std::string& entry, Quantity v, Quantity w, Call call) {
+  const auto has = [](const vec3& block, const Quantity& wanted) {
+    for (int k = 0; k < 3; ++k)
+      if (!block[k].takes_any_unit() && block[k].unit != wanted.unit) return false;
+    return true;
+  };
   for (const Row& row : to_jacobian(in(entry, call)).row) {
+    if (has(row.v1, v) && has(row.w1, v) && !has(row.w1, w) && has(row.v2, w) && !has(row.v2, v))
+      FAIL("Units: the blocks of " << entry << " are in another order: a row is {v1, w1, v2, w2}");
     expect_unit(entry + ".v1", row.v1, v);
     expect_unit(entry + ".v2", row.v2, v);
     expect_unit(entry + ".w1", row.w1, w);

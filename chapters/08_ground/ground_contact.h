@@ -239,7 +239,9 @@ inline void GroundContact::turn_friction(int k, const Body& body1, const Body& b
   vec3 sliding(0);
   if (turned_tangents) {
     sliding = point_velocity(body2, p - body2.x) - point_velocity(body1, p - body1.x);
-    if (length(sliding - dot(n, sliding) * n) < at_rest) sliding = -arrow;
+    const real held = length(arrow);
+    if (length(sliding - dot(n, sliding) * n) < at_rest)
+      sliding = held > 0 ? -arrow / held : vec3(0);
   }
   foot.t = tangents(n, sliding);
   foot.impulse[0] = dot(arrow, foot.t[0]);

@@ -84,7 +84,7 @@ Eigen::Vector3d angular_momentum(const Pair& pair) {  // about the origin
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Body* body : {&pair.body1, &pair.body2}) {
     sum += eigen(body->x).cross(eigen(body->v)) / double(body->inverse_mass);
-    sum += inverse_masses({*body}).bottomRightCorner<3, 3>().inverse() * eigen(body->w);
+    sum += inertia_of(*body) * eigen(body->w);
   }
   return sum;
 }

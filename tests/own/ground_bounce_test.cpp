@@ -50,7 +50,7 @@ Eigen::Vector3d angular_momentum(const Bodies& bodies) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Body& body : snapshot(bodies)) {
     if (body.is_static()) continue;
-    const Eigen::Matrix3d I = inverse_masses({body}).bottomRightCorner<3, 3>().inverse();
+    const Eigen::Matrix3d I = inertia_of(body);
     sum += eigen(body.x).cross(eigen(body.v)) / double(body.inverse_mass) + I * eigen(body.w);
   }
   return sum;

@@ -47,7 +47,7 @@ Body spinning_box(real speed) {
 }
 
 Vector3 spin_of(const Body& body) {  // angular momentum, world
-  return inverse_masses({body}).bottomRightCorner<3, 3>().inverse() * eigen(body.w);
+  return inertia_of(body) * eigen(body.w);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST_CASE("I4 a second solve finds nothing left to do") {
 TEST_CASE("I5 a solve gives b K^-1 b over 2 of energy and takes J V K^-1 J V over 2") {
   for_every_solve([](const Solved& s, real beta) {
     const Column JV = s.system.J * s.V1;
-    const Dense inverse = s.K.inverse();
+    const Dense inverse = inverse_of(s.K);
     const double given = 0.5 * s.bias.dot(inverse * s.bias), taken = 0.5 * JV.dot(inverse * JV);
     const double change = s.energy(s.after) - s.energy(s.before);
     CHECK(std::abs(change - (given - taken)) <
@@ -100,11 +100,11 @@ TEST_CASE("I6 of all velocities that the rows allow a solve takes the nearest") 
   for_every_solve([](const Solved& s, real) {
     const long n = s.lambda.size();  // Gauss: least (V - V1) M (V - V1)/2 with J V = -b
     Dense KKT = Dense::Zero(12 + n, 12 + n);
-    KKT.topLeftCorner(12, 12) = s.W.inverse();
+    KKT.topLeftCorner(12, 12) = inverse_of(s.W);
     KKT.topRightCorner(12, n) = -s.system.J.transpose();
     KKT.bottomLeftCorner(n, 12) = s.system.J;
     Column right(12 + n);
-    right << s.W.inverse() * s.V1, -s.bias;
+    right << inverse_of(s.W) * s.V1, -s.bias;
     const Column best = KKT.fullPivLu().solve(right);
     CHECK(difference(s.V2, best.head(12)) < tolerance(1e-10, 1e-4));
     CHECK(difference(s.lambda, best.tail(n)) < tolerance(1e-10, 1e-4));
@@ -117,7 +117,7 @@ TEST_CASE("I7 a solve keeps the momentum and turns the pair by the gap times the
     const auto add = [&](const Body& body, double sign) {
       const Eigen::Vector3d p = sign * eigen(body.v) / double(body.inverse_mass);
       linear += p;
-      const Eigen::Matrix3d I = inverse_masses({body}).bottomRightCorner<3, 3>().inverse();
+      const Eigen::Matrix3d I = inertia_of(body);
       angular += eigen(body.x).cross(p) + sign * (I * eigen(body.w));
     };
     for (const Body& body : {s.after.body1, s.after.body2}) add(body, 1);

@@ -61,4 +61,25 @@ double difference(const Column& yours, const Column& expected) {
          std::max(1.0, expected.cwiseAbs().maxCoeff());
 }
 
+Column magnitudes(const Dense& A) { return A.eigenvalues().cwiseAbs(); }
+
+Column symmetric_eigenvalues(const Dense& A) {
+  return Eigen::SelfAdjointEigenSolver<Dense>(A).eigenvalues();
+}
+
+Dense inverse_of(const Dense& A) { return A.partialPivLu().inverse(); }
+
+Column solved(const Dense& A, const Column& b) { return A.ldlt().solve(b); }
+
+long rank_of(const Dense& A, double threshold) {
+  Eigen::FullPivLU<Dense> lu(A);
+  lu.setThreshold(threshold);
+  return lu.rank();
+}
+
+Eigen::Matrix3d inertia_of(const Body& body) {
+  const Eigen::Matrix3d inverse = inverse_masses({body}).bottomRightCorner<3, 3>();
+  return inverse.inverse();
+}
+
 }  // namespace joints::testing

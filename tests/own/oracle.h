@@ -79,6 +79,15 @@ inline void push_at_random(Bodies& bodies, Random& random, real speed = 2) {
   }
 }
 
+// What takes the compiler long, compiled once.
+
+Column magnitudes(const Dense& A);                 ///< of the eigenvalues of any matrix
+Column symmetric_eigenvalues(const Dense& A);      ///< in increasing order
+Dense inverse_of(const Dense& A);                  ///< of a matrix that has one
+Column solved(const Dense& A, const Column& b);    ///< A^-1 b of a symmetric, positive A
+long rank_of(const Dense& A, double threshold);    ///< pivots below it count as zero [1]
+Eigen::Matrix3d inertia_of(const Body& body);      ///< in world axes [kg m^2]
+
 /// The largest difference of two columns over the largest number of the second (at least 1).
 double difference(const Column& yours, const Column& expected);
 

@@ -14,9 +14,7 @@ namespace {
 const real h = real(1) / 60;
 
 long rank_of_rows(const SequentialImpulses& solver, const World& world) {
-  Eigen::FullPivLU<Dense> lu(system_of(solver.blocks(), world.bodies.slots()).J);
-  lu.setThreshold(tolerance(1e-9, 1e-4));
-  return lu.rank();
+  return rank_of(system_of(solver.blocks(), world.bodies.slots()).J, tolerance(1e-9, 1e-4));
 }
 
 // A box held to a wall by one joint or by the same joint twice.

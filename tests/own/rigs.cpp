@@ -31,7 +31,7 @@ Dense sweep_matrix(const Dense& A, const std::vector<int>& block) {
 
 double sweep_rate(const World& world, const System& system) {
   const Dense G = sweep_matrix(whole_K(system, world), system.block);
-  return G.eigenvalues().cwiseAbs().maxCoeff();
+  return magnitudes(G).maxCoeff();
 }
 
 double measured_rate(World& world, int settling, int sweeps) {

@@ -49,7 +49,7 @@ Momenta momenta(const World& world) {
     const Eigen::Vector3d p = eigen(body.v) / double(body.inverse_mass);
     sum.linear += p;
     sum.angular += eigen(body.x).cross(p) +
-                   inverse_masses({body}).bottomRightCorner<3, 3>().inverse() * eigen(body.w);
+                   inertia_of(body) * eigen(body.w);
   }
   return sum;
 }
@@ -115,7 +115,7 @@ TEST_CASE("a slider's motor moves two free bodies by its force over their reduce
     System system = system_of(piston.solver.blocks(), 2);
     const Dense W = inverse_masses({one, two}), A = system.J * W * system.J.transpose();
     const Dense rigid = A.bottomRightCorner(5, 5), cross = A.topRightCorner(1, 5);
-    const double K = A(0, 0) - (cross * rigid.inverse() * cross.transpose())(0, 0);
+    const double K = A(0, 0) - (cross * inverse_of(rigid) * cross.transpose())(0, 0);
     CHECK(piston.speed() == Approx(6 * double(h) * K).epsilon(tolerance(1e-9, 1e-4)));
   }
 }

@@ -86,22 +86,6 @@ def is_open(region):
     return any(re.search(r'\btodo\("', line.split("//")[0]) for line in region.lines)
 
 
-def splice(text, id_, body, place=1):
-    """The text with the answer of one region replaced by the lines of `body`."""
-    hit = []
-
-    def change(region, number):
-        if region.id == id_ and number == place:
-            hit.append(region)
-            return region.task() + body.rstrip("\n").split("\n")
-        return None
-
-    result = replace(text, change)
-    if not hit:
-        raise Broken(f"there is no region {place} of exercise {id_}")
-    return result
-
-
 def fill(mine, solution, ids):
     """The learner's text with the regions of `ids` taken from the solution."""
     answers = {}
@@ -117,22 +101,6 @@ def outside(text):
     return replace(text, lambda r, _: [])
 
 
-def read_answer(path):
-    """A file of tests/wrong or tests/right: (exercise, place, promise, body)."""
-    id_ = re.match(r"(\d+\.\d+)_", path.name)
-    if not id_:
-        raise Broken(f"{path.name}: the name must begin with the exercise, such as 1.1_")
-    place, promise, body = 1, [], []
-    for line in path.read_text().split("\n"):
-        if match := re.match(r"// expects: (.*)", line):
-            promise.append(match[1].strip())
-        elif match := re.match(r"// region: (\d+)", line):
-            place = int(match[1])
-        else:
-            body.append(line)
-    return id_[1], place, promise, "\n".join(body)
-
-
 def write_if_new(path, text):
     """Writes a file only when it would change, so that nothing is built again for nothing."""
     path = Path(path)
@@ -144,19 +112,14 @@ def write_if_new(path, text):
 
 
 def main(arguments):
-    """exercises.py stub SOLUTION OUT | exercises.py splice SOLUTION ANSWER OUT"""
+    """exercises.py SOLUTION STUB"""
+    if len(arguments) != 2:
+        print(main.__doc__, file=sys.stderr)
+        return 2
     try:
-        match arguments:
-            case ["stub", solution, out]:
-                Path(out).parent.mkdir(parents=True, exist_ok=True)
-                Path(out).write_text(stub(Path(solution).read_text()))
-            case ["splice", solution, answer, out]:
-                id_, place, _, body = read_answer(Path(answer))
-                Path(out).parent.mkdir(parents=True, exist_ok=True)
-                Path(out).write_text(splice(Path(solution).read_text(), id_, body, place))
-            case _:
-                print(main.__doc__, file=sys.stderr)
-                return 2
+        solution, out = map(Path, arguments)
+        out.parent.mkdir(parents=True, exist_ok=True)
+        out.write_text(stub(solution.read_text()))
     except (Broken, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2

@@ -1,4 +1,5 @@
 """How far the reader is: the exercises' tests, run and read."""
+import os
 import re
 import subprocess
 import xml.etree.ElementTree as ElementTree
@@ -102,13 +103,14 @@ def read_case(grade, case, chapter):
     grade.failures.append((name, text if says_where else with_place(text, chapter, grade.id)))
 
 
-def run(chapter, ids, kind="test", timeout=10):
-    """Runs the tests of these exercises in one process; words if it did not end well."""
-    program = house.BUILD / "tests" / f"{chapter.folder}_{kind}_mine"
+def run(program, ids, timeout=10, answer=None):
+    """Runs the tests of these exercises in one process: Catch's XML, or words if it did not end
+    well. \\param answer the known answer to run (tools/answers.py)"""
     filter_ = ",".join(f"[{id_}]" for id_ in ids)
+    env = dict(os.environ, WORKBOOK_ANSWER=answer) if answer else None
     try:
-        result = subprocess.run([program, filter_, "-r", "xml"],
-                                capture_output=True, text=True, timeout=timeout)
+        result = subprocess.run([program, filter_, "-r", "xml"], capture_output=True, text=True,
+                                errors="replace", timeout=timeout, env=env)
     except subprocess.TimeoutExpired:
         return "it did not end within ten seconds: a loop without an end?"
     try:
@@ -120,6 +122,18 @@ def run(chapter, ids, kind="test", timeout=10):
     return tree
 
 
+def read(tree, grades, chapter, only=None):
+    """Fills the grades of a chapter's exercises from what run() returned."""
+    for case in tree.iter("TestCase"):
+        for tag in re.findall(r"\[(\d+\.\d+)\]", case.get("tags", "")):
+            if tag in grades and only in (None, tag):
+                read_case(grades[tag], case, chapter)
+
+
+def program_of(chapter, kind="test"):
+    return house.BUILD / "tests" / f"{chapter.folder}_{kind}_mine"
+
+
 def grade(chapter, ids=None):
     """Builds the reader's file and grades its exercises, in order."""
     ids = ids or chapter.ids()
@@ -129,19 +143,17 @@ def grade(chapter, ids=None):
         for one in grades.values():
             worse(one, BROKEN, house.compiler_words(log))
         return list(grades.values())
-    tree = run(chapter, ids)
+    program = program_of(chapter)
+    tree = run(program, ids)
     ended_well = not isinstance(tree, str) and tree.find(".//FatalErrorCondition") is None
     trees = {None: tree} if ended_well else {ids[0]: tree} if len(ids) == 1 else {
-        id_: run(chapter, [id_]) for id_ in ids}  # one by one: which of them was it?
+        id_: run(program, [id_]) for id_ in ids}  # one by one: which of them was it?
     for id_, part in trees.items():
         if isinstance(part, str):
             worse(grades[id_], WRONG)
             grades[id_].failures.append(("", with_place(part, chapter, id_)))
             continue
-        for case in part.iter("TestCase"):
-            for tag in re.findall(r"\[(\d+\.\d+)\]", case.get("tags", "")):
-                if tag in grades and (id_ is None or tag == id_):
-                    read_case(grades[tag], case, chapter)
+        read(part, grades, chapter, id_)
     for one in grades.values():
         if one.tests == 0 and one.status == DONE:
             raise house.Trouble(f"exercise {one.id} has no test")
@@ -153,6 +165,10 @@ def units(chapter, id_):
     cannot follow the answer. An exercise whose numbers are right is not asked for its units."""
     if house.build([f"{chapter.folder}_units_mine"], "asking the units"):
         return ""
-    tree = run(chapter, [id_], "units")
+    return units_of(run(program_of(chapter, "units"), [id_]))
+
+
+def units_of(tree):
+    """The sentence on units in what run() returned; "" where there is none."""
     found = [] if isinstance(tree, str) else [e.text or "" for e in tree.iter("Failure")]
     return next((" ".join(words.split()) for words in found if "Units: " in words), "")

@@ -1,9 +1,12 @@
 """Where things are, how they are built, and how wb talks."""
+import contextlib
 import os
 import re
 import shutil
 import subprocess
 import sys
+import threading
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -129,13 +132,24 @@ def bold(words):
     return coloured(words, "1")
 
 
+QUIET = 9.0  # a log gets a line of progress at least this often [s], and not much oftener
+_said = {"words": "", "at": 0.0}
+
+
 def progress(words):
-    """One line that is overwritten by the next; on a log, a line of its own."""
+    """What is being done: a line that is overwritten by the next. A log gets only some of them."""
+    _said["words"] = words
     if TERMINAL:
         width = shutil.get_terminal_size().columns - 1
         sys.stdout.write("\r\033[K" + words[:width])
-    else:
-        sys.stdout.write(words + "\n")
+        sys.stdout.flush()
+    elif time.time() - _said["at"] > QUIET / 2:
+        say_progress()
+
+
+def say_progress():
+    _said["at"] = time.time()
+    sys.stdout.write(f"  {_said['words']}\n")
     sys.stdout.flush()
 
 
@@ -143,6 +157,23 @@ def progress_done():
     if TERMINAL:
         sys.stdout.write("\r\033[K")
         sys.stdout.flush()
+
+
+@contextlib.contextmanager
+def talking():
+    """While it lasts, a log gets a line of progress even where one thing takes long."""
+    ended = threading.Event()
+
+    def talk():
+        while not ended.wait(1):
+            if _said["words"] and time.time() - _said["at"] > QUIET:
+                say_progress()
+    if not TERMINAL:
+        threading.Thread(target=talk, daemon=True).start()
+    try:
+        yield
+    finally:
+        ended.set()
 
 
 def ask(question, yes):
@@ -156,6 +187,15 @@ def ask(question, yes):
 
 # ---- building ------------------------------------------------------------------------------------
 
+def use_build(preset):
+    """From now on another preset's folder is built in and run from."""
+    global BUILD
+    BUILD, _settings["preset"] = ROOT / "build" / preset, preset
+
+
+_settings = {"preset": "workbook"}
+
+
 def configure():
     """Runs CMake when the build folder is new or was made for another place."""
     cache = BUILD / "CMakeCache.txt"
@@ -164,9 +204,11 @@ def configure():
             return
         shutil.rmtree(BUILD)  # a copied build folder points at the place it was copied from
     progress("configuring")
-    command = ["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja",
+    command = ["cmake", "-S", ROOT, "--preset", _settings["preset"],
                f"-DPython3_EXECUTABLE={sys.executable}"]
-    result = subprocess.run(command, capture_output=True, text=True)
+    if os.environ.get("CI") == "true":
+        command.append("-DWORKBOOK_WARNINGS_AS_ERRORS=ON")
+    result = subprocess.run(command, capture_output=True, text=True, cwd=ROOT)
     progress_done()
     if result.returncode != 0:
         raise Trouble("CMake failed:\n" + result.stdout[-1500:] + result.stderr[-3000:])
@@ -177,20 +219,23 @@ def build(targets, what="building"):
     configure()
     process = subprocess.Popen(["ninja", "-C", str(BUILD), "-k", "0", *targets],
                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    log, last = [], -1
-    for line in process.stdout:
-        match = re.match(r"\[(\d+)/(\d+)\] ", line)
-        if not match:
+    log = []
+    with talking():
+        for line in process.stdout:
+            if match := re.match(r"\[(\d+)/(\d+)\] ", line):
+                progress(f"{what} {match[1]} of {match[2]}{thing_built(line)}")
             log.append(line)
-            continue
-        tenth = 10 * int(match[1]) // int(match[2])
-        if TERMINAL or (tenth > last and int(match[2]) > 10):
-            progress(f"{what} {match[1]} of {match[2]}")
-        last = tenth
-        log.append(line)
-    process.wait()
+        process.wait()
     progress_done()
     return "" if process.returncode == 0 else "".join(log)
+
+
+def thing_built(line):
+    """": joints_test, reaction_test.cpp" of a line of ninja's."""
+    if match := re.search(r"CMakeFiles/(\w+)\.dir/(?:\S*/)?([\w.]+)\.o$", line.strip()):
+        return f": {match[1]}, {match[2]}"
+    match = re.search(r"Linking .* (\S+)$", line.strip())
+    return f": {match[1]}" if match else ""
 
 
 def must_build(targets, what="building"):

@@ -15,7 +15,8 @@ HELP = """The Joint Workbook
 
   ./wb                 where am I: every exercise, and the next thing to do
   ./wb tour            build, run every chapter's program, draw every figure, print the summary
-  ./wb check           the workbook's own tests
+  ./wb check           the workbook's own tests (./wb check 3: of one chapter; --quick: without
+                       float, units and known answers)
 
   ./wb test 2.1        test one exercise (or a whole chapter: ./wb test 2)
   ./wb watch [2.1]     test again whenever you save
@@ -53,15 +54,17 @@ def main(arguments):
     yes = "--yes" in arguments
     arguments = [a for a in arguments if a != "--yes"]
     command, rest = (arguments[0], arguments[1:]) if arguments else ("", [])
-    takes_none = {"": learn.status, "tour": show.tour, "check": checking.check, "bench": None,
+    takes_none = {"": learn.status, "tour": show.tour, "bench": None,
                   "docs": docs.command}
     if command in takes_none and rest and command != "bench":
         raise house.Trouble(f"{command} takes no argument; {' '.join(rest)} is one too many")
     match command:
         case "help" | "--help" | "-h":
             print(HELP, end="")
-        case "" | "tour" | "check" | "docs":
+        case "" | "tour" | "docs":
             return takes_none[command]()
+        case "check":
+            return checking.check(rest)
         case "bench":
             return show.bench(rest)
         case "test":

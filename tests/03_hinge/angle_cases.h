@@ -1,0 +1,242 @@
+// Exercise 3.3 as two tables of cases, each with its usual mistakes: the angle, the count of turns.
+#pragma once
+
+#include <algorithm>
+#include <numbers>
+
+#include "chapters/03_hinge/hinge.h"
+#include "tests/checker/cases.h"
+
+namespace joints::testing {
+
+// ---- 3.3 the angle ------------------------------------------------------------------------------
+
+struct AngleCase {
+  std::string words;
+  quat q1, q2, start;
+  vec3 a1_local;
+};
+
+/// Hinges that were turned by `twist`, swung by up to a radian out of their axis, then turned as a
+/// pair; the signs of the quaternions any way round.
+inline std::vector<AngleCase> angle_cases(bool swung) {
+  std::vector<AngleCase> out;
+  Random random(swung ? 34 : 33);
+  for (int draw = 0; draw < 16; ++draw) {
+    const vec3 a = normalize(random.vector(1)), any = random.vector(1);
+    const real twist = random.uniform(real(-3.05), real(3.05));
+    const vec3 across = normalize(cross(a, any)) * random.uniform(real(0.2), 1);
+    const quat swing = swung ? rotation(across) : quat(1, 0, 0, 0);
+    const quat q1 = random.turn(), start = draw < 4 ? quat(1, 0, 0, 0) : random.turn();
+    const quat q2 = q1 * swing * rotation(twist * a) * start;
+    out.push_back({swung ? "askew" : "any pose", draw % 2 ? -q1 : q1, draw % 4 < 2 ? q2 : -q2,
+                   draw % 8 < 4 ? start : -start, a});
+  }
+  return out;
+}
+
+inline CaseTable<AngleCase> angle_table() {
+  using Case = AngleCase;
+  constexpr real pi = std::numbers::pi_v<real>;
+  const auto vector = [](const quat& q) { return vec3(q.x, q.y, q.z); };
+  const auto up = [](const quat& q) { return q.w < 0 ? -q : q; };
+  const auto degrees = [](real angle) { return Numbers{double(angle) * 180 / std::numbers::pi}; };
+  // the right turn, and the right angle of a turn
+  const auto turn = [](const Case& c) { return conjugate(c.q1) * c.q2 * conjugate(c.start); };
+  const auto angle_of = [=](const quat& q, const vec3& a) {
+    return 2 * std::atan2(dot(vector(up(q)), a), up(q).w);
+  };
+  // another turn, another axis, another angle of the right turn
+  const auto of = [=](auto other) {
+    return [=](const Case& c) { return degrees(angle_of(other(c), c.a1_local)); };
+  };
+  const auto about = [=](auto axis) {
+    return [=](const Case& c) { return degrees(angle_of(turn(c), axis(c))); };
+  };
+  const auto angle = [=](auto other) {
+    return [=](const Case& c) {
+      const quat q = up(turn(c));
+      return degrees(other(dot(vector(q), c.a1_local), q.w, length(vector(q))));
+    };
+  };
+  const auto as_it_comes = [=](auto other) {
+    return [=](const Case& c) {
+      const quat q = turn(c);
+      return degrees(other(dot(vector(q), c.a1_local), q.w, length(vector(q))));
+    };
+  };
+  const auto total = [](real, real s, real v) { return 2 * std::atan2(v, s); };
+  const auto as_it_stands = [=](const quat& q, const vec3& a) {
+    return 2 * std::atan2(dot(vector(q), a), q.w);
+  };
+  const auto signed_total = [](real p, real s, real v) {
+    return 2 * std::atan2(p < 0 ? -v : v, s);
+  };
+  const auto twist = [](real p, real s, real) { return 2 * std::atan2(p, s); };
+  const char* const no_sign = "no sign rule: q and -q are the same turn. Where s < 0 turn all of q";
+  const char* const all_of_it = "the angle of the whole turn: that has the swing in it, and no "
+                                "sign. The twist takes only p, the part of v along the axis";
+  const char* const world_frame =
+      "the turn as the world sees it (q2 q1^-1): it changes when both bodies turn as one. "
+      "q1^-1 q2 is body 2 as body 1 sees it";
+  const char* const start_inverse = "start is multiplied, not its inverse";
+  const char* const axis_frame = "the axis and the turn in different frames: in body 1's frame the "
+                                 "axis is a1_local as it stands";
+
+  CaseTable<Case> table{{"3.3", "the angle of a hinge"}, {"twist [degrees]"}, {}, {}, {}, {}};
+  table.yours = [=](const Case& c) {
+    Body body1, body2;
+    body1.q = c.q1;
+    body2.q = c.q2;
+    return degrees(HingeAngle{c.a1_local, c.start, 0}.twist(body1, body2));
+  };
+  table.right = of(turn);
+  table.mistakes = {
+      {no_sign, as_it_comes(twist)},
+      {"s alone changes its sign: where s < 0 turn all of q, p too",
+       as_it_comes([](real p, real s, real) { return 2 * std::atan2(p, std::abs(s)); })},
+      {"v alone changes its sign: where s < 0 turn all of q, s too",
+       as_it_comes([](real p, real s, real) { return 2 * std::atan2(s < 0 ? -p : p, s); })},
+      {"the turn as the world sees it (take q1^-1 q2), and no sign rule (s < 0: take -q)",
+       [=](const Case& c) {
+         return degrees(as_it_stands(c.q2 * conjugate(c.q1) * conjugate(c.start), c.a1_local));
+       }},
+      {all_of_it, as_it_comes(total)},
+      {all_of_it, angle(total)},
+      {all_of_it, angle(signed_total)},
+      {all_of_it, as_it_comes(signed_total)},
+      {world_frame,
+       of([](const Case& c) { return c.q2 * conjugate(c.q1) * conjugate(c.start); })},
+      {world_frame,
+       [=](const Case& c) {
+         return degrees(angle_of(c.q2 * conjugate(c.q1) * conjugate(c.start),
+                                 c.q1 * c.a1_local));
+       }},
+      {"the turn as the world sees it, and its whole angle: take q1^-1 q2, and only p",
+       [=](const Case& c) {
+         const quat q = c.q2 * conjugate(c.q1) * conjugate(c.start);
+         return degrees(total(0, q.w, length(vector(q))));
+       }},
+      {"the factor 2 is missing: a quaternion holds half the angle",
+       angle([](real p, real s, real) { return std::atan2(p, s); })},
+      {"a factor of 4: the quaternion holds half the angle, so take it twice",
+       angle([](real p, real s, real) { return 4 * std::atan2(p, s); })},
+      {"the arguments of atan2 are exchanged: first p, then s",
+       angle([](real p, real s, real) { return 2 * std::atan2(s, p); })},
+      {"the sign of the turn: body 2 as body 1 sees it",
+       angle([](real p, real s, real) { return -2 * std::atan2(p, s); })},
+      {"the sign is lost",
+       angle([](real p, real s, real) { return 2 * std::atan2(std::abs(p), s); })},
+      {"half the range: a sine cannot tell 80 degrees from 100. atan2 takes p and s",
+       angle([](real p, real s, real) { return std::asin(std::sin(2 * std::atan2(p, s))); })},
+      {"from 0 to 360 degrees: the angle must be in (-pi, pi]", angle([](real p, real s, real) {
+         const real half = std::atan2(p, s);
+         return 2 * (half < 0 ? half + pi : half);
+       })},
+      {"the sine alone: p is the sine of half the twist only where nothing swings",
+       angle([](real p, real, real) { return 2 * std::asin(p); })},
+      {"2 p is the angle only while it is small", angle([](real p, real, real) { return 2 * p; })},
+      {"degrees where radians belong",
+       angle([=](real p, real s, real) { return 360 / pi * std::atan2(p, s); })},
+      {"start is forgotten", of([](const Case& c) { return conjugate(c.q1) * c.q2; })},
+      {start_inverse, of([](const Case& c) { return conjugate(c.q1) * c.q2 * c.start; })},
+      {"start^-1 stands on the wrong side: q1^-1 q2 start^-1",
+       of([](const Case& c) { return conjugate(c.start) * conjugate(c.q1) * c.q2; })},
+      {"start stands on the wrong side, and not its inverse: q1^-1 q2 start^-1",
+       of([](const Case& c) { return c.start * conjugate(c.q1) * c.q2; })},
+      {"body 1's turn is forgotten: q1^-1 q2 start^-1",
+       of([](const Case& c) { return c.q2 * conjugate(c.start); })},
+      {"q1 is multiplied, not its inverse",
+       of([](const Case& c) { return c.q1 * c.q2 * conjugate(c.start); })},
+      {"bodies 1 and 2 swapped",
+       of([](const Case& c) { return conjugate(c.q2) * c.q1 * conjugate(c.start); })},
+      {axis_frame, about([](const Case& c) { return c.q1 * c.a1_local; })},
+      {axis_frame, about([](const Case& c) { return c.q2 * c.a1_local; })},
+      {axis_frame, about([](const Case& c) { return conjugate(c.start) * c.a1_local; })},
+      {axis_frame,
+       of([](const Case& c) { return c.q2 * conjugate(c.start) * conjugate(c.q1); })},
+      {"the axis is not used: p is v.a1_local, not one entry of v",
+       about([](const Case&) { return vec3(1, 0, 0); })},
+      {"the axis is not used: p is v.a1_local, not one entry of v",
+       about([](const Case&) { return vec3(0, 1, 0); })},
+      {"the axis is not used: p is v.a1_local, not one entry of v",
+       about([](const Case&) { return vec3(0, 0, 1); })}};
+  for (const bool swung : {false, true})
+    for (const Case& c : angle_cases(swung)) table.cases.push_back(c);
+  table.tolerance = 57.3 * difference_tolerance;  // acos of a number near 1 is that rough
+  return table;
+}
+
+// ---- 3.3 counting turns -------------------------------------------------------------------------
+
+struct TurnsCase {
+  std::string words;
+  double measured, expected;
+};
+
+inline CaseTable<TurnsCase> turns_table() {
+  using Case = TurnsCase;
+  constexpr double turn = 2 * std::numbers::pi;
+  // measured plus `unit` times a whole number that comes from how many units are missing
+  const auto plus = [](double unit, auto whole) {
+    return [=](const Case& c) {
+      return Numbers{c.measured + unit * whole((c.expected - c.measured) / unit)};
+    };
+  };
+  const auto nearest = [](double k) { return std::round(k); };
+  const char* const one_turn =
+      "one turn at most is added: a fast wheel makes several of them in a step";
+
+  CaseTable<Case> table{{"3.3", "counting turns", 2}, {"unwrapped"}, {}, {}, {}, {}};
+  table.yours = [](const Case& c) {
+    return Numbers{double(unwrapped(real(c.measured), real(c.expected)))};
+  };
+  table.right = plus(turn, nearest);
+  table.mistakes = {
+      {"`measured` is returned as it is: no turn is counted",
+       [](const Case& c) { return Numbers{c.measured}; }},
+      {"`expected` is returned: it only says which turn, the angle is measured",
+       [](const Case& c) { return Numbers{c.expected}; }},
+      {one_turn, plus(turn, [](double k) { return std::clamp(std::round(k), -1.0, 1.0); })},
+      {"only turns forward are added",
+       plus(turn, [](double k) { return k > 0 ? std::round(k) : 0; })},
+      {"only turns back are added",
+       plus(turn, [](double k) { return k < 0 ? std::round(k) : 0; })},
+      {"the number of turns is cut off (as std::fmod does), not rounded: the nearest one counts",
+       plus(turn, [](double k) { return std::trunc(k); })},
+      {"the number of turns is rounded down: the nearest one counts",
+       plus(turn, [](double k) { return std::floor(k); })},
+      {"the number of turns is rounded up: the nearest one counts",
+       plus(turn, [](double k) { return std::ceil(k); })},
+      {"turns in the wrong direction: measured + 2 pi k",
+       plus(turn, [](double k) { return -std::round(k); })},
+      {"half turns: a whole turn is 2 pi", plus(turn / 2, nearest)},
+      {"degrees where radians belong: a whole turn is 2 pi", plus(360, nearest)},
+      {"`expected` is not added again after std::remainder",
+       [](const Case& c) { return Numbers{std::remainder(c.measured - c.expected, turn)}; }},
+      {"remainder of measured alone: expected + remainder(measured - expected, 2 pi)",
+       [](const Case& c) { return Numbers{c.expected + std::remainder(c.measured, turn)}; }},
+      {"the sign: expected + remainder(measured - expected, 2 pi)",
+       [](const Case& c) {
+         return Numbers{c.expected - std::remainder(c.measured - c.expected, turn)};
+       }},
+      {"measured and expected are exchanged",
+       [](const Case& c) {
+         return Numbers{c.measured + std::remainder(c.expected - c.measured, turn)};
+       }},
+      {"the angle is folded into (-pi, pi]: it must be the one nearest to `expected`",
+       [](const Case& c) { return Numbers{std::remainder(c.measured, turn)}; }},
+      {"the angle is folded into (-pi, pi]: it must be the one nearest to `expected`",
+       [](const Case& c) { return Numbers{std::remainder(c.expected, turn)}; }}};
+  for (const double k : {0, 1, -1, 2, -2, 7, -7, 60, -60})
+    for (const double measured : {-3.1, -1.2, 0.4, 3.0, 4.2})
+      for (const double off : {-2.9, -0.5, 0.2, 3.0}) {
+        const double expected = std::round(100 * (measured + turn * k + off)) / 100;
+        table.cases.push_back({short_number(measured) + " near " + short_number(expected),
+                               measured, expected});
+      }
+  table.tolerance = is_float ? 1e-3 : 1e-9;
+  return table;
+}
+
+}  // namespace joints::testing

@@ -1,0 +1,45 @@
+// The parts of chapter 4 with their errors written out once more: J is compared with the slopes of
+// these, so that it waits for no C of the reader's.
+#pragma once
+
+#include "tests/checker/joint_fixtures.h"
+
+namespace joints::testing {
+
+// p2 - p1.
+template <class Part>
+vec3 gap(const Part& part, const Body& body1, const Body& body2) {
+  return body2.x + body2.q * part.anchor2_local - body1.x - body1.q * part.anchor1_local;
+}
+// The vector of a turn, from the one of q and -q that turns less.
+inline vec3 short_way(const quat& q) {
+  return (q.w < 0 ? real(-1) : real(1)) * vec3(q.x, q.y, q.z);
+}
+
+struct LineTwin : Line {
+  Vector<2> error(const Body& body1, const Body& body2) const {
+    const vec3 u = conjugate(body1.q) * gap(*this, body1, body2);
+    return {dot(u, n1_local), dot(u, n2_local)};
+  }
+};
+struct LockTwin : RotationLock {
+  vec3 error(const Body& body1, const Body& body2) const {
+    return real(2) * short_way(body2.q * conjugate(start) * conjugate(body1.q));
+  }
+};
+struct SlideTwin : Slide {
+  real error(const Body& body1, const Body& body2) const {
+    return dot(gap(*this, body1, body2), body1.q * a1_local);
+  }
+};
+
+template <class Fixture, class Twin>
+struct WithTwin : Fixture {
+  using Part = Twin;
+  static Part make(const Pair& pair) { return {Fixture::make(pair)}; }
+};
+using Lines = WithTwin<LineFixture, LineTwin>;
+using Locks = WithTwin<RotationLockFixture, LockTwin>;
+using Slides = WithTwin<SlideFixture, SlideTwin>;
+
+}  // namespace joints::testing

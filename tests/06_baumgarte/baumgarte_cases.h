@@ -1,0 +1,213 @@
+// Exercise 6.1 as tables of cases, each with its usual mistakes: bias, limit, half-time.
+#pragma once
+
+#include <algorithm>
+
+#include "chapters/06_baumgarte/baumgarte.h"
+#include "tests/checker/cases.h"
+
+namespace joints::testing {
+
+// ---- 6.1 the bias -------------------------------------------------------------------------------
+
+struct BiasCase {
+  std::string words;
+  double C, beta, h;
+};
+
+/// An error, a share, and how many steps a second has.
+inline BiasCase bias_case(double C, double beta, double rate) {
+  return {"C " + short_number(C) + " beta " + short_number(beta) + " h 1/" + short_number(rate), C,
+          beta, 1 / rate};
+}
+inline std::vector<BiasCase> bias_cases() {
+  std::vector<BiasCase> out;
+  for (const double rate : {60.0, 100.0, 10.0})
+    for (const double beta : {0.15, 0.8, 1.5})
+      for (const double C : {-0.02, 0.02, -0.7, 0.3, 0.0})
+        out.push_back(bias_case(C, beta, rate));
+  return out;
+}
+
+/// The mistakes that one can make with b = beta C/h, as functions of C, beta and h.
+using BiasRule = std::function<double(double, double, double)>;
+inline std::vector<std::pair<std::string, BiasRule>> wrong_biases() {
+  return {
+      {"h is forgotten: beta C is the way that a step shall take back, b is a velocity",
+       [](double C, double beta, double) { return beta * C; }},
+      {"times h where it must be divided by h",
+       [](double C, double beta, double h) { return beta * C * h; }},
+      {"60 in the place of 1/h: a step need not be 1/60 s",
+       [](double C, double beta, double) { return beta * C * 60; }},
+      {"divided by 60: one over h is times 60, and a step need not be 1/60 s",
+       [](double C, double beta, double) { return beta * C / 60; }},
+      {"the sign: b has the sign of C. J V + b = 0 turns it round already",
+       [](double C, double beta, double h) { return -beta * C / h; }},
+      {"beta is forgotten: this takes all of the error in one step",
+       [](double C, double, double h) { return C / h; }},
+      {"1 - beta is the share that stays: b takes the share beta",
+       [](double C, double beta, double h) { return (1 - beta) * C / h; }},
+      {"divided by beta: beta is a share, a factor",
+       [](double C, double beta, double h) { return C / (beta * h); }},
+      {"divided by h twice: that is an acceleration",
+       [](double C, double beta, double h) { return beta * C / (h * h); }},
+      {"the size of C: an error has a sign, and so has the way back",
+       [](double C, double beta, double h) { return beta * std::abs(C) / h; }},
+      {"only positive errors are fed back",
+       [](double C, double beta, double h) { return beta * std::max(C, 0.0) / h; }},
+      {"only negative errors are fed back",
+       [](double C, double beta, double h) { return beta * std::min(C, 0.0) / h; }},
+      {"C itself is returned", [](double C, double, double) { return C; }},
+      {"it is always zero", [](double, double, double) { return 0.0; }}};
+}
+
+inline CaseTable<BiasCase> bias_table() {
+  using Case = BiasCase;
+  CaseTable<Case> table{{"6.1", "the bias of an equality"}, {"b"}, {}, {}, {}, bias_cases()};
+  table.yours = [](const Case& c) {
+    return Numbers{double(bias(real(c.C), real(c.beta), real(c.h)))};
+  };
+  table.right = [](const Case& c) { return Numbers{c.beta * c.C / c.h}; };
+  for (const auto& [words, rule] : wrong_biases())
+    table.mistakes.push_back({words, [rule = rule](const Case& c) {
+                                return Numbers{rule(c.C, c.beta, c.h)};
+                              }});
+  table.tolerance = 10 * rounding;
+  return table;
+}
+
+inline CaseTable<BiasCase> limit_bias_table() {
+  using Case = BiasCase;
+  const BiasRule behind = [](double C, double beta, double h) { return beta * C / h; };
+  const BiasRule all = [](double C, double, double h) { return C / h; };
+  const BiasRule none = [](double, double, double) { return 0.0; };
+  // one rule where the limit is passed and one where it lies ahead
+  const auto rules = [](const BiasRule& passed, const BiasRule& ahead) {
+    return [=](const Case& c) {
+      return Numbers{(c.C < 0 ? passed : ahead)(c.C, c.beta, c.h)};
+    };
+  };
+  const auto scaled = [](const BiasRule& rule, double factor) {
+    return BiasRule([=](double C, double beta, double h) { return factor * rule(C, beta, h); });
+  };
+  const char* const is_ahead = "a limit that lies ahead";
+
+  CaseTable<Case> table{{"6.1", "the bias of a limit", 2}, {"b"}, {}, {}, {}, bias_cases()};
+  table.yours = [](const Case& c) {
+    return Numbers{double(limit_bias(real(c.C), real(c.beta), real(c.h)))};
+  };
+  table.right = rules(behind, all);
+  table.mistakes = {
+      {std::string(is_ahead) + " needs no beta: C/h just reaches it, beta C/h brakes long before",
+       rules(behind, behind)},
+      {std::string(is_ahead) + " stops the approach far from it: b = 0 gives up the room C. It "
+                               "may come as near as C/h", rules(behind, none)},
+      {"a limit that is passed comes back by the share beta: C/h throws it back in one step",
+       rules(all, all)},
+      {"the two lines are exchanged: the share beta belongs to C < 0", rules(all, behind)},
+      {"the sign: b has the sign of C on both sides", rules(scaled(behind, -1), scaled(all, -1))},
+      {std::string("the sign of ") + is_ahead + ": b has the sign of C on both sides",
+       rules(behind, scaled(all, -1))},
+      {"the sign of a limit that is passed: b has the sign of C on both sides",
+       rules(scaled(behind, -1), all)},
+      {"nothing is done where the limit is passed: it has to come back", rules(none, all)},
+      {"h is forgotten on both sides: b is a velocity",
+       [](const Case& c) { return Numbers{c.C < 0 ? c.beta * c.C : c.C}; }},
+      {std::string("h is forgotten for ") + is_ahead + ": b is a velocity",
+       [](const Case& c) { return Numbers{c.C < 0 ? c.beta * c.C / c.h : c.C}; }},
+      {"h is forgotten where the limit is passed: b is a velocity",
+       [](const Case& c) { return Numbers{c.C < 0 ? c.beta * c.C : c.C / c.h}; }},
+      {"the larger one of the two: that is the right one only where beta is below 1, ask for the "
+       "sign of C",
+       [](const Case& c) { return Numbers{std::max(c.beta * c.C, c.C) / c.h}; }},
+      {"the smaller one of the two: ask for the sign of C",
+       [](const Case& c) { return Numbers{std::min(c.beta * c.C, c.C) / c.h}; }},
+      {"60 in the place of 1/h: a step need not be 1/60 s",
+       [](const Case& c) { return Numbers{60 * (c.C < 0 ? c.beta * c.C : c.C)}; }}};
+  for (const auto& [words, rule] : wrong_biases())
+    table.mistakes.push_back({words, rules(rule, rule)});
+  table.tolerance = 10 * rounding;
+  return table;
+}
+
+// A bead of 2 kg on a line, at the coordinate C.
+inline const Row along_x{vec3(0), vec3(0), vec3(1, 0, 0), vec3(0)};
+struct Bead {
+  Body rest = static_body(vec3(0)), body;
+  Bead(double C, double v) : body(body_with(2, vec3(1), vec3(real(C), 0, 0))) {
+    body.v.x = real(v);
+  }
+  // A row with this bias; one that only pushes C up is visited once, with its clamp.
+  void step(real b, real h, bool one_sided) {
+    real lambda = row_impulse(along_x, real(0.5), b, rest, body), sum = 0;
+    if (one_sided) lambda = clamp_sum(lambda, sum);
+    apply_impulse(along_x, lambda, rest, body);
+    body.x += h * body.v;
+  }
+};
+
+// ---- 6.1 the half-time --------------------------------------------------------------------------
+
+struct HalfTimeCase {
+  std::string words;
+  double half_time, h;
+};
+inline HalfTimeCase half_time_case(double half_time, double rate) {
+  return {"T " + short_number(half_time) + " s, h 1/" + short_number(rate) + " s", half_time,
+          1 / rate};
+}
+
+inline CaseTable<HalfTimeCase> half_time_table() {
+  using Case = HalfTimeCase;
+  // what is right of the number of half-times that a step lasts
+  const auto of_ratio = [](auto beta) {
+    return [=](const Case& c) { return Numbers{beta(c.h / c.half_time)}; };
+  };
+  const double ln2 = std::log(2.0);
+
+  CaseTable<Case> table{{"6.1", "beta for a half-time", 3}, {"beta"}, {}, {}, {}, {}};
+  table.yours = [](const Case& c) {
+    return Numbers{double(beta_for(real(c.half_time), real(c.h)))};
+  };
+  table.right = of_ratio([](double t) { return 1 - std::exp2(-t); });
+  table.mistakes = {
+      {"h and T are exchanged: a step lasts h/T half-times",
+       of_ratio([](double t) { return 1 - std::exp2(-1 / t); })},
+      {"e in the place of 2: after the time T an e-th is left, and not a half",
+       of_ratio([](double t) { return 1 - std::exp(-t); })},
+      {"e in the place of 2, and h and T are exchanged",
+       of_ratio([](double t) { return 1 - std::exp(-1 / t); })},
+      {"a straight line, h/(2T): each step takes its share of what is LEFT, so shares multiply",
+       of_ratio([](double t) { return t / 2; })},
+      {"a straight line, h/T: each step takes its share of what is LEFT, so shares multiply",
+       of_ratio([](double t) { return t; })},
+      {"a straight line, h ln(2)/T: that is right only where h is much shorter than T",
+       of_ratio([=](double t) { return ln2 * t; })},
+      {"this is the share that a step leaves, beta is the one that it takes: 1 minus it",
+       of_ratio([](double t) { return std::exp2(-t); })},
+      {"this is the share that a step leaves, and e in the place of 2",
+       of_ratio([](double t) { return std::exp(-t); })},
+      {"the sign of the exponent: 2 to the power -h/T",
+       of_ratio([](double t) { return 1 - std::exp2(t); })},
+      {"the sign of the exponent, and of the whole: 1 - 2 to the power -h/T",
+       of_ratio([](double t) { return std::exp2(t) - 1; })},
+      {"h is forgotten in the exponent: 2 to the power -h/T",
+       [](const Case& c) { return Numbers{1 - std::exp2(-1 / c.half_time)}; }},
+      {"h times T in the exponent: it is divided by T",
+       [](const Case& c) { return Numbers{1 - std::exp2(-c.h * c.half_time)}; }},
+      {"T is forgotten in the exponent: 2 to the power -h/T",
+       [](const Case& c) { return Numbers{1 - std::exp2(-c.h)}; }},
+      {"1/60 in the place of h: a step need not be 1/60 s",
+       [](const Case& c) { return Numbers{1 - std::exp2(-1 / (60 * c.half_time))}; }},
+      {"h/T is cut to a whole number: it is a real, a step is a part of a half-time",
+       of_ratio([](double t) { return 1 - std::exp2(-std::floor(t)); })},
+      {"it is always 1: 1/2 of whole numbers is 0, write real(0.5) or std::exp2",
+       of_ratio([](double) { return 1.0; })},
+      {"this is a half in every step: h/T is forgotten", of_ratio([](double) { return 0.5; })}};
+  for (const double half_time : {0.1, 0.5, 0.02, 2.0})
+    for (const double rate : {60.0, 120.0, 10.0})
+      table.cases.push_back(half_time_case(half_time, rate));
+  return table;
+}
+
+}  // namespace joints::testing

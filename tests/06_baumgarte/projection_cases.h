@@ -1,0 +1,320 @@
+// Exercise 6.3 as tables of cases with their usual mistakes: a visit of position projection to a
+// point and to a rope.
+#pragma once
+
+#include "tests/06_baumgarte/projection_twin.h"
+
+namespace joints::testing {
+
+inline bool near_one(real a) { return std::abs(double(a) - 1) <= rounding; }
+inline constexpr const char* no_sum =
+    "a sum of quaternions is no orientation: take turned(q, w, 1), which normalises it";
+
+template <class Part>
+CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
+                                       std::vector<VisitCase<Part>> cases) {
+  using Case = VisitCase<Part>;
+  using Twin = VisitTwin<Part>;
+  constexpr int n = Part::rows;
+  const auto of = [](const Moves& poses, const Moves& velocities = {}) {
+    const auto short_way = [](const vec3& a) { return turn_between({1, 0, 0, 0}, rotation(a)); };
+    return flat({poses.way1, short_way(poses.turn1), poses.way2, short_way(poses.turn2),
+                 velocities.way1, velocities.turn1, velocities.way2, velocities.turn2});
+  };
+  // what a mistake does to the moves, or to lambda, where there is something to do
+  const auto changed = [=](auto change) {
+    return [=](const Case& c) {
+      const Twin twin(c.part, c.pair);
+      return Part::one_sided && twin.C[0] >= 0 ? of({}) : of(change(twin, twin.moves()));
+    };
+  };
+  // what a mistake does to the velocities: of the moves and the velocities before
+  const auto velocities = [=](auto poses, auto change) {
+    return [=](const Case& c) {
+      const Twin twin(c.part, c.pair);
+      if (Part::one_sided && twin.C[0] >= 0) return of({});
+      const Moves a = twin.moves(), b = velocities_of(c.pair);
+      return of(poses(a, b), change(a, b));
+    };
+  };
+  const auto the_moves = [](const Moves& a, const Moves&) { return a; };
+  const auto no_moves = [](const Moves&, const Moves&) { return Moves{}; };
+  const auto pushed = [=](auto lambda) {
+    return changed([=](const Twin& twin, const Moves&) {
+      return response<n>(twin.J, lambda(twin), twin.pair);
+    });
+  };
+  const auto times = [=](double factor) {
+    return changed([=](const Twin&, const Moves& a) {
+      return scaled(real(factor), real(factor), a);
+    });
+  };
+  const auto turns = [=](auto other) {  // of a body with its turn: what happens instead
+    return changed([=](const Twin& twin, Moves a) {
+      a.turn1 = other(twin.pair.body1, a.turn1);
+      a.turn2 = other(twin.pair.body2, a.turn2);
+      return a;
+    });
+  };
+  const auto right = changed([](const Twin&, const Moves& a) { return a; });
+  const auto yours = [=](const Case& c) {
+    Pair after = c.pair;
+    project(c.part, after.body1, after.body2);
+    const Body &a = c.pair.body1, &b = c.pair.body2;
+    return of(between(c.pair, after),
+              {after.body1.v - a.v, after.body1.w - a.w, after.body2.v - b.v,
+               after.body2.w - b.w});
+  };
+  double factor = 0;  // by which the moves of the first case are too long, whatever it is
+  {
+    const Numbers mine = yours(cases[0]), other = right(cases[0]);
+    double size = 0;
+    for (std::size_t i = 0; i < mine.size(); ++i) {
+      factor += mine[i] * other[i];
+      size += other[i] * other[i];
+    }
+    factor /= size;
+  }
+  const bool moves = std::any_of(cases.begin(), cases.end(), [&](const Case& c) {
+    return close(yours(c), right(c), difference_tolerance) &&
+           !close(yours(c), of({}), difference_tolerance);
+  });
+
+  const bool normal = std::all_of(cases.begin(), cases.end(), [](const Case& c) {
+    Pair after = c.pair;
+    project(c.part, after.body1, after.body2);
+    return near_one(length(after.body1.q)) && near_one(length(after.body2.q));
+  });
+
+  CaseTable<Case> table{subject,
+                        {"move of 1", "turn of 1", "move of 2", "turn of 2", "change of v1",
+                         "change of w1", "change of v2", "change of w2"},
+                        yours, right, {}, cases};
+  table.tolerance = difference_tolerance;
+  auto& add = table.mistakes;
+  add = {{moves ? "nothing moves here, and elsewhere it does: every gap is closed, large or small, "
+                  "beside a static body, too"
+                : "nothing moves: nothing is done yet, or the copies move and not the bodies "
+                  "themselves, or the copies are brought to rest after the push: before it",
+          times(0)},
+         {Part::one_sided ? "the sign: lambda = -C/K works against the error of the rope (that of "
+                            "its rod has the other sign)"
+                          : "the sign: lambda = -K^-1 C works against the gap", times(-1)},
+         {"times h: there is no step in it. lambda is an impulse times a time already",
+          times(1.0 / 60)},
+         {"divided by h: there is no step in it, K lambda = -C", times(60)}};
+  if (factor > 0 && factor < 1 - 100 * difference_tolerance)
+    add.push_back({"only a share of the gap is taken: there is no beta here, a visit takes it all",
+                   times(factor)});
+  add.insert(add.end(), {
+      {"the velocities are changed, and the poses stay: add the moves to x and turn q by them",
+       velocities(no_moves, the_moves)},
+      {"the velocities are changed, too: they stay as they are, take copies of the bodies",
+       velocities(the_moves, the_moves)},
+      {"the bodies' own velocities are pushed and added: take copies of the bodies, at rest",
+       velocities(sum, the_moves)},
+      {"the velocities are lost: they stay as they are, only the copies are at rest",
+       velocities(the_moves, [](const Moves&, const Moves& b) { return scaled(-1, -1, b); })},
+      {"the velocities hold the moves now: they stay as they are. Are those of the copies "
+       "written back, too? Only x and q move",
+       velocities(the_moves, [](const Moves& a, const Moves& b) {
+         return sum(a, scaled(-1, -1, b));
+       })},
+      {"the velocities are in lambda: K lambda = -C has no J V, the copies are at rest",
+       pushed([](const Twin& twin) { return twin.with_velocities(); })},
+      {"K is missing: lambda is -K^-1 C",
+       pushed([](const Twin& twin) { return twin.without_K(); })},
+      {"times K where its inverse belongs",
+       pushed([](const Twin& twin) { return Twin::times(twin.K, twin.C); })},
+      {"K without the turns: it holds the masses only",
+       pushed([](const Twin& twin) {
+         return Twin::solved(product_K(twin.J, twin.pair.body1.inverse_mass, mat3(0),
+                                       twin.pair.body2.inverse_mass, mat3(0)), twin.C);
+       })},
+      {"the turns are missing: the other half of Eq. 6-11",
+       turns([](const Body&, const vec3&) { return vec3(0); })},
+      {"a body turns in its own axes: exp(w) q and not q exp(w), w is in world axes",
+       turns([](const Body& body, const vec3& turn) { return body.q * turn; })},
+      {"the sign of the turns", turns([](const Body&, const vec3& turn) { return -turn; })},
+      {normal ? "half the turn: turned(q, w, 1) halves the angle itself" : no_sum,
+       turns([](const Body&, const vec3& turn) { return turn / real(2); })},
+      {"twice the turn: turned(q, w, 1) halves the angle itself",
+       turns([](const Body&, const vec3& turn) { return real(2) * turn; })},
+      {"the turn is multiplied by h: turned(q, w, 1), for w is an angle already",
+       turns([](const Body&, const vec3& turn) { return turn / real(60); })},
+      {normal ? "q + (0, w) q/2 is only the first term of the turn: take turned(q, w, 1)" : no_sum,
+       turns([](const Body&, const vec3& turn) {
+         const real half = length(turn) / 2;
+         return half > 0 ? std::atan(half) / half * turn : turn;
+       })},
+      {"body-space inertia: take inverse_inertia(body)",
+       turns([](const Body& body, const vec3& turn) {
+         return body.is_static() ? vec3(0)
+                                 : body.inverse_inertia_local *
+                                       (inverse(inverse_inertia(body)) * turn);
+       })},
+      {"the moves are missing: the first half of Eq. 6-11",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{vec3(0), a.turn1, vec3(0), a.turn2};
+       })},
+      {"only body 2 moves: body 1 has its share of the gap",
+       changed([](const Twin&, const Moves& a) { return scaled(0, 1, a); })},
+      {"only body 1 moves: body 2 has its share of the gap",
+       changed([](const Twin&, const Moves& a) { return scaled(1, 0, a); })},
+      {"the moves of the two bodies are exchanged",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{a.way2, a.turn2, a.way1, a.turn1};
+       })},
+      {"the moves of the two bodies are exchanged, their turns are not",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{a.way2, a.turn1, a.way1, a.turn2};
+       })},
+      {"the turns of the two bodies are exchanged, their moves are not",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{a.way1, a.turn2, a.way2, a.turn1};
+       })},
+      {"the sign of the moves: they are added to x, lambda has the sign already",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{-a.way1, a.turn1, -a.way2, a.turn2};
+       })},
+      {"both moves are added to body 1: body 2 has its own",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{a.way1 + a.way2, a.turn1, vec3(0), a.turn2};
+       })},
+      {"both moves are added to body 2: body 1 has its own",
+       changed([](const Twin&, const Moves& a) {
+         return Moves{vec3(0), a.turn1, a.way1 + a.way2, a.turn2};
+       })},
+      {"body 2 is turned from where body 1 stands: its own q, turned",
+       changed([](const Twin& twin, Moves a) {
+         const quat q1 = rotation(a.turn1) * twin.pair.body1.q;
+         a.turn2 = turn_between(twin.pair.body2.q, rotation(a.turn2) * q1);
+         return a;
+       })},
+      {"this is two visits: one closes the gap to first order, the next sweep does the rest",
+       [=](const Case& c) {
+         Pair at = c.pair;
+         for (int n = 0; n < 2; ++n) move_by(twin_moves(c.part, at), at.body1, at.body2);
+         return of(between(c.pair, at));
+       }},
+      {"the inverse masses are missing",
+       changed([](const Twin& twin, Moves a) {
+         const auto push = [&](const Body& body, const vec3& way) {
+           return body.is_static() ? way : way / body.inverse_mass;
+         };
+         a.way1 = push(twin.pair.body1, a.way1);
+         a.way2 = push(twin.pair.body2, a.way2);
+         return a;
+       })}});
+  if (n > 1)
+    add.push_back({"each row divided by its own K: the rows of a block are solved together",
+                   pushed([](const Twin& twin) { return twin.each_row_alone(); })});
+  if constexpr (n == 3)
+    for (const real share : {real(0), real(0.5), real(1)})  // of body 1
+      add.push_back({"the gap itself is shared out: how much a body moves and turns is M^-1 J^T "
+                     "lambda, Eq. 6-11", changed([=](const Twin& twin, const Moves&) {
+                       const vec3 gap(twin.C[0], twin.C[1], twin.C[2]);
+                       return Moves{share * gap, vec3(0), (share - 1) * gap, vec3(0)};
+                     })});
+  for (const bool all : {false, true})
+    for (const bool place : {false, true})
+      add.push_back({place ? "the place of an anchor is no lever: that begins at the centre, "
+                             "to_world(body, anchor)"
+                           : "body-space arm: the levers are not turned into the world",
+                     [=](const Case& c) {
+                       Twin twin(c.part, c.pair);
+                       if (Part::one_sided && twin.C[0] >= 0) return of({});
+                       const auto& rod = rod_of(c.part);
+                       const auto lever = [=](const Body& body, const vec3& anchor) {
+                         return place ? world_point(body, anchor) : anchor;
+                       };
+                       twin.J = twin.levers(lever(c.pair.body1, rod.anchor1_local),
+                                            lever(c.pair.body2, rod.anchor2_local));
+                       if (all) twin.K = dense_K(twin.J, c.pair.body1, c.pair.body2);
+                       return of(twin.moves());
+                     }});
+  for (int k = 0; k < 4; ++k) {  // each of the four moves alone
+    const auto& [move, words] = four_moves[k];
+    const auto one = [=, move = move](auto instead) {
+      return changed([=](const Twin& twin, Moves a) {
+        a.*move = instead(twin.pair, a);
+        return a;
+      });
+    };
+    const auto other = four_moves[(k + 2) % 4].of;
+    add.push_back({words + " is missing", one([](const Pair&, const Moves&) { return vec3(0); })});
+    add.push_back({"the sign of " + words, one([=, move = move](const Pair&, const Moves& a) {
+                     return -(a.*move);
+                   })});
+    add.push_back({words + " is that of the other body",
+                   one([=](const Pair&, const Moves& a) { return a.*other; })});
+    add.push_back({words + " gets that of the other body, too",
+                   one([=, move = move](const Pair&, const Moves& a) {
+                     return a.*move + a.*other;
+                   })});
+    if (k % 2 == 1)
+      add.push_back({words + " is in its own axes: exp(w) q and not q exp(w)",
+                     one([=, move = move](const Pair& pair, const Moves& a) {
+                       return (k == 1 ? pair.body1 : pair.body2).q * (a.*move);
+                     })});
+  }
+  for (int flying = 15; flying > 0; --flying)  // which of the four velocities of the copies
+    add.push_back({"the copies are not at rest: v and w of both must be zero before they are given "
+                   "lambda",
+                   changed([=](const Twin& twin, Moves a) {
+                     const Moves b = velocities_of(twin.pair);
+                     for (int k = 0; k < 4; ++k)
+                       if (flying >> k & 1) a.*four_moves[k].of += b.*four_moves[k].of;
+                     return a;
+                   })});
+  for (int which = 1; which < 8; ++which) {
+    add.push_back({"the bodies are exchanged in " + Twin::words(which) + ": body 1 first",
+                   changed([=](const Twin& twin, const Moves&) {
+                     const Pair& pair = twin.pair;
+                     const Twin back(twin.part, {pair.body2, pair.body1});
+                     return twin.with(back, which).moves();
+                   })});
+    add.push_back({"taken again after body 1 has moved (" + Twin::words(which) + "): one lambda, "
+                   "from the poses before the visit, moves both",
+                   changed([=](const Twin& twin, Moves a) {
+                     Pair at = twin.pair;
+                     move_by({a.way1, a.turn1, vec3(0), vec3(0)}, at.body1, at.body2);
+                     const Moves late = twin.with(Twin(twin.part, at), which).moves();
+                     return Moves{a.way1, a.turn1, late.way2, late.turn2};
+                   })});
+  }
+  if constexpr (Part::one_sided) {
+    const auto whatever = [=](auto live, int sign = 1) {
+      return [=](const Case& c) {
+        const Twin twin(c.part, c.pair);
+        return live(twin.C[0]) ? of(scaled(real(sign), real(sign), twin.moves())) : of({});
+      };
+    };
+    const auto as_point = [=](auto live) {
+      return [=](const Case& c) {
+        const Twin twin(c.part, c.pair);
+        const Point point{c.part.rod.anchor1_local, c.part.rod.anchor2_local};
+        return live(twin.C[0]) ? of(twin_moves(point, c.pair)) : of({});
+      };
+    };
+    const auto always = [](real) { return true; };
+    const auto too_long = [](real C) { return C < 0; };
+    const auto slack = [](real C) { return C > 0; };
+    const char* const no_point = "this is the visit of a point, which draws the two anchors into "
+                                 "one: a rope is drawn to its length, by its own row";
+    const char* const rod = "the error of the rod has the other sign: rope.error is negative "
+                            "where the rope is too long";
+    add.insert(add.begin(),
+               {{"a slack rope is pushed to its length: it is left alone where C >= 0",
+                 whatever(always)},
+                {"the wrong way round: C < 0 is too long, C > 0 is slack. (The error of its rod "
+                 "has the other sign)", whatever(slack)},
+                {rod, whatever(slack, -1)},
+                {rod, whatever(always, -1)},
+                {no_point, as_point(too_long)},
+                {no_point, as_point(always)}});
+  }
+  return table;
+}
+
+}  // namespace joints::testing

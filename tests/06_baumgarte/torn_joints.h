@@ -1,0 +1,259 @@
+// The torn joints of exercise 6.3: points and ropes at every pose, and the chain that is swept.
+#pragma once
+
+#include "tests/06_baumgarte/projection_cases.h"
+
+namespace joints::testing {
+
+// ---- visits -------------------------------------------------------------------------------------
+
+/// A part at every pose, with its joint torn and its bodies flying; then with a static body each.
+template <class Fixture>
+std::vector<VisitCase<typename Fixture::Part>> torn_cases(
+    const std::function<void(typename Fixture::Part&, Pair&, Random&)>& tear) {
+  std::vector<VisitCase<typename Fixture::Part>> out;
+  Random random(63);
+  visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
+    out.push_back({pose_names[pose], part, pair});
+    auto& c = out.back();
+    tear(c.part, c.pair, random);
+    for (Body* body : {&c.pair.body1, &c.pair.body2}) {
+      body->v = random.vector(2);
+      body->w = random.vector(2);
+    }
+  });
+  for (const bool second : {false, true}) {
+    out.push_back(out[5]);
+    out.back().words = second ? "2 static" : "1 static";
+    Body& wall = second ? out.back().pair.body2 : out.back().pair.body1;
+    wall = static_body(wall.x, wall.q);
+  }
+  return out;
+}
+
+inline constexpr Subject visit{"6.3", "a visit of position projection to a point"};
+inline constexpr Subject rope_visit{"6.3", "a visit of position projection to a rope", 2};
+
+inline CaseTable<VisitCase<Point>> point_table() {
+  return visit_table(visit, torn_cases<PointFixture>([](Point&, Pair& pair, Random& random) {
+                       pair.body2.x += random.vector(real(0.15));
+                     }));
+}
+// Half of the ropes are too long and half of them are slack.
+inline CaseTable<VisitCase<Rope<Distance>>> rope_table() {
+  bool slack = true;
+  auto cases = torn_cases<RopeFixture>([&](Rope<Distance>& rope, Pair& pair, Random& random) {
+    slack = !slack;
+    const real length = rope.rod.length - rope.error(pair.body1, pair.body2);
+    rope.rod.length = length + (slack ? 1 : -1) * random.uniform(real(0.1), real(0.3));
+  });
+  for (auto& c : cases)
+    if (c.part.error(c.pair.body1, c.pair.body2) > 0) c.words += ", slack";
+  return visit_table(rope_visit, cases);
+}
+
+template <class Part>
+Pair visited(const VisitCase<Part>& c) {
+  Pair after = c.pair;
+  project(c.part, after.body1, after.body2);
+  return after;
+}
+
+// What a visit may leave: the second order. A lever that turns by w ends within |w|^2 |r|/2 of
+// r + w x r, and a distance whose ends move by d across it grows by less than d^2/(2 length).
+template <class Part>
+double bend(const VisitCase<Part>& c, const Pair& after) {
+  const auto of = [](const Body& before, const Body& body, const vec3& anchor) {
+    const double w = length(turn_between(before.q, body.q));
+    return w * w * double(length(anchor)) / 2;
+  };
+  const auto& rod = rod_of(c.part);
+  const auto u = [&](const Pair& at) {
+    return world_point(at.body2, rod.anchor2_local) - world_point(at.body1, rod.anchor1_local);
+  };
+  double across = 0;
+  if constexpr (Part::one_sided) {
+    const double move = length(u(after) - u(c.pair));
+    across = move * move / (2 * 0.9 * double(rod.length));
+  }
+  return of(c.pair.body1, after.body1, rod.anchor1_local) +
+         of(c.pair.body2, after.body2, rod.anchor2_local) + across;
+}
+
+// What explains an error that is left, where the table of mistakes does not.
+template <class Part>
+std::vector<Suspect> why_left(const CaseTable<VisitCase<Part>>& table, const VisitCase<Part>& c,
+                              const Pair& after, double left) {
+  const Moves a = between(c.pair, after);
+  const bool rests = a.way1 == vec3(0) && a.way2 == vec3(0);
+  return table.explain(left, {{left, rests ? "nothing moves where the error is small: there is no "
+                                             "threshold, a visit closes every gap"
+                                           : "what is left must fall with the square of the error: "
+                                             "are the moves right to first order?"}});
+}
+
+// The velocities and the static body of a visit are the same afterwards, to the last bit.
+template <class Part>
+void expect_left_alone(const CaseTable<VisitCase<Part>>& table) {
+  for (const VisitCase<Part>& c : table.cases) {
+    const Pair after = visited(c);
+    const auto same = [&](const char* entry, const vec3& a, const vec3& b) {
+      expect(table.subject, entry + (" (" + c.words + ")"), a, b, 0, why(table, a));
+    };
+    const auto look = [&](const Body& before, const Body& body) {
+      same(&before == &c.pair.body1 ? "v1" : "v2", body.v, before.v);
+      same(&before == &c.pair.body1 ? "w1" : "w2", body.w, before.w);
+      if (before.is_static()) same("x of the static body", body.x, before.x);
+      if (before.is_static())
+        expect(table.subject, "q of the static body", body.q, before.q, rounding);
+      expect(table.subject, "length of q (" + c.words + ")", double(length(body.q)), 1, rounding,
+             table.explain(double(length(body.q)),
+                           {{double(length(body.q)), no_sum}}));
+    };
+    look(c.pair.body1, after.body1);
+    look(c.pair.body2, after.body2);
+  }
+}
+
+// ---- the sweep ----------------------------------------------------------------------------------
+
+inline constexpr Subject sweep_subject{"6.3", "a sweep of position projection", 3};
+
+// A chain of five uneven bodies, each turned, each joint torn.
+inline Chain torn_chain() {
+  Random random(64);
+  Chain chain{{static_body(vec3(0), random.turn())}, {}};
+  for (int k = 1; k < 5; ++k) {
+    Pair pair = uneven_pair();
+    Body body = k % 2 == 0 ? pair.body1 : pair.body2;
+    body.x = vec3(real(k), 0, 0) + random.vector(real(0.1));
+    body.q = random.turn();
+    body.v = random.vector(1);
+    chain.joints.push_back(point_at(chain.bodies.back(), body, vec3(real(k) - real(0.5), 0, 0)));
+    body.x += random.vector(real(0.1));
+    chain.bodies.push_back(body);
+  }
+  return chain;
+}
+
+using Visit = std::function<void(const Point&, Body&, Body&)>;
+inline void visit_all(Chain& chain, const std::vector<std::size_t>& order, const Visit& visit) {
+  for (const std::size_t k : order)
+    visit(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]);
+}
+inline void twin_visit(const Point& point, Body& body1, Body& body2) {
+  move_by(twin_moves(point, {body1, body2}), body1, body2);
+}
+inline void your_visit(const Point& point, Body& body1, Body& body2) {
+  project(point, body1, body2);
+}
+
+// Every joint looks at the poses before the sweep.
+inline void stale_visits(Chain& chain, const Visit&) {
+  const Chain before = chain;
+  for (std::size_t k = 0; k < chain.joints.size(); ++k)
+    move_by(twin_moves(before.joints[k], {before.bodies[k], before.bodies[k + 1]}),
+            chain.bodies[k], chain.bodies[k + 1]);
+}
+
+// All errors are taken before the sweep, K and J are fresh.
+inline void stale_errors(Chain& chain, const Visit&) {
+  const Chain before = chain;
+  for (std::size_t k = 0; k < chain.joints.size(); ++k) {
+    Body &a = chain.bodies[k], &b = chain.bodies[k + 1];
+    VisitTwin<Point> twin(chain.joints[k], {a, b});
+    twin.C = to_vector(chain.joints[k].error(before.bodies[k], before.bodies[k + 1]));
+    move_by(twin.moves(), a, b);
+  }
+}
+// One of the two bodies of each joint is a copy.
+inline auto visit_copy(int copied) {
+  return [=](Chain& chain, const Visit& visit) {
+    for (std::size_t k = 0; k < chain.joints.size(); ++k) {
+      Body copy = chain.bodies[k + copied];
+      visit(chain.joints[k], copied == 0 ? copy : chain.bodies[k],
+            copied == 1 ? copy : chain.bodies[k + 1]);
+    }
+  };
+}
+// Joint k is given the bodies that stand `by` too far along the chain, where there are such.
+inline auto visit_shifted(int by) {
+  return [=](Chain& chain, const Visit& visit) {
+    for (int k = 0; k < int(chain.joints.size()); ++k)
+      if (k + by >= 0 && k + by + 1 < int(chain.bodies.size()))
+        visit(chain.joints[k], chain.bodies[k + by], chain.bodies[k + by + 1]);
+  };
+}
+
+inline real largest_gap(const Chain& chain) {
+  real out = 0;
+  for (std::size_t k = 0; k < chain.joints.size(); ++k)
+    out = std::max(out, length(chain.joints[k].error(chain.bodies[k], chain.bodies[k + 1])));
+  return out;
+}
+inline bool same_chains(const Chain& a, const Chain& b) {
+  for (std::size_t k = 0; k < a.bodies.size(); ++k)
+    if (!(length(a.bodies[k].x - b.bodies[k].x) <= difference_tolerance) ||
+        !(length(turn_between(a.bodies[k].q, b.bodies[k].q)) <= 3 * difference_tolerance) ||
+        a.bodies[k].v != b.bodies[k].v)
+      return false;
+  return true;
+}
+
+// The mistake that gives all the bodies of a chain; "" where there is none. The subject is another
+// one where the sweep is right and its visits are not.
+struct SweepMistake {
+  Subject subject;
+  std::string words;
+};
+inline SweepMistake explain_sweep(const Chain& start, const Chain& yours) {
+  using Sweep = std::function<void(Chain&, const Visit&)>;
+  const auto order = [](std::vector<std::size_t> joints) {
+    return [=](Chain& chain, const Visit& visit) { visit_all(chain, joints, visit); };
+  };
+  const std::pair<Sweep, const char*> sweeps[] = {
+      {order({0, 1, 2, 3}), "the sweep is right and its visits are not: look at `project` of a "
+                            "point, the first part of the exercise"},
+      {stale_visits, "the poses are stale: each joint must see the poses that the one before it "
+                     "has left, else both move their body for the same gap"},
+      {order({3, 2, 1, 0}), "the sweep runs backwards: from the first joint to the last"},
+      {order({1, 2, 3}), "the first joint is left out: it holds body 0 to body 1"},
+      {order({0, 1, 2}), "the last joint is left out: there is one joint less than bodies"},
+      {order({0}), "only the first joint is visited"},
+      {order({0, 1, 2, 3, 0, 1, 2, 3}), "this is two sweeps: every joint is visited once"},
+      {order({0, 1, 2, 3, 3, 2, 1, 0}), "there and back: every joint is visited once"},
+      {order({}), "nothing moves: nothing is done yet, or copies move: take the bodies of the "
+                  "chain by reference, auto& and not auto"},
+      {stale_errors, "the errors are taken before the sweep: each joint needs its error at the "
+                     "poses that the one before it has left"},
+      {visit_copy(1), "body k + 1 is a copy: take it by reference, auto& and not auto"},
+      {visit_copy(0), "body k is a copy: take it by reference, auto& and not auto"},
+      {visit_shifted(-1), "bodies k - 1 and k: joint k holds body k to body k + 1"},
+      {visit_shifted(1), "bodies k + 1 and k + 2: joint k holds body k to body k + 1"},
+      {[](Chain& chain, const Visit& visit) {
+         for (std::size_t k = 0; k < chain.joints.size(); ++k)
+           visit(chain.joints[k], chain.bodies[k + 1], chain.bodies[k]);
+       }, "the bodies are exchanged: joint k holds body k to body k + 1"},
+      {[](Chain& chain, const Visit& visit) {
+         for (std::size_t k = 0; k < chain.joints.size(); ++k)
+           visit(chain.joints[k], chain.bodies[0], chain.bodies[k + 1]);
+       }, "every joint holds its body to body 0: joint k holds body k to body k + 1"},
+      {[](Chain& chain, const Visit& visit) {
+         for (const Point& joint : chain.joints) visit(joint, chain.bodies[0], chain.bodies[1]);
+       }, "every joint is given bodies 0 and 1: joint k holds body k to body k + 1"},
+      {[](Chain& chain, const Visit& visit) {
+         for (std::size_t k = 0; k < chain.joints.size(); ++k)
+           visit(chain.joints[0], chain.bodies[k], chain.bodies[k + 1]);
+       }, "joint 0 is taken for all of them: joint k holds body k to body k + 1"}};
+  for (const bool twin : {true, false})
+    for (const auto& [sweep, words] : sweeps) {
+      Chain chain = start;
+      sweep(chain, twin ? twin_visit : your_visit);
+      if (!same_chains(chain, yours)) continue;
+      const bool in_order = &words == &sweeps[0].second;
+      return {in_order && !twin ? visit : sweep_subject, in_order && twin ? "" : words};
+    }
+  return {sweep_subject, ""};
+}
+
+}  // namespace joints::testing

@@ -1,0 +1,62 @@
+// The units of chapter 6's exercises.
+#include "chapters/06_baumgarte/baumgarte.h"
+#include "tests/checker/units.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+const Jacobian<3> J = jacobian_from_blocks(mat3(-1), skew(lever1), mat3(1), -skew(lever2));
+
+constexpr const char* moves_are_ways =
+    "a velocity has got among the moves: nothing here is multiplied or divided by h";
+constexpr const char* velocities_stay =
+    "a move has got among the velocities: they stay as they are";
+constexpr OfTime no_step{moves_are_ways, moves_are_ways};
+constexpr OfTime once{"divided by h once too often"};  // of too many the list knows enough
+
+// Ways to places, angles to turns, and no velocity anywhere.
+void keeps_poses(const Body& body) {
+  expect_unit("the place x", body.x, m, no_step);
+  expect_unit("the orientation q", body.q, pure, no_step);
+  expect_unit("the velocity v", body.v, m / s, {velocities_stay, velocities_stay});
+  expect_unit("the angular velocity w", body.w, 1 / s, {velocities_stay, velocities_stay});
+}
+}  // namespace
+
+TEST_CASE("6.1 an error over a step is a velocity", "[6.1]") {
+  has_unit("the bias", m / s, [] { return bias(real(0.02) * m, real(0.15) * pure, h); },
+           once);
+  has_unit("the bias of an angle", 1 / s,
+           [] { return bias(real(0.02) * pure, real(0.15) * pure, h); }, once);
+  for (const real C : {real(-0.02), real(0.02)})
+    has_unit("the bias of a limit", m / s,
+             [&] { return limit_bias(C * m, real(0.15) * pure, h); }, once);
+}
+
+TEST_CASE("6.1 beta is a share", "[6.1]") {
+  has_unit("beta", pure, [] { return beta_for(real(0.5) * s, h); });
+}
+
+TEST_CASE("6.2 a warm start gives impulses and keeps impulses", "[6.2]") {
+  vec3 lambda = direction1 * (kg * m / s);
+  keeps_velocities("the warm start", [&](Body& a, Body& b) {
+    warm_start(J, real(0.5) * pure, lambda, a, b);
+  });
+  expect_unit("lambda", lambda, kg * m / s);
+  in("warm_start_is_safe", [] { return warm_start_is_safe(real(0.5) * pure, 4, pure / 5); });
+}
+
+TEST_CASE("6.3 projection adds ways to places and angles to turns", "[6.3]") {
+  Body a = body1, b = body2;
+  in("the projection of a point", [&] { project(Point{lever1, lever2}, a, b); }, no_step);
+  keeps_poses(a);
+  keeps_poses(b);
+  in("the projection of a rope", [&] { project(Rope<Distance>{{lever1, lever2, m}}, a, b); },
+     no_step);
+  keeps_poses(a);
+  keeps_poses(b);
+  Chain chain{{body1, body2}, {{lever1, lever2}}};
+  in("the sweep", [&] { projection_sweep(chain); }, no_step);
+  keeps_poses(chain.bodies[1]);
+}

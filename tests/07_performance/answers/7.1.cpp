@@ -1,0 +1,399 @@
+// Known answers of exercise 7.1, each put in the place of the solution's.
+
+// ---- wrong: axis biases exchanged
+// expects: Likely mistake: the two of the axis are exchanged
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[4 - i] = rate * tilt[i];
+
+// ---- wrong: axis row twice
+// expects: Likely mistake: the first row stands there twice
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[0].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: axis with the wrong body
+// expects: Likely mistake: the axis is turned with the wrong body: a1 rides on body 1
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  const vec3 a = to_world(body2, hinge.axis.a1_local);
+  out.axis_row[0] = triple(cross(to_world(body2, hinge.axis.b_local), a));
+  out.axis_row[1] = triple(cross(to_world(body2, hinge.axis.c_local), a));
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: bias for sixty steps
+// expects: Likely mistake: 60 in the place of 1/h
+// expects: holds at upright, turned and moved
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = 60 * hinge.beta;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: bias with velocities
+// expects: Likely mistake: the velocities are mixed in
+// expects: the numbers of a hinge, its bodies at rest and flying
+  const vec3 slip = point_velocity(body2, to_world(body2, hinge.point.anchor2_local)) -
+                    point_velocity(body1, to_world(body1, hinge.point.anchor1_local));
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap =hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i] + slip[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: bias without beta
+// expects: Likely mistake: beta is forgotten: this takes back all of the error
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = 1 / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: bias without h
+// expects: bias[0]
+// expects: Likely mistake: h is forgotten: beta C is a way and an angle
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: body space inertia
+// expects: Fails at all poses.
+// expects: Likely mistake: I1 and I2: body-space: it must be turned into the world
+  const auto local = [](const Body& body) {
+    const vec3 i = body.inverse_inertia_local;
+    return Symmetric<real>{i.x, i.y, i.z, 0, 0, 0};
+  };
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = local(body1);
+  out.I2 = local(body2);
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: body space levers
+// expects: Likely mistake: r1 and r2: not turned into the world
+// expects: Fails at upright, turned, moved, broken, 1 static and 2 static; holds at no levers
+  out.r1 = triple(hinge.point.anchor1_local);
+  out.r2 = triple(hinge.point.anchor2_local);
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: inertia forgotten
+// expects: Likely mistake: I2: not written yet
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: inertia of body 1 twice
+// expects: I2.xx
+// expects: Likely mistake: I2: the inertia of the other body
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body1));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: inertia row after row
+// expects: Likely mistake: I1 and I2: row after row: the diagonal xx, yy, zz comes first
+  const auto six = [](const mat3& m) {
+    return Symmetric<real>{m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2]};
+  };
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = six(inverse_inertia(body1));
+  out.I2 = six(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: inverse K filled
+// expects: Likely mistake: inverse_K stays as it is: K comes with exercise 7.2
+  for (int i = 0; i < 5; ++i) out.inverse_K[out.place(i, i)] = 1;
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: inverse K overwritten
+// expects: inverse_K[0]
+// expects: Likely mistake: all of out is set to zero, or made anew: inverse_K stays
+  out = {};
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: levers exchanged
+// expects: Pose: pencil and paper.
+// expects: r1.z
+// expects: Likely mistake: r1 and r2: the lever of the other body
+  out.r2 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r1 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: one axis bias
+// expects: Likely mistake: not written yet: bias[4]. All five errors are fed back
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  out.bias[3] = rate * tilt[0];
+
+// ---- wrong: one lever turned with the other body
+// expects: r2.x
+// expects: Likely mistake: r2: turned with the other body
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body1, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: points for levers
+// expects: Likely mistake: r1 and r2: the place of the anchor: a lever begins at the centre
+  out.r1 = triple(world_point(body1, hinge.point.anchor1_local));
+  out.r2 = triple(world_point(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: sign of the axis rows
+// expects: axis_row[0].z
+// expects: Likely mistake: the sign: b x a1 and c x a1 are the blocks w2
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w1);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: three biases
+// expects: Likely mistake: not written yet: bias[3], bias[4]
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+
+// ---- right: levers by matrices
+// R as a matrix, for the levers and for R I^-1 R^T.
+  const mat3 R1 = glm::mat3_cast(body1.q), R2 = glm::mat3_cast(body2.q);
+  out.r1 = triple(R1 * hinge.point.anchor1_local);
+  out.r2 = triple(R2 * hinge.point.anchor2_local);
+  mat3 I1(0), I2(0);
+  for (int k = 0; k < 3; ++k) {
+    I1[k][k] = body1.inverse_inertia_local[k];
+    I2[k][k] = body2.inverse_inertia_local[k];
+  }
+  out.I1 = symmetric(R1 * I1 * transpose(R1));
+  out.I2 = symmetric(R2 * I2 * transpose(R2));
+  const vec3 a1 = R1 * hinge.axis.a1_local;
+  const vec3 b = R2 * hinge.axis.b_local, c = R2 * hinge.axis.c_local;
+  out.axis_row[0] = triple(cross(b, a1));
+  out.axis_row[1] = triple(cross(c, a1));
+  const vec3 u = body2.x + R2 * hinge.point.anchor2_local - body1.x -
+                 R1 * hinge.point.anchor1_local;
+  const real C[] = {u.x, u.y, u.z, dot(a1, b), dot(a1, c)};
+  for (int i = 0; i < 5; ++i) out.bias[i] = hinge.beta * C[i] / h;
+
+// ---- right: made anew with its K
+// Everything at once, and what stood in inverse_K is put back.
+  const HingeNumbers<real> before = out;
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  const vec3 u = hinge.point.error(body1, body2);
+  const Vector<2> C = hinge.axis.error(body1, body2);
+  const real share = hinge.beta / h;
+  out = {triple(to_world(body1, hinge.point.anchor1_local)),
+         triple(to_world(body2, hinge.point.anchor2_local)),
+         {triple(axis[0].w2), triple(axis[1].w2)},
+         symmetric(inverse_inertia(body1)),
+         symmetric(inverse_inertia(body2)),
+         {share * u.x, share * u.y, share * u.z, share * C[0], share * C[1]},
+         {}};
+  for (int n = 0; n < 15; ++n) out.inverse_K[n] = before.inverse_K[n];
+
+// ---- right: rows of body 1 turned round
+// The blocks w1 are the opposites of those that are wanted; the point's levers stand in its J.
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(-axis[i].w1);
+  out.r1 = triple(world_point(body1, hinge.point.anchor1_local) - body1.x);
+  out.r2 = triple(world_point(body2, hinge.point.anchor2_local) - body2.x);
+  const mat3 I1 = inverse_inertia(body1), I2 = inverse_inertia(body2);
+  out.I1 = {I1[0].x, I1[1].y, I1[2].z, I1[0].y, I1[0].z, I1[1].z};
+  out.I2 = {I2[0].x, I2[1].y, I2[2].z, I2[0].y, I2[0].z, I2[1].z};
+  const vec3 gap = hinge.point.error(body1, body2) * hinge.beta / h;
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  out.bias[0] = gap.x;
+  out.bias[1] = gap.y;
+  out.bias[2] = gap.z;
+  out.bias[3] = hinge.beta * tilt[0] / h;
+  out.bias[4] = hinge.beta * tilt[1] / h;
+
+// ---- wrong units: bias without h
+// expects: Units: a bias of the point is in m and should be in m/s: a time too many
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong units: gap and rate added
+// expects: Units: in what is hoisted, adding m/s to m
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse_inertia(body2));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * (gap[i] + body2.v[i] - body1.v[i]);
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong units: inertia for its inverse
+// expects: Units: I2 is in kg m^2 and should be in 1/(kg m^2): inertia where its inverse
+  out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
+  out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
+  const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
+  for (int i = 0; i < 2; ++i) out.axis_row[i] = triple(axis[i].w2);
+  out.I1 = symmetric(inverse_inertia(body1));
+  out.I2 = symmetric(inverse(inverse_inertia(body2)));
+  const real rate = hinge.beta / h;
+  const vec3 gap = hinge.point.error(body1, body2);
+  const Vector<2> tilt = hinge.axis.error(body1, body2);
+  for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
+  for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];

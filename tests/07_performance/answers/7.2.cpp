@@ -1,0 +1,430 @@
+// Known answers of exercise 7.2, each put in the place of the solution's.
+
+// ---- wrong: axis of body 2 only
+// expects: Likely mistake: body 1 is missing in the axis' 2x2
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong: axis with masses
+// expects: Likely mistake: the inverse masses are added in the axis' 2x2
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2) +
+                        (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong: cross lever first
+// expects: Likely mistake: first the inverse inertia, then the lever: r x (I^-1 a)
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = hinge.I1 * cross(hinge.r1, row[j]) + hinge.I2 * cross(hinge.r2, row[j]);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong: cross mirrored with a minus
+// expects: Likely mistake: mirrored with the other sign: K is symmetric
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[3 + j][i] = -(K[i][3 + j] = -dot(unit[i], at));
+  }
+
+// ---- wrong: cross not mirrored
+// expects: K[a1.c, C.x]
+// expects: Likely mistake: the columns beside the point are not mirrored
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = -dot(unit[i], at);
+  }
+
+// ---- wrong: cross of body 2 only
+// expects: Likely mistake: body 1 is missing in what stands between the point and the axis
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong: cross sign
+// expects: K[C.x, a1.c]
+// expects: Likely mistake: the sign of what stands between the point and the axis
+// expects: (pencil and paper, upright, turned, moved, broken)
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = dot(unit[i], at);
+  }
+
+// ---- wrong: cross with body 1 taken away
+// expects: Likely mistake: the sign of body 1 between the point and the axis
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r2, turn2) - cross(hinge.r1, turn1);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong: cross without inertia
+// expects: Likely mistake: the inverse inertias are missing between the point and the axis
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, row[j]) + cross(hinge.r2, row[j]);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong: inverse masses in all nine
+// expects: Likely mistake: the inverse masses are added to all nine entries
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                inverse_mass1 + inverse_mass2;
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong: inverse of K
+// expects: Likely mistake: the inverse of K: K itself is wanted
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+  invert_symmetric(K[0].data(), 5);
+
+// ---- wrong: inverted once more
+// expects: Likely mistake: the masses: you are given the inverse masses
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? 1 / inverse_mass1 + 1 / inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong: levers exchanged
+// expects: Likely mistake: the levers, or the inverse inertias, are exchanged
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r2, unit[j]), hinge.r2);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r1, unit[j]), hinge.r1);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r2, turn1) + cross(hinge.r1, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong: one over the sum of the masses
+// expects: Likely mistake: one over the sum of the masses: each mass is inverted first
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? 1 / (1 / inverse_mass1 + 1 / inverse_mass2) : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong: only body 1
+// expects: Likely mistake: body 2 is missing
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1) +
+                (i == j ? inverse_mass1 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1);
+    const Triple<real> at = cross(hinge.r1, turn1);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong: transposed skew
+// expects: Likely mistake: the sign of the turns: skew(r) I^-1 skew(r) lacks a transpose
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = -dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong: two blocks
+// expects: Likely mistake: what stands between the point and the axis is missing
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+  }
+
+// ---- wrong: two mistakes
+// expects: Likely mistake: the sign of the turns: skew(r) I^-1 skew(r) lacks a
+// expects: transpose; and the sign of what stands between the point and the axis
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = -dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = dot(unit[i], at);
+  }
+
+// ---- wrong: without the inverse masses
+// expects: Likely mistake: the inverse masses are missing on the diagonal
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2);
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- right: J and its transpose
+// J M^-1 J^T with all five rows written out.
+  const auto vector = [](const Triple<real>& a) { return vec3(a.x, a.y, a.z); };
+  const auto matrix = [](const Symmetric<real>& m) {
+    return mat3(m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz);
+  };
+  Jacobian<5> J;
+  const Jacobian<3> point = jacobian_from_blocks(mat3(-1), skew(vector(hinge.r1)), mat3(1),
+                                                 -skew(vector(hinge.r2)));
+  for (int i = 0; i < 3; ++i) J[i] = point[i];
+  for (int i = 0; i < 2; ++i)
+    J[3 + i] = {vec3(0), -vector(row[i]), vec3(0), vector(row[i])};
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j)
+      K[i][j] = inverse_mass1 * dot(J[i].v1, J[j].v1) +
+                dot(J[i].w1, matrix(hinge.I1) * J[j].w1) +
+                inverse_mass2 * dot(J[i].v2, J[j].v2) + dot(J[i].w2, matrix(hinge.I2) * J[j].w2);
+
+// ---- right: blocks of matrices
+// The three parts as 3x3 and 3x2 matrices.
+  const auto vector = [](const Triple<real>& a) { return vec3(a.x, a.y, a.z); };
+  const auto matrix = [](const Symmetric<real>& m) {
+    return mat3(m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz);
+  };
+  const mat3 s1 = skew(vector(hinge.r1)), s2 = skew(vector(hinge.r2));
+  const mat3 I1 = matrix(hinge.I1), I2 = matrix(hinge.I2);
+  const mat3 point = mat3(inverse_mass1 + inverse_mass2) + s1 * I1 * transpose(s1) +
+                     s2 * I2 * transpose(s2);
+  const mat3 beside = -(s1 * I1 + s2 * I2);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) K[i][j] = point[j][i];
+  for (int j = 0; j < 2; ++j) {
+    const vec3 a = vector(row[j]), column = beside * a;
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = column[i];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(vector(row[i]), (I1 + I2) * a);
+  }
+
+// ---- right: column by column
+// What an impulse of 1 along each row does to the rates of all rows.
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, none{0, 0, 0};
+  for (int j = 0; j < 5; ++j) {
+    const Triple<real> push = j < 3 ? unit[j] : none, turn = j < 3 ? none : row[j - 3];
+    const Triple<real> w1 = hinge.I1 * (cross(hinge.r1, push) + turn);
+    const Triple<real> w2 = hinge.I2 * (cross(hinge.r2, push) + turn);
+    const Triple<real> gap = (inverse_mass1 + inverse_mass2) * push + cross(w1, hinge.r1) +
+                             cross(w2, hinge.r2);
+    for (int i = 0; i < 3; ++i) K[i][j] = dot(unit[i], gap);
+    for (int i = 0; i < 2; ++i) K[3 + i][j] = dot(row[i], w1 + w2);
+  }
+
+// ---- wrong units: cross without levers
+// expects: Units: what is between point and axis in K is in 1/(kg m^2) and should be in 1/(kg m)
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = turn1 + turn2;
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong units: masses on the whole diagonal
+// expects: Units: in K, adding 1/kg to 1/(kg m^2)
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), hinge.r2);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2) +
+                        (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }
+
+// ---- wrong units: one lever forgotten
+// expects: Units: in K, adding 1/(kg m) to 1/kg
+  const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int j = 0; j < 3; ++j) {
+    const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
+    const Triple<real> at2 = cross(hinge.I2 * cross(hinge.r2, unit[j]), unit[j]);
+    for (int i = 0; i < 3; ++i)
+      K[i][j] = dot(unit[i], at1 + at2) +
+                (i == j ? inverse_mass1 + inverse_mass2 : real(0));
+  }
+  for (int j = 0; j < 2; ++j) {
+    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
+  }

@@ -1,0 +1,185 @@
+// Exercise 8.2: what a visit adds to the impulse of friction as a table of cases, with the usual
+// mistakes.
+#pragma once
+
+#include <algorithm>
+
+#include "chapters/08_ground/ground.h"
+#include "tests/checker/cases.h"
+
+namespace joints::testing {
+
+struct FrictionCase {
+  std::string words;
+  double rate, K, mu, normal, sum;
+};
+
+inline CaseTable<FrictionCase> friction_table() {
+  using Case = FrictionCase;
+  const auto clamped = [](double a, double bound) { return std::clamp(a, -bound, bound); };
+  const auto step = [](const Case& c) { return -c.rate / c.K; };
+  const auto wanted = [=](const Case& c) { return c.sum + step(c); };
+  const auto bound = [](const Case& c) { return c.mu * c.normal; };
+  // what brings the sum to its new value, and returns by how much it changed
+  const auto to = [](auto sum) {
+    return [=](const Case& c) { return Numbers{sum(c) - c.sum, sum(c)}; };
+  };
+  const auto wanting = [=](auto other) {
+    return to([=](const Case& c) { return clamped(other(c), bound(c)); });
+  };
+  const auto bounded = [=](auto other) {
+    return to([=](const Case& c) { return clamped(wanted(c), other(c)); });
+  };
+  const auto right = bounded(bound);
+  const auto no_more = [=](const Case& c) { return std::abs(wanted(c)) > bound(c); };
+  const char* const each = "the change of each visit is clamped: it is the sum over all visits "
+                           "that stays within +-mu normal";
+  const char* const dropped = "what is too much is cut back to the edge, not dropped: the sum goes "
+                              "to -mu normal or +mu normal";
+  const char* const always = "the full bound whatever is wanted: friction gives no more than what "
+                             "stops the sliding";
+  const char* const lost = "the sign of the rate is lost: friction works against J V, which may "
+                           "have either sign";
+  const char* const added = "the new sum is added to the old one: it takes its place";
+  const char* const inwards = "the bound moves inwards when the normal impulse becomes less, and "
+                              "the sum goes with it: clamp the sum anew in each visit";
+  const char* const either = ": friction is bounded either way, -mu normal and +mu normal";
+  const char* const returns = "what was wanted is returned: return by how much the sum changed";
+
+  CaseTable<Case> table{{"8.2", "the impulse of friction (v is J V, N the normal impulse)", 2},
+                        {"change", "sum"}, {}, {}, {}, {}};
+  table.yours = [=](const Case& c) {
+    real sum = real(c.sum);
+    const real change =
+        friction_impulse(real(c.rate), real(c.K), real(c.mu), real(c.normal), sum);
+    return Numbers{double(change), double(sum)};
+  };
+  table.right = right;
+  table.mistakes = {
+      {"the sign: friction works against J V, wanted = sum - rate/K",
+       wanting([=](const Case& c) { return c.sum - step(c); })},
+      {lost, wanting([=](const Case& c) { return c.sum - std::abs(step(c)); })},
+      {lost, wanting([=](const Case& c) { return c.sum + std::abs(step(c)); })},
+      {each,
+       [=](const Case& c) {
+         const double change = clamped(step(c), bound(c));
+         return Numbers{change, c.sum + change};
+       }},
+      {each,
+       [=](const Case& c) {
+         const double change = clamped(step(c), bound(c));
+         return Numbers{change, change};
+       }},
+      {inwards, to([=](const Case& c) {
+         return std::clamp(wanted(c), std::min(c.sum, -bound(c)), std::max(c.sum, bound(c)));
+       })},
+      {dropped, to([=](const Case& c) { return no_more(c) ? c.sum : wanted(c); })},
+      {inwards, to([=](const Case& c) {
+         return std::abs(c.sum) >= bound(c) ? c.sum : clamped(wanted(c), bound(c));
+       })},
+      {"nothing is done beyond the bound: the sum goes to the bound",
+       to([=](const Case& c) { return no_more(c) ? 0 : wanted(c); })},
+      {"the bound is mu times the normal impulse: mu is missing",
+       bounded([](const Case& c) { return c.normal; })},
+      {"the bound is mu times the normal impulse: normal is missing",
+       bounded([](const Case& c) { return c.mu; })},
+      {"the bound is mu times the normal impulse: times, not divided by mu",
+       bounded([](const Case& c) { return c.normal / c.mu; })},
+      {"the bound is divided by K: it is an impulse already",
+       bounded([=](const Case& c) { return bound(c) / c.K; })},
+      {"a half of the bound: it is mu normal either way",
+       bounded([=](const Case& c) { return bound(c) / 2; })},
+      {"mu is taken twice in the bound", bounded([=](const Case& c) { return c.mu * bound(c); })},
+      {"nothing is clamped", bounded([](const Case&) { return 1e30; })},
+      {"nothing is clamped, and the sum is not stored",
+       [=](const Case& c) { return Numbers{step(c), c.sum}; }},
+      {std::string("only the upper bound is there") + either,
+       to([=](const Case& c) { return std::min(wanted(c), bound(c)); })},
+      {std::string("only the lower bound is there") + either,
+       to([=](const Case& c) { return std::max(wanted(c), -bound(c)); })},
+      {std::string("the sum is kept from 0 to mu normal") + either,
+       to([=](const Case& c) { return std::clamp(wanted(c), 0.0, bound(c)); })},
+      {std::string("the sum is kept from -mu normal to 0") + either,
+       to([=](const Case& c) { return std::clamp(wanted(c), -bound(c), 0.0); })},
+      {std::string("the size of what is wanted is clamped") + either,
+       to([=](const Case& c) { return std::min(std::abs(wanted(c)), bound(c)); })},
+      {"this is what a row does that only pushes, sum >= 0: friction has the bound mu normal",
+       to([=](const Case& c) { return std::max(wanted(c), 0.0); })},
+      {always,
+       to([=](const Case& c) { return c.rate > 0 ? -bound(c) : c.rate < 0 ? bound(c) : 0; })},
+      {always, to([=](const Case& c) { return c.rate > 0 ? -bound(c) : bound(c); })},
+      {always, to([=](const Case& c) { return c.rate < 0 ? bound(c) : -bound(c); })},
+      {always, to([=](const Case& c) { return wanted(c) < 0 ? -bound(c) : bound(c); })},
+      {always, to([=](const Case& c) { return wanted(c) > 0 ? bound(c) : -bound(c); })},
+      {std::string(always) + ", and works against J V",
+       to([=](const Case& c) { return c.rate < 0 ? -bound(c) : bound(c); })},
+      {std::string(always) + ", and works against J V",
+       to([=](const Case& c) { return c.rate > 0 ? bound(c) : -bound(c); })},
+      {"always the same bound: are the ends of clamp exchanged? clamp(a, low, high)",
+       to([=](const Case& c) { return -bound(c); })},
+      {"always the same bound: are the ends of clamp exchanged? clamp(a, low, high)", to(bound)},
+      {"the ends of clamp are exchanged: clamp(a, low, high), -mu normal is the low one",
+       to([=](const Case& c) {
+         return wanted(c) < bound(c) ? bound(c) : std::min(wanted(c), -bound(c));
+       })},
+      {added, [=](const Case& c) { return Numbers{right(c)[1], c.sum + right(c)[1]}; }},
+      {added, [=](const Case& c) { return Numbers{right(c)[0], c.sum + right(c)[1]}; }},
+      {added, [=](const Case& c) { return Numbers{-c.sum, c.sum + right(c)[1]}; }},
+      {"the sum is not stored: the next visit has to know it",
+       [=](const Case& c) { return Numbers{right(c)[0], c.sum}; }},
+      {"the sum that is stored is not clamped",
+       [=](const Case& c) { return Numbers{right(c)[0], wanted(c)}; }},
+      {"the new sum is returned instead of its change",
+       [=](const Case& c) { return Numbers{right(c)[1], right(c)[1]}; }},
+      {returns, [=](const Case& c) { return Numbers{step(c), right(c)[1]}; }},
+      {returns, [=](const Case& c) { return Numbers{wanted(c), right(c)[1]}; }},
+      {"the sign of the change: new sum minus old sum",
+       [=](const Case& c) { return Numbers{-right(c)[0], right(c)[1]}; }},
+      {"0 is returned: keep the old sum before the new one is stored",
+       [=](const Case& c) { return Numbers{0, right(c)[1]}; }},
+      {"the sum so far is missing in what is wanted: sum - rate/K", wanting(step)},
+      {"the change is added to the sum twice",
+       [=](const Case& c) { return Numbers{right(c)[0], right(c)[1] + right(c)[0]}; }},
+      {"times K where it must be divided by K",
+       wanting([](const Case& c) { return c.sum - c.rate * c.K; })},
+      {"K is missing: an impulse is a speed divided by K",
+       wanting([](const Case& c) { return c.sum - c.rate; })},
+      {"the old sum is divided by K, too",
+       wanting([](const Case& c) { return (c.sum - c.rate) / c.K; })}};
+  for (const double steps : {20, 30, 50, 60, 100, 120})
+    for (const double factor : {steps, 1 / steps})
+      table.mistakes.push_back({"the bound is an impulse already: mu normal, without h",
+                                bounded([=](const Case& c) { return bound(c) * factor; })});
+  const auto add = [&](double rate, double K, double mu, double normal, double sum) {
+    table.cases.push_back({"v " + short_number(rate) + " N " + short_number(normal) + " sum " +
+                               short_number(sum), rate, K, mu, normal, sum});
+  };
+  for (const double way : {1, -1}) {
+    add(way * 2.88, 11.0 / 60, 0.5, 1.2, 0);       // the text's: slides on
+    add(way * 2.77, 11.0 / 60, 0.5, 1.2, way * -0.6);  // and once more
+    add(way * 0.05, 0.4, 0.5, 1.2, 0);             // within the bound: stops
+    add(way * 0.05, 0.4, 0.5, 1.2, way * -0.2);
+    add(way * -0.1, 0.4, 0.5, 1.2, way * -0.4);    // gives back
+    add(way * -3, 0.4, 0.5, 1.2, way * -0.4);      // gives all back, and brakes the other way
+    add(0, 0.4, 0.5, 0.7, way * 0.6);              // the normal impulse has become less
+    add(way * 0.05, 0.4, 0.5, 0.7, way * 0.6);
+    add(way * -1, 0.4, 0.5, 0.7, way * 0.6);
+    add(0, 0.4, 0.5, 0, way * 0.6);                // lifted off
+    add(way * 2, 2.5, 1.5, 3, way * 1.5);          // a rough ground, a light body
+    add(way * 2, 2.5, 0, 3, 0);                    // no friction
+  }
+  table.tolerance = 10 * rounding;
+  return table;
+}
+
+/// For a test of another kind: the table's mistakes explain whatever is wrong.
+inline void expect_friction(const std::string& entry, double yours, double right,
+                            std::vector<Suspect> otherwise = {}) {
+  const CaseTable<FrictionCase> table = friction_table();
+  const double tolerance = 100 * rounding;
+  const bool same = std::abs(yours - right) <= tolerance;
+  expect(table.subject, entry, yours, right, tolerance,
+         same ? std::vector<Suspect>{} : table.explain(yours, otherwise));
+}
+
+}  // namespace joints::testing

@@ -1,0 +1,211 @@
+// The measures, on motions whose numbers are known, and the files that runs leave behind.
+#include <unistd.h>
+
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "engine/measure.h"
+#include "engine/record.h"
+#include "tests/checker/catch.h"
+#include "tests/checker/oracle.h"
+
+using namespace joints;
+using namespace joints::testing;
+using glm::dquat;
+using glm::dvec3;
+
+namespace {
+
+const double no_number = std::numeric_limits<double>::quiet_NaN();
+
+// Where a body is after t seconds at a steady v and w.
+Pose steady(const Pose& start, const dvec3& v, const dvec3& w, double t) {
+  const double angle = t * length(w);
+  const dquat turn = angle != 0 ? glm::angleAxis(angle, normalize(w)) : dquat(1, 0, 0, 0);
+  return {start.x + t * v, turn * start.q};
+}
+
+std::string path_of(const std::string& name) {
+  return (std::filesystem::temp_directory_path() /
+          ("joints_" + std::to_string(getpid()) + "_" + name)).string();
+}
+std::string contents(const std::string& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  std::filesystem::remove(path);
+  return text.str();
+}
+
+// Just enough of a JSON reader: true when the whole text is one value. As tools/motion.py does, it
+// takes the nan and inf of C++ for numbers.
+struct Json {
+  std::string text;
+  std::size_t at = 0;
+  void space() {
+    while (at < text.size() && std::isspace(static_cast<unsigned char>(text[at]))) ++at;
+  }
+  bool take(const std::string& word) {
+    space();
+    if (text.compare(at, word.size(), word) != 0) return false;
+    at += word.size();
+    return true;
+  }
+  bool string() {
+    if (!take("\"")) return false;
+    for (; at < text.size() && text[at] != '"'; ++at) {
+      if (static_cast<unsigned char>(text[at]) < 0x20) return false;
+      if (text[at] == '\\') ++at;
+    }
+    return take("\"");
+  }
+  bool number() {
+    space();
+    const std::string digits = "+-.e0123456789";
+    if (text.compare(at, 4, "-nan") == 0 || text.compare(at, 4, "-inf") == 0) return false;
+    const std::size_t from = at;
+    while (at < text.size() && digits.find(text[at]) != std::string::npos) ++at;
+    return at > from;
+  }
+  bool list(const std::string& close, bool keys) {
+    if (take(close)) return true;
+    do {
+      if (keys && !(string() && take(":"))) return false;
+      if (!value()) return false;
+    } while (take(","));
+    return take(close);
+  }
+  bool value() {
+    if (take("{")) return list("}", true);
+    if (take("[")) return list("]", false);
+    return string() || number() || take("nan") || take("-nan") || take("inf") || take("-inf");
+  }
+  bool whole() { return value() && (space(), at == text.size()); }
+};
+
+}  // namespace
+
+TEST_CASE("the gap of a mark is the distance of its two anchors in the world") {
+  // body 1 turned a quarter about z: its anchor (1, 0, 0) stands at (0, 1, 0)
+  const std::vector<Pose> poses{{dvec3(0), glm::angleAxis(std::acos(0.0), dvec3(0, 0, 1))},
+                                {dvec3(3, 1, 0), dquat(1, 0, 0, 0)}};
+  Mark mark{0, 1, dvec3(1, 0, 0), dvec3(0, 0, 4), dvec3(0), dvec3(0)};
+  CHECK(gap(mark, poses) == Approx(5).epsilon(1e-12));
+  CHECK(axis_error(mark, poses) == 0);  // no axes
+  mark.axis1_local = dvec3(1, 0, 0);    // stands along y
+  for (const auto& [axis, angle] : {std::pair{dvec3(0, 1, 0), 0.0},
+                                    {dvec3(1, 0, 0), std::acos(0.0)},
+                                    {dvec3(0, -1, 0), 2 * std::acos(0.0)},
+                                    {dvec3(std::sin(1e-9), std::cos(1e-9), 0), 1e-9}}) {
+    mark.axis2_local = axis;
+    CHECK(axis_error(mark, poses) == Approx(angle).epsilon(1e-6).margin(1e-15));
+  }
+}
+
+TEST_CASE("a gap meter gives root mean square and maximum and does not swallow a NaN") {
+  const Mark mark{0, 1, {}, {}, dvec3(1, 0, 0), dvec3(1, 0, 0)};
+  const auto at = [](double x) {
+    return std::vector<Pose>{{}, {dvec3(x, 0, 0), dquat(1, 0, 0, 0)}};
+  };
+  GapMeter meter;
+  CHECK(meter.rms() == 0);
+  for (double x : {1.0, -7.0, 2.0}) meter.look({mark}, at(x));
+  CHECK(meter.maximum() == 7);
+  CHECK(meter.rms() == Approx(std::sqrt(18.0)).epsilon(1e-14));
+  meter.look({mark}, at(no_number));
+  meter.look({mark}, at(1));  // a body that came back does not make it good
+  CHECK(std::isnan(meter.maximum()));
+  CHECK(std::isnan(meter.rms()));
+  GapMeter axes;
+  std::vector<Pose> turned = at(0);
+  turned[1].q.w = no_number;
+  axes.look({mark}, turned);
+  axes.look({mark}, at(0));
+  CHECK(std::isnan(axes.axis_maximum()));
+}
+
+TEST_CASE("energy and momentum of steady motion are found from three poses") {
+  // uneven body turning about its own z axis, which stands askew; and an even one that flies by
+  const Pose start[] = {{dvec3(1, 2, 3), glm::angleAxis(0.8, normalize(dvec3(1, 1, 0)))},
+                        {dvec3(-1, 0, 2), dquat(1, 0, 0, 0)},
+                        {dvec3(9), dquat(1, 0, 0, 0)}};
+  const dvec3 axis = start[0].q * dvec3(0, 0, 1);
+  const dvec3 v[] = {dvec3(1, -1, 2), dvec3(0, 3, 0), dvec3(5)}, w[] = {5.0 * axis, dvec3(1, 2, 3),
+                                                                        dvec3(7)};
+  const std::vector<MassProperties> masses{{2, dvec3(1, 2, 3)}, {4, dvec3(0.5)}, {}};
+  const double t = 0.01;
+  std::vector<Pose> before, now, after;
+  for (int k = 0; k < 3; ++k) {
+    before.push_back(steady(start[k], v[k], w[k], -t));
+    now.push_back(start[k]);
+    after.push_back(steady(start[k], v[k], w[k], t));
+    after.back().q = -after.back().q;  // the same orientation
+  }
+  const Moment moment{before, now, after, t};
+  CHECK(kinetic_energy(moment, masses) ==
+        Approx(0.5 * 2 * 6 + 0.5 * 3 * 25 + 0.5 * 4 * 9 + 0.5 * 0.5 * 14).epsilon(1e-10));
+  CHECK(length(momentum(moment, masses) - dvec3(2, 10, 4)) < 1e-10);
+  const dvec3 L = 2.0 * cross(start[0].x, v[0]) + 15.0 * axis + 4.0 * cross(start[1].x, v[1]) +
+                  0.5 * w[1];
+  CHECK(length(angular_momentum(moment, masses) - L) < 1e-9);
+  CHECK(potential_energy(now, masses, dvec3(0, -10, 1)) == Approx(2 * (20 - 3) + 4 * -2));
+}
+
+TEST_CASE("the measures see what the world holds") {
+  World world;
+  Body body = box(3, vec3(1, 2, 3), vec3(1, 2, 3), rotation(vec3(1, 0, 0)));
+  body.v = vec3(1, 2, -2);
+  body.w = to_world(body, vec3(0, 0, 4));
+  world.add(static_body(vec3(7, 0, 0)));
+  world.add(body);
+  const std::vector<Pose> seen = poses(world.bodies);
+  const std::vector<MassProperties> weighed = masses(world.bodies);
+  REQUIRE(seen.size() == 2);
+  CHECK(seen[0].x == dvec3(7, 0, 0));
+  CHECK(seen[1].x == dvec3(1, 2, 3));
+  CHECK(seen[1].q.w == double(body.q.w));
+  CHECK(seen[1].q.x == double(body.q.x));
+  CHECK(weighed[0].mass == 0);
+  CHECK(weighed[1].mass == Approx(3).epsilon(1e-6));
+  CHECK(length(weighed[1].inertia - dvec3(3.25, 2.5, 1.25)) < 1e-5);
+  CHECK(kinetic_energy(body) == Approx(0.5 * 3 * 9 + 0.5 * 1.25 * 16).epsilon(1e-5));
+  CHECK(kinetic_energy(world.bodies.at(0)) == 0);
+}
+
+TEST_CASE("a table refuses a row of another width and writes what it was given") {
+  const std::string path = path_of("table.csv");
+  {
+    CsvFile table(path, {"word", "x", "y"});
+    table.row({"one, two"}, {1.5, -2e-9});
+    CHECK_THROWS_AS(table.row({1, 2}), std::invalid_argument);
+    CHECK_THROWS_AS(table.row({"a", "b"}, {1, 2}), std::invalid_argument);
+    table.row({0.1, 2, no_number});
+  }
+  CHECK(contents(path) == "word,x,y\n\"one, two\",1.5,-2e-09\n0.1,2,nan\n");
+  CHECK_THROWS_AS(CsvFile("/dev/null/nowhere/table.csv", {"x"}), std::invalid_argument);
+}
+
+TEST_CASE("a recorded motion can be read whatever its title and wherever its bodies went") {
+  const std::string path = path_of("motion.json");
+  Motion motion("a \"door\" \\ slammed", 0.01, 2);
+  motion.body({"ball", {1, 1, 1}, "the \"one\""});
+  motion.body({});
+  motion.line({0, 1, {0, 1, 0}, {0, 0, 2}});
+  Body bodies[] = {ball(1, 1, vec3(real(0.25), 0, 0)), static_body(vec3(3))};
+  for (int frame = 0; frame < 4; ++frame) {
+    motion.frame(bodies);
+    bodies[0].x.y = frame == 1 ? std::numeric_limits<real>::quiet_NaN() : real(1e30) * real(1e8);
+  }
+  motion.write(path);
+  Json json{contents(path)};
+  CHECK(json.whole());
+  CHECK(json.text.find("\"dt\":0.02") != std::string::npos);
+  CHECK(json.text.find("[1,1,1],\"label\":\"the \\\"one\\\"\"},") != std::string::npos);
+  CHECK(json.text.find(",{\"kind\":\"box\",\"size\":[1,1,1]}") != std::string::npos);
+  CHECK(json.text.find("[0,[0,1,0],1,[0,0,2]]") != std::string::npos);
+  CHECK(json.text.find("[0.25,0,0,1,0,0,0,3,3,3,1,0,0,0]") != std::string::npos);
+  CHECK_THROWS_AS(Motion("no frames", 0.01, 0), std::invalid_argument);
+  CHECK_THROWS_AS(Motion("no time", no_number, 1), std::invalid_argument);
+}

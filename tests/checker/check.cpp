@@ -1,0 +1,110 @@
+// Comparing numbers with what is right, and saying so.
+#include <algorithm>
+
+#include "tests/checker/catch.h"
+#include "tests/checker/report.h"
+#include "tests/checker/where.h"
+
+namespace joints::testing {
+
+bool close(const Numbers& a, const Numbers& b, double tolerance) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!near(a[i], b[i], tolerance)) return false;
+  return true;
+}
+
+void check(const Subject& subject, const std::string& report) {
+  if (!report.empty()) fail(subject, report);
+  CHECK(report.empty());
+}
+
+void fail(const Subject& subject, const std::string& words) {
+  const std::string id = subject.id;
+  std::string all = (id.empty() ? "" : "Exercise " + id + ": ") + subject.words + "\n\n" + words;
+  const std::string place = exercise_place(id, subject.region);
+  if (!place.empty()) all += "\nWhere: " + place + "\nNext:  ./wb hint " + id + "\n";
+  std::string report;
+  for (std::size_t from = 0; from < all.size();) {
+    const std::size_t end = all.find('\n', from);
+    // Catch2 loses the margin of the line after an empty one: a space keeps it
+    report += end == from ? " \n" : folded(all.substr(from, end - from));
+    from = end + 1;
+  }
+  FAIL(report);
+  throw std::logic_error("not reached");
+}
+
+// ---- numbers ------------------------------------------------------------------------------------
+
+namespace {
+
+struct Named {
+  std::vector<std::string> entries;
+  Numbers numbers;
+};
+Named named(const std::string& entry, double a) { return {{entry}, {a}}; }
+Named named(const std::string& entry, const vec3& a) {
+  return {{entry + ".x", entry + ".y", entry + ".z"}, {double(a.x), double(a.y), double(a.z)}};
+}
+Named named(const std::string& entry, const quat& a) {
+  return {{entry + ".w", entry + ".x", entry + ".y", entry + ".z"},
+          {double(a.w), double(a.x), double(a.y), double(a.z)}};
+}
+Named named(const std::string& entry, const mat3& a) {
+  Named out;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      out.entries.push_back(entry + "[" + "xyz"[row] + ", " + "xyz"[column] + "]");
+      out.numbers.push_back(double(a[column][row]));
+    }
+  return out;
+}
+
+template <class T>
+void compare(const Subject& subject, const std::string& entry, const T& yours, const T& expected,
+             double tolerance, const std::vector<SuspectOf<T>>& suspects) {
+  const Named mine = named(entry, yours);
+  const Numbers right = named(entry, expected).numbers;
+  const bool same = close(mine.numbers, right, tolerance);
+  if (same) {
+    CHECK(same);
+    return;
+  }
+  Table table("expected");
+  for (std::size_t i = 0; i < right.size(); ++i)
+    if (right.size() < 9 || !near(mine.numbers[i], right[i], tolerance))
+      table.entry(mine.entries[i], mine.numbers[i], right[i], tolerance);
+  std::string words = table.words();
+  const auto fits = [&](const SuspectOf<T>& suspect) {
+    return close(mine.numbers, named(entry, suspect.value).numbers, tolerance);
+  };
+  const auto suspect = std::find_if(suspects.begin(), suspects.end(), fits);
+  if (!all_finite(mine.numbers)) words += "\n" + likely(division_by_zero);
+  else if (suspect != suspects.end()) words += "\n" + likely(suspect->words);
+  fail(subject, words);
+}
+
+}  // namespace
+
+void expect(const Subject& subject, const std::string& entry, double yours, double expected,
+            double tolerance, const std::vector<Suspect>& suspects) {
+  compare(subject, entry, yours, expected, tolerance, suspects);
+}
+void expect(const Subject& subject, const std::string& entry, const vec3& yours,
+            const vec3& expected, double tolerance, const std::vector<VectorSuspect>& suspects) {
+  compare(subject, entry, yours, expected, tolerance, suspects);
+}
+void expect(const Subject& subject, const std::string& entry, const mat3& yours,
+            const mat3& expected, double tolerance, const std::vector<MatrixSuspect>& suspects) {
+  compare(subject, entry, yours, expected, tolerance, suspects);
+}
+void expect(const Subject& subject, const std::string& entry, const quat& yours,
+            const quat& expected, double tolerance, const std::vector<QuatSuspect>& suspects) {
+  const auto beside = [](const quat& q, const quat& other) { return dot(q, other) < 0 ? -q : q; };
+  const quat mine = beside(yours, expected);
+  std::vector<QuatSuspect> turned = suspects;
+  for (QuatSuspect& suspect : turned) suspect.value = beside(suspect.value, mine);
+  compare(subject, entry, mine, expected, tolerance, turned);
+}
+
+}  // namespace joints::testing

@@ -1,0 +1,76 @@
+// Numbers as text, tables, folded lines. A report is made for a terminal: lines of at most 76
+// columns, so that Catch2 does not fold them anew.
+#include "tests/checker/report.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace joints::testing {
+
+namespace {
+
+constexpr std::size_t report_width = 76;
+
+// Decimal points stand below one another; what the check takes for zero is written 0.
+std::string text(double number, double tolerance) {
+  if (std::isnan(number)) return "nan     ";
+  if (std::abs(number) <= tolerance) return "0       ";
+  const double size = std::abs(number);
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, size >= 1e-4 && size < 1e7 ? "%.6f" : "%.3e", number);
+  return buffer;
+}
+
+std::string padded(const std::string& words, std::size_t width) {
+  return std::string(words.size() < width ? width - words.size() : 1, ' ') + words;
+}
+
+}  // namespace
+
+bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+
+bool all_finite(const Numbers& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double a) { return std::isfinite(a); });
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  return out;
+}
+
+void Table::entry(const std::string& name, double yours, double right, double tolerance) {
+  if (lines_.size() > 8) ++hidden_;
+  else line(name, text(yours, tolerance), text(right, tolerance), text(yours - right, tolerance));
+}
+
+std::string Table::words() const {
+  std::size_t width = 0;
+  for (const auto& line : lines_) width = std::max(width, line[0].size());
+  std::string out;
+  for (const auto& line : lines_) {
+    std::string row = "  " + line[0] + std::string(width - line[0].size(), ' ') +
+                      padded(line[1], 14) + padded(line[2], 14) + padded(line[3], 14);
+    row.erase(row.find_last_not_of(' ') + 1);
+    out += row + "\n";
+  }
+  return out + (hidden_ > 0 ? "  and " + std::to_string(hidden_) + " more\n" : "");
+}
+
+std::string folded(std::string line) {
+  const std::size_t colon = line.find(": ");
+  const std::string margin(colon < 20 ? colon + 2 : 0, ' ');
+  std::string out;
+  while (line.size() > report_width) {
+    const std::size_t space = line.rfind(' ', report_width);
+    if (space == std::string::npos || space <= margin.size()) break;
+    out += line.substr(0, space) + "\n";
+    line = margin + line.substr(space + 1);
+  }
+  return out + line + "\n";
+}
+
+std::string likely(const std::string& mistake) { return "Likely mistake: " + mistake + "\n"; }
+
+}  // namespace joints::testing

@@ -1,0 +1,38 @@
+// How a report is put together: numbers as text, tables, folded lines.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tests/checker/check.h"
+
+namespace joints::testing {
+
+inline const char* const division_by_zero = "a division by zero, or a value that was never set";
+
+bool near(double a, double b, double tolerance);
+bool all_finite(const Numbers& numbers);
+/// "v1, w1 and v2"
+std::string joined(const std::vector<std::string>& words);
+/// A long line is folded at a space and goes on below its first word after ": ".
+std::string folded(std::string line);
+std::string likely(const std::string& mistake);
+
+/// Yours beside what is right, a line an entry; at most eight lines where all are wrong.
+class Table {
+ public:
+  explicit Table(const std::string& reference) { line("entry", "yours   ", reference, "error   "); }
+  void entry(const std::string& name, double yours, double right, double tolerance);
+  std::string words() const;
+
+ private:
+  void line(const std::string& a, const std::string& b, const std::string& c,
+            const std::string& d) {
+    lines_.push_back({a, b, c, d});
+  }
+  std::vector<std::array<std::string, 4>> lines_;
+  int hidden_ = 0;
+};
+
+}  // namespace joints::testing

@@ -1,0 +1,51 @@
+// What the dense matrices of a scene say. In a file of its own: Eigen takes long to compile.
+#include "tests/checker/rigs.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace joints::testing {
+
+double largest_impulse(const SequentialImpulses& solver) {
+  const Column lambda = impulses(solver.blocks());
+  return lambda.size() > 0 ? lambda.cwiseAbs().maxCoeff() : 0;
+}
+
+System rows_of(World& world, SequentialImpulses solver) {
+  const Bodies as_it_was = world.bodies;
+  solver.begin(world, real(1) / 60);
+  world.bodies = as_it_was;
+  return system_of(solver.blocks(), world.bodies.slots());
+}
+
+Dense whole_K(const System& system, const World& world) {
+  return system.J * inverse_masses(snapshot(world.bodies)) * system.J.transpose();
+}
+
+Dense sweep_matrix(const Dense& A, const std::vector<int>& block) {
+  Dense L = A;
+  for (long i = 0; i < A.rows(); ++i)
+    for (long j = 0; j < A.cols(); ++j)
+      if (block[std::size_t(j)] > block[std::size_t(i)]) L(i, j) = 0;
+  return Dense::Identity(A.rows(), A.cols()) - L.partialPivLu().solve(A);
+}
+
+double sweep_rate(const World& world, const System& system) {
+  const Dense G = sweep_matrix(whole_K(system, world), system.block);
+  return magnitudes(G).maxCoeff();
+}
+
+double measured_rate(World& world, int settling, int sweeps) {
+  const Bodies as_it_was = world.bodies;
+  SequentialImpulses solver;
+  solver.begin(world, real(1) / 60);
+  const System system = system_of(solver.blocks(), world.bodies.slots());
+  const auto left = [&] { return (system.J * velocities(snapshot(world.bodies))).norm(); };
+  for (int k = 0; k < settling; ++k) solver.sweep(world.bodies, k);
+  const double before = left();
+  for (int k = 0; k < sweeps; ++k) solver.sweep(world.bodies, k);
+  const double rate = std::pow(left() / before, 1.0 / sweeps);
+  world.bodies = as_it_was;
+  return rate;
+}
+
+}  // namespace joints::testing

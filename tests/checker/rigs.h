@@ -1,0 +1,87 @@
+// Small machines that the tests of the joints share: a rotor on a hinge, the cube of scenes S4.
+#pragma once
+
+#include <cstring>
+#include <numbers>
+
+#include "chapters/03_hinge/hinge_joint.h"
+#include "tests/checker/oracle.h"
+
+namespace joints::testing {
+
+inline constexpr real degree = std::numbers::pi_v<real> / 180;
+
+inline bool all_finite(const World& world) {
+  for (const Body& body : snapshot(world.bodies))
+    if (!finite(body.x) || !finite(body.q) || !finite(body.v) || !finite(body.w)) return false;
+  return true;
+}
+
+template <class T>
+bool same_bits(const T& one, const T& other) {
+  return std::memcmp(&one, &other, sizeof one) == 0;
+}
+
+/// Angle between two directions [rad].
+inline double angle_between(const vec3& a, const vec3& b) {
+  return std::atan2(double(length(cross(a, b))), double(dot(a, b)));
+}
+
+/// The largest impulse in a solver's blocks [N s or N m s].
+double largest_impulse(const SequentialImpulses& solver);
+
+/// The rows of a world as it stands, found by beginning a step on a copy of the solver.
+System rows_of(World& world, SequentialImpulses solver = {});
+
+/// J M^-1 J^T of all rows together.
+Dense whole_K(const System& system, const World& world);
+
+/// What a sweep of block Gauss-Seidel leaves of an error in the impulses: E - L^-1 A, L the blocks
+/// on and below the diagonal.
+Dense sweep_matrix(const Dense& A, const std::vector<int>& block);
+/// The share of an error that a sweep leaves in the long run.
+double sweep_rate(const World& world, const System& system);
+
+/// The same, measured: what a sweep leaves of J V on average, once others have settled the rest.
+double measured_rate(World& world, int settling, int sweeps);
+
+/// A rotor of 1 kg and 1 kg m^2 on a hinge about z through the origin, its centre `lever` beside
+/// it, no gravity, turning at `speed` [rad/s].
+struct Rotor {
+  World world;
+  BodyId wall, body;
+  HingeJoint* hinge;
+  SequentialImpulses solver;
+
+  explicit Rotor(real lever = 0, real speed = 0) {
+    world.gravity = vec3(0);
+    wall = world.add(static_body(vec3(0)));
+    body = world.add(body_with(1, vec3(1), vec3(lever, 0, 0)));
+    hinge = &world.add<HingeJoint>(world.bodies, wall, body, vec3(0), vec3(0, 0, 1));
+    rotor().w = vec3(0, 0, speed);
+    rotor().v = vec3(0, speed * lever, 0);
+  }
+  Body& rotor() { return world.bodies[body]; }
+  double angle() const { return double(hinge->position(world.bodies)); }           // [rad]
+  double in_degrees() const { return angle() / double(degree); }
+  void run(int steps, real h) {
+    for (int k = 0; k < steps; ++k) solver.step(world, h);
+  }
+};
+
+/// Scenes S4: a cube of 100 kg 1.5 m beside a static one, on a hinge through that one's centre.
+struct Crane {
+  World world;
+  BodyId wall, cube;
+  HingeJoint* hinge;
+  SequentialImpulses solver;
+
+  explicit Crane(const vec3& axis) {
+    wall = world.add(static_body(vec3(0)));
+    cube = world.add(box(100, vec3(1), vec3(0, 0, real(1.5))));
+    hinge = &world.add<HingeJoint>(world.bodies, wall, cube, vec3(0), axis);
+  }
+  double in_degrees() const { return double(hinge->position(world.bodies) / degree); }
+};
+
+}  // namespace joints::testing

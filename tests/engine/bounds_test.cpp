@@ -1,0 +1,191 @@
+// What accumulated and clamped impulses settle at, against an oracle that tries every combination
+// of bounds.
+#include "chapters/01_distance/distance_joint.h"
+#include "tests/checker/catch.h"
+#include "tests/checker/oracle.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const real h = real(1) / 60;
+const double inf = std::numeric_limits<double>::infinity();
+
+// The one lambda between the bounds with w = A lambda - c zero where lambda is inside its bounds,
+// not negative at a lower and not positive at an upper one: by trying all combinations.
+Column enumerate(const Dense& A, const Column& c, const Column& lower, const Column& upper) {
+  const long n = c.size();
+  std::vector<int> state(std::size_t(n), 0);  // 0 inside, 1 at the lower, 2 at the upper bound
+  for (;;) {
+    std::vector<long> free;
+    Column lambda = Column::Zero(n);
+    bool possible = true;
+    for (long i = 0; i < n; ++i) {
+      const int s = state[std::size_t(i)];
+      if (s == 0) free.push_back(i);
+      else possible = possible && std::isfinite(lambda[i] = s == 1 ? lower[i] : upper[i]);
+    }
+    if (possible) {
+      if (!free.empty())
+        lambda(free) = A(free, free).ldlt().solve((c - A * lambda)(free)).eval();
+      const Column w = A * lambda - c;
+      for (long i = 0; i < n; ++i) {
+        const int s = state[std::size_t(i)];
+        if (s == 0) possible = possible && lambda[i] >= lower[i] && lambda[i] <= upper[i];
+        else possible = possible && (s == 1 ? w[i] >= 0 : w[i] <= 0);
+      }
+      if (possible) return lambda;
+    }
+    long i = 0;
+    while (i < n && ++state[std::size_t(i)] == 3) state[std::size_t(i++)] = 0;
+    REQUIRE(i < n);  // some combination must do
+  }
+}
+
+// The system of the blocks of a step and the bounds of its rows.
+struct Bounded {
+  Dense A;
+  Column c, lower, upper;
+  Column solution() const { return enumerate(A, c, lower, upper); }
+};
+Bounded bounded(const Blocks& blocks, const std::vector<Body>& forced, real step) {
+  const System system = system_of(blocks, int(forced.size()));
+  const Dense W = inverse_masses(forced);
+  const long n = system.C.size();
+  Bounded out{system.J * W * system.J.transpose(), -(system.J * velocities(forced)),
+              Column::Constant(n, -inf), Column::Constant(n, inf)};
+  for (const Block& block : blocks.list) {
+    const long first = block.first, last = first + block.rows - 1;
+    const Demand& demand = block.demand;
+    for (long i = first; i <= last; ++i) {
+      const bool ahead = i == last && demand.lower == 0 && demand.upper == unbounded &&
+                         system.C[i] > 0;  // room that may be used up
+      out.c[i] -= (ahead ? 1 : double(demand.beta)) * system.C[i] / double(step);
+    }
+    out.c[last] += double(demand.target);
+    out.lower[last] = double(step) * double(demand.lower);
+    out.upper[last] = double(step) * double(demand.upper);
+  }
+  return out;
+}
+
+// Body in the middle, four walls around it, a rope to each, some slack, some stretched.
+World body_on_ropes(Random& random) {
+  World world;
+  world.gravity = vec3(0);
+  const BodyId body = world.add(box(2, vec3(1, real(0.6), real(0.3)), vec3(0), random.turn()));
+  for (int k = 0; k < 4; ++k) {
+    const BodyId wall = world.add(static_body(random.vector(1) + vec3(0, 2, 0)));
+    Rope<Distance> rope{{vec3(0), random.vector(real(0.5)), 1}};
+    const real length = real(1) - rope.error(world.bodies[wall], world.bodies[body]);
+    rope.rod.length = length + random.uniform(real(-0.01), real(0.01));
+    world.add<RopeJoint>(wall, body, rope);
+  }
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("I17 accumulated clamped sweeps settle at the pull that trying everything finds") {
+  Random random(41);
+  int pulling = 0, idle = 0;
+  for (int draw = 0; draw < 40; ++draw) {
+    World world = body_on_ropes(random);
+    SequentialImpulses solver;
+    solver.begin(world, h);
+    push_at_random(world.bodies, random);
+    const Column expected =
+        bounded(solver.blocks(), snapshot(world.bodies), h).solution();
+    for (int k = 0; k < 20000; ++k) solver.sweep(world.bodies, k);
+    const Column found = impulses(solver.blocks());
+    CHECK(difference(found, expected) < tolerance(1e-9, 1e-2));
+    for (double lambda : expected) ++(lambda > 0 ? pulling : idle);
+  }
+  CHECK(pulling > 20);  // both kinds were there
+  CHECK(idle > 20);
+}
+
+TEST_CASE("I17 clamping each impulse instead of the sum leaves a rope pulling for nothing") {
+  // rope 1 would pull along x, rope 2 along (0.8, 0.6); only rope 2 is needed in the end
+  World world;
+  world.gravity = vec3(0);
+  const BodyId body = world.add(ball(1, real(0.1), vec3(0)));
+  for (const vec3& end : {vec3(2, 0, 0), vec3(real(1.6), real(1.2), 0)})
+    world.add<CentreRopeJoint>(world.add(static_body(end)), body, Rope<CentreDistance>{{2}});
+  SequentialImpulses solver;
+  solver.begin(world, h);
+  world.bodies[body].v = vec3(-1, -3, 0);
+  const System system = system_of(solver.blocks(), 3);
+  const Dense W = inverse_masses(snapshot(world.bodies));
+  Column V = velocities(snapshot(world.bodies)), wrong = Column::Zero(2);
+  for (int k = 0; k < 200; ++k)
+    for (long i = 0; i < 2; ++i) {
+      const double dlambda = std::max(0.0, -system.J.row(i).dot(V));  // each one clamped
+      wrong[i] += dlambda;
+      V += dlambda * W * system.J.row(i).transpose();
+    }
+  for (int k = 0; k < 200; ++k) solver.sweep(world.bodies, k);
+  const Column right = impulses(solver.blocks());
+  const double near = tolerance(1e-12, 1e-5);
+  CHECK(std::abs(wrong[0] - 1) < near);
+  CHECK(std::abs(wrong[1] - 1.8) < near);
+  CHECK((V.head(2) - Eigen::Vector2d(1.44, -1.92)).norm() < near);
+  CHECK(std::abs(right[0]) < near);
+  CHECK(std::abs(right[1] - 2.6) < near);
+  CHECK(length(world.bodies[body].v - vec3(real(1.08), real(-1.44), 0)) < near);
+}
+
+TEST_CASE("the last row of a block stays within its bounds while the others hold exactly") {
+  Random random(42);
+  int inside = 0, below = 0, above = 0;
+  for (int draw = 0; draw < 200; ++draw) {
+    World world;
+    world.gravity = vec3(0);
+    const Pair pair = uneven_pair();
+    const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
+    auto& joint = world.add<AnyJoint<4>>(a, b);
+    for (Row& row : joint.J.row) row = random_row(random);
+    for (real& C : joint.C) C = random.uniform(real(-0.02), real(0.02));
+    const real step = draw % 2 ? h : h / 4;  // bounds are forces: their impulses go with the step
+    joint.demand = {.beta = real(0.2), .target = random.uniform(-3, 3),
+                    .lower = random.uniform(-60, 0), .upper = random.uniform(0, 60)};
+    SequentialImpulses solver;
+    solver.begin(world, step);
+    push_at_random(world.bodies, random);
+    const Bounded system = bounded(solver.blocks(), snapshot(world.bodies), step);
+    const Column expected = system.solution();
+    solver.sweep(world.bodies, 0);
+    CHECK(difference(impulses(solver.blocks()), expected) < tolerance(1e-11, 1e-3));
+    solver.sweep(world.bodies, 1);  // and stays there
+    CHECK(difference(impulses(solver.blocks()), expected) < tolerance(1e-11, 1e-3));
+    ++(expected[3] == system.lower[3] ? below : expected[3] == system.upper[3] ? above : inside);
+  }
+  CHECK(std::min({inside, below, above}) > 20);
+}
+
+TEST_CASE("blocks with a bounded last row settle together at the one solution") {
+  Random random(43);
+  for (int draw = 0; draw < 20; ++draw) {
+    World world;
+    world.gravity = vec3(0);
+    std::vector<BodyId> ids;
+    for (int k = 0; k < 3; ++k)
+      ids.push_back(world.add(box(random.uniform(1, 3), vec3(1, real(0.7), real(0.4)), vec3(0),
+                                  random.turn())));
+    for (const auto& [one, other] : {std::pair{0u, 1u}, {1u, 2u}, {2u, 0u}}) {
+      auto& joint = world.add<AnyJoint<2>>(ids[one], ids[other]);
+      for (Row& row : joint.J.row) row = random_row(random);
+      joint.C[1] = random.uniform(real(-0.02), real(0.05));
+      joint.demand.beta = real(0.2);
+      joint.demand.lower = draw % 2 ? 0 : real(-10);
+      joint.demand.upper = draw % 2 ? unbounded : 25;
+    }
+    SequentialImpulses solver;
+    solver.begin(world, h);
+    push_at_random(world.bodies, random);
+    const Column expected = bounded(solver.blocks(), snapshot(world.bodies), h).solution();
+    for (int k = 0; k < 20000; ++k) solver.sweep(world.bodies, k);
+    CHECK(difference(impulses(solver.blocks()), expected) < tolerance(1e-9, 1e-3));
+  }
+}

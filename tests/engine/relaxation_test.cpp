@@ -1,0 +1,196 @@
+// Over-relaxation in the engine's solvers: a factor of every impulse that changes how fast the
+// sweeps settle, and neither where they settle nor what bounds allow.
+#include "chapters/02_ball/ball_joint.h"
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/04_slider/slider_joint.h"
+#include "engine/wide.h"
+#include "tests/checker/catch.h"
+#include "tests/checker/oracle.h"
+#include "tests/checker/rigs.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const real h = real(1) / 60;
+
+// A chain of hinges, a slider, a soft row and a motor that all pull at each other.
+struct Machine {
+  World world;
+  HingeJoint* motor = nullptr;
+  SliderJoint* slider = nullptr;
+  Machine() {
+    Random random(61);
+    BodyId before = world.add(static_body(vec3(0)));
+    for (int k = 1; k <= 6; ++k) {
+      const vec3 x(real(k), 0, 0), anchor = x - vec3(real(0.5), 0, 0);
+      Body body = box(real(1 + k % 2), vec3(real(0.8), real(0.5), real(0.3)), x, random.turn());
+      body.v = random.vector(1);
+      body.w = random.vector(1);
+      const BodyId id = world.add(body);
+      if (k == 4) {
+        slider = &world.add<SliderJoint>(world.bodies, before, id, anchor, vec3(1, 1, 0));
+        slider->set_limits(real(0.01), 1);
+      } else {
+        HingeJoint& hinge =
+            world.add<HingeJoint>(world.bodies, before, id, anchor, vec3(0, real(k % 2), 1));
+        if (k == 1) motor = &hinge;
+      }
+      before = id;
+    }
+    motor->set_motor(3, 2);
+    auto& soft = world.add<AnyJoint<1>>(motor->body1, before);
+    soft.J[0] = {vec3(0, -1, 0), vec3(0), vec3(0, 1, 0), vec3(0)};
+    soft.C[0] = real(0.02);
+    soft.demand = {.frequency = 3, .damping = real(0.5)};
+  }
+};
+
+template <class Solver>
+Column settled(real relaxation, int sweeps, Solver solver) {
+  Machine machine;
+  solver.relaxation = relaxation;
+  solver.iterations = sweeps;
+  solver.step(machine.world, h);
+  return velocities(snapshot(machine.world.bodies));
+}
+
+}  // namespace
+
+TEST_CASE("a relaxed solve of one block is omega times the exact one") {
+  const auto impulse = [](real relaxation, const Demand& demand) {
+    World world;
+    world.gravity = vec3(0);
+    const Pair pair = uneven_pair();
+    const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
+    auto& joint = world.add<AnyJoint<3>>(a, b);
+    Random random(62);
+    for (Row& row : joint.J.row) row = random_row(random);
+    for (real& error : joint.C) error = random.uniform(-1, 1);
+    joint.demand = demand;
+    SequentialImpulses scalar;
+    scalar.iterations = 1;
+    scalar.relaxation = relaxation;
+    scalar.step(world, h);
+    return joint.impulse;
+  };
+  for (const Demand& demand : {Demand{.beta = real(0.2)}, Demand{.frequency = 4}}) {
+    const Vector<3> exact = impulse(1, demand), twice = impulse(2, demand);
+    const Vector<3> half = impulse(real(0.5), demand), more = impulse(real(1.7), demand);
+    for (int i = 0; i < 3; ++i) {
+      CHECK(exact[i] != 0);
+      CHECK(twice[i] == 2 * exact[i]);  // to the last bit: only the exponent changes
+      CHECK(half[i] == exact[i] / 2);
+      CHECK(double(more[i]) == Approx(1.7 * double(exact[i])).epsilon(tolerance(1e-12, 1e-5)));
+    }
+  }
+}
+
+TEST_CASE("relaxation 1 changes no digit: a solver that never heard of it finds the same") {
+  const auto chain = [] {
+    World world;
+    Random random(63);
+    BodyId before = world.add(static_body(vec3(0)));
+    for (int k = 1; k <= 5; ++k) {
+      const vec3 x(real(k), 0, 0), uneven(real(0.8), real(0.5), real(0.3));
+      const BodyId id = world.add(box(real(1 + k % 2), uneven, x, random.turn()));
+      auto& tie = world.add<AnyJoint<3>>(before, id);
+      tie.J = to_jacobian(point_at(world.bodies[before], world.bodies[id], x - vec3(real(0.5)))
+                              .jacobian(world.bodies[before], world.bodies[id]));
+      if (k % 2 == 0) tie.demand = {.frequency = 5, .damping = real(0.4)};
+      before = id;
+    }
+    return world;
+  };
+  World by_engine = chain(), by_hand = chain();
+  SequentialImpulses solver;
+  solver.relaxation = 1;
+  solver.begin(by_engine, h);
+  Blocks blocks;
+  collect(by_hand, h, blocks);
+  for (int sweep = 0; sweep < 30; ++sweep) {
+    solver.sweep(by_engine.bodies, sweep);
+    for (const Block& block : blocks.list) {  // the same sums in the same order, no factor
+      Body &body1 = by_hand.bodies.at(block.body1), &body2 = by_hand.bodies.at(block.body2);
+      const Row* const J = &blocks.J[std::size_t(block.first)];
+      real K[9], e[3];
+      std::copy_n(&blocks.K[std::size_t(block.first_K)], 9, K);
+      invert_symmetric(K, 3);
+      real share = 1, kept = 0;
+      if (block.demand.frequency > 0) {
+        const real omega = 2 * std::numbers::pi_v<real> * block.demand.frequency;
+        const real a2 = h * omega * (2 * block.demand.damping + h * omega);
+        share = a2 / (1 + a2);
+        kept = 1 / (1 + a2);
+      }
+      for (int i = 0; i < 3; ++i) {  // C and so the bias is zero
+        e[i] = dot(J[i].v1, body1.v) + dot(J[i].v2, body2.v);
+        e[i] += dot(J[i].w1, body1.w) + dot(J[i].w2, body2.w);
+      }
+      vec3 push1(0), push2(0), turn1(0), turn2(0);
+      for (int i = 0; i < 3; ++i) {
+        const real sum = K[3 * i] * e[0] + K[3 * i + 1] * e[1] + K[3 * i + 2] * e[2];
+        const real dlambda = -share * sum - kept * block.impulse[i];
+        block.impulse[i] += dlambda;
+        push1 += dlambda * J[i].v1, push2 += dlambda * J[i].v2;
+        turn1 += dlambda * (inverse_inertia(body1) * J[i].w1);
+        turn2 += dlambda * (inverse_inertia(body2) * J[i].w2);
+      }
+      body1.v += body1.inverse_mass * push1, body2.v += body2.inverse_mass * push2;
+      body1.w += turn1, body2.w += turn2;
+    }
+  }
+  for (int slot = 0; slot < by_hand.bodies.slots(); ++slot) {
+    CHECK(by_engine.bodies.at(slot).v == by_hand.bodies.at(slot).v);
+    CHECK(by_engine.bodies.at(slot).w == by_hand.bodies.at(slot).w);
+  }
+  CHECK(length(by_hand.bodies.at(5).w) > 0);
+}
+
+TEST_CASE("relaxed sums stay within the strength of a motor and a limit only pushes") {
+  const auto check = [](auto solver, double slack, real speed) {
+    for (const real relaxation : {real(0.5), real(1.5), real(1.9)}) {
+      Machine machine;
+      const SliderJoint* const slider = machine.slider;
+      machine.motor->set_motor(speed, 2);
+      solver.relaxation = relaxation;
+      double most = 0, most_pushed = 0;
+      for (int n = 0; n < 30; ++n) {
+        solver.step(machine.world, h);
+        most = std::max(most, std::abs(double(machine.motor->motor_force())));
+        CHECK(double(slider->limit_force()) > -slack);
+        most_pushed = std::max(most_pushed, double(slider->limit_force()));
+      }
+      CHECK(most == Approx(2).epsilon(slack));  // it wants more, and gets all it may have
+      CHECK(most_pushed > 1);
+    }
+  };
+  const double last_digit = 4 * double(epsilon);
+  for (const real speed : {real(3), real(1e6)}) {
+    check(SequentialImpulses(), last_digit, speed);
+    for (const Packing packing : {Packing::trees, Packing::colours})
+      for (const bool lanes : {true, false}) {
+        WideImpulses wide;
+        wide.packing = packing;
+        wide.lanes = lanes;
+        check(wide, last_digit, speed);
+      }
+  }
+}
+
+TEST_CASE("relaxed sweeps settle where plain sweeps do") {
+  const Column plain = settled(1, 1000, SequentialImpulses());
+  for (const real relaxation : {real(0.5), real(1.3), real(1.8)}) {
+    const int sweeps = relaxation < 1 ? 3000 : 1000;  // below 1 a third of the way each time
+    CHECK(difference(settled(relaxation, sweeps, SequentialImpulses()), plain) <
+          tolerance(1e-9, 1e-3));
+    for (const Packing packing : {Packing::trees, Packing::colours, Packing::list}) {
+      WideImpulses wide;
+      wide.packing = packing;
+      CHECK(difference(settled(relaxation, sweeps, wide), plain) < tolerance(1e-9, 1e-3));
+    }
+  }
+  // and after a few sweeps they have not settled: the test can tell
+  CHECK(difference(settled(1, 3, SequentialImpulses()), plain) > 1e-3);
+}

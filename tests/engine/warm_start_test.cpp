@@ -1,0 +1,280 @@
+// Warm starting: what the joints remember of the last step, and what it is worth in the next.
+#include "chapters/01_distance/distance_joint.h"
+#include "tests/checker/catch.h"
+#include "tests/checker/rigs.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const real h = real(1) / 60;
+
+// Masses that hang plumb from a ceiling, one below the other, on ball joints midway.
+struct Hanging {
+  World world;
+  std::vector<BodyId> ids;
+  std::vector<BallJoint*> joints;
+
+  explicit Hanging(const std::vector<real>& masses) {
+    ids.push_back(world.add(static_body(vec3(0))));
+    for (real mass : masses) {
+      const real y = -real(ids.size());
+      ids.push_back(world.add(box(mass, vec3(real(0.4)), vec3(0, y, 0))));
+      const BodyId above = ids[ids.size() - 2];
+      joints.push_back(&world.add<BallJoint>(
+          above, ids.back(),
+          point_at(world.bodies[above], world.bodies[ids.back()], vec3(0, y + real(0.5), 0))));
+    }
+  }
+  void set_beta(real beta) {
+    for (BallJoint* joint : joints) joint->beta = beta;
+  }
+  double rate() { return sweep_rate(world, rows_of(world)); }
+  // How far the lowest body has sunk [m].
+  double sag() const { return -double(ids.size() - 1) - double(world.bodies[ids.back()].x.y); }
+};
+
+// The largest sag in each of the last two seconds of a run [m].
+struct Sags {
+  double first = 0, second = 0;
+  Sags(Hanging hanging, SequentialImpulses solver, int steps) {
+    for (int step = 0; step < steps; ++step) {
+      solver.step(hanging.world, h);
+      const double sag = std::abs(hanging.sag());
+      if (step >= steps - 60) second = std::max(second, sag);
+      else if (step >= steps - 120) first = std::max(first, sag);
+    }
+  }
+};
+
+SequentialImpulses solver_with(bool warm, int iterations, int projections = 0) {
+  SequentialImpulses solver;
+  solver.warm_start = warm;
+  solver.iterations = iterations;
+  solver.projections = projections;
+  return solver;
+}
+
+std::vector<real> ten_links(real tip = 1) {
+  std::vector<real> masses(10, real(1));
+  masses.back() = tip;
+  return masses;
+}
+
+// Modulus of the slowest root for a mode of which k sweeps leave the share eta, warm, fed back:
+// z^3 - (1 + 2 eta - (1 - eta) beta) z^2 + 3 eta z - eta = 0.
+double growth_of_a_mode(double eta, double beta) {
+  Eigen::Matrix3d companion;
+  companion << 1 + 2 * eta - (1 - eta) * beta, -3 * eta, eta, 1, 0, 0, 0, 1, 0;
+  return magnitudes(companion).maxCoeff();
+}
+
+}  // namespace
+
+TEST_CASE("I23 a joint that carries 3 kg pulls with 29.43 N after ten warm steps") {
+  Hanging hanging({3});
+  SequentialImpulses solver;
+  solver.warm_start = true;
+  for (int step = 0; step < 10; ++step) solver.step(hanging.world, h);
+  CHECK(double(hanging.joints[0]->impulse()[1] / h) ==
+        Approx(29.43).epsilon(tolerance(1e-9, 1e-5)));
+  CHECK(std::abs(hanging.sag()) < tolerance(1e-12, 1e-6));
+}
+
+TEST_CASE("I23 warm joints of a chain come to pull as much as hangs from them") {
+  Hanging hanging({3, 2, 1});
+  SequentialImpulses solver;
+  solver.warm_start = true;
+  solver.iterations = 2;
+  for (int step = 0; step < 2000; ++step) solver.step(hanging.world, h);
+  const double weight[] = {6 * 9.81, 3 * 9.81, 9.81};
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(double(hanging.joints[k]->impulse()[1] / h) ==
+          Approx(weight[k]).epsilon(tolerance(1e-9, 1e-4)));
+    CHECK(std::abs(double(hanging.joints[k]->impulse()[0])) < tolerance(1e-9, 1e-4));
+  }
+  CHECK(std::abs(hanging.sag()) < tolerance(1e-9, 2e-5));
+}
+
+TEST_CASE("I26 a cold chain that is swept too little sags by what the formula says") {
+  // C = h^2/beta (I - H)^-1 H J g, H = A G^k A^-1, G what a sweep leaves of an error in lambda
+  const int sweeps = 10;
+  const double m1 = 1, m2 = 9, t = double(h), beta = 0.2;
+  Eigen::Matrix2d A, lower;
+  A << 1 / m1, -1 / m1, -1 / m1, 1 / m1 + 1 / m2;
+  lower << A(0, 0), 0, A(1, 0), A(1, 1);
+  const Eigen::Matrix2d E = Eigen::Matrix2d::Identity(), G = E - lower.inverse() * A;
+  Eigen::Matrix2d H = A;
+  for (int k = 0; k < sweeps; ++k) H = H * G;
+  H = (H * A.inverse()).eval();
+  const Eigen::Vector2d Jg(9.81, 0);  // the upper joint sees its body fall, the lower one nothing
+  const double expected = t * t / beta * ((E - H).inverse() * (H * Jg)).sum();
+
+  Hanging hanging({real(m1), real(m2)});
+  SequentialImpulses solver;
+  solver.iterations = sweeps;
+  const auto sag_after_a_minute = [&](bool warm) {
+    solver.warm_start = warm;
+    for (int step = 0; step < 3600; ++step) solver.step(hanging.world, h);
+    return hanging.sag();
+  };
+  CHECK(expected == Approx(7.3e-3).epsilon(0.5));
+  CHECK(sag_after_a_minute(false) == Approx(expected).epsilon(tolerance(1e-9, 1e-3)));
+  CHECK(std::abs(sag_after_a_minute(true)) < tolerance(1e-9, 2e-5));  // warm: none at all
+  CHECK(sag_after_a_minute(false) == Approx(expected).epsilon(tolerance(1e-9, 1e-3)));
+}
+
+TEST_CASE("when the step changes the remembered impulses change with it") {
+  // at rest every force stays the same, so an impulse is force times step; taken over unchanged it
+  // would kick the chain with g (h_old - h_new)
+  Hanging hanging({3, 2, 1});
+  SequentialImpulses solver;
+  solver.warm_start = true;
+  solver.iterations = 2;
+  for (int step = 0; step < 2000; ++step) solver.step(hanging.world, h);
+  solver.iterations = 1;  // no sweeps to mend it with
+  for (real step : {h / 2, h * 2, h / 5, h}) {
+    solver.step(hanging.world, step);
+    const double kick = 9.81 * std::abs(double(h - step)) + 0.01;
+    for (std::size_t k = 1; k <= 3; ++k)
+      CHECK(std::abs(double(hanging.world.bodies[hanging.ids[k]].v.y)) <
+            tolerance(1e-8, 1e-3) * kick);
+    CHECK(double(hanging.joints[0]->impulse()[1]) ==
+          Approx(6 * 9.81 * double(step)).epsilon(tolerance(1e-8, 1e-3)));
+  }
+}
+
+TEST_CASE("I15 warm starting with feedback is stable where rho^k (1 + beta) is below 1 only") {
+  // ten equal masses: rho = cos^2(pi/20) = 0.97553, so 10 sweeps of beta 0.15 give 0.898 and 4 give
+  // 1.04: one chain hangs still, the other shakes itself to pieces
+  const auto sag_after = [](int sweeps, int steps) {
+    Hanging hanging(std::vector<real>(10, real(1)));
+    for (BallJoint* joint : hanging.joints) joint->beta = real(0.15);
+    SequentialImpulses solver;
+    solver.warm_start = true;
+    solver.iterations = sweeps;
+    double largest = 0;
+    for (int step = 0; step < steps; ++step) {
+      solver.step(hanging.world, h);
+      if (step > steps - 60) largest = std::max(largest, std::abs(hanging.sag()));
+    }
+    return largest;
+  };
+  CHECK(sag_after(10, 600) < tolerance(1e-8, 1e-4));
+  const double early = sag_after(4, 200), late = sag_after(4, 300);
+  CHECK(early > 0.05);
+  CHECK(late / early > 2);
+}
+
+TEST_CASE("E47 the criterion is where the slowest mode of a warm step passes 1", "[E47]") {
+  for (const double beta : {0.05, 0.15, 0.5, 1.0})
+    for (const double kept : {0.9, 0.99, 1.01, 1.1}) {
+      const double eta = kept / (1 + beta);
+      if (eta >= 1) continue;
+      CHECK((growth_of_a_mode(eta, beta) < 1) == (kept < 1));
+    }
+  for (const double eta : {0.5, 0.9, 0.99})  // without feedback it never does
+    CHECK(growth_of_a_mode(eta, 0) < 1 + 1e-9);
+}
+
+TEST_CASE("E47 an unstable warm chain grows by as much a step as its slowest mode", "[E47]") {
+  Hanging hanging(ten_links());
+  CHECK(hanging.rate() ==
+        Approx(std::pow(std::cos(std::numbers::pi / 20), 2)).epsilon(tolerance(1e-9, 1e-5)));
+  const double growth = growth_of_a_mode(std::pow(hanging.rate(), 4), 0.15);
+  CHECK(growth == Approx(1.0175).margin(1e-4));
+  hanging.set_beta(real(0.15));
+  const Sags sags(std::move(hanging), solver_with(true, 4), 300);
+  CHECK(std::pow(sags.second / sags.first, 1.0 / 60) == Approx(growth).epsilon(3e-3));
+}
+
+TEST_CASE("I15 and E47 the criterion tells which warm chains hang still", "[E47]") {
+  for (const auto& [tip, sweeps] : {std::pair{1, 4}, {1, 10}, {1, 30}, {100, 30}, {100, 200}}) {
+    CAPTURE(tip, sweeps);
+    Hanging hanging(ten_links(real(tip)));
+    const double kept = std::pow(hanging.rate(), sweeps) * 1.15;
+    CHECK(std::abs(kept - 1) > 0.03);  // clear of the edge
+    hanging.set_beta(real(0.15));
+    const Sags sags(std::move(hanging), solver_with(true, sweeps), tip == 1 ? 600 : 1200);
+    if (kept < 1) CHECK(sags.second < (tip == 1 ? tolerance(1e-8, 1e-4) : 1e-3));
+    else CHECK(sags.second > 1);
+  }
+}
+
+TEST_CASE("E47 warm without feedback a projected chain is stable on either side", "[E47]") {
+  for (const int tip : {1, 100})
+    for (const int sweeps : {4, 10, 30})
+      for (const int projections : {1, 4}) {
+        CAPTURE(tip, sweeps, projections);
+        Hanging hanging(ten_links(real(tip)));
+        hanging.set_beta(0);
+        const Sags sags(std::move(hanging), solver_with(true, sweeps, projections), 1800);
+        CHECK(sags.second < (tip == 1 ? tolerance(1e-6, 1e-4) : 0.2));
+        CHECK(sags.second < 1.01 * sags.first + tolerance(1e-9, 1e-4));
+      }
+}
+
+TEST_CASE("I26 a cold chain of ten sags joint by joint by what the formula says") {
+  for (const auto& [tip, sweeps] : {std::pair{1, 4}, {1, 10}, {1, 30}, {100, 72}}) {
+    CAPTURE(tip, sweeps);
+    const double beta = 0.15;
+    Hanging hanging(ten_links(real(tip)));
+    hanging.set_beta(real(beta));
+    const System system = rows_of(hanging.world);
+    const Dense A = whole_K(system, hanging.world), G = sweep_matrix(A, system.block);
+    const Dense E = Dense::Identity(A.rows(), A.cols());
+    Dense H = A;
+    for (int k = 0; k < sweeps; ++k) H = H * G;
+    H = (H * inverse_of(A)).eval();
+    Column g = Column::Zero(system.J.cols());
+    for (std::size_t k = 1; k < hanging.ids.size(); ++k) g[6 * long(k) + 1] = -9.81;
+    const Column C = double(h * h) / beta * inverse_of(E - H) * (H * (system.J * g));
+    SequentialImpulses solver = solver_with(false, sweeps);
+    for (int step = 0; step < (tip == 1 ? 600 : 2400); ++step) solver.step(hanging.world, h);
+    double largest = 0;
+    for (std::size_t k = 0; k < 10; ++k) {
+      const BallJoint& joint = *hanging.joints[k];
+      const double gap = double(joint.part.error(hanging.world.bodies[joint.body1],
+                                                 hanging.world.bodies[joint.body2]).y);
+      largest = std::max(largest, std::abs(gap));
+      CHECK(gap == Approx(C[3 * long(k) + 1])
+                       .epsilon(tolerance(1e-4, 1e-2)).margin(tolerance(1e-12, 2e-5)));
+    }
+    CHECK(largest > 1e-3);
+  }
+}
+
+TEST_CASE("E47 a hinge at its limit in blocks apart does as the criterion says", "[E47]") {
+  const auto beyond = [](bool whole, int sweeps, real beta) {
+    Crane crane(vec3(0, 1, 0));
+    crane.hinge->set_limits(0, 60 * degree);  // at the lower one already: its row is there
+    crane.hinge->whole = whole;
+    const double kept = std::pow(sweep_rate(crane.world, rows_of(crane.world)), sweeps) *
+                        (1 + double(beta));
+    crane.hinge->set_limits(-60 * degree, 60 * degree);
+    crane.hinge->set_motor(3, 500);
+    crane.hinge->beta = beta;
+    crane.solver = solver_with(true, sweeps);
+    double late = 0;
+    for (int step = 0; step < 1200; ++step) {
+      crane.solver.step(crane.world, h);
+      if (!all_finite(crane.world)) return std::pair{kept, 1e30};
+      const double past = std::abs(crane.in_degrees()) - 60;
+      if (step >= 1100) late = std::max(late, past);
+      if (length(crane.world.bodies[crane.cube].v) > 1e4) return std::pair{kept, 1e30};
+    }
+    return std::pair{kept, late};
+  };
+  const auto [kept, late] = beyond(false, 1, real(0.2));
+  CHECK(kept == Approx(1.2 * 27 / 29).epsilon(1e-4));
+  CHECK(late > 1e29);  // it has been thrown out at more than 1e4 m/s
+  for (const auto& [sweeps, beta] : {std::pair{10, 0.2}, {30, 0.2}, {1, 0.0}}) {
+    const auto [apart, rests] = beyond(false, sweeps, real(beta));
+    CHECK(apart < 0.95);
+    CHECK(std::abs(rests) < (beta > 0 ? 0.01 : 0.5));
+  }
+  const auto [one, there] = beyond(true, 1, real(0.2));
+  CHECK(one < 1e-5);  // one block: a sweep leaves nothing
+  CHECK(std::abs(there) < 0.01);
+}

@@ -1,0 +1,146 @@
+// What may change between two steps: bodies and joints come and go.
+#include "chapters/01_distance/distance_joint.h"
+#include "chapters/02_ball/ball_joint.h"
+#include "tests/checker/catch.h"
+#include "tests/checker/oracle.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const real h = real(1) / 60;
+
+// Three balls under a ceiling, each on a rod below the other.
+struct Hanging {
+  World world;
+  BodyId ceiling, id[3];
+  CentreDistanceJoint* rod[3];
+  Hanging() {
+    ceiling = world.add(static_body(vec3(0)));
+    for (int k = 0; k < 3; ++k) {
+      id[k] = world.add(ball(1, real(0.1), vec3(0, -real(k + 1), 0)));
+      rod[k] = &world.add<CentreDistanceJoint>(k ? id[k - 1] : ceiling, id[k], CentreDistance{1});
+    }
+  }
+};
+
+double fall(const Hanging& hanging, int k) {
+  return double(hanging.world.bodies[hanging.id[k]].v.y);
+}
+
+}  // namespace
+
+TEST_CASE("a body that goes takes its joints along and what hung from it falls") {
+  Hanging hanging;
+  SequentialImpulses solver;
+  solver.warm_start = true;
+  solver.iterations = 200;
+  for (int step = 0; step < 20; ++step) solver.step(hanging.world, h);
+  CHECK(std::abs(fall(hanging, 2)) < tolerance(1e-9, 1e-5));
+  hanging.world.remove(hanging.id[1]);
+  CHECK(hanging.world.joints().size() == 1);
+  CHECK(hanging.world.joints()[0].get() == hanging.rod[0]);
+  CHECK(hanging.world.most_rows() == 1);
+  CHECK(hanging.world.bodies.size() == 3);
+  const double before = fall(hanging, 2);
+  solver.step(hanging.world, h);
+  CHECK(fall(hanging, 2) - before == Approx(-9.81 / 60).epsilon(tolerance(1e-9, 1e-4)));
+  CHECK(std::abs(fall(hanging, 0)) < tolerance(1e-9, 1e-5));
+}
+
+TEST_CASE("a slot that became free is given to the next body and old ids are refused") {
+  Hanging hanging;
+  Bodies& bodies = hanging.world.bodies;
+  const BodyId old = hanging.id[1];
+  hanging.world.remove(old);
+  CHECK_FALSE(bodies.alive(old));
+  CHECK_FALSE(bodies.used(int(old.slot)));
+  CHECK(bodies.at(int(old.slot)).is_static());  // an empty slot is nothing that could fall
+  CHECK_THROWS_AS(bodies[old], std::invalid_argument);
+  CHECK_THROWS_AS(hanging.world.remove(old), std::invalid_argument);
+  CHECK(bodies.size() == 3);
+  const BodyId next = hanging.world.add(ball(5, 1, vec3(7, 0, 0)));
+  CHECK(next.slot == old.slot);
+  CHECK(next.generation != old.generation);
+  CHECK(bodies.slots() == 4);
+  CHECK(bodies.size() == 4);
+  CHECK(bodies.alive(next));
+  CHECK_FALSE(bodies.alive(old));
+  CHECK_THROWS_AS(bodies.index(old), std::invalid_argument);
+  CHECK_THROWS_AS(hanging.world.add<CentreDistanceJoint>(next, old, CentreDistance{1}),
+                  std::invalid_argument);
+  CHECK(hanging.world.joints().size() == 1);
+  CHECK(bodies[next].x == vec3(7, 0, 0));
+}
+
+TEST_CASE("slots are used again and again and no two live bodies share one") {
+  World world;
+  std::vector<BodyId> living, dead;
+  Random random(81);
+  for (int round = 0; round < 500; ++round) {
+    if (living.empty() || random.uniform(0, 1) < real(0.55)) {
+      living.push_back(world.add(ball(1, 1, vec3(real(round), 0, 0))));
+    } else {
+      const auto k = std::size_t(random.uniform(0, real(living.size())));
+      world.remove(living[k]);
+      dead.push_back(living[k]);
+      living.erase(living.begin() + long(k));
+    }
+    CHECK(world.bodies.size() == int(living.size()));
+  }
+  std::vector<int> taken(std::size_t(world.bodies.slots()), 0);
+  for (BodyId id : living) CHECK(++taken[std::size_t(world.bodies.index(id))] == 1);
+  for (BodyId id : dead) CHECK_FALSE(world.bodies.alive(id));
+  CHECK(world.bodies.slots() < 500);
+}
+
+TEST_CASE("a joint that goes lets its body fall and a new one catches it") {
+  Hanging hanging;
+  SequentialImpulses solver;
+  hanging.world.remove(*hanging.rod[2]);
+  CHECK(hanging.world.joints().size() == 2);
+  for (int step = 0; step < 6; ++step) solver.step(hanging.world, h);
+  CHECK(fall(hanging, 2) == Approx(-0.981).epsilon(tolerance(1e-12, 1e-5)));
+  const Body& last = hanging.world.bodies[hanging.id[2]];
+  const CentreDistance rod{length(last.x - hanging.world.bodies[hanging.id[1]].x)};
+  hanging.world.add<CentreDistanceJoint>(hanging.id[1], hanging.id[2], rod);
+  solver.iterations = 500;
+  solver.step(hanging.world, h);
+  CHECK(std::abs(fall(hanging, 2)) < tolerance(1e-8, 1e-3));
+  CHECK(hanging.world.most_rows() == 3);
+}
+
+TEST_CASE("what a joint is told between two steps counts from the next step on") {
+  Hanging hanging;
+  SequentialImpulses solver;
+  solver.iterations = 500;
+  hanging.rod[2]->part.length = real(0.9);
+  hanging.rod[2]->beta = real(0.5);
+  solver.step(hanging.world, h);
+  const Bodies& bodies = hanging.world.bodies;
+  CHECK(double(length(bodies[hanging.id[2]].x - bodies[hanging.id[1]].x)) ==
+        Approx(0.95).epsilon(tolerance(1e-8, 1e-4)));
+  hanging.world.bodies[hanging.id[0]].v.x += 3;  // pushed: at right angles, so the rod lets it
+  hanging.world.bodies[hanging.id[1]].v = hanging.world.bodies[hanging.id[2]].v = vec3(3, 0, 0);
+  solver.step(hanging.world, h);
+  CHECK(double(bodies[hanging.id[0]].x.x) == Approx(3.0 / 60).epsilon(0.05));
+}
+
+TEST_CASE("a world knows the most rows its joints can have") {
+  Hanging hanging;
+  CHECK(hanging.world.most_rows() == 3);
+  auto& ball = hanging.world.add<BallJoint>(hanging.ceiling, hanging.id[2], Point{});
+  auto& any = hanging.world.add<AnyJoint<6>>(hanging.id[0], hanging.id[2]);
+  for (Row& row : any.J.row) row.w2 = vec3(1, 0, 0);
+  CHECK(hanging.world.most_rows() == 12);
+  SequentialImpulses solver;
+  solver.begin(hanging.world, h);
+  CHECK(int(solver.blocks().J.size()) == 12);
+  hanging.world.remove(ball);
+  CHECK(hanging.world.most_rows() == 9);
+  hanging.world.remove(hanging.id[2]);
+  CHECK(hanging.world.most_rows() == 2);
+  World other;
+  CHECK_THROWS_AS(other.remove(*hanging.rod[0]), std::invalid_argument);
+}

@@ -1,0 +1,160 @@
+// What one exact solve of a whole hinge, slider or weld does, and of the parts it is made of: the
+// rows hold, a second solve finds nothing, energy and momentum change by what the formulas say.
+#include "engine/measure.h"
+#include "engine/part_joint.h"
+#include "tests/checker/catch.h"
+#include "tests/checker/joint_fixtures.h"
+#include "tests/checker/rigs.h"
+
+namespace joints {
+// Any part is good geometry here: the fixtures made it.
+template <class First, class Second>
+void check(const Stack<First, Second>&) {}
+inline void check(const Weld&) {}
+inline void check(const RotationLock&) {}
+inline void check(const Axis&) {}
+inline void check(const Line&) {}
+}  // namespace joints
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const real h = real(1) / 60;
+
+template <class Fixture>
+struct Broken : Fixture {
+  static constexpr bool exact_when_broken = true;
+};
+
+// One joint between two moving bodies, before and after one sweep.
+struct Solved {
+  System system;
+  Column lambda, second, bias, V1, V2;
+  Dense W, K;
+  std::vector<Body> before, after;
+
+  template <class Part>
+  Solved(const Part& part, const Pair& pair, real beta) {
+    World world;
+    world.gravity = vec3(0);
+    const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
+    world.add<PartJoint<Part>>(a, b, part).beta = beta;
+    SequentialImpulses solver;
+    solver.begin(world, h);  // at rest: no gyroscopic torque
+    Random random(71);
+    push_at_random(world.bodies, random);
+    before = snapshot(world.bodies);
+    solver.sweep(world.bodies, 0);
+    after = snapshot(world.bodies);
+    system = system_of(solver.blocks(), 2);
+    lambda = impulses(solver.blocks());
+    solver.sweep(world.bodies, 1);
+    second = impulses(solver.blocks()) - lambda;
+    bias = double(beta) / double(h) * system.C;
+    V1 = velocities(before);
+    V2 = velocities(after);
+    W = inverse_masses(before);
+    K = system.J * W * system.J.transpose();
+  }
+  double size() const {  // of what the solve had to take away
+    return std::max(1.0, (system.J * V1 + bias).cwiseAbs().maxCoeff());
+  }
+  // In float a block near to singular costs digits: as many as its condition number has.
+  double loss() const {
+    const Column eigen = symmetric_eigenvalues(K);
+    return std::max(1.0, eigen.maxCoeff() / eigen.minCoeff() / 30);
+  }
+};
+
+template <class Look>
+void for_every_solve(Look look) {
+  for (real beta : {real(0), real(0.2)}) {
+    const auto at = [&](int, const auto& part, const Pair& pair) {
+      look(Solved(part, pair, beta), beta);
+    };
+    visit_poses<Broken<AxisFixture>>(at);
+    visit_poses<Broken<LineFixture>>(at);
+    visit_poses<Broken<RotationLockFixture>>(at);
+    visit_poses<Broken<HingeFixture>>(at);
+    visit_poses<Broken<SliderFixture>>(at);
+    visit_poses<Broken<WeldFixture>>(at);
+  }
+}
+
+double energy(const std::vector<Body>& bodies) {
+  double sum = 0;
+  for (const Body& body : bodies) sum += kinetic_energy(body);
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("I3 after one solve the rows of a whole hinge or slider or weld move as asked") {
+  for_every_solve([](const Solved& s, real) {
+    const Column left = s.system.J * s.V2 + s.bias;
+    CHECK(left.cwiseAbs().maxCoeff() < tolerance(1e-11, 1e-4) * s.size() * s.loss());
+  });
+}
+
+TEST_CASE("I4 a second solve of a whole hinge or slider or weld finds nothing left to do") {
+  for_every_solve([](const Solved& s, real) {
+    CHECK(s.second.cwiseAbs().maxCoeff() < tolerance(1e-11, 1e-4) * s.size() * s.loss());
+  });
+}
+
+TEST_CASE("I5 a solve of a whole joint changes the energy by what its formula says") {
+  for_every_solve([](const Solved& s, real beta) {
+    const Column JV = s.system.J * s.V1;
+    const Dense inverse = inverse_of(s.K);
+    const double given = 0.5 * s.bias.dot(inverse * s.bias), taken = 0.5 * JV.dot(inverse * JV);
+    const double start = energy(s.before), change = energy(s.after) - start;
+    CHECK(std::abs(change - (given - taken)) <
+          tolerance(1e-11, 1e-4) * (given + taken + start) * s.loss());
+    if (beta == 0) CHECK(change <= tolerance(1e-12, 1e-5) * start);
+  });
+}
+
+TEST_CASE("I6 of all velocities that a whole joint allows its solve takes the nearest") {
+  for_every_solve([](const Solved& s, real) {
+    // Gauss: V2 = V1 + M^-1 J^T lambda, with the lambda that makes J V2 = -b
+    const Column lambda = solved(s.K, -(s.system.J * s.V1 + s.bias));
+    const Column best = s.V1 + s.W * s.system.J.transpose() * lambda;
+    CHECK(difference(s.V2, best) < tolerance(1e-10, 1e-4) * s.loss());
+    CHECK(difference(s.lambda, lambda) < tolerance(1e-10, 1e-4) * s.loss());
+  });
+}
+
+TEST_CASE("I7 a solve of a whole joint keeps momentum but for the gap of its point") {
+  const auto look = [](bool has_point, const Solved& s) {
+    Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear, gap = linear;
+    const auto add = [&](const Body& body, double sign) {
+      const Eigen::Vector3d p = sign * eigen(body.v) / double(body.inverse_mass);
+      const Eigen::Matrix3d I = inertia_of(body);
+      linear += p;
+      angular += eigen(body.x).cross(p) + sign * (I * eigen(body.w));
+    };
+    for (const Body& body : s.after) add(body, 1);
+    for (const Body& body : s.before) add(body, -1);
+    if (has_point)
+      gap = Eigen::Vector3d(s.system.C.head(3)).cross(Eigen::Vector3d(s.lambda.head(3)));
+    const double size = s.size() * std::max(1.0, s.lambda.cwiseAbs().maxCoeff());
+    CHECK(linear.cwiseAbs().maxCoeff() < tolerance(1e-12, 1e-4) * size);
+    CHECK((angular - gap).cwiseAbs().maxCoeff() < tolerance(1e-12, 1e-4) * size);
+  };
+  for (real beta : {real(0), real(0.2)}) {
+    const auto without = [&](int, const auto& part, const Pair& pair) {
+      look(false, Solved(part, pair, beta));
+    };
+    const auto with = [&](int, const auto& part, const Pair& pair) {
+      look(true, Solved(part, pair, beta));
+    };
+    visit_poses<Broken<AxisFixture>>(without);
+    visit_poses<Broken<LineFixture>>(without);
+    visit_poses<Broken<RotationLockFixture>>(without);
+    visit_poses<Broken<SliderFixture>>(without);
+    visit_poses<Broken<HingeFixture>>(with);
+    visit_poses<Broken<WeldFixture>>(with);
+  }
+}

@@ -1,0 +1,137 @@
+// The angle of a hinge is not measured while the room to its limits cannot have been used up: what
+// is left out must not be missed.
+#include <random>
+
+#include "tests/checker/catch.h"
+#include "tests/checker/rigs.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+constexpr real h = real(1) / 60;
+
+// A door on a post, without gravity; its hinge along z, limits 60 degrees either way.
+struct Door {
+  World world;
+  BodyId post, door;
+  HingeJoint* hinge;
+  SequentialImpulses solver;
+
+  Door() {
+    world.gravity = vec3(0);
+    post = world.add(static_body(vec3(0)));
+    door = world.add(box(3, vec3(1, real(0.1), 2), vec3(real(0.5), 0, 0)));
+    hinge = &world.add<HingeJoint>(world.bodies, post, door, vec3(0), vec3(0, 0, 1));
+    hinge->set_limits(-60 * degree, 60 * degree);
+  }
+  Body& body() { return world.bodies[door]; }
+  // Turned by hand about the hinge, with a speed.
+  void put(real angle, real speed) {
+    body().q = rotation(vec3(0, 0, angle));
+    body().x = to_world(body(), vec3(real(0.5), 0, 0));
+    body().w = vec3(0, 0, speed);
+    body().v = cross(body().w, body().x);
+  }
+  void steps(int n) {
+    for (int k = 0; k < n; ++k) solver.step(world, h);
+  }
+  double angle() const { return double(hinge->position(world.bodies) / degree); }
+};
+
+}  // namespace
+
+TEST_CASE("a door that creeps from the middle to its limit stops there") {
+  for (const real speed : {real(0.05), real(-0.3), real(1)}) {
+    Door door;
+    door.put(0, speed);
+    double furthest = 0;
+    for (int k = 0; k < int(real(1.5) / std::abs(speed) / h); ++k) {
+      door.steps(1);
+      furthest = std::max(furthest, std::abs(door.angle()));
+    }
+    INFO("speed " << speed);
+    CHECK(furthest < 60.01);
+    CHECK(door.angle() == Approx(speed > 0 ? 60 : -60).margin(0.01));
+  }
+}
+
+TEST_CASE("a door that is put beyond its limit by hand is noticed in the next step") {
+  Door door;
+  door.put(0, 0);
+  door.steps(10);
+  CHECK(door.hinge->limit_force() == 0);
+  door.put(70 * degree, 0);
+  door.steps(1);
+  CHECK(double(door.hinge->limit_force()) < 0);  // it pushes the angle down
+  CHECK(door.angle() < 69.5);
+}
+
+TEST_CASE("limits drawn in, or a new zero, are noticed in the next step") {
+  for (const bool new_zero : {false, true}) {
+    Door door;
+    door.put(20 * degree, 0);
+    door.steps(10);
+    if (new_zero)
+      door.hinge->coordinate.start = rotation(vec3(0, 0, -50 * degree));  // so it stands at 70
+    else
+      door.hinge->set_limits(-10 * degree, 10 * degree);
+    door.steps(1);
+    INFO((new_zero ? "new zero" : "new limits"));
+    CHECK(double(door.hinge->limit_force()) < 0);
+  }
+}
+
+TEST_CASE("two wheels on one axle that spin as one keep their angle and count no turns") {
+  World world;
+  world.gravity = vec3(0);
+  const BodyId one = world.add(box(1, vec3(1), vec3(0)));
+  const BodyId other = world.add(box(2, vec3(1), vec3(0, 0, 2)));
+  auto& hinge = world.add<HingeJoint>(world.bodies, one, other, vec3(0, 0, 1), vec3(0, 0, 1));
+  hinge.set_limits(-60 * degree, 60 * degree);
+  for (const BodyId id : {one, other}) world.bodies[id].w = vec3(0, 0, 20);
+  SequentialImpulses solver;
+  for (int k = 0; k < 600; ++k) solver.step(world, h);
+  CHECK(double(std::abs(hinge.position(world.bodies))) < tolerance(1e-9, 1e-3));
+  CHECK(hinge.limit_force() == 0);
+}
+
+TEST_CASE("while the angle need not be measured a step cannot reach the limit") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto arrow = [&](double size) {
+    vec3 a;
+    do a = vec3(real(unit(random)), real(unit(random)), real(unit(random)));
+    while (length(a) < real(0.1) || length(a) > 1);
+    return real(size * std::abs(unit(random))) * normalize(a);
+  };
+  int left_out = 0, measured = 0;
+  for (int k = 0; k < 20000; ++k) {
+    Body a = box(1, vec3(1), vec3(0)), b = box(1, vec3(1), vec3(1, 0, 0));
+    a.q = rotation(arrow(3));
+    b.q = rotation(arrow(3));
+    HingeAngle angle = angle_about(a, b, arrow(1) + vec3(0, 0, real(0.01)));
+    b.q = normalize(rotation(arrow(0.6)) * b.q);  // torn open a little
+    const real x = angle.error(a, b);
+    angle.expected = x;
+    const real room = real(std::abs(unit(random)) * 2);
+    Leeway<HingeAngle> leeway;
+    leeway.measured(angle, a, b, room);
+    // The bodies turn for a while, each as it likes; then there is a step.
+    a.q = normalize(rotation(arrow(1)) * a.q);
+    b.q = normalize(rotation(arrow(1)) * b.q);
+    a.w = arrow(30);
+    b.w = arrow(30);
+    if (!leeway.still_near(angle, a, b) || !leeway.is_slow(a, b, h)) {
+      ++measured;
+      continue;
+    }
+    ++left_out;
+    a.q = normalize(rotation(h * a.w) * a.q);
+    b.q = normalize(rotation(h * b.w) * b.q);
+    REQUIRE(double(std::abs(angle.error(a, b) - x)) <= double(room) + 1e-5);
+  }
+  CHECK(left_out > 500);
+  CHECK(measured > 500);
+}

@@ -1,0 +1,208 @@
+// What one exact solve of one joint does, by the engine's own loop: the rows hold, energy and
+// momentum change by what the formulas say, and the error dies away at the promised rate.
+#include <cstring>
+
+#include "chapters/01_distance/distance_joint.h"
+#include "chapters/02_ball/ball_joint.h"
+#include "engine/measure.h"
+#include "tests/checker/catch.h"
+#include "tests/checker/fixtures.h"
+#include "tests/checker/oracle.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const real h = real(1) / 60;
+
+// One joint between two moving bodies, before and after one sweep.
+struct Solved {
+  Pair before, after;
+  System system;
+  Column lambda, second;  // the impulse of the sweep, and what a further sweep adds
+  Column bias;
+  Dense W, K;
+  Column V1, V2;
+
+  template <class Part>
+  Solved(const Part& part, Pair pair, real beta) {
+    World world;
+    world.gravity = vec3(0);
+    Random random(21);
+    const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
+    world.add<PartJoint<Part>>(a, b, part).beta = beta;
+
+    SequentialImpulses solver;
+    solver.begin(world, h);  // at rest: no gyroscopic torque
+    push_at_random(world.bodies, random);
+    before = {world.bodies[a], world.bodies[b]};
+    V1 = velocities({before.body1, before.body2});
+    solver.sweep(world.bodies, 0);
+    after = {world.bodies[a], world.bodies[b]};
+    V2 = velocities({after.body1, after.body2});
+    system = system_of(solver.blocks(), 2);
+    lambda = impulses(solver.blocks());
+    solver.sweep(world.bodies, 1);
+    second = impulses(solver.blocks()) - lambda;
+    bias = double(beta) / double(h) * system.C;
+    W = inverse_masses({before.body1, before.body2});
+    K = system.J * W * system.J.transpose();
+  }
+  double energy(const Pair& pair) const {
+    return kinetic_energy(pair.body1) + kinetic_energy(pair.body2);
+  }
+  // The size of what the solve had to take away.
+  double size() const { return std::max(1.0, (system.J * V1 + bias).cwiseAbs().maxCoeff()); }
+};
+
+// Every equality part at every pose, with and without error feedback.
+template <class Look>
+void for_every_solve(Look look) {
+  for (real beta : {real(0), real(0.2)}) {
+    const auto at = [&](int, const auto& part, const Pair& pair) {
+      look(Solved(part, pair, beta), beta);
+    };
+    visit_poses<CentreDistanceFixture>(at);
+    visit_poses<DistanceFixture>(at);
+    visit_poses<PointFixture>(at);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("I3 after one exact solve the rows move as they were asked to") {
+  for_every_solve([](const Solved& s, real) {
+    const Column left = s.system.J * s.V2 + s.bias;
+    CHECK(left.cwiseAbs().maxCoeff() < tolerance(1e-11, 1e-4) * s.size());
+  });
+}
+
+TEST_CASE("I4 a second solve finds nothing left to do") {
+  for_every_solve([](const Solved& s, real) {
+    CHECK(s.second.cwiseAbs().maxCoeff() < tolerance(1e-11, 1e-4) * s.size());
+  });
+}
+
+TEST_CASE("I5 a solve gives b K^-1 b over 2 of energy and takes J V K^-1 J V over 2") {
+  for_every_solve([](const Solved& s, real beta) {
+    const Column JV = s.system.J * s.V1;
+    const Dense inverse = inverse_of(s.K);
+    const double given = 0.5 * s.bias.dot(inverse * s.bias), taken = 0.5 * JV.dot(inverse * JV);
+    const double change = s.energy(s.after) - s.energy(s.before);
+    CHECK(std::abs(change - (given - taken)) <
+          tolerance(1e-11, 1e-4) * (given + taken + s.energy(s.before)));
+    if (beta == 0) CHECK(change <= tolerance(1e-12, 1e-5) * s.energy(s.before));
+  });
+}
+
+TEST_CASE("I6 of all velocities that the rows allow a solve takes the nearest") {
+  for_every_solve([](const Solved& s, real) {
+    const long n = s.lambda.size();  // Gauss: least (V - V1) M (V - V1)/2 with J V = -b
+    Dense KKT = Dense::Zero(12 + n, 12 + n);
+    KKT.topLeftCorner(12, 12) = inverse_of(s.W);
+    KKT.topRightCorner(12, n) = -s.system.J.transpose();
+    KKT.bottomLeftCorner(n, 12) = s.system.J;
+    Column right(12 + n);
+    right << inverse_of(s.W) * s.V1, -s.bias;
+    const Column best = KKT.fullPivLu().solve(right);
+    CHECK(difference(s.V2, best.head(12)) < tolerance(1e-10, 1e-4));
+    CHECK(difference(s.lambda, best.tail(n)) < tolerance(1e-10, 1e-4));
+  });
+}
+
+TEST_CASE("I7 a solve keeps the momentum and turns the pair by the gap times the impulse") {
+  for_every_solve([](const Solved& s, real) {
+    Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear, gap = linear;
+    const auto add = [&](const Body& body, double sign) {
+      const Eigen::Vector3d p = sign * eigen(body.v) / double(body.inverse_mass);
+      linear += p;
+      const Eigen::Matrix3d I = inertia_of(body);
+      angular += eigen(body.x).cross(p) + sign * (I * eigen(body.w));
+    };
+    for (const Body& body : {s.after.body1, s.after.body2}) add(body, 1);
+    for (const Body& body : {s.before.body1, s.before.body2}) add(body, -1);
+    if (s.lambda.size() == 3) gap = Eigen::Vector3d(s.system.C).cross(Eigen::Vector3d(s.lambda));
+    CHECK(linear.cwiseAbs().maxCoeff() < tolerance(1e-12, 1e-4) * s.size());
+    CHECK((angular - gap).cwiseAbs().maxCoeff() < tolerance(1e-12, 1e-4) * s.size());
+  });
+}
+
+TEST_CASE("I11 the error of a row that keeps its direction shrinks by 1 - beta every step") {
+  const auto check_decay = [](auto part, const vec3& start, real beta) {
+    World world;
+    world.gravity = vec3(0);
+    const BodyId wall = world.add(static_body(vec3(0)));
+    const BodyId body = world.add(ball(3, real(0.5), start));
+    auto& joint = world.add<PartJoint<decltype(part)>>(wall, body, part);
+    joint.beta = beta;
+    SequentialImpulses solver;
+    const auto error = [&] {
+      return to_vector(joint.part.error(world.bodies[wall], world.bodies[body]));
+    };
+    const auto first = error();
+    for (int step = 1; step <= 20; ++step) {
+      solver.step(world, h);
+      const auto now = error();
+      const double share = std::pow(1 - double(beta), step);
+      for (std::size_t i = 0; i < now.size(); ++i)
+        CHECK(std::abs(double(now[i]) - share * double(first[i])) <=
+              tolerance(1e-10 * share * std::abs(double(first[i])) + 1e-15, 1e-6));
+    }
+  };
+  for (real beta : {real(0.15), real(0.2), real(0.5)}) {
+    check_decay(CentreDistance{1}, vec3(real(1.4), 0, 0), beta);
+    check_decay(Point{}, vec3(real(0.3), real(-0.2), real(0.5)), beta);
+  }
+}
+
+TEST_CASE("I11 with a lever and an error of 1 mm the share left after a step is 0.85") {
+  const vec3 lever(real(0.5), real(0.3), real(-0.2));
+  const vec3 off(real(6e-4), real(-0.48e-3), real(0.64e-3));  // 1 mm long
+  World world;
+  world.gravity = vec3(0);
+  const BodyId wall = world.add(static_body(vec3(0)));
+  const BodyId body = world.add(box(3, vec3(1, 2, real(0.5)), off - lever));
+  auto& joint = world.add<BallJoint>(wall, body, Point{vec3(0), lever});
+  joint.beta = real(0.15);
+  SequentialImpulses solver;
+  double last = double(length(joint.part.error(world.bodies[wall], world.bodies[body])));
+  CHECK(last == Approx(1e-3).epsilon(tolerance(1e-12, 1e-3)));
+  for (int step = 0; step < (is_float ? 1 : 10); ++step) {
+    solver.step(world, h);
+    const double now = double(length(joint.part.error(world.bodies[wall], world.bodies[body])));
+    CHECK(now / last == Approx(0.85).epsilon(1e-3));
+    last = now;
+  }
+}
+
+TEST_CASE("I25 a static body is still at rest to the last bit after a thousand steps") {
+  for (bool warm : {false, true}) {
+    World world;
+    const BodyId left = world.add(static_body(vec3(0), rotation(vec3(real(0.3)))));
+    const BodyId right = world.add(static_body(vec3(4, 0, 0)));
+    const BodyId a = world.add(box(1, vec3(1, real(0.2), real(0.3)), vec3(1, 0, 0)));
+    const BodyId b = world.add(box(50, vec3(1, real(0.2), real(0.3)), vec3(3, 0, 0)));
+    const Bodies& bodies = world.bodies;
+    world.add<BallJoint>(left, a, point_at(bodies[left], bodies[a], vec3(real(0.5), 0, 0)));
+    world.add<BallJoint>(b, right, point_at(bodies[b], bodies[right], vec3(real(3.5), 0, 0)));
+    world.add<DistanceJoint>(a, b, Distance{vec3(real(0.4), 0, 0), vec3(0), real(1.8)});
+    world.add<RopeJoint>(left, b, Rope<Distance>{{vec3(0), vec3(0), 3}});
+    world.add<BallJoint>(left, right, Point{});  // nothing can close this gap
+    const Body before_left = bodies[left], before_right = bodies[right];
+    SequentialImpulses solver;
+    solver.warm_start = warm;
+    for (int step = 0; step < 1000; ++step) solver.step(world, h);
+    const auto same_bits = [](const auto& one, const auto& other) {
+      return std::memcmp(&one, &other, sizeof one) == 0;
+    };
+    for (const auto& [now, before] : {std::pair{bodies[left], before_left},
+                                      std::pair{bodies[right], before_right}}) {
+      CHECK(same_bits(now.v, vec3(0)));
+      CHECK(same_bits(now.w, vec3(0)));
+      CHECK(same_bits(now.x, before.x));
+      CHECK(same_bits(now.q, before.q));
+    }
+    CHECK(finite(bodies[b].x));
+  }
+}

@@ -1,0 +1,240 @@
+// Contacts and joints on lanes: the same rows, the same numbers, and bounds that follow a sum in
+// another group.
+#include "chapters/02_ball/ball_joint.h"
+#include "chapters/03_hinge/hinge_joint.h"
+#include "engine/wide.h"
+#include "tests/checker/catch.h"
+#include "tests/checker/allocations.h"
+#include "tests/ground/rigs.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const real h = real(1) / 60;
+
+// Figures beside each other on one ground: a box each, or a trunk with two limbs on a hinge and a
+// ball joint. They fall by 1 to 11 cm, slide and come to rest. \param alike all of them have limbs
+World field(int figures, bool limbs, bool alike, real drop = 1) {
+  World world;
+  const BodyId ground = world.add(static_body(vec3(0)));
+  const auto stand = [&](BodyId body) {
+    world.add<GroundContact>(ground, body, Top{}, box_outline(brick)).restitution = real(0.3);
+  };
+  for (int k = 0; k < figures; ++k) {
+    const real x = real(5 * k), y = real(0.3) + drop * real(0.01 + 0.05 * (k % 3));
+    Body trunk = box(real(5 + k), brick, vec3(x, y, 0), rotation(vec3(0, real(0.1) * real(k), 0)));
+    trunk.v = vec3(real(k % 4), 0, 1);
+    const BodyId body = world.add(trunk);
+    if (limbs && (alike || k % 3 > 0)) {
+      const BodyId left = world.add(box(3, brick, vec3(x - real(1.1), y, 0)));
+      const BodyId right = world.add(box(2, brick, vec3(x + real(1.1), y, 0)));
+      world.add<BallJoint>(body, left, point_at(world.bodies[body], world.bodies[left],
+                                                vec3(x - real(0.55), y, 0)));
+      world.add<HingeJoint>(world.bodies, body, right, vec3(x + real(0.55), y, 0), vec3(0, 0, 1));
+      stand(left);
+      stand(right);
+    }
+    stand(body);
+  }
+  return world;
+}
+
+// The largest difference of places and velocities.
+double difference(const World& a, const World& b) {
+  double most = 0;
+  for (int slot = 0; slot < a.bodies.slots(); ++slot) {
+    const Body &one = a.bodies.at(slot), &other = b.bodies.at(slot);
+    most = std::max({most, double(length(one.x - other.x)), double(length(one.v - other.v)),
+                     double(length(one.w - other.w))});
+  }
+  return most;
+}
+
+// A step of the scalar solver whose sweeps visit the blocks in the order of the packed ones.
+void step_in_order(SequentialImpulses& solver, World& world, const WideBlocks& packed) {
+  solver.begin(world, h);
+  REQUIRE(std::count_if(packed.blocks.begin(), packed.blocks.end(),
+                        [](int k) { return k >= 0; }) == int(solver.blocks().list.size()));
+  for (int n = 0; n < solver.iterations; ++n)
+    for (const int k : packed.blocks)
+      if (k >= 0) solver.sweep(world.bodies, k, k + 1);
+  Blocks more;  // a second look goes on from here: it must find nothing
+  for (const auto& joint : world.joints()) joint->second_look(world.bodies, h, more);
+  REQUIRE(more.list.empty());
+  solver.finish(world, h);
+}
+
+// Two rows of one joint, a block each; the second is bounded by a multiple of the first's sum.
+class Following : public Joint {
+ public:
+  Row followed, follower;
+  bool alive = true;  // has the followed row a block?
+  mutable real impulse[2] = {0, 0};
+
+  using Joint::Joint;
+  void append(const Bodies& bodies, Blocks& blocks) const override {
+    const int slot1 = bodies.index(body1), slot2 = bodies.index(body2);
+    const auto K = [&](const Row& J) {
+      return dense_K<1>(to_jacobian(J), bodies.at(slot1), bodies.at(slot2));
+    };
+    if (alive)
+      blocks.append(slot1, slot2, to_jacobian(followed), {0}, K(followed), {.lower = 0},
+                    &impulse[0]);
+    blocks.append(slot1, slot2, to_jacobian(follower), {0}, K(follower),
+                  {.holds_position = false, .follows = -1, .upper = real(0.4)}, &impulse[1]);
+  }
+  int most_rows() const override { return 2; }
+};
+
+// Many of them between bodies that are thrown at each other.
+World followings(Random& random, int count) {
+  World world;
+  world.gravity = vec3(0);
+  for (int k = 0; k < count; ++k) {
+    const BodyId a = world.add(box(2, brick, vec3(0), random.turn()));
+    const BodyId b = world.add(box(random.uniform(1, 3), brick, vec3(0), random.turn()));
+    auto& joint = world.add<Following>(a, b);
+    joint.followed = random_row(random);
+    joint.follower = random_row(random);
+  }
+  push_at_random(world.bodies, random);
+  return world;
+}
+const Following& following(const World& world, int k) {
+  return static_cast<const Following&>(*world.joints()[std::size_t(k)]);
+}
+
+}  // namespace
+
+TEST_CASE("on lanes figures fall on the ground and slide as with the scalar solver") {
+  // Rounding grows where bodies tumble on joints, and warm by a factor of ten in five steps: 25 of
+  // them are compared, which is the fall and some of the sliding; boxes alone for a second.
+  for (const bool limbs : {false, true})
+    for (const bool lanes : {true, false})
+      for (const bool warm : {false, true}) {
+        CAPTURE(limbs, lanes, warm);
+        World one = field(9, limbs, true), other = field(9, limbs, true);
+        SequentialImpulses scalar;
+        WideImpulses wide;
+        wide.packing = lanes ? Packing::trees : Packing::list;
+        wide.lanes = lanes;
+        scalar.warm_start = wide.warm_start = warm;
+        double most = 0;
+        for (int n = 0; n < (limbs ? 25 : 60); ++n) {
+          scalar.step(one, h);
+          wide.step(other, h);
+          most = std::max(most, difference(one, other));
+        }
+        CHECK(most < tolerance(1e-10, 2e-2));
+        CHECK(double(one.bodies.at(1).v.z) < 0.9);  // it was rubbed
+      }
+}
+
+TEST_CASE("in colours contacts and joints give the scalar solver's numbers in that order") {
+  for (const bool lanes : {true, false})
+    for (const Packing packing : {Packing::trees, Packing::colours, Packing::list}) {
+      CAPTURE(lanes, int(packing));
+      World one = field(7, true, false, 0), other = field(7, true, false, 0);
+      SequentialImpulses scalar;
+      WideImpulses wide;
+      wide.packing = packing;
+      wide.lanes = lanes;
+      scalar.warm_start = wide.warm_start = true;
+      for (int n = 0; n < 20; ++n) {
+        wide.step(other, h);
+        step_in_order(scalar, one, wide.packed());
+        CHECK(difference(one, other) < tolerance(1e-9, 1e-2));
+      }
+    }
+}
+
+TEST_CASE("on lanes a bound that follows is mu times the other sum to the last bit") {
+  for (const bool lanes : {true, false})
+    for (const Packing packing : {Packing::trees, Packing::colours, Packing::list}) {
+      Random random(86);
+      World world = followings(random, 21);
+      WideImpulses wide;
+      wide.iterations = 7;
+      wide.packing = packing;
+      wide.lanes = lanes;
+      wide.step(world, h);
+      int at_bound = 0, inside = 0, off = 0;
+      for (int k = 0; k < 21; ++k) {  // the follower was visited last
+        const real* const sum = following(world, k).impulse;
+        CHECK(sum[0] >= 0);
+        CHECK(std::abs(sum[1]) <= real(0.4) * sum[0]);
+        ++(sum[0] == 0 ? off : std::abs(sum[1]) == real(0.4) * sum[0] ? at_bound : inside);
+      }
+      CAPTURE(lanes, int(packing), at_bound, inside, off);
+      CHECK(std::min({at_bound, inside, off}) > 0);
+    }
+}
+
+TEST_CASE("a row that follows a sum without a row is bounded by what that sum was left at") {
+  for (const real left : {real(0), real(0.5)})
+    for (const bool lanes : {true, false}) {
+      Random random(87);
+      World one = followings(random, 9);
+      const auto prepare = [&](World& world) {
+        for (const auto& joint : world.joints()) {
+          auto& pair = static_cast<Following&>(*joint);
+          pair.alive = false;
+          pair.impulse[0] = left;
+        }
+      };
+      prepare(one);
+      Random again(87);
+      World other = followings(again, 9);
+      prepare(other);
+      SequentialImpulses scalar;
+      WideImpulses wide;
+      wide.lanes = lanes;
+      scalar.step(one, h);
+      wide.step(other, h);
+      CHECK(difference(one, other) < tolerance(1e-12, 1e-5));
+      for (int k = 0; k < 9; ++k) {
+        CHECK(following(one, k).impulse[0] == left);
+        CHECK(std::abs(following(one, k).impulse[1]) <= real(0.4) * left);
+        CHECK(std::abs(following(other, k).impulse[1]) <= real(0.4) * left);
+      }
+    }
+}
+
+TEST_CASE("who is solved with whom is kept while no corner comes or goes, without the heap") {
+  World world = field(9, true, true);
+  WideImpulses wide;
+  wide.warm_start = true;
+  for (int n = 0; n < 240; ++n) wide.step(world, h);
+  const int fallen = wide.packed().packed();
+  CHECK(fallen > 1);  // corners came and went while they fell
+  CHECK(allocations_of([&] {
+          for (int n = 0; n < 30; ++n) wide.step(world, h);
+        }) == 0);
+  CHECK(wide.packed().packed() == fallen);
+  world.bodies.at(1).v.y = 2;  // one jumps
+  wide.step(world, h);
+  CHECK(wide.packed().packed() == fallen + 1);
+}
+
+TEST_CASE("corners come and go and the scalar solver takes no memory from the heap") {
+  Random random(88);
+  World world = field(3, true, true);
+  SequentialImpulses solver;
+  solver.projections = 1;
+  for (int slot = 1; slot < world.bodies.slots(); ++slot)
+    world.bodies.at(slot).v.y = random.uniform(1, 3);
+  solver.step(world, h);
+  std::vector<int> counts(32, 0);
+  const long taken = allocations_of([&] {
+    for (int n = 0; n < 240; ++n) {
+      solver.step(world, h);
+      for (const auto& joint : world.joints())
+        if (const auto* contact = dynamic_cast<const GroundContact*>(joint.get()))
+          ++counts[std::size_t(contact->touching())];
+    }
+  });
+  CHECK(taken == 0);
+  CHECK(std::min({counts[0], counts[1], counts[2]}) > 0);
+}

@@ -1,0 +1,302 @@
+// The loop of chapter 7's program: the engine's own solver in fewer instructions, in any order of
+// the hinges and any number of lanes, and what over-relaxation makes of it.
+#include <Eigen/Eigenvalues>
+#include <numeric>
+
+#include "bench/scenes.h"
+#include "chapters/07_performance/hinge_loop.h"
+#include "tests/checker/catch.h"
+#include "tests/checker/oracle.h"
+#include "tests/checker/rigs.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const real h = real(1) / 60;
+constexpr int chains = 3, hinges = 11;  // of each
+
+// The bodies and hinges of a world, as the loop wants them.
+template <class Number>
+HingeLoop<Number> loop_of(const World& world, const Groups& groups) {
+  HingeLoop<Number> loop;
+  loop.bodies = snapshot(world.bodies);
+  for (const auto& joint : world.joints()) {
+    const auto& hinge = static_cast<const HingeJoint&>(*joint);
+    loop.links.push_back({world.bodies.index(hinge.body1), world.bodies.index(hinge.body2)});
+    loop.hinges.push_back({hinge.first, hinge.second, hinge.beta});
+  }
+  loop.groups = groups;
+  loop.gravity = world.gravity;
+  return loop;
+}
+
+std::vector<int> list_order(std::size_t count) {
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
+// Chains of turned boxes, no two edges alike, on hinges about axes that are not alike either; the
+// first of each is static if they are held.
+World uneven_chains(int count, int links, bool held = true) {
+  World world;
+  Random random(71);
+  for (int chain = 0; chain < count; ++chain) {
+    const vec3 first(real(3 * chain), 0, 0);
+    BodyId before = world.add(held ? static_body(first) : box(2, vec3(1, 2, 3), first));
+    for (int k = 1; k <= links; ++k) {
+      const vec3 x = first + vec3(0, 0, real(k));
+      Body body = box(real(1 + k % 3), vec3(real(0.6), real(0.4), real(0.3)), x, random.turn());
+      body.w = random.vector(1);
+      const BodyId id = world.add(body);
+      world.add<HingeJoint>(world.bodies, before, id, x - vec3(0, 0, real(0.5)),
+                            vec3(1, real(k % 2), real(0.3)));
+      before = id;
+    }
+  }
+  return world;
+}
+World cubes() { return bench::cubes_on_hinges(chains, hinges + 1).world; }
+
+double distance(const std::vector<Body>& a, const std::vector<Body>& b) {
+  REQUIRE(a.size() == b.size());
+  double most = 0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    most = std::max(most, double(length(a[k].x - b[k].x)));
+  return most;
+}
+bool same(const std::vector<Body>& a, const std::vector<Body>& b) {
+  bool all = a.size() == b.size();
+  for (std::size_t k = 0; all && k < a.size(); ++k)
+    all = a[k].x == b[k].x && a[k].q == b[k].q && a[k].v == b[k].v && a[k].w == b[k].w;
+  return all;
+}
+
+template <class Loop>
+Loop after(Loop loop, int steps) {
+  for (int n = 0; n < steps; ++n) loop.step(h);
+  return loop;
+}
+
+// A chain that hangs straight down: nothing turns, J never changes.
+World hanging(int links) {
+  World world;
+  BodyId before = world.add(static_body(vec3(0)));
+  for (int k = 1; k <= links; ++k) {
+    const vec3 x(0, real(-1.5) * real(k), 0);
+    const BodyId id = world.add(box(100, vec3(1), x));
+    world.add<HingeJoint>(world.bodies, before, id, x + vec3(0, real(1.5), 0), vec3(1, 0, 0));
+    before = id;
+  }
+  return world;
+}
+
+// A step's linear system: e = bias + J V before the first sweep, and what a sweep leaves of it.
+struct Step {
+  System system;
+  Dense A;
+  Column bias, e;
+  explicit Step(World& world, double beta = 0.2) {
+    const Bodies as_it_was = world.bodies;
+    SequentialImpulses solver;
+    solver.begin(world, h);
+    system = system_of(solver.blocks(), world.bodies.slots());
+    A = testing::whole_K(system, world);
+    bias = beta / double(h) * system.C;
+    e = left(snapshot(world.bodies));
+    world.bodies = as_it_was;
+  }
+  Column left(const std::vector<Body>& bodies) const {
+    return bias + system.J * velocities(bodies);
+  }
+  // e becomes H e: every block in turn takes omega times its exact impulse.
+  Dense H(double omega) const {
+    Dense lower = A;
+    for (long i = 0; i < A.rows(); ++i)
+      for (long j = 0; j < A.cols(); ++j) {
+        const int row = system.block[std::size_t(i)], column = system.block[std::size_t(j)];
+        if (column > row) lower(i, j) = 0;
+        if (column == row) lower(i, j) /= omega;
+      }
+    return Dense::Identity(A.rows(), A.cols()) - A * inverse_of(lower);
+  }
+};
+Dense power(const Dense& H, int exponent) {
+  Dense out = Dense::Identity(H.rows(), H.cols());
+  for (int k = 0; k < exponent; ++k) out = out * H;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("the hinges' loop in chain order moves the cubes as the engine's solver does") {
+  for (const vec3& gravity : {vec3(0, real(-9.81), 0), vec3(3, real(-9.81), 0)}) {
+    World world = cubes();
+    world.gravity = gravity;
+    auto loop = loop_of<real>(world, one_by_one(list_order(world.joints().size())));
+    SequentialImpulses solver;
+    for (int n = 0; n < 60; ++n) {
+      solver.step(world, h);
+      loop.step(h);
+    }
+    CHECK(distance(loop.bodies, snapshot(world.bodies)) < tolerance(1e-11, 1e-3));
+    CHECK(double(loop.bodies.back().x.y) < -4);  // it did fall
+  }
+}
+
+TEST_CASE("turned boxes on skew hinges move in the hinges' loop as with the engine's solver") {
+  World world = uneven_chains(chains, hinges);
+  auto loop = loop_of<real>(world, one_by_one(list_order(world.joints().size())));
+  SequentialImpulses solver;
+  for (int n = 0; n < 10; ++n) {
+    solver.step(world, h);
+    loop.step(h);
+  }
+  CHECK(distance(loop.bodies, snapshot(world.bodies)) < tolerance(1e-11, 1e-3));
+  CHECK(difference(velocities(loop.bodies), velocities(snapshot(world.bodies))) <
+        tolerance(1e-10, 1e-2));
+}
+
+TEST_CASE("a chain a lane is one hinge at a time to the last bit") {
+  const World worlds[] = {cubes(), uneven_chains(chains, hinges),
+                          uneven_chains(chains, hinges, false)};
+  for (const World& world : worlds) {
+    const auto one = after(
+        loop_of<real>(world, one_by_one(list_order(world.joints().size()))), 60);
+    const auto interleaved = after(loop_of<real>(world, a_chain_a_lane(chains, hinges, 1)), 60);
+    const auto lanes =
+        after(loop_of<Lanes>(world, a_chain_a_lane(chains, hinges, lane_count)), 60);
+    CHECK(same(interleaved.bodies, one.bodies));  // chains share no body that moves
+    CHECK(same(lanes.bodies, one.bodies));        // and a lane adds and multiplies as one number
+    CHECK(int(lanes.groups.size()) == hinges);    // 3 of 4 or 8 lanes
+    CHECK(distance(one.bodies, snapshot(world.bodies)) > 1);
+  }
+}
+
+TEST_CASE("colours on lanes are one hinge at a time in that order to the last bit") {
+  const World world = uneven_chains(chains, hinges);
+  auto lanes = loop_of<Lanes>(world, {});
+  std::vector<bool> moves;
+  for (const Body& body : lanes.bodies) moves.push_back(!body.is_static());
+  lanes.groups = by_colour(colours_of(lanes.links, moves), lane_count);
+  std::vector<int> order;
+  for (const std::vector<int>& group : lanes.groups)
+    order.insert(order.end(), group.begin(), group.end());
+  REQUIRE(order.size() == world.joints().size());
+  CHECK(lanes.groups.size() < order.size() / 2);
+
+  const auto one = after(loop_of<real>(world, one_by_one(order)), 60);
+  const auto in_chain_order =
+      after(loop_of<real>(world, one_by_one(list_order(order.size()))), 60);
+  lanes = after(lanes, 60);
+  CHECK(same(lanes.bodies, one.bodies));
+  CHECK_FALSE(same(lanes.bodies, in_chain_order.bodies));  // another order, another motion
+}
+
+TEST_CASE("preparing in every visit changes no bit because no pose changes within a step") {
+  const World world = uneven_chains(chains, hinges);
+  auto once = loop_of<Lanes>(world, a_chain_a_lane(chains, hinges, lane_count)), always = once;
+  always.once_a_step = false;
+  once = after(once, 30);
+  always = after(always, 30);
+  CHECK(same(once.bodies, always.bodies));
+
+  // What was prepared belongs to the poses of this step: one step later a lever has turned on.
+  const auto next = after(once, 1);
+  for (std::size_t k = 0; k < once.links.size(); ++k) {
+    const int slot = once.links[k].body2;
+    HingeNumbers<real> now{}, later{};
+    hoist(once.hinges[k], once.bodies[once.links[k].body1], once.bodies[slot], h, now);
+    hoist(next.hinges[k], next.bodies[next.links[k].body1], next.bodies[slot], h, later);
+    const vec3 r(now.r2.x, now.r2.y, now.r2.z), moved(later.r2.x, later.r2.y, later.r2.z);
+    const vec3 turn = h * next.bodies[slot].w;
+    const double angle = double(length(turn));
+    CHECK(double(length(moved - r - cross(turn, r))) <=
+          0.5 * angle * angle * double(length(r)) + tolerance(1e-14, 1e-6));
+    CHECK(double(length(moved - r)) > 0);
+  }
+}
+
+TEST_CASE("a relaxed sweep takes omega times the exact impulse of every hinge in turn") {
+  World world = uneven_chains(1, 6);
+  const Step step(world);
+  for (const double omega : {0.5, 1.0, 1.9, 2.1}) {
+    auto loop = loop_of<real>(world, one_by_one(list_order(6)));
+    loop.relaxation = real(omega);
+    loop.iterations = 12;
+    loop.step(h);
+    const Column expected = power(step.H(omega), 12) * step.e;
+    CHECK(difference(step.left(loop.bodies), expected) < tolerance(1e-10, 1e-3));
+  }
+}
+
+TEST_CASE("sweeps of a chain shrink for omega below 2 and grow above it") {
+  World world = uneven_chains(1, 6);
+  const Step step(world);
+  const auto sizes = [&](double omega) {
+    return Eigen::ArrayXd(magnitudes(step.H(omega)));
+  };
+  const double rho = sizes(1).maxCoeff();
+  CHECK(rho < 1);
+  for (const double omega : {0.3, 1.0, 1.5, 1.9}) CHECK(sizes(omega).maxCoeff() < 1);
+  // Kahan: the eigenvalues' product is (1 - omega)^rows, so that one is at least |1 - omega|
+  for (const double omega : {0.3, 1.5, 1.9, 2.1, 3.0}) {
+    CHECK(sizes(omega).log().mean() ==
+          Approx(std::log(std::abs(1 - omega))).margin(1e-9));
+    CHECK(sizes(omega).maxCoeff() > std::abs(1 - omega) * (1 - 1e-9));
+  }
+  // Young: above the best omega all of a chain's are omega - 1 in size; best is Eq. 7-8
+  const double best = 2 / (1 + std::sqrt(1 - rho));
+  REQUIRE(best < 1.9);
+  for (const double omega : {1.9, best + 0.02}) {
+    CHECK(sizes(omega).maxCoeff() == Approx(omega - 1).margin(1e-5));
+    CHECK(sizes(omega).minCoeff() == Approx(omega - 1).margin(1e-5));
+  }
+  CHECK(sizes(best - 0.05).maxCoeff() > sizes(best + 0.02).maxCoeff());
+}
+
+TEST_CASE("in a chain that hangs at rest omega 1.9 leaves a smaller gap than 1") {
+  // At rest a step's sweeps turn e = beta C/h + h J g into beta C/h, what is left of it.
+  const int sweeps = 30;
+  World world = hanging(10);
+  const Step step(world);
+  Column g = Column::Zero(6 * world.bodies.slots());
+  for (int slot = 1; slot < world.bodies.slots(); ++slot) g[6 * slot + 1] = -9.81;
+  std::vector<double> rms;
+  for (const double omega : {1.0, 1.9}) {
+    auto loop = loop_of<real>(world, one_by_one(list_order(10)));
+    loop.relaxation = real(omega);
+    loop.iterations = sweeps;
+    loop = after(loop, 300);
+    const Dense H = power(step.H(omega), sweeps);
+    const Column C = double(h * h) / 0.2 *
+                     (Dense::Identity(H.rows(), H.cols()) - H)
+                         .partialPivLu().solve(H * (step.system.J * g)).eval();
+    double sum = 0;
+    for (std::size_t k = 0; k < 10; ++k) {
+      CHECK(double(loop.gap(k)) ==
+            Approx(C.segment<3>(5 * long(k)).norm()).margin(tolerance(1e-10, 2e-5)));
+      sum += double(loop.gap(k) * loop.gap(k));
+    }
+    rms.push_back(std::sqrt(sum / 10));
+  }
+  CHECK(rms[1] < rms[0]);
+}
+
+TEST_CASE("with omega 2.1 a hanging chain explodes") {
+  // Two numbers say what a step makes of a mode of the error, and their product is what the sweeps
+  // leave of it: 1.1^30 in size. So one of them is at least 1.1^15 = 4.2, and 20 steps make 10^12
+  // times what rounding left in such a mode: 10^-16 m or, in float, 10^-7 m.
+  auto loop = loop_of<real>(hanging(10), one_by_one(list_order(10)));
+  loop.relaxation = real(2.1);
+  double most = 0;
+  for (int n = 0; n < 40; ++n) {
+    loop.step(h);
+    for (std::size_t k = 0; k < 10; ++k) most = std::max(most, double(loop.gap(k)));
+  }
+  CHECK(most > 1e3);
+  loop = after(loop, 100);
+  for (const Body& body : loop.bodies) CHECK(finite(body.v));  // the engine caps speeds
+}

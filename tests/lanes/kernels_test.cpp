@@ -1,0 +1,274 @@
+// Every kernel of the packed sweep against the engine's scalar solver: rows that hold a point and
+// any rows, 1 to 6 of them, hard or not, inertia of one number or of six.
+#include <functional>
+#include <map>
+#include <numeric>
+
+#include "chapters/01_distance/distance_joint.h"
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/04_slider/slider_joint.h"
+#include "chapters/05_fixed/fixed_joint.h"
+#include "engine/wide.h"
+#include "tests/checker/catch.h"
+#include "tests/checker/oracle.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const real h = real(1) / 60;
+
+// What a block is like: what the sweep's switch looks at.
+struct Kind {
+  int rows = 0;
+  bool point = false, hard = false, round = false;
+  auto operator<=>(const Kind&) const = default;
+};
+std::string words(const Kind& kind) {
+  return std::to_string(kind.rows) + " rows" + (kind.point ? " of a point" : "") +
+         (kind.hard ? ", hard" : "") + (kind.round ? ", round" : "");
+}
+Kind kind_of(const LaneGroup& group) {
+  return {group.rows, group.point, group.hard, group.round};
+}
+
+// All that the switch can tell apart.
+std::vector<Kind> all_kinds() {
+  std::vector<Kind> kinds;
+  for (int rows = 1; rows <= 6; ++rows)
+    for (const bool hard : {true, false}) {
+      kinds.push_back({rows, false, hard, false});
+      for (const bool round : {true, false})
+        if (rows >= 3) kinds.push_back({rows, true, hard, round});
+    }
+  return kinds;
+}
+
+// The three ways not to be hard.
+std::vector<Demand> demands(bool hard) {
+  if (hard) return {{.beta = real(0.2)}};
+  return {{.frequency = 6, .damping = real(0.3)},
+          {.beta = real(0.2), .lower = 0},
+          {.frequency = 6, .lower = -40, .upper = 30}};
+}
+
+// Random directions at right angles to each other: no row nearly says what the others say.
+Dense directions(Random& random, int size) {
+  Dense out(size, size);
+  for (double& number : out.reshaped()) number = double(random.uniform(-1, 1));
+  return out.householderQr().householderQ();
+}
+vec3 vector_of(const Dense& Q, long row, long first) {
+  return {real(Q(row, first)), real(Q(row, first + 1)), real(Q(row, first + 2))};
+}
+
+// A joint of random rows, or of a point's rows and random ones that turn.
+template <int N>
+void join(World& world, BodyId a, BodyId b, const Kind& kind, const Demand& demand,
+          Random& random) {
+  auto& joint = world.add<AnyJoint<N>>(a, b);
+  const Dense of1 = directions(random, 6), of2 = directions(random, 6);
+  for (int i = 0; i < N; ++i)
+    joint.J[i] = {vector_of(of1, i, 0), vector_of(of1, i, 3), vector_of(of2, i, 0),
+                  vector_of(of2, i, 3)};
+  if (kind.point) {
+    const Jacobian<3> rows = jacobian_from_blocks(mat3(-1), skew(random.vector(1)), mat3(1),
+                                                  -skew(random.vector(1)));
+    const Dense axes = directions(random, 3);
+    for (int i = 0; i < N; ++i) {
+      const vec3 axis = vector_of(axes, i % 3, 0);
+      joint.J[i] = i < 3 ? rows[i] : Row{vec3(0), -axis, vec3(0), axis};
+    }
+  }
+  for (real& error : joint.C) error = random.uniform(real(-0.05), real(0.05));
+  joint.demand = demand;
+}
+
+// Eleven chains of three joints of one kind, in any order of the joints.
+World chains(const Kind& kind, const Demand& demand, const std::vector<int>& order) {
+  World world;
+  Random random(91);
+  std::vector<BodyId> ids;
+  for (int k = 0; k < 44; ++k) {
+    const vec3 x(real(k % 4), 0, real(k / 4)), uneven(real(0.8), real(0.4), real(0.3));
+    Body body = k % 4 == 0   ? static_body(x)
+                : kind.round ? ball(real(1 + k % 3), real(0.4), x)
+                             : box(real(1 + k % 3), uneven, x, random.turn());
+    ids.push_back(world.add(body));
+  }
+  for (const int k : order) {
+    Random own(unsigned(100 + k));  // the same joint wherever it stands in the list
+    const BodyId a = ids[std::size_t(4 * (k / 3) + k % 3)];
+    const BodyId b = ids[std::size_t(4 * (k / 3) + k % 3 + 1)];
+    switch (kind.rows) {
+      case 1: join<1>(world, a, b, kind, demand, own); break;
+      case 2: join<2>(world, a, b, kind, demand, own); break;
+      case 3: join<3>(world, a, b, kind, demand, own); break;
+      case 4: join<4>(world, a, b, kind, demand, own); break;
+      case 5: join<5>(world, a, b, kind, demand, own); break;
+      case 6: join<6>(world, a, b, kind, demand, own); break;
+    }
+  }
+  return world;
+}
+
+// Velocities and sums of impulses after two steps, the second one warm. The sums stand in the order
+// of the joints' numbers, not of the list.
+struct Outcome {
+  Column V, lambda;
+};
+template <class Solver>
+Outcome outcome(World world, Solver& solver, const std::vector<int>& order) {
+  solver.iterations = 10;
+  solver.warm_start = true;
+  Random random(92);
+  for (int n = 0; n < 2; ++n) {  // each begins with another push
+    push_at_random(world.bodies, random, 4);
+    solver.step(world, h);
+  }
+  Blocks blocks;
+  std::vector<std::vector<double>> sums(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    blocks.clear();
+    world.joints()[k]->append(world.bodies, blocks);
+    const Column lambda = impulses(blocks);
+    sums[std::size_t(order[k])].assign(lambda.begin(), lambda.end());
+  }
+  std::vector<double> flat;
+  for (const auto& some : sums) flat.insert(flat.end(), some.begin(), some.end());
+  return {velocities(snapshot(world.bodies)),
+          Eigen::Map<Column>(flat.data(), long(flat.size()))};
+}
+
+// The kinds that a world's blocks are of, and how many groups of each.
+std::map<Kind, int> kinds_of(World& world) {
+  WideImpulses solver;
+  solver.packing = Packing::list;
+  solver.step(world, h);
+  std::map<Kind, int> out;
+  for (const LaneGroup& group : solver.packed().groups) ++out[kind_of(group)];
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("every kernel of the packed sweep finds what the scalar solver finds") {
+  std::vector<int> in_list(33);
+  std::iota(in_list.begin(), in_list.end(), 0);
+  std::map<Kind, std::map<int, int>> met;  // kind -> numbers at a time -> groups
+  for (const Kind& kind : all_kinds())
+    for (const Demand& demand : demands(kind.hard))
+      for (const Packing packing : {Packing::trees, Packing::colours, Packing::list})
+        for (const bool lanes : {true, false}) {
+          INFO(words(kind) << ", packing " << int(packing) << ", lanes " << lanes);
+          WideImpulses wide;
+          wide.packing = packing;
+          wide.lanes = lanes;
+          const Outcome packed = outcome(chains(kind, demand, in_list), wide, in_list);
+          // the scalar solver in the order in which the groups stand
+          std::vector<int> order;
+          for (const int block : wide.packed().blocks)
+            if (block >= 0) order.push_back(block);
+          REQUIRE(order.size() == 33);
+          for (const LaneGroup& group : wide.packed().groups) {
+            CHECK(kind_of(group) == kind);
+            ++met[kind_of(group)][wide.packed().width()];
+          }
+          SequentialImpulses one;
+          const Outcome scalar = outcome(chains(kind, demand, order), one, order);
+          const double near = tolerance(1e-12, 1e-4);
+          CHECK(scalar.lambda.norm() > 1000 * near);  // there was something to find
+          CHECK(difference(packed.V, scalar.V) < near);
+          CHECK(difference(packed.lambda, scalar.lambda) < near);
+        }
+  REQUIRE(all_kinds().size() == 28);  // 12 of any rows, 16 of a point
+  for (const Kind& kind : all_kinds()) {
+    INFO(words(kind));
+    CHECK(met[kind][1] > 0);
+    CHECK(met[kind][lane_count] > 0);
+  }
+  CHECK(met.size() == all_kinds().size());
+}
+
+TEST_CASE("which kernels the joints of the workbook take") {
+  struct Line {
+    std::string joint;
+    std::vector<Kind> kinds;
+    std::function<void(World&, BodyId, BodyId)> join;
+  };
+  const vec3 middle(real(0.5), 0, 0), axis(1, 2, 2);
+  const auto hinge = [&](World& world, BodyId a, BodyId b) -> HingeJoint& {
+    return world.add<HingeJoint>(world.bodies, a, b, middle, axis);
+  };
+  const auto slider = [&](World& world, BodyId a, BodyId b) -> SliderJoint& {
+    return world.add<SliderJoint>(world.bodies, a, b, middle, axis);
+  };
+  const std::vector<Line> lines = {
+      {"rod", {{1, false, true, false}},
+       [](World& w, BodyId a, BodyId b) { w.add<CentreDistanceJoint>(a, b, CentreDistance{1}); }},
+      {"rope", {{1, false, false, false}},
+       [](World& w, BodyId a, BodyId b) {
+         w.add<CentreRopeJoint>(a, b, Rope<CentreDistance>{{1}});
+       }},
+      {"ball joint", {{3, true, true, true}},
+       [&](World& w, BodyId a, BodyId b) {
+         w.add<BallJoint>(a, b, point_at(w.bodies[a], w.bodies[b], middle));
+       }},
+      {"hinge", {{5, true, true, true}},
+       [&](World& w, BodyId a, BodyId b) { hinge(w, a, b); }},
+      {"hinge in two blocks", {{3, true, true, true}, {2, false, true, false}},
+       [&](World& w, BodyId a, BodyId b) { hinge(w, a, b).whole = false; }},
+      {"hinge at its limit", {{6, true, false, true}},
+       [&](World& w, BodyId a, BodyId b) { hinge(w, a, b).set_limits(0, 1); }},
+      {"hinge held", {{6, true, true, true}},
+       [&](World& w, BodyId a, BodyId b) { hinge(w, a, b).set_limits(0, 0); }},
+      {"driven hinge", {{1, false, false, false}, {5, true, true, true}},
+       [&](World& w, BodyId a, BodyId b) { hinge(w, a, b).set_motor(1, 1); }},
+      {"slider", {{5, false, true, false}},
+       [&](World& w, BodyId a, BodyId b) { slider(w, a, b); }},
+      {"slider at its limit", {{6, false, false, false}},
+       [&](World& w, BodyId a, BodyId b) { slider(w, a, b).set_limits(0, 1); }},
+      {"slider in two blocks", {{2, false, true, false}, {3, false, true, false}},
+       [&](World& w, BodyId a, BodyId b) { slider(w, a, b).whole = false; }},
+      {"weld", {{6, true, true, true}},
+       [&](World& w, BodyId a, BodyId b) { w.add<FixedJoint>(w.bodies, a, b, middle); }}};
+  for (const Line& line : lines)
+    for (const bool round : {true, false}) {
+      INFO(line.joint << (round ? ", round bodies" : ""));
+      World world;
+      world.gravity = vec3(0);
+      const BodyId a = world.add(static_body(vec3(0)));
+      const BodyId b = world.add(round ? box(1, vec3(1), vec3(1, 0, 0))
+                                       : box(1, vec3(1, 2, 3), vec3(1, 0, 0)));
+      line.join(world, a, b);
+      std::map<Kind, int> expected;
+      for (Kind kind : line.kinds) {
+        kind.round = kind.point && round;
+        ++expected[kind];
+      }
+      CHECK(kinds_of(world) == expected);
+    }
+}
+
+TEST_CASE("a round body is solved by the kernel of one number as by that of six") {
+  const Kind round{5, true, true, true}, general{5, true, true, false};
+  std::vector<int> order(33);
+  std::iota(order.begin(), order.end(), 0);
+  for (const Packing packing : {Packing::trees, Packing::colours})
+    for (const bool lanes : {true, false}) {
+      World by_one = chains(round, {.beta = real(0.2)}, order);
+      World by_six = chains(round, {.beta = real(0.2)}, order);
+      for (int slot = 0; slot < by_six.bodies.slots(); ++slot)  // the last digit of one moment
+        by_six.bodies.at(slot).inverse_inertia_local.x *= 1 + epsilon;
+      CHECK(kinds_of(by_one).begin()->first == round);
+      CHECK(kinds_of(by_six).begin()->first == general);
+      WideImpulses first, second;
+      first.packing = second.packing = packing;
+      first.lanes = second.lanes = lanes;
+      const Outcome one = outcome(std::move(by_one), first, order);
+      const Outcome six = outcome(std::move(by_six), second, order);
+      CHECK(difference(six.V, one.V) < tolerance(1e-12, 1e-4));
+      CHECK(difference(six.lambda, one.lambda) < tolerance(1e-12, 1e-4));
+    }
+}

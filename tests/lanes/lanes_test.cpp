@@ -1,0 +1,167 @@
+// The solver on lanes: the same rows, the same numbers.
+#include <numeric>
+#include <random>
+
+#include "bench/scenes.h"
+#include "chapters/01_distance/distance_joint.h"
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/04_slider/slider_joint.h"
+#include "chapters/05_fixed/fixed_joint.h"
+#include "engine/wide.h"
+#include "tests/checker/catch.h"
+#include "tests/checker/oracle.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const real h = real(1) / 60;
+
+double distance(const World& a, const World& b) {
+  double most = 0;
+  for (int slot = 0; slot < a.bodies.slots(); ++slot)
+    most = std::max(most, double(length(a.bodies.at(slot).x - b.bodies.at(slot).x)));
+  return most;
+}
+
+// Joints of every kind between bodies that are thrown about, in the order that is given.
+World zoo(const std::vector<int>& order) {
+  World world;
+  std::vector<BodyId> ids;
+  for (int k = 0; k < 16; ++k) {
+    const vec3 x(real(k % 4), real(k / 4), real(0.1) * real(k % 3));
+    Body body = box(real(1 + k % 5), vec3(real(0.5), real(0.3), real(0.2)), x,
+                    normalize(quat(1, real(0.1) * real(k), real(0.2), 0)));
+    body.v = vec3(real(k % 3) - 1, real(k % 2), 0);
+    body.w = vec3(0, real(k % 4) - real(1.5), 1);
+    ids.push_back(k == 0 ? world.add(static_body(x)) : world.add(body));
+  }
+  Bodies& bodies = world.bodies;
+  for (const int k : order) {
+    const BodyId a = ids[std::size_t(k % 15)], b = ids[std::size_t(k % 15 + 1)];
+    const vec3 anchor = (bodies[a].x + bodies[b].x) / real(2);
+    switch (k % 6) {
+      case 0: world.add<BallJoint>(a, b, point_at(bodies[a], bodies[b], anchor)); break;
+      case 1: world.add<FixedJoint>(bodies, a, b, anchor); break;
+      case 2: world.add<HingeJoint>(bodies, a, b, anchor, vec3(1, 2, 3)); break;
+      case 3: world.add<DistanceJoint>(a, b, Distance{vec3(0), vec3(0), 1}); break;
+      case 4: world.add<SliderJoint>(bodies, a, b, anchor, vec3(1, 0, 1)); break;
+      case 5:
+        world.add<HingeJoint>(bodies, a, b, anchor, vec3(0, 0, 1))
+            .set_limits(real(0.02), 3);  // passed from the beginning: a row of the block
+        break;
+    }
+  }
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("on lanes a tree each keeps its own order: chains move as with the scalar solver") {
+  for (const bool warm : {false, true}) {
+    bench::Scene scalar = bench::cubes_on_hinges(10, 12), wide = bench::cubes_on_hinges(10, 12);
+    SequentialImpulses one;
+    WideImpulses other;
+    one.warm_start = other.warm_start = warm;
+    one.projections = other.projections = 1;
+    for (int n = 0; n < 60; ++n) {
+      one.step(scalar.world, h);
+      other.step(wide.world, h);
+    }
+    CHECK(distance(scalar.world, wide.world) < tolerance(1e-11, 1e-3));
+    CHECK(other.packed().groups.size() == std::size_t(11 * ((10 + lane_count - 1) / lane_count)));
+  }
+}
+
+TEST_CASE("on lanes in colours the numbers are those of the scalar solver in that order") {
+  std::vector<int> order(15);
+  std::iota(order.begin(), order.end(), 0);
+  WideImpulses wide;
+  wide.packing = Packing::colours;
+  World first = zoo(order);
+  wide.step(first, h);
+  std::vector<int> coloured;  // of the joints: here each has one block
+  for (const int block : wide.packed().blocks)
+    if (block >= 0) coloured.push_back(block);
+  REQUIRE(coloured.size() == 15);
+
+  World on_lanes = zoo(order), in_order = zoo(coloured);
+  WideImpulses lanes;
+  lanes.packing = Packing::colours;
+  SequentialImpulses scalar;
+  for (int n = 0; n < 10; ++n) {
+    lanes.step(on_lanes, h);
+    scalar.step(in_order, h);
+  }
+  CHECK(distance(on_lanes, in_order) < tolerance(1e-11, 1e-3));
+}
+
+TEST_CASE("in a group of lanes no two blocks share a body that moves") {
+  std::vector<int> order(30);
+  std::iota(order.begin(), order.end(), 0);
+  World world = zoo(order);
+  WideImpulses wide;
+  wide.packing = Packing::colours;
+  wide.step(world, h);
+  int blocks = 0;
+  const WideBlocks& packed = wide.packed();
+  REQUIRE(packed.width() == lane_count);
+  for (std::size_t group = 0; group < packed.groups.size(); ++group) {
+    std::vector<int> seen;
+    for (int lane = 0; lane < lane_count; ++lane) {
+      if (packed.blocks[group * lane_count + std::size_t(lane)] < 0) continue;
+      ++blocks;
+      const int* ends = &packed.ends[std::size_t(packed.groups[group].first_end)];
+      for (const int record : {ends[lane], ends[lane_count + lane]})
+        if (const int body = packed.slots()[std::size_t(record)];
+            !world.bodies.at(body).is_static())
+          seen.push_back(body);
+    }
+    std::sort(seen.begin(), seen.end());
+    CHECK(std::adjacent_find(seen.begin(), seen.end()) == seen.end());
+  }
+  CHECK(blocks >= 30);
+}
+
+TEST_CASE("on lanes momentum is kept and a static body stays to the last bit") {
+  std::vector<int> order(14);
+  std::iota(order.begin(), order.end(), 1);  // without the static body's joint
+  World world = zoo(order);
+  world.gravity = vec3(0);
+  const auto momentum = [&] {
+    vec3 sum(0);
+    for (int slot = 1; slot < world.bodies.slots(); ++slot)
+      sum += world.bodies.at(slot).v / world.bodies.at(slot).inverse_mass;
+    return sum;
+  };
+  const vec3 before = momentum();
+  for (const Packing packing : {Packing::trees, Packing::colours}) {
+    WideImpulses wide;
+    wide.packing = packing;
+    for (int n = 0; n < 20; ++n) wide.step(world, h);
+  }
+  CHECK(double(length(momentum() - before)) < tolerance(1e-11, 1e-3));
+  CHECK(world.bodies.at(0).x == vec3(0));
+  CHECK(world.bodies.at(0).v == vec3(0));
+}
+
+TEST_CASE("on lanes a limit that a neighbour drives a joint past is found by the second look") {
+  for (const bool lanes : {true, false}) {
+    World world;
+    world.gravity = vec3(0);
+    const BodyId wall = world.add(static_body(vec3(0)));
+    const BodyId rotor = world.add(body_with(1, vec3(1), vec3(0)));
+    const BodyId stone = world.add(ball(real(0.1), real(0.1), vec3(1, 0, 0)));
+    auto& hinge = world.add<HingeJoint>(world.bodies, wall, rotor, vec3(0), vec3(0, 0, 1));
+    hinge.set_limits(real(-0.1), real(0.1));
+    world.add<BallJoint>(rotor, stone,
+                         point_at(world.bodies[rotor], world.bodies[stone], vec3(1, 0, 0)));
+    world.bodies[stone].v = vec3(0, 100, 0);
+    SequentialImpulses scalar;
+    WideImpulses wide;
+    scalar.iterations = wide.iterations = 100;
+    lanes ? wide.step(world, h) : scalar.step(world, h);
+    CHECK(double(hinge.position(world.bodies)) == Approx(0.1).margin(tolerance(1e-6, 1e-4)));
+  }
+}

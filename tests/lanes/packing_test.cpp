@@ -1,0 +1,310 @@
+// How the solver packs a step's blocks: every packing has an order of its own and keeps all else,
+// who comes with whom is worked out once, and a step then takes no memory from the heap.
+#include <algorithm>
+
+#include "chapters/01_distance/distance_joint.h"
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/04_slider/slider_joint.h"
+#include "chapters/05_fixed/fixed_joint.h"
+#include "engine/wide.h"
+#include "tests/checker/catch.h"
+#include "tests/checker/allocations.h"
+#include "tests/checker/oracle.h"
+#include "tests/checker/shared.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const real h = real(1) / 60;
+constexpr Packing packings[] = {Packing::trees, Packing::colours, Packing::list};
+
+// Joints of every kind in chains that share one static body: driven, limited, in one block or in
+// several, soft, one-sided. The chains are alike but for their masses and places.
+struct Zoo {
+  World world;
+  BodyId wall;
+  std::vector<BodyId> ids;
+  std::vector<Joint*> joints;
+  explicit Zoo(int chains, bool bounded = true) {
+    wall = world.add(static_body(vec3(0)));
+    Random random(81);
+    for (int chain = 0; chain < chains; ++chain) {
+      BodyId before = wall;
+      for (int k = 1; k <= 14; ++k) {
+        const vec3 x(real(k), 0, real(4 * chain));
+        Body body = k % 4 == 0 ? ball(real(1 + chain), real(0.4), x)
+                               : box(real(1 + k % 3), vec3(real(0.8), real(0.4), real(0.3)), x);
+        if (k % 4 != 0) body.q = random.turn(real(0.3));
+        body.v = random.vector(real(0.5));
+        body.w = random.vector(real(0.5));
+        ids.push_back(world.add(body));
+        join(k, before, ids.back(), bounded);
+        before = ids.back();
+      }
+    }
+  }
+  void join(int k, BodyId a, BodyId b, bool bounded) {
+    Bodies& bodies = world.bodies;
+    const vec3 anchor = bodies[b].x - vec3(real(0.5), 0, 0), along(1, real(k % 2), real(0.4));
+    const vec3 at1 = to_local(bodies[a], anchor - bodies[a].x);
+    switch (k) {
+      case 1: case 2: case 3: case 4: {
+        auto& hinge = world.add<HingeJoint>(bodies, a, b, anchor, along);
+        hinge.whole = k % 2 == 0;
+        if (bounded && k > 1) hinge.set_motor(4, 3);
+        if (bounded && k > 2) hinge.set_limits(real(0.05), 1);  // passed from the beginning
+        return keep(hinge);
+      }
+      case 5: case 6: case 7: {
+        auto& slider = world.add<SliderJoint>(bodies, a, b, anchor, along);
+        slider.whole = k % 2 == 0;
+        if (bounded && k > 5) slider.set_motor(2, 20), slider.set_limits(real(0.02), 1);
+        return keep(slider);
+      }
+      case 8: return keep(world.add<BallJoint>(a, b, point_at(bodies[a], bodies[b], anchor)));
+      case 9: return keep(world.add<FixedJoint>(bodies, a, b, anchor));
+      case 10: world.add<FixedJoint>(bodies, a, b, anchor).whole = false; return;
+      case 11: return keep(world.add<DistanceJoint>(a, b, Distance{at1, vec3(0), real(0.5)}));
+      case 12: return keep(world.add<CentreDistanceJoint>(a, b, CentreDistance{1}));
+      case 13:
+        if (!bounded) return keep(world.add<CentreDistanceJoint>(a, b, CentreDistance{1}));
+        return keep(world.add<CentreRopeJoint>(a, b, Rope<CentreDistance>{{real(0.95)}}));
+      default: {  // a soft tie of two points, and a soft row that turns, with bounds
+        auto& tie = world.add<AnyJoint<3>>(a, b);
+        tie.J = to_jacobian(point_at(bodies[a], bodies[b], anchor).jacobian(bodies[a], bodies[b]));
+        tie.demand = {.frequency = 5, .damping = real(0.5)};
+        auto& turn = world.add<AnyJoint<1>>(a, b);
+        turn.J[0] = {vec3(0), -along, vec3(0), along};
+        turn.demand = {.frequency = 8};
+        if (bounded) turn.demand.lower = -1, turn.demand.upper = 1;
+      }
+    }
+  }
+  void keep(Joint& joint) { joints.push_back(&joint); }
+};
+
+bool same(const World& a, const World& b) {
+  for (int slot = 0; slot < a.bodies.slots(); ++slot) {
+    const Body &one = a.bodies.at(slot), &other = b.bodies.at(slot);
+    if (one.x != other.x || one.q != other.q || one.v != other.v || one.w != other.w) return false;
+  }
+  return true;
+}
+double apart(const World& a, const World& b) {
+  return difference(velocities(snapshot(a.bodies)), velocities(snapshot(b.bodies)));
+}
+WideImpulses solver_of(Packing packing, bool lanes, bool warm = false) {
+  WideImpulses solver;
+  solver.packing = packing;
+  solver.lanes = lanes;
+  solver.warm_start = warm;
+  return solver;
+}
+
+// Ten chains of three boxes on hinges that share a static body, all lanes but two in use.
+World whips() {
+  World world;
+  const BodyId wall = world.add(static_body(vec3(0), rotation(vec3(1, 2, 3))));
+  for (int chain = 0; chain < 10; ++chain) {
+    BodyId before = wall;
+    for (int k = 1; k <= 3; ++k) {
+      const vec3 x(real(k), 0, real(chain));
+      const BodyId id = world.add(box(1, vec3(real(0.8), real(0.4), real(0.3)), x));
+      world.add<HingeJoint>(world.bodies, before, id, x - vec3(real(0.5), 0, 0), vec3(0, 1, 1));
+      before = id;
+    }
+  }
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("packed in the order of the list every joint moves as with the scalar solver") {
+  for (const bool warm : {false, true}) {
+    Zoo scalar(2), packed(2);
+    SequentialImpulses one;
+    WideImpulses other = solver_of(Packing::list, false, warm);
+    one.warm_start = warm;
+    one.projections = other.projections = 1;
+    for (int n = 0; n < 20; ++n) {
+      one.step(scalar.world, h);
+      other.step(packed.world, h);
+      CHECK(apart(packed.world, scalar.world) < tolerance(1e-9, 2e-2));
+    }
+    const std::vector<int>& blocks = other.packed().blocks;
+    CHECK(std::is_sorted(blocks.begin(), blocks.end()));
+    CHECK(other.packed().width() == 1);
+  }
+}
+
+TEST_CASE("trees one block at a time take turns and change nothing to the last bit") {
+  Zoo in_list(3), in_turns(3);
+  WideImpulses list = solver_of(Packing::list, false), trees = solver_of(Packing::trees, false);
+  for (int n = 0; n < 20; ++n) {
+    list.step(in_list.world, h);
+    trees.step(in_turns.world, h);
+    CHECK(same(in_list.world, in_turns.world));
+  }
+  const std::vector<int>& turns = trees.packed().blocks;
+  const int each = int(turns.size()) / 3;
+  std::vector<int> tree, place;  // of each block in turn: of which chain, and where in it
+  for (const int block : turns) tree.push_back(block / each), place.push_back(block % each);
+  CHECK(std::is_sorted(place.begin(), place.end()));
+  for (std::size_t k = 1; k < tree.size(); ++k) CHECK(tree[k] != tree[k - 1]);
+}
+
+TEST_CASE("a static body that ten trees in columns share stays to the last bit") {
+  World world = whips(), in_list = whips();
+  const Body before = world.bodies.at(0);
+  WideImpulses columns, list = solver_of(Packing::list, false);
+  for (int n = 0; n < 60; ++n) {
+    columns.step(world, h);
+    list.step(in_list, h);
+  }
+  const WideBlocks& packed = columns.packed();
+  const int copies = int(std::count(packed.slots().begin(), packed.slots().end(), 0));
+  CHECK(copies == 10);  // one in every lane that is used
+  CHECK(packed.groups.size() == std::size_t(3 * ((10 + lane_count - 1) / lane_count)));
+  const Body& after = world.bodies.at(0);
+  CHECK((after.x == before.x && after.q == before.q && after.v == vec3(0) && after.w == vec3(0)));
+  CHECK(same(world, in_list));
+}
+
+TEST_CASE("who comes with whom is worked out once and anew only when that changes") {
+  for (const Packing packing : packings)
+    for (const bool lanes : {true, false})
+      for (const bool warm : {false, true}) {
+        World kept = whips(), fresh = whips();
+        WideImpulses solver = solver_of(packing, lanes, warm);
+        const auto steps = [&](int count) {  // beside it, a solver that knows nothing of before
+          for (int n = 0; n < count; ++n) {
+            WideImpulses another = solver_of(packing, lanes, warm);
+            another.step(fresh, h);
+            solver.step(kept, h);
+            CHECK(same(kept, fresh));
+          }
+          return solver.packed().packed();
+        };
+        const auto both = [&](auto change) { change(kept), change(fresh); };
+        const auto hinge = [](World& world) -> HingeJoint& {
+          return static_cast<HingeJoint&>(*world.joints()[7]);
+        };
+        CHECK(steps(20) == 1);
+        both([](World& world) { world.gravity = vec3(1, 2, 3); });
+        CHECK(steps(5) == 1);  // other numbers, the same structure
+        both([&](World& world) {
+          hinge(world).set_limits(hinge(world).position(world.bodies) + 1, unbounded);
+        });
+        CHECK(steps(5) == 2);  // a limit is live: its block has a sixth row
+        both([&](World& world) { hinge(world).clear_limits(); });
+        CHECK(steps(5) == 3);
+        both([](World& world) { world.remove(*world.joints()[4]); });
+        CHECK(steps(5) == 4);
+        both([](World& world) {
+          Body& body = world.bodies.at(14);
+          body.inverse_mass = 0;
+          body.inverse_inertia_local = body.v = body.w = vec3(0);
+        });
+        CHECK(steps(5) == 5);
+        both([](World& world) {
+          for (int slot = 1; slot < world.bodies.slots(); ++slot)
+            if (!world.bodies.at(slot).is_static())
+              world.bodies.at(slot).inverse_inertia_local = vec3(20);
+        });
+        CHECK(steps(5) == 6);  // round: one number says an inertia
+        both([&](World& world) { hinge(world).set_motor(1, 1); });
+        CHECK(steps(5) == 7);
+        both([](World& world) { world.add(ball(1, 1, vec3(0, 50, 0))); });
+        CHECK(steps(5) == 7);  // nothing holds it
+      }
+}
+
+TEST_CASE("while the structure stays a step takes nothing from the heap in any packing") {
+  for (const Packing packing : packings)
+    for (const bool lanes : {true, false})
+      for (const bool warm : {false, true}) {
+        World few = whips();
+        Zoo zoo(2);
+        auto& swinging = static_cast<HingeJoint&>(*few.joints()[7]);
+        swinging.set_limits(real(-0.2), real(0.2));  // a limit that comes and goes
+        int quiet = 0, arranged = 0;
+        for (World* world : {&few, &zoo.world}) {
+          WideImpulses solver = solver_of(packing, lanes, warm);
+          solver.projections = 1;
+          solver.step(*world, h);
+          for (int n = 0; n < 120; ++n) {
+            const int before = solver.packed().packed();
+            const long taken = allocations_of([&] { solver.step(*world, h); });
+            if (solver.packed().packed() != before) {
+              ++arranged;  // anew: this may take memory
+              continue;
+            }
+            ++quiet;
+            CHECK(taken == 0);
+          }
+        }
+        CHECK(quiet > 100);
+        CHECK(arranged > 0);
+      }
+}
+
+TEST_CASE("momentum is kept in every packing") {
+  for (const Packing packing : packings)
+    for (const bool lanes : {true, false})
+      for (const double relaxation : {1.0, 1.7}) {
+        Zoo zoo(3);
+        World& world = zoo.world;
+        world.gravity = vec3(0);
+        for (std::size_t k = 0; k < 3; ++k) world.remove(*zoo.joints[k * (zoo.joints.size() / 3)]);
+        const std::vector<Body> before = snapshot(world.bodies);
+        const auto momentum = [&](const std::vector<Body>& bodies) {  // where they stood before
+          Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
+          for (std::size_t k = 1; k < bodies.size(); ++k) {
+            const Eigen::Matrix3d R = rotation_matrix(before[k]);
+            const Eigen::Vector3d p = eigen(bodies[k].v) / double(bodies[k].inverse_mass);
+            const Eigen::Vector3d local = R.transpose() * eigen(bodies[k].w);
+            sum.head<3>() += p;
+            sum.tail<3>() += eigen(before[k].x).cross(p) +
+                             R * local.cwiseQuotient(eigen(bodies[k].inverse_inertia_local));
+          }
+          return sum;
+        };
+        std::vector<Body> forced = before;  // the gyroscopic torque keeps its own measure
+        for (Body& body : forced) integrate_forces(body, vec3(0), h);
+        WideImpulses solver = solver_of(packing, lanes);
+        solver.relaxation = real(relaxation);
+        solver.step(world, h);
+        CHECK((momentum(snapshot(world.bodies)) - momentum(forced)).norm() <
+              tolerance(1e-10, 1e-2));
+        CHECK(difference(velocities(snapshot(world.bodies)), velocities(before)) > 0.1);
+        CHECK(world.bodies.at(0).x == vec3(0));
+      }
+}
+
+TEST_CASE("a refused setting is named and nothing has moved") {
+  Zoo zoo(1), as_before(1);
+  const real inf = unbounded, nan = std::numeric_limits<real>::quiet_NaN();
+  const auto check = [&](auto solver, const std::string& name, auto set) {
+    set(solver);
+    const std::string words = refusal([&] { solver.step(zoo.world, h); });
+    CHECK(words.starts_with(name + ": "));
+    CHECK(same(zoo.world, as_before.world));
+  };
+  const auto check_all = [&](auto solver) {
+    for (const real bad : {real(0), real(-1), nan, inf, -inf})
+      check(solver, "relaxation", [&](auto& s) { s.relaxation = bad; });
+    for (const int bad : {0, -3}) check(solver, "iterations", [&](auto& s) { s.iterations = bad; });
+    check(solver, "projections", [&](auto& s) { s.projections = -1; });
+    for (const real bad : {real(0), real(-0.1), nan, inf})
+      CHECK(refusal([&] { solver.step(zoo.world, bad); }).starts_with("h: "));
+    CHECK(same(zoo.world, as_before.world));
+    Zoo another(1);
+    solver.relaxation = real(1.9);
+    CHECK(refusal([&] { solver.step(another.world, h); }) == "accepted");
+    CHECK_FALSE(same(another.world, as_before.world));
+  };
+  check_all(SequentialImpulses());
+  check_all(WideImpulses());
+}

@@ -1,3 +1,0 @@
-// region: 2
-// expects: Likely mistake: the share of the rotation is missing (upright, turned, moved, broken)
-  return body1.inverse_mass + body2.inverse_mass;

@@ -1,3 +1,0 @@
-// expects: Likely mistake: the levers r1 and r2 are exchanged (upright, turned, moved, broken)
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return jacobian_from_blocks(mat3(-1), skew(r2), mat3(1), -skew(r1));

@@ -1,2 +1,0 @@
-// expects: Likely mistake: the sign: b has the sign of C.
-  return -beta * C / h;

@@ -1,2 +1,0 @@
-// expects: Likely mistake: nothing is applied: lambda is scaled
-  lambda *= ratio;

@@ -1,0 +1,205 @@
+"""Known answers of the exercises: tests/NN_name/answers/N.M.cpp, a section each.
+
+    // ---- wrong: sign of the row          or right: ..., or wrong units: ...
+    // expects: words of the report         what a wrong answer must be told; the first such line
+    // region: 2                            must stand in the report that a reader sees first
+      the lines that take the place of the solution's
+
+All answers of a chapter become one source: in each region `if (chosen == k) {answer} else
+{solution}`. The choice comes from the environment, see tests/checker/chosen.h.
+"""
+import hashlib
+import json
+import re
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import exercises
+
+KINDS = ("wrong units", "wrong", "right")
+HEADING = re.compile(rf"// ---- ({'|'.join(KINDS)}): (\S.*)$")
+MARK = re.compile(r"\s*//\s*(-{2,}|={2,}|expects?\b|regions?\b)", re.I)
+STUB = "stub"  # the choice that leaves every exercise unwritten
+
+
+@dataclass
+class Answer:
+    """One known answer and what is promised of it."""
+    id: str
+    kind: str
+    title: str
+    file: Path
+    line: int                                     # of its heading
+    region: int = 1                               # which of the regions that share the id
+    promises: list = field(default_factory=list)  # (line, words)
+    body: list = field(default_factory=list)
+    first: int = 0                                # the line of the file where the body begins
+    faults: list = field(default_factory=list)    # (line, words): why it cannot be judged
+
+    @property
+    def name(self):
+        return f"{self.id} {self.kind}: {self.title}"
+
+    def key(self):
+        """Changes when the answer does."""
+        words = "\n".join([self.id, str(self.region), *self.body])
+        return hashlib.sha1(words.encode()).hexdigest()
+
+
+def read(path, regions):
+    """The answers of one file, each with its faults. \\param regions how many its exercise has"""
+    found, answer = [], None
+    for number, line in enumerate(path.read_text().rstrip("\n").split("\n"), 1):
+        if match := HEADING.match(line):
+            answer = Answer(path.stem, match[1], match[2].strip(), path, number)
+            found.append(answer)
+        elif answer is None:
+            if line.strip() and not line.startswith("//") or MARK.match(line):
+                answer = Answer(path.stem, "wrong", "no heading", path, number)
+                answer.faults.append((number, "this stands before the first heading, "
+                                      "'// ---- wrong: words' or right or wrong units"))
+                found.append(answer)
+        elif match := re.match(r"// expects: (\S.*)$", line):
+            answer.promises.append((number, match[1].strip()))
+        elif match := re.match(r"// region: (\d+)$", line):
+            answer.region = int(match[1])
+        elif MARK.match(line):
+            answer.faults.append((number, f"'{line.strip()}' is neither a heading (// ---- wrong: "
+                                          "words) nor // expects: words nor // region: 2"))
+        else:
+            answer.first = answer.first or number
+            answer.body.append(line)
+    titles = {}
+    for one in found:
+        faults_of(one, regions)
+        if one.name in titles:
+            one.faults.append((one.line, f"the same heading as line {titles[one.name]}"))
+        titles[one.name] = one.line
+    return found
+
+
+def faults_of(answer, regions):
+    """Adds what is wrong with an answer on paper."""
+    while answer.body and not answer.body[-1].strip():
+        answer.body.pop()
+    wrong = answer.kind != "right"
+    if not answer.body:
+        answer.faults.append((answer.line, "the answer is empty"))
+    if wrong and not answer.promises:
+        answer.faults.append((answer.line, "a wrong answer needs a line '// expects: words of the "
+                                           "report'"))
+    if not wrong and answer.promises:
+        answer.faults.append((answer.promises[0][0], "a right answer expects no report"))
+    if not 1 <= answer.region <= regions:
+        answer.faults.append((answer.line, f"exercise {answer.id} has no region {answer.region}"))
+    depth = 0
+    code = re.sub(r'"(\\.|[^"\\])*"|\'(\\.|[^\'\\])\'|//[^\n]*', "", "\n".join(answer.body))
+    for k, line in enumerate(code.split("\n")):
+        for letter in line:
+            depth += (letter == "{") - (letter == "}")
+        if depth < 0:
+            break
+    if depth:
+        answer.faults.append((answer.first + k, "the braces { } of this answer do not match"))
+
+
+def files_of(chapter_folder, root):
+    return sorted((Path(root) / "tests" / chapter_folder / "answers").glob("*.cpp"))
+
+
+def read_all(files, solution_text):
+    """All answers of a chapter's files."""
+    count = {}
+    for region in exercises.regions(solution_text):
+        count[region.id] = count.get(region.id, 0) + 1
+    return [answer for path in files for answer in read(Path(path), count.get(path.stem, 0))]
+
+
+# ---- the source that holds them all ---------------------------------------------------------------
+
+def returns_nothing(lines, begin):
+    """True when the function around a line is void: its head is the last line not indented."""
+    head = next(line for line in reversed(lines[:begin]) if re.match(r"\w", line))
+    return head.startswith("void ")
+
+
+def make(solution, files, units, out, root):
+    """Writes one source of all answers of these files that belong to numbers, or to units. Those
+    that the compiler has refused, listed beside `out`, are left out."""
+    text = Path(solution).read_text()
+    lines, shown = text.split("\n"), Path(solution).relative_to(root)
+    refused = refused_of(out)
+    chosen = [a for a in read_all(files, text) if (a.kind == "wrong units") == units
+              and not a.faults and a.key() not in refused]
+    count = {}
+
+    def branches(region, place):
+        before = lines[region.begin:region.begin + len(region.task())]
+        answer_at = region.begin + len(before) + 1
+        last = lines[region.end + 1].strip() == "}" and not returns_nothing(lines, region.begin)
+        count[region.id] = place
+        made = before + [f'  if (chosen == 0) todo("{region.id}");']
+        for k, one in enumerate(chosen, 1):
+            if (one.id, one.region) == (region.id, place):
+                where = f"{one.file.relative_to(root)}:{one.line}"
+                made += [f"  else if (chosen == {k}) {{", f'#line {one.first} "{root}/{where[:where.rindex(":")]}"',
+                         *one.body, f'  testing::no_return("{where}");' if last else "", "  }"]
+        return made + ["  else {", f'#line {answer_at} "{root}/{shown}"', *region.answer(),
+                       "  }", f'#line {region.end + 1} "{root}/{shown}"']
+
+    names = [STUB] + [one.name for one in chosen]
+    table = ",\n  ".join(json.dumps(name, ensure_ascii=False) for name in names)
+    head = ["// Made by tools/answers.py.", '#include "tests/checker/chosen.h"', "namespace {",
+            "const int chosen = joints::testing::chosen_answer({", f"  {table}}});", "}",
+            f'#line 1 "{root}/{shown}"']
+    exercises.write_if_new(out, "\n".join(head) + "\n" + exercises.replace(text, branches))
+
+
+def refused_of(out):
+    """{key: (line, what the compiler said)} of the answers that an earlier build refused."""
+    path = Path(f"{out}.refused.json")
+    return json.loads(path.read_text()) if path.exists() else {}
+
+
+def refuse(out, answers, log):
+    """Notes the answers whose lines the compiler complains of, so that the next build leaves them
+    out. Returns how many are new."""
+    refused = refused_of(out)
+    before = len(refused)
+    for block in re.split(r"^FAILED: ", log, flags=re.M):
+        error = re.search(r"\berror: (.*)", block)
+        if not error:
+            continue
+        for one in answers:
+            places = re.findall(rf"{re.escape(one.file.name)}:(\d+):", block) \
+                if str(one.file) in block else []
+            last = one.first + len(one.body)
+            for number in map(int, places):
+                if one.first <= number < last and one.key() not in refused:
+                    refused[one.key()] = (number, error_at(block, one.file, number) or error[1])
+    Path(f"{out}.refused.json").write_text(json.dumps(refused))
+    return len(refused) - before
+
+
+def error_at(block, file, number):
+    match = re.search(rf"{re.escape(str(file))}:{number}:.*?error: (.*)", block)
+    return match[1] if match else ""
+
+
+def main(arguments):
+    """answers.py numbers|units ROOT SOLUTION OUT ANSWERS..."""
+    if len(arguments) < 4 or arguments[0] not in ("numbers", "units"):
+        print(main.__doc__, file=sys.stderr)
+        return 2
+    kind, root, solution, out, *files = arguments
+    try:
+        make(Path(solution), [Path(f) for f in files], kind == "units", Path(out), Path(root))
+    except (exercises.Broken, OSError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,92 @@
+"""Judges known answers: each runs in a process of its own and is read as a reader's would be."""
+import os
+import subprocess
+from pathlib import Path
+
+import answers
+import exercises
+import grade as grading
+import house
+
+
+def fold(words):
+    return " ".join(words.split())
+
+
+def faults_of(answer, program, chapter):
+    """What of an answer is not as promised: [(line of its file, words)]."""
+    if answer.kind == "wrong units":
+        tree = grading.run(program, [answer.id], answer=answer.name)
+        if isinstance(tree, str):
+            return [(answer.line, tree)]
+        sentence = grading.units_of(tree)
+        if not sentence:
+            return [(answer.line, "the units find nothing wrong with this answer")]
+        return broken_promises(answer, [sentence])
+    one = grading.Grade(answer.id)
+    tree = grading.run(program, [answer.id], answer=answer.name)
+    if isinstance(tree, str):
+        grading.worse(one, grading.WRONG)
+        one.failures.append(("", tree))
+    else:
+        grading.read(tree, {one.id: one}, chapter)
+        if not one.tests:
+            return [(answer.line, f"exercise {answer.id} has no test")]
+    reports = [report for _, report in one.failures]
+    for report in reports:
+        for bad in ("the answer ends without a return", "no such answer"):
+            if bad in report:
+                return [(answer.line, fold(report))]
+    if answer.kind == "right":
+        right = one.status == grading.DONE
+        return [] if right else [(answer.line, "this right answer is called wrong:\n"
+                                  + (reports[0] if reports else one.words()))]
+    if one.status == grading.DONE:
+        return [(answer.line, f"this wrong answer passes every test of {answer.id}")]
+    return broken_promises(answer, reports)
+
+
+def broken_promises(answer, reports):
+    """The promises that no report keeps. The first must stand in the first report, which is the
+    one that a reader sees."""
+    flat = [fold(report) for report in reports]
+    for number, words in answer.promises:
+        first = number == answer.promises[0][0]
+        if not any(fold(words) in report for report in (flat[:1] if first else flat)):
+            where = "the first report does" if first else "the reports do"
+            return [(number, f"{where} not say '{words}' but\n"
+                     + (reports[0] if first else "\n\n".join(reports)))]
+    return []
+
+
+def stub_faults(program, chapter):
+    """The exercises of a fresh stub that do not say that they are not written yet."""
+    for id_ in chapter.ids():
+        tree, one = grading.run(program, [id_], answer=answers.STUB), grading.Grade(id_)
+        if isinstance(tree, str):
+            yield f"the stub of {id_}: {tree}"
+            continue
+        grading.read(tree, {id_: one}, chapter)
+        if one.status != grading.OPEN:
+            yield (f"the stub of {id_} is '{one.words()}', not '{grading.OPEN}'"
+                   + "".join(f"\n{report}" for _, report in one.failures[:1]))
+
+
+def known(chapter, units):
+    """The answers of a chapter that belong to numbers, or to units."""
+    found = answers.read_all(answers.files_of(chapter.folder, house.ROOT),
+                             chapter.solution.read_text())
+    return [one for one in found if (one.kind == "wrong units") == units]
+
+
+def source_of(chapter, kind):
+    return house.BUILD / "answers" / f"{chapter.folder}_{kind}.cpp"
+
+
+def leave_out_refused(chapters, log):
+    """Notes the answers that do not compile, so that the others can be. True if there are any."""
+    new = 0
+    for chapter in chapters:
+        for kind in ("numbers", "units"):
+            new += answers.refuse(source_of(chapter, kind), known(chapter, kind == "units"), log)
+    return new > 0

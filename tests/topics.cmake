@@ -1,7 +1,7 @@
 # The workbook's own tests, on the solutions, in double and float: one program a topic.
 set(topics engine joints stability lanes ground bench errata)
-foreach(suffix "" "_float")
-  string(REGEX REPLACE "^_|^$" "" number "${suffix}")
+foreach(number double float)
+  set(suffix ${suffix_of_${number}})
   add_library(oracle${suffix} STATIC checker/oracle.cpp checker/rigs.cpp
     checker/allocations.cpp)
   target_link_libraries(oracle${suffix} PUBLIC bench_stability${suffix} wide${suffix}
@@ -15,6 +15,6 @@ foreach(suffix "" "_float")
     target_compile_definitions(${target} PRIVATE EXERCISE_FILE="")
     target_link_libraries(${target} PRIVATE oracle${suffix} workbook_strict)
     target_precompile_headers(${target} REUSE_FROM oracle${suffix})
-    list_program(topic ${topic} "${number}" ${target})
+    list_program(topic ${topic} ${number} ${target})
   endforeach()
 endforeach()

@@ -116,7 +116,7 @@ def read_all(files, solution_text):
     return [answer for path in files for answer in read(Path(path), count.get(path.stem, 0))]
 
 
-# ---- the source that holds them all ---------------------------------------------------------------
+# ---- the source that holds them all --------------------------------------------------------------
 
 def returns_nothing(lines, begin):
     """True when the function around a line is void: its head is the last line not indented."""
@@ -132,19 +132,17 @@ def make(solution, files, units, out, root):
     refused = refused_of(out)
     chosen = [a for a in read_all(files, text) if (a.kind == "wrong units") == units
               and not a.faults and a.key() not in refused]
-    count = {}
 
     def branches(region, place):
         before = lines[region.begin:region.begin + len(region.task())]
         answer_at = region.begin + len(before) + 1
         last = lines[region.end + 1].strip() == "}" and not returns_nothing(lines, region.begin)
-        count[region.id] = place
         made = before + [f'  if (chosen == 0) todo("{region.id}");']
         for k, one in enumerate(chosen, 1):
             if (one.id, one.region) == (region.id, place):
-                where = f"{one.file.relative_to(root)}:{one.line}"
-                made += [f"  else if (chosen == {k}) {{", f'#line {one.first} "{root}/{where[:where.rindex(":")]}"',
-                         *one.body, f'  testing::no_return("{where}");' if last else "", "  }"]
+                made += [f"  else if (chosen == {k}) {{", f'#line {one.first} "{one.file}"',
+                         *one.body]
+                made += [f'  testing::no_return("{one.file}:{one.line}");'] * last + ["  }"]
         return made + ["  else {", f'#line {answer_at} "{root}/{shown}"', *region.answer(),
                        "  }", f'#line {region.end + 1} "{root}/{shown}"']
 

@@ -99,7 +99,8 @@ def words_of(case):
     for element in case.iter():
         place = f"{element.get('filename', '')}:{element.get('line', '')}"
         if element.tag == "FatalErrorCondition":
-            yield f"{place}: " + grading.plainly(f"the program crashed: {(element.text or '').strip()}")
+            words = f"the program crashed: {(element.text or '').strip()}"
+            yield f"{place}: {grading.plainly(words)}"
         elif element.tag in ("Exception", "Failure", "Info") and element.text:
             yield (f"{place}: " if element.get("line") else "") + element.text.strip()
         elif element.tag == "Expression" and element.get("success") == "false":

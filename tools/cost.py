@@ -5,7 +5,8 @@ import house
 import instructions
 
 COST = house.OUT / "cost.csv"
-KEPT = house.ROOT / "tests" / "bench" / "cost_table.csv"  # what tests/bench/cost_test.py holds every build to
+# What tests/bench/cost_test.py holds every build to.
+KEPT = house.ROOT / "tests" / "bench" / "cost_table.csv"
 COLUMNS = ["case", "rows", "bytes_per_joint", "instructions_per_joint_step", "solver", "real",
            "instructions_per_joint_iteration"]
 PROGRAMS = ("cost_float", "cost")

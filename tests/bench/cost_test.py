@@ -1,9 +1,9 @@
 """Every kind of joint costs what the kept table says, within 3 percent: cost_test.py ROOT BUILD
 
 Counts the instructions of every case of bench/cost.cpp and compares them, the rows and the bytes
-with tests/bench/cost_table.csv. Only counts of the same compiler with the same flags can be compared:
-with another, or where valgrind is missing, the test is skipped (exit status 77) and says why. Exit
-status 0 when all agree, 1 otherwise, 2 for a bad command line.
+with tests/bench/cost_table.csv. Only counts of the same compiler with the same flags can be
+compared: with another, or where valgrind is missing, the test is skipped (exit status 77) and says
+why. Exit status 0 when all agree, 1 otherwise, 2 for a bad command line.
 """
 import csv
 import sys
@@ -53,7 +53,7 @@ def main(arguments):
         print(__doc__.split("\n", maxsplit=1)[0], file=sys.stderr)
         return 2
     root, build = (Path(argument).resolve() for argument in arguments)
-    with open(root / "tests" / "cost_table.csv", newline="", encoding="utf-8") as file:
+    with open(root / "tests" / "bench" / "cost_table.csv", newline="", encoding="utf-8") as file:
         kept = list(csv.DictReader(file))
     if reason := reason_to_skip(build, kept[0]["made_with"]):
         print(f"skipped: {reason}")

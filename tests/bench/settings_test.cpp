@@ -59,7 +59,7 @@ TEST_CASE("what is better by rounding alone and slower is in no front") {
 TEST_CASE("without half a kick a free fall is g h t / 2 too deep, with it exact") {
   const auto list = bench::ways();
   const double exact = 9.81 / 2, h = 1.0 / 60;
-  const auto fall = [&](const std::string& solver, const std::string& name) {
+  const auto fall = [&](const char* solver, const char* name) {
     return fallen(way(solver, name, list).setting(10).make());
   };
   CHECK(fall("sequential impulses", "cold") - exact ==

@@ -1,10 +1,10 @@
-"""The library serves a program outside: library_test.py ROOT BUILD CXX
+"""The library serves a program outside: library_test.py ROOT BUILD
 
-Installs BUILD into a folder of its own, copies tests/library/consumer next to it, builds the copy against
-the installed files and runs it, once in double and once in float. Nothing that is compiled may come
-from ROOT, nothing that is installed may name it, and the program of a hinge may carry no slider, no
-weld and no ground, that of a crate on the ground no hinge joint. Exit status 0 when all of that
-holds, 1 otherwise, 2 for a bad command line.
+Installs BUILD into a folder of its own, copies the consumer beside this file next to it, builds the
+copy against the installed files and runs it, once in double and once in float. Nothing that is
+compiled may come from ROOT, nothing that is installed may name it, and the program of a hinge may
+carry no slider, no weld and no ground, that of a crate on the ground no hinge joint. Exit status 0
+when all of that holds, 1 otherwise, 2 for a bad command line.
 """
 import json
 import re
@@ -83,10 +83,12 @@ def build_and_run(root, area, prefix, compiler, library):
 
 
 def main(arguments):
-    if len(arguments) != 3 or not all(Path(argument).is_dir() for argument in arguments[:2]):
+    if len(arguments) != 2 or not all(Path(argument).is_dir() for argument in arguments):
         print(__doc__.split("\n", maxsplit=1)[0], file=sys.stderr)
         return 2
-    root, build = (Path(argument).resolve() for argument in arguments[:2])
+    root, build = (Path(argument).resolve() for argument in arguments)
+    compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.+)$",
+                         (build / "CMakeCache.txt").read_text(), re.M)[1]
     area = build / "library_test"
     shutil.rmtree(area, ignore_errors=True)
     area.mkdir()
@@ -96,7 +98,7 @@ def main(arguments):
         look_at_installed(root, build, prefix)
         page = (root / "docs" / "library.md").read_text()
         for library in ("joints", "joints_float"):
-            for said in build_and_run(root, area, prefix, arguments[2], library):
+            for said in build_and_run(root, area, prefix, compiler, library):
                 print(f"{library}: {said}")
                 if said not in page:
                     raise Wrong("docs/library.md says that a program says something else")

@@ -12,10 +12,12 @@
 
 // ---- wrong: K without rotation
 // region: 2
+// expects: Likely mistake: the share of the rotation is missing
 // expects: Likely mistake: the share of the rotation is missing (upright, turned, moved, broken)
   return body1.inverse_mass + body2.inverse_mass;
 
 // ---- wrong: bodies swapped
+// expects: Likely mistake: bodies 1 and 2 swapped
 // expects: Likely mistake: bodies 1 and 2 swapped (upright, turned, moved, broken)
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   const vec3 n = direction(body2.x + r2 - body1.x - r1);
@@ -51,6 +53,7 @@
   return {-n, -cross(r1, n), n, cross(r2, n)};
 
 // ---- wrong: order of the cross products
+// expects: Likely mistake: the sign of the blocks w1 and w2: a x b is -(b x a)
 // expects: Likely mistake: the sign of the blocks w1 and w2: a x b is -(b x a) (upright, turned,
 // expects: moved, broken)
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
@@ -64,6 +67,7 @@
   return {-n, cross(r1, n), n, cross(r2, n)};
 
 // ---- wrong: without levers
+// expects: Likely mistake: the blocks w1 and w2 are missing: they hold the levers
 // expects: Likely mistake: the blocks w1 and w2 are missing: they hold the levers (upright,
 // expects: turned, moved, broken)
   const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);

@@ -6,6 +6,7 @@
   return jacobian_from_blocks(mat3(-1), skew(anchor1_local), mat3(1), -skew(anchor2_local));
 
 // ---- wrong: levers exchanged
+// expects: Likely mistake: the levers r1 and r2 are exchanged
 // expects: Likely mistake: the levers r1 and r2 are exchanged (upright, turned, moved, broken)
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   return jacobian_from_blocks(mat3(-1), skew(r2), mat3(1), -skew(r1));
@@ -23,6 +24,7 @@
   return jacobian_from_blocks(mat3(1), -skew(r1), mat3(-1), skew(r2));
 
 // ---- wrong: transposed levers
+// expects: Likely mistake: the sign of the blocks w1 and w2: a x b is -(b x a)
 // expects: Likely mistake: the sign of the blocks w1 and w2: a x b is -(b x a) (upright, turned,
 // expects: moved, broken)
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);

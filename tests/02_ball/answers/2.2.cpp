@@ -20,6 +20,7 @@
          s2 * inverse_inertia(body2) * transpose(s2);
 
 // ---- wrong: without rotation
+// expects: Likely mistake: the share of the rotation is missing
 // expects: Likely mistake: the share of the rotation is missing (upright, turned, moved, broken)
   return mat3(body1.inverse_mass + body2.inverse_mass);
 

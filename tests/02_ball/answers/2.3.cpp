@@ -2,6 +2,7 @@
 
 // ---- wrong: J without transpose
 // region: 2
+// expects: Likely mistake: the sign: velocities grow by +M^-1 J^T lambda
 // expects: Likely mistake: J where J^T belongs: the sign of the turn
   vec3 push1, turn1, push2, turn2;
   for (int i = 0; i < 3; ++i) {

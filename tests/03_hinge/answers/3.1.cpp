@@ -68,6 +68,7 @@
 
 // ---- wrong: first row written twice
 // region: 2
+// expects: Likely mistake: the two rows are exchanged
 // expects: J[0] is written twice
   Jacobian<2> J;
   J[0] = {vec3(0), -cross(b, a1), vec3(0), cross(b, a1)};

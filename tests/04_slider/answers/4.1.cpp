@@ -32,6 +32,7 @@
 
 // ---- wrong: n turned with body 2
 // region: 2
+// expects: Likely mistake: n is turned with body 2 here, but n rides on body 1
 // expects: Likely mistake: n is turned with body 2 here, but n rides on body 1 (upright, turned,
 // expects: moved, broken)
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);

@@ -325,7 +325,7 @@
 
 // ---- wrong: sweep one joint too many
 // region: 3
-// expects: this->size()
+// expects: an index outside a vector
   for (std::size_t k = 0; k < chain.bodies.size(); ++k)
     project(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]);
 

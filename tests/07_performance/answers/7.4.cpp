@@ -44,6 +44,7 @@
   body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
 
 // ---- wrong: by momentum
+// expects: Likely mistake: a division by zero
 // expects: v1 of lane 0 that is not used
 // expects: Likely mistake: a division by zero
   const Triple<Number> gap =

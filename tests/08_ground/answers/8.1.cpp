@@ -156,6 +156,7 @@
 
 // ---- wrong: J middle of the top
 // region: 2
+// expects: does r1 end in the middle of the top
 // expects: Likely mistake: r1 ends in the middle of the top
   const vec3 r1 = height * up(body1), r2 = point(body1, body2) - body2.x;
   return {-direction, -cross(r1, direction), direction, cross(r2, direction)};
@@ -226,6 +227,7 @@
 
 // ---- wrong: J sign of the row
 // region: 2
+// expects: Likely mistake: the sign of the whole row
 // expects: Likely mistake: the sign of the whole row: J V is how fast body 2 moves along the
 // expects: the sign of the whole row: C grows when body 2 moves up
   const vec3 p = point(body1, body2), r1 = p - body1.x, r2 = p - body2.x;
@@ -250,6 +252,7 @@
 
 // ---- wrong: J without w1
 // region: 2
+// expects: Likely mistake: w1 is zero: has body 1 no lever
 // expects: Likely mistake: the block w1 is missing
   const vec3 p = point(body1, body2), r2 = p - body2.x;
   return {-direction, vec3(0), direction, cross(r2, direction)};

@@ -1,16 +1,9 @@
-"""A contact needs no new solver: ground_proofs_test.py ROOT BUILD
-
-The engine says no word of contacts, and no program of an earlier chapter carries any of their code.
-Exit status 0 when that holds, 1 otherwise, 2 for a bad command line.
-"""
+"""A contact needs no new solver, and no earlier program carries one: contacts_test.py ROOT BUILD"""
 import re
 import subprocess
 import sys
-from pathlib import Path
 
-sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
-import house  # noqa: E402
+from proofs import house, main
 
 WORDS = re.compile(r"contact|frict|restitut|rebound|corner|ground|tangent", re.I)
 SYMBOLS = re.compile(r"joints::(?:GroundContact|Corner\b|Outline|Top\b|tangents\(|impact_speed"
@@ -50,20 +43,7 @@ def earlier_programs_carry_no_contact(root, build):
             yield f"{program} carries {found} only: are the symbols still called so?"
 
 
-def main(arguments):
-    if len(arguments) != 2 or not all(Path(argument).is_dir() for argument in arguments):
-        print(__doc__.split("\n", maxsplit=1)[0], file=sys.stderr)
-        return 2
-    root, build = (Path(argument).resolve() for argument in arguments)
-    wrong = 0
-    for proof in (the_engine_knows_no_contact, earlier_programs_carry_no_contact):
-        lines = list(proof(root, build))
-        print(f"{'not so' if lines else 'holds '}: {proof.__doc__}")
-        for line in lines:
-            print(f"  {line}")
-        wrong += len(lines)
-    return 1 if wrong else 0
-
+PROOFS = [the_engine_knows_no_contact, earlier_programs_carry_no_contact]
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

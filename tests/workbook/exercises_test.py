@@ -1,0 +1,90 @@
+"""Every exercise is whole: stub, task, hints, tests, known answers: exercises_test.py ROOT BUILD"""
+import os
+import re
+import sys
+from collections import Counter
+
+from proofs import exercises, house, main, notes, prose, read, regions, section, sections
+
+import answers
+
+
+def stubs_are_fresh(root, build):
+    """the committed stubs are what the solutions make of them"""
+    for chapter in house.chapters():
+        fresh, mine = exercises.stub(read(chapter.solution)), read(chapter.mine)
+        where = chapter.mine.relative_to(root)
+        if fresh != mine and os.environ.get("CI") == "true":
+            yield f"{where} differs from the stub of the solution"
+        elif fresh != mine:
+            try:
+                same = exercises.outside(fresh) == exercises.outside(mine)
+                notes.append(f"{where} " + ("holds work" if same else "differs from the stub "
+                                            "outside the exercises, too"))
+            except exercises.Broken as error:
+                notes.append(str(error).replace("this file", str(where)))
+
+
+def every_region_has_a_task(root, build):
+    """every exercise states its task, has an answer, and is numbered by its chapter"""
+    for chapter in house.chapters():
+        for region in regions(chapter):
+            if not region.task() or not "".join(region.answer()).strip():
+                yield f"{chapter.solution.name}: {region.id} lacks its task or its answer"
+        wanted = [f"{chapter.number}.{n + 1}" for n in range(len(chapter.ids()))]
+        if chapter.ids() != wanted:
+            yield f"{chapter.folder}: the exercises are {chapter.ids()}, not {wanted}"
+
+
+def every_exercise_has_hints(root, build):
+    """every exercise has three hints, and no hint belongs to nothing"""
+    for chapter in house.chapters():
+        found = sections(prose(read(chapter.hints)), "##")
+        yield from differ(f"{chapter.folder}/hints.md", [id_ for id_, _ in found], chapter.ids())
+        for id_, body in found:
+            hints = sections(body, "###")
+            if [number for number, text in hints if text.strip()] != ["1", "2", "3"]:
+                yield f"{chapter.folder}/hints.md: {id_} has not the hints 1, 2, 3"
+
+
+def every_exercise_stands_in_the_table(root, build):
+    """every exercise has a row in the table of its chapter's text"""
+    for chapter in house.chapters():
+        rows = re.findall(r"^\|\s*(\d+\.\d+)\s*\|", section(chapter, "Exercises"), re.M)
+        yield from differ(f"{chapter.folder}/README.md, Exercises", rows, chapter.ids())
+
+
+def every_exercise_has_tests(root, build):
+    """every exercise has a test, and no test belongs to no exercise"""
+    for chapter in house.chapters():
+        files = sorted((root / "tests" / chapter.folder).glob("*test.cpp"))
+        cases = re.findall(r"TEST_CASE\((.*?)\)\s*\{", "".join(map(read, files)), re.S)
+        tags = {tag for case in cases for tag in re.findall(r"\[(\d+\.\d+)\]", case)}
+        yield from differ(f"tests/{chapter.folder}", sorted(tags), chapter.ids())
+
+
+def every_exercise_has_wrong_answers(root, build):
+    """every exercise has two known wrong answers, and no answer belongs to no exercise"""
+    for chapter in house.chapters():
+        paths = answers.files_of(chapter.folder, root)
+        yield from differ(f"tests/{chapter.folder}/answers", [path.stem for path in paths],
+                          chapter.ids())
+        count = Counter(one.id for one in answers.read_all(paths, read(chapter.solution))
+                        if one.kind == "wrong")
+        yield from (f"{id_} has {count[id_]} wrong answers: at least two are wanted"
+                    for id_ in chapter.ids() if count[id_] < 2)
+
+
+def differ(where, found, wanted):
+    yield from (f"{where}: {id_} is missing" for id_ in wanted if id_ not in found)
+    yield from (f"{where}: {id_} is no exercise" for id_ in found if id_ not in wanted)
+    if set(found) == set(wanted) and found != wanted:
+        yield f"{where}: {' '.join(found)} where {' '.join(wanted)} is wanted"
+
+
+PROOFS = [stubs_are_fresh, every_region_has_a_task, every_exercise_has_hints,
+          every_exercise_stands_in_the_table, every_exercise_has_tests,
+          every_exercise_has_wrong_answers]
+
+if __name__ == "__main__":
+    sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -1,0 +1,135 @@
+"""The programs: what they carry, refuse and repeat: programs_test.py ROOT BUILD"""
+import csv
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from proofs import house, main, read, regions
+
+import grade
+
+
+# Every program: a symbol that it uses, and those that it must not carry. Chapters 1 and 2 run on
+# the reader's own loop, so on no solver and no joint of the engine.
+OWN_LOOP = r"SequentialImpulses|\w*Joint"
+LATER = {3: r"Axis::|HingeAngle|HingeJoint|Limit<", 4: r"Line::|Slide::|RotationLock|SliderJoint",
+         5: r"Weld|FixedJoint|cross_K|carried",
+         6: r"limit_bias|beta_for|warm_start\(|projection_sweep|project\(",
+         7: r"colours_of|whole_K|hoist|LanesFor|WideImpulses",
+         8: r"GroundContact|Corner::|friction_impulse|impact_speed"}
+ALL = "|".join(LATER.values())
+PROGRAMS = {
+    "01_distance_run": ("apply_impulse", rf"Point::|block_impulse|turned\(|{OWN_LOOP}|{ALL}"),
+    "02_ball_run": ("block_impulse", f"{OWN_LOOP}|{ALL}"),
+    "03_hinge_run": ("Axis::", "|".join(LATER[k] for k in range(4, 9))),
+    "04_slider_run": ("Line::", rf"{LATER[5]}|{LATER[6]}|{LATER[8]}|HingeJoint|HingeAngle"),
+    "05_fixed_run": ("Weld::", rf"{LATER[6]}|{LATER[7]}|{LATER[8]}"),
+    "06_baumgarte_run": ("projection_sweep", rf"{LATER[5]}|{LATER[7]}|{LATER[8]}"),
+    "07_performance_run": ("colours_of", "|".join([OWN_LOOP, *(LATER[k] for k in (4, 5, 6, 8))])),
+    "08_ground_run": ("GroundContact", rf"{LATER[6].replace('limit_bias|', '')}|{LATER[7]}")}
+
+
+def run(program, *arguments, **more):
+    return subprocess.run([str(program), *arguments], capture_output=True, text=True, timeout=60,
+                          **more)
+
+
+def programs_carry_what_they_use(root, build):
+    """a program carries no symbol of what it does not use"""
+    for program, (used, foreign) in PROGRAMS.items():
+        symbols = run("nm", "-C", str(build / program)).stdout
+        if f"joints::{used}" not in symbols:
+            yield f"{program}: nm shows no symbols"
+        for symbol in sorted(set(re.findall(rf"joints::(?:{foreign})\w*", symbols))):
+            yield f"{program} carries {symbol}"
+
+
+def lanes_stay_at_home(root, build):
+    """what is compiled for one kind of processor shares no function with the rest"""
+    for kind in ("wide", "wide_float"):
+        for path in (build / "CMakeFiles" / f"{kind}.dir" / "engine").glob("*avx2*.o"):
+            lines = run("nm", "-C", str(path)).stdout.splitlines()
+            if not any("sweep_lanes_avx2" in line for line in lines):
+                yield f"{path.name}: nm shows no symbols"
+            for line in lines:  # W, V, u: one definition of several, whichever the linker takes
+                if re.match(r"[0-9a-f]* ?[WVu] ", line.strip()) and "LanesFor<2>" not in line:
+                    yield f"{kind}, {path.name}: {line.strip()}"
+
+
+def bad_words_are_refused(root, build):
+    """a bad command line gets one line that names the option, and exit status 2"""
+    bad = ["--nonsense", "--iterations 0", "--iterations x", "--iterations", "--seconds -1",
+           "--beta nan", "nonsense", "--seconds 0.1 --out file/below"]
+    for program in PROGRAMS:
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "file").write_text("")
+            for words in bad:
+                result = run(build / program, *words.split(), cwd=folder)
+                name = "out" if "--out" in words else words.split()[0]
+                if result.returncode != 2:
+                    yield f"{program} {words}: exit status {result.returncode}, not 2"
+                elif result.stderr.count("\n") != 1 or name not in result.stderr:
+                    yield f"{program} {words}: says {result.stderr!r}"
+                if os.listdir(folder) != ["file"]:
+                    yield f"{program} {words}: writes something all the same"
+            help_ = run(build / program, "--help", cwd=folder)
+            if help_.returncode != 0 or help_.stderr or "--iterations" not in help_.stdout:
+                yield f"{program} --help: exit status {help_.returncode}, {help_.stderr!r}"
+
+
+def crashes_are_placed(root, build):
+    """a crash is told in plain words, at the one region of its exercise that it can come from"""
+    chapter, id_ = house.exercise_of("8.2")
+    clamps = [r for r in regions(chapter) if r.id == id_ and "clamp(" in "".join(r.answer())]
+    crash = grade.plainly("std::clamp(...): Assertion '!(__hi < __lo)' failed.")
+    told = grade.with_place(crash, SolutionOf(chapter), id_)
+    for words in ("clamp(a, low, high)", f"{chapter.solution.name}:{clamps[0].begin}\n"):
+        if words not in told:
+            yield f"a crash of {id_} is told without '{words.strip()}': {told}"
+
+
+class SolutionOf:
+    """A chapter whose solution stands in the place of the reader's file."""
+    def __init__(self, chapter):
+        self.mine, self.place = chapter.solution, chapter.place
+
+
+def programs_repeat_themselves(root, build):
+    """a program that runs twice writes the same tables and motions, apart from times"""
+    for program in PROGRAMS:
+        with tempfile.TemporaryDirectory() as folder:
+            one, two = Path(folder) / "one", Path(folder) / "two"
+            for out in (one, two):
+                result = run(build / program, "--seconds", "0.5", "--out", str(out))
+                if result.returncode != 0:
+                    yield f"{program}: exit status {result.returncode}: {result.stderr.strip()}"
+            if not (one / "summary.csv").is_file():
+                yield f"{program} writes no summary.csv"
+            for path in sorted(one.glob("*")):
+                if untimed(path) != untimed(two / path.name):
+                    yield f"{program}: {path.name} differs from run to run"
+                if path.suffix == ".csv" and len({len(row) for row in table(path)}) != 1:
+                    yield f"{program}: {path.name} has rows that are longer than its header"
+
+
+def table(path):
+    return list(csv.reader(read(path).splitlines()))
+
+
+def untimed(path):
+    """What a file says, without the columns that hold times."""
+    if path.suffix != ".csv":
+        return read(path)
+    rows = table(path)
+    timed = [k for k, column in enumerate(rows[0]) if re.match(r"(us|ns)_", column)]
+    return [[word for k, word in enumerate(row) if k not in timed] for row in rows]
+
+
+PROOFS = [programs_carry_what_they_use, lanes_stay_at_home, bad_words_are_refused,
+          crashes_are_placed, programs_repeat_themselves]
+
+if __name__ == "__main__":
+    sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -1,0 +1,80 @@
+"""What the proofs of this folder share: reading texts, and saying what holds.
+
+One function a proof; it yields a line for everything that is wrong. Exit status 1 when something is
+wrong, 2 for a bad command line.
+"""
+import re
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+import exercises  # noqa: E402
+import house  # noqa: E402
+
+notes = []
+
+
+def read(path):
+    """The text of a file; "" where there is none (a proof of its own says so)."""
+    return path.read_text(encoding="utf-8") if path.is_file() else ""
+
+
+def regions(chapter):
+    return exercises.regions(read(chapter.solution), chapter.solution.name)
+
+
+def files(root, *endings):
+    """All files of the workbook with these endings: nothing that was built, drawn or is hidden."""
+    for path in sorted(root.rglob("*")):
+        parts = path.relative_to(root).parts
+        made = parts[0] == "out" or parts[0].startswith("build")
+        if path.is_file() and path.suffix in endings and not made and not any(
+                part.startswith(".") or part == "__pycache__" for part in parts):
+            yield path
+
+
+def prose(text):
+    """A Markdown text without fenced and inline code; formulas stay."""
+    kept, fence = [], None
+    for line in text.split("\n"):
+        if line.lstrip().startswith("```"):
+            fence = line.strip() if fence is None else None
+        elif fence in (None, "```math"):
+            kept.append(re.sub(r"`[^`]*`", "", line))
+    return "\n".join(kept)
+
+
+def sections(text, mark):
+    """The parts of a Markdown text by their headings, which begin with mark: (heading, body)."""
+    parts = re.split(rf"^{mark} (.+)$", text, flags=re.M)[1:]
+    return list(zip([heading.strip() for heading in parts[::2]], parts[1::2]))
+
+
+def section(chapter, heading):
+    """One section of a chapter's text."""
+    return dict(sections(prose(read(chapter.text)), "##")).get(heading, "")
+
+
+def folded(text):
+    return " ".join(text.split())
+
+
+def main(document, proofs, arguments):
+    """Runs the proofs of a file: NAME_test.py ROOT BUILD"""
+    if len(arguments) != 2 or not all(Path(argument).is_dir() for argument in arguments):
+        print(document.split("\n", maxsplit=1)[0], file=sys.stderr)
+        return 2
+    root, build = (Path(argument).resolve() for argument in arguments)
+    house.ROOT = root
+    broken = 0
+    for proof in proofs:
+        wrong = list(proof(root, build))
+        broken += bool(wrong)
+        print(f"{'WRONG' if wrong else 'holds'}  {proof.__doc__}")
+        for line in wrong:
+            print(f"         {line}")
+    for note in notes:
+        print(f"note   {note}")
+    print(f"{len(proofs) - broken} of {len(proofs)} proofs hold")
+    return 1 if broken else 0

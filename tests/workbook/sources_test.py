@@ -1,0 +1,51 @@
+"""The sources: who includes whom, how long they are: sources_test.py ROOT BUILD"""
+import re
+import sys
+
+from proofs import files, main, notes, read
+
+
+LONG_FILES = {"tests/01_distance/test.cpp": "the tests of six exercises"}
+MOST_LINES, MOST_COLUMNS = 330, 100
+
+
+def may_include(name):
+    """The folders from which a file may include, by the file's place."""
+    chapter = re.match(r"(?:chapters|solutions)/(\d\d)_", name)
+    last = int(chapter[1]) if chapter else 0 if name.startswith("engine/") else 99
+    allowed = ["engine/"] + [f"chapters/{n:02}_" for n in range(1, last + 1)]
+    return allowed + {"bench": ["bench/"], "tests": ["bench/", "tests/"]}.get(name[:5], [])
+
+
+def layers_hold(root, build):
+    """everybody includes only what lies below: engine, chapters in their order, bench, tests"""
+    measuring = re.compile(r"engine/(measure|record|plan|program|stage|summary)\.")
+    for path in files(root, ".cpp", ".h"):
+        name = str(path.relative_to(root))
+        engine = name.startswith("engine/") and not measuring.match(name)
+        for header in re.findall(r'^\s*#include "([^"]+)"', read(path), re.M):
+            if header.endswith(".cpp") or not header.startswith(tuple(may_include(name))):
+                yield f"{name} must not include {header}"
+            elif engine and measuring.match(header):
+                yield f"{name} must not include {header}: the engine does not measure"
+
+
+def sources_are_short(root, build):
+    """no line is longer than 100 columns, no source longer than 330 lines"""
+    for path in files(root, ".cpp", ".h", ".py"):
+        name, lines = str(path.relative_to(root)), read(path).splitlines()
+        if path.parent.name == "answers":  # a list, short or long
+            continue
+        for number, line in enumerate(lines, 1):
+            if len(line) > MOST_COLUMNS:
+                yield f"{name}:{number} has {len(line)} columns"
+        if len(lines) > MOST_LINES and name in LONG_FILES:
+            notes.append(f"{name} has {len(lines)} lines: {LONG_FILES[name]}")
+        elif len(lines) > MOST_LINES:
+            yield f"{name} has {len(lines)} lines"
+
+
+PROOFS = [layers_hold, sources_are_short]
+
+if __name__ == "__main__":
+    sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -1,0 +1,95 @@
+"""The texts: headings, equations, links, errata: texts_test.py ROOT BUILD"""
+import re
+import sys
+
+from proofs import files, folded, house, main, prose, read, regions, section, sections
+
+
+HEADINGS = ["Goal", "Derivation", "Numbers", "Code", "Exercises", "Check", "Predict", "See it",
+            "A printed formula that is wrong: find it", "Questions", "Further reading"]
+OPTIONAL = {"A printed formula that is wrong: find it"}
+QUOTED = {"docs/library.md": ["CMakeLists.txt", "main.cpp", "crate.cpp"]}  # of its consumer
+
+
+def texts_have_their_headings(root, build):
+    """every chapter's text has the headings that all chapters have, in their order"""
+    for chapter in house.chapters():
+        found = [heading for heading, _ in sections(prose(read(chapter.text)), "##")]
+        wanted = [h for h in HEADINGS if h not in OPTIONAL or h in found]
+        if found != wanted:
+            yield f"{chapter.folder}/README.md: {found} where {wanted} is wanted"
+
+
+def questions_have_answers(root, build):
+    """every chapter asks three or four questions, and each has an answer"""
+    for chapter in house.chapters():
+        asked = re.findall(r"^(\d+)\. ", section(chapter, "Questions"), re.M)
+        answers = prose(read(chapter.solution.parent / "answers.md"))
+        answered = [heading.removeprefix("Question ") for heading, _ in sections(answers, "##")]
+        if asked not in (list("123"), list("1234")) or answered != asked:
+            yield f"{chapter.folder}: README.md asks {asked}, answers.md answers {answered}"
+
+
+def equations_exist(root, build):
+    """every equation is numbered once, in order, and every number that is used exists"""
+    tags = {c.number: re.findall(r"\\tag\{([^}]*)\}", read(c.text)) for c in house.chapters()}
+    for number, found in tags.items():
+        wanted = [f"{number}-{n + 1}" for n in range(len(found))]
+        if found != wanted or not found:
+            yield f"chapter {number}: the equations are {found}"
+    known = {tag for found in tags.values() for tag in found}
+    used = re.compile(r"\bEqs?\. (\d+-\d+(?:(?:,| and| or| to|, and) \d+-\d+)*)")
+    for path in files(root, ".cpp", ".h", ".md", ".py"):
+        text = prose(read(path)) if path.suffix == ".md" else read(path)
+        for match in used.finditer(folded(text)):
+            for tag in set(re.findall(r"\d+-\d+", match[1])) - known:
+                yield f"{path.relative_to(root)}: there is no Eq. {tag}"
+
+
+def texts_keep_the_solution(root, build):
+    """no line of a solution stands in a chapter's text or in a first or second hint"""
+    for chapter in house.chapters():
+        hints = [hint for _, body in sections(read(chapter.hints), "##")
+                 for number, hint in sections(body, "###") if number in "12"]
+        public = folded(read(chapter.text) + " ".join(hints))
+        for region in regions(chapter):
+            for line in region.answer():
+                code = folded(line.split("//")[0])
+                if len(code) > 25 and code in public:
+                    yield f"{chapter.folder}: the answer of {region.id} stands in the text: {code}"
+
+
+def links_lead_somewhere(root, build):
+    """every link and picture of a text leads to a file"""
+    link = re.compile(r"\]\(\s*<?([^)\s>]+)[^)]*\)|<[^>]+(?:src|href)=\"([^\"]+)\"")
+    for path in files(root, ".md"):
+        for match in link.finditer(re.sub(r"\$[^$\n]*\$", "", prose(read(path)))):
+            target = (match[1] or match[2]).split("#")[0].split("?")[0]
+            if not target or re.match(r"[a-z]+:", target):
+                continue
+            if not (path.parent / target).exists():
+                yield f"{path.relative_to(root)}: {target} does not exist"
+
+
+def errata_are_shown(root, build):
+    """every test that the list of errata names exists"""
+    tests = "".join(read(path) for path in files(root / "tests", ".cpp"))
+    for word in sorted(set(re.findall(r"`(\[E\d+\]|[IX]\d+)`", read(root / "docs/errata.md")))):
+        if (word if word[0] == "[" else f'TEST_CASE("{word} ') not in tests:
+            yield f"docs/errata.md names the test {word}: there is none"
+
+
+def quotations_are_exact(root, build):
+    """a file that a text quotes stands there as it is"""
+    for text, sources in QUOTED.items():
+        blocks = re.findall(r"^```\w+\n(.*?)^```$", read(root / text), re.M | re.S)
+        for source in sources:
+            if read(root / "tests/library/consumer" / source) not in filter(None, blocks):
+                yield f"{text} does not quote {source} as it is"
+
+
+PROOFS = [texts_have_their_headings, questions_have_answers, equations_exist,
+          texts_keep_the_solution, links_lead_somewhere, errata_are_shown, quotations_are_exact]
+
+if __name__ == "__main__":
+    sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

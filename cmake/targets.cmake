@@ -29,13 +29,23 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # g++ 12 sees overlaps in std::string 
   target_compile_options(workbook_strict INTERFACE -Wno-restrict)
 endif()
 # A reader's file may be half written: no word about what is not used yet, and no warning stops it,
-# but for a forgotten return, which would be a crash without a reason. An index outside a vector
-# stops the program at once: without the check it reads what happens to lie there.
+# but for what would make a crash or a number without a reason: a forgotten return, a variable that
+# is read before it is set. Where the compiler cannot see the latter, the variable holds a huge
+# number instead of the zero that happens to lie there. An index outside a vector stops the program
+# at once: without the check it reads what happens to lie there.
 add_library(workbook_lenient INTERFACE)
 target_compile_definitions(workbook_lenient INTERFACE _GLIBCXX_ASSERTIONS)
 target_compile_options(workbook_lenient INTERFACE
-  -Wall -Wextra -Werror=return-type
+  -Wall -Wextra -Werror=return-type -Werror=uninitialized
   -Wno-unused-parameter -Wno-unused-variable -Wno-unused-but-set-variable)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(workbook_lenient INTERFACE -Werror=maybe-uninitialized)
+endif()
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-ftrivial-auto-var-init=pattern WORKBOOK_HAS_PATTERN)
+if(WORKBOOK_HAS_PATTERN)
+  target_compile_options(workbook_lenient INTERFACE -ftrivial-auto-var-init=pattern)
+endif()
 
 # add_twice(NAME KIND sources...): NAME in double and NAME_float.
 function(add_twice name kind)

@@ -48,7 +48,7 @@ class Answer:
 
 
 def read(path, regions):
-    """The answers of one file, each with its faults. \\param regions how many its exercise has"""
+    """The answers of one file, each with its faults. `regions`: how many its exercise has."""
     found, answer = [], None
     for number, line in enumerate(path.read_text().rstrip("\n").split("\n"), 1):
         if match := HEADING.match(line):

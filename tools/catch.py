@@ -18,12 +18,12 @@ class Outcome:
     failed: list = field(default_factory=list)  # (name, words)
 
 
-def run(program, env=None, each=lambda name: None):
+def run(program, only="", env=None, each=lambda name: None):
     """Every case of a program. One that crashes or does not end is named; the rest is run again
-    without it. \\param each is told the name of every case as it begins"""
+    without it. `only` is a filter of Catch2's, `each` is told every case's name as it begins."""
     outcome, without = Outcome(), []
     while True:
-        text, stopped, status = once(program, without, env, each)
+        text, stopped, status = once(program, only, without, env, each)
         names = [unescape(name) for name in re.findall(r'<TestCase name="([^"]*)"', text)]
         tree = parsed(text)
         if tree is not None:
@@ -43,10 +43,10 @@ def run(program, env=None, each=lambda name: None):
         without = without + [culprit] if tree is None else without + names
 
 
-def once(program, without, env, each):
+def once(program, only, without, env, each):
     """One process: (its XML, whether it was stopped, exit status)."""
-    filter_ = [" ".join(f'~"{escape(name)}"' for name in without)] if without else []
-    process = subprocess.Popen([program, *filter_, "-r", "xml"], stdout=subprocess.PIPE,
+    filter_ = only + "".join(f' ~"{escape(name)}"' for name in without)
+    process = subprocess.Popen([program, *([filter_] if filter_ else []), "-r", "xml"], stdout=subprocess.PIPE,
                                stderr=subprocess.DEVNULL, text=True, errors="replace", env=env)
     last, stopped = [time.time()], []
 

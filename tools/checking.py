@@ -66,6 +66,14 @@ def chosen(words, quick, sanitize):
     """The programs and scripts that were asked for."""
     found, scripts = programs(), dict(PROOFS)
     for word in words:
+        if marked(word):  # an erratum, an identity, a case: wherever its tests are
+            folders = {path.parent.name for path in (house.ROOT / "tests").glob("*/*_test.cpp")
+                       if marked(word) in path.read_text()}
+            if not folders:
+                raise house.Trouble(f"check {word}: no test has this name")
+            found = [one for one in found if one.topic in folders and one.kind == "topic"]
+            scripts = {}
+            continue
         topics = sorted({one.topic for one in programs()} | set(PROOFS.values()))
         topic = word if word in topics else house.chapter_of(word).folder \
             if re.match(r"\d", word) else None
@@ -78,6 +86,19 @@ def chosen(words, quick, sanitize):
         found = [one for one in found if one.number == "double"]
         scripts = {} if sanitize else scripts
     return found, scripts
+
+
+def marked(word):
+    """How the tests of E26, I15 or X1 are marked in their source; "" for other words."""
+    if not re.fullmatch(r"[EIX]\d+", word):
+        return ""
+    return f"[{word}]" if word[0] == "E" else f'TEST_CASE("{word} '
+
+
+def filter_of(words):
+    """Catch2's filter for what was asked for."""
+    return "".join(f"[{word}]" if word[0] == "E" else f'"{word} *"'
+                   for word in words if marked(word))
 
 
 def build(found, scripts, everything):
@@ -94,7 +115,7 @@ def build(found, scripts, everything):
 
 # ---- jobs ----------------------------------------------------------------------------------------
 
-def run_catch(program, report):
+def run_catch(program, only, report):
     """All cases of a program."""
     with tempfile.NamedTemporaryFile("r", prefix="joints_") as counts:
         env = dict(os.environ, WORKBOOK_COUNTS=counts.name)
@@ -102,7 +123,7 @@ def run_catch(program, report):
         def each(name):
             report.done += 1
             house.progress(f"{report.done} tests done: {program.topic}, {name}")
-        outcome = catch.run(program.path, env, each)
+        outcome = catch.run(program.path, only, env, each)
         for line in counts:
             what, number = line.rsplit(" ", 1)
             report.proved[what] += int(number)
@@ -154,12 +175,12 @@ def run_script(path, report):
             1, len(re.findall(r"^holds", result.stdout, re.M)))
 
 
-def jobs_of(found, scripts, report):
+def jobs_of(found, scripts, only, report):
     """Everything that there is to run, the long ones first."""
     jobs = [lambda path=path: run_script(path, report) for path in scripts]
     for one in found:
         if one.kind != "answers" and one.path.exists():
-            jobs.append(lambda one=one: run_catch(one, report))
+            jobs.append(lambda one=one: run_catch(one, only, report))
     for one in (one for one in found if one.kind == "answers" and one.path.exists()):
         chapter = house.chapter_of(one.topic)
         if one.number == "numbers":
@@ -191,7 +212,7 @@ def check(arguments):
     if log:
         report.fail("the build", house.compiler_words(log), "ninja -C " + house.short(house.BUILD))
     with house.talking(), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        for done in [pool.submit(job) for job in jobs_of(found, scripts, report)]:
+        for done in [pool.submit(job) for job in jobs_of(found, scripts, filter_of(words), report)]:
             done.result()
     house.progress_done()
     summary(report, quick, sanitize, words)

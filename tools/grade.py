@@ -105,7 +105,7 @@ def read_case(grade, case, chapter):
 
 def run(program, ids, timeout=10, answer=None):
     """Runs the tests of these exercises in one process: Catch's XML, or words if it did not end
-    well. \\param answer the known answer to run (tools/answers.py)"""
+    well. `answer` is the known answer to run (tools/answers.py), if it is one."""
     filter_ = ",".join(f"[{id_}]" for id_ in ids)
     env = dict(os.environ, WORKBOOK_ANSWER=answer) if answer else None
     try:

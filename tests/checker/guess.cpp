@@ -1,6 +1,7 @@
 // Guessing what went wrong in a J or K from the entries that are wrong, and the reports of both.
 #include <algorithm>
 
+#include "tests/checker/proved.h"
 #include "tests/checker/report.h"
 
 namespace joints::testing {
@@ -218,7 +219,11 @@ Table table_for(const Sample& s) {
 std::string jacobian_report(const std::vector<std::string>& rows, std::vector<Sample> samples,
                             double tolerance) {
   const Sample* wrong = first_wrong(samples, tolerance);
-  if (!wrong) return "";
+  if (!wrong) {
+    proved("Jacobians");
+    proved("poses of Jacobians", long(samples.size()));
+    return "";
+  }
   Table table = table_for(*wrong);
   std::string map = "\n        v1   w1   v2   w2     (x wrong, . right)\n";
   for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -240,7 +245,11 @@ std::string jacobian_report(const std::vector<std::string>& rows, std::vector<Sa
 std::string K_report(const std::vector<std::string>& rows, std::vector<Sample> samples,
                      double tolerance) {
   const Sample* wrong = first_wrong(samples, tolerance);
-  if (!wrong) return "";
+  if (!wrong) {
+    proved("effective masses");
+    proved("poses of effective masses", long(samples.size()));
+    return "";
+  }
   Table table = table_for(*wrong);
   const std::size_t n = rows.size();
   for (std::size_t i = 0; i < n * n; ++i)

@@ -46,8 +46,9 @@ def run(program, only="", env=None, each=lambda name: None):
 def once(program, only, without, env, each):
     """One process: (its XML, whether it was stopped, exit status)."""
     filter_ = only + "".join(f' ~"{escape(name)}"' for name in without)
-    process = subprocess.Popen([program, *([filter_] if filter_ else []), "-r", "xml"], stdout=subprocess.PIPE,
-                               stderr=subprocess.DEVNULL, text=True, errors="replace", env=env)
+    command = [program, "-r", "xml"] + ([filter_] if filter_ else [])
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                               text=True, errors="replace", env=env)
     last, stopped = [time.time()], []
 
     def watch():

@@ -70,8 +70,10 @@ def judge_answer(answer, program, chapter, report):
         or judge.faults_of(answer, program.path, chapter)
     if not faults:
         report.passed["answers", chapter.folder, answer.kind] += 1
-    for line, words in faults[:1]:
-        report.fail(f"{house.short(answer.file)}:{line}: {answer.name}", words,
+    else:
+        place = house.short(answer.file)
+        others = "".join(f"\n{place}:{line}: {words}" for line, words in faults[1:])
+        report.fail(f"{place}:{faults[0][0]}: {answer.name}", faults[0][1] + others,
                     f'WORKBOOK_ANSWER="{answer.name}" {house.short(program.path)} "[{answer.id}]"')
 
 

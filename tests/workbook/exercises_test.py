@@ -3,6 +3,7 @@ import os
 import re
 import sys
 from collections import Counter
+from itertools import zip_longest
 
 from proofs import exercises, house, main, notes, prose, read, regions, section, sections
 
@@ -15,7 +16,9 @@ def stubs_are_fresh(root, build):
         fresh, mine = exercises.stub(read(chapter.solution)), read(chapter.mine)
         where = chapter.mine.relative_to(root)
         if fresh != mine and os.environ.get("CI") == "true":
-            yield f"{where} differs from the stub of the solution"
+            pairs = zip_longest(fresh.split("\n"), mine.split("\n"))
+            line = next(n for n, (a, b) in enumerate(pairs, 1) if a != b)
+            yield f"{where}:{line}: differs from the stub of the solution"
         elif fresh != mine:
             try:
                 same = exercises.outside(fresh) == exercises.outside(mine)

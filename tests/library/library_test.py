@@ -36,7 +36,7 @@ def look_at_installed(root, build, prefix):
     include = prefix / "include" / "joints"
     for path in sorted(p for p in prefix.rglob("*") if p.suffix in (".h", ".cmake")):
         text = path.read_text()
-        if any(str(place) in text for place in (root, build)):
+        if any(re.search(rf"(?<![\w/.]){re.escape(str(place))}/", text) for place in (root, build)):
             raise Wrong(f"{path.relative_to(prefix)} names the folder it was made in")
         for header in re.findall(r'^\s*#include "([^"]+)"', text, re.M):
             if not (include / header).is_file():

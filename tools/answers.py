@@ -3,6 +3,7 @@
     // ---- wrong: sign of the row          or right: ..., or wrong units: ...
     // expects: words of the report         what a wrong answer must be told; the first such line
     // region: 2                            must stand in the report that a reader sees first
+    // tests: 1.5                           those of 1.5 judge it, once its own have found it right
       the lines that take the place of the solution's
 
 All answers of a chapter become one source: in each region `if (chosen == k) {answer} else
@@ -19,7 +20,7 @@ import exercises
 
 KINDS = ("wrong units", "wrong", "right")
 HEADING = re.compile(rf"// ---- ({'|'.join(KINDS)}): (\S.*)$")
-MARK = re.compile(r"\s*//\s*(-{2,}|={2,}|expects?\b|regions?\b)", re.I)
+MARK = re.compile(r"\s*//\s*(-{2,}|={2,}|expects?\b|regions?\b|tests?\b)", re.I)
 STUB = "stub"  # the choice that leaves every exercise unwritten
 
 
@@ -32,6 +33,7 @@ class Answer:
     file: Path
     line: int                                     # of its heading
     region: int = 1                               # which of the regions that share the id
+    tests: str = ""                               # the exercise that finds it out, not its own
     promises: list = field(default_factory=list)  # (line, words)
     body: list = field(default_factory=list)
     first: int = 0                                # the line of the file where the body begins
@@ -64,9 +66,12 @@ def read(path, regions):
             answer.promises.append((number, match[1].strip()))
         elif match := re.match(r"// region: (\d+)$", line):
             answer.region = int(match[1])
+        elif match := re.match(r"// tests: (\d+\.\d+)$", line):
+            answer.tests = match[1]
         elif MARK.match(line):
             answer.faults.append((number, f"'{line.strip()}' is neither a heading (// ---- wrong: "
-                                          "words) nor // expects: words nor // region: 2"))
+                                          "words) nor // expects: words nor // region: 2 nor "
+                                          "// tests: 1.5"))
         else:
             answer.first = answer.first or number
             answer.body.append(line)
@@ -93,6 +98,9 @@ def faults_of(answer, regions):
         answer.faults.append((answer.promises[0][0], "a right answer expects no report"))
     if not 1 <= answer.region <= regions:
         answer.faults.append((answer.line, f"exercise {answer.id} has no region {answer.region}"))
+    if answer.tests == answer.id or answer.tests and answer.kind == "wrong units":
+        answer.faults.append((answer.line, "'// tests:' names another exercise than its own; units "
+                                           "are asked of its own alone"))
     depth = 0
     code = re.sub(r'"(\\.|[^"\\])*"|\'(\\.|[^\'\\])\'|//[^\n]*', "", "\n".join(answer.body))
     for k, line in enumerate(code.split("\n")):

@@ -23,27 +23,39 @@ def faults_of(answer, program, chapter):
         if not sentence:
             return [(answer.line, "the units find nothing wrong with this answer")]
         return broken_promises(answer, [sentence])
-    one = grading.Grade(answer.id)
-    tree = grading.run(program, [answer.id], answer=answer.name)
-    if isinstance(tree, str):
-        grading.worse(one, grading.WRONG)
-        one.failures.append(("", tree))
-    else:
-        grading.read(tree, {one.id: one}, chapter)
-        if not one.tests:
-            return [(answer.line, f"exercise {answer.id} has no test")]
+    one, trouble = graded(answer, answer.id, program, chapter)
+    if answer.tests and not trouble:
+        if one.status != grading.DONE:
+            return [(answer.line, f"the tests of {answer.id} find this answer out, so that "
+                                  f"'// tests: {answer.tests}' is not needed")]
+        one, trouble = graded(answer, answer.tests, program, chapter)
+    if trouble:
+        return [(answer.line, trouble)]
     reports = [report for _, report in one.failures]
-    for report in reports:
-        for bad in ("the answer ends without a return", "no such answer"):
-            if bad in report:
-                return [(answer.line, fold(report))]
     if answer.kind == "right":
         right = one.status == grading.DONE
         return [] if right else [(answer.line, "this right answer is called wrong:\n"
                                   + (reports[0] if reports else one.words()))]
     if one.status == grading.DONE:
-        return [(answer.line, f"this wrong answer passes every test of {answer.id}")]
+        return [(answer.line, f"this wrong answer passes every test of {one.id}")]
     return broken_promises(answer, reports)
+
+
+def graded(answer, id_, program, chapter):
+    """What the tests of an exercise make of an answer, and why they cannot judge it, "" if they
+    can."""
+    one = grading.Grade(id_)
+    tree = grading.run(program, [id_], answer=answer.name)
+    if isinstance(tree, str):
+        grading.worse(one, grading.WRONG)
+        one.failures.append(("", tree))
+    else:
+        grading.read(tree, {id_: one}, chapter)
+        if not one.tests:
+            return one, f"exercise {id_} has no test"
+    bad = ("the answer ends without a return", "no such answer")
+    return one, next((fold(report) for _, report in one.failures
+                      if any(words in report for words in bad)), "")
 
 
 def broken_promises(answer, reports):

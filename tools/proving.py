@@ -74,7 +74,8 @@ def judge_answer(answer, program, chapter, report):
         place = house.short(answer.file)
         others = "".join(f"\n{place}:{line}: {words}" for line, words in faults[1:])
         report.fail(f"{place}:{faults[0][0]}: {answer.name}", faults[0][1] + others,
-                    f'WORKBOOK_ANSWER="{answer.name}" {house.short(program.path)} "[{answer.id}]"')
+                    f'WORKBOOK_ANSWER="{answer.name}" {house.short(program.path)} '
+                    f'"[{answer.tests or answer.id}]"')
 
 
 def judge_stub(program, chapter, report):

@@ -1,0 +1,102 @@
+// Exercise 1.5: the clamped sum of a rope, cases and the usual mistakes.
+#pragma once
+
+#include "chapters/01_distance/distance.h"
+#include "tests/checker/whole_cases.h"
+
+namespace joints::testing {
+
+struct ClampCase {
+  std::string words;
+  double sum, dlambda;
+};
+
+inline WholeTable<ClampCase> clamp_table() {
+  using C = const ClampCase&;
+  // what is returned, and the new sum
+  const auto grown = [](C c) { return std::max(c.sum + c.dlambda, 0.0) - c.sum; };
+  const auto right = [=](C c) { return Numbers{grown(c), c.sum + grown(c)}; };
+  const auto refuses = [](C c) { return c.sum + c.dlambda < 0; };
+  const char* const each = "each impulse is clamped: it is the sum that must not push";
+  const char* const old_sum =
+      "0 is returned: the old sum must be remembered before the new one is stored";
+  const char* const too_much = "where more is asked back than there is, all that is there is given "
+                               "back: minus the old sum";
+  WholeTable<ClampCase> table{
+      {"1.5", "the clamped sum of a rope"},
+      {"returned", "new sum"},
+      [](C c) {
+        real sum = real(c.sum);
+        const real applied = clamp_sum(real(c.dlambda), sum);
+        return Numbers{double(applied), double(sum)};
+      },
+      right,
+      {{"nothing is clamped", [](C c) { return Numbers{c.dlambda, c.sum + c.dlambda}; }},
+       {"nothing is done", [](C c) { return Numbers{0, c.sum}; }},
+       {old_sum, [=](C c) { return Numbers{0, right(c)[1]}; }},
+       {each, [](C c) {
+          const double applied = std::max(c.dlambda, 0.0);
+          return Numbers{applied, c.sum + applied};
+        }},
+       {each, [](C c) { return Numbers{std::max(c.dlambda, 0.0), std::max(c.dlambda, 0.0)}; }},
+       {each, [](C c) { return Numbers{std::max(c.dlambda, 0.0), c.sum}; }},
+       {"all of dlambda is returned: return by how much the sum grew",
+        [=](C c) { return Numbers{c.dlambda, right(c)[1]}; }},
+       {"the new sum is returned instead of its growth",
+        [=](C c) { return Numbers{right(c)[1], right(c)[1]}; }},
+       {"the new sum is returned instead of its growth, and it is not kept",
+        [=](C c) { return Numbers{right(c)[1], c.sum}; }},
+       {"the sum is not kept", [=](C c) { return Numbers{grown(c), c.sum}; }},
+       {"the sign of the growth: new minus old",
+        [=](C c) { return Numbers{-grown(c), right(c)[1]}; }},
+       {"max and min are mixed up: the sum must not fall below 0", [](C c) {
+          const double sum = std::min(c.sum + c.dlambda, 0.0);
+          return Numbers{sum - c.sum, sum};
+        }},
+       {"the sum becomes dlambda: it must grow by it", [](C c) {
+          const double sum = std::max(c.dlambda, 0.0);
+          return Numbers{sum - c.sum, sum};
+        }},
+       {"the sign of dlambda: the sum grows by it", [](C c) {
+          const double sum = std::max(c.sum - c.dlambda, 0.0);
+          return Numbers{sum - c.sum, sum};
+        }},
+       {"the sum is changed before its growth is computed from it, so that dlambda counts twice",
+        [=](C c) {
+          const double sum = right(c)[1];
+          return Numbers{std::max(sum + c.dlambda, 0.0) - sum, sum};
+        }},
+       {"dlambda is added twice", [=](C c) {
+          const double sum = right(c)[1] + c.dlambda;
+          return Numbers{sum - c.sum, sum};
+        }},
+       {too_much, [=](C c) { return refuses(c) ? Numbers{0, c.sum} : right(c); }},
+       {too_much, [=](C c) { return refuses(c) ? Numbers{0, 0} : right(c); }},
+       {too_much, [=](C c) { return refuses(c) ? Numbers{c.sum, 0} : right(c); }},
+       {"the sum is not kept where more is asked back than there is: it is 0 then",
+        [=](C c) { return refuses(c) ? Numbers{-c.sum, c.sum} : right(c); }},
+       {"the sum is kept only where more is asked back than there is",
+        [=](C c) { return refuses(c) ? right(c) : Numbers{c.dlambda, c.sum}; }},
+       {"the size of the sum is taken: below 0 it becomes 0", [](C c) {
+          const double sum = std::abs(c.sum + c.dlambda);
+          return Numbers{sum - c.sum, sum};
+        }},
+       {"dlambda must not be below minus the sum, not below the sum", [](C c) {
+          const double grown = std::max(c.dlambda, c.sum);
+          return Numbers{grown, c.sum + grown};
+        }},
+       {"the sum has no upper bound", [](C c) {
+          const double sum = std::clamp(c.sum + c.dlambda, 0.0, 1.0);
+          return Numbers{sum - c.sum, sum};
+        }},
+       {"a small dlambda is left out: a light body needs only a small one",
+        [=](C c) { return std::abs(c.dlambda) < 1e-4 ? Numbers{0, c.sum} : right(c); }}},
+      {{"sum 0 N s, dlambda 2 N s", 0, 2}, {"sum 0 N s, dlambda -1 N s", 0, -1},
+       {"sum 3 N s, dlambda -1 N s", 3, -1}, {"sum 3 N s, dlambda -5 N s", 3, -5},
+       {"sum 3 N s, dlambda 0.5 N s", 3, 0.5}, {"sum 2 N s, dlambda -2 N s", 2, -2},
+       {"sum 5e-9 N s, dlambda 3e-9 N s", 5e-9, 3e-9}}};
+  table.tolerance = is_float ? rounding : 1e-13;
+  return table;
+}
+
+}  // namespace joints::testing

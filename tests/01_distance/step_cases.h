@@ -1,0 +1,194 @@
+// Exercise 1.4: scenes for the step, and the tables of the reader's step beside the right one.
+#pragma once
+
+#include "engine/todo.h"
+#include "tests/01_distance/step_impulses.h"
+
+namespace joints::testing {
+
+inline StepSettings settings_of(const vec3& gravity, real h, int iterations, real beta) {
+  return {gravity, h, iterations, beta};
+}
+
+inline std::vector<Scene> free_scenes() {
+  std::vector<Body> thrown{static_body(vec3(0)), ball(real(0.5), 1, vec3(0, 1, 0)),
+                           ball(3, 1, vec3(2, 0, 1))};
+  thrown[1].v = vec3(1, 2, -1);
+  thrown[2].v = vec3(-2, 1, real(0.5));
+  return {{"a ball of 2 kg falls, h = 1/60 s, 3 steps",
+           {ball(2, 1, vec3(0)), static_body(vec3(1, 1, 1))}, {}, {}, 3},
+          {"two balls are thrown, gravity (1, -2, 3) m/s^2, h = 1/25 s, 2 steps", thrown, {},
+           settings_of(vec3(1, -2, 3), real(0.04), 7, real(0.2)), 2}};
+}
+
+/// A chain of balls that fly apart: a light one carries heavy ones, so that many iterations are
+/// needed. The errors are 0.
+inline std::vector<Body> chain(real mass) {
+  std::vector<Body> bodies{ball(9 * mass, real(0.1), vec3(real(1.2), real(0.4), 0)),
+                           static_body(vec3(0, 2, 0)),
+                           ball(mass, real(0.1), vec3(real(0.6), real(1.2), 0)),
+                           ball(4 * mass, real(0.1), vec3(2, 0, 1))};
+  bodies[0].v = vec3(2, -1, real(0.5));
+  bodies[2].v = vec3(-1, -1, 1);
+  bodies[3].v = vec3(1, 0, 2);
+  return bodies;
+}
+inline std::vector<Link> chain_links(bool first_rope, bool last_rope) {
+  return {{2, 0, 1, first_rope}, {1, 2, 1}, {3, 0, std::sqrt(real(1.8)), last_rope}};
+}
+
+inline std::vector<Scene> rod_scenes() {
+  const vec3 none(0);
+  const real h = real(0.025);
+  const auto on_a_rod = [](const vec3& place, const vec3& v) {
+    std::vector<Body> bodies{static_body(vec3(0)), ball(2, 1, place)};
+    bodies[1].v = v;
+    return bodies;
+  };
+  const auto settings = [&](int iterations) {
+    return settings_of(none, h, iterations, real(0.3));
+  };
+  std::vector<Scene> out{
+      {"a rod of 1 m that is 0.1 m too long, beta = 0.3, h = 1/40 s, no gravity",
+       on_a_rod(vec3(real(1.1), 0, 0), none), {{0, 1, 1}}, settings(9)},
+      {"a rod of 1 m that is 0.1 m too short, beta = 0.3, h = 1/40 s, no gravity",
+       on_a_rod(vec3(0, real(0.9), 0), none), {{0, 1, 1}}, settings(9)},
+      {"a ball that flies past, held by a rod of the right length, no gravity",
+       on_a_rod(vec3(0, -1, 0), vec3(1, -1, 0)), {{0, 1, 1}}, settings(9)}};
+  for (int iterations : {1, 3, 10, 70})
+    out.push_back({"three rods in a chain, " + std::to_string(iterations) +
+                   (iterations == 1 ? " iteration" : " iterations"),
+                   chain(1), chain_links(false, false), settings(iterations)});
+  out.push_back({"the chain again, its balls of a microgram, 10 iterations", chain(real(1e-9)),
+                 chain_links(false, false), settings(10)});
+  return out;
+}
+
+inline std::vector<Scene> falling_rod_scenes() {
+  std::vector<Body> pendulum{static_body(vec3(0)), ball(1, real(0.1), vec3(0, -1, 0))};
+  pendulum[1].v = vec3(1, -1, 0);
+  return {{"a pendulum at its lowest point, h = 1/60 s", pendulum, {{0, 1, 1}}, {}},
+          {"the chain falls, gravity (1, -9, 2) m/s^2, h = 1/40 s, 10 iterations, 2 steps",
+           chain(1), chain_links(false, false),
+           settings_of(vec3(1, -9, 2), real(0.025), 10, real(0.3)), 2}};
+}
+
+inline std::vector<Scene> rope_scenes() {
+  const Body wall = static_body(vec3(0));
+  std::vector<Body> pulled{ball(1, real(0.1), vec3(0)), static_body(vec3(-1, 0, 0)),
+                           static_body(vec3(real(-0.8), real(-0.6), 0))};
+  pulled[0].v = vec3(1, 3, 0);
+  std::vector<Body> askew{ball(1, real(0.1), vec3(0)), static_body(vec3(0, -1, 0)),
+                          static_body(vec3(real(-0.6), real(-0.8), 0))};
+  askew[0].v = vec3(3, 3, 0);
+  std::vector<Body> mixed = chain(1);
+  mixed[3].v = vec3(-1, 1, -1);
+  const auto still = [](int iterations) {
+    return settings_of(vec3(0), real(0.025), iterations, real(0.3));
+  };
+  return {{"a body falls, its rope is slack", {wall, ball(1, real(0.1), vec3(0, real(-0.5), 0))},
+           {{0, 1, 1, true}}, {}},
+          {"a body falls to the end of its rope within the step",
+           {wall, ball(1, real(0.1), vec3(0, real(-0.999), 0))}, {{0, 1, 1, true}}, {}},
+          {"two ropes share a body, so that the first has pulled too much, 200 iterations", pulled,
+           {{1, 0, 1, true}, {2, 0, 1, true}}, still(200)},
+          {"two ropes pull askew, so that the first gives back again and again, 4 iterations",
+           askew, {{1, 0, 1, true}, {2, 0, 1, true}}, still(4)},
+          {"a rope, a rod and a rope in a chain, 4 iterations", mixed, chain_links(true, true),
+           still(4)},
+          {"a body hangs from a rope, 60 steps", {wall, ball(1, real(0.1), vec3(0, -1, 0))},
+           {{0, 1, 1, true}}, {}, 60}};
+}
+
+/// The reader's step.
+inline Numbers stepped(const Scene& scene) {
+  std::vector<Body> bodies = scene.bodies;
+  for (int n = 0; n < scene.steps; ++n) {
+    try {
+      step(bodies, scene.links, scene.settings);
+    } catch (const NotDone& todo) {
+      const auto rope = [](const Link& link) { return link.rope; };
+      if (todo.id != "1.5" || std::any_of(scene.links.begin(), scene.links.end(), rope)) throw;
+      fail({"1.4", "the step"}, "Likely mistake: clamp_sum is called for a rod, which pushes, too. "
+                                "Ask link.rope first\n");
+    }
+  }
+  return numbers_of(bodies);
+}
+
+/// A step may visit the links in any order: the one in which yours is right, or else from first to
+/// last.
+inline Way order_of_yours() {
+  const auto forward = Way{}.visits;
+  const auto turned = [=](int links, int n, bool back) {
+    std::vector<int> out = forward(links, n);
+    if (back) std::reverse(out.begin(), out.end());
+    return out;
+  };
+  std::vector<Way> ways(4);
+  ways[1].visits = [=](int links, int n) { return turned(links, n, true); };
+  ways[2].visits = [=](int links, int n) { return turned(links, n, n % 2 == 1); };
+  ways[3].visits = [=](int links, int n) { return turned(links, n, n % 2 == 0); };
+  for (const Way& way : ways) {
+    bool fits = true;
+    for (const Scene& s : rod_scenes())
+      fits = fits && close(stepped(s), walked(s, way), 10 * rounding);
+    if (fits) return way;
+  }
+  return {};
+}
+
+/// Mistakes that explain all scenes come first, so that some scenes alone do not mislead. Each is
+/// tried with the links from first to last and from last to first.
+inline Ways sorted_mistakes(const std::vector<Scene>& all) {
+  Ways ways = step_mistakes();
+  for (std::size_t k = 0, count = ways.size(); k < count; ++k) {
+    ways.push_back(ways[k]);
+    Way& way = ways.back().second;
+    way.visits = [visits = way.visits](int links, int n) {
+      std::vector<int> out = visits(links, n);
+      std::reverse(out.begin(), out.end());
+      return out;
+    };
+  }
+  std::stable_partition(ways.begin(), ways.end(), [&](const auto& way) {
+    return std::all_of(all.begin(), all.end(), [&](const Scene& s) {
+      return close(stepped(s), walked(s, way.second), 10 * rounding);
+    });
+  });
+  return ways;
+}
+
+/// Some of the scenes beside the right step. \param all what a mistake must explain
+inline WholeTable<Scene> table_of(const Subject& subject, const std::vector<Scene>& scenes,
+                                 const std::vector<Scene>& all) {
+  const Way right = order_of_yours();
+  WholeTable<Scene> table{subject, step_entries(), stepped,
+                         [=](const Scene& s) { return walked(s, right); }, {}, scenes};
+  table.tolerance = 10 * rounding;
+  if (!table.holds())
+    for (const auto& [words, way] : sorted_mistakes(all))
+      table.mistakes.push_back(
+          {words, [way = way](const Scene& s) { return walked(s, way); }});
+  return table;
+}
+
+inline std::vector<Scene> scenes_without_ropes() {
+  std::vector<Scene> all = free_scenes();
+  for (const auto& more : {rod_scenes(), falling_rod_scenes()})
+    all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+/// Some of the scenes of exercise 1.4.
+inline WholeTable<Scene> step_table(const std::vector<Scene>& scenes) {
+  return table_of({"1.4", "the step"}, scenes, scenes_without_ropes());
+}
+/// The scenes with ropes: to be asked once clamp_sum is right by itself.
+inline WholeTable<Scene> rope_table() {
+  std::vector<Scene> all = scenes_without_ropes();
+  for (const Scene& scene : rope_scenes()) all.push_back(scene);
+  return table_of({"1.4", "the step, with ropes. Your clamp_sum (1.5) is right by itself"},
+                  rope_scenes(), all);
+}
+
+}  // namespace joints::testing

@@ -2,8 +2,7 @@
 
 // ---- wrong: J without transpose
 // region: 2
-// expects: Likely mistake: the sign: velocities grow by +M^-1 J^T lambda
-// expects: Likely mistake: J where J^T belongs: the sign of the turn
+// expects: Likely mistake: J where J^T belongs: row i pushes along J[i] with lambda[i]
   vec3 push1, turn1, push2, turn2;
   for (int i = 0; i < 3; ++i) {
     push1[i] = dot(J[i].v1, lambda);
@@ -32,6 +31,235 @@
   for (int i = 0; i < 3; ++i)
     lambda[i] = -(row_velocity(J[i], body1, body2) + bias[i]) / K[i][i];
   return lambda;
+
+// ---- wrong: sign of the impulse
+// expects: Likely mistake: the sign: the impulse works against J V + b
+  vec3 e = bias;
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
+  return inverse(K) * e;
+
+// ---- wrong: first rate left out
+// expects: Likely mistake: J V of the first row is left out
+  vec3 e = bias;
+  for (int i = 1; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
+  return -inverse(K) * e;
+
+// ---- wrong: last rate left out
+// expects: Likely mistake: J V of the last row is left out
+  vec3 e = bias;
+  for (int i = 0; i < 2; ++i) e[i] += row_velocity(J[i], body1, body2);
+  return -inverse(K) * e;
+
+// ---- wrong: first rate in all rows
+// expects: Likely mistake: J V of the first row in all three
+  vec3 e = bias;
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[0], body1, body2);
+  return -inverse(K) * e;
+
+// ---- wrong: sign of the bias
+// expects: Likely mistake: the sign of the bias
+  vec3 e = -bias;
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
+  return -inverse(K) * e;
+
+// ---- wrong: bias overwritten
+// expects: Likely mistake: the bias is missing: the error is not fed back
+  vec3 e = bias;
+  for (int i = 0; i < 3; ++i) e[i] = row_velocity(J[i], body1, body2);
+  return -inverse(K) * e;
+
+// ---- wrong: bodies exchanged in J V
+// expects: Likely mistake: bodies 1 and 2 are exchanged in J V
+  vec3 e = bias;
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body2, body1);
+  return -inverse(K) * e;
+
+// ---- wrong: angular velocities left out
+// expects: Likely mistake: the angular velocities are missing in J V
+  vec3 e = bias;
+  for (int i = 0; i < 3; ++i) e[i] += dot(J[i].v1, body1.v) + dot(J[i].v2, body2.v);
+  return -inverse(K) * e;
+
+// ---- wrong: blocks v taken for known
+// expects: Likely mistake: J V is written out as if J.v1 and J.v2 were -E and E
+  vec3 e = bias;
+  for (int i = 0; i < 3; ++i)
+    e[i] += body2.v[i] - body1.v[i] + dot(J[i].w1, body1.w) + dot(J[i].w2, body2.w);
+  return -inverse(K) * e;
+
+// ---- wrong: small K taken for singular
+// expects: Likely mistake: nothing is done where K is small
+  vec3 e = bias;
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
+  if (std::abs(determinant(K)) < real(1e-3)) return vec3(0);
+  return -inverse(K) * e;
+
+// ---- wrong: only where there is a gap
+// expects: Likely mistake: nothing is done where the bias is 0
+  vec3 e = bias;
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
+  if (length(bias) < real(1e-3)) return vec3(0);
+  return -inverse(K) * e;
+
+// ---- wrong: without K
+// expects: Likely mistake: K is missing: a velocity is no impulse
+  vec3 e = bias;
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
+  return -e;
+
+// ---- wrong: sums that were never set
+// expects: Likely mistake: a value that was never set
+  real f[3];
+  for (int i = 0; i < 3; ++i) f[i] += row_velocity(J[i], body1, body2) + bias[i];
+  const vec3 e(f[0], f[1], f[2]);
+  return -inverse(K) * e;
+
+// ---- wrong: rows one after the other
+// expects: Likely mistake: the rows are solved one after the other
+  vec3 e = bias, l(0);
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
+  for (int n = 0; n < 20; ++n)
+    for (int i = 0; i < 3; ++i) l[i] -= (e + K * l)[i] / K[i][i];
+  return l;
+
+// ---- wrong: first row left out
+// region: 2
+// expects: Likely mistake: the first row is left out: rows are J[0], J[1], J[2] (v1, w1, v2 and w2)
+  for (int i = 1; i < 3; ++i) {
+    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
+    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
+    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
+    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
+  }
+
+// ---- wrong: last row left out
+// region: 2
+// expects: Likely mistake: the last row is left out
+  for (int i = 0; i < 2; ++i) {
+    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
+    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
+    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
+    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
+  }
+
+// ---- wrong: only the first row
+// region: 2
+// expects: Likely mistake: only the first row pushes
+  for (int i = 0; i < 3; ++i) {
+    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
+    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
+    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
+    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
+    return;
+  }
+
+// ---- wrong: velocities set
+// region: 2
+// expects: Likely mistake: the velocity is set where it must grow: += and not = (v1, w1, v2 and w2)
+  for (int i = 0; i < 3; ++i) {
+    body1.v = body1.inverse_mass * lambda[i] * J[i].v1;
+    body1.w = inverse_inertia(body1) * (lambda[i] * J[i].w1);
+    body2.v = body2.inverse_mass * lambda[i] * J[i].v2;
+    body2.w = inverse_inertia(body2) * (lambda[i] * J[i].w2);
+  }
+
+// ---- wrong: lambda added to v
+// region: 2
+// expects: Likely mistake: lambda is added without J.v1 and J.v2
+  body1.v -= body1.inverse_mass * lambda;
+  body2.v += body2.inverse_mass * lambda;
+  for (int i = 0; i < 3; ++i) {
+    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
+    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
+  }
+
+// ---- wrong: minus for body 1
+// region: 2
+// expects: Likely mistake: the sign: velocities grow by +M^-1 J^T lambda (v1 and w1)
+  for (int i = 0; i < 3; ++i) {
+    body1.v -= body1.inverse_mass * lambda[i] * J[i].v1;
+    body1.w -= inverse_inertia(body1) * (lambda[i] * J[i].w1);
+    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
+    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
+  }
+
+// ---- wrong: minus for the turns
+// region: 2
+// expects: Likely mistake: the sign: velocities grow by +M^-1 J^T lambda (w1 and w2)
+  for (int i = 0; i < 3; ++i) {
+    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
+    body1.w -= inverse_inertia(body1) * (lambda[i] * J[i].w1);
+    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
+    body2.w -= inverse_inertia(body2) * (lambda[i] * J[i].w2);
+  }
+
+// ---- wrong: lambda[0] in every row
+// region: 2
+// expects: Likely mistake: lambda[0] in every row
+  for (int i = 0; i < 3; ++i) {
+    body1.v += body1.inverse_mass * lambda[0] * J[i].v1;
+    body1.w += inverse_inertia(body1) * (lambda[0] * J[i].w1);
+    body2.v += body2.inverse_mass * lambda[0] * J[i].v2;
+    body2.w += inverse_inertia(body2) * (lambda[0] * J[i].w2);
+  }
+
+// ---- wrong: J[0] in every row
+// region: 2
+// expects: Likely mistake: J[0] in every row
+  for (int i = 0; i < 3; ++i) {
+    body1.v += body1.inverse_mass * lambda[i] * J[0].v1;
+    body1.w += inverse_inertia(body1) * (lambda[i] * J[0].w1);
+    body2.v += body2.inverse_mass * lambda[i] * J[0].v2;
+    body2.w += inverse_inertia(body2) * (lambda[i] * J[0].w2);
+  }
+
+// ---- wrong: lambda times J number by number
+// region: 2
+// expects: Likely mistake: a vector times a vector is taken number by number
+  for (int i = 0; i < 3; ++i) {
+    body1.v += body1.inverse_mass * lambda * J[i].v1;
+    body1.w += inverse_inertia(body1) * (lambda * J[i].w1);
+    body2.v += body2.inverse_mass * lambda * J[i].v2;
+    body2.w += inverse_inertia(body2) * (lambda * J[i].w2);
+  }
+
+// ---- wrong: without inverse masses
+// region: 2
+// expects: Likely mistake: the inverse mass is missing (v1 and v2)
+  for (int i = 0; i < 3; ++i) {
+    body1.v += lambda[i] * J[i].v1;
+    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
+    body2.v += lambda[i] * J[i].v2;
+    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
+  }
+
+// ---- wrong: turns forgotten
+// region: 2
+// expects: Likely mistake: not changed at all (w1 and w2)
+  for (int i = 0; i < 3; ++i) {
+    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
+    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
+  }
+
+// ---- wrong: both shares to body 1
+// region: 2
+// expects: Likely mistake: the share of body 2 is given to body 1
+  for (int i = 0; i < 3; ++i) {
+    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
+    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
+    body1.v += body2.inverse_mass * lambda[i] * J[i].v2;
+    body1.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
+  }
+
+// ---- wrong: blocks of body 1 for both
+// region: 2
+// expects: Likely mistake: the block v of the other body (v2); the block w of the other body (w2)
+  for (int i = 0; i < 3; ++i) {
+    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
+    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
+    body2.v += body2.inverse_mass * lambda[i] * J[i].v1;
+    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w1);
+  }
 
 // ---- right: cholesky
 // K = L L^T: two triangular systems in the place of an inverse.
@@ -66,6 +294,25 @@
   body1.w += inverse_inertia(body1) * (w1 * lambda);
   body2.v += body2.inverse_mass * (v2 * lambda);
   body2.w += inverse_inertia(body2) * (w2 * lambda);
+
+// ---- right: vector times symmetric matrix
+  vec3 e = bias;
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
+  return -e * inverse(K);
+
+// ---- right: summed up first
+// region: 2
+  vec3 a(0), b(0), c(0), d(0);
+  for (int i = 0; i < 3; ++i) {
+    a += lambda[i] * J[i].v1;
+    b += lambda[i] * J[i].w1;
+    c += lambda[i] * J[i].v2;
+    d += lambda[i] * J[i].w2;
+  }
+  body1.v += a * body1.inverse_mass;
+  body1.w += inverse_inertia(body1) * b;
+  body2.v += c * body2.inverse_mass;
+  body2.w += inverse_inertia(body2) * d;
 
 // ---- wrong units: times K
 // expects: Units: lambda is in m/(kg s) and should be in kg m/s: an inverse mass where a mass

@@ -1,7 +1,7 @@
 // Known answers of exercise 2.4, each put in the place of the solution's.
 
 // ---- wrong: divides by zero
-// expects: q of a body at rest.w
+// expects: Case: a body at rest.
 // expects: Likely mistake: a division by zero
   const real angle = h * length(w);
   const vec3 v = std::sin(angle / 2) * w / length(w);
@@ -13,7 +13,7 @@
   return normalize(q + quat(0, v.x, v.y, v.z) * q);
 
 // ---- wrong: from the right
-// expects: Likely mistake: the turn is multiplied from the right: w is in world axes, not body axes
+// expects: Likely mistake: the turn is multiplied from the right
   const real angle = h * length(w);
   if (angle == 0) return q;
   const vec3 v = std::sin(angle / 2) * w / length(w);
@@ -25,6 +25,183 @@
   if (angle == 0) return q;
   const vec3 v = std::sin(angle) * w / length(w);
   return normalize(quat(std::cos(angle), v.x, v.y, v.z) * q);
+
+// ---- wrong: h forgotten
+// expects: Likely mistake: h is missing: the angle is h |w|
+  const real angle = length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: not normalised
+// expects: Likely mistake: the product is not normalised
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return (quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: small angles left out
+// expects: Likely mistake: a small angle is left out
+  const real angle = h * length(w);
+  if (angle < real(1e-3)) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: smaller angles left out
+// expects: Likely mistake: a small angle is left out
+  const real angle = h * length(w);
+  if (angle < real(1e-6)) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: slow bodies left out
+// expects: Likely mistake: a small angle is left out
+  const real angle = h * length(w);
+  if (length(w) < real(1e-3)) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: order of the four numbers
+// expects: Likely mistake: the order of the four numbers: quat(w, x, y, z)
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(v.x, v.y, v.z, std::cos(angle / 2)) * q);
+
+// ---- wrong: half of the angle in the cosine only
+// expects: Likely mistake: the half of the angle belongs to both
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: half of the half
+// expects: Likely mistake: the angle is halved twice
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 4) * axis;
+  return normalize(quat(std::cos(angle / 4), v.x, v.y, v.z) * q);
+
+// ---- wrong: sine and cosine exchanged
+// expects: Likely mistake: sine and cosine are exchanged
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::cos(angle / 2) * axis;
+  return normalize(quat(std::sin(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: axis not of length 1
+// expects: Likely mistake: the axis must be a unit vector
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w;
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: angleAxis with w
+// expects: Likely mistake: the axis must be a unit vector
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(glm::angleAxis(angle, w) * q);
+
+// ---- wrong: sign of the turn
+// expects: Likely mistake: the sign of the turn
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = -std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: old orientation lost
+// expects: Likely mistake: the old orientation is lost
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z));
+
+// ---- wrong: w turned by q
+// expects: Likely mistake: the turn is multiplied from the right, or w is turned by q
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = q * (w / length(w));
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: w into body axes
+// expects: Likely mistake: w is in world axes already
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = conjugate(q) * (w / length(w));
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: radians of radians
+// expects: Likely mistake: degrees: std::sin and std::cos take radians
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(glm::radians(angle / 2)) * axis;
+  return normalize(quat(std::cos(glm::radians(angle / 2)), v.x, v.y, v.z) * q);
+
+// ---- wrong: back to the start at rest
+// expects: Likely mistake: a body at rest keeps q
+  const real angle = h * length(w);
+  if (angle == 0) return quat(1, 0, 0, 0);
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: half as a whole number
+// expects: Likely mistake: nothing turns
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle * (1 / 2)) * axis;
+  return normalize(quat(std::cos(angle * (1 / 2)), v.x, v.y, v.z) * q);
+
+// ---- wrong: turn added
+// expects: Likely mistake: the turn is added to q
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) + q);
+
+// ---- wrong: square of w
+// expects: Likely mistake: the angle is h |w|, not h w.w
+  const real angle = h * dot(w, w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- wrong: first order without the half
+// expects: Likely mistake: q + h (0, w) q is only the first term
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  const vec3 s = h * w;
+  return normalize(q + quat(0, s.x, s.y, s.z) * q);
+
+// ---- wrong: Euler angles
+// expects: Likely mistake: h w holds no Euler angles
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(h * w) * q);
 
 // ---- right: angle and axis
 // GLM makes the same quaternion of an angle and an axis.
@@ -38,6 +215,34 @@
   if (angle == 0) return -q;
   const vec3 v = std::sin(angle / 2) * w / length(w);
   return -normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- right: the engine's rotation
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(rotation(h * w) * q);
+
+// ---- right: a guard at the last digit
+// An angle that rounding swallows turns nothing.
+  const real angle = h * length(w);
+  if (angle < epsilon) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- right: series for small angles
+  const real angle = h * length(w);
+  const real s = angle < real(1e-4) ? real(0.5) - angle * angle / 48 : std::sin(angle / 2) / angle;
+  const vec3 v = s * h * w;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- right: normalised at rest, too
+  const real angle = h * length(w);
+  if (angle == 0) return normalize(q);
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
 
 // ---- wrong units: without h
 // expects: Units: in q, the sine of 1/s: h is missing

@@ -1,0 +1,182 @@
+// Exercise 2.3: the impulse of a block of three rows, and what it does. Cases.
+#pragma once
+
+#include "chapters/02_ball/ball.h"
+#include "tests/checker/impulse_cases.h"
+#include "tests/checker/push_cases.h"
+
+namespace joints::testing {
+
+// The pose for pencil and paper in the chapter's text.
+inline const real half = std::sqrt(real(0.5));  // cos 45 degrees
+inline const Body paper1 = static_body(vec3(0));
+inline const Body paper2 = [] {
+  Body body = body_with(2, vec3(5 / real(6), 1, 5 / real(21)), vec3(0, -1, 0),
+                        quat(half, 0, 0, half));
+  body.v = vec3(1, 0, 0);
+  body.w = vec3(0, 0, 2);
+  return body;
+}();
+
+// Two moving bodies with three rows between them, and their K.
+struct Joint3 {
+  Pair pair = uneven_pair();
+  Jacobian<3> J;
+
+  Joint3() {
+    Random random(3);
+    move_together(pair, random);
+    for (Body* body : {&pair.body1, &pair.body2}) {
+      body->v = random.vector(2);
+      body->w = random.vector(2);
+    }
+  }
+  /// A ball joint, from the numeric twin, so that this exercise waits for no other.
+  static Joint3 ball() {
+    Joint3 out;
+    const Point part = point_at(out.pair.body1, out.pair.body2, vec3(real(0.6), real(0.9), 1));
+    out.J = numeric_jacobian(part, out.pair.body1, out.pair.body2);
+    return out;
+  }
+  /// Rows of no joint in particular: no block is known beforehand.
+  static Joint3 any() {
+    Joint3 out;
+    Random random(8);
+    for (Row& row : out.J.row)
+      for (vec3* block : {&row.v1, &row.w1, &row.v2, &row.w2}) *block = random.vector(1);
+    return out;
+  }
+  mat3 K() const {
+    const Matrix<3> dense = dense_K(J, pair.body1, pair.body2);
+    mat3 out;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) out[j][i] = dense[i][j];
+    return out;
+  }
+  vec3 rate() const {
+    return {row_velocity(J[0], pair.body1, pair.body2), row_velocity(J[1], pair.body1, pair.body2),
+            row_velocity(J[2], pair.body1, pair.body2)};
+  }
+  std::vector<Row> rows() const { return {J[0], J[1], J[2]}; }
+};
+
+inline std::vector<real> row_after_row(const mat3& K, real factor = 1) {
+  std::vector<real> out;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) out.push_back(factor * K[j][i]);
+  return out;
+}
+
+/// Mistakes that only a block knows.
+inline std::vector<std::pair<std::string, std::function<Column(const Lack&)>>> block_mistakes() {
+  using L = const Lack&;
+  const auto with = [](double first, double middle, double last) {
+    return [=](L l) -> Column { return -l.over_K(Column{first, middle, last} * l.JV + l.b); };
+  };
+  const auto row_by_row = [](int iterations, bool old) {
+    return [=](L l) -> Column {
+      Column lambda = l.none;
+      for (int n = 0; n < iterations; ++n)
+        for (int i = 0; i < 3; ++i) {
+          const Column rest = l.JV + l.b + l.times_K(old ? l.none : lambda);
+          lambda[i] -= rest[i] / double(l.c.K[4 * i]);
+        }
+      return lambda;
+    };
+  };
+  const auto known_rows = [](L l, bool turns) -> Column {
+    Column out = turns ? l.rates([](Row& r) { r.v1 = r.v2 = vec3(0); }) : l.none;
+    const vec3 apart = l.c.pair.body2.v - l.c.pair.body1.v;
+    for (int i = 0; i < 3; ++i) out[i] += double(apart[i]);
+    return -l.over_K(out + l.b);
+  };
+  const char* const blocks = "J V is written out as if J.v1 and J.v2 were -E and E: row_velocity "
+                             "reads all four blocks";
+  const char* const together = "each row divided by its own K: the rows of a block are solved "
+                               "together";
+  return {
+      {"J V of the first row is left out: rows are J[0], J[1], J[2]", with(0, 1, 1)},
+      {"J V of the last row is left out: rows are J[0], J[1], J[2]", with(1, 1, 0)},
+      {"only J V of the first row is used: rows are J[0], J[1], J[2]", with(1, 0, 0)},
+      {"J V of the first row in all three: row i is J[i]",
+       [](L l) -> Column { return -l.over_K(l.none + l.JV[0] + l.b); }},
+      {blocks, [=](L l) { return known_rows(l, true); }},
+      {blocks, [=](L l) { return known_rows(l, false); }},
+      {together, row_by_row(1, true)},
+      {"the rows are solved one after the other, once: a block solves them together",
+       row_by_row(1, false)},
+      {"the rows are solved one after the other: a block solves them together",
+       row_by_row(20, false)},
+      {"the inverse of K is multiplied number by number: it is a matrix",
+       [](L l) -> Column {
+         Column out = -(l.JV + l.b);
+         for (int i = 0; i < 3; ++i) out[i] *= double(l.inverse[4 * i]);
+         return out;
+       }},
+  };
+}
+
+inline WholeTable<LackCase> block_impulse_table() {
+  const Pair paper{paper1, paper2};
+  const Joint3 ball = Joint3::ball(), any = Joint3::any();
+  Joint3 light = any;
+  for (Body* body : {&light.pair.body1, &light.pair.body2}) body->v = body->w = vec3(0);
+  Pair hung = any.pair;
+  hung.body1 = static_body(hung.body1.x, hung.body1.q);
+  WholeTable<LackCase> table = lack_table(
+      {"2.3", "the impulse of a block"}, {"lambda.x", "lambda.y", "lambda.z"},
+      [](const LackCase& c) -> Column {
+        const Jacobian<3> J{{c.J[0], c.J[1], c.J[2]}};
+        mat3 K;
+        for (int i = 0; i < 9; ++i) K[i % 3][i / 3] = c.K[i];
+        const vec3 b(real(c.b[0]), real(c.b[1]), real(c.b[2]));
+        const vec3 lambda = block_impulse(J, K, b, c.pair.body1, c.pair.body2);
+        return {double(lambda.x), double(lambda.y), double(lambda.z)};
+      },
+      block_mistakes());
+  const Jacobian<3> J = jacobian_from_blocks(mat3(-1), mat3(0), mat3(1),
+                                             -skew(vec3(0, 1, real(0.5))));
+  const Column none{0, 0, 0}, bias{0.3, -0.2, 0.5};
+  table.cases = {
+      {"Numbers, in the text", {J[0], J[1], J[2]},
+       {5, 0, 0, 0, real(0.75), real(-0.5), 0, real(-0.5), real(1.5)}, none, paper},
+      {"a ball joint with a gap", ball.rows(), row_after_row(ball.K()), bias, ball.pair},
+      {"a ball joint without a gap", ball.rows(), row_after_row(ball.K()), none, ball.pair},
+      {"rows of another joint", any.rows(), row_after_row(any.K()), bias, any.pair},
+      {"bodies at rest", light.rows(), row_after_row(light.K()), bias, light.pair},
+      {"body 1 is static", any.rows(), row_after_row(any.K()), bias, hung},
+      {"J V + b of nm/s, lambda in 1e-9 N s", light.rows(), row_after_row(light.K()), 1e-9 * bias,
+       light.pair, 1e-9},
+      {"heavy bodies, K of 1e-9 / kg, lambda in 1e9 N s", any.rows(),
+       row_after_row(any.K(), real(1e-9)), bias, any.pair, 1e9},
+  };
+  return table;
+}
+
+inline WholeTable<PushCase> block_push_table() {
+  const Joint3 ball = Joint3::ball(), any = Joint3::any();
+  Pair hung = any.pair, light = any.pair;
+  hung.body1 = static_body(any.pair.body1.x, any.pair.body1.q);
+  for (Body* body : {&light.body1, &light.body2}) {
+    body->inverse_mass *= real(1e9);
+    body->inverse_inertia_local *= real(1e9);
+  }
+  const Jacobian<3> J = jacobian_from_blocks(mat3(-1), mat3(0), mat3(1),
+                                             -skew(vec3(0, 1, real(0.5))));
+  const std::vector<real> lambda{real(0.4), real(-0.7), real(0.2)};
+  return push_table(
+      {"2.3", "applying the impulse of a block", 2},
+      [](const PushCase& c, Pair& pair) {
+        apply_impulse({{c.J[0], c.J[1], c.J[2]}}, vec3(c.lambda[0], c.lambda[1], c.lambda[2]),
+                      pair.body1, pair.body2);
+      },
+      {{"Numbers, in the text", {J[0], J[1], J[2]}, {real(0.2), 0, 0}, {paper1, paper2}},
+       {"a ball joint, lambda = (0.4, -0.7, 0.2) N s", ball.rows(), lambda, ball.pair},
+       {"rows of another joint, lambda = (0.4, -0.7, 0.2) N s", any.rows(), lambda, any.pair},
+       {"rows of another joint, lambda = (-1, -2, -3) N s", any.rows(), {-1, -2, -3}, any.pair},
+       {"body 1 is static", any.rows(), lambda, hung},
+       {"bodies of a microgram, lambda = (2, 1, 3) 1e-9 N s", any.rows(),
+        {real(2e-9), real(1e-9), real(3e-9)}, light}});
+}
+
+}  // namespace joints::testing

@@ -33,6 +33,13 @@ bool all_finite(const Numbers& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double a) { return std::isfinite(a); });
 }
 
+std::string no_number(const Numbers& numbers) {
+  const double huge = is_float ? 1e35 : 1e250;  // a reader's unset variable is about -5e303
+  const bool unset = std::any_of(numbers.begin(), numbers.end(),
+                                 [&](double a) { return std::abs(a) > huge; });
+  return !all_finite(numbers) ? division_by_zero : unset ? never_set : "";
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string out;
   for (std::size_t i = 0; i < words.size(); ++i)

@@ -11,8 +11,13 @@ namespace joints::testing {
 
 inline const char* const division_by_zero = "a division by zero, or a value that was never set";
 
+inline const char* const never_set = "a value that was never set: a variable holds a huge number "
+                                     "until it is given one";
+
 bool near(double a, double b, double tolerance);
 bool all_finite(const Numbers& numbers);
+/// What made these numbers infinite, undefined or huge; "" where none of them is.
+std::string no_number(const Numbers& numbers);
 /// "v1, w1 and v2"
 std::string joined(const std::vector<std::string>& words);
 /// A long line is folded at a space and goes on below its first word after ": ".

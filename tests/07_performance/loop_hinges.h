@@ -1,12 +1,10 @@
-// The hinges of chapter 7's tests: their poses, their numbers worked out once more, and the report
-// of a hinge's numbers.
+// The hinges of chapter 7's tests: their poses, and their numbers worked out once more.
 #pragma once
 
 #include <algorithm>
 
 #include "chapters/07_performance/performance.h"
-#include "tests/checker/cases.h"
-#include "tests/checker/report.h"
+#include "tests/checker/pose_cases.h"
 
 namespace joints::testing {
 
@@ -159,65 +157,8 @@ inline HingeNumbers<real> twin_numbers(const HingeCase& c) {
   return out;
 }
 
-// ---- the report ---------------------------------------------------------------------------------
-
-inline const char* const no_usual_mistake =
-    "None of the usual mistakes explains it: compare it with the equation, entry by entry.\n";
-
-/// The names of a list, each once, and in their order.
-inline std::vector<std::string> once(const std::vector<std::string>& names) {
-  std::vector<std::string> out;
-  for (const std::string& name : names)
-    if (std::find(out.begin(), out.end(), name) == out.end()) out.push_back(name);
-  return out;
-}
-
-/// One case: every number that is wrong beside the one that is right, at which poses the others of
-/// the table hold, and the likely mistake.
-template <class Case>
-void check_numbers(const CaseTable<Case>& table, const Case& c, const Numbers& expected,
-                   const char* beside) {
-  const Numbers yours = table.yours(c);
-  if (close(yours, expected, table.tolerance)) return check(table.subject, "");
-  Table numbers(beside);
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    if (!near(yours[i], expected[i], table.tolerance))
-      numbers.entry(table.entries[i], yours[i], expected[i], table.tolerance);
-  std::vector<std::string> fails, holds;
-  for (const Case& other : table.cases)
-    (close(table.yours(other), table.right(other), table.tolerance) ? holds : fails)
-        .push_back(other.words);
-  fails = once(fails);
-  holds = once(holds);
-  std::erase_if(holds, [&](const std::string& pose) {
-    return std::find(fails.begin(), fails.end(), pose) != fails.end();
-  });
-  std::string words = "Pose: " + c.words + ".\n\n" + numbers.words() + "\n";
-  if (fails.empty()) words += "Holds at all other poses.\n";
-  else if (holds.empty()) words += "Fails at all poses.\n";
-  else words += "Fails at " + joined(fails) + "; holds at " + joined(holds) + ".\n";
-  const std::vector<std::string> mistakes = table.likely({c});
-  if (!all_finite(yours) && mistakes.empty()) words += likely(division_by_zero);
-  else words += mistakes.empty() ? no_usual_mistake : likely(mistakes.front());
-  fail(table.subject, words);
-}
-template <class Case>
-void check_numbers(const CaseTable<Case>& table) {
-  for (const Case& c : table.cases) check_numbers(table, c, table.right(c), "numeric ");
-}
-
-inline void append(Numbers& out, const vec3& a) {
-  out.insert(out.end(), {double(a.x), double(a.y), double(a.z)});
-}
 inline void append(Numbers& out, const Triple<real>& a) {
   out.insert(out.end(), {double(a.x), double(a.y), double(a.z)});
-}
-/// "r1.x", "r1.y", "r1.z" of every name.
-inline std::vector<std::string> with_xyz(const std::vector<std::string>& names) {
-  std::vector<std::string> out;
-  for (const std::string& name : names)
-    for (const char* part : {".x", ".y", ".z"}) out.push_back(name + part);
-  return out;
 }
 
 }  // namespace joints::testing

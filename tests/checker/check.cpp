@@ -20,7 +20,8 @@ void check(const Subject& subject, const std::string& report) {
 
 void fail(const Subject& subject, const std::string& words) {
   const std::string id = subject.id;
-  std::string all = (id.empty() ? "" : "Exercise " + id + ": ") + subject.words + "\n\n" + words;
+  std::string all = (id.empty() ? "" : "Exercise " + id + ": ") + subject.words +
+                    (*subject.given ? std::string("\n") + subject.given : "") + "\n\n" + words;
   const std::string place = exercise_place(id, subject.region);
   if (!place.empty()) all += "\nWhere: " + place + "\nNext:  ./wb hint " + id + "\n";
   std::string report;
@@ -60,6 +61,13 @@ Named named(const std::string& entry, const mat3& a) {
   return out;
 }
 
+// The line that names the mistake, "" where none is known.
+std::string mistake_line(const Numbers& yours, const std::vector<std::string>& mistakes) {
+  const std::string words = no_number(yours);
+  if (words.empty() && mistakes.empty()) return "";
+  return "\n" + likely(words.empty() ? mistakes.front() : words);
+}
+
 template <class T>
 void compare(const Subject& subject, const std::string& entry, const T& yours, const T& expected,
              double tolerance, const std::vector<SuspectOf<T>>& suspects) {
@@ -74,18 +82,30 @@ void compare(const Subject& subject, const std::string& entry, const T& yours, c
   for (std::size_t i = 0; i < right.size(); ++i)
     if (right.size() < 9 || !near(mine.numbers[i], right[i], tolerance))
       table.entry(mine.entries[i], mine.numbers[i], right[i], tolerance);
-  std::string words = table.words();
-  const auto fits = [&](const SuspectOf<T>& suspect) {
-    return close(mine.numbers, named(entry, suspect.value).numbers, tolerance);
-  };
-  const auto suspect = std::find_if(suspects.begin(), suspects.end(), fits);
-  if (!all_finite(mine.numbers)) words += "\n" + likely(division_by_zero);
-  else if (suspect != suspects.end()) words += "\n" + likely(suspect->words);
-  fail(subject, words);
+  std::vector<std::string> mistakes;
+  for (const SuspectOf<T>& suspect : suspects)
+    if (close(mine.numbers, named(entry, suspect.value).numbers, tolerance))
+      mistakes.push_back(suspect.words);
+  fail(subject, table.words() + mistake_line(mine.numbers, mistakes));
 }
 
 }  // namespace
 
+void expect(const Subject& subject, const std::string& words,
+            const std::vector<std::string>& entries, const Numbers& yours,
+            const Numbers& expected, double tolerance, const std::vector<std::string>& likely) {
+  const bool same = close(yours, expected, tolerance);
+  if (same) {
+    CHECK(same);
+    return;
+  }
+  Table table("expected");
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    if (!near(yours[i], expected[i], tolerance))
+      table.entry(entries[i], yours[i], expected[i], tolerance);
+  fail(subject, (words.empty() ? "" : "Case: " + words + ".\n\n") + table.words() +
+                    mistake_line(yours, likely));
+}
 void expect(const Subject& subject, const std::string& entry, double yours, double expected,
             double tolerance, const std::vector<Suspect>& suspects) {
   compare(subject, entry, yours, expected, tolerance, suspects);

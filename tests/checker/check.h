@@ -25,6 +25,7 @@ struct Subject {
   const char* id;
   const char* words;
   int region = 1;  ///< which of the regions that share the id
+  const char* given = "";  ///< the arguments of the case, for the report
 };
 
 using Numbers = std::vector<double>;
@@ -56,6 +57,12 @@ void expect(const Subject& subject, const std::string& entry, const mat3& yours,
 void expect(const Subject& subject, const std::string& entry, const quat& yours,
             const quat& expected, double tolerance,
             const std::vector<QuatSuspect>& suspects = {});
+
+/// The numbers of a case, of which the report shows those that are wrong. \param words what the
+/// case is, or "" \param likely the mistakes that explain them, the first is named
+void expect(const Subject& subject, const std::string& words,
+            const std::vector<std::string>& entries, const Numbers& yours,
+            const Numbers& expected, double tolerance, const std::vector<std::string>& likely);
 
 /// Fails with a report unless it is empty.
 void check(const Subject& subject, const std::string& report);

@@ -94,9 +94,8 @@ std::string block_mistake(const Sample& s, double tolerance) {
 // Adds what the sample alone tells: `first` for J or K comes before what is known already.
 void guess(Sample& s, double tolerance, const std::string& first) {
   const double factor = common_factor(s, tolerance);
-  std::string words = first;
-  if (!all_finite(s.yours) && first.empty()) words = division_by_zero;
-  else if (close(s.yours, Numbers(s.yours.size(), 0), tolerance)) words = "every entry is zero";
+  std::string words = first.empty() ? no_number(s.yours) : first;
+  if (close(s.yours, Numbers(s.yours.size(), 0), tolerance)) words = "every entry is zero";
   if (!words.empty()) s.mistakes.insert(s.mistakes.begin(), words);
   if (!s.mistakes.empty()) return;
   for (const char* number : {"2", "4", "0.5", "0.25"})

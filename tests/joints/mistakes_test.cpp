@@ -4,32 +4,14 @@
 #include "tests/03_hinge/axis_cases.h"
 #include "tests/checker/catch.h"
 #include "tests/03_hinge/drive_cases.h"
+#include "tests/checker/named.h"
 
 using namespace joints;
 using namespace joints::testing;
 
 namespace {
 
-// An answer with the one mistake in the place of yours.
-template <class Case>
-void each_is_named(const CaseTable<Case>& table) {
-  for (const auto& [words, answer] : table.mistakes) {
-    CaseTable<Case> wrong = table;
-    wrong.yours = answer;
-    const std::vector<std::string> likely = wrong.likely();
-    INFO(words);
-    REQUIRE(!likely.empty());
-    CHECK(likely.front() == words);
-  }
-}
-// What is right is blamed on no mistake.
-template <class Case>
-void none_is_blamed(CaseTable<Case> table) {
-  table.yours = table.right;
-  CHECK(table.likely().empty());
-}
-
-// The same for the rows of a part: a fixture whose part has the rows of one of its mistakes.
+// The rows of a part: a fixture whose part has the rows of one of its mistakes.
 template <class Fixture>
 struct Mistaken : Fixture {
   struct Part : Fixture::Part {

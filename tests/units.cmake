@@ -38,7 +38,7 @@ foreach(chapter ${chapters})
   target_link_libraries(${chapter}_units_mine PRIVATE ${chapter}_units_mine_file)
 
   add_answers(${chapter}_units_answers_file units ${chapter} ${name})
-  target_link_libraries(${chapter}_units_answers_file PRIVATE engine_units)
+  target_link_libraries(${chapter}_units_answers_file PRIVATE engine_units workbook_lenient)
   target_precompile_headers(${chapter}_units_answers_file REUSE_FROM engine_units)
   add_executable(${chapter}_units_answers ${tests} $<TARGET_OBJECTS:${chapter}_units_answers_file>)
   target_link_libraries(${chapter}_units_answers PRIVATE ${uses} engine_units)

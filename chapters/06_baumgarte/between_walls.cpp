@@ -120,7 +120,6 @@ Summary kicked(const Choice& choice, const std::string& method, real beta, int p
   // Three blows, as from cubes that are shot at the second link, then time to come to rest.
   const vec3 blows[] = {vec3(3, 5, -8), vec3(-6, 4, 5), vec3(2, -9, 3)};
   Bodies& bodies = stage.world.bodies;
-  GapMeter gaps;
   const std::string motion = method == "beta 0.2" ? choice.out + "/between.motion.json" : "";
   return play(stage, method, choice.seconds, motion, [&](double time) {
     const int n = int(std::lround(time / double(h)));

@@ -158,8 +158,8 @@ TEST_CASE("E19 the printed effective mass diverges for light bodies and is idle 
 }
 
 TEST_CASE("E20 an error of another form than the row decays by 1 - beta over the length", "[E20]") {
-  for (const auto& [L, printed] : {std::pair{10.0, 0.985}, {0.5, 0.7}, {0.1, -0.5}}) {
-    const double beta = 0.15, C = 1e-3 * L;
+  for (const auto& [length, printed] : {std::pair{10.0, 0.985}, {0.5, 0.7}, {0.1, -0.5}}) {
+    const double L = length, beta = 0.15, C = 1e-3 * L;
     const auto share_after_a_step = [&](bool same_form) {
       Pair pair = on_a_line(2, 3, real(L + C), 0);
       const Row J = same_form ? CentreDistance{real(L)}.jacobian(pair.body1, pair.body2)

@@ -73,6 +73,14 @@ inline WholeTable<ClampCase> clamp_table() {
        {too_much, [=](C c) { return refuses(c) ? Numbers{0, c.sum} : right(c); }},
        {too_much, [=](C c) { return refuses(c) ? Numbers{0, 0} : right(c); }},
        {too_much, [=](C c) { return refuses(c) ? Numbers{c.sum, 0} : right(c); }},
+       {too_much, [=](C c) { return refuses(c) ? Numbers{c.sum + 2 * c.dlambda, 0} : right(c); }},
+       {"the fraction is cut off: an int holds whole numbers only", [](C c) {
+          const double old = std::trunc(c.sum), sum = std::max(old + c.dlambda, 0.0);
+          return Numbers{sum - old, sum};
+        }},
+       {"the fraction is cut off: an int holds whole numbers only", [=](C c) {
+          return Numbers{std::trunc(grown(c)), right(c)[1]};
+        }},
        {"the sum is not kept where more is asked back than there is: it is 0 then",
         [=](C c) { return refuses(c) ? Numbers{-c.sum, c.sum} : right(c); }},
        {"the sum is kept only where more is asked back than there is",

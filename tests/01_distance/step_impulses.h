@@ -70,7 +70,8 @@ inline Ways wrong_impulses() {
   wants(impulse, [](real JV, real b, real K, S s) { return -s.h * (JV + b) / K; });
   wants("lambda is an impulse, not a force: it is not divided by h",
         [](real JV, real b, real K, S s) { return -(JV + b) / K / s.h; });
-  skips("no impulse was applied. Are the bodies copies (write Body& body1), or both the same one?",
+  skips("no impulse was applied. Are the bodies copies (write Body& body1) or both the same one, or "
+        "is the row an empty one?",
         [](const Turn&) { return true; });
   const char* const rest = "no impulse where the error is 0: such a row is solved all the same, "
                            "for the sake of its velocity";
@@ -91,6 +92,8 @@ inline Ways wrong_impulses() {
     skips(small, is_small);
     out.back().second.skip_is_the_last = true;
   }
+  gets("the fraction of lambda is cut off: an int holds whole numbers only",
+       [](real wanted, const Turn&) { return std::trunc(wanted); });
   gets("a rod is clamped like a rope, but it pushes, too: is it link.rope that is asked?",
        [](real wanted, const Turn& t) { return Way::allowed(wanted, t.row.sum); });
   gets("rods are clamped instead of ropes: is the condition link.rope the wrong way round?",

@@ -62,6 +62,13 @@ inline Ways wrong_forces() {
       [](Body& b, S s) { b.v.y += s.h * real(-9.81); });
   out.push_back({"gravity moves a static body",
                  way_with([](Way& w) { w.static_falls = true; })});
+  out.push_back({"gravity moves static bodies and no others: is the condition the wrong way round?",
+                 way_with([](Way& w) {
+                   w.static_falls = true;
+                   w.fall = [](Body& b, S s) {
+                     if (b.is_static()) b.v += s.h * s.gravity;
+                   };
+                 })});
   out.push_back({"only the first body falls", way_with([](Way& w) {
                    w.falls = [](std::size_t i) { return i == 0; };
                  })});

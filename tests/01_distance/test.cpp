@@ -26,6 +26,23 @@ TEST_CASE("1.1 a rod between centres that coincide has no direction and no row",
   expect(CentreDistanceFixture::J, "v2 where the centres coincide", J.v2, vec3(0), 0);
 }
 
+TEST_CASE("1.1 centres a hair apart still have a direction", "[1.1]") {
+  const real hair = real(1e-9);
+  const Body body = body_with(3, vec3(1), hair * vec3(real(0.6), real(0.8), 0));
+  const Row J = CentreDistance{1}.jacobian(paper1, body);
+  expect(CentreDistanceFixture::J, "v2 where the centres are 1e-9 m apart", J.v2,
+         vec3(real(0.6), real(0.8), 0), rounding,
+         {{vec3(0), "the row is 0 where the centres are close: only where they coincide there is "
+                    "no direction"}});
+}
+
+TEST_CASE("1.1 a rod beside a wall has both its blocks", "[1.1]") {
+  const Row J = CentreDistance{1}.jacobian(static_body(vec3(0)), paper2);
+  expect(CentreDistanceFixture::J, "v1 where body 1 is static", J.v1,
+         vec3(real(-0.6), real(-0.8), 0), rounding,
+         {{vec3(0), "a static body has its block in J, too: it is M^-1 that leaves it out"}});
+}
+
 TEST_CASE("1.2 a rod feels two masses in series", "[1.2]") {
   check_K<CentreDistanceFixture>({real(1.5)}, {paper1, paper2}, to_matrix(real(5) / 6));
 }
@@ -37,9 +54,13 @@ TEST_CASE("1.2 K of a rod is J M^-1 J^T at every pose", "[1.2]") {
 TEST_CASE("1.2 a static body adds nothing to K", "[1.2]") {
   const Body wall = static_body(vec3(0));
   expect(CentreDistanceFixture::K, "K beside a wall",
-         double(CentreDistance{2}.K(wall, paper2)), 1.0 / 3, rounding);
+         double(CentreDistance{2}.K(wall, paper2)), 1.0 / 3, rounding,
+         {{0, "K is 0 only where both bodies are static: the other one can move"}});
   expect(CentreDistanceFixture::K, "K between two walls",
          double(CentreDistance{2}.K(wall, static_body(vec3(1, 0, 0)))), 0, 0);
+  const Body planet = body_with(real(1e20), vec3(1), vec3(1, 0, 0));
+  expect(CentreDistanceFixture::K, "K of heavy bodies, 1e20 kg beside a wall, in 1e-20 / kg",
+         1e20 * double(CentreDistance{2}.K(wall, planet)), 1, rounding);
 }
 
 // ---- 1.3 ----------------------------------------------------------------------------------------
@@ -153,15 +174,6 @@ TEST_CASE("1.6 K of a rod between anchors has a share of the rotation in it", "[
   check_K<DistanceFixture>({vec3(0), vec3(0, real(0.5), 0), 1}, pair, to_matrix(real(1.1)));
 }
 
-TEST_CASE("1.6 a rod between points that coincide has no direction and no row", "[1.6]") {
-  const Body cube1 = box(2, vec3(1), vec3(0)), cube2 = box(3, vec3(1), vec3(1, 0, 0));
-  const Distance rod{vec3(real(0.5), 0, 0), vec3(real(-0.5), 0, 0), 1};
-  const Row J = rod.jacobian(cube1, cube2);
-  expect(DistanceFixture::J, "v2 where the points coincide", J.v2, vec3(0), rounding);
-  expect(DistanceFixture::K, "K where the points coincide", double(rod.K(cube1, cube2)), 5.0 / 6,
-         rounding);
-}
-
 TEST_CASE("1.6 the row of a rod between anchors is the slope of its length at every pose",
           "[1.6]") {
   check_jacobian<DistanceFixture>();
@@ -175,4 +187,13 @@ TEST_CASE("1.6 a rod between centres has no lever", "[1.6]") {
   const Row J = Distance{vec3(0), vec3(0), 1}.jacobian(paper1, paper2);
   expect(DistanceFixture::J, "w1", J.w1, vec3(0), 0);
   expect(DistanceFixture::J, "w2", J.w2, vec3(0), 0);
+}
+
+TEST_CASE("1.6 a rod between points that coincide has no direction and no row", "[1.6]") {
+  const Body cube1 = box(2, vec3(1), vec3(0)), cube2 = box(3, vec3(1), vec3(1, 0, 0));
+  const Distance rod{vec3(real(0.5), 0, 0), vec3(real(-0.5), 0, 0), 1};
+  const Row J = rod.jacobian(cube1, cube2);
+  expect(DistanceFixture::J, "v2 where the points coincide", J.v2, vec3(0), rounding);
+  expect(DistanceFixture::K, "K where the points coincide", double(rod.K(cube1, cube2)), 5.0 / 6,
+         rounding);
 }

@@ -6,6 +6,7 @@
 #include "chapters/01_distance/distance.h"
 #include "chapters/02_ball/ball.h"
 #include "tests/checker/check.h"
+#include "tests/checker/rod_mistakes.h"
 
 namespace joints::testing {
 
@@ -13,17 +14,6 @@ namespace joints::testing {
 inline void turn_about(Body& body, const vec3& point, const quat& turn) {
   body.x = point + turn * (body.x - point);
   body.q = normalize(turn * body.q);
-}
-
-inline constexpr const char* not_a_unit_vector =
-    "not a unit vector: take direction(...) of the difference";
-inline constexpr const char* over_the_length =
-    "divided by the length of the rod: that is the distance only while C = 0";
-
-// The row of a rod with any vector in place of its direction, and any levers.
-inline std::pair<std::string, Jacobian<1>> along(const char* words, const vec3& n, const vec3& r1,
-                                                 const vec3& r2) {
-  return {words, to_jacobian(Row{-n, -cross(r1, n), n, cross(r2, n)})};
 }
 
 struct CentreDistanceFixture {
@@ -38,11 +28,9 @@ struct CentreDistanceFixture {
     pair.body1.q = random.turn();
     pair.body2.q = random.turn();
   }
-  static std::vector<std::pair<std::string, Jacobian<1>>> mistakes(const Part& part,
-                                                                   const Pair& pair) {
-    const vec3 d = pair.body2.x - pair.body1.x;
-    return {along(not_a_unit_vector, d, vec3(0), vec3(0)),
-            along(over_the_length, d / part.length, vec3(0), vec3(0))};
+  static WrongRows mistakes(const Part& part, const Pair& pair) {
+    const auto& [one, two] = pair;
+    return wrong_directions({one.x, two.x, vec3(0), vec3(0), part.length, part.error(one, two)});
   }
 };
 
@@ -62,15 +50,20 @@ struct DistanceFixture {
     turn_about(pair.body1, world_point(pair.body1, part.anchor1_local), random.turn());
     turn_about(pair.body2, world_point(pair.body2, part.anchor2_local), random.turn());
   }
-  static std::vector<std::pair<std::string, Jacobian<1>>> mistakes(const Part& part,
-                                                                   const Pair& pair) {
-    const vec3 r1 = to_world(pair.body1, part.anchor1_local);
-    const vec3 r2 = to_world(pair.body2, part.anchor2_local);
-    const vec3 d = pair.body2.x - pair.body1.x, u = d + r2 - r1;
-    const char* const centres =
-        "the direction runs from centre to centre, not from anchor to anchor";
-    return {along(not_a_unit_vector, u, r1, r2), along(over_the_length, u / part.length, r1, r2),
-            along(centres, direction(d), r1, r2), along(centres, direction(d), vec3(0), vec3(0))};
+  static WrongRows mistakes(const Part& part, const Pair& pair) {
+    const auto& [one, two] = pair;
+    const vec3 r1 = to_world(one, part.anchor1_local), r2 = to_world(two, part.anchor2_local);
+    const RodParts rod{one.x, two.x, r1, r2, part.length, part.error(one, two)};
+    WrongRows out = wrong_directions(rod);
+    for (const auto& wrong : wrong_levers(rod)) out.push_back(wrong);
+    for (const auto& [anchor1, anchor2] : {std::pair(part.anchor1_local, part.anchor1_local),
+                                           std::pair(part.anchor2_local, part.anchor2_local)}) {
+      const vec3 arm1 = to_world(one, anchor1), arm2 = to_world(two, anchor2);
+      const RodParts same{one.x, two.x, arm1, arm2, part.length, 0};
+      out.push_back({"one anchor for both bodies: each has its own",
+                     same.along(direction(same.u()))});
+    }
+    return out;
   }
 };
 
@@ -95,6 +88,28 @@ struct PointFixture {
   }
   static void move_freely(const Part& part, Pair& pair, Random& random) {
     turn_about(pair.body2, world_point(pair.body1, part.anchor1_local), random.turn());
+  }
+  static std::vector<std::pair<std::string, Jacobian<3>>> mistakes(const Part& part,
+                                                                   const Pair& pair) {
+    const auto& [one, two] = pair;
+    const vec3 r1 = to_world(one, part.anchor1_local), r2 = to_world(two, part.anchor2_local);
+    const mat3 E(1), ones(1, 1, 1, 1, 1, 1, 1, 1, 1);
+    const auto rows = [](const mat3& block, const vec3& arm1, const vec3& arm2) {
+      return jacobian_from_blocks(-block, skew(arm1), block, -skew(arm2));
+    };
+    const char* const anchors = "one anchor for both bodies: each has its own";
+    return {
+        {"the sign of the blocks w1 and w2: a x b is -(b x a). Or columns for rows: skew(r)[i] is "
+         "a column", rows(E, -r1, -r2)},
+        {anchors, rows(E, to_world(one, part.anchor2_local), r2)},
+        {anchors, rows(E, r1, to_world(two, part.anchor1_local))},
+        {"E has ones on its diagonal alone: mat3(1)", rows(ones, r1, r2)},
+        {"the lever runs from the body's own centre to its own anchor, not from lever to lever",
+         rows(E, r2 - r1, r2 - r1)},
+        {"a lever has its length: it is no unit vector", rows(E, direction(r1), direction(r2))},
+        {"the lever of body 1 runs to its own anchor, not to that of body 2",
+         rows(E, two.x + r2 - one.x, r2)},
+    };
   }
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/01_distance/distance.h"
-#include "tests/checker/whole_cases.h"
+#include "tests/checker/cases.h"
 
 namespace joints::testing {
 
@@ -11,7 +11,7 @@ struct ClampCase {
   double sum, dlambda;
 };
 
-inline WholeTable<ClampCase> clamp_table() {
+inline CaseTable<ClampCase> clamp_table() {
   using C = const ClampCase&;
   // what is returned, and the new sum
   const auto grown = [](C c) { return std::max(c.sum + c.dlambda, 0.0) - c.sum; };
@@ -22,7 +22,7 @@ inline WholeTable<ClampCase> clamp_table() {
       "0 is returned: the old sum must be remembered before the new one is stored";
   const char* const too_much = "where more is asked back than there is, all that is there is given "
                                "back: minus the old sum";
-  WholeTable<ClampCase> table{
+  CaseTable<ClampCase> table{
       {"1.5", "the clamped sum of a rope"},
       {"returned", "new sum"},
       [](C c) {
@@ -103,6 +103,7 @@ inline WholeTable<ClampCase> clamp_table() {
        {"sum 3 N s, dlambda -1 N s", 3, -1}, {"sum 3 N s, dlambda -5 N s", 3, -5},
        {"sum 3 N s, dlambda 0.5 N s", 3, 0.5}, {"sum 2 N s, dlambda -2 N s", 2, -2},
        {"sum 5e-9 N s, dlambda 3e-9 N s", 5e-9, 3e-9}}};
+  table.whole = true;
   table.tolerance = is_float ? rounding : 1e-13;
   return table;
 }

@@ -8,13 +8,13 @@
 namespace joints::testing {
 
 // The pose for pencil and paper in the chapter's text.
-inline const Body paper1 = body_with(2, vec3(1), vec3(0));
-inline const Body paper2 = [] {
+inline const Body rod_paper1 = body_with(2, vec3(1), vec3(0));
+inline const Body rod_paper2 = [] {
   Body body = body_with(3, vec3(1), vec3(real(1.2), real(1.6), 0));
   body.v = vec3(1, real(0.5), 0);
   return body;
 }();
-inline const Row paper_J{vec3(real(-0.6), real(-0.8), 0), vec3(0),
+inline const Row rod_paper_J{vec3(real(-0.6), real(-0.8), 0), vec3(0),
                          vec3(real(0.6), real(0.8), 0), vec3(0)};
 
 // A row of no rod: none of its blocks is another one with its sign turned.
@@ -38,45 +38,45 @@ inline real turning_K(const Pair& pair) {
   return dense_K(to_jacobian(turning_J), pair.body1, pair.body2)[0][0];
 }
 
-inline WholeTable<LackCase> row_impulse_table() {
-  const Pair paper{paper1, paper2}, moving = moving_pair();
+inline CaseTable<LackCase> row_impulse_table() {
+  const Pair paper{rod_paper1, rod_paper2}, moving = moving_pair();
   const Pair walls{static_body(vec3(0)), static_body(vec3(1, 0, 0))};
-  const Pair hung{static_body(vec3(0)), paper2};
+  const Pair hung{static_body(vec3(0)), rod_paper2};
   Pair resting = paper, slow = paper;
   resting.body2.v = vec3(0);
-  slow.body2.v = real(1e-9) * paper2.v;
+  slow.body2.v = real(1e-9) * rod_paper2.v;
   const real K = turning_K(moving);
-  WholeTable<LackCase> table = lack_table(
+  CaseTable<LackCase> table = lack_table(
       {"1.3", "the impulse of a row"}, {"lambda"},
-      [](const LackCase& c) -> Column {
+      [](const LackCase& c) -> PerRow {
         return {double(row_impulse(c.J[0], c.K[0], real(c.b[0]), c.pair.body1, c.pair.body2))};
       },
       {{"0 is returned where K is not 0: is the condition the wrong way round?",
-        [](const Lack& l) -> Column { return l.c.K[0] == 0 ? -l.b / 0.0 : l.none; }},
+        [](const Lack& l) -> PerRow { return l.c.K[0] == 0 ? -l.b / 0.0 : l.none; }},
        {"where K is 0 nothing can be moved: lambda is 0",
         [](const Lack& l) { return l.c.K[0] == 0 ? l.b : l.lambda(); }},
        {"K is given: it is 1/m1 + 1/m2 in a rod from centre to centre alone",
-        [](const Lack& l) -> Column {
+        [](const Lack& l) -> PerRow {
           const double masses = l.c.pair.body1.inverse_mass + l.c.pair.body2.inverse_mass;
           return l.c.K[0] == 0 ? l.none : -(l.JV + l.b) / masses;
         }}});
   table.cases = {
-      {"Numbers, in the text", {paper_J}, {real(5) / 6}, {6}, paper},
-      {"bias 0", {paper_J}, {real(5) / 6}, {0}, paper},
-      {"a rod that is too short, bias -9 m/s", {paper_J}, {real(5) / 6}, {-9}, paper},
-      {"bodies at rest, bias 6 m/s", {paper_J}, {real(5) / 6}, {6}, resting},
-      {"beside a wall", {paper_J}, {real(1) / 3}, {6}, hung},
+      {"Numbers, in the text", {rod_paper_J}, {real(5) / 6}, {6}, paper},
+      {"bias 0", {rod_paper_J}, {real(5) / 6}, {0}, paper},
+      {"a rod that is too short, bias -9 m/s", {rod_paper_J}, {real(5) / 6}, {-9}, paper},
+      {"bodies at rest, bias 6 m/s", {rod_paper_J}, {real(5) / 6}, {6}, resting},
+      {"beside a wall", {rod_paper_J}, {real(1) / 3}, {6}, hung},
       {"a row that also turns, moving bodies", {turning_J}, {K}, {0.7}, moving},
-      {"J V + b of 3e-9 m/s, lambda in 1e-9 N s", {paper_J}, {real(5) / 6}, {2e-9}, slow, 1e-9},
-      {"heavy bodies, K = 1e-9 / kg, lambda in 1e9 N s", {paper_J}, {real(1e-9)}, {6}, paper, 1e9},
-      {"heavier bodies, K = 1e-20 / kg, lambda in 1e20 N s", {paper_J}, {real(1e-20)}, {6}, paper,
+      {"J V + b of 3e-9 m/s, lambda in 1e-9 N s", {rod_paper_J}, {real(5) / 6}, {2e-9}, slow, 1e-9},
+      {"heavy bodies, K = 1e-9 / kg, lambda in 1e9 N s", {rod_paper_J}, {real(1e-9)}, {6}, paper, 1e9},
+      {"heavier bodies, K = 1e-20 / kg, lambda in 1e20 N s", {rod_paper_J}, {real(1e-20)}, {6}, paper,
        1e20},
-      {"two walls, K = 0", {paper_J}, {0}, {6}, walls},
+      {"two walls, K = 0", {rod_paper_J}, {0}, {6}, walls},
   };
   return table;
 }
 
-inline WholeTable<PushCase> row_push_table() {
+inline CaseTable<PushCase> row_push_table() {
   const Pair moving = moving_pair();
   Pair hung = moving, light = moving;
   hung.body1 = static_body(moving.body1.x, moving.body1.q);

@@ -160,11 +160,12 @@ inline Ways sorted_mistakes(const std::vector<Scene>& all) {
 }
 
 /// Some of the scenes beside the right step. \param all what a mistake must explain
-inline WholeTable<Scene> table_of(const Subject& subject, const std::vector<Scene>& scenes,
+inline CaseTable<Scene> table_of(const Subject& subject, const std::vector<Scene>& scenes,
                                  const std::vector<Scene>& all) {
   const Way right = scenes.front().links.empty() ? Way{} : order_of_yours();
-  WholeTable<Scene> table{subject, step_entries(), stepped,
+  CaseTable<Scene> table{subject, step_entries(), stepped,
                          [=](const Scene& s) { return walked(s, right); }, {}, scenes};
+  table.whole = true;
   table.tolerance = 10 * rounding;
   if (!table.holds())
     for (const auto& [words, way] : sorted_mistakes(all))
@@ -180,11 +181,11 @@ inline std::vector<Scene> scenes_without_ropes() {
   return all;
 }
 /// Some of the scenes of exercise 1.4.
-inline WholeTable<Scene> step_table(const std::vector<Scene>& scenes) {
+inline CaseTable<Scene> step_table(const std::vector<Scene>& scenes) {
   return table_of({"1.4", "the step"}, scenes, scenes_without_ropes());
 }
 /// The scenes with ropes: to be asked once clamp_sum is right by itself.
-inline WholeTable<Scene> rope_table() {
+inline CaseTable<Scene> rope_table() {
   std::vector<Scene> all = scenes_without_ropes();
   for (const Scene& scene : rope_scenes()) all.push_back(scene);
   return table_of({"1.4", "the step, with ropes. Your clamp_sum (1.5) is right by itself"},

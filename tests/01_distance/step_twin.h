@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "chapters/01_distance/distance.h"
-#include "tests/checker/whole_cases.h"
+#include "tests/checker/cases.h"
 
 namespace joints::testing {
 
@@ -92,17 +92,23 @@ inline LinkRow twin_row(const Link& link, const std::vector<Body>& bodies, const
           (link.rope && C > 0 ? 1 : s.beta) * C / s.h, 0};
 }
 
-/// What became of the bodies: six numbers each.
+/// What became of the bodies: six numbers each. A scene has four at most; 0 for those that it has
+/// not.
+constexpr int most_bodies = 4;
+inline Numbers filled_up(Numbers numbers) {
+  numbers.resize(6 * most_bodies);
+  return numbers;
+}
 inline Numbers numbers_of(const std::vector<Body>& bodies) {
   Numbers out;
   for (const Body& body : bodies)
     for (const vec3& a : {body.v, body.x})
       for (int i = 0; i < 3; ++i) out.push_back(double(a[i]));
-  return out;
+  return filled_up(out);
 }
 inline std::vector<std::string> step_entries() {
   std::vector<std::string> out;
-  for (int body = 0; body < 6; ++body)
+  for (int body = 0; body < most_bodies; ++body)
     for (const char* entry : {"v.x", "v.y", "v.z", "x.x", "x.y", "x.z"})
       out.push_back("bodies[" + std::to_string(body) + "]." + entry);
   return out;

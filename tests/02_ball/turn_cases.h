@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/02_ball/ball.h"
-#include "tests/checker/whole_cases.h"
+#include "tests/checker/cases.h"
 
 namespace joints::testing {
 
@@ -46,15 +46,15 @@ inline std::vector<std::pair<std::string, Spin>> spin_mistakes() {
                  }});
   const char* const small = "a small angle is left out: many small steps add up, and only an angle "
                             "of 0 is no turn";
-  for (int digits = 1; digits <= 14; ++digits) {
-    const real limit = std::pow(real(10), real(-digits));
+  const auto above = [&](real limit, bool with_h) {
     out.push_back({small, [=](Q q, V w, real h) {
-                     return h * length(w) < limit ? q : normalize(rotation(h * w) * q);
+                     const real size = (with_h ? h : 1) * length(w);
+                     return size < limit ? q : normalize(rotation(h * w) * q);
                    }});
-    out.push_back({small, [=](Q q, V w, real h) {
-                     return length(w) < limit ? q : normalize(rotation(h * w) * q);
-                   }});
-  }
+  };
+  for (int digits = 1; digits <= 7; ++digits)
+    for (const bool with_h : {true, false}) above(std::pow(real(10), real(-digits)), with_h);
+  above(real(1e-8), true);
   add("nothing turns", [](Q q, V, real) { return q; });
   add("h is missing: the angle is h |w|", by([](V w, real size, real) {
         return turn_by(size, w / size);
@@ -126,8 +126,8 @@ inline std::vector<std::pair<std::string, Spin>> spin_mistakes() {
   return out;
 }
 
-inline WholeTable<SpinCase> spin_table() {
-  WholeTable<SpinCase> table{{"2.4", "turning a body"},
+inline CaseTable<SpinCase> spin_table() {
+  CaseTable<SpinCase> table{{"2.4", "turning a body"},
                              {"q.w", "q.x", "q.y", "q.z"}, {}, {}, {}, {}};
   // q and -q are the same orientation: the one beside the right one is shown
   const auto after = [](const SpinCase& c, const Spin& spin) {
@@ -139,6 +139,7 @@ inline WholeTable<SpinCase> spin_table() {
     if (dot(q, right) < 0) q = -q;
     return Numbers{double(q.w), double(q.x), double(q.y), double(q.z)};
   };
+  table.whole = true;
   table.tolerance = 10 * rounding;
   table.yours = [=](const SpinCase& c) { return after(c, turned); };
   table.right = [=](const SpinCase& c) {

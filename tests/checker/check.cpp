@@ -63,9 +63,8 @@ Named named(const std::string& entry, const mat3& a) {
 
 // The line that names the mistake, "" where none is known.
 std::string mistake_line(const Numbers& yours, const std::vector<std::string>& mistakes) {
-  const std::string words = no_number(yours);
-  if (words.empty() && mistakes.empty()) return "";
-  return "\n" + likely(words.empty() ? mistakes.front() : words);
+  const std::string words = mistakes.empty() ? no_number(yours) : mistakes.front();
+  return words.empty() ? "" : "\n" + likely(words);
 }
 
 template <class T>

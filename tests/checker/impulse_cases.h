@@ -4,17 +4,17 @@
 
 #include <valarray>
 
-#include "tests/checker/whole_cases.h"
+#include "tests/checker/cases.h"
 
 namespace joints::testing {
 
-using Column = std::valarray<double>;  ///< a number for each row
+using PerRow = std::valarray<double>;  ///< a number for each row
 
 struct LackCase {
   std::string words;
   std::vector<Row> J;
   std::vector<real> K;  ///< row after row
-  Column b;
+  PerRow b;
   Pair pair;
   double unit = 1;  ///< lambda is shown in these [N s]
 };
@@ -22,7 +22,7 @@ struct LackCase {
 /// The numbers that lambda is made of, right or wrong.
 struct Lack {
   const LackCase& c;
-  Column b = c.b, JV = rates([](Row&) {}), none = 0 * c.b;
+  PerRow b = c.b, JV = rates([](Row&) {}), none = 0 * c.b;
   std::vector<real> inverse = [this] {
     std::vector<real> K = c.K;
     invert_symmetric(K.data(), int(c.b.size()));  // of 0 it is 0
@@ -31,8 +31,8 @@ struct Lack {
 
   explicit Lack(const LackCase& lack) : c(lack) {}
   /// J V, where something is changed in each row.
-  Column rates(const std::function<void(Row&)>& change) const {
-    Column out(c.J.size());
+  PerRow rates(const std::function<void(Row&)>& change) const {
+    PerRow out(c.J.size());
     for (std::size_t i = 0; i < c.J.size(); ++i) {
       Row row = c.J[i];
       change(row);
@@ -40,27 +40,27 @@ struct Lack {
     }
     return out;
   }
-  static Column times(const std::vector<real>& A, const Column& x) {
-    Column out(x.size());
+  static PerRow times(const std::vector<real>& A, const PerRow& x) {
+    PerRow out(x.size());
     for (std::size_t i = 0; i < x.size(); ++i)
       for (std::size_t j = 0; j < x.size(); ++j) out[i] += double(A[i * x.size() + j]) * x[j];
     return out;
   }
-  Column over_K(const Column& x) const { return times(inverse, x); }
-  Column times_K(const Column& x) const { return times(c.K, x); }
-  Column lambda() const { return -over_K(JV + b); }
+  PerRow over_K(const PerRow& x) const { return times(inverse, x); }
+  PerRow times_K(const PerRow& x) const { return times(c.K, x); }
+  PerRow lambda() const { return -over_K(JV + b); }
 };
 
-inline bool all_below(const Column& x, double limit) { return std::abs(x).max() < limit; }
+inline bool all_below(const PerRow& x, double limit) { return std::abs(x).max() < limit; }
 
 /// The mistakes that one row and a block have in common.
-inline std::vector<std::pair<std::string, std::function<Column(const Lack&)>>> lack_mistakes() {
+inline std::vector<std::pair<std::string, std::function<PerRow(const Lack&)>>> lack_mistakes() {
   using L = const Lack&;
   const auto unless = [](auto condition) {
     return [condition](L l) { return condition(l) ? l.none : l.lambda(); };
   };
   const auto reading = [](std::function<void(Row&)> change) {
-    return [change](L l) -> Column { return -l.over_K(l.rates(change) + l.b); };
+    return [change](L l) -> PerRow { return -l.over_K(l.rates(change) + l.b); };
   };
   const char* const bias_alone = "only the bias is divided by K: put J V + b in brackets";
   const char* const rate_alone = "only J V is divided by K: put J V + b in brackets";
@@ -76,18 +76,18 @@ inline std::vector<std::pair<std::string, std::function<Column(const Lack&)>>> l
   const char* const light = "nothing is done where J V + b is small: there is no such threshold";
   return {
       {"0 is returned always", [](L l) { return l.none; }},
-      {"the sign: the impulse works against J V + b", [](L l) -> Column { return -l.lambda(); }},
+      {"the sign: the impulse works against J V + b", [](L l) -> PerRow { return -l.lambda(); }},
       {"times K where its inverse belongs",
-       [](L l) -> Column { return -l.times_K(l.JV + l.b); }},
-      {"K is missing: a velocity is no impulse", [](L l) -> Column { return -(l.JV + l.b); }},
+       [](L l) -> PerRow { return -l.times_K(l.JV + l.b); }},
+      {"K is missing: a velocity is no impulse", [](L l) -> PerRow { return -(l.JV + l.b); }},
       {"the bias is missing: the error is not fed back",
-       [](L l) -> Column { return -l.over_K(l.JV); }},
-      {"J V is missing", [](L l) -> Column { return -l.over_K(l.b); }},
-      {"the sign of the bias", [](L l) -> Column { return -l.over_K(l.JV - l.b); }},
-      {bias_alone, [](L l) -> Column { return l.over_K(l.b) - l.JV; }},
-      {bias_alone, [](L l) -> Column { return -l.over_K(l.b) - l.JV; }},
-      {rate_alone, [](L l) -> Column { return l.b - l.over_K(l.JV); }},
-      {rate_alone, [](L l) -> Column { return -l.b - l.over_K(l.JV); }},
+       [](L l) -> PerRow { return -l.over_K(l.JV); }},
+      {"J V is missing", [](L l) -> PerRow { return -l.over_K(l.b); }},
+      {"the sign of the bias", [](L l) -> PerRow { return -l.over_K(l.JV - l.b); }},
+      {bias_alone, [](L l) -> PerRow { return l.over_K(l.b) - l.JV; }},
+      {bias_alone, [](L l) -> PerRow { return -l.over_K(l.b) - l.JV; }},
+      {rate_alone, [](L l) -> PerRow { return l.b - l.over_K(l.JV); }},
+      {rate_alone, [](L l) -> PerRow { return -l.b - l.over_K(l.JV); }},
       {"bodies 1 and 2 are exchanged in J V", reading([](Row& r) {
          std::swap(r.v1, r.v2);
          std::swap(r.w1, r.w2);
@@ -103,16 +103,16 @@ inline std::vector<std::pair<std::string, std::function<Column(const Lack&)>>> l
       {four_blocks, reading([](Row& r) { r.v1 = -r.v2; })},
       {four_blocks, reading([](Row& r) { r = {-r.v2, vec3(0), r.v2, vec3(0)}; })},
       {"the fraction is cut off: an int holds whole numbers only",
-       [](L l) -> Column { return l.lambda().apply([](double a) { return std::trunc(a); }); }},
-      {"a factor of 0.5", [](L l) -> Column { return 0.5 * l.lambda(); }},
-      {"a factor of 2", [](L l) -> Column { return 2.0 * l.lambda(); }},
-      {either_sign, [](L l) -> Column { return (l.lambda() + std::abs(l.lambda())) / 2; }},
-      {either_sign, [](L l) -> Column { return (l.lambda() - std::abs(l.lambda())) / 2; }},
+       [](L l) -> PerRow { return l.lambda().apply([](double a) { return std::trunc(a); }); }},
+      {"a factor of 0.5", [](L l) -> PerRow { return 0.5 * l.lambda(); }},
+      {"a factor of 2", [](L l) -> PerRow { return 2.0 * l.lambda(); }},
+      {either_sign, [](L l) -> PerRow { return (l.lambda() + std::abs(l.lambda())) / 2; }},
+      {either_sign, [](L l) -> PerRow { return (l.lambda() - std::abs(l.lambda())) / 2; }},
       {"the sign is lost: lambda is not a size",
-       [](L l) -> Column { return std::abs(l.lambda()); }},
-      {bias_as_it_is, [](L l) -> Column { return -l.over_K(l.JV + 0.2 * l.b); }},
-      {bias_as_it_is, [](L l) -> Column { return -l.over_K(l.JV + 60.0 * l.b); }},
-      {bias_as_it_is, [](L l) -> Column { return -l.over_K(l.JV + l.b / 60); }},
+       [](L l) -> PerRow { return std::abs(l.lambda()); }},
+      {bias_as_it_is, [](L l) -> PerRow { return -l.over_K(l.JV + 0.2 * l.b); }},
+      {bias_as_it_is, [](L l) -> PerRow { return -l.over_K(l.JV + 60.0 * l.b); }},
+      {bias_as_it_is, [](L l) -> PerRow { return -l.over_K(l.JV + l.b / 60); }},
       {no_bias, unless([](L l) { return all_below(l.b, 1e-12); })},
       {no_bias, unless([](L l) { return all_below(l.b, 1e-8); })},
       {no_rate, unless([](L l) { return all_below(l.JV, 1e-12); })},
@@ -126,16 +126,17 @@ inline std::vector<std::pair<std::string, std::function<Column(const Lack&)>>> l
 }
 
 /// A table without cases: `yours` gives lambda. \param own mistakes that only this exercise knows
-inline WholeTable<LackCase> lack_table(
+inline CaseTable<LackCase> lack_table(
     const Subject& subject, std::vector<std::string> entries,
-    std::function<Column(const LackCase&)> yours,
-    const std::vector<std::pair<std::string, std::function<Column(const Lack&)>>>& own) {
-  const auto shown = [](const Column& lambda, const LackCase& c) {
+    std::function<PerRow(const LackCase&)> yours,
+    const std::vector<std::pair<std::string, std::function<PerRow(const Lack&)>>>& own) {
+  const auto shown = [](const PerRow& lambda, const LackCase& c) {
     Numbers out;
     for (double a : lambda) out.push_back(a / c.unit);
     return out;
   };
-  WholeTable<LackCase> table{subject, std::move(entries), {}, {}, {}, {}};
+  CaseTable<LackCase> table{subject, std::move(entries), {}, {}, {}, {}};
+  table.whole = true;
   table.tolerance = 1e2 * rounding;
   table.yours = [=](const LackCase& c) { return shown(yours(c), c); };
   table.right = [=](const LackCase& c) { return shown(Lack(c).lambda(), c); };

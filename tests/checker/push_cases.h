@@ -2,7 +2,8 @@
 // V += M^-1 J^T lambda, the usual mistakes, and cases.
 #pragma once
 
-#include "tests/checker/whole_cases.h"
+#include "tests/checker/cases.h"
+#include "tests/checker/report.h"
 
 namespace joints::testing {
 
@@ -170,7 +171,7 @@ inline Numbers pushed(const PushCase& c) {
 
 /// Of each of the four velocities that is wrong, which mistake makes it so in all cases; "" where
 /// none is known.
-inline std::string velocity_by_velocity(const WholeTable<PushCase>& table) {
+inline std::string velocity_by_velocity(const CaseTable<PushCase>& table) {
   const char* const names[] = {"v1", "w1", "v2", "w2"};
   std::vector<std::pair<std::string, std::vector<std::string>>> found;  // words, velocities
   const std::size_t rows = table.cases.front().J.size();
@@ -250,10 +251,11 @@ pair_mistakes() {
 }
 
 /// The table of exercise 1.3 or 2.3. \param yours changes the velocities of the pair
-inline WholeTable<PushCase> push_table(const Subject& subject,
+inline CaseTable<PushCase> push_table(const Subject& subject,
                                       const std::function<void(const PushCase&, Pair&)>& yours,
                                       std::vector<PushCase> cases) {
-  WholeTable<PushCase> table{subject, push_entries, {}, pushed, pair_mistakes(), std::move(cases)};
+  CaseTable<PushCase> table{subject, push_entries, {}, pushed, pair_mistakes(), std::move(cases)};
+  table.whole = true;
   table.tolerance = 10 * rounding;
   table.yours = [=](const PushCase& c) {
     Pair pair = c.pair;

@@ -47,8 +47,9 @@ FourVectors impulses(const Jacobian<N>& J, const Vector<N>& lambda) {
   return out;
 }
 
+/// \param body_space are there inertias in body space that could be taken?
 template <class Twin>
-Pieces<Twin> wrong_lines(ImpulseLines Twin::*lines) {
+Pieces<Twin> wrong_lines(ImpulseLines Twin::*lines, bool body_space = true) {
   Pieces<Twin> out;
   const char* const names[] = {"v1", "w1", "v2", "w2"};
   for (const int which : {15, 5, 10, 3, 12, 1, 2, 4, 8}) {
@@ -82,7 +83,7 @@ Pieces<Twin> wrong_lines(ImpulseLines Twin::*lines) {
       add("the " + kind + " of the other body in " + all, [](L& l, std::size_t k) {
         l.inverse_M[k] = L(l).inverse_M[(k + 2) % 4];
       });
-    if (!v)
+    if (!v && body_space)
       add("body-space inertia in " + all + ": take inverse_inertia(body)",
           [](L& l, std::size_t k) { l.inverse_M[k] = l.local_M[k]; });
   }

@@ -35,6 +35,8 @@ struct LanesFor {
   friend LanesFor operator-(const LanesFor& a, const LanesFor& b) { return {a.all - b.all}; }
   friend LanesFor operator*(const LanesFor& a, const LanesFor& b) { return {a.all * b.all}; }
   friend LanesFor operator-(const LanesFor& a) { return {-a.all}; }
+  friend LanesFor& operator+=(LanesFor& a, const LanesFor& b) { return a = a + b; }
+  friend LanesFor& operator-=(LanesFor& a, const LanesFor& b) { return a = a - b; }
 };
 /// Those of this file.
 using Lanes = LanesFor<JOINTS_PROCESSOR>;

@@ -24,6 +24,21 @@ template <class Number>
 inline Triple<Number> operator-(const Triple<Number>& a, const Triple<Number>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
+/// Adds.
+template <class Number>
+inline Triple<Number>& operator+=(Triple<Number>& a, const Triple<Number>& b) {
+  return a = a + b;
+}
+/// Takes away.
+template <class Number>
+inline Triple<Number>& operator-=(Triple<Number>& a, const Triple<Number>& b) {
+  return a = a - b;
+}
+/// The opposite.
+template <class Number>
+inline Triple<Number> operator-(const Triple<Number>& a) {
+  return {-a.x, -a.y, -a.z};
+}
 /// A number times an arrow.
 template <class Number>
 inline Triple<Number> operator*(const Number& factor, const Triple<Number>& a) {

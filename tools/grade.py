@@ -1,4 +1,5 @@
 """How far the reader is: the exercises' tests, run and read."""
+import html
 import os
 import re
 import subprocess
@@ -49,10 +50,14 @@ def plainly(words):
         return ("std::clamp(a, low, high) was given a high that is below low: are the ends "
                 "exchanged, or has\na bound the wrong sign?")
     if OUTSIDE.search(words):
-        return "an index outside a vector: places run from 0 to size() - 1"
+        return "an index outside a vector or an array: places run from 0 to size() - 1"
     if re.search(r"SIGSEGV|exit status -11\b", words):
-        return ("the program crashed: it reached for memory that is not its own. An index or a "
-                "pointer gone\nastray, or a function that calls itself without end?")
+        return ("the program crashed: it reached for memory that is not its own. An index gone "
+                "astray (a\nstd::vector<bool> does not check its own), a pointer or number that "
+                "was never set, or a\nfunction that calls itself without end?")
+    if re.search(r"SIGABRT|exit status -6\b", words) and "Assertion" not in words:
+        return ("the program was stopped: something has been written over the memory beside a "
+                "vector. An\nindex gone astray (a std::vector<bool> does not check its own)?")
     return words
 
 
@@ -111,8 +116,12 @@ def run(program, ids, timeout=10, answer=None):
     try:
         result = subprocess.run([program, filter_, "-r", "xml"], capture_output=True, text=True,
                                 errors="replace", timeout=timeout, env=env)
-    except subprocess.TimeoutExpired:
-        return "it did not end within ten seconds: a loop without an end?"
+    except subprocess.TimeoutExpired as late:
+        said = late.stdout or b""
+        said = said.decode(errors="replace") if isinstance(said, bytes) else said
+        begun = re.findall(r'<TestCase name="([^"]*)"', said)
+        return ("it did not end within ten seconds: a loop without an end?"
+                + (f"\nThe test was: {html.unescape(begun[-1])}" if begun else ""))
     try:
         tree = ElementTree.fromstring(result.stdout)
     except ElementTree.ParseError:

@@ -23,7 +23,7 @@ void hoist(const Hinge& hinge, const Body& body1, const Body& body2, real h,
 // ---- one block a joint -------------------------------------------------------------------------
 
 Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inverse_mass2) {
-  const Triple<real>(&row)[2] = hinge.axis_row;
+  const std::array<Triple<real>, 2>& row = hinge.axis_row;
   Matrix<5> K;
   // begin [exercise 7.2]
   // Fill K with the three parts of Eq. 7-3: the point's 3x3, the axis' 2x2, and between them the

@@ -2,6 +2,7 @@
 // first. There is nothing to edit here.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "chapters/02_ball/ball.h"
@@ -30,11 +31,12 @@ struct BodyPair {
 /// for several hinges side by side: then each number below is one of every hinge.
 template <class Number>
 struct HingeNumbers {
-  Triple<Number> r1, r2;      ///< levers from the centres to the anchors [m], world
-  Triple<Number> axis_row[2];  ///< b x a1 and c x a1, Eq. 3-4: factor of w2, and less of w1 [1]
-  Symmetric<Number> I1, I2;   ///< inverse inertia [1/(kg m^2)], world
-  Number bias[5];             ///< beta C / h: three of the point [m/s], two of the axis [rad/s]
-  Number inverse_K[15];       ///< upper half of the symmetric K^-1, in the order of place()
+  Triple<Number> r1, r2;  ///< levers from the centres to the anchors [m], world
+  /// b x a1 and c x a1, Eq. 3-4: factor of w2, and less of w1 [1].
+  std::array<Triple<Number>, 2> axis_row;
+  Symmetric<Number> I1, I2;          ///< inverse inertia [1/(kg m^2)], world
+  std::array<Number, 5> bias;        ///< beta C / h: of the point [m/s], of the axis [rad/s]
+  std::array<Number, 15> inverse_K;  ///< upper half of K^-1, in the order of place()
 
   /// Where the entry of row i and column j stands in inverse_K, 0 to 14.
   static constexpr int place(int i, int j) {
@@ -43,7 +45,7 @@ struct HingeNumbers {
   }
   /// out = K^-1 e, line by line: both halves from the upper one.
   void inverse_K_times(const Number* e, Number* out) const {
-    const Number* k = inverse_K;
+    const Number* k = inverse_K.data();
     out[0] = k[0] * e[0] + k[1] * e[1] + k[2] * e[2] + k[3] * e[3] + k[4] * e[4];
     out[1] = k[1] * e[0] + k[5] * e[1] + k[6] * e[2] + k[7] * e[3] + k[8] * e[4];
     out[2] = k[2] * e[0] + k[6] * e[1] + k[9] * e[2] + k[10] * e[3] + k[11] * e[4];

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "chapters/06_baumgarte/baumgarte.h"
-#include "tests/checker/cases.h"
+#include "tests/checker/arguments.h"
 
 namespace joints::testing {
 
@@ -22,9 +22,9 @@ inline BiasCase bias_case(double C, double beta, double rate) {
 }
 inline std::vector<BiasCase> bias_cases() {
   std::vector<BiasCase> out;
-  for (const double rate : {60.0, 100.0, 10.0})
+  for (const double rate : {60.0, 100.0, 10.0, 72.5})
     for (const double beta : {0.15, 0.8, 1.5})
-      for (const double C : {-0.02, 0.02, -0.7, 0.3, 0.0})
+      for (const double C : {-0.02, 0.02, -0.7, 0.3, 0.0, 1.3, -2.4})
         out.push_back(bias_case(C, beta, rate));
   return out;
 }
@@ -47,6 +47,10 @@ inline std::vector<std::pair<std::string, BiasRule>> wrong_biases() {
        [](double C, double, double h) { return C / h; }},
       {"1 - beta is the share that stays: b takes the share beta",
        [](double C, double beta, double h) { return (1 - beta) * C / h; }},
+      {"0.2 in the place of beta: take the one that is given",
+       [](double C, double, double h) { return 0.2 * C / h; }},
+      {"1 - beta is the share that stays: b takes the share beta. And the sign",
+       [](double C, double beta, double h) { return (beta - 1) * C / h; }},
       {"divided by beta: beta is a share, a factor",
        [](double C, double beta, double h) { return C / (beta * h); }},
       {"divided by h twice: that is an acceleration",
@@ -57,8 +61,26 @@ inline std::vector<std::pair<std::string, BiasRule>> wrong_biases() {
        [](double C, double beta, double h) { return beta * std::max(C, 0.0) / h; }},
       {"only negative errors are fed back",
        [](double C, double beta, double h) { return beta * std::min(C, 0.0) / h; }},
+      {"an error of a few centimetres counts as none: there is no threshold here",
+       [](double C, double beta, double h) { return std::abs(C) < 0.05 ? 0 : beta * C / h; }},
       {"C itself is returned", [](double C, double, double) { return C; }},
       {"it is always zero", [](double, double, double) { return 0.0; }}};
+}
+
+inline const Arguments<BiasCase> bias_arguments{
+    {"C", &BiasCase::C}, {"beta", &BiasCase::beta}, {"h", &BiasCase::h}};
+
+/// Is b what is right, but kept from -most to most, whatever that is?
+inline void find_bound(CaseTable<BiasCase>& table) {
+  read_off(table, [yours = table.yours, right = table.right, cases = table.cases] {
+    double most = 0;
+    for (const BiasCase& c : cases) most = std::max(most, std::abs(yours(c)[0]));
+    const bool kept = std::all_of(cases.begin(), cases.end(), [&](const BiasCase& c) {
+      return std::abs(std::clamp(right(c)[0], -most, most) - yours(c)[0]) < 1e-9;
+    });
+    return kept ? "b is kept from -" + short_number(most) + " to " + short_number(most) +
+                      ": there is no such bound" : "";
+  });
 }
 
 inline CaseTable<BiasCase> bias_table() {
@@ -72,6 +94,8 @@ inline CaseTable<BiasCase> bias_table() {
     table.mistakes.push_back({words, [rule = rule](const Case& c) {
                                 return Numbers{rule(c.C, c.beta, c.h)};
                               }});
+  find_bound(table);
+  add_formulas(table, bias_arguments);
   table.tolerance = 10 * rounding;
   return table;
 }
@@ -123,9 +147,26 @@ inline CaseTable<BiasCase> limit_bias_table() {
       {"the smaller one of the two: ask for the sign of C",
        [](const Case& c) { return Numbers{std::min(c.beta * c.C, c.C) / c.h}; }},
       {"60 in the place of 1/h: a step need not be 1/60 s",
-       [](const Case& c) { return Numbers{60 * (c.C < 0 ? c.beta * c.C : c.C)}; }}};
+       [](const Case& c) { return Numbers{60 * (c.C < 0 ? c.beta * c.C : c.C)}; }},
+      {"C is compared with beta: ask for the sign of C",
+       [](const Case& c) { return Numbers{(c.C < c.beta ? c.beta : 1) * c.C / c.h}; }},
+      {"1 - beta for a limit that lies ahead: C/h just reaches it",
+       [](const Case& c) { return Numbers{(c.C < 0 ? c.beta : 1 - c.beta) * c.C / c.h}; }}};
   for (const auto& [words, rule] : wrong_biases())
-    table.mistakes.push_back({words, rules(rule, rule)});
+    if (!table.knows(rules(rule, rule))) table.mistakes.push_back({words, rules(rule, rule)});
+  find_bound(table);
+  add_formulas(table, bias_arguments);
+  read_off(table, [yours = table.yours] {  // each of the two lines by itself
+    std::string line[2];
+    for (const bool ahead : {false, true}) {
+      std::vector<Case> cases = bias_cases();
+      std::erase_if(cases, [=](const Case& c) { return c.C == 0 || (c.C > 0) != ahead; });
+      line[ahead] = formula_of<Case>(cases, [&](const Case& c) { return yours(c)[0]; },
+                                     bias_arguments);
+    }
+    return line[0].empty() || line[1].empty() ? ""
+           : "where C < 0 yours is " + line[0] + ", and where C > 0 it is " + line[1];
+  });
   table.tolerance = 10 * rounding;
   return table;
 }
@@ -203,10 +244,34 @@ inline CaseTable<HalfTimeCase> half_time_table() {
        of_ratio([](double t) { return 1 - std::exp2(-std::floor(t)); })},
       {"it is always 1: 1/2 of whole numbers is 0, write real(0.5) or std::exp2",
        of_ratio([](double) { return 1.0; })},
-      {"this is a half in every step: h/T is forgotten", of_ratio([](double) { return 0.5; })}};
+      {"this is a half in every step: h/T is forgotten", of_ratio([](double) { return 0.5; })},
+      {"T/h is cut to a whole number: it is a real, a half-time need not be whole steps",
+       of_ratio([](double t) { return 1 - std::exp2(-1 / std::floor(1 / t)); })},
+      {"it is always 0: h, or the answer, is cut to a whole number: an int has no fraction",
+       of_ratio([](double) { return 0.0; })},
+      {"h/T is rounded to whole half-times: it is a real",
+       of_ratio([](double t) { return 1 - std::exp2(-std::round(t)); })},
+      {"the sign of the whole: 1 minus 2 to the power -h/T",
+       of_ratio([](double t) { return std::exp2(-t) - 1; })},
+      {"half of what a step leaves: 1 minus 2 to the power -h/T",
+       of_ratio([](double t) { return std::exp2(-t) / 2; })}};
   for (const double half_time : {0.1, 0.5, 0.02, 2.0})
-    for (const double rate : {60.0, 120.0, 10.0})
+    for (const double rate : {60.0, 120.0, 10.0, 72.5})
       table.cases.push_back(half_time_case(half_time, rate));
+  const Arguments<Case> arguments{{"T", &Case::half_time}, {"h", &Case::h}};
+  add_formulas(table, arguments);
+  read_off(table, [=, yours = table.yours, cases = table.cases]() -> std::string {
+    const auto formula = [&](auto of) {
+      return formula_of<Case>(cases, [&](const Case& c) { return of(yours(c)[0]); }, arguments);
+    };
+    if (const auto left = formula([](double b) { return -std::log2(1 - b); }); !left.empty())
+      return "yours is 1 - 2^-(" + left + ")";
+    if (const auto left = formula([](double b) { return -std::log2(b); }); !left.empty())
+      return "yours is 2^-(" + left + ")";
+    if (const auto left = formula([](double b) { return 1 - b; }); !left.empty())
+      return "yours is 1 - " + left;
+    return "";
+  });
   return table;
 }
 

@@ -2,7 +2,7 @@
 // point and to a rope.
 #pragma once
 
-#include "tests/06_baumgarte/projection_twin.h"
+#include "tests/06_baumgarte/projection_moves.h"
 
 namespace joints::testing {
 
@@ -16,27 +16,10 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
   using Case = VisitCase<Part>;
   using Twin = VisitTwin<Part>;
   constexpr int n = Part::rows;
-  const auto of = [](const Moves& poses, const Moves& velocities = {}) {
-    const auto short_way = [](const vec3& a) { return turn_between({1, 0, 0, 0}, rotation(a)); };
-    return flat({poses.way1, short_way(poses.turn1), poses.way2, short_way(poses.turn2),
-                 velocities.way1, velocities.turn1, velocities.way2, velocities.turn2});
-  };
-  // what a mistake does to the moves, or to lambda, where there is something to do
-  const auto changed = [=](auto change) {
-    return [=](const Case& c) {
-      const Twin twin(c.part, c.pair);
-      return Part::one_sided && twin.C[0] >= 0 ? of({}) : of(change(twin, twin.moves()));
-    };
-  };
-  // what a mistake does to the velocities: of the moves and the velocities before
-  const auto velocities = [=](auto poses, auto change) {
-    return [=](const Case& c) {
-      const Twin twin(c.part, c.pair);
-      if (Part::one_sided && twin.C[0] >= 0) return of({});
-      const Moves a = twin.moves(), b = velocities_of(c.pair);
-      return of(poses(a, b), change(a, b));
-    };
-  };
+  using Rules = VisitRules<Part>;
+  const auto of = [](const Moves& a, const Moves& b = {}) { return Rules::of(a, b); };
+  const auto changed = [](auto change) { return Rules::changed(change); };
+  const auto velocities = [](auto poses, auto change) { return Rules::velocities(poses, change); };
   const auto the_moves = [](const Moves& a, const Moves&) { return a; };
   const auto no_moves = [](const Moves&, const Moves&) { return Moves{}; };
   const auto pushed = [=](auto lambda) {
@@ -95,7 +78,8 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
   add = {{moves ? "nothing moves here, and elsewhere it does: every gap is closed, large or small, "
                   "beside a static body, too"
                 : "nothing moves: nothing is done yet, or the copies move and not the bodies "
-                  "themselves, or the copies are brought to rest after the push: before it",
+                  "themselves, or the copies are brought to rest after the push: before it. "
+                  "Or an int cuts lambda to 0",
           times(0)},
          {Part::one_sided ? "the sign: lambda = -C/K works against the error of the rope (that of "
                             "its rod has the other sign)"
@@ -106,6 +90,9 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
   if (factor > 0 && factor < 1 - 100 * difference_tolerance)
     add.push_back({"only a share of the gap is taken: there is no beta here, a visit takes it all",
                    times(factor)});
+  if (factor > 1 + 100 * difference_tolerance)
+    add.push_back({"more than the gap is taken, " + short_number(factor) +
+                       " times: a visit takes it once", times(factor)});
   add.insert(add.end(), {
       {"the velocities are changed, and the poses stay: add the moves to x and turn q by them",
        velocities(no_moves, the_moves)},
@@ -233,86 +220,11 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
                        if (all) twin.K = dense_K(twin.J, c.pair.body1, c.pair.body2);
                        return of(twin.moves());
                      }});
-  for (int k = 0; k < 4; ++k) {  // each of the four moves alone
-    const auto& [move, words] = four_moves[k];
-    const auto one = [=, move = move](auto instead) {
-      return changed([=](const Twin& twin, Moves a) {
-        a.*move = instead(twin.pair, a);
-        return a;
-      });
-    };
-    const auto other = four_moves[(k + 2) % 4].of;
-    add.push_back({words + " is missing", one([](const Pair&, const Moves&) { return vec3(0); })});
-    add.push_back({"the sign of " + words, one([=, move = move](const Pair&, const Moves& a) {
-                     return -(a.*move);
-                   })});
-    add.push_back({words + " is that of the other body",
-                   one([=](const Pair&, const Moves& a) { return a.*other; })});
-    add.push_back({words + " gets that of the other body, too",
-                   one([=, move = move](const Pair&, const Moves& a) {
-                     return a.*move + a.*other;
-                   })});
-    if (k % 2 == 1)
-      add.push_back({words + " is in its own axes: exp(w) q and not q exp(w)",
-                     one([=, move = move](const Pair& pair, const Moves& a) {
-                       return (k == 1 ? pair.body1 : pair.body2).q * (a.*move);
-                     })});
-  }
-  for (int flying = 15; flying > 0; --flying)  // which of the four velocities of the copies
-    add.push_back({"the copies are not at rest: v and w of both must be zero before they are given "
-                   "lambda",
-                   changed([=](const Twin& twin, Moves a) {
-                     const Moves b = velocities_of(twin.pair);
-                     for (int k = 0; k < 4; ++k)
-                       if (flying >> k & 1) a.*four_moves[k].of += b.*four_moves[k].of;
-                     return a;
-                   })});
-  for (int which = 1; which < 8; ++which) {
-    add.push_back({"the bodies are exchanged in " + Twin::words(which) + ": body 1 first",
-                   changed([=](const Twin& twin, const Moves&) {
-                     const Pair& pair = twin.pair;
-                     const Twin back(twin.part, {pair.body2, pair.body1});
-                     return twin.with(back, which).moves();
-                   })});
-    add.push_back({"taken again after body 1 has moved (" + Twin::words(which) + "): one lambda, "
-                   "from the poses before the visit, moves both",
-                   changed([=](const Twin& twin, Moves a) {
-                     Pair at = twin.pair;
-                     move_by({a.way1, a.turn1, vec3(0), vec3(0)}, at.body1, at.body2);
-                     const Moves late = twin.with(Twin(twin.part, at), which).moves();
-                     return Moves{a.way1, a.turn1, late.way2, late.turn2};
-                   })});
-  }
+  add_single_moves<Part>(add);
+  add_copies<Part>(add);
   if constexpr (Part::one_sided) {
-    const auto whatever = [=](auto live, int sign = 1) {
-      return [=](const Case& c) {
-        const Twin twin(c.part, c.pair);
-        return live(twin.C[0]) ? of(scaled(real(sign), real(sign), twin.moves())) : of({});
-      };
-    };
-    const auto as_point = [=](auto live) {
-      return [=](const Case& c) {
-        const Twin twin(c.part, c.pair);
-        const Point point{c.part.rod.anchor1_local, c.part.rod.anchor2_local};
-        return live(twin.C[0]) ? of(twin_moves(point, c.pair)) : of({});
-      };
-    };
-    const auto always = [](real) { return true; };
-    const auto too_long = [](real C) { return C < 0; };
-    const auto slack = [](real C) { return C > 0; };
-    const char* const no_point = "this is the visit of a point, which draws the two anchors into "
-                                 "one: a rope is drawn to its length, by its own row";
-    const char* const rod = "the error of the rod has the other sign: rope.error is negative "
-                            "where the rope is too long";
-    add.insert(add.begin(),
-               {{"a slack rope is pushed to its length: it is left alone where C >= 0",
-                 whatever(always)},
-                {"the wrong way round: C < 0 is too long, C > 0 is slack. (The error of its rod "
-                 "has the other sign)", whatever(slack)},
-                {rod, whatever(slack, -1)},
-                {rod, whatever(always, -1)},
-                {no_point, as_point(too_long)},
-                {no_point, as_point(always)}});
+    add_rope<Part>(add);
+    read_off(table, [=] { return threshold_of(table); });
   }
   return table;
 }

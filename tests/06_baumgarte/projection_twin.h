@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/06_baumgarte/warm_cases.h"
+#include "tests/checker/arguments.h"
 
 namespace joints::testing {
 

@@ -1,6 +1,7 @@
 // The tests of chapter 6's exercises. Linked with the solution, with the reader's file, with the
 // stub and with every known wrong and right answer.
 #include "tests/06_baumgarte/baumgarte_cases.h"
+#include "tests/06_baumgarte/safety_cases.h"
 #include "tests/checker/catch.h"
 #include "tests/06_baumgarte/torn_joints.h"
 
@@ -135,17 +136,17 @@ TEST_CASE("6.2 what hangs at rest goes on hanging when the step changes", "[6.2]
 }
 
 TEST_CASE("6.2 a chain of ten links needs six sweeps for a warm start beside beta", "[6.2]") {
-  for (const SafetyCase& s : safety_cases) {
-    const double yours = warm_start_is_safe(real(s.rho), s.sweeps, real(s.beta)) ? 1 : 0;
-    expect(criterion, s.words(), yours, s.safe ? 1 : 0, 0, explain_criterion(yours));
-  }
+  const CaseTable<SafetyCase> table = safety_table();
+  for (const int sweeps : {4, 5}) table.check(safety_case(ten_links, sweeps, 0.15), {0});
+  for (const int sweeps : {6, 10}) table.check(safety_case(ten_links, sweeps, 0.15), {1});
+  table.check();
 }
 
 TEST_CASE("6.2 a row that is not safe really runs away and a safe one settles", "[6.2]") {
-  for (const SafetyCase& s : safety_cases) {
-    if (s.rho == 0.5 || s.beta == 0) continue;  // at the bound; nothing brings C back
-    const double yours = warm_start_is_safe(real(s.rho), s.sweeps, real(s.beta)) ? 1 : 0;
-    expect(criterion, s.words(), yours, runs_away(s) < 1e-3 ? 1 : 0, 0, explain_criterion(yours));
+  const CaseTable<SafetyCase> table = safety_table();
+  for (const SafetyCase& c : table.cases) {
+    if (c.rho == 0.5 || c.beta == 0) continue;  // at the bound; nothing brings C back
+    table.check(c, {runs_away(c) < 1e-3 ? 1.0 : 0.0});
   }
 }
 

@@ -39,7 +39,7 @@ inline CaseTable<VisitCase<Point>> point_table() {
                        pair.body2.x += random.vector(real(0.15));
                      }));
 }
-// Half of the ropes are too long and half of them are slack.
+// Half of the ropes are too long and half of them are slack, two of them hardly.
 inline CaseTable<VisitCase<Rope<Distance>>> rope_table() {
   bool slack = true;
   auto cases = torn_cases<RopeFixture>([&](Rope<Distance>& rope, Pair& pair, Random& random) {
@@ -47,6 +47,12 @@ inline CaseTable<VisitCase<Rope<Distance>>> rope_table() {
     const real length = rope.rod.length - rope.error(pair.body1, pair.body2);
     rope.rod.length = length + (slack ? 1 : -1) * random.uniform(real(0.1), real(0.3));
   });
+  for (const real C : {real(0.004), real(-0.004)}) {
+    cases.push_back(cases[4]);
+    auto& c = cases.back();
+    c.words = C > 0 ? "hardly" : "hardly too long";
+    c.part.rod.length += C - c.part.error(c.pair.body1, c.pair.body2);
+  }
   for (auto& c : cases)
     if (c.part.error(c.pair.body1, c.pair.body2) > 0) c.words += ", slack";
   return visit_table(rope_visit, cases);
@@ -222,6 +228,8 @@ inline SweepMistake explain_sweep(const Chain& start, const Chain& yours) {
       {order({0}), "only the first joint is visited"},
       {order({0, 1, 2, 3, 0, 1, 2, 3}), "this is two sweeps: every joint is visited once"},
       {order({0, 1, 2, 3, 3, 2, 1, 0}), "there and back: every joint is visited once"},
+      {order({0, 2}), "every second joint is left out"},
+      {order({0, 2, 1, 3}), "every second joint, then the others: from the first joint to the last"},
       {order({}), "nothing moves: nothing is done yet, or copies move: take the bodies of the "
                   "chain by reference, auto& and not auto"},
       {stale_errors, "the errors are taken before the sweep: each joint needs its error at the "
@@ -245,6 +253,11 @@ inline SweepMistake explain_sweep(const Chain& start, const Chain& yours) {
          for (std::size_t k = 0; k < chain.joints.size(); ++k)
            visit(chain.joints[0], chain.bodies[k], chain.bodies[k + 1]);
        }, "joint 0 is taken for all of them: joint k holds body k to body k + 1"}};
+  for (const Body& body : yours.bodies)
+    if (!std::isfinite(double(dot(body.x, body.x) + dot(body.q, body.q))))
+      fail(sweep_subject, "A body's place is no number.\n\n" +
+                              likely("a joint between a body and itself has no K: joint k holds "
+                                     "body k to body k + 1"));
   for (const bool twin : {true, false})
     for (const auto& [sweep, words] : sweeps) {
       Chain chain = start;
@@ -253,6 +266,16 @@ inline SweepMistake explain_sweep(const Chain& start, const Chain& yours) {
       const bool in_order = &words == &sweeps[0].second;
       return {in_order && !twin ? visit : sweep_subject, in_order && twin ? "" : words};
     }
+  Chain often = start, resting = yours;
+  for (int n = 2; n < 200; ++n) {
+    visit_all(often, {0, 1, 2, 3}, your_visit);
+    if (same_chains(often, yours) && n > 2)
+      return {sweep_subject, "this is " + std::to_string(n - 1) + " sweeps: every joint is visited "
+                             "once"};
+  }
+  for (std::size_t k = 0; k < resting.bodies.size(); ++k) resting.bodies[k].v = start.bodies[k].v;
+  if (!same_chains(resting, yours))
+    return {sweep_subject, "the velocities of the bodies change: a sweep moves and turns them"};
   return {sweep_subject, ""};
 }
 

@@ -23,22 +23,31 @@ struct BodyRule {
   std::string words;
   std::function<Value(const HingeCase&, bool)> of;
 };
-/// Each rule for both bodies, for body 1 and for body 2, the other one's being right.
+/// Each rule for both bodies, for body 1 and for body 2, the other one's being right; and one rule
+/// for body 1 and another for body 2.
 template <class Value, class Flat>
-auto for_each_body(const std::vector<BodyRule<Value>>& wrong,
-                   const std::function<Value(const HingeCase&, bool)>& right,
-                   const std::string& name, Flat flat) {
-  std::vector<std::pair<std::string, CaseTable<HingeCase>::Answer>> out;
+void add_body_rules(CaseTable<HingeCase>& table, const std::vector<BodyRule<Value>>& wrong,
+                    const std::function<Value(const HingeCase&, bool)>& right,
+                    const std::string& name, Flat flat) {
   for (const int which : {3, 1, 2})
     for (const BodyRule<Value>& rule : wrong) {
       const std::string who = which == 3 ? name + "1 and " + name + "2"
                                          : name + std::to_string(which);
-      out.push_back({who + ": " + rule.words, [=, of = rule.of](const HingeCase& c) {
-                       return flat((which & 1 ? of : right)(c, false),
-                                   (which & 2 ? of : right)(c, true));
-                     }});
+      table.mistakes.push_back({who + ": " + rule.words, [=, of = rule.of](const HingeCase& c) {
+                                  return flat((which & 1 ? of : right)(c, false),
+                                              (which & 2 ? of : right)(c, true));
+                                }});
     }
-  return out;
+  table.pairs = [=] {
+    CaseTable<HingeCase>::Mistakes out;
+    for (const BodyRule<Value>& one : wrong)
+      for (const BodyRule<Value>& two : wrong)
+        out.push_back({name + "1: " + one.words + "; and " + name + "2: " + two.words,
+                       [=, of1 = one.of, of2 = two.of](const HingeCase& c) {
+                         return flat(of1(c, false), of2(c, true));
+                       }});
+    return out;
+  };
 }
 
 // ---- levers -------------------------------------------------------------------------------------
@@ -61,7 +70,8 @@ inline CaseTable<HingeCase> lever_table() {
     return out;
   };
   table.right = [=](const Case& c) { return flat(twin_lever(c, false), twin_lever(c, true)); };
-  table.mistakes = for_each_body<vec3>(
+  add_body_rules<vec3>(
+      table,
       {{"not written yet", [](const Case&, bool) { return vec3(unwritten); }},
        {"not turned into the world: to_world(body, anchor)",
         [](const Case& c, bool second) { return c.anchor(second); }},
@@ -85,6 +95,15 @@ inline CaseTable<HingeCase> lever_table() {
        {"to the anchor on the other body: that is the same point only while the gap is zero",
         [](const Case& c, bool second) {
           return c.body(!second).x + twin_lever(c, !second) - c.body(second).x;
+        }},
+       {"it begins at the centre of the other body: at that of its own",
+        [](const Case& c, bool second) {
+          return c.body(second).x + twin_lever(c, second) - c.body(!second).x;
+        }},
+       {"made a unit vector: a lever keeps its length",
+        [](const Case& c, bool second) {
+          const vec3 r = twin_lever(c, second);
+          return length(r) > 0 ? normalize(r) : r;
         }}},
       twin_lever, "r", flat);
   table.tolerance = 10 * rounding;
@@ -133,6 +152,18 @@ inline CaseTable<HingeCase> axis_row_table() {
       {"the rows are not written yet", of_rows([](const Case&, const Rows&) {
          return Rows{vec3(unwritten), vec3(unwritten)};
        })},
+      {"the first row is not written yet", of_rows([](const Case&, const Rows& a) {
+         return Rows{vec3(unwritten), a[1]};
+       })},
+      {"the sign of the first row: b x a1 is the block w2",
+       of_rows([](const Case&, const Rows& a) { return Rows{-a[0], a[1]}; })},
+      {"the sign of the second row: c x a1 is the block w2",
+       of_rows([](const Case&, const Rows& a) { return Rows{a[0], -a[1]}; })},
+      {"the bodies are exchanged: axis.jacobian(body1, body2)",
+       [=](const Case& c) {
+         const Jacobian<2> J = c.hinge.axis.jacobian(c.pair.body2, c.pair.body1);
+         return flat({J[0].w2, J[1].w2});
+       }},
       {"the second row is not written yet", of_rows([](const Case&, const Rows& a) {
          return Rows{a[0], vec3(unwritten)};
        })},
@@ -210,10 +241,6 @@ inline CaseTable<HingeCase> inertia_table() {
       return out;
     };
   };
-  const auto moments = [](const Body& body) {
-    return body.is_static() ? vec3(0) : real(1) / body.inverse_inertia_local;
-  };
-
   std::vector<std::string> names;
   for (const char* body : {"I1.", "I2."})
     for (const char* entry : {"xx", "yy", "zz", "xy", "xz", "yz"})
@@ -225,7 +252,8 @@ inline CaseTable<HingeCase> inertia_table() {
     return both(six(yours.I1), six(yours.I2));
   };
   table.right = [=](const Case& c) { return both(right(c, false), right(c, true)); };
-  table.mistakes = for_each_body<Numbers>(
+  add_body_rules<Numbers>(
+      table,
       {{"not written yet", [](const Case&, bool) { return Numbers(6, double(unwritten)); }},
        {"body-space: it must be turned into the world, R I^-1 R^T, inverse_inertia(body)",
         with_body([](const Body& b) {
@@ -240,8 +268,12 @@ inline CaseTable<HingeCase> inertia_table() {
           return six_numbers(turned_inertia(c.body(!second).q,
                                             c.body(second).inverse_inertia_local));
         }},
-       {"the inertia itself, not its inverse", with_body([=](const Body& b) {
-          return turned_inertia(b.q, moments(b));
+       {"the inertia itself, not its inverse", with_body([](const Body& b) {
+          return inverse(turned_inertia(b.q, b.inverse_inertia_local));
+        })},
+       {"times the inverse mass: an inverse inertia has the mass in it",
+        with_body([](const Body& b) {
+          return b.inverse_mass * turned_inertia(b.q, b.inverse_inertia_local);
         })},
        {"R^T is missing: R I^-1 R^T", with_body([](const Body& b) {
           mat3 out = glm::mat3_cast(b.q);

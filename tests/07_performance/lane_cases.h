@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/lanes.h"
-#include "tests/07_performance/solve_cases.h"
+#include "tests/07_performance/solve_pieces.h"
 
 namespace joints::testing {
 
@@ -10,9 +10,9 @@ namespace joints::testing {
 
 /// Whatever is wrong, the table's mistake explains it.
 inline void expect_solved(const std::string& entry, double yours, double right, double tolerance) {
-  const CaseTable<SolveCase> table = solve_table();
-  expect(table.subject, entry, yours, right, tolerance,
-         near(yours, right, tolerance) ? std::vector<Suspect>{} : table.explain(yours));
+  const bool same = near(yours, right, tolerance);
+  expect({"7.4", "the solve of a whole hinge"}, entry, yours, right, tolerance,
+         same ? std::vector<Suspect>{} : solve_table().explain(yours));
 }
 inline void expect_solved(const std::string& entry, const vec3& yours, const vec3& right,
                    double tolerance) {

@@ -1,7 +1,9 @@
-// Exercise 7.4 as a table of cases with its usual mistakes: one solve of a whole block.
+// Exercise 7.4, one solve of a whole block: the cases, and the path from the velocities before to
+// those after, in pieces.
 #pragma once
 
 #include "tests/07_performance/loop_hinges.h"
+#include "tests/checker/impulse_lines.h"
 
 namespace joints::testing {
 
@@ -46,51 +48,51 @@ inline Numbers flat(const FourVelocities& V) {
 
 /// What a solve is made of, each piece by itself, so that a mistake changes one of them.
 struct SolveTwin {
-  vec3 r1, r2;                   ///< levers
-  std::array<vec3, 2> a;         ///< axis rows
-  Jacobian<5> read, push;        ///< J of e, and J of what lambda does
-  std::array<mat3, 4> inverse_M;  ///< of v1, w1, v2, w2
+  using Step = std::function<void(SolveTwin&, Vector<5>&)>;
+  vec3 r1, r2;              ///< levers
+  std::array<vec3, 2> a;    ///< axis rows
+  Jacobian<5> read, push;   ///< J of e, and J of what lambda does
+  ImpulseLines lines;       ///< how v1, w1, v2, w2 get it
   Matrix<5> inverse_K;
   Vector<5> bias;
   FourVelocities V;
+  std::vector<Step> on_e, on_lambda, after;  ///< what else becomes of e, of lambda, of V
 
   explicit SolveTwin(const SolveCase& c)
       : r1(to_vec3(c.hinge.r1)), r2(to_vec3(c.hinge.r2)),
         a{to_vec3(c.hinge.axis_row[0]), to_vec3(c.hinge.axis_row[1])},
-        read(hinge_rows(r1, r2, a)), push(read),
-        inverse_M{mat3(c.body1.inverse_mass), to_mat3(c.hinge.I1), mat3(c.body2.inverse_mass),
-                  to_mat3(c.hinge.I2)},
-        V(velocities_of(c)) {
+        read(hinge_rows(r1, r2, a)), push(read), V(velocities_of(c)) {
+    lines.inverse_M = {mat3(c.body1.inverse_mass), to_mat3(c.hinge.I1), mat3(c.body2.inverse_mass),
+                       to_mat3(c.hinge.I2)};
+    lines.before = V;
     int place = 0;
     for (std::size_t i = 0; i < 5; ++i) {
       bias[i] = c.hinge.bias[i];
       for (int j = int(i); j < 5; ++j)
-        inverse_K[int(i)][j] = inverse_K[j][i] = c.hinge.inverse_K[place++];
+        inverse_K[int(i)][j] = inverse_K[j][int(i)] = c.hinge.inverse_K[std::size_t(place++)];
     }
   }
   /// bias + J V.
-  Vector<5> e() const {
+  Vector<5> e() {
     Vector<5> out;
     for (int i = 0; i < 5; ++i)
-      out[i] = bias[i] + dot(read[i].v1, V[0]) + dot(read[i].w1, V[1]) + dot(read[i].v2, V[2]) +
-               dot(read[i].w2, V[3]);
+      out[std::size_t(i)] = bias[std::size_t(i)] + dot(read[i].v1, V[0]) + dot(read[i].w1, V[1]) +
+                            dot(read[i].v2, V[2]) + dot(read[i].w2, V[3]);
+    for (const Step& step : on_e) step(*this, out);
     return out;
   }
-  Vector<5> lambda(const Vector<5>& e) const {
+  Vector<5> lambda(const Vector<5>& e) {
     Vector<5> out{};
     for (int i = 0; i < 5; ++i)
-      for (int j = 0; j < 5; ++j) out[i] -= inverse_K[i][j] * e[j];
+      for (int j = 0; j < 5; ++j) out[std::size_t(i)] -= inverse_K[i][j] * e[std::size_t(j)];
+    for (const Step& step : on_lambda) step(*this, out);
     return out;
   }
-  /// V += M^-1 J^T lambda.
-  void apply(const Vector<5>& lambda) {
-    for (int i = 0; i < 5; ++i) {
-      const vec3* const blocks[] = {&push[i].v1, &push[i].w1, &push[i].v2, &push[i].w2};
-      for (int k = 0; k < 4; ++k) V[k] += inverse_M[k] * (lambda[i] * *blocks[k]);
-    }
-  }
   FourVelocities solved() {
-    apply(lambda(e()));
+    Vector<5> impulse = lambda(e());
+    const FourVectors changes = lines.changes(impulses<5>(push, impulse));
+    for (std::size_t k = 0; k < 4; ++k) V[k] += changes[k];
+    for (const Step& step : after) step(*this, impulse);
     return V;
   }
   static Jacobian<5> scaled(Jacobian<5> J, int from, int to, real v1, real w1, real v2, real w2) {
@@ -99,181 +101,5 @@ struct SolveTwin {
     return J;
   }
 };
-
-/// The mistakes that change one piece of the twin.
-inline std::vector<std::pair<std::string, std::function<void(SolveTwin&)>>> wrong_pieces() {
-  using T = SolveTwin;
-  const auto times = [](Jacobian<5> T::*rows, int from, int to, real v1, real w1, real v2,
-                        real w2) {
-    return [=](T& t) { t.*rows = T::scaled(t.*rows, from, to, v1, w1, v2, w2); };
-  };
-  const auto read = &T::read, push = &T::push;
-  const auto of_K = [](auto keep) {
-    return [=](T& t) {
-      for (int i = 0; i < 5; ++i)
-        for (int j = 0; j < 5; ++j)
-          if (!keep(i, j)) t.inverse_K[i][j] = 0;
-    };
-  };
-  const auto packed = [](auto place) {  // another order of the 15 numbers
-    return [=](T& t) {
-      const Matrix<5> right = t.inverse_K;
-      real numbers[15];
-      int n = 0;
-      for (int i = 0; i < 5; ++i)
-        for (int j = i; j < 5; ++j) numbers[n++] = right[i][j];
-      for (int i = 0; i < 5; ++i)
-        for (int j = 0; j < 5; ++j) t.inverse_K[i][j] = numbers[place(i, j)];
-    };
-  };
-  const auto rows_with = [](auto r1, auto r2) {
-    return [=](T& t) { return hinge_rows(r1(t), r2(t), t.a); };
-  };
-  const auto exchanged = rows_with([](T& t) { return t.r2; }, [](T& t) { return t.r1; });
-  const auto opposite = rows_with([](T& t) { return -t.r1; }, [](T& t) { return -t.r2; });
-  const auto swap_rows = [](Jacobian<5>& J) { std::swap(J[3], J[4]); };
-  return {
-      {"the sign: lambda = -K^-1 e works against e, and +lambda acts on body 2",
-       times(push, 0, 5, -1, -1, -1, -1)},
-      {"nothing changes: the bodies are references, and lambda is applied to them",
-       times(push, 0, 5, 0, 0, 0, 0)},
-      {"both bodies are pushed the same way: body 1 gets the opposite of what body 2 gets",
-       times(push, 0, 5, -1, -1, 1, 1)},
-      {"both bodies get the same turn: w1 -= I1 (r1 x P + T)", times(push, 0, 5, 1, -1, 1, 1)},
-      {"both bodies get the same push: v1 -= P/m1", times(push, 0, 5, -1, 1, 1, 1)},
-      {"only body 2 feels it: body 1 gets the opposite", times(push, 0, 5, 0, 0, 1, 1)},
-      {"only body 1 feels it: body 2 gets the opposite", times(push, 0, 5, 1, 1, 0, 0)},
-      {"the push changes w only: v1 -= P/m1, v2 += P/m2", times(push, 0, 5, 0, 1, 0, 1)},
-      {"the push changes v only: w gets r x P, too", times(push, 0, 3, 1, 0, 1, 0)},
-      {"only v changes: w gets r x P + T", times(push, 0, 5, 1, 0, 1, 0)},
-      {"the turn T is missing: w gets r x P + T, with T = lambda4 a_1 + lambda5 a_2",
-       times(push, 3, 5, 1, 0, 1, 0)},
-      {"the turn T is missing on body 1", times(push, 3, 5, 1, 0, 1, 1)},
-      {"the turn T is missing on body 2", times(push, 3, 5, 1, 1, 1, 0)},
-      {"the sign of the turn T: w1 loses it, w2 gets it", times(push, 3, 5, 1, -1, 1, -1)},
-      {"both bodies get the turn T the same way: w1 loses it", times(push, 3, 5, 1, -1, 1, 1)},
-      {"only lambda4 turns: T = lambda4 a_1 + lambda5 a_2", times(push, 4, 5, 1, 0, 1, 0)},
-      {"only lambda5 turns: T = lambda4 a_1 + lambda5 a_2", times(push, 3, 4, 1, 0, 1, 0)},
-      {"the sign of the push P: v1 loses it, v2 gets it", times(push, 0, 3, -1, -1, -1, -1)},
-      {"half of lambda is applied", times(push, 0, 5, real(0.5), real(0.5), real(0.5), real(0.5))},
-      {"lambda is applied twice", times(push, 0, 5, 2, 2, 2, 2)},
-      {"P x r in the place of r x P", [=](T& t) {
-         const Jacobian<5> rows = opposite(t);
-         for (int i = 0; i < 3; ++i) t.push[i] = rows[i];
-       }},
-      {"r x w in the place of w x r in the gap's rate", [=](T& t) { t.read = opposite(t); }},
-      {"r x w and P x r: w x r in the gap's rate, r x P in what the push does",
-       [=](T& t) { t.read = t.push = opposite(t); }},
-      {"the levers are exchanged in the gap's rate: r1 belongs to w1",
-       [=](T& t) { t.read = exchanged(t); }},
-      {"the levers are exchanged in what the push does: r1 belongs to body 1",
-       [=](T& t) { t.push = exchanged(t); }},
-      {"the levers are exchanged: r1 belongs to body 1",
-       [=](T& t) { t.read = t.push = exchanged(t); }},
-      {"r1 is taken for both bodies",
-       [=](T& t) { t.read = t.push = hinge_rows(t.r1, t.r1, t.a); }},
-      {"r2 is taken for both bodies",
-       [=](T& t) { t.read = t.push = hinge_rows(t.r2, t.r2, t.a); }},
-      {"w1 and w2 are exchanged in e", [](T& t) {
-         for (int i = 0; i < 5; ++i) std::swap(t.read[i].w1, t.read[i].w2);
-       }},
-      {"the levers are missing in the gap's rate: v2 + w2 x r2 - v1 - w1 x r1",
-       times(read, 0, 3, 1, 0, 1, 0)},
-      {"w1 x r1 is missing in the gap's rate", times(read, 0, 3, 1, 0, 1, 1)},
-      {"w2 x r2 is missing in the gap's rate", times(read, 0, 3, 1, 1, 1, 0)},
-      {"v1 and v2 are missing in the gap's rate", times(read, 0, 3, 0, 1, 0, 1)},
-      {"body 1 is missing in e: the rates are of body 2 less those of body 1",
-       times(read, 0, 5, 0, 0, 1, 1)},
-      {"body 2 is missing in e: the rates are of body 2 less those of body 1",
-       times(read, 0, 5, 1, 1, 0, 0)},
-      {"the velocities of body 1 are added in e: the rates are of body 2 less those of body 1",
-       times(read, 0, 5, -1, -1, 1, 1)},
-      {"the sign of e in the point's rows: rates of body 2 less those of body 1", [=](T& t) {
-         t.read = T::scaled(t.read, 0, 3, -1, -1, -1, -1);
-         for (int i = 0; i < 3; ++i) t.bias[i] = -t.bias[i];
-       }},
-      {"the sign of J V: e = bias + J V, and C grows when body 2 moves positively",
-       times(read, 0, 5, -1, -1, -1, -1)},
-      {"the sign of w1 x r1 in the gap's rate: it is taken away", times(read, 0, 3, 1, -1, 1, 1)},
-      {"the sign of w2 x r2 in the gap's rate: it is added", times(read, 0, 3, 1, 1, 1, -1)},
-      {"w1 is missing in the axis rows: a_j . (w2 - w1)", times(read, 3, 5, 1, 0, 1, 1)},
-      {"w2 is missing in the axis rows: a_j . (w2 - w1)", times(read, 3, 5, 1, 1, 1, 0)},
-      {"the sign in the axis rows: a_j . (w2 - w1)", times(read, 3, 5, 1, -1, 1, -1)},
-      {"w1 + w2 in the axis rows: a_j . (w2 - w1)", times(read, 3, 5, 1, -1, 1, 1)},
-      {"the axis rows are exchanged in e", [=](T& t) { swap_rows(t.read); }},
-      {"the axis rows are exchanged in the turn T", [=](T& t) { swap_rows(t.push); }},
-      {"the first axis row twice in e", [](T& t) { t.read[4] = t.read[3]; }},
-      {"the first axis row twice in the turn T", [](T& t) { t.push[4] = t.push[3]; }},
-      {"the bias is forgotten: e = bias + J V", [](T& t) { t.bias = {}; }},
-      {"the bias of the axis is forgotten", [](T& t) { t.bias[3] = t.bias[4] = 0; }},
-      {"the bias of the point is forgotten", [](T& t) { t.bias[0] = t.bias[1] = t.bias[2] = 0; }},
-      {"the sign of the point's bias: e = bias + J V",
-       [](T& t) { t.bias[0] = -t.bias[0], t.bias[1] = -t.bias[1], t.bias[2] = -t.bias[2]; }},
-      {"the sign of the axis' bias: e = bias + J V",
-       [](T& t) { t.bias[3] = -t.bias[3], t.bias[4] = -t.bias[4]; }},
-      {"the sign of the bias: e = bias + J V", [](T& t) {
-         for (real& b : t.bias) b = -b;
-       }},
-      {"the velocities are forgotten: e = bias + J V", times(read, 0, 5, 0, 0, 0, 0)},
-      {"the inverse inertias are missing: w1 -= I1 (r1 x P + T)",
-       [](T& t) { t.inverse_M[1] = t.inverse_M[3] = mat3(1); }},
-      {"the inverse inertia of body 1 is missing", [](T& t) { t.inverse_M[1] = mat3(1); }},
-      {"the inverse inertia of body 2 is missing", [](T& t) { t.inverse_M[3] = mat3(1); }},
-      {"the inverse masses are missing: v1 -= P/m1",
-       [](T& t) { t.inverse_M[0] = t.inverse_M[2] = mat3(1); }},
-      {"the inverse mass of body 1 is missing", [](T& t) { t.inverse_M[0] = mat3(1); }},
-      {"the inverse mass of body 2 is missing", [](T& t) { t.inverse_M[2] = mat3(1); }},
-      {"the inverse inertias are exchanged: I1 belongs to body 1",
-       [](T& t) { std::swap(t.inverse_M[1], t.inverse_M[3]); }},
-      {"I1 is taken for both bodies", [](T& t) { t.inverse_M[3] = t.inverse_M[1]; }},
-      {"I2 is taken for both bodies", [](T& t) { t.inverse_M[1] = t.inverse_M[3]; }},
-      {"the inverse mass of body 1 is taken for both",
-       [](T& t) { t.inverse_M[2] = t.inverse_M[0]; }},
-      {"the inverse mass of body 2 is taken for both",
-       [](T& t) { t.inverse_M[0] = t.inverse_M[2]; }},
-      {"the inverse masses are exchanged",
-       [](T& t) { std::swap(t.inverse_M[0], t.inverse_M[2]); }},
-      {"K^-1 is missing: lambda = -K^-1 e", [](T& t) {
-         t.inverse_K = {};
-         for (int i = 0; i < 5; ++i) t.inverse_K[i][i] = 1;
-       }},
-      {"only the upper half of K^-1 is used: place(i, j) gives the lower one, too",
-       of_K([](int i, int j) { return i <= j; })},
-      {"only the lower half of K^-1 is used: place(i, j) gives the upper one, too",
-       of_K([](int i, int j) { return i >= j; })},
-      {"only the diagonal of K^-1 is used", of_K([](int i, int j) { return i == j; })},
-      {"what K^-1 holds between the point and the axis is not used: these are two blocks",
-       of_K([](int i, int j) { return (i < 3) == (j < 3); })},
-      {"K^-1 is read in another order: take place(i, j), row after row of the upper half",
-       packed([](int i, int j) {
-         return std::max(i, j) * (std::max(i, j) + 1) / 2 + std::min(i, j);
-       })},
-      {"K^-1 is read as if all 25 entries stood there: take place(i, j), only 15 do",
-       packed([](int i, int j) { return std::min(5 * i + j, 14); })}};
-}
-
-inline CaseTable<SolveCase> solve_table() {
-  using Case = SolveCase;
-  CaseTable<Case> table{{"7.4", "the solve of a whole hinge"},
-                        with_xyz({"v1", "w1", "v2", "w2"}), {}, {}, {}, solve_cases()};
-  table.yours = [](const Case& c) { return flat(velocities_of(solved(c))); };
-  table.right = [](const Case& c) { return flat(SolveTwin(c).solved()); };
-  for (const auto& [words, change] : wrong_pieces())
-    table.mistakes.push_back({words, [change = change](const Case& c) {
-                                SolveTwin twin(c);
-                                change(twin);
-                                return flat(twin.solved());
-                              }});
-  table.mistakes.push_back({"lambda is written over e while e is still being read: keep them apart",
-                            [](const Case& c) {
-                              SolveTwin twin(c);
-                              Vector<5> e = twin.e();
-                              for (int i = 0; i < 5; ++i) e[i] = twin.lambda(e)[i];
-                              twin.apply(e);
-                              return flat(twin.V);
-                            }});
-  table.tolerance = is_float ? 1e-3 : 1e-10;
-  return table;
-}
 
 }  // namespace joints::testing

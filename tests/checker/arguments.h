@@ -32,7 +32,8 @@ std::string formula_of(const std::vector<Case>& cases,
                        const std::function<double(const Case&)>& yours,
                        const Arguments<Case>& arguments) {
   const auto same = [](double a, double b) {
-    return std::abs(a - b) <= 1e-7 * (std::abs(a) + std::abs(b)) + 1e-12;
+    return std::abs(a - b) <= 1e-7 * (std::abs(a) + std::abs(b)) + 1e-12 ||
+           (!std::isfinite(a) && !std::isfinite(b));
   };
   if (std::all_of(cases.begin(), cases.end(), [&](const Case& c) { return same(yours(c), 0); }))
     return "0";
@@ -72,41 +73,49 @@ std::string formula_of(const std::vector<Case>& cases,
   return "";
 }
 
-/// Mistakes that any formula can have: an argument, one over it, or the answer is cut to a whole
-/// number; and where nothing explains the numbers, the formula that is yours.
+/// Where nothing explains the numbers: what can be read off them in words, "" where nothing can.
+template <class Case>
+void read_off(CaseTable<Case>& table, const std::function<std::string()>& words) {
+  table.pairs = [=, before = table.pairs, yours = table.yours] {
+    typename CaseTable<Case>::Mistakes out;
+    if (before) out = before();
+    if (const std::string read = words(); !read.empty()) out.push_back({read, yours});
+    return out;
+  };
+}
+
+/// Mistakes that any formula can have: an argument, 1/h or the answer is cut to a whole number; and
+/// where nothing explains the numbers, the formula that is yours.
 template <class Case>
 void add_formulas(CaseTable<Case>& table, const Arguments<Case>& arguments) {
-  const auto right = table.right;
   const char* const cut = " is cut to a whole number: an int has no fraction";
+  const auto add = [&](const std::string& name, const auto& answer) {
+    for (const Case& c : table.cases)
+      if (!std::isfinite(answer(c)[0])) return;  // a division by zero, which is told anyway
+    if (!table.knows(answer)) table.mistakes.push_back({name + cut, answer});
+  };
   for (const Argument<Case>& a : arguments) {
-    const auto with = [=](auto change) {
-      return [=](const Case& c) {
+    const auto with = [&](auto change) {
+      return [=, right = table.right](const Case& c) {
         Case other = c;
         other.*a.of = change(c.*a.of);
         return right(other);
       };
     };
-    table.mistakes.push_back({a.name + std::string(cut), with([](double x) {
-                                return std::trunc(x);
-                              })});
-    table.mistakes.push_back({"1/" + std::string(a.name) + cut, with([](double x) {
-                                return 1 / std::trunc(1 / x);
-                              })});
+    add(a.name, with([](double x) { return std::trunc(x); }));
+    if (a.name == std::string("h"))
+      add("1/h", with([](double h) { return 1 / std::trunc(1 / h); }));
   }
-  table.mistakes.push_back({"the answer" + std::string(cut), [=](const Case& c) {
-                              Numbers out = right(c);
-                              for (double& x : out) x = std::trunc(x);
-                              return out;
-                            }});
-  const auto before = table.pairs;
-  table.pairs = [=, yours = table.yours, cases = table.cases] {
-    typename CaseTable<Case>::Mistakes out;
-    if (before) out = before();
-    const std::string formula =
-        formula_of<Case>(cases, [&](const Case& c) { return yours(c)[0]; }, arguments);
-    if (!formula.empty()) out.push_back({"yours is " + formula + " in every case", yours});
+  add("the answer", [right = table.right](const Case& c) {
+    Numbers out = right(c);
+    for (double& x : out) x = std::trunc(x);
     return out;
-  };
+  });
+  read_off(table, [=, yours = table.yours, cases = table.cases] {
+    const auto number = [&](const Case& c) { return yours(c)[0]; };
+    const std::string formula = formula_of<Case>(cases, number, arguments);
+    return formula.empty() ? "" : "yours is " + formula + " in every case";
+  });
 }
 
 }  // namespace joints::testing

@@ -54,6 +54,13 @@ struct CaseTable {
     return std::all_of(cases.begin(), cases.end(),
                        [&](const Case& c) { return same(yours(c), right(c)); });
   }
+  /// Does one of the mistakes give the same numbers in every case?
+  bool knows(const Answer& answer) const {
+    return std::any_of(mistakes.begin(), mistakes.end(), [&](const auto& mistake) {
+      return std::all_of(cases.begin(), cases.end(),
+                         [&](const Case& c) { return same(answer(c), mistake.second(c)); });
+    });
+  }
   /// For a test of another kind: whatever number it finds wrong, the table's mistake explains it.
   std::vector<Suspect> explain(double number, std::vector<Suspect> otherwise = {}) const {
     std::vector<Suspect> out;

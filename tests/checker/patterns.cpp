@@ -44,6 +44,27 @@ double factor_of(const Column& one, double tolerance) {
   return std::round(1e6 * factor) / 1e6;
 }
 
+// What belongs elsewhere.
+struct Moved {
+  std::string to, sign, from;
+};
+// Three entries of a vector that belong to another vector become one.
+void as_vectors(std::vector<Moved>& moved) {
+  const auto end = [](const std::string& name, const char* part) { return name.ends_with(part); };
+  for (std::size_t k = 0; k + 2 < moved.size(); ++k) {
+    const Moved &x = moved[k], &y = moved[k + 1], &z = moved[k + 2];
+    const bool same = x.sign == y.sign && y.sign == z.sign && end(x.to, ".x") && end(y.to, ".y") &&
+                      end(z.to, ".z") && end(x.from, ".x") && end(y.from, ".y") &&
+                      end(z.from, ".z");
+    const auto base = [](const std::string& name) { return name.substr(0, name.size() - 2); };
+    if (!same || base(x.to) != base(y.to) || base(y.to) != base(z.to) ||
+        base(x.from) != base(y.from) || base(y.from) != base(z.from))
+      continue;
+    moved[k] = {base(x.to), x.sign, base(x.from)};
+    moved.erase(moved.begin() + long(k) + 1, moved.begin() + long(k) + 3);
+  }
+}
+
 std::string number(double a) {
   char buffer[40];
   std::snprintf(buffer, sizeof buffer, "%.4g", a);
@@ -80,7 +101,7 @@ std::string common_pattern(const std::vector<std::string>& entries,
   std::vector<Column> columns;
   for (std::size_t i = 0; i < entries.size(); ++i) columns.push_back(column(cases, i));
   std::map<double, std::vector<std::string>> scaled;  // by their factor
-  std::vector<std::string> moved;                     // what belongs elsewhere
+  std::vector<Moved> moved;
   std::size_t wrong = 0, silent = 0;                  // silent: right whatever the mistake
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Column& one = columns[i];
@@ -93,15 +114,16 @@ std::string common_pattern(const std::vector<std::string>& entries,
       scaled[factor].push_back(entries[i]);
       continue;
     }
-    std::string from;
+    Moved from{entries[i], "", ""};
     for (const double sign : {1.0, -1.0})
-      for (std::size_t j = 0; j < entries.size() && from.empty(); ++j)
+      for (std::size_t j = 0; j < entries.size() && from.from.empty(); ++j)
         if (j != i && times(one, sign, columns[j].right, tolerance) &&
             !times(one, 0, columns[j].right, tolerance))
-          from = (sign < 0 ? "minus what belongs to " : "what belongs to ") + entries[j];
-    if (from.empty()) return "";
-    moved.push_back(entries[i] + " is " + from);
+          from = {entries[i], sign < 0 ? "minus " : "", entries[j]};
+    if (from.from.empty()) return "";
+    moved.push_back(from);
   }
+  as_vectors(moved);
   if (wrong == 0) return "";
   const bool all = wrong + silent == entries.size();
   if (whole && !(all && moved.empty() && scaled.size() == 1)) return "";
@@ -120,7 +142,8 @@ std::string common_pattern(const std::vector<std::string>& entries,
       words.push_back("a factor of " + number(factor) + (which.empty() ? "" : " in " + which) +
                       ", in every case");
   }
-  words.insert(words.end(), moved.begin(), moved.end());
+  for (const Moved& one : moved)
+    words.push_back(one.to + " is " + one.sign + "what belongs to " + one.from);
   std::string out;
   for (const std::string& one : words) out += (out.empty() ? "" : "; ") + one;
   return out;

@@ -10,6 +10,7 @@ namespace joints::testing {
 template <class Twin>
 using Pieces = std::vector<std::pair<std::string, std::function<void(Twin&)>>>;
 
+/// What another mistake of the table gives already keeps the other's name.
 /// \param twin of a case \param answer what a twin comes to
 template <class Case, class Make, class Answer, class Twin>
 void add_pieces(CaseTable<Case>& table, const Make& twin, const Answer& answer,
@@ -21,7 +22,9 @@ void add_pieces(CaseTable<Case>& table, const Make& twin, const Answer& answer,
       return answer(one);
     };
   };
-  for (const auto& [words, change] : pieces) table.mistakes.push_back({words, changed({change})});
+  for (const auto& [words, change] : pieces)
+    if (const auto mistake = changed({change}); !table.knows(mistake))
+      table.mistakes.push_back({words, mistake});
   table.pairs = [=] {
     typename CaseTable<Case>::Mistakes out;
     for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -231,8 +231,8 @@
 
 // ---- wrong: rope tolerance
 // region: 2
-// expects: error left, at most (upright, a 100th of C)
-// expects: Likely mistake: nothing moves where the error is small: there is no threshold
+// expects: move of 1 (hardly too long)
+// expects: Likely mistake: a rope that is hardly too long is left alone: there is no threshold
   const real C = rope.error(body1, body2);
   if (C > real(-0.01)) return;
   const real lambda = -C / rope.K(body1, body2);

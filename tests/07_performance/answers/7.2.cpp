@@ -18,7 +18,8 @@
   }
 
 // ---- wrong: axis with masses
-// expects: Likely mistake: the inverse masses are added in the axis' 2x2
+// expects: Likely mistake: the inverse masses are added: these rows turn and do not push, in the
+// expects: axis' 2x2
   const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int j = 0; j < 3; ++j) {
     const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
@@ -107,7 +108,6 @@
 // ---- wrong: cross sign
 // expects: K[C.x, a1.c]
 // expects: Likely mistake: the sign of what stands between the point and the axis
-// expects: (pencil and paper, upright, turned, moved, broken)
   const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int j = 0; j < 3; ++j) {
     const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
@@ -278,7 +278,7 @@
   }
 
 // ---- wrong: two blocks
-// expects: Likely mistake: what stands between the point and the axis is missing
+// expects: Likely mistake: these are two blocks, not one: nothing stands between
   const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int j = 0; j < 3; ++j) {
     const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);
@@ -295,7 +295,7 @@
 
 // ---- wrong: two mistakes
 // expects: Likely mistake: the sign of the turns: skew(r) I^-1 skew(r) lacks a
-// expects: transpose; and the sign of what stands between the point and the axis
+// expects: transpose in the point's 3x3; and the sign of what stands between the point and the axis
   const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int j = 0; j < 3; ++j) {
     const Triple<real> at1 = cross(hinge.I1 * cross(hinge.r1, unit[j]), hinge.r1);

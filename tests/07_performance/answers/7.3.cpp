@@ -170,7 +170,7 @@
   return colours;
 
 // ---- wrong: sixty four colours at most
-// expects: Likely mistake: there is a greatest colour: a body may need any number of them
+// expects: Likely mistake: there is a greatest colour, 63: a body may need any number of them
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(64));
   std::vector<int> colours;
   for (const BodyPair& link : links) {

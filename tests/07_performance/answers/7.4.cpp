@@ -573,7 +573,7 @@
                       hinge.bias[3] - dot(hinge.axis_row[0], spin),
                       hinge.bias[4] - dot(hinge.axis_row[1], spin)};
   Number lambda[5];
-  const Number* entry = hinge.inverse_K;
+  const Number* entry = hinge.inverse_K.data();
   for (int i = 0; i < 5; ++i) {
     const Number own = *entry++ * e[i];
     lambda[i] = i == 0 ? -own : lambda[i] - own;

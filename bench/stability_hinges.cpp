@@ -1,16 +1,12 @@
 // Cases of the stability suite on a rotor and a crane: X8 of a hinge, X11, X12, X13.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "bench/stability.h"
+#include "bench/suite.h"
 
 namespace joints::bench {
 
 namespace {
-
-const real h = real(1) / 60;
-const real degree = std::numbers::pi_v<real> / 180;
 
 std::string words(const char* format, double number) {
   char out[96];

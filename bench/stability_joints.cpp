@@ -2,14 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/stability.h"
+#include "bench/suite.h"
 #include "chapters/01_distance/distance_joint.h"
 
 namespace joints::bench {
 
 namespace {
-
-const real h = real(1) / 60;
 
 // A body on a ball joint `lever` away from its centre, hanging plumb at `place`, thrown at `speed`.
 // Turned and its lever askew, so that rounding has something to do.

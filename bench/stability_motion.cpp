@@ -1,16 +1,12 @@
 // Cases of the stability suite on what turns and what lasts: X7, X8 of a free box, X17.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "bench/stability.h"
+#include "bench/suite.h"
 
 namespace joints::bench {
 
 namespace {
-
-const real h = real(1) / 60;
-const real degree = std::numbers::pi_v<real> / 180;
 
 // A hinge whose body has been turned away from its axis.
 struct Bent {

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "bench/stability.h"
+#include "bench/suite.h"
 #include "chapters/01_distance/distance_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
 
 namespace joints::bench {
 
 namespace {
-
-const real h = real(1) / 60;
 
 double largest_impulse(const SequentialImpulses& solver) {
   double largest = 0;

@@ -1,17 +1,44 @@
 # The workbook's own tests, on the solutions, in double and float: one program a topic.
 set(topics engine joints stability lanes ground bench errata)
+# gather(OUT NAME sources...): several sources as one, see tools/gather.py. An edit compiles as many
+# anew as stand in one.
+function(gather out name)
+  set(at_most 7)
+  set(made "")
+  list(LENGTH ARGN count)
+  math(EXPR parts "(${count} + ${at_most} - 1) / ${at_most}")
+  foreach(part RANGE 1 ${parts})
+    math(EXPR begin "${count} * (${part} - 1) / ${parts}")
+    math(EXPR size "${count} * ${part} / ${parts} - ${begin}")
+    list(SUBLIST ARGN ${begin} ${size} sources)
+    set(source ${PROJECT_BINARY_DIR}/gathered/${name}_${part}.cpp)
+    add_custom_command(OUTPUT ${source}
+      COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/gather.py ${source} ${sources}
+      DEPENDS ${PROJECT_SOURCE_DIR}/tools/gather.py ${sources} COMMENT "" VERBATIM)
+    list(APPEND made ${source})
+  endforeach()
+  set(${out} ${made} PARENT_SCOPE)
+endfunction()
+
+# Eigen is read in one file, once for both kinds of number: the oracle reckons in double.
+add_library(dense STATIC checker/dense.cpp)
+target_compile_features(dense PRIVATE cxx_std_20)
+target_include_directories(dense PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(dense PRIVATE Eigen3::Eigen workbook_strict)
+
 foreach(number double float)
   set(suffix ${suffix_of_${number}})
   add_library(oracle${suffix} STATIC checker/oracle.cpp checker/rigs.cpp
     checker/allocations.cpp)
   target_link_libraries(oracle${suffix} PUBLIC bench_stability${suffix} wide${suffix}
-    ${libraries${suffix}} instruments${suffix} checker${suffix} Eigen3::Eigen
+    ${libraries${suffix}} instruments${suffix} checker${suffix} dense
     PRIVATE workbook_strict)
   target_precompile_headers(oracle${suffix} PRIVATE checker/catch.h checker/oracle.h)
   foreach(topic ${topics})
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${topic}/*_test.cpp)
     set(target ${topic}_test${suffix})
-    add_executable(${target} ${sources} checker/where.cpp)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${topic}/*_test.cpp)
+    gather(gathered ${topic} ${sources})
+    add_executable(${target} ${gathered} checker/where.cpp)
     target_compile_definitions(${target} PRIVATE EXERCISE_FILE="")
     target_link_libraries(${target} PRIVATE oracle${suffix} workbook_strict)
     target_precompile_headers(${target} REUSE_FROM oracle${suffix})

@@ -1,23 +1,37 @@
-// The dense matrices of the oracle. In a file of its own: Eigen takes long to compile.
+// The dense matrices of the oracle.
 #include "tests/checker/oracle.h"
 
 namespace joints::testing {
 
-Eigen::Matrix3d rotation_matrix(const Body& body) {
-  const quat& q = body.q;
-  return Eigen::Quaterniond(double(q.w), double(q.x), double(q.y), double(q.z))
-      .normalized()
-      .toRotationMatrix();
+namespace {
+
+Dense column(const vec3& a) { return {3, 1, {double(a.x), double(a.y), double(a.z)}}; }
+
+Dense turned_by(const quat& q) {
+  return rotation_of(double(q.w), double(q.x), double(q.y), double(q.z));
+}
+
+dmat3 three_by_three(const Dense& A) {
+  return {three(A.columns_from(0, 1)), three(A.columns_from(1, 1)), three(A.columns_from(2, 1))};
+}
+
+}  // namespace
+
+dmat3 rotation_matrix(const Body& body) { return three_by_three(turned_by(body.q)); }
+
+dmat3 inertia_of(const Body& body) {
+  return three_by_three(inverse_of(inverse_masses({body}).block(3, 3, 3, 3)));
 }
 
 Dense inverse_masses(const std::vector<Body>& bodies) {
-  Dense W = Dense::Zero(6 * long(bodies.size()), 6 * long(bodies.size()));
+  Dense W(6 * long(bodies.size()), 6 * long(bodies.size()));
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const Eigen::Matrix3d R = rotation_matrix(bodies[k]);
+    const Dense R = turned_by(bodies[k].q);
+    Dense local(3, 3);
+    for (int i = 0; i < 3; ++i) local(i, i) = double(bodies[k].inverse_inertia_local[i]);
     const long at = 6 * long(k);
-    W.block<3, 3>(at, at) = double(bodies[k].inverse_mass) * Eigen::Matrix3d::Identity();
-    W.block<3, 3>(at + 3, at + 3) =
-        R * eigen(bodies[k].inverse_inertia_local).asDiagonal() * R.transpose();
+    W.add(at, at, double(bodies[k].inverse_mass) * Dense::identity(3));
+    W.add(at + 3, at + 3, R * local * R.transpose());
   }
   return W;
 }
@@ -25,24 +39,26 @@ Dense inverse_masses(const std::vector<Body>& bodies) {
 Column velocities(const std::vector<Body>& bodies) {
   Column V(6 * long(bodies.size()));
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    V.segment<3>(6 * long(k)) = eigen(bodies[k].v);
-    V.segment<3>(6 * long(k) + 3) = eigen(bodies[k].w);
+    V.add(6 * long(k), 0, column(bodies[k].v));
+    V.add(6 * long(k) + 3, 0, column(bodies[k].w));
   }
   return V;
 }
 
 System system_of(const Blocks& blocks, int bodies) {
   const long rows = long(blocks.J.size());
-  System out{Dense::Zero(rows, 6 * bodies), Column(rows), {}};
+  System out{Dense(rows, 6 * bodies), Column(rows), {}};
   for (std::size_t k = 0; k < blocks.list.size(); ++k)
     for (int i = 0; i < blocks.list[k].rows; ++i) {
       const Block& b = blocks.list[k];
       const long row = b.first + i;
       const Row& J = blocks.J[std::size_t(row)];
-      out.J.block<1, 3>(row, 6 * b.body1) += eigen(J.v1).transpose();
-      out.J.block<1, 3>(row, 6 * b.body1 + 3) += eigen(J.w1).transpose();
-      out.J.block<1, 3>(row, 6 * b.body2) += eigen(J.v2).transpose();
-      out.J.block<1, 3>(row, 6 * b.body2 + 3) += eigen(J.w2).transpose();
+      for (int c = 0; c < 3; ++c) {
+        out.J(row, 6 * b.body1 + c) += double(J.v1[c]);
+        out.J(row, 6 * b.body1 + 3 + c) += double(J.w1[c]);
+        out.J(row, 6 * b.body2 + c) += double(J.v2[c]);
+        out.J(row, 6 * b.body2 + 3 + c) += double(J.w2[c]);
+      }
       out.C[row] = double(blocks.C[std::size_t(row)]);
       out.block.push_back(int(k));
     }
@@ -54,32 +70,6 @@ Column impulses(const Blocks& blocks) {
   for (const Block& block : blocks.list)
     for (int i = 0; i < block.rows; ++i) out[block.first + i] = double(block.impulse[i]);
   return out;
-}
-
-double difference(const Column& yours, const Column& expected) {
-  return (yours - expected).cwiseAbs().maxCoeff() /
-         std::max(1.0, expected.cwiseAbs().maxCoeff());
-}
-
-Column magnitudes(const Dense& A) { return A.eigenvalues().cwiseAbs(); }
-
-Column symmetric_eigenvalues(const Dense& A) {
-  return Eigen::SelfAdjointEigenSolver<Dense>(A).eigenvalues();
-}
-
-Dense inverse_of(const Dense& A) { return A.partialPivLu().inverse(); }
-
-Column solved(const Dense& A, const Column& b) { return A.ldlt().solve(b); }
-
-long rank_of(const Dense& A, double threshold) {
-  Eigen::FullPivLU<Dense> lu(A);
-  lu.setThreshold(threshold);
-  return lu.rank();
-}
-
-Eigen::Matrix3d inertia_of(const Body& body) {
-  const Eigen::Matrix3d inverse = inverse_masses({body}).bottomRightCorner<3, 3>();
-  return inverse.inverse();
 }
 
 }  // namespace joints::testing

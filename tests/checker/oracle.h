@@ -1,24 +1,27 @@
-// An independent oracle for the tests: bodies and blocks as dense Eigen matrices, in double.
+// An independent oracle for the tests: bodies and blocks as dense matrices, in double.
 #pragma once
 
-#include <Eigen/Dense>
-
 #include "engine/sequential_impulses.h"
+#include "tests/checker/dense.h"
 #include "tests/checker/numeric.h"
 
 namespace joints::testing {
 
-using Dense = Eigen::MatrixXd;
-using Column = Eigen::VectorXd;
+using dvec3 = glm::dvec3;
+using dmat3 = glm::dmat3;
 
 /// One tolerance for double, one for float.
 constexpr double tolerance(double in_double, double in_float) {
   return is_float ? in_float : in_double;
 }
 
-inline Eigen::Vector3d eigen(const vec3& a) { return {double(a.x), double(a.y), double(a.z)}; }
+/// Three numbers of a column, from there on.
+inline dvec3 three(const Column& a, long first = 0) {
+  return {a[first], a[first + 1], a[first + 2]};
+}
 
-Eigen::Matrix3d rotation_matrix(const Body& body);
+dmat3 rotation_matrix(const Body& body);
+dmat3 inertia_of(const Body& body);  ///< in world axes [kg m^2]
 
 /// M^-1 of a list of bodies, six numbers a body: velocity, then angular velocity.
 Dense inverse_masses(const std::vector<Body>& bodies);
@@ -78,17 +81,5 @@ inline void push_at_random(Bodies& bodies, Random& random, real speed = 2) {
     bodies.at(slot).w = w;
   }
 }
-
-// What takes the compiler long, compiled once.
-
-Column magnitudes(const Dense& A);                 ///< of the eigenvalues of any matrix
-Column symmetric_eigenvalues(const Dense& A);      ///< in increasing order
-Dense inverse_of(const Dense& A);                  ///< of a matrix that has one
-Column solved(const Dense& A, const Column& b);    ///< A^-1 b of a symmetric, positive A
-long rank_of(const Dense& A, double threshold);    ///< pivots below it count as zero [1]
-Eigen::Matrix3d inertia_of(const Body& body);      ///< in world axes [kg m^2]
-
-/// The largest difference of two columns over the largest number of the second (at least 1).
-double difference(const Column& yours, const Column& expected);
 
 }  // namespace joints::testing

@@ -1,13 +1,12 @@
-// What the dense matrices of a scene say. In a file of its own: Eigen takes long to compile.
+// What the dense matrices of a scene say.
 #include "tests/checker/rigs.h"
 
-#include <Eigen/Eigenvalues>
+#include <cmath>
 
 namespace joints::testing {
 
 double largest_impulse(const SequentialImpulses& solver) {
-  const Column lambda = impulses(solver.blocks());
-  return lambda.size() > 0 ? lambda.cwiseAbs().maxCoeff() : 0;
+  return impulses(solver.blocks()).largest();
 }
 
 System rows_of(World& world, SequentialImpulses solver) {
@@ -24,14 +23,14 @@ Dense whole_K(const System& system, const World& world) {
 Dense sweep_matrix(const Dense& A, const std::vector<int>& block) {
   Dense L = A;
   for (long i = 0; i < A.rows(); ++i)
-    for (long j = 0; j < A.cols(); ++j)
+    for (long j = 0; j < A.columns(); ++j)
       if (block[std::size_t(j)] > block[std::size_t(i)]) L(i, j) = 0;
-  return Dense::Identity(A.rows(), A.cols()) - L.partialPivLu().solve(A);
+  return Dense::identity(A.rows()) - inverse_of(L) * A;
 }
 
 double sweep_rate(const World& world, const System& system) {
   const Dense G = sweep_matrix(whole_K(system, world), system.block);
-  return magnitudes(G).maxCoeff();
+  return spectral_radius(G);
 }
 
 double measured_rate(World& world, int settling, int sweeps) {

@@ -54,7 +54,7 @@ struct GaussSeidel {
       bias[i] = double(blocks.list[std::size_t(system.block[std::size_t(i)])].demand.beta) /
                 double(h) * system.C[i];
     c = -(J * V1 + bias);
-    lambda = Column::Zero(c.size());
+    lambda = Column(c.size());
     block = system.block;
   }
   void one_block_a_row() {
@@ -65,8 +65,8 @@ struct GaussSeidel {
       const int now = back ? n - 1 - k : k;
       const long first = std::find(block.begin(), block.end(), now) - block.begin();
       const long rows = std::count(block.begin(), block.end(), now);
-      const Column left = c.segment(first, rows) - A.middleRows(first, rows) * lambda;
-      lambda.segment(first, rows) += solved(A.block(first, first, rows, rows), left);
+      const Column left = c.rows_from(first, rows) - A.rows_from(first, rows) * lambda;
+      lambda.add(first, 0, solved(A.block(first, first, rows, rows), left));
     }
   }
   Column V() const { return V1 + W * J.transpose() * lambda; }
@@ -138,7 +138,7 @@ TEST_CASE("I16 a warm start is Gauss-Seidel that begins with the last impulses")
     compare_sweep_by_sweep(solver, world, Order::forward);
     SequentialImpulses probe = solver;
     probe.begin(world, h);  // what a step begins with is what the sweeps ended with
-    CHECK(impulses(probe.blocks()).isApprox(impulses(solver.blocks()), 0));
+    CHECK(impulses(probe.blocks()) == impulses(solver.blocks()));
   }
 }
 

@@ -80,11 +80,11 @@ struct Slid {
   }
 };
 
-Eigen::Vector3d angular_momentum(const Pair& pair) {  // about the origin
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+dvec3 angular_momentum(const Pair& pair) {  // about the origin
+  dvec3 sum(0);
   for (const Body* body : {&pair.body1, &pair.body2}) {
-    sum += eigen(body->x).cross(eigen(body->v)) / double(body->inverse_mass);
-    sum += inertia_of(*body) * eigen(body->w);
+    sum += cross(dvec3(body->x), dvec3(body->v)) / double(body->inverse_mass);
+    sum += inertia_of(*body) * dvec3(body->w);
   }
   return sum;
 }
@@ -201,10 +201,10 @@ TEST_CASE("E37 the printed motor turns a free pair by the offset times its impul
     Pair printed = start, ours = start;
     apply_impulse(printed_motor(a), 1, printed.body1, printed.body2);
     apply_impulse(slide.jacobian(ours.body1, ours.body2), 1, ours.body1, ours.body2);
-    const Eigen::Vector3d expected = eigen(cross(start.body2.x - start.body1.x, a));
-    CHECK((angular_momentum(printed) - expected).norm() < tolerance(1e-14, 1e-6));
-    CHECK(angular_momentum(printed).norm() == Approx(double(offset)).epsilon(near));
-    CHECK(angular_momentum(ours).norm() < tolerance(1e-14, 1e-6));
+    const dvec3 expected = dvec3(cross(start.body2.x - start.body1.x, a));
+    CHECK(length(angular_momentum(printed) - expected) < tolerance(1e-14, 1e-6));
+    CHECK(length(angular_momentum(printed)) == Approx(double(offset)).epsilon(near));
+    CHECK(length(angular_momentum(ours)) < tolerance(1e-14, 1e-6));
   }
 }
 

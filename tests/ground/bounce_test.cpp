@@ -38,20 +38,20 @@ Grounded thrown(Random& random) {
   return box;
 }
 
-glm::dvec3 momentum(const Bodies& bodies) {
-  glm::dvec3 sum(0);
+dvec3 momentum(const Bodies& bodies) {
+  dvec3 sum(0);
   for (int slot = 0; slot < bodies.slots(); ++slot)
     if (!bodies.at(slot).is_static())
-      sum += glm::dvec3(bodies.at(slot).v) / double(bodies.at(slot).inverse_mass);
+      sum += dvec3(bodies.at(slot).v) / double(bodies.at(slot).inverse_mass);
   return sum;
 }
 // About the origin.
-Eigen::Vector3d angular_momentum(const Bodies& bodies) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+dvec3 angular_momentum(const Bodies& bodies) {
+  dvec3 sum(0);
   for (const Body& body : snapshot(bodies)) {
     if (body.is_static()) continue;
-    const Eigen::Matrix3d I = inertia_of(body);
-    sum += eigen(body.x).cross(eigen(body.v)) / double(body.inverse_mass) + I * eigen(body.w);
+    const dmat3 I = inertia_of(body);
+    sum += cross(dvec3(body.x), dvec3(body.v)) / double(body.inverse_mass) + I * dvec3(body.w);
   }
   return sum;
 }
@@ -91,19 +91,19 @@ TEST_CASE("two free bodies that meet keep their momentum, with friction and rebo
     const BodyId a = world.add(slab), b = world.add(stone);
     auto& contact = world.add<GroundContact>(a, b, box_top(vec3(6, 1, 6)), box_outline(brick));
     contact.restitution = real(0.5);
-    const glm::dvec3 before = momentum(world.bodies);
+    const dvec3 before = momentum(world.bodies);
     SequentialImpulses solver;
     int touched = 0;
     for (int n = 0; n < 60; ++n) {
       solver.begin(world, h);  // poses turn the moments: only within the sweeps is the spin kept
-      const Eigen::Vector3d spin = angular_momentum(world.bodies);
+      const dvec3 spin = angular_momentum(world.bodies);
       for (int k = 0; k < 30; ++k) solver.sweep(world.bodies, k);
-      CHECK((angular_momentum(world.bodies) - spin).norm() < tolerance(1e-11, 1e-3));
+      CHECK(length(angular_momentum(world.bodies) - spin) < tolerance(1e-11, 1e-3));
       solver.finish(world, h);
       touched += contact.touching();
     }
     CHECK(touched > 0);
-    CHECK(glm::length(momentum(world.bodies) - before) < tolerance(1e-11, 1e-3));
+    CHECK(length(momentum(world.bodies) - before) < tolerance(1e-11, 1e-3));
     CHECK(length(world.bodies[a].v) > 0.1);  // it was hit
   }
 }

@@ -77,20 +77,19 @@ struct Problem {
  private:
   Column solve(const std::vector<int>& unknown, const std::vector<int>& side,
                const std::vector<int>& on) const {
-    Dense all = Dense::Zero(c.size(), long(unknown.size()));  // lambda = all x
+    Dense all(c.size(), long(unknown.size()));  // lambda = all x
     for (std::size_t k = 0; k < unknown.size(); ++k) {
       all(unknown[k], long(k)) = 1;
       for (std::size_t i = 0; i < friction.size(); ++i)
         if (friction[i] == unknown[k] && side[i] != 0 && on[std::size_t(friction[i])])
           all(long(i), long(k)) = side[i] * mu[i];
     }
-    if (unknown.empty()) return Column::Zero(c.size());
-    const Dense rows = (A * all)(unknown, Eigen::all);
-    return all * Eigen::CompleteOrthogonalDecomposition<Dense>(rows).solve(c(unknown).eval());
+    if (unknown.empty()) return Column(c.size());
+    return all * solved((A * all).rows_at(unknown), c.rows_at(unknown));
   }
   bool fits(const Column& lambda, const std::vector<int>& side, const std::vector<int>& on) const {
     const Column w = A * lambda - c;
-    const double near = 1e-9 * std::max(1.0, c.cwiseAbs().maxCoeff());
+    const double near = 1e-9 * std::max(1.0, c.largest());
     for (const int i : free)
       if (std::abs(w[i]) > near) return false;
     for (const int i : normal)

@@ -1,20 +1,10 @@
 // What one exact solve of a whole hinge, slider or weld does, and of the parts it is made of: the
 // rows hold, a second solve finds nothing, energy and momentum change by what the formulas say.
 #include "engine/measure.h"
-#include "engine/part_joint.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
 #include "tests/checker/rigs.h"
-
-namespace joints {
-// Any part is good geometry here: the fixtures made it.
-template <class First, class Second>
-void check(const Stack<First, Second>&) {}
-inline void check(const Weld&) {}
-inline void check(const RotationLock&) {}
-inline void check(const Axis&) {}
-inline void check(const Line&) {}
-}  // namespace joints
+#include "tests/joints/any_part.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -59,12 +49,12 @@ struct Solved {
     K = system.J * W * system.J.transpose();
   }
   double size() const {  // of what the solve had to take away
-    return std::max(1.0, (system.J * V1 + bias).cwiseAbs().maxCoeff());
+    return std::max(1.0, (system.J * V1 + bias).largest());
   }
   // In float a block near to singular costs digits: as many as its condition number has.
   double loss() const {
     const Column eigen = symmetric_eigenvalues(K);
-    return std::max(1.0, eigen.maxCoeff() / eigen.minCoeff() / 30);
+    return std::max(1.0, eigen[eigen.size() - 1] / eigen[0] / 30);
   }
 };
 
@@ -94,13 +84,13 @@ double energy(const std::vector<Body>& bodies) {
 TEST_CASE("I3 after one solve the rows of a whole hinge or slider or weld move as asked") {
   for_every_solve([](const Solved& s, real) {
     const Column left = s.system.J * s.V2 + s.bias;
-    CHECK(left.cwiseAbs().maxCoeff() < tolerance(1e-11, 1e-4) * s.size() * s.loss());
+    CHECK(left.largest() < tolerance(1e-11, 1e-4) * s.size() * s.loss());
   });
 }
 
 TEST_CASE("I4 a second solve of a whole hinge or slider or weld finds nothing left to do") {
   for_every_solve([](const Solved& s, real) {
-    CHECK(s.second.cwiseAbs().maxCoeff() < tolerance(1e-11, 1e-4) * s.size() * s.loss());
+    CHECK(s.second.largest() < tolerance(1e-11, 1e-4) * s.size() * s.loss());
   });
 }
 
@@ -108,7 +98,7 @@ TEST_CASE("I5 a solve of a whole joint changes the energy by what its formula sa
   for_every_solve([](const Solved& s, real beta) {
     const Column JV = s.system.J * s.V1;
     const Dense inverse = inverse_of(s.K);
-    const double given = 0.5 * s.bias.dot(inverse * s.bias), taken = 0.5 * JV.dot(inverse * JV);
+    const double given = 0.5 * dot(s.bias, inverse * s.bias), taken = 0.5 * dot(JV, inverse * JV);
     const double start = energy(s.before), change = energy(s.after) - start;
     CHECK(std::abs(change - (given - taken)) <
           tolerance(1e-11, 1e-4) * (given + taken + start) * s.loss());
@@ -128,20 +118,19 @@ TEST_CASE("I6 of all velocities that a whole joint allows its solve takes the ne
 
 TEST_CASE("I7 a solve of a whole joint keeps momentum but for the gap of its point") {
   const auto look = [](bool has_point, const Solved& s) {
-    Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear, gap = linear;
+    dvec3 linear(0), angular = linear, gap = linear;
     const auto add = [&](const Body& body, double sign) {
-      const Eigen::Vector3d p = sign * eigen(body.v) / double(body.inverse_mass);
-      const Eigen::Matrix3d I = inertia_of(body);
+      const dvec3 p = sign * dvec3(body.v) / double(body.inverse_mass);
+      const dmat3 I = inertia_of(body);
       linear += p;
-      angular += eigen(body.x).cross(p) + sign * (I * eigen(body.w));
+      angular += cross(dvec3(body.x), p) + sign * (I * dvec3(body.w));
     };
     for (const Body& body : s.after) add(body, 1);
     for (const Body& body : s.before) add(body, -1);
-    if (has_point)
-      gap = Eigen::Vector3d(s.system.C.head(3)).cross(Eigen::Vector3d(s.lambda.head(3)));
-    const double size = s.size() * std::max(1.0, s.lambda.cwiseAbs().maxCoeff());
-    CHECK(linear.cwiseAbs().maxCoeff() < tolerance(1e-12, 1e-4) * size);
-    CHECK((angular - gap).cwiseAbs().maxCoeff() < tolerance(1e-12, 1e-4) * size);
+    if (has_point) gap = cross(three(s.system.C), three(s.lambda));
+    const double size = s.size() * std::max(1.0, s.lambda.largest());
+    CHECK(length(linear) < tolerance(1e-12, 1e-4) * size);
+    CHECK(length(angular - gap) < tolerance(1e-12, 1e-4) * size);
   };
   for (real beta : {real(0), real(0.2)}) {
     const auto without = [&](int, const auto& part, const Pair& pair) {

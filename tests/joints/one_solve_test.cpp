@@ -53,7 +53,7 @@ struct Solved {
     return kinetic_energy(pair.body1) + kinetic_energy(pair.body2);
   }
   // The size of what the solve had to take away.
-  double size() const { return std::max(1.0, (system.J * V1 + bias).cwiseAbs().maxCoeff()); }
+  double size() const { return std::max(1.0, (system.J * V1 + bias).largest()); }
 };
 
 // Every equality part at every pose, with and without error feedback.
@@ -74,13 +74,13 @@ void for_every_solve(Look look) {
 TEST_CASE("I3 after one exact solve the rows move as they were asked to") {
   for_every_solve([](const Solved& s, real) {
     const Column left = s.system.J * s.V2 + s.bias;
-    CHECK(left.cwiseAbs().maxCoeff() < tolerance(1e-11, 1e-4) * s.size());
+    CHECK(left.largest() < tolerance(1e-11, 1e-4) * s.size());
   });
 }
 
 TEST_CASE("I4 a second solve finds nothing left to do") {
   for_every_solve([](const Solved& s, real) {
-    CHECK(s.second.cwiseAbs().maxCoeff() < tolerance(1e-11, 1e-4) * s.size());
+    CHECK(s.second.largest() < tolerance(1e-11, 1e-4) * s.size());
   });
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("I5 a solve gives b K^-1 b over 2 of energy and takes J V K^-1 J V ove
   for_every_solve([](const Solved& s, real beta) {
     const Column JV = s.system.J * s.V1;
     const Dense inverse = inverse_of(s.K);
-    const double given = 0.5 * s.bias.dot(inverse * s.bias), taken = 0.5 * JV.dot(inverse * JV);
+    const double given = 0.5 * dot(s.bias, inverse * s.bias), taken = 0.5 * dot(JV, inverse * JV);
     const double change = s.energy(s.after) - s.energy(s.before);
     CHECK(std::abs(change - (given - taken)) <
           tolerance(1e-11, 1e-4) * (given + taken + s.energy(s.before)));
@@ -99,32 +99,33 @@ TEST_CASE("I5 a solve gives b K^-1 b over 2 of energy and takes J V K^-1 J V ove
 TEST_CASE("I6 of all velocities that the rows allow a solve takes the nearest") {
   for_every_solve([](const Solved& s, real) {
     const long n = s.lambda.size();  // Gauss: least (V - V1) M (V - V1)/2 with J V = -b
-    Dense KKT = Dense::Zero(12 + n, 12 + n);
-    KKT.topLeftCorner(12, 12) = inverse_of(s.W);
-    KKT.topRightCorner(12, n) = -s.system.J.transpose();
-    KKT.bottomLeftCorner(n, 12) = s.system.J;
+    Dense KKT(12 + n, 12 + n);
+    KKT.add(0, 0, inverse_of(s.W));
+    KKT.add(0, 12, -s.system.J.transpose());
+    KKT.add(12, 0, s.system.J);
     Column right(12 + n);
-    right << inverse_of(s.W) * s.V1, -s.bias;
-    const Column best = KKT.fullPivLu().solve(right);
-    CHECK(difference(s.V2, best.head(12)) < tolerance(1e-10, 1e-4));
-    CHECK(difference(s.lambda, best.tail(n)) < tolerance(1e-10, 1e-4));
+    right.add(0, 0, inverse_of(s.W) * s.V1);
+    right.add(12, 0, -s.bias);
+    const Column best = solved(KKT, right);
+    CHECK(difference(s.V2, best.rows_from(0, 12)) < tolerance(1e-10, 1e-4));
+    CHECK(difference(s.lambda, best.rows_from(12, n)) < tolerance(1e-10, 1e-4));
   });
 }
 
 TEST_CASE("I7 a solve keeps the momentum and turns the pair by the gap times the impulse") {
   for_every_solve([](const Solved& s, real) {
-    Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear, gap = linear;
+    dvec3 linear(0), angular = linear, gap = linear;
     const auto add = [&](const Body& body, double sign) {
-      const Eigen::Vector3d p = sign * eigen(body.v) / double(body.inverse_mass);
+      const dvec3 p = sign * dvec3(body.v) / double(body.inverse_mass);
       linear += p;
-      const Eigen::Matrix3d I = inertia_of(body);
-      angular += eigen(body.x).cross(p) + sign * (I * eigen(body.w));
+      const dmat3 I = inertia_of(body);
+      angular += cross(dvec3(body.x), p) + sign * (I * dvec3(body.w));
     };
     for (const Body& body : {s.after.body1, s.after.body2}) add(body, 1);
     for (const Body& body : {s.before.body1, s.before.body2}) add(body, -1);
-    if (s.lambda.size() == 3) gap = Eigen::Vector3d(s.system.C).cross(Eigen::Vector3d(s.lambda));
-    CHECK(linear.cwiseAbs().maxCoeff() < tolerance(1e-12, 1e-4) * s.size());
-    CHECK((angular - gap).cwiseAbs().maxCoeff() < tolerance(1e-12, 1e-4) * s.size());
+    if (s.lambda.size() == 3) gap = cross(three(s.system.C), three(s.lambda));
+    CHECK(length(linear) < tolerance(1e-12, 1e-4) * s.size());
+    CHECK(length(angular - gap) < tolerance(1e-12, 1e-4) * s.size());
   });
 }
 

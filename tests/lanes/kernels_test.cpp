@@ -56,8 +56,8 @@ std::vector<Demand> demands(bool hard) {
 // Random directions at right angles to each other: no row nearly says what the others say.
 Dense directions(Random& random, int size) {
   Dense out(size, size);
-  for (double& number : out.reshaped()) number = double(random.uniform(-1, 1));
-  return out.householderQr().householderQ();
+  for (long i = 0; i < out.size(); ++i) out.data()[i] = double(random.uniform(-1, 1));
+  return symmetric_eigenvectors(out + out.transpose());
 }
 vec3 vector_of(const Dense& Q, long row, long first) {
   return {real(Q(row, first)), real(Q(row, first + 1)), real(Q(row, first + 2))};
@@ -138,7 +138,7 @@ Outcome outcome(World world, Solver& solver, const std::vector<int>& order) {
   std::vector<double> flat;
   for (const auto& some : sums) flat.insert(flat.end(), some.begin(), some.end());
   return {velocities(snapshot(world.bodies)),
-          Eigen::Map<Column>(flat.data(), long(flat.size()))};
+          {long(flat.size()), 1, flat}};
 }
 
 // The kinds that a world's blocks are of, and how many groups of each.

@@ -48,7 +48,7 @@ def plainly(words):
     """What was thrown, or said by a crash, in plain words."""
     if SWAPPED.search(words):
         return ("std::clamp(a, low, high) was given a high that is below low: are the ends "
-                "exchanged, or has\na bound the wrong sign?")
+                "exchanged, has a\nbound the wrong sign, or was it never set?")
     if OUTSIDE.search(words):
         return "an index outside a vector or an array: places run from 0 to size() - 1"
     if re.search(r"SIGSEGV|exit status -11\b", words):

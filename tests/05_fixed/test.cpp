@@ -37,7 +37,7 @@ TEST_CASE("5.1 K of a weld is J M^-1 J^T of all six rows at every pose", "[5.1]"
   visit_poses<WeldFixture>([&](int pose, const Weld& weld, const Pair& pair) {
     const Matrix<6> right = dense_K(numeric_jacobian(weld, pair.body1, pair.body2), pair.body1,
                                     pair.body2);
-    Sample sample = K_sample<WeldFixture>(pose, weld, pair, right);
+    Sample sample = K_sample(pose, seen<WeldFixture>(weld), pair, flat(right));
     if (!close(sample.yours, sample.right, K_tolerance))
       for (const auto& [words, answer] : table.mistakes) {
         const Numbers X = answer({"", weld.point, pair});

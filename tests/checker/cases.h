@@ -9,6 +9,25 @@
 
 namespace joints::testing {
 
+/// A mistake in words, and the numbers that it gives in case c.
+struct Asked {
+  std::string words;
+  std::function<Numbers(std::size_t c)> in;
+};
+/// The numbers of all cases of a table, and of its mistakes.
+struct CaseNumbers {
+  std::vector<std::string> entries;  ///< what each number is called
+  std::vector<Compared> cases;
+  std::vector<Asked> mistakes;
+  std::function<std::vector<Asked>()> pairs;  ///< asked where none of those fits
+  double tolerance;
+  bool whole;  ///< names only what explains all numbers
+};
+/// The mistakes that give your numbers in all cases; or else what is seen in the numbers
+/// themselves; or else (unless `whole`) what explains the entries that are wrong, or the own ones.
+std::vector<std::string> likely_mistakes(const CaseNumbers& all,
+                                         const std::vector<std::size_t>& own = {});
+
 /// \tparam Case the arguments, and in `words` what the report calls them
 template <class Case>
 struct CaseTable {
@@ -29,7 +48,7 @@ struct CaseTable {
   void check() const {
     for (const Case& c : cases) check(c, right(c));
   }
-  /// One case against numbers worked out by hand.
+  /// One case against numbers worked out by hand. Three numbers an entry are a vector.
   void check(const Case& c, const Numbers& expected) const {
     const Numbers numbers = yours(c);
     const std::string arguments = given ? given(c) : "";
@@ -41,12 +60,20 @@ struct CaseTable {
              right_here ? std::vector<std::string>{} : likely({c}));
       return;
     }
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      std::vector<Suspect> suspects;
-      if (!same({numbers[i]}, {expected[i]}))
-        for (const std::string& words : likely({c})) suspects.push_back({numbers[i], words});
-      expect(about, entries[i] + (c.words.empty() ? "" : ", ") + c.words, numbers[i], expected[i],
-             tolerance, suspects);
+    const std::size_t width = expected.size() / entries.size();
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const std::string entry = entries[i] + (c.words.empty() ? "" : ", ") + c.words;
+      std::vector<std::size_t> own;
+      for (std::size_t k = i * width; k < (i + 1) * width; ++k) own.push_back(k);
+      const bool wrong = std::any_of(own.begin(), own.end(), [&](std::size_t k) {
+        return !same({numbers[k]}, {expected[k]});
+      });
+      const auto words = wrong ? likely({c}, own) : std::vector<std::string>{};
+      if (width == 3)
+        expect_or_say(about, entry, vector_at(numbers, i), vector_at(expected, i), tolerance,
+                      words);
+      else
+        expect_or_say(about, entry, numbers[i], expected[i], tolerance, words);
     }
   }
   /// Is yours right in every case?
@@ -61,47 +88,36 @@ struct CaseTable {
                          [&](const Case& c) { return same(answer(c), mistake.second(c)); });
     });
   }
-  /// For a test of another kind: whatever number it finds wrong, the table's mistake explains it.
-  std::vector<Suspect> explain(double number, std::vector<Suspect> otherwise = {}) const {
-    std::vector<Suspect> out;
-    for (const std::string& words : likely()) out.push_back({number, words});
-    out.insert(out.end(), otherwise.begin(), otherwise.end());
-    return out;
+  /// For a test of another kind: whatever it finds wrong, the table's mistake explains it.
+  std::vector<Suspect> explain(double yours, std::vector<Suspect> otherwise = {}) const {
+    return before(suspects(yours), otherwise);
   }
-  /// The mistakes that give your numbers in all cases, or else what these have in common, or else
-  /// (unless `whole`) the mistakes that give them wherever yours are wrong.
-  /// \param more further cases
-  std::vector<std::string> likely(std::vector<Case> more = {}) const {
+  std::vector<VectorSuspect> explain(const vec3& yours,
+                                     std::vector<VectorSuspect> otherwise = {}) const {
+    return before(suspects(yours), otherwise);
+  }
+  /// Takes out the mistakes that give the right numbers in all cases: in float the small ones do.
+  void leave_out_harmless() {
+    std::erase_if(mistakes, [this](const auto& mistake) {
+      return std::all_of(cases.begin(), cases.end(), [&](const Case& c) {
+        return same(mistake.second(c), right(c));
+      });
+    });
+  }
+  /// See likely_mistakes(). \param more further cases
+  std::vector<std::string> likely(std::vector<Case> more = {},
+                                  const std::vector<std::size_t>& own = {}) const {
     more.insert(more.end(), cases.begin(), cases.end());
-    std::vector<Compared> all;
-    std::vector<bool> wrong;
-    for (const Case& c : more) {
-      all.push_back({yours(c), right(c)});
-      wrong.push_back(!same(all.back().yours, all.back().right));
-    }
-    const auto count = std::count(wrong.begin(), wrong.end(), true);
-    std::vector<std::string> out;
-    if (count == 0) return out;
-    const auto look = [&](const Mistakes& among, bool everywhere, const std::string& after) {
-      for (const auto& [words, answer] : among) {
-        bool fits = true;
-        for (std::size_t i = 0; fits && i < more.size(); ++i)
-          if (everywhere || wrong[i]) fits = same(all[i].yours, answer(more[i]));
-        if (fits) out.push_back(words + after);
-      }
+    const auto asked = [&more](const Mistakes& among) {
+      std::vector<Asked> out;
+      for (const auto& [words, answer] : among)
+        out.push_back({words, [&more, answer = answer](std::size_t c) { return answer(more[c]); }});
+      return out;
     };
-    const auto pattern = [&](bool whole) {
-      const std::string words = common_pattern(names(), all, tolerance, whole);
-      if (!words.empty()) out.push_back(words);
-    };
-    look(mistakes, true, "");
-    if (out.empty()) pattern(true);
-    if (out.empty() && pairs) look(pairs(), true, "");
-    if (out.empty()) pattern(false);
-    if (out.empty() && !whole)
-      look(mistakes, false, " (in the " + std::to_string(count) + " of " +
-                                std::to_string(more.size()) + " cases that are wrong)");
-    return out;
+    CaseNumbers all{names(), {}, asked(mistakes), {}, tolerance, whole};
+    if (pairs) all.pairs = [&] { return asked(pairs()); };
+    for (const Case& c : more) all.cases.push_back({yours(c), right(c)});
+    return likely_mistakes(all, own);
   }
 
  private:
@@ -114,12 +130,20 @@ struct CaseTable {
       out.push_back(entries[i * entries.size() / size] + "." + "xyz"[i % 3]);
     return out;
   }
-  bool same(const Numbers& a, const Numbers& b) const {
-    for (std::size_t i = 0; i < a.size(); ++i)
-      if (a[i] != b[i] && !(std::isnan(a[i]) && std::isnan(b[i])) &&  // infinite ones agree
-          !close({a[i]}, {b[i]}, tolerance))
-        return false;
-    return true;
+  bool same(const Numbers& a, const Numbers& b) const { return same_numbers(a, b, tolerance); }
+  static vec3 vector_at(const Numbers& numbers, std::size_t i) {
+    return {real(numbers[3 * i]), real(numbers[3 * i + 1]), real(numbers[3 * i + 2])};
+  }
+  template <class T>
+  std::vector<SuspectOf<T>> suspects(const T& yours) const {
+    std::vector<SuspectOf<T>> out;
+    for (const std::string& words : likely()) out.push_back({yours, words});
+    return out;
+  }
+  template <class T>
+  static std::vector<T> before(std::vector<T> first, const std::vector<T>& then) {
+    first.insert(first.end(), then.begin(), then.end());
+    return first;
   }
 };
 

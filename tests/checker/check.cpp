@@ -13,6 +13,13 @@ bool close(const Numbers& a, const Numbers& b, double tolerance) {
   return true;
 }
 
+bool same_numbers(const Numbers& a, const Numbers& b, double tolerance) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i] != b[i] && !near(a[i], b[i], tolerance) && !(std::isnan(a[i]) && std::isnan(b[i])))
+      return false;
+  return true;
+}
+
 void check(const Subject& subject, const std::string& report) {
   if (!report.empty()) fail(subject, report);
   CHECK(report.empty());
@@ -62,14 +69,20 @@ Named named(const std::string& entry, const mat3& a) {
 }
 
 // The line that names the mistake, "" where none is known.
-std::string mistake_line(const Numbers& yours, const std::vector<std::string>& mistakes) {
-  const std::string words = mistakes.empty() ? no_number(yours) : mistakes.front();
+std::string mistake_line(const Numbers& yours, const Numbers& right, double tolerance,
+                         const std::vector<std::string>& mistakes) {
+  std::string words;
+  if (any_unset(yours, right)) words = never_set;
+  else if (!mistakes.empty()) words = mistakes.front();
+  else if (!all_finite(yours)) words = division_by_zero;
+  else if (five_digits(yours, right, tolerance)) words = few_digits;
   return words.empty() ? "" : "\n" + likely(words);
 }
 
 template <class T>
 void compare(const Subject& subject, const std::string& entry, const T& yours, const T& expected,
-             double tolerance, const std::vector<SuspectOf<T>>& suspects) {
+             double tolerance, const std::vector<SuspectOf<T>>& suspects,
+             std::vector<std::string> mistakes = {}) {
   const Named mine = named(entry, yours);
   const Numbers right = named(entry, expected).numbers;
   const bool same = close(mine.numbers, right, tolerance);
@@ -81,11 +94,12 @@ void compare(const Subject& subject, const std::string& entry, const T& yours, c
   for (std::size_t i = 0; i < right.size(); ++i)
     if (right.size() < 9 || !near(mine.numbers[i], right[i], tolerance))
       table.entry(mine.entries[i], mine.numbers[i], right[i], tolerance);
-  std::vector<std::string> mistakes;
+  const bool a_number = std::none_of(mine.numbers.begin(), mine.numbers.end(),
+                                     [](double a) { return std::isnan(a); });
   for (const SuspectOf<T>& suspect : suspects)
-    if (close(mine.numbers, named(entry, suspect.value).numbers, tolerance))
+    if (a_number && same_numbers(mine.numbers, named(entry, suspect.value).numbers, tolerance))
       mistakes.push_back(suspect.words);
-  fail(subject, table.words() + mistake_line(mine.numbers, mistakes));
+  fail(subject, table.words() + mistake_line(mine.numbers, right, tolerance, mistakes));
 }
 
 }  // namespace
@@ -103,7 +117,15 @@ void expect(const Subject& subject, const std::string& words,
     if (!near(yours[i], expected[i], tolerance))
       table.entry(entries[i], yours[i], expected[i], tolerance);
   fail(subject, (words.empty() ? "" : "Case: " + words + ".\n\n") + table.words() +
-                    mistake_line(yours, likely));
+                    mistake_line(yours, expected, tolerance, likely));
+}
+void expect_or_say(const Subject& subject, const std::string& entry, double yours,
+                   double expected, double tolerance, const std::vector<std::string>& words) {
+  compare(subject, entry, yours, expected, tolerance, {}, words);
+}
+void expect_or_say(const Subject& subject, const std::string& entry, const vec3& yours,
+                   const vec3& expected, double tolerance, const std::vector<std::string>& words) {
+  compare(subject, entry, yours, expected, tolerance, {}, words);
 }
 void expect(const Subject& subject, const std::string& entry, double yours, double expected,
             double tolerance, const std::vector<Suspect>& suspects) {

@@ -57,6 +57,11 @@ void expect(const Subject& subject, const std::string& entry, const mat3& yours,
 void expect(const Subject& subject, const std::string& entry, const quat& yours,
             const quat& expected, double tolerance,
             const std::vector<QuatSuspect>& suspects = {});
+/// The same where it is known already what explains yours: the first of these words.
+void expect_or_say(const Subject& subject, const std::string& entry, double yours,
+                   double expected, double tolerance, const std::vector<std::string>& words);
+void expect_or_say(const Subject& subject, const std::string& entry, const vec3& yours,
+                   const vec3& expected, double tolerance, const std::vector<std::string>& words);
 
 /// The numbers of a case, of which the report shows those that are wrong. \param words what the
 /// case is, or "" \param likely the mistakes that explain them, the first is named
@@ -117,6 +122,41 @@ Numbers flat(const Matrix<N>& K) {
   return out;
 }
 bool close(const Numbers& a, const Numbers& b, double tolerance);
+/// The same for numbers that may be infinite or NaN in both.
+bool same_numbers(const Numbers& a, const Numbers& b, double tolerance);
+
+/// Mistakes in words, each with the numbers that it gives.
+using Wrong = std::vector<std::pair<std::string, Numbers>>;
+
+/// A part as numbers, at any pose of its bodies.
+struct Seen {
+  std::function<Numbers(const Pair&)> J, K;              ///< yours
+  std::function<Numbers(const Pair&)> slope;             ///< J by central differences
+  std::function<Wrong(const Pair&)> mistakes = nullptr;  ///< the fixture's own, of J
+  PoseWords broken = {};
+};
+Sample jacobian_sample(int pose, const Seen& part, const Pair& pair, const Numbers& right);
+Sample K_sample(int pose, const Seen& part, const Pair& pair, const Numbers& right);
+/// J M^-1 J^T of a J with 12 numbers a row.
+Numbers whole_K(const Numbers& J, const Pair& pair);
+
+/// \tparam Fixture may have mistakes of its own in a function `mistakes(part, pair)`
+template <class Fixture>
+Seen seen(const typename Fixture::Part& part) {
+  Seen out;
+  out.J = [part](const Pair& at) { return flat(to_jacobian(part.jacobian(at.body1, at.body2))); };
+  if constexpr (requires(const Pair& at) { part.K(at.body1, at.body2); })
+    out.K = [part](const Pair& at) { return flat(to_matrix(part.K(at.body1, at.body2))); };
+  out.slope = [part](const Pair& at) { return flat(numeric_jacobian(part, at.body1, at.body2)); };
+  if constexpr (requires(const Pair& at) { Fixture::mistakes(part, at); })
+    out.mistakes = [part](const Pair& at) {
+      Wrong wrong;
+      for (const auto& [words, J] : Fixture::mistakes(part, at)) wrong.push_back({words, flat(J)});
+      return wrong;
+    };
+  if constexpr (requires { Fixture::broken; }) out.broken = Fixture::broken;
+  return out;
+}
 
 /// Calls `look(pose, part, pair)` at every pose of the fixture's part where J is exact.
 template <class Fixture>
@@ -146,67 +186,13 @@ std::vector<std::string> row_names() {
   return {Fixture::rows.begin(), Fixture::rows.end()};
 }
 
-/// The pair with body 1, body 2, both not turned: an answer that is right there and wrong elsewhere
-/// has left a lever in body space.
-inline std::array<Pair, 3> unturned(const Pair& pair) {
-  std::array<Pair, 3> out{pair, pair, pair};
-  out[0].body1.q = out[1].body2.q = out[2].body1.q = out[2].body2.q = quat(1, 0, 0, 0);
-  return out;
-}
-inline constexpr std::array body_space_arm{
-    "body-space arm: the lever of body 1 is not turned into the world",
-    "body-space arm: the lever of body 2 is not turned into the world",
-    "body-space arm: the levers of both bodies are not turned into the world"};
-/// The Jacobians of some mistakes with levers. A fixture may have more of them in a function
-/// `mistakes(part, pair)`.
-template <class Fixture, int N>
-auto wrong_jacobians(const typename Fixture::Part& part, const Jacobian<N>& J, const Pair& pair) {
-  std::vector<std::pair<std::string, Jacobian<N>>> out;
-  if constexpr (requires { Fixture::mistakes(part, pair); }) out = Fixture::mistakes(part, pair);
-  Jacobian<N> points = J, exchanged = J, reversed = J, missing = J;
-  for (int i = 0; i < N; ++i) {
-    points[i].w1 += cross(pair.body1.x, J[i].v1);
-    points[i].w2 += cross(pair.body2.x, J[i].v2);
-    exchanged[i].w1 = -J[i].w2;
-    exchanged[i].w2 = -J[i].w1;
-    reversed[i] = {J[i].v1, -J[i].w1, J[i].v2, -J[i].w2};
-    missing[i] = {J[i].v1, vec3(0), J[i].v2, vec3(0)};
-  }
-  out.push_back({"the sign of the blocks w1 and w2: a x b is -(b x a)", reversed});
-  out.push_back({"the blocks w1 and w2 are missing: they hold the levers", missing});
-  out.push_back({"a point where a lever belongs: r runs from the body's centre to the anchor "
-                 "(to_world, not world_point)", points});
-  out.push_back({"the levers r1 and r2 are exchanged", exchanged});
-  return out;
-}
-
-/// The J of a part beside the right one, with what would explain a difference.
-template <class Fixture, int N>
-Sample jacobian_sample(int pose, const typename Fixture::Part& part, const Pair& pair,
-                       const Jacobian<N>& right) {
-  const auto yours = [&](const Pair& at) {
-    return flat(to_jacobian(part.jacobian(at.body1, at.body2)));
-  };
-  Sample sample{pose, yours(pair), flat(right), {}};
-  if constexpr (requires { Fixture::broken; }) sample.broken = Fixture::broken;
-  if (close(sample.yours, sample.right, difference_tolerance)) return sample;
-  for (const auto& [words, wrong] : wrong_jacobians<Fixture>(part, right, pair))
-    if (close(sample.yours, flat(wrong), difference_tolerance)) sample.mistakes.push_back(words);
-  for (int k = 0; k < 3; ++k) {
-    const Pair at = unturned(pair)[k];
-    if (close(yours(at), flat(numeric_jacobian(part, at.body1, at.body2)), difference_tolerance))
-      sample.mistakes.push_back(body_space_arm[k]);
-  }
-  return sample;
-}
-
 /// The J of a part beside the numeric one at every pose.
 template <class Fixture>
 std::vector<Sample> jacobian_samples() {
   std::vector<Sample> samples;
   visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
-    samples.push_back(jacobian_sample<Fixture>(pose, part, pair,
-                                               numeric_jacobian(part, pair.body1, pair.body2)));
+    const Seen as_numbers = seen<Fixture>(part);
+    samples.push_back(jacobian_sample(pose, as_numbers, pair, as_numbers.slope(pair)));
   });
   return samples;
 }
@@ -221,90 +207,11 @@ void check_jacobian() {
 template <class Fixture, int N>
 void check_jacobian(const typename Fixture::Part& part, const Pair& pair,
                     const Jacobian<N>& by_hand) {
-  const Sample paper = jacobian_sample<Fixture>(pencil_and_paper, part, pair, by_hand);
+  const Sample paper = jacobian_sample(pencil_and_paper, seen<Fixture>(part), pair, flat(by_hand));
   std::vector<Sample> samples{paper};
   if (!close(paper.yours, paper.right, difference_tolerance))
     for (const Sample& sample : jacobian_samples<Fixture>()) samples.push_back(sample);
   check(Fixture::J, jacobian_report(row_names<Fixture>(), samples, difference_tolerance));
-}
-
-/// The matrices K of some mistakes, from J M^-1 J^T with something else for M or J.
-template <class Fixture, int N>
-auto wrong_Ks(const typename Fixture::Part& part, const Jacobian<N>& J, const Pair& pair) {
-  const Body &a = pair.body1, &b = pair.body2;
-  const mat3 I1 = inverse_inertia(a), I2 = inverse_inertia(b), none(0);
-  const auto with_turn = [](Body body, const quat& q) {
-    body.q = q;
-    return inverse_inertia(body);
-  };
-  const quat unturned(1, 0, 0, 0);
-  const mat3 local1 = with_turn(a, unturned), local2 = with_turn(b, unturned);
-  const real m1 = a.inverse_mass, m2 = b.inverse_mass, both = 1 / (1 / m1 + 1 / m2);
-  std::vector<std::pair<std::string, Matrix<N>>> out;
-  const auto add = [&](const char* words, real p1, const mat3& A1, real p2, const mat3& A2) {
-    out.push_back({words, product_K(J, p1, A1, p2, A2)});
-  };
-  Matrix<N> inverse = product_K(J, m1, I1, m2, I2), everywhere = inverse;
-  invert_symmetric(inverse.m[0].data(), N);
-  for (int i = 0; i < N; ++i)
-    for (int j = 0; j < N; ++j)
-      if (i != j) everywhere[i][j] += m1 + m2;
-
-  const bool walls = m1 == 0 || m2 == 0;
-  const char* const masses = "masses where inverse masses belong: K is in 1/kg";
-  if (!walls) {
-    add(masses, 1 / m1, none, 1 / m2, none);
-    add(masses, 1 / m1, I1, 1 / m2, I2);
-    add(masses, 1 / m1, glm::inverse(I1), 1 / m2, glm::inverse(I2));
-    add("one over the sum of the masses: each mass is inverted first, then they are added",
-        both / 2, I1, both / 2, I2);
-    add("inertia where inverse inertia belongs", m1, glm::inverse(I1), m2, glm::inverse(I2));
-  }
-  out.push_back({"the inverse of K: that is the effective mass, the solver inverts K itself",
-                 inverse});
-  add("the share of the rotation is missing", m1, none, m2, none);
-  add("the rotation of body 1 is missing", m1, none, m2, I2);
-  add("the rotation of body 2 is missing", m1, I1, m2, none);
-  add("the inverse mass of body 1 is missing", 0, I1, m2, I2);
-  add("the inverse mass of body 2 is missing", m1, I1, 0, I2);
-  add("the inverse masses are missing", 0, I1, 0, I2);
-  add("the inverse inertia is missing", m1, mat3(1), m2, mat3(1));
-  add("body-space inertia of body 1: it must be turned into the world, R I^-1 R^T", m1, local1, m2,
-      I2);
-  add("body-space inertia of body 2: it must be turned into the world, R I^-1 R^T", m1, I1, m2,
-      local2);
-  add("body-space inertia of both bodies: it must be turned into the world, R I^-1 R^T", m1, local1,
-      m2, local2);
-  add("the inertia is turned the wrong way round: R I^-1 R^T, not R^T I^-1 R", m1,
-      with_turn(a, conjugate(a.q)), m2, with_turn(b, conjugate(b.q)));
-  add("the sign of the rotation's share: it is added (skew(r) I^-1 skew(r) lacks a transpose)", m1,
-      -I1, m2, -I2);
-  add("the sign of body 1's share: the shares of both bodies are added", -m1, -I1, m2, I2);
-  add("the sign of body 2's share: the shares of both bodies are added", m1, I1, -m2, -I2);
-  add("the lever of one body with the inertia of the other", m1, I2, m2, I1);
-  out.push_back({"a matrix plus a number adds it to all nine entries: write mat3(a)",
-                 everywhere});
-  for (const auto& [words, wrong] : wrong_jacobians<Fixture>(part, J, pair))
-    out.push_back({words, product_K(wrong, m1, I1, m2, I2)});
-  return out;
-}
-
-/// The K of a part beside the right one, with what would explain a difference.
-template <class Fixture, int N>
-Sample K_sample(int pose, const typename Fixture::Part& part, const Pair& pair,
-                const Matrix<N>& right) {
-  const auto yours = [&](const Pair& at) { return flat(to_matrix(part.K(at.body1, at.body2))); };
-  const auto J = [&](const Pair& at) { return numeric_jacobian(part, at.body1, at.body2); };
-  const auto holds = [&](const Pair& at) {
-    return close(yours(at), flat(dense_K(J(at), at.body1, at.body2)), K_tolerance);
-  };
-  Sample sample{pose, yours(pair), flat(right), {}};
-  if (close(sample.yours, sample.right, K_tolerance)) return sample;
-  for (const auto& [words, wrong] : wrong_Ks<Fixture>(part, J(pair), pair))
-    if (close(sample.yours, flat(wrong), K_tolerance)) sample.mistakes.push_back(words);
-  for (int k = 0; k < 3; ++k)
-    if (holds(unturned(pair)[k])) sample.mistakes.push_back(body_space_arm[k]);
-  return sample;
 }
 
 /// The K of a part beside J M^-1 J^T with the numeric J at every pose.
@@ -312,8 +219,9 @@ template <class Fixture>
 std::vector<Sample> K_samples() {
   std::vector<Sample> samples;
   visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
-    const auto J = numeric_jacobian(part, pair.body1, pair.body2);
-    samples.push_back(K_sample<Fixture>(pose, part, pair, dense_K(J, pair.body1, pair.body2)));
+    const Seen as_numbers = seen<Fixture>(part);
+    samples.push_back(
+        K_sample(pose, as_numbers, pair, whole_K(as_numbers.slope(pair), pair)));
   });
   return samples;
 }
@@ -326,7 +234,7 @@ void check_K() {
 /// K against the one computed by hand at the pose of the text; the other poses help to explain.
 template <class Fixture, int N>
 void check_K(const typename Fixture::Part& part, const Pair& pair, const Matrix<N>& by_hand) {
-  const Sample paper = K_sample<Fixture>(pencil_and_paper, part, pair, by_hand);
+  const Sample paper = K_sample(pencil_and_paper, seen<Fixture>(part), pair, flat(by_hand));
   std::vector<Sample> samples{paper};
   if (!close(paper.yours, paper.right, K_tolerance))
     for (const Sample& sample : K_samples<Fixture>()) samples.push_back(sample);

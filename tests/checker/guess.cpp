@@ -1,24 +1,19 @@
-// Guessing what went wrong in a J or K from the entries that are wrong, and the reports of both.
+#include "tests/checker/guess.h"
+
 #include <algorithm>
 
-#include "tests/checker/proved.h"
 #include "tests/checker/report.h"
 
 namespace joints::testing {
 
 namespace {
 
-const char* const block_names[] = {"v1", "w1", "v2", "w2"};
-
 Numbers negative(Numbers numbers) {
   for (double& number : numbers) number = -number;
   return numbers;
 }
-
-Numbers bodies_swapped(const Numbers& J) {
-  Numbers out = J;
-  for (std::size_t i = 0; i < J.size(); ++i) out[i] = J[i / 12 * 12 + (i + 6) % 12];
-  return out;
+bool zero(const Numbers& numbers, double tolerance) {
+  return close(numbers, Numbers(numbers.size(), 0), tolerance);
 }
 
 // The number that all of what is right was multiplied by, or 0 where there is none.
@@ -30,6 +25,91 @@ double common_factor(const Sample& s, double tolerance) {
   for (std::size_t i = 0; i < s.right.size(); ++i)
     if (!near(s.yours[i], factor * s.right[i], tolerance * (1 + std::abs(factor)))) return 0;
   return factor;
+}
+
+// ---- rows of a J or K ---------------------------------------------------------------------------
+
+struct RowsOf {
+  const Sample& s;
+  double tolerance;
+  std::size_t count, width;
+  std::vector<std::size_t> wrong;
+
+  RowsOf(const Sample& s, double tolerance, std::size_t count)
+      : s(s), tolerance(tolerance), count(count), width(s.right.size() / count) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (!close(of(s.yours, i), of(s.right, i), tolerance)) wrong.push_back(i);
+  }
+  Numbers of(const Numbers& all, std::size_t row) const {
+    const auto begin = all.begin() + long(row * width);
+    return {begin, begin + long(width)};
+  }
+  /// The right row that yours is, another than its own; `count` where there is none.
+  std::size_t other(std::size_t row) const {
+    for (std::size_t k = 0; k < count; ++k)
+      if (k != row && close(of(s.yours, row), of(s.right, k), tolerance)) return k;
+    return count;
+  }
+};
+
+// What is wrong with the rows as they stand below one another. \param letter J or K
+std::string row_mistake(const RowsOf& rows, const std::string& letter,
+                        const std::vector<std::string>& names) {
+  const auto called = [&](std::size_t i) {
+    return letter + "[" + std::to_string(i) + "], the row " + names[i];
+  };
+  const auto& wrong = rows.wrong;
+  std::vector<std::string> empty, repeated;
+  bool exchanged = true;
+  for (const std::size_t i : wrong) {
+    const std::size_t k = rows.other(i);
+    exchanged = exchanged && k < rows.count && rows.other(k) < rows.count;
+    if (zero(rows.of(rows.s.yours, i), rows.tolerance)) empty.push_back(called(i));
+    else if (k < rows.count && std::find(wrong.begin(), wrong.end(), k) == wrong.end())
+      repeated.push_back(called(i) + ", repeats " + letter + "[" + std::to_string(k) + "]");
+  }
+  if (wrong.size() == 2 && empty.size() == 1)
+    for (const std::size_t k : {0, 1})
+      if (rows.other(wrong[k]) == wrong[1 - k])
+        return letter + "[" + std::to_string(wrong[k]) + "] is written twice, " + letter + "[" +
+               std::to_string(wrong[1 - k]) + "] never: the row " + names[wrong[1 - k]] +
+               " stands in the place of " + names[wrong[k]];
+  if (empty.size() == wrong.size())
+    return joined(empty) + (empty.size() == 1 ? ", is zero: was it never written?"
+                                              : ", are zero: were they never written?");
+  if (repeated.size() == wrong.size()) return joined(repeated);
+  if (exchanged && wrong.size() == 2)
+    return "the rows " + names[wrong[0]] + " and " + names[wrong[1]] + " are exchanged";
+  if (exchanged) return "the rows are in another order";
+  return "";
+}
+
+// The blocks of a row that are another row's: copied, and not changed. "" where it is not so.
+std::string copied_blocks(const RowsOf& rows) {
+  std::vector<std::string> words;
+  for (const std::size_t i : rows.wrong)
+    for (std::size_t b = 0; b < 4; ++b) {
+      const auto block = [&](const Numbers& all, std::size_t row) {
+        const auto begin = all.begin() + long(12 * row + 3 * b);
+        return Numbers(begin, begin + 3);
+      };
+      const Numbers yours = block(rows.s.yours, i);
+      if (close(yours, block(rows.s.right, i), rows.tolerance)) continue;
+      std::size_t k = 0;
+      while (k < rows.count && !close(yours, block(rows.s.right, k), rows.tolerance)) ++k;
+      if (k == rows.count || zero(yours, rows.tolerance)) return "";
+      words.push_back(std::string(block_names[b]) + " of J[" + std::to_string(i) +
+                      "] is that of J[" + std::to_string(k) + "]");
+    }
+  return joined(words);
+}
+
+// ---- blocks of a J ------------------------------------------------------------------------------
+
+Numbers bodies_swapped(const Numbers& J) {
+  Numbers out = J;
+  for (std::size_t i = 0; i < J.size(); ++i) out[i] = J[i / 12 * 12 + (i + 6) % 12];
+  return out;
 }
 
 // The factor 2 or 1/2 of one block, "" where there is none.
@@ -61,202 +141,156 @@ std::string blocks(const std::vector<std::string>& names) {
   return (names.size() == 1 ? "the block " : "the blocks ") + joined(names);
 }
 
-// The wrong blocks of J, if each of them is the right one with its sign turned, doubled or halved,
-// or is missing, or should not be there.
-std::string block_mistake(const Sample& s, double tolerance) {
-  std::vector<std::string> signs, missing, superfluous, words;
-  for (std::size_t block = 0; block < 4; ++block) {
-    bool right = true, opposite = true, zero = true, should_be_zero = true;
+// How a block of yours compares with the right one.
+struct Block {
+  bool right = true, opposite = true, zero = true, should_be_zero = true, transposed = true;
+
+  Block(const Sample& s, std::size_t block, double tolerance) {
+    transposed = s.right.size() == 36;
     for (std::size_t i = 0; i < s.yours.size(); ++i) {
       if (i % 12 / 3 != block) continue;
       right = right && near(s.yours[i], s.right[i], tolerance);
       opposite = opposite && near(s.yours[i], -s.right[i], tolerance);
       zero = zero && near(s.yours[i], 0, tolerance);
       should_be_zero = should_be_zero && near(s.right[i], 0, tolerance);
+      if (transposed)
+        transposed = near(s.yours[i], s.right[12 * (i % 3) + 3 * block + i / 12], tolerance);
     }
-    if (right) continue;
-    if (opposite) signs.push_back(block_names[block]);
-    else if (zero) missing.push_back(block_names[block]);
-    else if (should_be_zero) superfluous.push_back(block_names[block]);
-    else if (const std::string factor = block_factor(s, block, tolerance); !factor.empty())
+  }
+};
+
+// The wrong blocks of J, if each of them is the right one with its sign turned, doubled or halved,
+// or transposed, or is missing, or should not be there.
+std::string block_mistake(const Sample& s, double tolerance) {
+  std::vector<std::string> signs, missing, superfluous, transposed, words;
+  for (std::size_t b = 0; b < 4; ++b) {
+    const Block block(s, b, tolerance);
+    if (block.right) continue;
+    if (block.opposite) signs.push_back(block_names[b]);
+    else if (block.transposed) transposed.push_back(block_names[b]);
+    else if (block.zero) missing.push_back(block_names[b]);
+    else if (block.should_be_zero) superfluous.push_back(block_names[b]);
+    else if (const std::string factor = block_factor(s, b, tolerance); !factor.empty())
       words.push_back(factor);
     else return "";
   }
   if (!signs.empty())
     words.push_back("the sign of " + blocks(signs) +
                     (joined(signs) == "v1 and w1" ? ": body 1 carries the minus sign" : ""));
+  if (!transposed.empty())
+    words.push_back(blocks(transposed) + (transposed.size() == 1 ? " is" : " are") +
+                    " transposed: mat3(a, b, c) and M[k] are columns");
   if (!missing.empty())
     words.push_back(blocks(missing) + (missing.size() == 1 ? " is missing" : " are missing"));
   if (!superfluous.empty()) words.push_back(blocks(superfluous) + " should be zero");
   return joined(words);
 }
 
-// Adds what the sample alone tells: `first` for J or K comes before what is known already.
+// ---- what both have -----------------------------------------------------------------------------
+
+// Adds what the numbers alone tell: `first` for J or K comes before what is known already.
 void guess(Sample& s, double tolerance, const std::string& first) {
-  const double factor = common_factor(s, tolerance);
-  std::string words = first.empty() ? no_number(s.yours) : first;
-  if (close(s.yours, Numbers(s.yours.size(), 0), tolerance)) words = "every entry is zero";
+  std::string words = first;
+  if (any_unset(s.yours, s.right)) {
+    s.mistakes = {never_set};
+    return;
+  }
+  if (!all_finite(s.yours) && first.empty()) words = division_by_zero;
+  else if (zero(s.yours, tolerance)) words = "every entry is zero";
   if (!words.empty()) s.mistakes.insert(s.mistakes.begin(), words);
   if (!s.mistakes.empty()) return;
+  const double factor = common_factor(s, tolerance);
   for (const char* number : {"2", "4", "0.5", "0.25"})
     if (near(factor, std::atof(number), tolerance))
       s.mistakes.push_back(std::string("a factor of ") + number);
 }
 
-void guess_J(Sample& s, double tolerance) {
+// What is wrong with J if it is the same in all the rows of the sample.
+void guess_rows(Sample& s, double tolerance) {
   const bool swapped = close(s.yours, bodies_swapped(s.right), tolerance);
   const bool told = std::any_of(s.mistakes.begin(), s.mistakes.end(), [](const auto& known) {
     return known.starts_with("the sign of the whole row");  // in the fixture's own words
   });
-  std::string words = swapped ? "bodies 1 and 2 swapped" : "";
+  std::string words = swapped && !told ? "bodies 1 and 2 swapped" : "";
   if (close(s.yours, negative(s.right), tolerance) && !told)
     words = swapped ? "the sign of the whole row, or bodies 1 and 2 swapped"
                     : "the sign of the whole row: C grows when body 2 moves positively";
   guess(s, tolerance, words);
+  if (!all_finite(s.yours) || any_unset(s.yours, s.right)) return;
+  if (!swapped && other_order(s, tolerance))
+    s.mistakes.push_back("the order of the blocks: a row is {v1, w1, v2, w2}");
   const std::string blocks = block_mistake(s, tolerance);
   if (!blocks.empty()) s.mistakes.push_back(blocks);
-  if (!swapped && all_finite(s.yours) && other_order(s, tolerance))
-    s.mistakes.push_back("the order of the blocks: a row is {v1, w1, v2, w2}");
-  if (s.mistakes.empty() && common_factor(s, tolerance) != 0)
-    s.mistakes.push_back("a factor: is the direction a unit vector?");
 }
 
-void guess_K(Sample& s, double tolerance) {
+// The rows of the sample that are wrong, as a sample of their own.
+Sample wrong_rows(const RowsOf& rows) {
+  Sample out{rows.s.pose, {}, {}, {}, rows.s.broken};
+  for (const std::size_t i : rows.wrong) {
+    const Numbers yours = rows.of(rows.s.yours, i), right = rows.of(rows.s.right, i);
+    out.yours.insert(out.yours.end(), yours.begin(), yours.end());
+    out.right.insert(out.right.end(), right.begin(), right.end());
+  }
+  return out;
+}
+
+bool pushes(const Numbers& J) {
+  for (std::size_t i = 0; i < J.size(); ++i)
+    if (i % 6 < 3 && J[i] != 0) return true;
+  return false;
+}
+
+}  // namespace
+
+void guess_J(Sample& s, double tolerance, const std::vector<std::string>& names) {
+  guess_rows(s, tolerance);
+  if (!all_finite(s.yours) || any_unset(s.yours, s.right)) return;
+  const RowsOf rows(s, tolerance, names.size());
+  if (const std::string words = row_mistake(rows, "J", names); !words.empty())
+    s.mistakes.push_back(words);
+  if (rows.wrong.size() < names.size()) {
+    Sample part = wrong_rows(rows);
+    guess_rows(part, tolerance);
+    std::vector<std::string> wrong;
+    for (const std::size_t i : rows.wrong) wrong.push_back(names[i]);
+    for (const std::string& words : part.mistakes)
+      if (words != "every entry is zero")  // said of the row above
+        s.mistakes.push_back("in " + joined(wrong) + " alone: " + words);
+    if (const std::string words = copied_blocks(rows); !words.empty())
+      s.mistakes.push_back(words);
+  }
+  if (s.mistakes.empty() && common_factor(s, tolerance) != 0)
+    s.mistakes.push_back(pushes(s.right) ? "a factor: is the direction a unit vector?"
+                                         : "a factor: all of it is multiplied by one number");
+}
+
+void guess_K(Sample& s, double tolerance, const std::vector<std::string>& names) {
   const bool opposite = close(s.yours, negative(s.right), tolerance);
   guess(s, tolerance,
         !all_finite(s.yours) ? "a division by zero: 1/m of a static body is 0, K adds it as it is"
         : opposite           ? "the sign: K is never negative"
                              : "");
-}
-
-// ---- the report ---------------------------------------------------------------------------------
-
-// The pose's name, and what it is for.
-PoseWords pose_of(const Sample& s) {
-  return s.pose == 3 ? s.broken : PoseWords{pose_names[s.pose], pose_words[s.pose]};
-}
-
-std::vector<std::string> poses_of(const std::vector<const Sample*>& samples) {
-  std::vector<std::string> names;
-  for (const Sample* s : samples)
-    if (const char* name = pose_of(*s).name; names.empty() || names.back() != name)
-      names.push_back(name);
-  return names;
-}
-
-// The fewest mistakes that explain all samples, each with its poses. The pose of the text has many
-// zeros, so that a mistake may fit there by chance: it must be one that shows elsewhere, too.
-std::string likely_mistakes(std::vector<const Sample*> open) {
-  std::string out;
-  const auto names = [](const Sample* s, const std::string& words) {
-    return std::find(s->mistakes.begin(), s->mistakes.end(), words) != s->mistakes.end();
-  };
-  const auto by_hand = [](const Sample* s) { return s->pose == pencil_and_paper; };
-  const bool only_by_hand = std::all_of(open.begin(), open.end(), by_hand);
-  while (only_by_hand ? !open.empty() : !std::all_of(open.begin(), open.end(), by_hand)) {
-    std::string best;
-    std::vector<const Sample*> explained;
-    for (const Sample* s : open) {
-      if (by_hand(s) && !only_by_hand) continue;
-      for (const std::string& words : s->mistakes) {
-        std::vector<const Sample*> also;
-        std::copy_if(open.begin(), open.end(), std::back_inserter(also),
-                     [&](const Sample* other) { return names(other, words); });
-        if (also.size() <= explained.size()) continue;
-        best = words;
-        explained = also;
-      }
-    }
-    if (explained.empty())
-      return out + "None of the usual mistakes explains it (" + joined(poses_of(open)) +
-             "): compare it with the equation, entry by entry.\n";
-    std::string poses;
-    for (const std::string& pose : poses_of(explained)) poses += (poses.empty() ? "" : ", ") + pose;
-    out += likely(best + " (" + poses + ")");
-    std::erase_if(open, [&](const Sample* s) { return names(s, best); });
+  const std::size_t n = names.size();
+  if (!s.mistakes.empty() || n == 1) return;
+  const RowsOf rows(s, tolerance, n);
+  Numbers diagonal = s.right, beside = s.right, upper = s.right, lower = s.right;
+  bool symmetric = true;
+  for (std::size_t i = 0; i < n * n; ++i) {
+    const std::size_t row = i / n, column = i % n;
+    (row == column ? beside : diagonal)[i] = 0;
+    if (row > column) upper[i] = 0;
+    if (row < column) lower[i] = 0;
+    symmetric = symmetric && near(s.yours[i], s.yours[column * n + row], tolerance);
   }
-  return out;
-}
-
-// At which poses it holds, and what is likely to be wrong at the others.
-std::string verdict(std::vector<Sample>& samples, double tolerance,
-                    void (*guess)(Sample&, double)) {
-  std::vector<const Sample*> right, wrong;
-  for (Sample& s : samples) {
-    const bool holds = close(s.yours, s.right, tolerance);
-    (holds ? right : wrong).push_back(&s);
-    if (!holds) guess(s, tolerance);
-  }
-  std::vector<std::string> holds = poses_of(right);
-  const std::vector<std::string> fails = poses_of(wrong);
-  std::erase_if(holds, [&](const std::string& pose) {
-    return std::find(fails.begin(), fails.end(), pose) != fails.end();
-  });
-  return "\n" +
-         (holds.empty() ? "Fails at all poses.\n"
-                        : "Fails at " + joined(fails) + "; holds at " + joined(holds) + ".\n") +
-         likely_mistakes(wrong);
-}
-
-const Sample* first_wrong(const std::vector<Sample>& samples, double tolerance) {
-  for (const Sample& s : samples)
-    if (!close(s.yours, s.right, tolerance)) return &s;
-  return nullptr;
-}
-
-// Which pose, and what stands beside yours.
-std::string heading(const Sample& s, const std::string& numeric) {
-  return std::string("Pose: ") + pose_of(s).name + " (" + pose_of(s).words + ")." +
-         (s.pose == pencil_and_paper ? "" : " Numeric: " + numeric) + "\n\n";
-}
-Table table_for(const Sample& s) {
-  return Table(s.pose == pencil_and_paper ? "by hand " : "numeric ");
-}
-
-}  // namespace
-
-std::string jacobian_report(const std::vector<std::string>& rows, std::vector<Sample> samples,
-                            double tolerance) {
-  const Sample* wrong = first_wrong(samples, tolerance);
-  if (!wrong) {
-    proved("Jacobians");
-    proved("poses of Jacobians", long(samples.size()));
-    return "";
-  }
-  Table table = table_for(*wrong);
-  std::string map = "\n        v1   w1   v2   w2     (x wrong, . right)\n";
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    map += "  " + rows[row] + std::string(6 - rows[row].size(), ' ');
-    for (std::size_t c = 0; c < 12; ++c) {
-      const double yours = wrong->yours[row * 12 + c], numeric = wrong->right[row * 12 + c];
-      const bool right = near(yours, numeric, tolerance);
-      map += std::string(right ? "." : "x") + (c % 3 == 2 && c < 11 ? "  " : "");
-      if (!right)
-        table.entry(rows[row] + ", " + block_names[c / 3] + "." + "xyz"[c % 3], yours, numeric,
-                    tolerance);
-    }
-    map += "\n";
-  }
-  return heading(*wrong, "how fast C really changes.") + table.words() + map +
-         verdict(samples, tolerance, guess_J);
-}
-
-std::string K_report(const std::vector<std::string>& rows, std::vector<Sample> samples,
-                     double tolerance) {
-  const Sample* wrong = first_wrong(samples, tolerance);
-  if (!wrong) {
-    proved("effective masses");
-    proved("poses of effective masses", long(samples.size()));
-    return "";
-  }
-  Table table = table_for(*wrong);
-  const std::size_t n = rows.size();
-  for (std::size_t i = 0; i < n * n; ++i)
-    if (!near(wrong->yours[i], wrong->right[i], tolerance))
-      table.entry(n == 1 ? "K" : "K[" + rows[i / n] + ", " + rows[i % n] + "]", wrong->yours[i],
-                  wrong->right[i], tolerance);
-  return heading(*wrong, "J M^-1 J^T, J by differences.") + table.words() +
-         verdict(samples, tolerance, guess_K);
+  for (const auto& [numbers, words] :
+       {std::pair(diagonal, "the entries beside the diagonal are missing"),
+        std::pair(beside, "the diagonal is missing"),
+        std::pair(upper, "the lower half is missing: K is symmetric"),
+        std::pair(lower, "the upper half is missing: K is symmetric")})
+    if (close(s.yours, numbers, tolerance)) s.mistakes.push_back(words);
+  if (const std::string words = row_mistake(rows, "K", names); !words.empty())
+    s.mistakes.push_back(words);
+  if (s.mistakes.empty() && !symmetric) s.mistakes.push_back("K is symmetric, and yours is not");
 }
 
 }  // namespace joints::testing

@@ -43,9 +43,10 @@ struct AxisFixture {
             turning_rows("nothing is turned into the world: take a1, b and c above",
                          cross(part.b_local, a1_local), cross(part.c_local, a1_local)),
             turning_rows("a2 in the place of a1: b x a1, not b x a2", cross(b, a2), cross(c, a2)),
-            turning_rows("the two rows are exchanged", q, p),
-            turning_rows("the second row repeats the first: it belongs to c", p, p),
-            turning_rows("J[0] is written twice, J[1] never", q, vec3(0)),
+            turning_rows("the sign of the whole row: b x a1, not a1 x b; or bodies 1 and 2 swapped",
+                         -p, -q),
+            turning_rows("b x c: that is a2. The rows hold b x a1 and c x a1", a2, -a2),
+            turning_rows("b x c: that is a2. The rows hold b x a1 and c x a1", a2, a2),
             turning_rows("b and c themselves: the rows hold their cross products with a1", b, c),
             turning_rows("a1 itself: the rows hold b x a1 and c x a1", a1, a1),
             turning_rows("unit vectors: b x a1 becomes shorter as the axes part",
@@ -99,7 +100,8 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_levers(
     const Pair& pair, const vec3& anchor1_local, const vec3& anchor2_local,
     const std::array<vec3, N>& local, const std::string& name) {
   const vec3 r1 = to_world(pair.body1, anchor1_local), r2 = to_world(pair.body2, anchor2_local);
-  const vec3 d = pair.body2.x - pair.body1.x, u = d + r2 - r1, p1 = pair.body1.x + r1, p2 = p1 + u;
+  const vec3 p1 = pair.body1.x + r1, p2 = pair.body2.x + r2, u = p2 - p1;
+  const vec3 d = pair.body2.x - pair.body1.x;
   std::array<vec3, N> n, on2;
   for (int i = 0; i < N; ++i) {
     n[i] = to_world(pair.body1, local[i]);
@@ -121,6 +123,13 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_levers(
     add("u belongs to the lever of body 1: " + rides, n, r1, r2 + sign * u);
     add("u belongs to the lever of body 1 alone", n, r1 + u, r2 + sign * u);
   }
+  add("the lever of body 2 is r2, not r1", n, r1 + u, r1);
+  add("the lever of body 1 is r1 + u, not r2 + u", n, r2 + u, r2);
+  std::array<vec3, N> gaps;
+  gaps.fill(normalize(u));
+  for (const vec3& arm1 : {r1 + u, r1})
+    add("the unit vector along u in the place of " + name + ": the row runs along " + name, gaps,
+        arm1, r2);
   const std::string centres = "centres in place of anchors: u is p2 - p1";
   for (const vec3& arm1 : {r1 + d, d}) add(centres, n, arm1, r2);
   for (const vec3& arm1 : {p1, p2})

@@ -33,11 +33,25 @@ bool all_finite(const Numbers& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double a) { return std::isfinite(a); });
 }
 
+bool any_unset(const Numbers& yours, const Numbers& right) {
+  const double huge = is_float ? 1e35 : 1e290, whole = 16843010;
+  for (std::size_t i = 0; i < yours.size(); ++i) {
+    const double a = std::abs(yours[i]);
+    if (std::abs(right[i]) > whole / 2) continue;  // here it might be meant
+    if ((a > huge && std::isfinite(a)) || std::abs(a - whole) < 100) return true;
+  }
+  return false;
+}
+
 std::string no_number(const Numbers& numbers) {
-  const double huge = is_float ? 1e35 : 1e250;  // a reader's unset variable is about -5e303
-  const bool unset = std::any_of(numbers.begin(), numbers.end(),
-                                 [&](double a) { return std::abs(a) > huge; });
-  return !all_finite(numbers) ? division_by_zero : unset ? never_set : "";
+  if (any_unset(numbers, Numbers(numbers.size(), 0))) return never_set;
+  return all_finite(numbers) ? "" : division_by_zero;
+}
+
+bool five_digits(const Numbers& yours, const Numbers& right, double tolerance) {
+  for (std::size_t i = 0; i < yours.size(); ++i)
+    if (!near(yours[i], right[i], std::max(tolerance, 1e-5 * std::abs(right[i])))) return false;
+  return !is_float;
 }
 
 std::string joined(const std::vector<std::string>& words) {

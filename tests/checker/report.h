@@ -16,8 +16,16 @@ inline const char* const never_set = "a value that was never set: a variable hol
 
 bool near(double a, double b, double tolerance);
 bool all_finite(const Numbers& numbers);
+/// Does one of the numbers come from a variable that was never set? The compiler fills these with
+/// a pattern that makes a huge number (about -5e303, in float -2e38), or an int of -16843010.
+bool any_unset(const Numbers& yours, const Numbers& right);
 /// What made these numbers infinite, undefined or huge; "" where none of them is.
 std::string no_number(const Numbers& numbers);
+/// Are the wrong ones among yours right to five digits? In double alone: a float has no more.
+bool five_digits(const Numbers& yours, const Numbers& right, double tolerance);
+inline const char* const few_digits =
+    "right to five digits: a float among the numbers (a cast, a literal like 0.5f), or a constant "
+    "with few digits";
 /// "v1, w1 and v2"
 std::string joined(const std::vector<std::string>& words);
 /// A long line is folded at a space and goes on below its first word after ": ".

@@ -13,7 +13,8 @@
   return {dot(across, b), dot(across, c)};
 
 // ---- wrong: C its own axis
-// expects: Likely mistake: a2 with its own b and c is always 0: take a1, the axis of body 1
+// expects: Likely mistake: 0 in every case: it is never written, or cut off by an int, or a2 stands
+// expects: in the place of a1 (a2 is at right angles to its own b and c)
   const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local);
   const vec3 a2 = cross(b, c);
   return {dot(a2, b), dot(a2, c)};
@@ -30,7 +31,6 @@
 
 // ---- wrong: J body space b and c
 // region: 2
-// expects: Likely mistake: c_local is not turned into the world: take c above
 // expects: Likely mistake: b_local and c_local are not turned into the world: take b and c above
 // expects: (upright, turned, moved, broken)
   Jacobian<2> J;
@@ -49,9 +49,7 @@
 
 // ---- wrong: J order of the cross products
 // region: 2
-// expects: Likely mistake: the sign: b x a1, not a1 x b. Or the signs of the bodies exchanged
-// expects: Likely mistake: the sign of the whole row, or bodies 1 and 2 swapped (upright, turned,
-// expects: moved, broken)
+// expects: Likely mistake: the sign of the whole row: b x a1, not a1 x b; or bodies 1 and 2 swapped
   Jacobian<2> J;
   J[0] = {vec3(0), -cross(a1, b), vec3(0), cross(a1, b)};
   J[1] = {vec3(0), -cross(a1, c), vec3(0), cross(a1, c)};
@@ -59,8 +57,8 @@
 
 // ---- wrong: J sign of body 1
 // region: 2
-// expects: Likely mistake: the sign: body 1 carries the minus
-// expects: Likely mistake: the sign of the block w1 (upright, turned, moved, broken)
+// expects: Likely mistake: the sign of the block w1 (pencil and paper, upright, turned, moved,
+// expects: broken)
   Jacobian<2> J;
   J[0] = {vec3(0), cross(b, a1), vec3(0), cross(b, a1)};
   J[1] = {vec3(0), cross(c, a1), vec3(0), cross(c, a1)};
@@ -68,8 +66,7 @@
 
 // ---- wrong: first row written twice
 // region: 2
-// expects: Likely mistake: the two rows are exchanged
-// expects: J[0] is written twice
+// expects: Likely mistake: J[0] is written twice, J[1] never: the row C.c stands in the place of C.b
   Jacobian<2> J;
   J[0] = {vec3(0), -cross(b, a1), vec3(0), cross(b, a1)};
   J[0] = {vec3(0), -cross(c, a1), vec3(0), cross(c, a1)};

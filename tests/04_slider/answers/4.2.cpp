@@ -8,7 +8,6 @@
   return jacobian_from_blocks(mat3(0), mat3(1), mat3(0), mat3(-1));
 
 // ---- wrong: differences of angles
-// expects: Likely mistake: angles: C is 2 v, whose length is 2 sin(angle/2)
 // expects: Likely mistake: differences of angles about three axes: these are no rotation
   return glm::eulerAngles(body2.q) - glm::eulerAngles(body1.q);
 
@@ -27,7 +26,6 @@
 
 // ---- wrong: in axes of body 1
 // expects: Likely mistake: in the axes of body 1: C is in the world, q2 start^-1 q1^-1
-// expects: Likely mistake: it is in the axes of a body: C is in the world, q2 start^-1 q1^-1
   quat q = conjugate(body1.q) * body2.q * conjugate(start);
   if (q.w < 0) q = -q;
   return real(2) * vec3(q.x, q.y, q.z);
@@ -39,13 +37,13 @@
   return jacobian_from_blocks(mat3(0), mat3(-std::abs(e.w)), mat3(0), mat3(std::abs(e.w)));
 
 // ---- wrong: sign rule forgotten
-// expects: C (pencil and paper), -q2.z
+// expects: C, pencil and paper, -q2.z
 // expects: Likely mistake: the sign rule is forgotten: where s < 0, take -q
   const quat q = body2.q * conjugate(start) * conjugate(body1.q);
   return real(2) * vec3(q.x, q.y, q.z);
 
 // ---- wrong: start forgotten
-// expects: C (pencil and paper), start = q2.z
+// expects: C, pencil and paper, start = q2.z
 // expects: Likely mistake: start is forgotten: the turn that the bodies began with is no error
   quat q = body2.q * conjugate(body1.q);
   if (q.w < 0) q = -q;

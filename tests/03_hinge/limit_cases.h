@@ -1,4 +1,4 @@
-// Exercises 3.4 and 3.5 as tables of cases, each with its usual mistakes: the limit, the motor.
+// Exercise 3.4 as a table of cases with its usual mistakes: the row of a limit.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,6 @@
 #include "tests/checker/cases.h"
 
 namespace joints::testing {
-
-// ---- 3.4 the row of a limit ---------------------------------------------------------------------
 
 /// A step of 1/10 s.
 struct LimitCase {
@@ -52,6 +50,23 @@ inline CaseTable<LimitCase> limit_table() {
   const auto choosing = [=](auto upper) { return build(upper, keep, live); };
   const auto changed = [=](auto change) { return build(less_room_after, change, live); };
   const auto ruled = [=](auto rule) { return build(less_room_after, keep, rule); };
+  // other rooms for the choice and the rule, too
+  const auto with_rooms = [=](auto room) {
+    return [=](const Case& c) {
+      const Row3 lower{room(c, false), 1, false}, upper{room(c, true), -1, false};
+      Row3 row = lower.C + h * c.rate < upper.C - h * c.rate ? lower : upper;
+      row.live = live(c, row);
+      return numbers(row);
+    };
+  };
+  const auto right_room = [=](const Case& c, bool upper) { return side(c, upper).C; };
+  const auto filled_in_where = [=](auto needed) {
+    return [=](const Case& c) {
+      Row3 row = side(c, less_room_after(c));
+      row.live = live(c, row);
+      return numbers(needed(row) ? row : Row3{std::numeric_limits<double>::infinity(), 1, false});
+    };
+  };
   const auto always_upper_negative = [=](const Case& c) {
     Row3 row{c.x - c.upper, -1, false};
     row.live = live(c, row);
@@ -61,6 +76,11 @@ inline CaseTable<LimitCase> limit_table() {
       "the sign at the upper limit: C = upper - x shrinks while x grows, so that dC/dx is -1";
   const char* const upper_room = "C at the upper limit: the room left is upper - x, not x - upper";
   const char* const beyond = "beyond the limit C is negative: no absolute value";
+  const char* const lower_room = "C at the lower limit: the room left is x - lower, not lower - x";
+  const char* const whole = "the rate is cut off to a whole number: an int has no fraction";
+  const char* const way_round =
+      "the limit with less room now: the one with less room at the end of the step counts, where "
+      "the lower room has grown by h rate and the upper one has shrunk by it";
   const char* const size = "the size of the rate counts, |rate|: a neighbour may turn x round "
                            "within the step";
   const char* const violated = "live only where the limit is passed already: then it is too late. "
@@ -104,20 +124,97 @@ inline CaseTable<LimitCase> limit_table() {
        ruled([](const Case&, const Row3& r) { return r.C < 0.1 * h; })},
       {"0.1 h is missing in the rule: C < h |rate| + 0.1 h",
        ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate); })},
-      {"0.1 where 0.1 h belongs",
+      {"0.1, or h, where 0.1 h belongs",
        ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate) + 0.1; })},
       {"the rate is not multiplied by h",
        ruled([](const Case& c, const Row3& r) { return r.C < std::abs(c.rate) + 0.1 * h; })},
       {size, ruled([](const Case& c, const Row3& r) { return r.C < h * c.rate + 0.1 * h; })},
       {size,
        ruled([](const Case& c, const Row3& r) { return r.C < -h * r.sign * c.rate + 0.1 * h; })},
+      {whole, ruled([=](const Case& c, const Row3& r) {
+         return r.C < h * std::abs(std::trunc(c.rate)) + 0.1 * h;
+       })},
+      {whole, [=](Case c) {
+         c.rate = std::trunc(c.rate);
+         return build(less_room_after, keep, live)(c);
+       }},
+      {"the 0.1 stands outside the absolute value: |rate| + 0.1, not |rate + 0.1|",
+       ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate + 0.1); })},
+      {"0.1 h is added: C < h |rate| + 0.1 h",
+       ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate) - 0.1 * h; })},
+      {"0.01 h where 0.1 h belongs",
+       ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate) + 0.01 * h; })},
+      {"the rate is squared: C < h |rate| + 0.1 h",
+       ruled([](const Case& c, const Row3& r) { return r.C < h * c.rate * c.rate + 0.1 * h; })},
+      {"the rate counts twice: C < h |rate| + 0.1 h",
+       ruled([](const Case& c, const Row3& r) {
+         return r.C < 2 * h * std::abs(c.rate) + 0.1 * h;
+       })},
+      {"beyond the limit a row is live, too: C is negative there, and no absolute value is taken",
+       ruled([](const Case& c, const Row3& r) {
+         return std::abs(r.C) < h * std::abs(c.rate) + 0.1 * h;
+       })},
+      {"C is a room, it is not divided by h: C < h |rate| + 0.1 h",
+       ruled([](const Case& c, const Row3& r) {
+         return r.C / h < h * std::abs(c.rate) + 0.1 * h;
+       })},
+      {"the room now decides whether the row is live: C, not C + h dC/dt",
+       ruled([](const Case& c, const Row3& r) {
+         return r.C + h * r.sign * c.rate < h * std::abs(c.rate) + 0.1 * h;
+       })},
+      {"live is set for the lower limit alone",
+       ruled([=](const Case& c, const Row3& r) { return r.sign > 0 && live(c, r); })},
+      {"live is set for the upper limit alone",
+       ruled([=](const Case& c, const Row3& r) { return r.sign < 0 && live(c, r); })},
+      {"two equal limits hold x: their row is live, too",
+       ruled([=](const Case& c, const Row3& r) { return c.lower != c.upper && live(c, r); })},
+      {"C and sign are those of the nearer limit whether it is live or not",
+       filled_in_where([](const Row3& row) { return row.live; })},
+      {"C and sign are those of the nearer limit whether it is passed or not",
+       filled_in_where([](const Row3& row) { return row.C < 0; })},
+      {"the sign is that of the limit: it does not ask where x is going",
+       changed([](const Case& c, Row3& r) { r.sign = c.rate < 0 ? 1 : -1; })},
+      {"the sign is that of the limit: it does not ask where x is going",
+       changed([](const Case& c, Row3& r) { r.sign = c.rate <= 0 ? 1 : -1; })},
+      {lower_room, with_rooms([=](const Case& c, bool upper) {
+         return (upper ? 1 : -1) * right_room(c, upper);
+       })},
+      {upper_room, with_rooms([=](const Case& c, bool upper) {
+         return (upper ? -1 : 1) * right_room(c, upper);
+       })},
+      {"the signs of both rooms: C is x - lower and upper - x, what is left of the way",
+       with_rooms([=](const Case& c, bool upper) { return -right_room(c, upper); })},
+      {"the limits are exchanged: C is x - lower and upper - x",
+       with_rooms([=](const Case& c, bool upper) { return -right_room(c, !upper); })},
+      {"beyond the limit C is negative: it does not end at 0",
+       with_rooms([=](const Case& c, bool upper) { return std::max(right_room(c, upper), 0.0); })},
+      {"the rooms are cut off to whole numbers: an int has no fraction",
+       with_rooms([=](const Case& c, bool upper) {
+         const double room = right_room(c, upper);
+         return std::isfinite(room) ? std::trunc(room) : double(std::numeric_limits<int>::min());
+       })},
+      {"no absolute value in the choice: beyond a limit the room is negative, that is less",
+       choosing([=](const Case& c) {
+         return !(std::abs(side(c, false).C + h * c.rate) < std::abs(side(c, true).C - h * c.rate));
+       })},
+      {"h is missing in the choice of the limit: C + h dC/dt", choosing([=](const Case& c) {
+         return !(side(c, false).C + c.rate < side(c, true).C - c.rate);
+       })},
+      {"the rate counts for both limits: the one room grows by h rate, the other shrinks by it",
+       choosing([=](const Case& c) { return !(side(c, false).C + h * c.rate < side(c, true).C); })},
+      {"the rate counts for both limits: the one room grows by h rate, the other shrinks by it",
+       choosing([=](const Case& c) { return !(side(c, false).C < side(c, true).C - h * c.rate); })},
+      {"the lower limit wherever it is live: the one with less room at the end of the step counts",
+       choosing([=](const Case& c) { return !live(c, side(c, false)); })},
+      {size, ruled([](const Case& c, const Row3& r) { return r.C < -h * c.rate + 0.1 * h; })},
+      {"C is a room: it is not divided by h",
+       changed([](const Case&, Row3& r) { r.C /= h; })},
       {"the rule the wrong way round: live where C is small",
        ruled([=](const Case& c, const Row3& r) { return !live(c, r); })},
       {"live is never set", ruled([](const Case&, const Row3&) { return false; })},
       {"always live: a limit that is far away needs no row",
        ruled([](const Case&, const Row3&) { return true; })},
-      {"the limit with less room now: the one with less room at the end of the step counts",
-       choosing([](const Case& c) { return c.upper - c.x <= c.x - c.lower; })},
+      {way_round, choosing([](const Case& c) { return c.upper - c.x <= c.x - c.lower; })},
       {"the limit toward which x moves: the one with less room at the end of the step counts",
        choosing([](const Case& c) { return c.rate > 0; })},
       {"the limit toward which x moves: the one with less room at the end of the step counts",
@@ -143,139 +240,16 @@ inline CaseTable<LimitCase> limit_table() {
       limit_case(-1, 2, -0.25, 30),    limit_case(-1, 2, 1.25, -30),  // fast toward the far side
       limit_case(-1, 2, 0, -30),       limit_case(-1, 2, 1, 30),      // toward the near one
       limit_case(-1, 2, -0.25, 9),     limit_case(-1, 2, 1.25, -9),   // the far side, out of reach
+      limit_case(-1, 2, 0.35, 1.9),    limit_case(-1, 2, 0.65, -1.9), // the other one is nearer now
+      limit_case(-1, 2, 1.94, 0.7),    limit_case(-1, 2, -0.94, -0.7),
+      limit_case(-1, 2, 1.95, -0.5),   limit_case(-1, 2, -0.95, -0.5),
+      limit_case(-1, 2, 1.9995, 0),    limit_case(-1, 2, -0.9995, 0), // nearly there, at rest
       limit_case(-none, 2, -100, 0),   limit_case(-none, 2, 1.9, 3),  // one limit only
       limit_case(-1, none, 50, 0),     limit_case(-1, none, -0.9, -3),
       limit_case(-none, 2, 1.5, -30),  limit_case(-1, none, -0.5, 30),
       limit_case(-10, 10, 9.9, 3),     limit_case(-10, 10, 7, 0),     // more than a whole turn
       limit_case(1, 1, 1.5, 0),        limit_case(1, 1, 0.5, 0),      // held
       limit_case(1, 1, 1.5, -4),       limit_case(1, 1, 0.5, 4)};
-  table.tolerance = 10 * rounding;
-  return table;
-}
-
-// ---- 3.5 the motor ------------------------------------------------------------------------------
-
-/// One visit, in a step of 1/10 s.
-struct MotorCase {
-  std::string words;
-  double rate, K, speed, strength, sum;
-};
-inline constexpr double motor_h = 0.1;
-
-inline CaseTable<MotorCase> motor_table() {
-  using Case = MotorCase;
-  constexpr double h = motor_h;
-  const auto clamped = [](double a, double bound) { return std::clamp(a, -bound, bound); };
-  const auto lack = [](const Case& c) { return -(c.rate - c.speed) / c.K; };
-  // a motor whose sum would be `wanted` without its bound
-  const auto motor = [=](auto wanted, auto bound) {
-    return [=](const Case& c) {
-      const double sum = clamped(wanted(c), bound(c));
-      return Numbers{sum - c.sum, sum};
-    };
-  };
-  const auto bound = [](const Case& c) { return h * c.strength; };
-  const auto wanting = [=](auto wanted) { return motor(wanted, bound); };
-  const auto wanted = [=](const Case& c) { return c.sum + lack(c); };
-  const auto bounded = [=](auto other) { return motor(wanted, other); };
-  const auto right = motor(wanted, bound);
-  const char* const each = "each visit is clamped: it is the sum over all visits of a step that "
-                           "stays within h strength";
-  const char* const no_h =
-      "the bound is h strength: an impulse is a torque times a time, and h is missing";
-  const char* const not_stored = "the sum is not stored";
-  const char* const sign = "the sign: the impulse works against J V - speed";
-
-  CaseTable<Case> table{{"3.5", "the impulse of a motor"}, {"returned", "new sum"}, {}, {}, {}, {}};
-  table.yours = [=](const Case& c) {
-    real sum = real(c.sum);
-    const real change = motor_impulse(real(c.rate), real(c.K),
-                                      {real(c.speed), real(c.strength)}, real(h), sum);
-    return Numbers{double(change), double(sum)};
-  };
-  table.right = right;
-  table.mistakes = {
-      {"the sign of the speed: the motor wants J V - speed = 0, not J V + speed = 0",
-       wanting([](const Case& c) { return c.sum - (c.rate + c.speed) / c.K; })},
-      {sign, wanting([=](const Case& c) { return c.sum - lack(c); })},
-      {no_h, bounded([](const Case& c) { return c.strength; })},
-      {"the bound is h strength: times h, not divided by h",
-       bounded([](const Case& c) { return c.strength / h; })},
-      {each,
-       [=](const Case& c) {
-         const double change = clamped(lack(c), bound(c));
-         return Numbers{change, c.sum + change};
-       }},
-      {each,
-       [=](const Case& c) {
-         const double change = clamped(wanted(c) - c.sum, bound(c));
-         return Numbers{change, c.sum};
-       }},
-      {"each visit is clamped, and h is missing: it is the sum that stays within h strength",
-       [=](const Case& c) {
-         const double change = clamped(lack(c), c.strength);
-         return Numbers{change, c.sum + change};
-       }},
-      {"nothing is clamped", bounded([](const Case&) { return 1e30; })},
-      {"only the upper bound is there: the torque is bounded either way",
-       [=](const Case& c) {
-         const double sum = std::min(wanted(c), bound(c));
-         return Numbers{sum - c.sum, sum};
-       }},
-      {"only the lower bound is there: the torque is bounded either way",
-       [=](const Case& c) {
-         const double sum = std::max(wanted(c), -bound(c));
-         return Numbers{sum - c.sum, sum};
-       }},
-      {"the sum is kept from 0 to h strength: the torque is bounded either way",
-       [=](const Case& c) {
-         const double sum = std::clamp(wanted(c), 0.0, bound(c));
-         return Numbers{sum - c.sum, sum};
-       }},
-      {"the new sum is added to the old one: it takes its place",
-       [=](const Case& c) { return Numbers{right(c)[1], c.sum + right(c)[1]}; }},
-      {not_stored, [=](const Case& c) { return Numbers{right(c)[0], c.sum}; }},
-      {"the sum that is stored is not clamped",
-       [=](const Case& c) { return Numbers{right(c)[0], wanted(c)}; }},
-      {"the new sum is returned instead of its change",
-       [=](const Case& c) { return Numbers{right(c)[1], right(c)[1]}; }},
-      {"what was wanted is returned: return by how much the sum changed",
-       [=](const Case& c) { return Numbers{lack(c), right(c)[1]}; }},
-      {"what was wanted is returned: return by how much the sum changed",
-       [=](const Case& c) { return Numbers{wanted(c), right(c)[1]}; }},
-      {"the sign of the change: new sum minus old sum",
-       [=](const Case& c) { return Numbers{-right(c)[0], right(c)[1]}; }},
-      {"0 is returned: keep the old sum before the new one is stored",
-       [=](const Case& c) { return Numbers{0, right(c)[1]}; }},
-      {"the sum so far is missing in what is wanted", wanting(lack)},
-      {"the change is added to the sum twice",
-       [=](const Case& c) { return Numbers{right(c)[0], right(c)[1] + right(c)[0]}; }},
-      {"times K where it must be divided by K",
-       wanting([](const Case& c) { return c.sum - (c.rate - c.speed) * c.K; })},
-      {"K is missing: divide by it",
-       wanting([](const Case& c) { return c.sum - (c.rate - c.speed); })},
-      {"the old sum is divided by K, too",
-       wanting([](const Case& c) { return (c.sum - (c.rate - c.speed)) / c.K; })},
-      {"the speed of the motor is missing: this is a brake",
-       wanting([](const Case& c) { return c.sum - c.rate / c.K; })},
-      {"the rate is missing: only what lacks to the speed is wanted",
-       wanting([](const Case& c) { return c.sum + c.speed / c.K; })},
-      {"the impulse is multiplied by h: it is an impulse already, not a torque",
-       wanting([=](const Case& c) { return c.sum + h * lack(c); })}};
-  const auto add = [&](double rate, double K, double speed, double strength, double sum) {
-    table.cases.push_back({"rate " + short_number(rate) + " sum " + short_number(sum), rate, K,
-                           speed, strength, sum});
-  };
-  for (const double way : {1, -1}) {
-    add(way * 0, 0.5, way * 3, 10, 0);             // the two visits of the text
-    add(way * 0.5, 0.5, way * 3, 10, way * 1);
-    add(way * 2.9, 0.5, way * 3, 10, 0);           // within the bound
-    add(way * 2.9, 0.5, way * 3, 10, way * 0.5);
-    add(way * 3.25, 0.5, way * 3, 10, way * 0.75);  // too fast: gives back
-    add(way * 9, 0.5, way * 3, 10, way * 0.5);     // much too fast: brakes with all it has
-    add(way * 1, 2.5, way * 4, 30, way * 1.5);
-    add(way * 1, 2.5, way * 4, 0, 0);              // off
-  }
   table.tolerance = 10 * rounding;
   return table;
 }

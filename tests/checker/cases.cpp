@@ -1,0 +1,150 @@
+#include "tests/checker/cases.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "tests/checker/report.h"
+
+namespace joints::testing {
+
+namespace {
+
+// Some of the numbers of every case.
+using Columns = std::vector<std::size_t>;
+Numbers at(const Numbers& numbers, const Columns& columns) {
+  Numbers out;
+  for (const std::size_t i : columns) out.push_back(numbers[i]);
+  return out;
+}
+
+std::vector<std::string> named(const CaseNumbers& all, const std::vector<Asked>& mistakes,
+                               const Columns& columns) {
+  std::vector<std::string> out;
+  for (const Asked& mistake : mistakes) {
+    bool fits = true;
+    for (std::size_t c = 0; fits && c < all.cases.size(); ++c)
+      fits = same_numbers(at(all.cases[c].yours, columns), at(mistake.in(c), columns),
+                          all.tolerance);
+    if (fits) out.push_back(mistake.words);
+  }
+  return out;
+}
+
+// ---- what is seen in the numbers themselves -----------------------------------------------------
+
+// Is every number of yours f(the right one)? Some must be others than the right ones, and not 0.
+template <class F>
+bool is(const std::vector<Numbers>& yours, const std::vector<Numbers>& right, double tolerance,
+        F f) {
+  int changed = 0, not_zero = 0;
+  for (std::size_t c = 0; c < yours.size(); ++c)
+    for (std::size_t i = 0; i < yours[c].size(); ++i) {
+      const double wanted = f(right[c][i]);
+      if (!same_numbers({yours[c][i]}, {wanted}, tolerance)) return false;
+      changed += !same_numbers({wanted}, {right[c][i]}, tolerance);
+      not_zero += !near(wanted, 0, tolerance);
+    }
+  return changed > 1 && not_zero > 0;
+}
+
+std::string constant(const std::vector<Numbers>& yours, const std::vector<Numbers>& right,
+                     double tolerance) {
+  int different = 0;
+  for (std::size_t c = 0; c < yours.size(); ++c) {
+    if (!same_numbers(yours[c], Numbers(yours[c].size(), yours[0][0]), tolerance)) return "";
+    different += !same_numbers(right[c], right[0], tolerance);
+  }
+  if (different < 2) return "";
+  return short_number(yours[0][0]) + " in every case: is it written at all, from what is given, "
+         "and is everything in it set?";
+}
+
+// Does only what is small differ, and is it 0?
+bool threshold(const std::vector<Numbers>& yours, const std::vector<Numbers>& right,
+               double tolerance) {
+  double largest_wrong = 0, smallest_right = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < yours.size(); ++c)
+    for (std::size_t i = 0; i < yours[c].size(); ++i) {
+      const double a = std::abs(right[c][i]);
+      const bool same = same_numbers({yours[c][i]}, {right[c][i]}, tolerance);
+      if (!same && yours[c][i] != 0) return false;
+      if (!same) largest_wrong = std::max(largest_wrong, a);
+      else if (a > tolerance) smallest_right = std::min(smallest_right, a);
+    }
+  return 0 < largest_wrong && largest_wrong < smallest_right / 2;
+}
+
+std::string shown(const CaseNumbers& all, const Columns& columns) {
+  std::vector<Numbers> yours, right, first, last, overwritten;
+  for (const Compared& c : all.cases) {
+    yours.push_back(at(c.yours, columns));
+    right.push_back(at(c.right, columns));
+    first.emplace_back(columns.size(), right.back().front());
+    last.emplace_back(columns.size(), right.back().back());
+    overwritten.push_back({right.back().back(), 0});
+  }
+  if (const std::string words = constant(yours, right, all.tolerance); !words.empty())
+    return words;
+  const auto equal = [&](const std::vector<Numbers>& numbers) {
+    bool fits = columns.size() == 2;
+    for (std::size_t c = 0; c < yours.size(); ++c)
+      fits = fits && same_numbers(yours[c], numbers[c], all.tolerance);
+    return fits;
+  };
+  if (equal(overwritten)) return "the first number is written twice, the second never";
+  if (equal(first)) return "the first number stands in both places";
+  if (equal(last)) return "the second number stands in both places";
+  const auto fits = [&](auto f) { return is(yours, right, all.tolerance, f); };
+  if (fits([](double a) { return std::abs(a); }))
+    return "an absolute value: the sign is lost";
+  if (fits([](double a) { return std::max(a, 0.0); }))
+    return "what is negative has become 0";
+  if (fits([](double a) { return std::trunc(a); }))
+    return "the fraction is cut off: an int holds whole numbers only";
+  if (fits([](double a) { return 1 / a; })) return "one over the right number";
+  if (threshold(yours, right, all.tolerance))
+    return "what is small has become 0: no threshold belongs here";
+  const double degrees = 180 / std::numbers::pi;
+  if (fits([=](double a) { return degrees * a; })) return "degrees where radians belong";
+  if (fits([=](double a) { return a / degrees; }))
+    return "a factor of pi/180: the angles are in radians already";
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> likely_mistakes(const CaseNumbers& all, const Columns& own) {
+  const std::size_t n = all.entries.size();
+  Columns every, wrong;
+  for (const Compared& c : all.cases)
+    if (c.yours.size() != n || c.right.size() != n) return {};
+  for (std::size_t i = 0; i < n; ++i) {
+    every.push_back(i);
+    if (std::any_of(all.cases.begin(), all.cases.end(), [&](const Compared& c) {
+          return !same_numbers({c.yours[i]}, {c.right[i]}, all.tolerance);
+        }))
+      wrong.push_back(i);
+  }
+  if (wrong.empty()) return {};
+  const auto pattern = [&](bool whole) {
+    return common_pattern(all.entries, all.cases, all.tolerance, whole);
+  };
+  if (const auto words = named(all, all.mistakes, every); !words.empty()) return words;
+  for (const std::string& words : {shown(all, every), pattern(true)})
+    if (!words.empty()) return {words};
+  if (all.pairs)
+    if (const auto words = named(all, all.pairs(), every); !words.empty()) return words;
+  for (const Columns& columns : {wrong, own}) {
+    if (all.whole || columns.empty() || columns.size() == n) continue;
+    std::vector<std::string> names, found = named(all, all.mistakes, columns);
+    for (const std::size_t i : columns) names.push_back(all.entries[i]);
+    if (const std::string words = found.empty() ? shown(all, columns) : ""; !words.empty())
+      found.push_back(words);
+    for (std::string& words : found) words = "in " + listed(names) + " alone: " + words;
+    if (!found.empty()) return found;
+  }
+  if (const std::string words = pattern(false); !words.empty()) return {words};
+  return {};
+}
+
+}  // namespace joints::testing

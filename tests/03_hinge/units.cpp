@@ -1,4 +1,6 @@
 // The units of chapter 3's exercises.
+#include <cstring>
+
 #include "chapters/03_hinge/hinge.h"
 #include "tests/checker/units.h"
 
@@ -40,4 +42,12 @@ TEST_CASE("3.5 the bound of a motor's sum is an impulse", "[3.5]") {
              [&] { return motor_impulse(real(0.5) * m / s, 2 / kg, motor, h, sum); });
     expect_unit("the sum", sum, kg * m / s);
   }
+}
+
+TEST_CASE("units say nothing to a value that was never set") {
+  Quantity k;
+  std::memset(static_cast<void*>(&k), 0xfe, sizeof k);  // as the compiler fills it
+  for (const Quantity& made : {k, k * m, k / s, sqrt(2 * k)}) CHECK(unset(made));
+  for (const Quantity& meant : {0 * m, 3 * kg / s, sqrt(2 / kg), Quantity(5)})
+    CHECK(!unset(meant));
 }

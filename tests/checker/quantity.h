@@ -21,6 +21,13 @@ constexpr Unit combined(const Unit& a, float p, const Unit& b, float q) {
   return {p * a[0] + q * b[0], p * a[1] + q * b[1], p * a[2] + q * b[2]};
 }
 
+/// Is it a unit that somebody may have meant? That of a value that was never set is not.
+constexpr bool sensible(const Unit& unit) {
+  for (const float power : unit)
+    if (!(power >= -9 && power <= 9 && 2 * power == float(int(2 * power)))) return false;
+  return true;
+}
+
 /// "kg m/s", "1/(kg m^2)", "a pure number".
 inline std::string in_words(const Unit& unit) {
   std::string above, below;

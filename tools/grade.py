@@ -39,9 +39,12 @@ OUTSIDE = re.compile(
     r"Assertion '(__n < this->size\(\)|!this->empty\(\))'|_M_range_check|array::at")
 
 
+ARRAY = re.compile(r"std::array<.*_Tp = ([\w:]+)[;,].*_Nm = (\d+)")  # of what, and of how many
 SWAPPED = re.compile(r"Assertion '!\(__hi < __lo\)'")  # and of std::clamp
-# What the beginning of such words tells of the lines they come from.
-CLUES = {"an index": r"\w\[|\.at\(|\.back\(|\.front\(", "std::clamp": r"\bclamp\("}
+# What the beginning of such words tells of the function they come from: its head and its lines.
+CLUES = {r"an index outside an array of \d+ rows": r"\bJacobian\b",
+         r"an index outside an array of \d+ numbers": r"\bVector\b",
+         "an index": r"\w\[|\.at\(|\.back\(|\.front\(", "std::clamp": r"\bclamp\("}
 
 
 def plainly(words):
@@ -50,6 +53,10 @@ def plainly(words):
         return ("std::clamp(a, low, high) was given a high that is below low: are the ends "
                 "exchanged, has a\nbound the wrong sign, or was it never set?")
     if OUTSIDE.search(words):
+        if array := ARRAY.search(words):
+            kind = {"joints::Row": " rows", "double": " numbers"}.get(array[1], "")
+            return (f"an index outside an array of {array[2]}{kind}: its places run from 0 to "
+                    f"{int(array[2]) - 1}")
         return "an index outside a vector or an array: places run from 0 to size() - 1"
     if re.search(r"SIGSEGV|exit status -11\b", words):
         return ("the program crashed: it reached for memory that is not its own. An index gone "
@@ -64,13 +71,18 @@ def plainly(words):
 def with_place(words, chapter, id_):
     """A report that no test has written: where the exercise is, and the next command. Of several
     regions it is the one that has an index or a clamp in it, where that is the trouble."""
-    place = chapter.place(id_)
+    place, text = chapter.place(id_), chapter.mine.read_text()
+    lines = text.split("\n")
+
+    def function(region):
+        head = next((k for k in range(region.begin, 0, -1) if re.match(r"\w", lines[k])), 0)
+        return "\n".join(lines[head:region.begin] + region.answer())
     for beginning, clue in CLUES.items():
-        regions = exercises.regions(chapter.mine.read_text())
-        found = [region for region in regions if region.id == id_
-                 and re.search(clue, "\n".join(region.answer()))]
-        if words.startswith(beginning) and len(found) == 1:
+        found = [region for region in exercises.regions(text) if region.id == id_
+                 and re.search(clue, function(region))]
+        if re.match(beginning, words) and len(found) == 1:
             place = f"{house.short(chapter.mine)}:{found[0].begin}"
+            break
     return f"{words}\n\nWhere: {place}\nNext:  ./wb hint {id_}"
 
 

@@ -82,13 +82,20 @@ def bad_words_are_refused(root, build):
 
 def crashes_are_placed(root, build):
     """a crash is told in plain words, at the one region of its exercise that it can come from"""
-    chapter, id_ = house.exercise_of("8.2")
-    clamps = [r for r in regions(chapter) if r.id == id_ and "clamp(" in "".join(r.answer())]
-    crash = grade.plainly("std::clamp(...): Assertion '!(__hi < __lo)' failed.")
-    told = grade.with_place(crash, SolutionOf(chapter), id_)
-    for words in ("clamp(a, low, high)", f"{chapter.solution.name}:{clamps[0].begin}\n"):
-        if words not in told:
-            yield f"a crash of {id_} is told without '{words.strip()}': {told}"
+    def place_of(said, id_, clue, others):
+        chapter, _ = house.exercise_of(id_)
+        found = [r for r in regions(chapter) if r.id == id_ and clue in "".join(r.answer())]
+        told = grade.with_place(grade.plainly(said), SolutionOf(chapter), id_)
+        for words in (*others, f"{chapter.solution.name}:{found[0].begin}\n"):
+            if words not in told:
+                yield f"a crash of {id_} is told without '{words.strip()}': {told}"
+    yield from place_of("std::clamp(...): Assertion '!(__hi < __lo)' failed.", "8.2", "clamp(",
+                        ["clamp(a, low, high)"])
+    yield from place_of("/usr/include/c++/12/array:208: constexpr std::array<_Tp, _Nm>::value_type&"
+                        " std::array<_Tp, _Nm>::operator[](size_type) [with _Tp = joints::Row; long"
+                        " unsigned int _Nm = 2; reference = joints::Row&; size_type = long unsigned"
+                        " int]: Assertion '__n < this->size()' failed.", "4.1", "Jacobian<2> J",
+                        ["an array of 2 rows: its places run from 0 to 1"])
 
 
 class SolutionOf:

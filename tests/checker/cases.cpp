@@ -55,8 +55,8 @@ std::string constant(const std::vector<Numbers>& yours, const std::vector<Number
     different += !same_numbers(right[c], right[0], tolerance);
   }
   if (different < 2) return "";
-  return short_number(yours[0][0]) + " in every case: is it written at all, from what is given, "
-         "and is everything in it set?";
+  return short_number(yours[0][0]) + " in every case: is it written at all, from what is given? "
+         "Was it cut off by an int, or something in it never set?";
 }
 
 // Does only what is small differ, and is it 0?

@@ -137,13 +137,22 @@ void expect(const Subject& subject, const std::string& entry, const vec3& yours,
 }
 void expect(const Subject& subject, const std::string& entry, const mat3& yours,
             const mat3& expected, double tolerance, const std::vector<MatrixSuspect>& suspects) {
-  compare(subject, entry, yours, expected, tolerance, suspects);
+  std::vector<MatrixSuspect> all = suspects;
+  const mat3 turned = transpose(expected);
+  const bool opposite = length(turned[0] + expected[0]) + length(turned[1] + expected[1]) +
+                            length(turned[2] + expected[2]) == 0;
+  all.push_back({turned, opposite ? "the sign, or rows where columns belong: M[column][row]"
+                                  : "transposed: mat3(a, b, c) takes columns, M[column][row]"});
+  compare(subject, entry, yours, expected, tolerance, all);
 }
 void expect(const Subject& subject, const std::string& entry, const quat& yours,
             const quat& expected, double tolerance, const std::vector<QuatSuspect>& suspects) {
   const auto beside = [](const quat& q, const quat& other) { return dot(q, other) < 0 ? -q : q; };
   const quat mine = beside(yours, expected);
   std::vector<QuatSuspect> turned = suspects;
+  const quat& q = expected;
+  turned.push_back({quat(q.x, q.y, q.z, q.w), "the order of its numbers: quat(w, x, y, z)"});
+  turned.push_back({conjugate(q), "the turn the other way round: the inverse of what is right"});
   for (QuatSuspect& suspect : turned) suspect.value = beside(suspect.value, mine);
   compare(subject, entry, mine, expected, tolerance, turned);
 }

@@ -3,6 +3,8 @@
 #include "tests/checker/report.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <cstdio>
 
 namespace joints::testing {
@@ -33,10 +35,21 @@ bool all_finite(const Numbers& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double a) { return std::isfinite(a); });
 }
 
+namespace {
+
+// Another compiler fills with ones: an undefined number that no division gives.
+bool all_ones(double a) {
+  const std::uint64_t places = std::bit_cast<std::uint64_t>(a) << 12;
+  return std::isnan(a) && places >> 35 == 0x1fffffff;  // so many has a float
+}
+
+}  // namespace
+
 bool any_unset(const Numbers& yours, const Numbers& right) {
   const double huge = is_float ? 1e35 : 1e290, whole = 16843010;
   for (std::size_t i = 0; i < yours.size(); ++i) {
     const double a = std::abs(yours[i]);
+    if (all_ones(yours[i])) return true;
     if (std::abs(right[i]) > whole / 2) continue;  // here it might be meant
     if ((a > huge && std::isfinite(a)) || std::abs(a - whole) < 100) return true;
   }

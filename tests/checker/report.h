@@ -17,7 +17,8 @@ inline const char* const never_set = "a value that was never set: a variable hol
 bool near(double a, double b, double tolerance);
 bool all_finite(const Numbers& numbers);
 /// Does one of the numbers come from a variable that was never set? The compiler fills these with
-/// a pattern that makes a huge number (about -5e303, in float -2e38), or an int of -16843010.
+/// a pattern: g++ makes of it a huge number (about -5e303, in float -2e38), or an int of -16843010,
+/// clang an undefined number.
 bool any_unset(const Numbers& yours, const Numbers& right);
 /// What made these numbers infinite, undefined or huge; "" where none of them is.
 std::string no_number(const Numbers& numbers);

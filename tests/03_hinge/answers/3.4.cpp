@@ -1,5 +1,172 @@
 // Known answers of exercise 3.4, each put in the place of the solution's.
 
+// ---- wrong: 0.01 h
+// expects: Likely mistake: 0.01 h where 0.1 h belongs
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.01) * h;
+  return nearer;
+
+// ---- wrong: 0.1 within the absolute value
+// expects: Likely mistake: the 0.1 stands outside the absolute value: |rate| + 0.1, not |rate +
+// expects: 0.1|
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate + real(0.1));
+  return nearer;
+
+// ---- wrong: 1/10 in whole numbers
+// expects: Likely mistake: 0.1 h is missing in the rule: C < h |rate| + 0.1 h
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) + 1 / 10 * h;
+  return nearer;
+
+// ---- wrong: C clamped to 0
+// expects: Likely mistake: beyond the limit C is negative: it does not end at 0
+  LimitRow lower{std::max(x - range.lower, real(0)), 1};
+  LimitRow upper{std::max(range.upper - x, real(0)), -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: C over h
+// expects: Likely mistake: C is a room: it is not divided by h
+  LimitRow lower{(x - range.lower) / h, 1}, upper{(range.upper - x) / h, -1};
+  LimitRow nearer = lower.C + rate < upper.C - rate ? lower : upper;
+  nearer.live = nearer.C < std::abs(rate) + real(0.1);
+  return nearer;
+
+// ---- wrong: abs of C in the choice
+// expects: Likely mistake: no absolute value in the choice: beyond a limit the room is negative,
+// expects: that is less
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = std::abs(lower.C + h * rate) < std::abs(upper.C - h * rate) ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: abs of C in the rule
+// expects: Likely mistake: beyond the limit a row is live, too: C is negative there, and no
+// expects: absolute value is taken
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = std::abs(nearer.C) < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: abs of int rate
+// expects: Likely mistake: the rate is cut off to a whole number: an int has no fraction
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(int(rate)) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: both + h rate
+// expects: Likely mistake: the limit with less room now: the one with less room at the end of the
+// expects: step counts, where the lower room has grown by h rate and the upper one has shrunk by it
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C + h * rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: equal limits live excluded
+// expects: Likely mistake: two equal limits hold x: their row is live, too
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = range.lower != range.upper && nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: first live one wins
+// expects: Likely mistake: the lower limit wherever it is live: the one with less room at the end
+// expects: of the step counts
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  lower.live = lower.C < h * std::abs(rate) + real(0.1) * h;
+  upper.live = upper.C < h * std::abs(rate) + real(0.1) * h;
+  return lower.live ? lower : upper;
+
+// ---- wrong: greater
+// expects: Likely mistake: the rule the wrong way round: live where C is small
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C > h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: h for 0.1 h
+// expects: Likely mistake: 0.1, or h, where 0.1 h belongs
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) + h;
+  return nearer;
+
+// ---- wrong: if lower passed else upper
+// expects: Likely mistake: C and sign are those of the nearer limit whether it is passed or not
+  LimitRow row;
+  if (x < range.lower) row = {x - range.lower, 1, true};
+  else if (x > range.upper) row = {range.upper - x, -1, true};
+  return row;
+
+// ---- wrong: int C
+// expects: Likely mistake: the rooms are cut off to whole numbers: an int has no fraction
+  const int below = x - range.lower, above = range.upper - x;
+  LimitRow lower{real(below), 1}, upper{real(above), -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: live by room after
+// expects: Likely mistake: the room now decides whether the row is live: C, not C + h dC/dt
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  const real room = std::min(lower.C + h * rate, upper.C - h * rate);
+  nearer.live = room < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: live of lower only
+// expects: Likely mistake: live is set for the lower limit alone
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  lower.live = lower.C < h * std::abs(rate) + real(0.1) * h;
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  return nearer;
+
+// ---- wrong: lower C negated
+// expects: Likely mistake: C at the lower limit: the room left is x - lower, not lower - x
+  LimitRow lower{range.lower - x, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: min C with sign of the choice
+// expects: Likely mistake: in C and live alone: the limit with less room now: the one with less
+// expects: room at the end of the step counts, where the lower room has grown by h rate and the
+// expects: upper one has shrunk by it
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.C = std::min(lower.C, upper.C);
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: min lower upper
+// expects: Likely mistake: in sign alone: the sign at the upper limit: C = upper - x shrinks while
+// expects: x grows, so that dC/dx is -1
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower;
+  nearer.C = std::min(lower.C, upper.C);
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: min of the limits
+// expects: Likely mistake: the upper limit is never looked at
+  const real nearest = std::min(range.lower, range.upper);
+  LimitRow row{x - nearest, 1};
+  row.live = row.C < h * std::abs(rate) + real(0.1) * h;
+  return row;
+
+// ---- wrong: minus 0.1 h
+// expects: Likely mistake: 0.1 h is added: C < h |rate| + 0.1 h
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) - real(0.1) * h;
+  return nearer;
+
 // ---- wrong: nearer limit now
 // expects: Likely mistake: the limit with less room now: the one with less room at the end of the
 // expects: step counts
@@ -8,12 +175,47 @@
   nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
+// ---- wrong: not live set
+// expects: Likely mistake: live is never set
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  return lower.C + h * rate < upper.C - h * rate ? lower : upper;
+
+// ---- wrong: only the way the rate goes
+// expects: Likely mistake: the limit toward which x moves: the one with less room at the end of the
+// expects: step counts
+  LimitRow row = rate > 0 ? LimitRow{range.upper - x, -1} : LimitRow{x - range.lower, 1};
+  row.live = row.C < h * std::abs(rate) + real(0.1) * h;
+  return row;
+
 // ---- wrong: only where it is passed
 // expects: Likely mistake: live only where the limit is passed already: then it is too late. The
 // expects: row must be there in the step before
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
   nearer.live = range.lower == range.upper || nearer.C < 0;
+  return nearer;
+
+// ---- wrong: rate on one side
+// expects: Likely mistake: the rate counts for both limits: the one room grows by h rate, the other
+// expects: shrinks by it
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: rate truncated to int
+// expects: Likely mistake: the rate is cut off to a whole number: an int has no fraction
+  const int r = rate;
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * r < upper.C - h * r ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(r) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: rate without h in choice
+// expects: Likely mistake: h is missing in the choice of the limit: C + h dC/dt
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + rate < upper.C - rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
 // ---- wrong: room above the upper limit
@@ -31,6 +233,22 @@
   nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
+// ---- wrong: rule with + h rate
+// expects: Likely mistake: the size of the rate counts, |rate|: a neighbour may turn x round within
+// expects: the step
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C + h * rate < real(0.1) * h;
+  return nearer;
+
+// ---- wrong: rule with h rate
+// expects: Likely mistake: the size of the rate counts, |rate|: a neighbour may turn x round within
+// expects: the step
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C < h * rate + real(0.1) * h;
+  return nearer;
+
 // ---- wrong: sign at the upper limit
 // expects: Likely mistake: the sign at the upper limit: C = upper - x shrinks while x grows, so
 // expects: that dC/dx is -1
@@ -39,11 +257,50 @@
   nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
+// ---- wrong: sign by the rate
+// expects: Likely mistake: the sign is that of the limit: it does not ask where x is going
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.sign = rate < 0 ? 1 : -1;
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: signs of rate exchanged
+// expects: Likely mistake: the sign of the rate: at the end of the step x is x + h rate
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C - h * rate < upper.C + h * rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: unset sign
+// expects: Likely mistake: a value that was never set
+  LimitRow row;
+  real sign, room;
+  if (x - range.lower + h * rate < range.upper - x - h * rate) { room = x - range.lower; sign = 1; }
+  else room = range.upper - x;
+  row = {room, sign};
+  row.live = row.C < h * std::abs(rate) + real(0.1) * h;
+  return row;
+
 // ---- wrong: without the speed
 // expects: Likely mistake: the speed is missing in the rule: C < h |rate| + 0.1 h
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
   nearer.live = range.lower == range.upper || nearer.C < real(0.1) * h;
+  return nearer;
+
+// ---- right: compared with both limits at once
+  const bool lower = 2 * (x + h * rate) < range.lower + range.upper;
+  LimitRow row;
+  row.C = lower ? x - range.lower : range.upper - x;
+  row.sign = lower ? 1 : -1;
+  row.live = row.C <= h * (std::abs(rate) + real(0.1));
+  return row;
+
+// ---- right: less or equal
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate <= upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C <= h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
 // ---- right: where x will be
@@ -53,6 +310,15 @@
   if (range.upper - next < next - range.lower) row = {range.upper - x, -1};
   row.live = row.C - h * std::abs(rate) < real(0.1) * h || range.lower == range.upper;
   return row;
+
+// ---- right: with std::min_element
+  return [&] {
+    LimitRow both[2] = {{x - range.lower, 1}, {range.upper - x, -1}};
+    for (LimitRow& row : both) row.live = row.C < h * (std::fabs(rate) + real(0.1));
+    return *std::min_element(both, both + 2, [&](const LimitRow& a, const LimitRow& b) {
+      return a.C + h * a.sign * rate < b.C + h * b.sign * rate;
+    });
+  }();
 
 // ---- wrong units: rate for way
 // expects: Units: in limit_row (rates as pure numbers and x in s), adding a pure number to s: h

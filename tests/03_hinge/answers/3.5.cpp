@@ -6,6 +6,90 @@
   sum = std::clamp(sum - (rate - motor.speed), -bound, bound);
   return sum - before;
 
+// ---- wrong: a step of 1/60
+// expects: Likely mistake: the bound is h strength: h is what is given, not 1/60
+  const real bound = motor.strength / 60, before = sum;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
+  return sum - before;
+
+// ---- wrong: abs rate
+// expects: Likely mistake: no absolute value of the rate: it has a direction
+  const real bound = h * motor.strength, before = sum;
+  sum = std::clamp(sum - (std::abs(rate) - motor.speed) / K, -bound, bound);
+  return sum - before;
+
+// ---- wrong: all over h
+// expects: Likely mistake: an impulse has no h in it: (rate - speed) / K, and the bound is h
+// expects: strength
+  const real bound = motor.strength, before = sum;
+  sum = std::clamp(sum - (rate - motor.speed) / (h * K), -bound, bound);
+  return sum - before;
+
+// ---- wrong: at speed already by size
+// expects: Likely mistake: a motor that runs too fast brakes: its impulse may have either sign
+  if (std::abs(rate) >= std::abs(motor.speed)) return 0;
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
+  return sum - before;
+
+// ---- wrong: before after
+// expects: Likely mistake: 0 is returned: keep the old sum before the new one is stored
+  const real bound = h * motor.strength;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
+  const real before = sum;
+  return sum - before;
+
+// ---- wrong: bound on one side
+// expects: Likely mistake: the sum is kept between 0 and the bound on the side of the speed: a
+// expects: motor brakes, too
+  const real bound = h * motor.strength * (motor.speed < 0 ? -1 : 1), before = sum;
+  const real least = std::min(bound, real(0)), most = std::max(bound, real(0));
+  sum = std::clamp(sum - (rate - motor.speed) / K, least, most);
+  return sum - before;
+
+// ---- wrong: bound with K
+// expects: Likely mistake: the bound is h strength: K has no part in it
+  const real bound = h * motor.strength / K, before = sum;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
+  return sum - before;
+
+// ---- wrong: clamp ends exchanged
+// expects: std::clamp(a, low, high) was given a high that is below low: are the ends exchanged, has
+// expects: a
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(sum - (rate - motor.speed) / K, bound, -bound);
+  return sum - before;
+
+// ---- wrong: clamp not assigned
+// expects: Likely mistake: nothing is clamped, or the old sum is: the new one stays within h
+// expects: strength
+  const real before = sum, bound = h * motor.strength;
+  sum -= (rate - motor.speed) / K;
+  std::clamp(sum, -bound, bound);
+  return sum - before;
+
+// ---- wrong: clamp the rate
+// expects: Likely mistake: the rate is clamped: it is the sum that stays within h strength
+  const real bound = h * motor.strength, before = sum;
+  sum = sum - std::clamp(rate - motor.speed, -bound, bound) / K;
+  return sum - before;
+
+// ---- wrong: does not push when bound reached
+// expects: Likely mistake: a sum at its bound may come back: there, too, the motor is asked
+  const real before = sum, bound = h * motor.strength;
+  if (std::abs(sum) >= bound) return 0;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
+  return sum - before;
+
+// ---- wrong: drops when exceeding
+// expects: Likely mistake: where more is wanted than the bound allows the motor gives up: it gives
+// expects: as much as it may
+  const real before = sum, bound = h * motor.strength;
+  const real wanted = sum - (rate - motor.speed) / K;
+  if (std::abs(wanted) > bound) return 0;
+  sum = wanted;
+  return sum - before;
+
 // ---- wrong: each visit clamped
 // expects: Likely mistake: each visit is clamped: it is the sum over all visits of a step that
 // expects: stays within h strength
@@ -14,12 +98,95 @@
   sum += change;
   return change;
 
+// ---- wrong: early out 1e-3
+// expects: Likely mistake: a motor pushes until its speed is reached: no threshold on what is
+// expects: lacking
+  if (std::abs(rate - motor.speed) < 1e-3) return 0;
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
+  return sum - before;
+
+// ---- wrong: early out 1e-6
+// expects: Likely mistake: a motor pushes until its speed is reached: no threshold on what is
+// expects: lacking
+  if (std::abs(rate - motor.speed) < 1e-6) return 0;
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
+  return sum - before;
+
+// ---- wrong: early out on small strength
+// expects: Likely mistake: a weak motor is one, too: no threshold on its strength
+  if (motor.strength < 1e-3) return 0;
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
+  return sum - before;
+
+// ---- wrong: early out on speed 0
+// expects: Likely mistake: a motor whose speed is 0 is a brake: it pushes until nothing moves
+  if (motor.speed == 0) return 0;
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
+  return sum - before;
+
+// ---- wrong: float literal
+// expects: Likely mistake: right to five digits: a float among the numbers (a cast, a literal like
+// expects: 0.5f), or a constant with few digits
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(float(sum - (rate - motor.speed) / K), float(-bound), float(bound));
+  return sum - before;
+
+// ---- wrong: if lower sign lost
+// expects: Likely mistake: below the lower bound the sum is the lower bound, not the upper one
+  const real before = sum, bound = h * motor.strength;
+  sum = sum - (rate - motor.speed) / K;
+  if (std::abs(sum) > bound) sum = bound;
+  return sum - before;
+
+// ---- wrong: int speed
+// expects: Likely mistake: the speed is cut off to a whole number: an int has no fraction
+  const real bound = h * motor.strength, before = sum;
+  const int speed = motor.speed;
+  sum = std::clamp(sum - (rate - speed) / K, -bound, bound);
+  return sum - before;
+
+// ---- wrong: int strength
+// expects: Likely mistake: the bound is cut off to a whole number: an int has no fraction
+  const int bound = h * motor.strength;
+  const real before = sum;
+  sum = std::clamp(sum - (rate - motor.speed) / K, real(-bound), real(bound));
+  return sum - before;
+
+// ---- wrong: lower bound 0
+// expects: Likely mistake: the sum is kept from 0 to h strength: the torque is bounded either way
+  const real bound = h * motor.strength, before = sum;
+  sum = std::clamp(sum - (rate - motor.speed) / K, real(0), bound);
+  return sum - before;
+
+// ---- wrong: min max exchanged
+// expects: Likely mistake: the sum is always at its lower bound: are min and max exchanged, or is
+// expects: something in it never set?
+  const real before = sum, bound = h * motor.strength;
+  sum = std::min(std::max(sum - (rate - motor.speed) / K, bound), -bound);
+  return sum - before;
+
+// ---- wrong: minus sum
+// expects: Likely mistake: the sign of the sum so far: what is wanted comes on top of it
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(-sum - (rate - motor.speed) / K, -bound, bound);
+  return sum - before;
+
 // ---- wrong: new sum added
 // expects: the new sum is added to the old one
   const real bound = h * motor.strength;
   const real now = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
   sum += now;
   return now;
+
+// ---- wrong: precedence
+// expects: Likely mistake: the bracket in (rate - speed) / K: all of the difference is divided
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(sum - rate - motor.speed / K, -bound, bound);
+  return sum - before;
 
 // ---- wrong: returns the sum
 // expects: Likely mistake: the new sum is returned instead of its change
@@ -34,6 +201,13 @@
   sum = std::clamp(sum - (rate + motor.speed) / K, -bound, bound);
   return sum - before;
 
+// ---- wrong: strength 0 unlimited
+// expects: Likely mistake: strength 0 is a motor that is off, not one without a bound
+  const real before = sum, bound = h * motor.strength;
+  sum -= (rate - motor.speed) / K;
+  if (motor.strength > 0) sum = std::clamp(sum, -bound, bound);
+  return sum - before;
+
 // ---- wrong: sum not stored
 // expects: Likely mistake: the sum is not stored
   const real bound = h * motor.strength;
@@ -46,10 +220,52 @@
   sum = std::clamp(sum - (rate - motor.speed) / K, -motor.strength, motor.strength);
   return sum - before;
 
+// ---- wrong: unset sum
+// expects: Likely mistake: a value that was never set
+  real wanted;
+  const real before = sum;
+  wanted += sum - (rate - motor.speed) / K;
+  sum = wanted;
+  return sum - before;
+
+// ---- wrong: unset wanted
+// expects: never set
+  real wanted;
+  const real bound = h * motor.strength, before = sum;
+  wanted -= (rate - motor.speed) / K;
+  sum = std::clamp(wanted, -bound, bound);
+  return sum - before;
+
+// ---- right: copysign
+  const real before = sum, bound = h * motor.strength;
+  sum -= (rate - motor.speed) / K;
+  if (std::abs(sum) > bound) sum = std::copysign(bound, sum);
+  return sum - before;
+
+// ---- right: nothing to do where nothing lacks
+  const real lack = motor.speed - rate, bound = h * motor.strength;
+  if (lack == 0) return 0;
+  const real before = sum;
+  sum = std::clamp(sum + lack / K, -bound, bound);
+  return sum - before;
+
+// ---- right: off at zero strength
+  if (motor.strength == 0) { const real before = sum; sum = 0; return -before; }
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
+  return sum - before;
+
 // ---- right: what is left of the bound
 // The change is clamped to what the sum has left, up and down.
   const real bound = h * motor.strength, lack = (motor.speed - rate) / K;
   const real change = std::min(std::max(lack, -bound - sum), bound - sum);
+  sum += change;
+  return change;
+
+// ---- right: with fmin and fmax
+  const real bound = h * motor.strength;
+  const real now = std::fmax(-bound, std::fmin(bound, sum + (motor.speed - rate) / K));
+  const real change = now - sum;
   sum += change;
   return change;
 

@@ -7,6 +7,90 @@
 // expects: moved)
   return jacobian_from_blocks(mat3(0), mat3(1), mat3(0), mat3(-1));
 
+// ---- wrong: J exact same sign
+// region: 2
+// expects: Likely mistake: the sign of skew(v) in one block: w1 holds -(s E + skew(v)), w2 s E -
+// expects: skew(v) (broken)
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  const mat3 A = mat3(q.w) + skew(vec3(q.x, q.y, q.z));
+  return jacobian_from_blocks(mat3(0), -A, mat3(0), A);
+
+// ---- wrong: J exact without sign rule
+// region: 2
+// expects: Likely mistake: the sign of the whole row where s < 0: the sign rule belongs to s and v
+// expects: of J, too (broken)
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  const mat3 s = mat3(q.w), v = skew(vec3(q.x, q.y, q.z));
+  return jacobian_from_blocks(mat3(0), -(s + v), mat3(0), s - v);
+
+// ---- wrong: J half
+// region: 2
+// expects: Likely mistake: a factor of 0.5 (pencil and paper, upright, turned, moved)
+  return jacobian_from_blocks(mat3(0), mat3(real(-0.5)), mat3(0), mat3(real(0.5)));
+
+// ---- wrong: J order
+// region: 2
+// expects: Likely mistake: the order of the blocks: a row is {v1, w1, v2, w2} (pencil and paper,
+// expects: upright, turned, moved)
+  return jacobian_from_blocks(mat3(0), mat3(0), mat3(-1), mat3(1));
+
+// ---- wrong: J row x twice
+// region: 2
+// expects: Likely mistake: J[2], the row C.z, repeats J[0] (pencil and paper, upright, turned,
+// expects: moved)
+  Jacobian<3> J;
+  const vec3 e[] = {vec3(1, 0, 0), vec3(0, 1, 0), vec3(1, 0, 0)};
+  for (int i = 0; i < 3; ++i) J[i] = {vec3(0), -e[i], vec3(0), e[i]};
+  return J;
+
+// ---- wrong: J rows 0 and 1 only
+// region: 2
+// expects: Likely mistake: J[2], the row C.z, is zero: was it never written? (pencil and paper,
+// expects: upright, turned, moved)
+  Jacobian<3> J;
+  const vec3 e[] = {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)};
+  for (int i = 0; i < 2; ++i) J[i] = {vec3(0), -e[i], vec3(0), e[i]};
+  return J;
+
+// ---- wrong: J sign of body 1
+// region: 2
+// expects: Likely mistake: both spins with the same sign: C grows with w2 - w1 (pencil and paper,
+// expects: upright, turned, moved)
+  return jacobian_from_blocks(mat3(0), mat3(1), mat3(0), mat3(1));
+
+// ---- wrong: J v blocks too
+// region: 2
+// expects: Likely mistake: the blocks v1 and v2 should be zero (pencil and paper, upright, turned,
+// expects: moved)
+  return jacobian_from_blocks(mat3(-1), mat3(-1), mat3(1), mat3(1));
+
+// ---- wrong: J w1 forgotten
+// region: 2
+// expects: Likely mistake: the block w1 is missing (pencil and paper, upright, turned, moved)
+  return jacobian_from_blocks(mat3(0), mat3(0), mat3(0), mat3(1));
+
+// ---- wrong: J zero
+// region: 2
+// expects: Likely mistake: every entry is zero (pencil and paper, upright, turned, moved)
+  return {};
+
+// ---- wrong: abs components
+// expects: Likely mistake: no absolute values: each number of v has a sign
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  return real(2) * abs(vec3(q.x, q.y, q.z));
+
+// ---- wrong: angle vector
+// expects: Likely mistake: the vector of the turn itself: C is 2 v, whose length is 2 sin(angle/2)
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  return glm::angle(q) * glm::axis(q);
+
+// ---- wrong: difference of q
+// expects: Likely mistake: a difference of quaternions is no turn
+  const quat q = body2.q - body1.q;
+  return real(2) * vec3(q.x, q.y, q.z);
+
 // ---- wrong: differences of angles
 // expects: Likely mistake: differences of angles about three axes: these are no rotation
   return glm::eulerAngles(body2.q) - glm::eulerAngles(body1.q);
@@ -30,11 +114,36 @@
   if (q.w < 0) q = -q;
   return real(2) * vec3(q.x, q.y, q.z);
 
+// ---- wrong: minus
+// expects: Likely mistake: the sign: body 2 is turned too far, so q2 stands first and q1 is
+// expects: inverted; and -q is taken where s < 0, not where s > 0
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  return real(-2) * vec3(q.x, q.y, q.z);
+
+// ---- wrong: normalised axis
+// expects: Likely mistake: the axis alone: C is 2 v, whose length is 2 sin(angle/2)
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  return normalize(vec3(q.x, q.y, q.z));
+
+// ---- wrong: nothing inverted
+// expects: Likely mistake: start and q1 must be inverted
+  quat q = body2.q * start * body1.q;
+  if (q.w < 0) q = -q;
+  return real(2) * vec3(q.x, q.y, q.z);
+
 // ---- wrong: rows with s alone
 // region: 2
 // expects: skew(v) is missing
   const quat e = body2.q * conjugate(start) * conjugate(body1.q);
   return jacobian_from_blocks(mat3(0), mat3(-std::abs(e.w)), mat3(0), mat3(std::abs(e.w)));
+
+// ---- wrong: sign by x
+// expects: Likely mistake: x decides which of q and -q is taken: the sign of s does
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.x < 0) q = -q;
+  return real(2) * vec3(q.x, q.y, q.z);
 
 // ---- wrong: sign rule forgotten
 // expects: C, pencil and paper, -q2.z
@@ -42,12 +151,63 @@
   const quat q = body2.q * conjugate(start) * conjugate(body1.q);
   return real(2) * vec3(q.x, q.y, q.z);
 
+// ---- wrong: sign rule on w alone
+// expects: Likely mistake: the sign rule is forgotten: where s < 0, take -q
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q.w = -q.w;
+  return real(2) * vec3(q.x, q.y, q.z);
+
+// ---- wrong: sin of the angle
+// expects: Likely mistake: the sine of the whole angle: it is zero again at a half turn
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  return real(2) * q.w * vec3(q.x, q.y, q.z);
+
 // ---- wrong: start forgotten
 // expects: C, pencil and paper, start = q2.z
 // expects: Likely mistake: start is forgotten: the turn that the bodies began with is no error
   quat q = body2.q * conjugate(body1.q);
   if (q.w < 0) q = -q;
   return real(2) * vec3(q.x, q.y, q.z);
+
+// ---- wrong: start not inverted
+// expects: Likely mistake: start must be inverted
+  quat q = body2.q * start * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  return real(2) * vec3(q.x, q.y, q.z);
+
+// ---- wrong: to_world body1
+// expects: Likely mistake: turned once more with a body: q2 start^-1 q1^-1 is in the world
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  return to_world(body1, real(2) * vec3(q.x, q.y, q.z));
+
+// ---- wrong: unset
+// expects: Likely mistake: a value that was never set
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  real C[3];
+  C[0] = 2 * q.x; C[1] = 2 * q.y;
+  return vec3(C[0], C[1], C[2]);
+
+// ---- wrong: wxy
+// expects: Likely mistake: the numbers w, x, y: the vector of q is (q.x, q.y, q.z)
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  return real(2) * vec3(q.w, q.x, q.y);
+
+// ---- wrong: zero near
+// expects: Likely mistake: a small turn is an error, too: no threshold belongs here
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  const vec3 C = real(2) * vec3(q.x, q.y, q.z);
+  return length(C) < 1e-3 ? vec3(0) : C;
+
+// ---- right: axis and half angle
+  quat q = body2.q * conjugate(body1.q * start);
+  if (q.w < 0) q = -q;
+  const vec3 v(q.x, q.y, q.z);
+  const real sine = length(v), angle = 2 * std::atan2(sine, q.w);
+  return sine > 0 ? 2 * std::sin(angle / 2) * (v / sine) : vec3(0);
 
 // ---- right: exact rows
 // region: 2
@@ -57,6 +217,13 @@
   if (q.w < 0) q = -q;
   const mat3 s = mat3(q.w), v = skew(vec3(q.x, q.y, q.z));
   return jacobian_from_blocks(mat3(0), -(s + v), mat3(0), s - v);
+
+// ---- right: rotation matrix
+  const mat3 R1 = glm::mat3_cast(body1.q), R2 = glm::mat3_cast(body2.q);
+  const mat3 E = R2 * transpose(glm::mat3_cast(start)) * transpose(R1);
+  quat q = glm::quat_cast(E);
+  if (q.w < 0) q = -q;
+  return real(2) * vec3(q.x, q.y, q.z);
 
 // ---- right: row by row
 // region: 2
@@ -71,6 +238,11 @@
   const quat q = conjugate(body1.q) * body2.q * conjugate(start);
   const real sign = std::copysign(real(2), q.w);
   return to_world(body1, sign * vec3(q.x, q.y, q.z));
+
+// ---- right: sign factor
+  const quat q = body2.q * conjugate(body1.q * start);
+  const vec3 v(q.x, q.y, q.z);
+  return q.w < 0 ? real(-2) * v : real(2) * v;
 
 // ---- right: where it belongs
 // The orientation that body 2 should have first, then the turn from there to where it is.

@@ -1,5 +1,85 @@
 // Known answers of exercise 4.3, each put in the place of the solution's.
 
+// ---- wrong: J crosses reversed
+// region: 2
+// expects: Likely mistake: the sign of the blocks w1 and w2: a x b is -(b x a) (pencil and paper,
+// expects: upright, turned, moved, broken)
+  const vec3 a = to_world(body1, a1_local);
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  return {-a, -cross(a, r1 + u), a, cross(a, r2)};
+
+// ---- wrong: J no w2
+// region: 2
+// expects: Likely mistake: the block w2 is missing (pencil and paper, upright, turned, moved,
+// expects: broken)
+  const vec3 a = to_world(body1, a1_local), r1 = to_world(body1, anchor1_local);
+  return {-a, -cross(r1 + u, a), a, vec3(0)};
+
+// ---- wrong: J normalize u
+// region: 2
+// expects: Likely mistake: the unit vector along u in the place of a: the row runs along a (pencil
+// expects: and paper, upright, turned, moved, broken)
+  const vec3 a = normalize(u);
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  return {-a, -cross(r1, a), a, cross(r2, a)};
+
+// ---- wrong: J order
+// region: 2
+// expects: Likely mistake: the order of the blocks: a row is {v1, w1, v2, w2} (pencil and paper,
+// expects: upright, turned, moved, broken)
+  const vec3 a = to_world(body1, a1_local);
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  return {-a, a, -cross(r1 + u, a), cross(r2, a)};
+
+// ---- wrong: J r1 + u for r2
+// region: 2
+// expects: Likely mistake: the lever of body 1 for both bodies: each has its own (pencil and paper,
+// expects: upright, turned, moved, broken)
+  const vec3 a = to_world(body1, a1_local);
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  return {-a, -cross(r1 + u, a), a, cross(r1 + u, a)};
+
+// ---- wrong: J r2 for r1
+// region: 2
+// expects: Likely mistake: the lever of body 1 is r1 + u, not r2 + u (pencil and paper, upright,
+// expects: turned, moved, broken)
+  const vec3 a = to_world(body1, a1_local);
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  return {-a, -cross(r2 + u, a), a, cross(r2, a)};
+
+// ---- wrong: J r2 local
+// region: 2
+// expects: Likely mistake: body-space arm: the lever of body 2 is not turned into the world (pencil
+// expects: and paper, upright, turned, moved, broken)
+  const vec3 a = to_world(body1, a1_local), r1 = to_world(body1, anchor1_local), r2 = anchor2_local;
+  return {-a, -cross(r1 + u, a), a, cross(r2, a)};
+
+// ---- wrong: J u on body 2
+// region: 2
+// expects: Likely mistake: u belongs to the lever of body 1: a rides on body 1 (pencil and paper,
+// expects: turned, moved, broken)
+  const vec3 a = to_world(body1, a1_local);
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  return {-a, -cross(r1, a), a, cross(r2 + u, a)};
+
+// ---- wrong: J unset
+// region: 2
+// expects: Likely mistake: a value that was never set
+  Row row;
+  real f;
+  f += 1;
+  const vec3 a = to_world(body1, a1_local) * f;
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  return {-a, -cross(r1 + u, a), a, cross(r2, a)};
+
+// ---- wrong: J w1 sign
+// region: 2
+// expects: Likely mistake: the sign of the block w1 (pencil and paper, upright, turned, moved,
+// expects: broken)
+  const vec3 a = to_world(body1, a1_local);
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  return {-a, cross(r1 + u, a), a, cross(r2, a)};
+
 // ---- wrong: as printed
 // region: 2
 // expects: Likely mistake: levers are missing: such a row drives the centres, not the points, and
@@ -23,9 +103,46 @@
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   return {-a, -cross(r1, a), a, cross(r2, a)};
 
+// ---- wrong: way abs
+// expects: Likely mistake: the way has a sign: it is negative behind the start
+  return std::abs(dot(u, to_world(body1, a1_local)));
+
+// ---- wrong: way clamp 0
+// expects: Likely mistake: what is negative has become 0
+  return std::max(real(0), dot(u, to_world(body1, a1_local)));
+
+// ---- wrong: way cosine
+// expects: Likely mistake: u is not made a unit vector: its length counts
+  return dot(normalize(u), to_world(body1, a1_local));
+
 // ---- wrong: way from centre to centre
 // expects: Likely mistake: centres in place of anchors: u is p2 - p1
   return dot(body2.x - body1.x, to_world(body1, a1_local));
+
+// ---- wrong: way int
+// expects: Likely mistake: the fraction is cut off: an int holds whole numbers only
+  const int way = dot(u, to_world(body1, a1_local));
+  return way;
+
+// ---- wrong: way length
+// expects: Likely mistake: the length of u: only its part along a counts
+  return length(u);
+
+// ---- wrong: way squared
+// expects: Likely mistake: the square: the dot product of u and a itself
+  const real d = dot(u, to_world(body1, a1_local));
+  return d * d;
+
+// ---- wrong: way unset
+// expects: Likely mistake: a value that was never set
+  real way;
+  const vec3 a = to_world(body1, a1_local);
+  for (int k = 0; k < 3; ++k) way += u[k] * a[k];
+  return way;
+
+// ---- wrong: way world_point
+// expects: Likely mistake: a is a direction, not a point: to_world, not world_point
+  return dot(u, world_point(body1, a1_local));
 
 // ---- wrong: without levers
 // region: 2
@@ -34,6 +151,19 @@
 // expects: Likely mistake: levers are missing, or are points: push and answer act along two lines
   const vec3 a = to_world(body1, a1_local);
   return {-a, vec3(0), a, vec3(0)};
+
+// ---- right: J from the balance of momentum
+// region: 2
+  const vec3 a = to_world(body1, a1_local), r2 = to_world(body2, anchor2_local);
+  const vec3 w2 = cross(r2, a);
+  return {-a, -(cross(body2.x - body1.x, a) + w2), a, w2};
+
+// ---- right: J with the part of u across
+// region: 2
+  const vec3 a = to_world(body1, a1_local);
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  const vec3 across = u - dot(u, a) * a;
+  return {-a, -cross(r1 + across, a), a, cross(r2, a)};
 
 // ---- right: lever to the point of body 2
 // region: 2

@@ -226,8 +226,8 @@ int main(int argc, char** argv) {
                      {"all-counts", "1", "0: no more than 30 sweeps"},
                      {"count", "0", "1: for valgrind, measures nothing"}});
     if (!options.read(argc, argv)) return;
-    if (options.count("count", 0) != 0) return count_all();
-    const bool append = options.count("append", 0) != 0;
+    if (options.flag("count")) return count_all();
+    const bool append = options.flag("append");
     const std::string path = options.text("csv");
     FILE* file = std::fopen(path.c_str(), append ? "a" : "w");
     if (!file) refuse("--csv " + path + ": cannot be written");
@@ -238,7 +238,7 @@ int main(int argc, char** argv) {
     if (!append)
       std::fputs("variant,chains,iterations,real,us_per_step,ns_per_joint_iteration,"
                  "instructions_per_joint_iteration,gap_rms_m,instructions_per_joint_step\n", file);
-    write(file, measure(options.count("rounds", 1), options.count("all-counts", 0) != 0));
+    write(file, measure(options.count("rounds", 1), options.flag("all-counts")));
     std::fclose(file);
   });
 }

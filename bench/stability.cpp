@@ -49,11 +49,11 @@ int main(int argc, char** argv) {
                      {"case", "", "one case only, such as X4"},
                      {"list", "0", "1: only say what the cases are"}});
     if (!options.read(argc, argv)) return;
-    if (options.count("list", 0) != 0) {
+    if (options.flag("list")) {
       for (const Case& one : cases()) std::printf("%s %s\n", one.id.c_str(), one.what.c_str());
       return;
     }
-    const bool append = options.count("append", 0) != 0, quick = options.count("quick", 0) != 0;
+    const bool append = options.flag("append"), quick = options.flag("quick");
     const std::string only = options.text("case"), path = options.text("csv");
     bool known = only.empty();
     for (const Case& one : cases()) known = known || one.id == only;

@@ -155,7 +155,7 @@ int main(int argc, char** argv) {
     if (!options.read(argc, argv)) return;
     if (const int steps = options.count("only-steps", 0); steps > 0)
       return only_steps(options.count("iterations", 1), steps);
-    const bool append = options.count("append", 0) != 0, quick = options.count("quick", 0) != 0;
+    const bool append = options.flag("append"), quick = options.flag("quick");
     const std::vector<int> counts = quick ? std::vector<int>{10, 30, 120}
                                           : std::vector<int>{10, 20, 30, 60, 120, 200};
     const std::string path = options.text("csv"), only = options.text("scene");

@@ -26,9 +26,10 @@ Plan plan(const World& world, bool warm_start) {
 
 std::string Plan::line() const {
   const auto text = [](int number) { return std::to_string(number); };
-  return "bodies " + text(bodies) + " (" + text(static_bodies) + " static)  blocks " +
-         text(blocks) + "  rows " + text(rows) + "  limits live " + text(live_limits) + " of " +
-         text(limits) + "  motors " + text(motors) + "  warm start " + (warm_start ? "on" : "off");
+  return "bodies " + text(bodies) + " (" + text(static_bodies) + " static), blocks " +
+         text(blocks) + ", rows " + text(rows) +
+         (limits > 0 ? ", limits " + text(live_limits) + " of " + text(limits) : "") +
+         (motors > 0 ? ", motors " + text(motors) : "") + (warm_start ? ", warm" : "");
 }
 
 }  // namespace joints

@@ -62,6 +62,12 @@ int Options::count(const std::string& name, int least) const {
   return int(number);
 }
 
+bool Options::flag(const std::string& name) const {
+  const std::string value = text(name);
+  if (value != "0" && value != "1") refuse("--" + name + " " + value + ": must be 0 or 1");
+  return value == "1";
+}
+
 int run_program(const std::function<void()>& body) {
   try {
     body();

@@ -29,6 +29,8 @@ class Options {
   double number(const std::string& name, double least) const;
   /// \throws std::invalid_argument unless it is a whole number from `least` to a million
   int count(const std::string& name, int least) const;
+  /// \throws std::invalid_argument unless it is 0 or 1
+  bool flag(const std::string& name) const;
 
  private:
   std::string program_;

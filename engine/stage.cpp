@@ -22,7 +22,7 @@ void Stage::mark(BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis) {
 
 void Stage::print_plan() {
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
-  std::printf("%-9s %s\n", name.c_str(), plan(world, solver.warm_start).line().c_str());
+  std::printf("%s: %s\n", name.c_str(), plan(world, solver.warm_start).line().c_str());
 }
 
 bool read(Settings& settings, const std::string& program, const std::string& seconds,
@@ -33,7 +33,7 @@ bool read(Settings& settings, const std::string& program, const std::string& sec
                             {"whole", "1", "recorded with 1: whole joints, 0: blocks apart"}});
   if (!options.read(argc, argv)) return false;
   settings = {options.count("iterations", 1), real(options.number("beta", 0)),
-              options.count("whole", 0) != 0, options.number("seconds", 0.1),
+              options.flag("whole"), options.number("seconds", 0.1),
               options.text("out")};
   return true;
 }

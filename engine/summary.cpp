@@ -29,10 +29,10 @@ double StepClock::median_us() const {
 void report(const std::vector<Summary>& lines, const std::string& folder) {
   CsvFile file(folder + "/summary.csv", {"scene", "setting", "us_per_step", "gap_rms_m",
                                          "gap_max_m", "energy_drift"});
-  std::printf("%-14s %-26s %10s %12s %12s %12s\n", "scene", "setting", "us a step", "gap RMS mm",
-              "gap max mm", "energy drift");
+  std::printf("%-12s %-25s %8s %9s %9s %9s\n", "scene", "setting", "us/step", "gap, mm", "largest",
+              "drift");
   for (const Summary& line : lines) {
-    std::printf("%-14s %-26s %10.2f %12.4g %12.4g %12.3g\n", line.scene.c_str(),
+    std::printf("%-12s %-25s %8.2f %9.4g %9.4g %9.3g\n", line.scene.c_str(),
                 line.setting.c_str(), line.us_per_step, 1000 * line.gap_rms, 1000 * line.gap_max,
                 line.energy_drift);
     file.row({line.scene, line.setting},

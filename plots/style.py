@@ -121,14 +121,19 @@ def figure(title, panels=1, rows=1, **options):
 
 
 def save(made, path):
-    """Writes path.svg and path.png: the same bytes for the same data."""
+    """Writes path.png: the same bytes for the same data."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    made.canvas.draw()
-    room = 0.976 * made.bbox.width / made._suptitle.get_window_extent().width
+    arrange(made)  # once more as it is drawn: by then labels have their sizes
+    title = made._suptitle.get_window_extent(made.canvas.get_renderer())
+    room = 0.976 * made.bbox.width / title.width
     made._suptitle.set_fontsize(made._suptitle.get_fontsize() * min(1, room))
-    made.savefig(path.with_name(path.name + ".svg"), metadata={"Date": None, "Creator": None})
     made.savefig(path.with_name(path.name + ".png"), metadata={"Software": None})
     plt.close(made)
+
+
+def arrange(made):
+    """Gives the panels their places and sizes, which drawing would do, too, but slowly."""
+    made.get_layout_engine().execute(made)
 
 
 def visible(values):
@@ -171,7 +176,7 @@ def label_ends(ax, lines=None, size=8.5):
     """Writes every line's label at its right end, clear of each other, outside the axes."""
     lines = [line for line in (ax.lines if lines is None else lines)
              if not line.get_label().startswith("_") and np.isfinite(line.get_ydata()).any()]
-    ax.figure.canvas.draw()
+    arrange(ax.figure)
     ends = []
     for line in lines:
         points = ax.transAxes.inverted().transform(ax.transData.transform(line.get_xydata()))

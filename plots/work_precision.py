@@ -67,7 +67,7 @@ class Room:
     """What of a panel is taken, in cells of two pixels: where a label costs nothing."""
 
     def __init__(self, ax):
-        ax.figure.canvas.draw()
+        style.arrange(ax.figure)
         self.ax, self.box = ax, ax.bbox
         self.cells = np.zeros((int(self.box.width / 2) + 2, int(self.box.height / 2) + 2))
         self.labels = []

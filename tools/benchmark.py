@@ -7,6 +7,7 @@ import tempfile
 import time
 from pathlib import Path
 
+import figures
 import house
 import show
 
@@ -91,7 +92,7 @@ def print_fronts(scenes):
 
 def print_scaling():
     """What a joint costs in a thousand and in a hundred thousand."""
-    rows = [row for row in read(show.SCALING) if row["sweeps"] == "30"]
+    rows = [row for row in read(figures.SCALING) if row["sweeps"] == "30"]
     sizes = sorted({int(row["joints"]) for row in rows})
     print("\nns a joint and step, 30 sweeps, float; bytes a joint:")
     print(f"  {'solver':26}" + "".join(f"{size:>10,}" for size in sizes)
@@ -127,21 +128,21 @@ def main():
     house.must_build(["work_precision", "work_precision_float", "scaling_float"])
     show.run_bench("work_precision_float", [])
     show.run_bench("work_precision", ["--append", "1"])
-    show.run_bench("scaling_float", [], show.SCALING)
+    show.run_bench("scaling_float", [], figures.SCALING)
     took = time.time() - began
-    scenes = scenes_of(read(show.TABLE))
+    scenes = scenes_of(read(figures.TABLE))
     print_fastest(scenes)
     print_fronts(scenes)
     print_scaling()
     print_instructions()
     print()
     house.progress("drawing")
-    made = show.draw("work_precision.py", "--csv", show.TABLE,
+    made = figures.draw("work_precision.py", "--csv", figures.TABLE,
                      "--peers", house.ROOT / "bench" / "peers.csv")
-    made += show.draw("scaling.py", "--csv", show.SCALING)
+    made += figures.draw("scaling.py", "--csv", figures.SCALING)
     house.progress_done()
     for path in made:
         print(house.short(path))
-    print(f"the tables: {house.short(show.TABLE)}, {house.short(show.SCALING)}; "
+    print(f"the tables: {house.short(figures.TABLE)}, {house.short(figures.SCALING)}; "
           f"measuring took {took / 60:.1f} minutes")
     return 0

@@ -5,6 +5,7 @@ answer, and ends with `// end [exercise 2.1]`. The solution is the source; every
 """
 import re
 import sys
+from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -38,23 +39,39 @@ class Region:
         return self.lines[len(self.task()):]
 
 
-def regions(text, name="this file"):
-    """All regions of a text in their order. Raises Broken where markers do not match."""
-    found, open_at = [], None
+def scan(text):
+    """(the regions that are whole, what is wrong with the markers: [(line, id, words)])."""
+    found, faults, open_at = [], [], None
     lines = text.split("\n")
+
+    def never_ended():
+        line, id_, _ = open_at
+        faults.append((line, id_, f"the line '// end [exercise {id_}]' is missing after it"))
     for number, line in enumerate(lines):
         if match := BEGIN.match(line):
             if open_at:
-                raise Broken(f"{name}:{number + 1}: exercise {match[2]} begins inside {open_at[1]}")
+                never_ended()
             open_at = (number + 1, match[2], match[1])
         elif match := END.match(line):
-            if not open_at or open_at[1] != match[1]:
-                raise Broken(f"{name}:{number + 1}: exercise {match[1]} ends but did not begin")
-            begin, id_, indent = open_at
-            found.append(Region(id_, begin, number, indent, lines[begin:number]))
+            if open_at and open_at[1] == match[1]:
+                begin, id_, indent = open_at
+                found.append(Region(id_, begin, number, indent, lines[begin:number]))
+            else:
+                faults.append((number + 1, match[1],
+                               f"the line '// begin [exercise {match[1]}]' is missing before it"))
+                if open_at:
+                    never_ended()
             open_at = None
     if open_at:
-        raise Broken(f"{name}: the line '// end [exercise {open_at[1]}]' is missing")
+        never_ended()
+    return found, faults
+
+
+def regions(text, name="this file"):
+    """All regions of a text in their order. Raises Broken where markers do not match."""
+    found, faults = scan(text)
+    for line, _, words in faults:
+        raise Broken(f"{name}:{line}: {words}")
     return found
 
 
@@ -96,18 +113,38 @@ def fill(mine, solution, ids):
     return replace(mine, lambda r, n: answers.get((r.id, n)) if r.id in ids else None)
 
 
+def transplant(fresh, mine, but=()):
+    """A fresh stub with the learner's regions put into it, apart from those of `but` and those
+    whose markers are not as they were."""
+    found = {}
+    for region in scan(mine)[0]:
+        found.setdefault(region.id, []).append(region.lines)
+    count = Counter(region.id for region in regions(fresh))
+    return replace(fresh, lambda r, n: found[r.id][n - 1] if r.id not in but
+                   and len(found.get(r.id, [])) == count[r.id] else None)
+
+
 def outside(text):
     """The text with every region emptied: what a learner is not asked to change."""
     return replace(text, lambda r, _: [])
 
 
+def read(path):
+    """A text as a learner may have saved it: letters that are not UTF-8 come back as they were."""
+    return Path(path).read_text(encoding="utf-8", errors="surrogateescape")
+
+
+def write(path, text):
+    Path(path).parent.mkdir(parents=True, exist_ok=True)
+    Path(path).write_text(text, encoding="utf-8", errors="surrogateescape")
+
+
 def write_if_new(path, text):
     """Writes a file only when it would change, so that nothing is built again for nothing."""
     path = Path(path)
-    if path.exists() and path.read_text() == text:
+    if path.exists() and read(path) == text:
         return False
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text)
+    write(path, text)
     return True
 
 

@@ -1,24 +1,21 @@
-"""Where things are, how they are built, and how wb talks."""
+"""Where things are, and how they are built. How wb talks (talk.py) comes with it."""
 import contextlib
+import fcntl
 import os
 import re
 import shutil
 import subprocess
 import sys
-import threading
-import time
 from dataclasses import dataclass
 from pathlib import Path
 
 import exercises
+from talk import (TERMINAL, Trouble, ask, bad, bold, faint, good, progress,  # noqa: F401
+                  progress_done, talking)
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build"
 OUT = ROOT / "out"
-
-
-class Trouble(Exception):
-    """Something the user can do something about: one line, exit status 2."""
 
 
 @dataclass
@@ -49,11 +46,9 @@ class Chapter:
         found = {r.id for r in exercises.regions(self.solution.read_text(), self.solution.name)}
         return sorted(found, key=lambda id_: int(id_.split(".")[1]))
 
-    def written(self):
-        """The exercises in whose regions of the reader's file no todo is left."""
-        regions = exercises.regions(self.mine.read_text(), short(self.mine))
-        waiting = {r.id for r in regions if exercises.is_open(r)}
-        return [id_ for id_ in self.ids() if id_ not in waiting]
+    def mine_text(self):
+        """The reader's file, whatever letters are in it; "" where there is none."""
+        return exercises.read(self.mine) if self.mine.is_file() else ""
 
     def titles(self):
         """What each exercise is about, from the table in the chapter's text."""
@@ -65,7 +60,7 @@ class Chapter:
 
     def place(self, id_):
         """file:line of the exercise in the reader's file: its first todo, else where it begins."""
-        lines = self.mine.read_text().split("\n")
+        lines = self.mine_text().split("\n")
         for words in (f'todo("{id_}")', f"// begin [exercise {id_}]"):
             for number, line in enumerate(lines, 1):
                 if words in line.split("//")[0] or line.strip() == words:
@@ -83,17 +78,18 @@ def chapters():
 
 
 def chapter_of(word):
-    """The chapter named by "2", "02", "02_ball", "ball" or by an exercise "2.1"."""
+    """The chapter named by "2", "02", "02_ball", "ball", by an exercise "2.1" or by a file."""
     for chapter in chapters():
-        if word.split(".")[0].lstrip("0") == str(chapter.number) or word in (
-                chapter.folder, chapter.name):
+        if word.split(".")[0].lstrip("0") == str(chapter.number) or word == chapter.name \
+                or chapter.folder in Path(word).parts:
             return chapter
-    raise Trouble(f"{word}: no such chapter; there are "
-                  + ", ".join(f"{c.number} ({c.name})" for c in chapters()))
+    raise Trouble(f"{word}: no such chapter; there are 1 to {len(chapters())}")
 
 
 def exercise_of(word):
     """The chapter and id of an exercise such as "2.1"."""
+    if not re.fullmatch(r"\d+\.\d+", word):
+        raise Trouble(f"{word}: an exercise is called by its number, such as 2.1")
     chapter = chapter_of(word)
     if word not in chapter.ids():
         raise Trouble(f"{word}: no such exercise; chapter {chapter.number} has "
@@ -105,84 +101,6 @@ def short(path):
     """A path as seen from the root of the workbook."""
     path = Path(path)
     return str(path.relative_to(ROOT)) if path.is_relative_to(ROOT) else str(path)
-
-
-# ---- talking -------------------------------------------------------------------------------------
-
-TERMINAL = sys.stdout.isatty()
-
-
-def coloured(words, code):
-    return f"\033[{code}m{words}\033[0m" if TERMINAL and "NO_COLOR" not in os.environ else words
-
-
-def good(words):
-    return coloured(words, "32")
-
-
-def bad(words):
-    return coloured(words, "31")
-
-
-def faint(words):
-    return coloured(words, "2")
-
-
-def bold(words):
-    return coloured(words, "1")
-
-
-QUIET = 9.0  # a log gets a line of progress at least this often [s], and not much oftener
-_said = {"words": "", "at": 0.0}
-
-
-def progress(words):
-    """What is being done: a line that is overwritten by the next. A log gets only some of them."""
-    _said["words"] = words
-    if TERMINAL:
-        width = shutil.get_terminal_size().columns - 1
-        sys.stdout.write("\r\033[K" + words[:width])
-        sys.stdout.flush()
-    elif time.time() - _said["at"] > QUIET / 2:
-        say_progress()
-
-
-def say_progress():
-    _said["at"] = time.time()
-    sys.stdout.write(f"  {_said['words']}\n")
-    sys.stdout.flush()
-
-
-def progress_done():
-    if TERMINAL:
-        sys.stdout.write("\r\033[K")
-        sys.stdout.flush()
-
-
-@contextlib.contextmanager
-def talking():
-    """While it lasts, a log gets a line of progress even where one thing takes long."""
-    ended = threading.Event()
-
-    def talk():
-        while not ended.wait(1):
-            if _said["words"] and time.time() - _said["at"] > QUIET:
-                say_progress()
-    if not TERMINAL:
-        threading.Thread(target=talk, daemon=True).start()
-    try:
-        yield
-    finally:
-        ended.set()
-
-
-def ask(question, yes):
-    """True when the user agrees, or said so on the command line."""
-    if yes:
-        return True
-    if not sys.stdin.isatty():
-        raise Trouble(f"{question} Nobody is here to ask: add --yes to agree.")
-    return input(f"{question} [y/N] ").strip().lower().startswith("y")
 
 
 # ---- building ------------------------------------------------------------------------------------
@@ -208,19 +126,33 @@ def configure():
                f"-DPython3_EXECUTABLE={sys.executable}"]
     if os.environ.get("CI") == "true":
         command.append("-DWORKBOOK_WARNINGS_AS_ERRORS=ON")
-    result = subprocess.run(command, capture_output=True, text=True, cwd=ROOT)
+    with talking():
+        result = subprocess.run(command, capture_output=True, text=True, cwd=ROOT)
     progress_done()
     if result.returncode != 0:
         raise Trouble("CMake failed:\n" + result.stdout[-1500:] + result.stderr[-3000:])
 
 
+@contextlib.contextmanager
+def alone():
+    """Two that build in one folder disturb each other: the second waits."""
+    with open(BUILD / "wb.lock", "w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            progress("waiting: another ./wb is building")
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
 def build(targets, what="building"):
     """Builds targets; returns "" or what the compiler said."""
     configure()
-    process = subprocess.Popen(["ninja", "-C", str(BUILD), "-k", "0", *targets],
-                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     log = []
-    with talking():
+    with alone(), talking():
+        process = subprocess.Popen(["ninja", "-C", str(BUILD), "-k", "0", *targets],
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                   errors="replace")
         for line in process.stdout:
             if match := re.match(r"\[(\d+)/(\d+)\] ", line):
                 progress(f"{what} {match[1]} of {match[2]}{thing_built(line)}")

@@ -7,6 +7,7 @@ import answers
 import exercises
 import grade as grading
 import house
+import runs
 
 
 def fold(words):
@@ -16,12 +17,10 @@ def fold(words):
 def faults_of(answer, program, chapter):
     """What of an answer is not as promised: [(line of its file, words)]."""
     if answer.kind == "wrong units":
-        tree = grading.run(program, [answer.id], answer=answer.name)
-        if isinstance(tree, str):
-            return [(answer.line, tree)]
-        sentence = grading.units_of(tree)
+        run = runs.run(program, [answer.id], answer=answer.name)
+        sentence = grading.units_of(run)
         if not sentence:
-            return [(answer.line, "the units find nothing wrong with this answer")]
+            return [(answer.line, run.fault or "the units find nothing wrong with this answer")]
         return broken_promises(answer, [sentence])
     one, trouble = graded(answer, answer.id, program, chapter)
     if answer.tests and not trouble:
@@ -45,14 +44,9 @@ def graded(answer, id_, program, chapter):
     """What the tests of an exercise make of an answer, and why they cannot judge it, "" if they
     can."""
     one = grading.Grade(id_)
-    tree = grading.run(program, [id_], answer=answer.name)
-    if isinstance(tree, str):
-        grading.worse(one, grading.WRONG)
-        one.failures.append(("", tree))
-    else:
-        grading.read(tree, {id_: one}, chapter)
-        if not one.tests:
-            return one, f"exercise {id_} has no test"
+    grading.read(runs.run(program, [id_], answer=answer.name), {id_: one}, chapter)
+    if not one.tests:
+        return one, f"exercise {id_} has no test"
     bad = ("the answer ends without a return", "no such answer")
     return one, next((fold(report) for _, report in one.failures
                       if any(words in report for words in bad)), "")
@@ -74,11 +68,8 @@ def broken_promises(answer, reports):
 def stub_faults(program, chapter):
     """The exercises of a fresh stub that do not say that they are not written yet."""
     for id_ in chapter.ids():
-        tree, one = grading.run(program, [id_], answer=answers.STUB), grading.Grade(id_)
-        if isinstance(tree, str):
-            yield f"the stub of {id_}: {tree}"
-            continue
-        grading.read(tree, {id_: one}, chapter)
+        one = grading.Grade(id_)
+        grading.read(runs.run(program, [id_], answer=answers.STUB), {id_: one}, chapter)
         if one.status != grading.OPEN:
             yield (f"the stub of {id_} is '{one.words()}', not '{grading.OPEN}'"
                    + "".join(f"\n{report}" for _, report in one.failures[:1]))

@@ -1,73 +1,117 @@
-"""The commands of somebody who does the exercises: status, test, watch, hint, show, reset."""
+"""./wb test and ./wb watch: what is wrong with an exercise, or what comes after it."""
 import re
 import textwrap
 import time
 
+import crashes
 import exercises
 import grade as grading
 import house
-from house import bad, bold, faint, good
+import reading
+import runs
+from status import COLOURS, status
+from talk import bad, bold, faint, folded, good, indented
 
-MARK = {grading.DONE: good, grading.WRONG: bad, grading.BROKEN: bad}
+AT_ONCE = 2  # what is not asked for is not waited for longer [s]
+MOST_PRINTED = 12  # lines of what an answer prints itself
 
 
-def status():
-    """Every exercise and the next thing to do."""
-    upcoming, all_done = None, True
-    width = max(len(title) for c in house.chapters() for title in c.titles().values())
-    for chapter in house.chapters():
-        print(f"{bold(f'Chapter {chapter.number}: {chapter.name}')}   "
-              f"{faint(house.short(chapter.text))}")
-        titles = chapter.titles()
-        for one in grading.grade(chapter):
-            colour = MARK.get(one.status, lambda words: words)
-            print(f"  {one.id}  {titles.get(one.id, ''):{width}} {colour(one.words())}")
-            if one.status != grading.DONE:
-                all_done = False
-                upcoming = upcoming or (chapter, one)
-    print()
-    if all_done:
-        print("Every exercise is done. ./wb run N, ./wb plot N and ./wb see N show what you built.")
-        return 0
-    chapter, one = upcoming
+def test(word):
+    """One exercise or one chapter. Exit status 0 when all of it is done."""
+    chapter, id_ = house.exercise_of(word) if re.search(r"\d\.", word) \
+        else (house.chapter_of(word), None)
+    look = reading.look(chapter)
+    if look.faults:
+        _, words, cure = look.faults[0]
+        print(f"{house.short(chapter.mine)}: {bad('cannot be built')}\n")
+        print(f"{folded(words, 2)}\n{folded(cure, 2)}")
+        return 1
+    passed = test_one(look, id_) if id_ else test_all(look)
+    if look.note:
+        print("\n" + folded(look.note))
+    return 0 if passed else 1
+
+
+def test_one(look, id_):
+    """True when the exercise is done."""
+    if look.states[id_] == reading.UNTOUCHED:  # the text tells: nothing need be built
+        tell(look, grading.Grade(id_, grading.OPEN))
+        return False
+    one, = grading.grade(look.chapter, [id_], fresh=True)
     if one.status == grading.BROKEN:
-        print(f"Next: {house.short(chapter.mine)} does not compile: ./wb test {chapter.number}")
-    elif one.status == grading.WRONG:
-        print(f"Next: {one.id} is not right yet: ./wb test {one.id}")
-    else:
-        print(f"Next: exercise {one.id}.")
+        return tell_broken(look.chapter, one.detail)
+    tell(look, one)
+    if one.status == grading.WRONG:
+        name_earlier(look, id_)
+    if one.status == grading.DONE:
+        print(f"{one.tests} tests passed. {after(look, id_)}")
+    return one.status == grading.DONE
+
+
+def test_all(look):
+    """A whole chapter: the first exercise that is not done is told in full. True if all are."""
+    ids = look.chapter.ids()
+    asked = [id_ for id_ in ids if look.states[id_] != reading.UNTOUCHED]
+    grades = grading.grade(look.chapter, asked, fresh=True) if asked else []
+    if grades and grades[0].status == grading.BROKEN:
+        return tell_broken(look.chapter, grades[0].detail)
+    known = {one.id: one for one in grades}
+    grades = [known.get(id_) or grading.Grade(id_, grading.OPEN) for id_ in ids]
+    told = False
+    for one in grades:
+        if told or one.status == grading.DONE:
+            print(headline(look.chapter, one))
+        else:
+            tell(look, one)
+            told = True
+    if not told:
+        print(f"{sum(one.tests for one in grades)} tests passed. {after_all(look.chapter)}")
+    return not told
+
+
+# ---- what is said of an exercise -----------------------------------------------------------------
+
+def headline(chapter, one):
+    colour = COLOURS.get(one.status, str)
+    return f"{bold(one.id)}  {chapter.titles().get(one.id, '')}: {colour(one.words())}"
+
+
+def tell(look, one):
+    """What there is to say of one graded exercise."""
+    chapter = look.chapter
+    print(headline(chapter, one))
+    tell_printed(one.printed)
+    if one.status == grading.OPEN and look.states[one.id] == reading.UNTOUCHED:
         print(f"  read   {house.short(chapter.text)}")
         print(f"  edit   {chapter.place(one.id)}")
-        print(f"  check  ./wb test {one.id}        stuck? ./wb hint {one.id}")
-    return 0
-
-
-def indented(words):
-    return "\n".join("    " + line if line else "" for line in words.split("\n"))
-
-
-def tell(chapter, one):
-    """What there is to say of one graded exercise."""
-    title = chapter.titles().get(one.id, "")
-    colour = MARK.get(one.status, lambda words: words)
-    print(f"{bold(one.id)}  {title}: {colour(one.words())}")
-    if one.status == grading.OPEN:
-        print(f"  your code goes to {chapter.place(one.id)}, in place of todo(\"{one.id}\");")
-        print(f"  the text: {house.short(chapter.text)}   a hint: ./wb hint {one.id}")
+        print(f"  stuck? ./wb hint {one.id}")
+    elif one.status == grading.OPEN:
+        print(f"  it is begun; todo(\"{one.id}\"); still stands in its place:\n"
+              f"  {chapter.place(one.id)}")
     elif one.status == grading.WAITS:
         print(f"  it calls {one.detail}, which is not written yet: ./wb test {one.detail}")
-    elif one.status == grading.BROKEN:
-        print(indented(one.detail))
     elif one.status == grading.WRONG:
         name, report = one.failures[0]
         if name:
-            print(f"  {name.removeprefix(one.id).strip()}\n")
+            print(folded(name.removeprefix(one.id).strip(), 2) + "\n")
+        if report.startswith("Exercise") and "Likely mistake:" not in report:
             report = with_units(report, grading.units(chapter, one.id))
         print(indented(report))
         if len(one.failures) > 1:
             others = len(one.failures) - 1
             print(f"\n  {others} more of its {one.tests} tests "
                   f"{'fails' if others == 1 else 'fail'}; mend this one first.")
+
+
+def tell_printed(words):
+    """What the tested code has printed itself, cut where it is long."""
+    lines = words.split("\n") if words else []
+    if lines:
+        print("  your code prints:")
+    for line in lines[:MOST_PRINTED]:
+        print(faint("    | ") + "".join(c if c.isprintable() else "?" for c in line.expandtabs()))
+    if len(lines) > MOST_PRINTED:
+        print(faint(f"    | ... {len(lines) - MOST_PRINTED} lines more"))
 
 
 def with_units(report, sentence):
@@ -77,72 +121,72 @@ def with_units(report, sentence):
     return words.rstrip() + "\n" + lines + "\n" + where + rest if sentence else report
 
 
-def test(word):
-    """One exercise or one chapter. Exit status 0 when all of it is done."""
-    if "." in word:
-        chapter, id_ = house.exercise_of(word)
-        grades = grading.grade(chapter, [id_])
-    else:
-        chapter = house.chapter_of(word)
-        grades = grading.grade(chapter)
-    if grades[0].status == grading.BROKEN:
-        print(f"{house.short(chapter.mine)}: {bad('does not compile')}\n")
-        place_of_error(chapter, grades[0].detail)
-        print(indented(grades[0].detail))
-        return 1
-    stopped = False
-    for one in grades:
-        if stopped and one.status != grading.DONE:
-            print(f"{bold(one.id)}  {chapter.titles().get(one.id, '')}: {one.words()}")
-            continue
-        tell(chapter, one)
-        stopped = stopped or one.status != grading.DONE
-    if len(grades) == 1 and grades[0].status == grading.WRONG:
-        name_earlier(chapter, grades[0].id)
-    if all(one.status == grading.DONE for one in grades):
-        tests = sum(one.tests for one in grades)
-        print(f"{tests} tests passed. " + after(chapter, grades[-1].id))
-        return 0
-    return 1
+def tell_broken(chapter, words):
+    """Says where the first error of the compiler lies, and what it means. False: nothing passed."""
+    print(f"{house.short(chapter.mine)}: {bad('does not compile')}\n")
+    if missing := sorted(set(re.findall(r"undefined reference to [`'](.+)'", words))):
+        print(folded(f"These functions are not there, or not with these arguments: "
+                     f"{'; '.join(missing)}. Was a line outside the exercises changed?", 2))
+        print(f"  Next: ./wb reset {chapter.number} --keep")
+        return False
+    meaning = crashes.refused(words)
+    line = rf"{re.escape(chapter.mine.name)}:(\d+):"
+    errors = re.findall(rf"{line}.*\berror:", words)[:1]  # a template's error begins with its user
+    for number in map(int, errors or re.findall(line, words)):
+        inside = [region for region in exercises.scan(chapter.mine_text())[0]
+                  if region.begin <= number <= region.end + 2]  # the closing brace, too
+        if inside:
+            print(f"  The first error lies in exercise {inside[0].id}, line {number}.")
+            if meaning:
+                print(folded(f"Likely mistake: {meaning}", 2))
+            print(f"  Next: ./wb hint {inside[0].id}\n")
+            break
+    print(indented(words))
+    return False
 
 
-def name_earlier(chapter, id_):
+# ---- the others of the chapter -------------------------------------------------------------------
+
+def name_earlier(look, id_):
     """An exercise may call earlier ones of its chapter: says which of them are wrong themselves."""
-    earlier = chapter.ids()[:chapter.ids().index(id_)]
-    wrong = [one.id for one in grading.grade(chapter, earlier) if one.status == grading.WRONG] \
-        if earlier else []
+    earlier = [other for other in look.written() if number(other) < number(id_)]
+    wrong = [one.id for one in grading.grade(look.chapter, earlier, AT_ONCE)
+             if one.status == grading.WRONG] if earlier else []
     if wrong:
-        print(f"\n  {' and '.join(wrong)} {'is' if len(wrong) == 1 else 'are'} not right yet, and "
-              f"{id_} may call {'it' if len(wrong) == 1 else 'them'}: ./wb test {wrong[0]}")
+        print("\n" + folded(f"{', '.join(wrong)} {'is' if len(wrong) == 1 else 'are'} not right "
+                            f"yet, and {id_} may call {'it' if len(wrong) == 1 else 'them'}: "
+                            f"./wb test {wrong[0]}", 2))
 
 
-def after(chapter, id_):
+def number(id_):
+    return int(id_.split(".")[1])
+
+
+def after(look, id_):
     """The next thing after an exercise that is done: the next one of the chapter that is not."""
-    ids = chapter.ids()
+    ids = look.chapter.ids()
     place = ids.index(id_)
-    for one in grading.grade(chapter, ids[place + 1:] + ids[:place]) if len(ids) > 1 else []:
-        if one.status != grading.DONE:
-            return f"Next: {one.id}, {chapter.place(one.id)}"
-    words = f"See what you built: ./wb run {chapter.number}, ./wb plot {chapter.number}, " \
+    known = {}
+    for other in ids[place + 1:] + ids[:place]:
+        if look.states[other] == reading.WRITTEN and other not in known:
+            rest = [one for one in look.written() if one != id_]
+            known = {one.id: one for one in grading.grade(look.chapter, rest, AT_ONCE)}
+        if other in known and known[other].status in (grading.WRONG, grading.BROKEN):
+            return f"Next: ./wb test {other}, which is not right yet."
+        if other not in known or known[other].status != grading.DONE:
+            return f"Next: {other}, {look.chapter.place(other)}"
+    return after_all(look.chapter)
+
+
+def after_all(chapter):
+    """What to do when a chapter is done."""
+    words = f"See what you built:\n  ./wb run {chapter.number}   ./wb plot {chapter.number}   " \
             f"./wb see {chapter.number}"
     later = [c for c in house.chapters() if c.number == chapter.number + 1]
     return words + (f"\nThen {house.short(later[0].text)}" if later else "")
 
 
-def place_of_error(chapter, words):
-    """Which exercise the first error of the compiler lies in."""
-    line = rf"{re.escape(chapter.mine.name)}:(\d+):"
-    errors = re.findall(rf"{line}.*\berror:", words)[:1]  # a template's error begins with its user
-    for number in map(int, errors or re.findall(line, words)):
-        for region in exercises.regions(chapter.mine.read_text()):
-            if region.begin <= number <= region.end + 2:  # the closing brace, too
-                print(f"  The first error lies in exercise {region.id}, line {number}.")
-                if "LanesFor" in words:
-                    print("  Likely mistake: lanes have only + - * with other lanes: no if, no "
-                          "comparison, no\n  division, no plain number such as 2.")
-                print(f"  Next: ./wb hint {region.id}\n")
-                return
-
+# ---- watch ---------------------------------------------------------------------------------------
 
 def watch(word):
     """Tests again whenever an exercise file is saved, until interrupted."""
@@ -150,80 +194,17 @@ def watch(word):
         house.exercise_of(word) if "." in word else house.chapter_of(word)
     seen = None
     while True:
-        stamps = {c.mine: c.mine.stat().st_mtime for c in house.chapters()}
+        stamps = {c.number: c.mine.stat().st_mtime if c.mine.exists() else 0
+                  for c in house.chapters()}
         if stamps != seen:
-            changed = [c for c in house.chapters() if seen and stamps[c.mine] != seen[c.mine]]
+            changed = [c for c in house.chapters()
+                       if seen and stamps[c.number] != seen[c.number]]
             seen = stamps
             if house.TERMINAL:
                 print("\033[2J\033[H", end="")
-            if word:
-                test(word)
-            elif changed:
-                first_open(changed[0])
-            else:
-                status()
+            try:
+                test(word) if word else test(str(changed[0].number)) if changed else status()
+            except house.Trouble as trouble:
+                print(trouble)
             print(faint("\nwatching; save a file to test again, Ctrl-C ends"), flush=True)
         time.sleep(0.3)
-
-
-def first_open(chapter):
-    """The first exercise of a chapter that is not done."""
-    grades = grading.grade(chapter)
-    for one in grades:
-        if one.status != grading.DONE:
-            return tell(chapter, one)
-    print(good(f"chapter {chapter.number} is done"))
-    return None
-
-
-def hint(word, step):
-    chapter, id_ = house.exercise_of(word)
-    if step not in ("1", "2", "3"):
-        raise house.Trouble(f"{step}: a hint has steps 1, 2 and 3")
-    if not chapter.hints.exists():
-        raise house.Trouble(f"{house.short(chapter.hints)} is missing")
-    text = chapter.hints.read_text()
-    match = re.search(rf"^## {re.escape(id_)}\b.*?\n(.*?)(?=^## |\Z)", text, re.M | re.S)
-    part = match and re.search(rf"^### {step}\b.*?\n(.*?)(?=^### |\Z)", match[1], re.M | re.S)
-    if not part:
-        raise house.Trouble(f"{house.short(chapter.hints)} has no hint {step} for {id_}")
-    print(bold(f"Hint {step} of 3 for {id_}\n"))
-    print(part[1].strip())
-    print()
-    if step != "3":
-        print(faint(f"more: ./wb hint {id_} {int(step) + 1}"))
-    else:
-        print(faint(f"the solution: ./wb show {id_}"))
-    return 0
-
-
-def solution(word, yes):
-    chapter, id_ = house.exercise_of(word)
-    if not house.ask(f"Show the solution of {id_}?", yes):
-        return 0
-    for region in exercises.regions(chapter.solution.read_text()):
-        if region.id == id_:
-            print(bold(f"\n{house.short(chapter.solution)}:{region.begin}"))
-            print("\n".join(region.lines))
-    return 0
-
-
-def reset(word, yes):
-    """Puts the stub back for an exercise or a chapter, after asking if there is work in it."""
-    chapter = house.chapter_of(word)
-    ids = [house.exercise_of(word)[1]] if "." in word else chapter.ids()
-    fresh = exercises.stub(chapter.solution.read_text())
-    mine = chapter.mine.read_text()
-    try:
-        new = fresh if "." not in word else exercises.fill(mine, fresh, ids)
-    except exercises.Broken as broken:
-        raise house.Trouble(f"{broken}; ./wb reset {chapter.number} makes the whole file new")
-    if new == mine:
-        print(f"{house.short(chapter.mine)} is the stub already.")
-        return 0
-    what = f"exercise {word}" if "." in word else house.short(chapter.mine)
-    if not house.ask(f"Throw away your work in {what}?", yes):
-        return 0
-    chapter.mine.write_text(new)
-    print(f"{house.short(chapter.mine)}: the stub is back for {' '.join(ids)}.")
-    return 0

@@ -1,6 +1,7 @@
 """The inner loop in its variants, all in one run: what a joint and sweep costs in each."""
 import csv
 
+import figures
 import house
 import instructions
 import show
@@ -10,7 +11,7 @@ PER_SWEEP, PER_STEP = "instructions_per_joint_iteration", "instructions_per_join
 
 
 def read():
-    with open(show.LOOP, newline="") as file:
+    with open(figures.LOOP, newline="") as file:
         return list(csv.DictReader(file))
 
 
@@ -27,7 +28,7 @@ def add_instructions():
         for sweeps, at in (("few", "at_few"), ("many", "at_many")):
             if row["iterations"] == count[sweeps]:
                 row[PER_STEP] = f"{count[at]:.1f}"
-    with open(show.LOOP, "w", newline="") as file:
+    with open(figures.LOOP, "w", newline="") as file:
         writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
@@ -50,15 +51,15 @@ def print_table():
 
 
 def draw():
-    return show.draw("loop.py", "--csv", show.LOOP, "--thesis", THESIS, figures=house.OUT)
+    return figures.draw("loop.py", "--csv", figures.LOOP, "--thesis", THESIS, figures=house.OUT)
 
 
 def main():
     print("the inner loop in its variants: about three and a half minutes; leave the machine alone "
           "meanwhile", flush=True)
     house.must_build(["loop", "loop_float"])
-    show.run_bench("loop_float", [], show.LOOP)
-    show.run_bench("loop", ["--append", "1", "--rounds", "3", "--all-counts", "0"], show.LOOP)
+    show.run_bench("loop_float", [], figures.LOOP)
+    show.run_bench("loop", ["--append", "1", "--rounds", "3", "--all-counts", "0"], figures.LOOP)
     if instructions.there():
         house.progress("counting instructions (float)")
         add_instructions()
@@ -69,5 +70,5 @@ def main():
     print()
     for path in draw():
         print(house.short(path))
-    print(f"the table: {house.short(show.LOOP)}")
+    print(f"the table: {house.short(figures.LOOP)}")
     return 0

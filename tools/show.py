@@ -1,5 +1,4 @@
-"""The commands that show something: run, plot, see, tour, check, bench."""
-import csv
+"""The commands that show something: run, plot, see, bench."""
 import os
 import re
 import signal
@@ -7,16 +6,16 @@ import subprocess
 import sys
 import webbrowser
 
+import crashes
 import exercises
+import figures
 import grade as grading
 import house
 import motion
-from house import bold, faint
+import reading
+from talk import bad, faint
 
 SOLUTIONS, MINE = house.OUT / "solutions", house.OUT / "mine"
-TABLE, STABILITY = house.OUT / "work_precision.csv", house.OUT / "stability.csv"
-LOOP, SCALING = house.OUT / "loop.csv", house.OUT / "scaling.csv"
-PEERS = house.ROOT / "bench" / "peers.csv"
 
 
 # ---- programs ------------------------------------------------------------------------------------
@@ -34,10 +33,13 @@ def call_program(name, folder, options, quiet):
     result = subprocess.run([house.BUILD / name, "--out", folder, *options],
                             stdout=subprocess.PIPE if quiet else None,
                             stderr=subprocess.PIPE, text=True)
+    if result.returncode == -signal.SIGPIPE:  # whoever listened has had enough
+        raise BrokenPipeError
     if result.returncode < 0:
-        raise Crash(f"{name} crashed ({signal_name(-result.returncode)})")
+        raise Crash(crashes.plainly(f"{name} was ended by {signal_name(-result.returncode)}"))
     if result.returncode != 0:
-        raise house.Trouble(result.stderr.strip() or f"{name} ended with {result.returncode}")
+        words = result.stderr.strip().removeprefix("error: ")
+        raise house.Trouble(words or f"{name} ended with {result.returncode}")
     for old, written in before.items():
         if old.stat().st_mtime_ns == written:
             old.unlink()
@@ -69,11 +71,8 @@ def finite(table):
 
 def likely_cause(chapter, written, options):
     """Which of the reader's exercises may be to blame for a run that went wrong, and what to do."""
-    wrong = [one.id for one in grading.grade(chapter, written)
-             if one.status in (grading.WRONG, grading.BROKEN)] if written else []
-    if wrong:
-        others = f" (wrong, too: {' '.join(wrong[1:])})" if wrong[1:] else ""
-        return f"The tests say: exercise {wrong[0]} is wrong{others}. Next: ./wb test {wrong[0]}"
+    if wrong := red(chapter, written or []):
+        return f"Likely cause: {wrong}"
     words = "No test finds a mistake in your code." if written else "The code is the solution's."
     if options:
         return (f"{words} Right code cannot bear every option. Without them: "
@@ -81,25 +80,41 @@ def likely_cause(chapter, written, options):
     return f"{words} Next: ./wb test {chapter.number}"
 
 
+def red(chapter, written):
+    """Which exercises in use are wrong, in a sentence; "" where none is. One that does not end
+    would not end in the program either."""
+    grades = grading.grade(chapter, written) if written else []
+    wrong = [one.id for one in grades if one.status == grading.WRONG]
+    if endless := [one.id for one in grades if not one.ends]:
+        raise house.Trouble(f"{endless[0]} does not end, nor would the program: "
+                            f"./wb test {endless[0]}")
+    if not wrong:
+        return ""
+    return (f"{', '.join(wrong)} {'is' if len(wrong) == 1 else 'are'} not right yet: "
+            f"./wb test {wrong[0]}")
+
+
 def prepare_mine(chapter):
-    """Builds the program on the reader's file, what is not written yet taken from the solution.
+    """Builds the program on the reader's file, what is not written yet taken from the solution,
+    and says which of the reader's exercises are wrong.
 
     Returns the list of exercises that are the reader's own, or None where nothing is.
     """
-    written = chapter.written()
+    look = reading.look(chapter)
+    look.refuse()
+    written = look.written()
     if not written:
         return None
+    if grading.build(chapter):
+        raise house.Trouble(f"{house.short(chapter.mine)} does not compile. "
+                            f"Next: ./wb test {chapter.number}")
+    if wrong := red(chapter, written):
+        print(f"{bad('Beware')}: {wrong}", flush=True)
     waiting = [id_ for id_ in chapter.ids() if id_ not in written]
     mixed = house.BUILD / "mixed" / chapter.folder / f"{chapter.name}.cpp"
-    house.configure()
-    exercises.write_if_new(mixed, exercises.fill(chapter.mine.read_text(),
-                                                 chapter.solution.read_text(), waiting))
-    log = house.build([f"{chapter.folder}_run_mine"], "building")
-    if log and f"{chapter.folder}/{chapter.name}.cpp" in house.compiler_words(log):
-        raise house.Trouble(f"{house.short(chapter.mine)} does not compile: "
-                            f"./wb test {chapter.number}")
-    if log:
-        raise house.Trouble("the build failed:\n" + house.compiler_words(log))
+    exercises.write_if_new(mixed, exercises.fill(chapter.mine_text(),
+                                                 exercises.read(chapter.solution), waiting))
+    house.must_build([f"{chapter.folder}_run_mine"])
     return written
 
 
@@ -107,9 +122,12 @@ def run(chapter, options):
     """The chapter's program, on the reader's code where it is written."""
     if "--help" in options or "-h" in options:
         house.must_build([f"{chapter.folder}_run"])
-        return subprocess.run([house.BUILD / f"{chapter.folder}_run", "--help"]).returncode
-    if "--out" in options:
-        raise house.Trouble("--out: ./wb chooses the folder itself, under out/")
+        said = subprocess.run([house.BUILD / f"{chapter.folder}_run", "--help"], text=True,
+                              capture_output=True).stdout
+        print(re.sub(r"^ *--out .*\n", "", said, flags=re.M), end="")
+        return 0
+    if any(option.startswith("--out") for option in options):
+        raise house.Trouble("run --out: ./wb chooses the folder itself, under out/")
     written = prepare_mine(chapter)
     if written is None:
         print("the solution's code: no exercise of this chapter is written yet", flush=True)
@@ -144,13 +162,13 @@ def both_runs(chapter):
     What ./wb run recorded is kept, with the options it was given: it is what the reader wants to
     see. The solution it is laid over has run with the same options.
     """
+    written = prepare_mine(chapter)
     house.must_build([f"{chapter.folder}_run"])
     solution, mine = SOLUTIONS / chapter.folder, MINE / chapter.folder
     if stale(solution, house.BUILD / f"{chapter.folder}_run"):
         run_solution(chapter)
     note = mine / "options.txt"
     options = note.read_text().split() if note.exists() else []
-    written = prepare_mine(chapter)
     if written is None:
         if not (mine / "summary.csv").exists():
             return solution, None
@@ -165,37 +183,18 @@ def both_runs(chapter):
 
 # ---- figures and pages ---------------------------------------------------------------------------
 
-def draw(script, *arguments, figures=house.OUT / "plots"):
-    """Runs one script of plots/; returns the PNG files that it made."""
-    before = {p: p.stat().st_mtime_ns for p in figures.glob("*.png")}
-    result = subprocess.run([sys.executable, "-B", house.ROOT / "plots" / script, *arguments,
-                             "--out", figures], capture_output=True, text=True)
-    if result.returncode != 0:
-        raise house.Trouble(result.stderr.strip() or f"plots/{script} failed")
-    return sorted(p for p in figures.glob("*.png") if p.stat().st_mtime_ns != before.get(p))
-
-
-def plot_chapter(chapter, with_mine=True):
-    solution, mine = both_runs(chapter) if with_mine else (SOLUTIONS / chapter.folder, None)
-    arguments = ["--solution", solution]
-    if mine:
-        arguments += ["--mine", mine]
-    return draw(f"chapter_{chapter.number:02}.py", *arguments)
-
-
 def plot(chapter):
     """The figures of one chapter, or all of them."""
-    made = []
-    for one in [chapter] if chapter else house.chapters():
-        house.progress(f"drawing chapter {one.number}")
-        made += plot_chapter(one)
-    if not chapter and TABLE.exists():
-        made += draw("work_precision.py", "--csv", TABLE, "--peers", PEERS)
-    if not chapter and SCALING.exists():
-        made += draw("scaling.py", "--csv", SCALING)
-    if not chapter and STABILITY.exists():
-        made += draw("stability.py", "--csv", STABILITY)
-    if not chapter and LOOP.exists():
+    jobs = [figures.of_chapter(one, *both_runs(one))
+            for one in ([chapter] if chapter else house.chapters())]
+    if not chapter and figures.TABLE.exists():
+        jobs.append(("work_precision.py", "--csv", figures.TABLE, "--peers", figures.PEERS))
+    if not chapter and figures.SCALING.exists():
+        jobs.append(("scaling.py", "--csv", figures.SCALING))
+    if not chapter and figures.STABILITY.exists():
+        jobs.append(("stability.py", "--csv", figures.STABILITY))
+    made = figures.draw_all(jobs)
+    if not chapter and figures.LOOP.exists():
         import loop
         made += loop.draw()
     house.progress_done()
@@ -233,55 +232,9 @@ def see(chapter):
     return 0
 
 
-# ---- the whole workbook --------------------------------------------------------------------------
+# ---- measuring -----------------------------------------------------------------------------------
 
-def summary_table(chapters):
-    print(f"{'scene':12} {'setting':26} {'us a step':>10} {'gap RMS mm':>11} {'gap max mm':>11} "
-          f"{'energy drift':>13}")
-    for chapter in chapters:
-        with open(SOLUTIONS / chapter.folder / "summary.csv", newline="") as file:
-            for row in csv.DictReader(file):
-                print(f"{row['scene']:12} {row['setting']:26} {float(row['us_per_step']):10.2f} "
-                      f"{1000 * float(row['gap_rms_m']):11.4g} "
-                      f"{1000 * float(row['gap_max_m']):11.4g} "
-                      f"{float(row['energy_drift']):13.3g}")
-
-
-def tour():
-    """The main job: everything computed, drawn, moving and summarised, from the solutions."""
-    chapters = house.chapters()
-    new = not (house.BUILD / "build.ninja").exists()
-    print(f"{len(chapters)} chapters: build, run, draw. "
-          + ("The first time takes about two minutes." if new
-             else "Less than a minute when nothing has to be built."), flush=True)
-    house.must_build([f"{c.folder}_run" for c in chapters] + ["work_precision"], "building")
-    figures, pages = [], []
-    for chapter in chapters:
-        house.progress(f"chapter {chapter.number}: running")
-        run_solution(chapter)
-        house.progress(f"chapter {chapter.number}: drawing")
-        figures += plot_chapter(chapter, with_mine=False)
-        pages.append(make_page(chapter, SOLUTIONS / chapter.folder, None))
-    house.progress("error against run time, the short form")
-    run_bench("work_precision", ["--quick", "1"])
-    figures += draw("work_precision.py", "--csv", TABLE, "--peers", PEERS)
-    house.progress_done()
-    print()
-    summary_table(chapters)
-    print("\nenergy drift: change of energy over the run, as a share of the energy to hand. Ropes\n"
-          "that become taut and limits that stop a body take some, as in nature, motors add their\n"
-          "work, and what sags has come to rest lower; what is lost else, the method loses.")
-    print("\n" + bold("pictures"))
-    for path in dict.fromkeys(figures):
-        print(f"  {house.short(path)}")
-    print(bold("motion, open in a browser"))
-    for page in pages:
-        print(f"  {house.short(page)}")
-    print("\nYour turn: ./wb leads you to the first exercise.")
-    return 0
-
-
-def run_bench(program, options, table=TABLE):
+def run_bench(program, options, table=figures.TABLE):
     """One run of a benchmark program; its progress is shown."""
     house.OUT.mkdir(exist_ok=True)
     process = subprocess.Popen([house.BUILD / "bench" / program, "--csv", table, *options],
@@ -289,8 +242,7 @@ def run_bench(program, options, table=TABLE):
     said = ""
     for line in process.stderr:
         said = line.strip()
-        if house.TERMINAL:
-            house.progress(f"{program}: {said}")
+        house.progress(f"{program}: {said}")
     if process.wait() != 0:
         raise house.Trouble(said)
     house.progress_done()

@@ -2,6 +2,7 @@
 import csv
 import subprocess
 
+import figures
 import house
 import show
 
@@ -22,7 +23,7 @@ def what_cases_are():
 
 def print_table():
     """A line a case: how many runs came to which word, in double and in float."""
-    with open(show.STABILITY, newline="") as file:
+    with open(figures.STABILITY, newline="") as file:
         rows = [row for row in csv.DictReader(file) if BESIDE not in row["method"]]
     print(f"{'case':5} {'real':7} " + " ".join(f"{word:>8}" for word in WORDS) + "  what")
     for id_, words in what_cases_are().items():
@@ -45,11 +46,11 @@ def print_table():
 def main():
     print("the stability suite: about three and a half minutes", flush=True)
     house.must_build(["stability", "stability_float"])
-    show.run_bench("stability", [], show.STABILITY)
-    show.run_bench("stability_float", ["--append", "1"], show.STABILITY)
+    show.run_bench("stability", [], figures.STABILITY)
+    show.run_bench("stability_float", ["--append", "1"], figures.STABILITY)
     print_table()
     print()
-    for path in show.draw("stability.py", "--csv", show.STABILITY):
+    for path in figures.draw("stability.py", "--csv", figures.STABILITY):
         print(house.short(path))
-    print(f"the table: {house.short(show.STABILITY)}")
+    print(f"the table: {house.short(figures.STABILITY)}")
     return 0

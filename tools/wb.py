@@ -1,94 +1,134 @@
 """wb: the one command of the workbook. `./wb help` lists what it can do."""
+import difflib
 import os
+import re
 import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import checking  # noqa: E402
-import docs   # noqa: E402
 import house  # noqa: E402
-import learn  # noqa: E402
-import show   # noqa: E402
 
 HELP = """The Joint Workbook
 
-  ./wb                 where am I: every exercise, and the next thing to do
-  ./wb tour            build, run every chapter's program, draw every figure, print the summary
-  ./wb check           the workbook's own tests (./wb check 3: of one chapter; --quick: without
-                       float, units and known answers)
+  ./wb                 where you are, and the next thing to do
+  ./wb tour            run every chapter's program, draw every figure, summarise
+  ./wb check           the workbook's own tests
+                       ./wb check 3: of one chapter; --quick: without float,
+                       units and known answers
 
   ./wb test 2.1        test one exercise (or a whole chapter: ./wb test 2)
   ./wb watch [2.1]     test again whenever you save
   ./wb hint 2.1 [1-3]  a hint: 1 is a nudge, 3 is nearly the answer
   ./wb show 2.1        the solution of an exercise
-  ./wb reset 2.1       put the empty stub back (or a whole chapter: ./wb reset 2)
+  ./wb reset 2.1       put the empty stub back (./wb reset 2: a whole chapter)
+                       --keep: put back only what is not yours to change
 
-  ./wb run 2 [...]     the chapter's program with your code (--help lists its options)
-                       such as ./wb run 8 --machine wheels: one machine alone
+  ./wb run 2 [...]     the chapter's program with your code; its options:
+                       ./wb run 2 --help, such as ./wb run 8 --machine wheels
   ./wb plot [2]        draw the figures: your curve over the solution's
-  ./wb see [2]         the page that plays the motion: yours beside the solution's
+  ./wb see [2]         the page that plays the motion, beside the solution's
 
-  ./wb bench           error against run time, and what a joint costs in larger scenes
-  ./wb bench --stability   what is stiff, extreme or redundant: which method holds what
-  ./wb bench --loop    what a joint and sweep costs, from the textbook's loop to lanes
+  ./wb bench           error against run time; a joint's cost in larger scenes
+  ./wb bench --stability   what is stiff, extreme or redundant: what holds what
+  ./wb bench --loop    a joint and sweep, from the textbook's loop to lanes
   ./wb bench --cost    rows, bytes and instructions of every kind of joint
-  ./wb docs            the documentation as a site, with a gallery of every motion
+  ./wb docs            the documentation as a site, with every motion
 """
+ANY = None
+# Of each command: the fewest and the most words that it takes, what they are, and its options.
+# Those of check, run and bench are read where they are known.
+TAKES = {"": (0, 0, "", []), "tour": (0, 0, "no argument", []), "docs": (0, 0, "no argument", []),
+         "check": (0, ANY, "", ANY), "bench": (0, ANY, "", ANY),
+         "run": (1, ANY, "a chapter and options: ./wb run 2 --help", ANY),
+         "test": (1, 1, "one exercise or chapter: ./wb test 1.1", []),
+         "watch": (0, 1, "one exercise or chapter or none: ./wb watch 1.1", []),
+         "hint": (1, 2, "an exercise and 1, 2 or 3: ./wb hint 1.1", []),
+         "show": (1, 1, "one exercise: ./wb show 1.1 (--yes: do not ask)", ["--yes"]),
+         "reset": (1, 1, "one exercise or chapter (--yes, --keep)",
+                   ["--yes", "--keep"]),
+         "plot": (0, 1, "one chapter or none: ./wb plot 1", []),
+         "see": (0, 1, "one chapter or none: ./wb see 1", [])}
 
 
-def one_argument(arguments, what):
-    if len(arguments) != 1:
-        raise house.Trouble(f"say which {what}, for example 2.1 or 2")
-    return arguments[0]
+def refuse_unknown(command):
+    """A command that does not exist: what may have been meant."""
+    known = [name for name in TAKES if name] + ["help"]
+    if re.fullmatch(r"\d+(\.\d+)?", command):
+        meant = f"./wb test {command}"
+    else:
+        meant = next((f"./wb {name}" for name in difflib.get_close_matches(
+            command.lower().lstrip("-"), known, 1, 0.6)), None)
+    raise house.Trouble(f"{command}: no such command; "
+                        + (f"did you mean {meant}?" if meant else "./wb help lists them"))
 
 
-def one_at_most(command, arguments):
-    if len(arguments) > 1:
-        raise house.Trouble(f"{command} takes one chapter at most; "
-                            f"{' '.join(arguments[1:])} is too many")
-    return arguments[0] if arguments else None
+def check_words(command, arguments):
+    """Refuses, in a line, what the command does not take."""
+    least, most, what, options = TAKES[command]
+    words = [a for a in arguments if not a.startswith("-")]
+    wrong = [a for a in arguments if a.startswith("-") and options is not ANY and a not in options]
+    wrong += words[most:] if most is not ANY else []
+    if wrong or len(words) < least:
+        raise house.Trouble(f"{command} takes {what}"
+                            + (f"; {wrong[0]} is too much" if wrong else ""))
+    return words
+
+
+def help_of(command):
+    """The lines of the help that are about a command."""
+    parts = re.split(r"\n(?=  \./wb)", HELP)
+    own = [part.strip("\n") for part in parts if part.startswith(f"  ./wb {command}")]
+    return "\n".join(own) if command and own else HELP.strip("\n")
 
 
 def main(arguments):
-    yes = "--yes" in arguments
-    arguments = [a for a in arguments if a != "--yes"]
     command, rest = (arguments[0], arguments[1:]) if arguments else ("", [])
-    takes_none = {"": learn.status, "tour": show.tour, "bench": None,
-                  "docs": docs.command}
-    if command in takes_none and rest and command != "bench":
-        raise house.Trouble(f"{command} takes no argument; {' '.join(rest)} is one too many")
+    if command in ("help", "--help", "-h"):
+        print(help_of(rest[0] if rest else ""))
+        return 0
+    if command not in TAKES:
+        refuse_unknown(command)
+    if command != "run" and {"--help", "-h"} & set(rest):
+        print(help_of(command))
+        return 0
+    words = check_words(command, rest)
+    return call(command, words, rest)
+
+
+def call(command, words, rest):
+    """Each command loads no more than it needs: ./wb is to answer at once."""
     match command:
-        case "help" | "--help" | "-h":
-            print(HELP, end="")
-        case "" | "tour" | "docs":
-            return takes_none[command]()
+        case "":
+            import status
+            return status.status()
+        case "test" | "watch":
+            import learn
+            return getattr(learn, command)(words[0] if words else None)
+        case "hint" | "show" | "reset":
+            import aid
+            if command == "hint":
+                return aid.hint(words[0], words[1] if len(words) == 2 else "1")
+            if command == "show":
+                return aid.solution(words[0], "--yes" in rest)
+            return aid.reset(words[0], "--yes" in rest, "--keep" in rest)
         case "check":
+            import checking
             return checking.check(rest)
+        case "tour":
+            import tour
+            return tour.tour()
+        case "docs":
+            import docs
+            return docs.command()
+    import show
+    match command:
         case "bench":
             return show.bench(rest)
-        case "test":
-            return learn.test(one_argument(rest, "exercise or chapter"))
-        case "watch":
-            return learn.watch(one_at_most(command, rest))
-        case "hint":
-            if not rest or len(rest) > 2:
-                raise house.Trouble("say which exercise, for example ./wb hint 2.1")
-            return learn.hint(rest[0], rest[1] if len(rest) == 2 else "1")
-        case "show":
-            return learn.solution(one_argument(rest, "exercise"), yes)
-        case "reset":
-            return learn.reset(one_argument(rest, "exercise or chapter"), yes)
         case "run":
-            if not rest:
-                raise house.Trouble("say which chapter, for example ./wb run 2")
             return show.run(house.chapter_of(rest[0]), rest[1:])
-        case "plot" | "see":
-            number = one_at_most(command, rest)
-            return getattr(show, command)(house.chapter_of(number) if number else None)
         case _:
-            raise house.Trouble(f"{command}: no such command; ./wb help lists them")
-    return 0
+            return getattr(show, command)(house.chapter_of(words[0]) if words else None)
 
 
 if __name__ == "__main__":

@@ -98,7 +98,7 @@ void print_plan(const Scene& scene) {
   plan.bodies = int(scene.bodies.size());
   for (const Body& body : scene.bodies) plan.static_bodies += body.is_static();
   plan.blocks = plan.rows = int(scene.links.size());
-  std::printf("%-9s %s\n", scene.name.c_str(), plan.line().c_str());
+  std::printf("%s: %s\n", scene.name.c_str(), plan.line().c_str());
 }
 
 }  // namespace

@@ -227,7 +227,7 @@ int main(int argc, char** argv) {
     plan.static_bodies = 1;
     plan.blocks = links;
     plan.rows = 3 * links;
-    std::printf("%-9s %s\n", "chain", plan.line().c_str());
+    std::printf("%s: %s\n", "chain", plan.line().c_str());
 
     compare_rows_and_block(links, out);
     blow(out);

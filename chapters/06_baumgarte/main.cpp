@@ -23,7 +23,7 @@ void print_plan(const std::string& name, int chains, int links, bool warm) {
   plan.static_bodies = chains;
   plan.blocks = chains * links;
   plan.rows = 3 * plan.blocks;
-  std::printf("%-11s %s\n", name.c_str(), plan.line().c_str());
+  std::printf("%s: %s\n", name.c_str(), plan.line().c_str());
 }
 
 // ---- four pendulums ----------------------------------------------------------------------------

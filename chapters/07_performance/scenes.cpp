@@ -125,7 +125,7 @@ void print_plan(const std::string& name, const std::vector<Body>& bodies, std::s
   for (const Body& body : bodies) plan.static_bodies += body.is_static();
   plan.blocks = int(hinges);
   plan.rows = 5 * plan.blocks;
-  std::printf("%-13s %s\n", name.c_str(), plan.line().c_str());
+  std::printf("%s: %s\n", name.c_str(), plan.line().c_str());
   std::fflush(stdout);
 }
 

@@ -50,7 +50,7 @@ Summary drive(const Choice& choice, const Drive& how) {
                 rolled);
   line.setting = setting;
   if (!how.compared || how.recorded)
-    std::printf("%-9s %s rolled; back at %.1f m; no cube on the ground in %.0f %% of the steps\n",
+    std::printf("%s: %s rolled; back at %.1f m; %.0f %% in the air\n",
                 "wheels", setting, wheels.place(), 100.0 * flying / steps);
   if (how.compared) machine_row(choice, "wheels", how.iterations, line, deepest);
   return line;

@@ -1,0 +1,162 @@
+"""What a reader types in a copy of the workbook, and what it says: front_door_test.py ROOT BUILD"""
+import sys
+
+from door import CHAPTER, Door
+from proofs import main, read
+
+# Right, and it prints what could be taken for a part of the tests' report.
+LOUD = """  std::cout << "]]> <?xml\\n";
+  for (int k = 0; k < 20; ++k) std::printf("raw </StdOut> & <b>\\n");
+  const vec3 n = direction(body2.x - body1.x);
+  return {-n, vec3(0), n, vec3(0)};"""
+
+
+def typed(door, words, status, *expected, hidden=(), wide=False):
+    """What is wrong with the answer to ./wb with these words."""
+    code, out, err, _ = door.type(words)
+    said = " ".join((out + err).split())
+    if code != status:
+        yield f"./wb {words}: exit status {code}, not {status}: {said[-300:]}"
+    for part in expected:
+        if part not in said:
+            yield f"./wb {words} does not say '{part}' but: {said[-600:]}"
+    for part in hidden:
+        if part in said:
+            yield f"./wb {words} says '{part}'"
+    for line in (out + err).split("\n"):
+        if len(line) > 80 and not wide:
+            yield f"./wb {words}: a line has {len(line)} columns: {line}"
+    if "Traceback" in said:
+        yield f"./wb {words}: {err[-600:]}"
+
+
+def a_fresh_copy_leads_to_the_first_exercise(root, build):
+    """a fresh copy names exercise 1.1 within a second, from its texts alone"""
+    with Door(root, build) as door:
+        code, out, _, used = door.type("", ["./wb"])
+        if code or "Next: exercise 1.1" not in out or f"  edit   chapters/{CHAPTER}" not in out:
+            yield f"./wb, exit status {code}: {out[-300:]}"
+        if used > 1:
+            yield f"./wb takes {used:.1f} s of processor time"
+        if len(out.strip().split("\n")) > 24:
+            yield "./wb does not fit a terminal"
+        yield from typed(door, "test 1.1", 1, "not written yet", "./wb hint 1.1")
+        yield from typed(door, "test 1", 1, "1.6 Distance::jacobian, Distance::K: not written yet")
+        yield from typed(door, "help", 0, "./wb test 2.1", "./wb tour")
+        yield from typed(door, "test --help", 0, "test one exercise", hidden=["./wb tour"])
+        yield from typed(door, "hint 1.1", 0, "more: ./wb hint 1.1 2")
+        if (door.root / "build").exists() or (door.root / "out").exists():
+            yield "something was built or written for it"
+
+
+def bad_words_are_refused(root, build):
+    """a command line that makes no sense gets a line that says what is allowed, and status 2"""
+    with Door(root, build) as door:
+        for words, said in (
+                ("test", "test takes one exercise or chapter"), ("test 1.1 2.1", "2.1 is too much"),
+                ("test 1.1 --foo", "--foo is too much"), ("Test 1.1", "did you mean ./wb test?"),
+                ("1.1", "did you mean ./wb test 1.1?"), ("--whole 2", "no such command"),
+                ("--out", "no such command"), ("hint", "hint takes an exercise"),
+                ("hint 9.9", "9.9: no such chapter"), ("hint 1.9", "chapter 1 has 1.1 1.2"),
+                ("hint 1.1 4", "1, 2 and 3"), ("run", "run takes a chapter"),
+                ("run --foo", "run takes a chapter"), ("run 1 --out x", "--out"),
+                ("plot 1 2", "2 is too much"), ("reset", "--keep"),
+                ("tour now", "tour takes no"), ("reset 1.1 --all", "--all")):
+            code, out, err, _ = door.type(words)
+            if code != 2 or out or err.count("\n") != 1 or said not in err:
+                yield f"./wb {words}: exit status {code}, says {out!r} {err!r}, not '{said}'"
+            if len(err) > 81:
+                yield f"./wb {words}: {len(err)} columns: {err}"
+
+
+def a_damaged_file_is_told(root, build):
+    """what is wrong with an exercise file's lines is told before anything is built, and mended"""
+    with Door(root, build) as door:
+        begin, end = "// begin [exercise 1.2]\n", "// end [exercise 1.2]\n"
+        for old, new, said in (
+                (end, "", f"'{end.strip()}' is missing"),
+                (begin, "", f"'{begin.strip()}' is missing"),
+                (end, end + begin + end, "exercise 1.2 begins in line"),
+                ('todo("1.2");', "if (true) {", "exercise 1.2: the { of this line"),
+                ('todo("1.2");', "return 1; }", "exercise 1.2: the } of this line"),
+                ('todo("1.2");', "/* return 1;", "exercise 1.2: the comment")):
+            door.write(e1_1=True)
+            door.change(old, new)
+            yield from typed(door, "test 1.1", 1, "cannot be built", said, "Next: ")
+            yield from typed(door, "reset 1.2 --yes", 0, "the stub is back for 1.2")
+            yield from typed(door, "test 1.2", 1, "not written yet", hidden=["Note:"])
+            if "todo(\"1.1\")" in read(door.file):
+                yield f"reset 1.2 has thrown away 1.1, after {said}"
+        door.file.unlink()
+        yield from typed(door, "", 0, "is not there. Next: ./wb reset 1")
+        yield from typed(door, "test 1.1", 1, "is not there. Next: ./wb reset 1")
+        yield from typed(door, "reset 1.1", 0, "the stub is back")
+        yield from typed(door, "test 1.1", 1, "not written yet")
+        yield from typed(door, "reset 1.1", 0, "nothing to put back")
+
+
+def an_answer_is_judged_alone(root, build):
+    """an exercise is judged, shown with what it prints, whatever the others of its file do"""
+    with Door(root, build) as door:
+        door.lend_build()
+        endless = "while (true) std::this_thread::sleep_for(std::chrono::seconds(1));"
+        door.write(e1_1=LOUD, e1_2=endless)
+        door.change("#include", "#include <iostream>\n#include <thread>\n#include")
+        door.change("row.K = rod.K(body1, body2);", "row.K = 1 * rod.K(body1, body2);")
+        yield from typed(door, "test 1.1", 0, "1.1 CentreDistance::jacobian: done",
+                         "your code prints:", "]]> <?xml", "raw </StdOut> & <b>", "lines more",
+                         "Next: ./wb test 1.2", "changed outside the exercises, in line 5",
+                         "./wb reset 1 --keep")
+        yield from typed(door, "", 0, "1.2 CentreDistance::K wrong", "Next: 1.2 is not right yet")
+        yield from typed(door, "run 1", 2, "1.2 does not end")
+        door.change(endless, "return 2;")
+        yield from typed(door, "test 1.2", 1, "1.2 CentreDistance::K: wrong",
+                         f"Where: chapters/{CHAPTER}/distance.cpp:")
+        code, out, _, used = door.type("")
+        if "1.1  CentreDistance::jacobian                     done" not in out or used > 1:
+            yield f"./wb, when all is known, takes {used:.1f} s and says {out}"
+        yield from typed(door, "run 1 --seconds 0.1", 0, "1.2 is not right yet: ./wb test 1.2",
+                         "your code: 1.1 1.2 the solution's: 1.3")
+        yield from typed(door, "reset 1 --keep", 0, "around your answers")
+        if "return 2;" not in read(door.file) or "1 * rod" in read(door.file):
+            yield "reset 1 --keep does not keep the answers, or not put the rest back"
+
+
+def crashes_are_told(root, build):
+    """a crash is told in plain words, with its place and what to do next"""
+    crashes = {
+        "1.1": ("vec3* p = nullptr; if (body1.inverse_mass > 9) p = new vec3(0); p->x = 1;\n"
+                "  return {*p, *p, *p, *p};", "it reached for memory that is not its own"),
+        "1.2": ("std::vector<real> v; return v[int(body1.inverse_mass)];",
+                "an index outside a vector"),
+        "1.4": ("step(bodies, links, settings); bodies[0].v.x += 1;", "calls itself without end"),
+        "1.5": ("const int n = int(sum) / 1000; return real(3 / n);",
+                "a whole number was divided by zero"),
+        "1.6": ('[]() noexcept { throw std::runtime_error("too far"); }(); return {};',
+                "an exception that nothing catches, std::runtime_error: too far")}
+    with Door(root, build) as door:
+        door.lend_build()
+        door.write(**{f"e{id_.replace('.', '_')}": code for id_, (code, _) in crashes.items()})
+        door.change("#include", "#include <stdexcept>\n#include")
+        for id_, (_, said) in crashes.items():
+            yield from typed(door, f"test {id_}", 1, f"{id_} ", "wrong", said,
+                             f"Where: chapters/{CHAPTER}/distance.cpp:", f"./wb hint {id_}")
+
+
+def refusals_of_the_compiler_are_told(root, build):
+    """what the compiler refuses is told with its exercise and a plain sentence"""
+    with Door(root, build) as door:
+        door.lend_build()
+        door.write(e1_1="vec3 n; real a; return {a * n, n, n, n};")
+        yield from typed(door, "test 1.2", 1, "not written yet")
+        yield from typed(door, "test 1.1", 1, "does not compile", "lies in exercise 1.1, line",
+                         "a variable is read before it is set", "./wb hint 1.1",
+                         wide=True)
+        yield from typed(door, "run 1", 2, "does not compile")
+
+
+PROOFS = [a_fresh_copy_leads_to_the_first_exercise, bad_words_are_refused, a_damaged_file_is_told,
+          an_answer_is_judged_alone, crashes_are_told, refusals_of_the_compiler_are_told]
+
+if __name__ == "__main__":
+    sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -1,0 +1,68 @@
+"""What crashes, exceptions and the compiler's refusals mean, in plain words."""
+import re
+
+# What the standard library says of an index that is not there: operator[], front(), back(), at().
+OUTSIDE = r"Assertion '(__n < this->size\(\)|!this->empty\(\))'|_M_range_check|array::at"
+ARRAY = re.compile(r"std::array<.*_Tp = ([\w:]+)[;,].*_Nm = (\d+)")  # of what, and of how many
+SWAPPED = r"Assertion '!\(__hi < __lo\)'"  # of std::clamp
+HEAP = r"^((free|malloc\w*|realloc|munmap_chunk)\(\): |corrupted (size|double)|double free or)"
+# The first that fits is said.
+MEANINGS = [(re.compile(pattern, re.M), words) for pattern, words in {
+    SWAPPED: "std::clamp(a, low, high) was given a high that is below low: are the ends exchanged, "
+             "has a bound the wrong sign, or was it never set?",
+    OUTSIDE: "an index outside a vector or an array: places run from 0 to size() - 1",
+    r"Assertion '.*_M_is_engaged\(\)'|bad_optional_access":
+        "an optional was read that holds nothing",
+    r"Assertion `(.+)' failed": r"assert(\1) does not hold",
+    r"larger than max_size\(\)|vector::(_M_default_append|reserve)|array_new_length":
+        "a vector was given a size that cannot be: is it negative?",
+    r"bad_alloc": "more memory was asked for than there is (1 GB): a vector that grows without "
+                  "end?",
+    r"terminate called .*'(.+)'\s*what\(\):\s*(.*)":
+        r"the program was ended by an exception that nothing catches, \1: \2",
+    r"terminate called": "the program was ended by an exception that nothing catches",
+    r"SIGFPE": "a whole number was divided by zero: a / b or a % b with an int b that is 0",
+    r"stack is full": "a function that calls itself without end: the stack is full",
+    r"SIGSEGV|SIGBUS": "the program crashed: it reached for memory that is not its own. A pointer "
+                       "or number that was never set, or an index gone astray (a std::vector<bool> "
+                       "does not check its own)?",
+    HEAP: "something was written over the memory beside a vector. An index gone astray (a "
+          "std::vector<bool> does not check its own)?",
+    r"SIGABRT": "the program was ended by abort()",
+    r"SIGILL": "the program ran into an instruction that no processor has: a function whose end is "
+               "reached without a return?",
+    r"^Unknown exception": "something was thrown that is no std::exception"}.items()]
+# Lines that the library prints before it ends a program: no words of the reader's.
+LIBRARY = re.compile(rf".*Assertion ['`].*failed\.?$|terminate called |  what\(\):  |{HEAP}")
+# What the beginning of such words tells of the function they come from: its head and its lines.
+CLUES = {r"an index outside an array of \d+ rows": r"\bJacobian\b",
+         r"an index outside an array of \d+ numbers": r"\bVector\b",
+         "an index": r"\w\[|\.at\(|\.back\(|\.front\(", "std::clamp": r"\bclamp\(",
+         "a whole number": r"[/%]", "assert": r"\bassert\("}
+
+REFUSED = {  # of the compiler's words
+    "LanesFor": "lanes have only + - * with other lanes: no if, no comparison, no division, no "
+                "plain number such as 2.",
+    r"-W(error=)?(maybe-|sometimes-)?uninitialized":
+        "a variable is read before it is set: give it a value where it is declared.",
+    r"-W(error=)?return-type":
+        "the function ends without a return: what it computes is not given back.",
+    r"todo.{1,3} was not declared": "todo is written todo(\"1.1\"); with the exercise's number.",
+    r"-W(error=)?infinite-recursion": "the function calls itself without end."}
+
+
+def plainly(words):
+    """What was thrown, or said by a crash, in plain words."""
+    if (array := ARRAY.search(words)) and re.search(OUTSIDE, words):
+        kind = {"joints::Row": " rows", "double": " numbers"}.get(array[1], "")
+        return (f"an index outside an array of {array[2]}{kind}: its places run from 0 to "
+                f"{int(array[2]) - 1}")
+    for pattern, meaning in MEANINGS:
+        if match := pattern.search(words):
+            return match.expand(meaning) if "\\1" in meaning else meaning
+    return words
+
+
+def refused(words):
+    """What the compiler's words mean, or ""."""
+    return next((meaning for pattern, meaning in REFUSED.items() if re.search(pattern, words)), "")

@@ -42,7 +42,7 @@ def worse(grade, status, detail=""):
 
 def with_place(words, chapter, id_):
     """A report that no test has written: where the exercise is, and the next command. Of several
-    regions it is the one whose function has an index or a clamp in it, where that is the trouble."""
+    regions it is the one with an index or a clamp in its function, where that is the trouble."""
     place, text = chapter.place(id_), exercises.read(chapter.mine)
     lines = text.split("\n")
 

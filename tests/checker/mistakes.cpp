@@ -246,13 +246,7 @@ Wrong wrong_masses(const Rows& J, const Pair& pair) {
   return out;
 }
 
-Wrong own_Ks(const Seen& part, const Pair& pair) {
-  Wrong out = part.K_mistakes ? part.K_mistakes(pair) : Wrong{};
-  for (const auto& [words, J] : own_Js(part, pair)) out.push_back({words, whole_K(J, pair)});
-  return out;
-}
-
-Wrong wrong_Ks(const Numbers& J, const Pair& pair) {
+Wrong wrong_Ks(const Seen& part, const Numbers& J, const Pair& pair) {
   const Rows rows = rows_of(J);
   Wrong out = wrong_masses(rows, pair);
   const real masses = pair.body1.inverse_mass + pair.body2.inverse_mass;
@@ -273,8 +267,8 @@ Wrong wrong_Ks(const Numbers& J, const Pair& pair) {
                    everywhere});
   if (n == 3)
     out.push_back({"the unit matrix too much: mat3 K; is not zero, write mat3 K(0)", with_unit});
-  for (const auto& [words, wrong] : wrong_levers(rows, pair))
-    out.push_back({words, whole_K(wrong, pair)});
+  for (const auto& wrong : {own_Js(part, pair), wrong_levers(rows, pair)})
+    for (const auto& [words, numbers] : wrong) out.push_back({words, whole_K(numbers, pair)});
   return out;
 }
 
@@ -303,9 +297,9 @@ Sample K_sample(int pose, const Seen& part, const Pair& pair, const Numbers& rig
   Sample sample{pose, part.K(pair), right, {}, part.broken};
   if (close(sample.yours, right, K_tolerance)) return sample;
   const Numbers J = part.slope(pair);
-  add_named(sample, own_Ks(part, pair), K_tolerance);
+  add_named(sample, part.K_mistakes ? part.K_mistakes(pair) : Wrong{}, K_tolerance);
   sample.own = long(sample.mistakes.size());
-  add_named(sample, wrong_Ks(J, pair), K_tolerance);
+  add_named(sample, wrong_Ks(part, J, pair), K_tolerance);
   const auto holds = [&](const Pair& at) {
     return close(part.K(at), whole_K(part.slope(at), at), K_tolerance);
   };

@@ -95,6 +95,7 @@ struct Sample {
   Numbers yours, right;
   std::vector<std::string> mistakes;  ///< everything that would explain yours, in words
   PoseWords broken = {};
+  long own = 0;  ///< how many of these, the first, are the fixture's own words
 };
 
 /// How far a K may be from J M^-1 J^T with J by differences.
@@ -132,7 +133,8 @@ using Wrong = std::vector<std::pair<std::string, Numbers>>;
 struct Seen {
   std::function<Numbers(const Pair&)> J, K;              ///< yours
   std::function<Numbers(const Pair&)> slope;             ///< J by central differences
-  std::function<Wrong(const Pair&)> mistakes = nullptr;  ///< the fixture's own, of J
+  std::function<Wrong(const Pair&)> mistakes = nullptr;    ///< the fixture's own, of J
+  std::function<Wrong(const Pair&)> K_mistakes = nullptr;  ///< and of K
   PoseWords broken = {};
 };
 Sample jacobian_sample(int pose, const Seen& part, const Pair& pair, const Numbers& right);
@@ -140,7 +142,8 @@ Sample K_sample(int pose, const Seen& part, const Pair& pair, const Numbers& rig
 /// J M^-1 J^T of a J with 12 numbers a row.
 Numbers whole_K(const Numbers& J, const Pair& pair);
 
-/// \tparam Fixture may have mistakes of its own in a function `mistakes(part, pair)`
+/// \tparam Fixture may have mistakes of its own in functions `mistakes(part, pair)` and, of K,
+/// `K_mistakes(part, pair)`
 template <class Fixture>
 Seen seen(const typename Fixture::Part& part) {
   Seen out;
@@ -152,6 +155,13 @@ Seen seen(const typename Fixture::Part& part) {
     out.mistakes = [part](const Pair& at) {
       Wrong wrong;
       for (const auto& [words, J] : Fixture::mistakes(part, at)) wrong.push_back({words, flat(J)});
+      return wrong;
+    };
+  if constexpr (requires(const Pair& at) { Fixture::K_mistakes(part, at); })
+    out.K_mistakes = [part](const Pair& at) {
+      Wrong wrong;
+      for (const auto& [words, K] : Fixture::K_mistakes(part, at))
+        wrong.push_back({words, flat(to_matrix(K))});
       return wrong;
     };
   if constexpr (requires { Fixture::broken; }) out.broken = Fixture::broken;

@@ -30,7 +30,22 @@ struct CentreDistanceFixture {
   }
   static WrongRows mistakes(const Part& part, const Pair& pair) {
     const auto& [one, two] = pair;
-    return wrong_directions({one.x, two.x, vec3(0), vec3(0), part.length, part.error(one, two)});
+    const RodParts rod{one.x, two.x, vec3(0), vec3(0), part.length, part.error(one, two)};
+    WrongRows out = wrong_directions(rod);
+    const vec3 n = direction(rod.u());
+    const char* const turned = "n is turned with a body: places are in the world already";
+    for (const Body& body : {one, two})
+      for (const quat& q : {body.q, conjugate(body.q)}) out.push_back({turned, rod.along(q * n)});
+    out.push_back({"the blocks w1 and w2 should be zero: nothing turns",
+                   to_jacobian(Row{-n, -n, n, n})});
+    return out;
+  }
+  static WrongNumbers K_mistakes(const Part& part, const Pair& pair) {
+    const real K = pair.body1.inverse_mass + pair.body2.inverse_mass;
+    return {{"times the length of the rod: n is a unit vector, so that K does not know it",
+             K * part.length},
+            {"times the error: K knows no error", K * part.error(pair.body1, pair.body2)},
+            {"K is 1 always: it comes from the masses", 1}};
   }
 };
 
@@ -63,7 +78,18 @@ struct DistanceFixture {
       out.push_back({"one anchor for both bodies: each has its own",
                      same.along(direction(same.u()))});
     }
+    const vec3 n = direction(rod.u());
+    out.push_back({"the cross product comes too early: the lever is turned into the world first",
+                   to_jacobian(Row{-n, -to_world(one, cross(part.anchor1_local, n)), n,
+                                   to_world(two, cross(part.anchor2_local, n))})});
     return out;
+  }
+  static WrongNumbers K_mistakes(const Part& part, const Pair& pair) {
+    const auto& [one, two] = pair;
+    const vec3 r1 = to_world(one, part.anchor1_local), r2 = to_world(two, part.anchor2_local);
+    return {{"the levers themselves stand beside the inertia: it is r x n, as in J",
+             one.inverse_mass + two.inverse_mass + dot(r1, inverse_inertia(one) * r1) +
+                 dot(r2, inverse_inertia(two) * r2)}};
   }
 };
 

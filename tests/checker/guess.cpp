@@ -197,8 +197,8 @@ void guess(Sample& s, double tolerance, const std::string& first) {
   }
   if (!all_finite(s.yours) && first.empty()) words = division_by_zero;
   else if (zero(s.yours, tolerance)) words = "every entry is zero";
-  if (!words.empty()) s.mistakes.insert(s.mistakes.begin(), words);
-  if (!s.mistakes.empty()) return;
+  if (!words.empty()) s.mistakes.insert(s.mistakes.begin() + s.own, words);
+  if (long(s.mistakes.size()) > s.own) return;
   const double factor = common_factor(s, tolerance);
   for (const char* number : {"2", "4", "0.5", "0.25"})
     if (near(factor, std::atof(number), tolerance))
@@ -259,6 +259,11 @@ void guess_J(Sample& s, double tolerance, const std::vector<std::string>& names)
     if (const std::string words = copied_blocks(rows); !words.empty())
       s.mistakes.push_back(words);
   }
+  bool opposite = true;
+  for (std::size_t i = 0; i < s.right.size(); ++i)
+    opposite = opposite && near(std::abs(s.yours[i]), std::abs(s.right[i]), tolerance);
+  if (s.mistakes.empty() && opposite)
+    s.mistakes.push_back("the sign of single entries: those that are marked x");
   if (s.mistakes.empty() && common_factor(s, tolerance) != 0)
     s.mistakes.push_back(pushes(s.right) ? "a factor: is the direction a unit vector?"
                                          : "a factor: all of it is multiplied by one number");

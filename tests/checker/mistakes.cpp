@@ -88,10 +88,8 @@ Wrong wrong_bodies(Rows J, const Pair& pair) {
   return out;
 }
 
-Wrong wrong_Js(const Seen& part, const Numbers& J, const Pair& pair) {
-  Wrong out = part.mistakes ? part.mistakes(pair) : Wrong{};
-  for (auto& wrong : wrong_levers(rows_of(J), pair)) out.push_back(wrong);
-  return out;
+Wrong own_Js(const Seen& part, const Pair& pair) {
+  return part.mistakes ? part.mistakes(pair) : Wrong{};
 }
 
 // ---- what is turned with which body -------------------------------------------------------------
@@ -138,9 +136,11 @@ std::string lever_that_differs(const Sample& s) {
                                         " is";
 }
 
+// What is right here, as some mistakes are at some poses, explains nothing.
 void add_named(Sample& sample, const Wrong& wrong, double tolerance) {
   for (const auto& [words, numbers] : wrong)
-    if (close(sample.yours, numbers, tolerance)) sample.mistakes.push_back(words);
+    if (close(sample.yours, numbers, tolerance) && !close(sample.right, numbers, tolerance))
+      sample.mistakes.push_back(words);
 }
 
 void add(Sample& sample, const std::vector<std::string>& words) {
@@ -227,6 +227,20 @@ Wrong wrong_masses(const Rows& J, const Pair& pair) {
   add("the inertia of body 2 for both bodies: each has its own", {m1, I2}, two);
   add("the inverse mass of body 1 for both bodies: each has its own", one, {m1, I2});
   add("the inverse mass of body 2 for both bodies: each has its own", {m2, I1}, two);
+  add("the rotation of body 1 is counted twice, that of body 2 not", {m1, real(2) * I1},
+      {m2, none});
+  add("the rotation of body 2 is counted twice, that of body 1 not", {m1, none},
+      {m2, real(2) * I2});
+  add("inverse mass where inverse inertia belongs", {m1, mat3(m1)}, {m2, mat3(m2)});
+  add("the inverse inertia stands twice in a term", {m1, I1 * I1}, {m2, I2 * I2});
+  add("the inverse masses are multiplied: they are added", {m1 * m2, I1}, {0, I2});
+  add("the inverse masses are squared: M^-1 stands once in K", {m1 * m1, I1}, {m2 * m2, I2});
+  add("the larger inverse mass alone: they are added", {std::max(m1, m2), I1}, {0, I2});
+  const mat3 R1 = mat3_cast(a.q), R2 = mat3_cast(b.q);
+  add("the world inertia lacks R^T on its right: it is R I^-1 R^T", {m1, R1 * local1},
+      {m2, R2 * local2});
+  add("the world inertia lacks R on its left: it is R I^-1 R^T", {m1, local1 * transpose(R1)},
+      {m2, local2 * transpose(R2)});
   add("body 1 twice: each body has its own mass and inertia", one, one);
   add("body 2 twice: each body has its own mass and inertia", two, two);
   return out;
@@ -242,13 +256,19 @@ Wrong wrong_Ks(const Seen& part, const Numbers& J, const Pair& pair) {
   invert_symmetric(inverse.data(), n);
   out.push_back({"the inverse of K: that is the effective mass, the solver inverts K itself",
                  {inverse.begin(), inverse.end()}});
+  Numbers with_unit = everywhere, whole = everywhere;
+  for (double& number : whole) number = std::trunc(number);
+  out.push_back({"the fraction is cut off: an int holds whole numbers only", whole});
   for (int i = 0; i < n * n; ++i)
-    if (i % (n + 1) != 0) everywhere[std::size_t(i)] += double(masses);
+    (i % (n + 1) == 0 ? with_unit : everywhere)[std::size_t(i)] +=
+        i % (n + 1) == 0 ? 1 : double(masses);
   if (n > 1)
     out.push_back({"a matrix plus a number adds it to all nine entries: write mat3(a)",
                    everywhere});
-  for (const auto& [words, wrong] : wrong_Js(part, J, pair))
-    out.push_back({words, whole_K(wrong, pair)});
+  if (n == 3)
+    out.push_back({"the unit matrix too much: mat3 K; is not zero, write mat3 K(0)", with_unit});
+  for (const auto& wrong : {own_Js(part, pair), wrong_levers(rows, pair)})
+    for (const auto& [words, numbers] : wrong) out.push_back({words, whole_K(numbers, pair)});
   return out;
 }
 
@@ -261,7 +281,9 @@ Numbers whole_K(const Numbers& J, const Pair& pair) {
 Sample jacobian_sample(int pose, const Seen& part, const Pair& pair, const Numbers& right) {
   Sample sample{pose, part.J(pair), right, {}, part.broken};
   if (close(sample.yours, right, difference_tolerance)) return sample;
-  add_named(sample, wrong_Js(part, right, pair), difference_tolerance);
+  add_named(sample, own_Js(part, pair), difference_tolerance);
+  sample.own = long(sample.mistakes.size());
+  add_named(sample, wrong_levers(rows_of(right), pair), difference_tolerance);
   add_named(sample, wrong_bodies(rows_of(right), pair), difference_tolerance);
   const std::string lever = lever_that_differs(sample);
   const auto holds = [&](const Pair& at) {
@@ -275,6 +297,8 @@ Sample K_sample(int pose, const Seen& part, const Pair& pair, const Numbers& rig
   Sample sample{pose, part.K(pair), right, {}, part.broken};
   if (close(sample.yours, right, K_tolerance)) return sample;
   const Numbers J = part.slope(pair);
+  add_named(sample, part.K_mistakes ? part.K_mistakes(pair) : Wrong{}, K_tolerance);
+  sample.own = long(sample.mistakes.size());
   add_named(sample, wrong_Ks(part, J, pair), K_tolerance);
   const auto holds = [&](const Pair& at) {
     return close(part.K(at), whole_K(part.slope(at), at), K_tolerance);

@@ -6,6 +6,7 @@
 namespace joints::testing {
 
 using WrongRows = std::vector<std::pair<std::string, Jacobian<1>>>;
+using WrongNumbers = std::vector<std::pair<std::string, real>>;
 
 inline constexpr const char* not_a_unit_vector =
     "not a unit vector: take direction(...) of the difference";
@@ -36,6 +37,12 @@ inline WrongRows wrong_directions(const RodParts& rod) {
        rod.along(direction(rod.x2 + rod.r2 + rod.x1 + rod.r1))},
       {"the place of body 1 is missing in the direction", rod.along(direction(rod.x2 + rod.r2))},
       {"the sign of each number of the direction is lost", rod.along(abs(n))},
+      {"the sign of the error is in the row: J does not ask for it, the bias does",
+       rod.along(rod.error < 0 ? -n : n)},
+      {"the row is 0 while the rod is too short: a rod pushes, too",
+       rod.along(rod.error < 0 ? vec3(0) : n)},
+      {"the row is 0 where the error is 0: a row asks about velocities",
+       rod.along(std::abs(rod.error) < real(1e-3) ? vec3(0) : n)},
       {"the row is multiplied by the error: that is the bias' part", rod.along(rod.error * n)},
       {"the row is multiplied by the length of the rod", rod.along(rod.length * n)},
   };

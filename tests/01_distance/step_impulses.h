@@ -70,8 +70,8 @@ inline Ways wrong_impulses() {
   wants(impulse, [](real JV, real b, real K, S s) { return -s.h * (JV + b) / K; });
   wants("lambda is an impulse, not a force: it is not divided by h",
         [](real JV, real b, real K, S s) { return -(JV + b) / K / s.h; });
-  skips("no impulse was applied. Are the bodies copies (write Body& body1) or both the same one, or "
-        "is the row an empty one?",
+  skips("no impulse was applied. Are the bodies copies (write Body& body1) or both the same one, "
+        "or is the row an empty one?",
         [](const Turn&) { return true; });
   const char* const rest = "no impulse where the error is 0: such a row is solved all the same, "
                            "for the sake of its velocity";

@@ -14,7 +14,8 @@ using namespace joints::testing;
 // ---- 1.1 and 1.2 --------------------------------------------------------------------------------
 
 TEST_CASE("1.1 the row of a rod points from centre to centre", "[1.1]") {
-  check_jacobian<CentreDistanceFixture>({real(1.5)}, {rod_paper1, rod_paper2}, to_jacobian(rod_paper_J));
+  check_jacobian<CentreDistanceFixture>({real(1.5)}, {rod_paper1, rod_paper2},
+                                        to_jacobian(rod_paper_J));
 }
 
 TEST_CASE("1.1 the row of a rod is the slope of its length at every pose", "[1.1]") {

@@ -111,7 +111,7 @@ TEST_CASE("a slider's motor moves two free bodies by its force over their reduce
     const Body one = piston.world.bodies[piston.one], two = piston.body();
     piston.solver.begin(piston.world, h);
     for (int k = 0; k < iterations; ++k) piston.solver.sweep(piston.world.bodies, k);
-    // the six rows solved by the oracle: what a force along the line does to the way when all else holds
+    // the six rows solved by the oracle: what a force along the line does when all else holds
     System system = system_of(piston.solver.blocks(), 2);
     const Dense W = inverse_masses({one, two}), A = system.J * W * system.J.transpose();
     const Dense rigid = A.block(1, 1, 5, 5), cross = A.block(0, 1, 1, 5);

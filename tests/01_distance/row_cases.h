@@ -71,8 +71,8 @@ inline CaseTable<LackCase> row_impulse_table() {
        1e-9},
       {"heavy bodies, K = 1e-9 / kg, lambda in 1e9 N s", {rod_paper_J}, {real(1e-9)}, {6}, paper,
        1e9},
-      {"heavier bodies, K = 1e-20 / kg, lambda in 1e20 N s", {rod_paper_J}, {real(1e-20)}, {6}, paper,
-       1e20},
+      {"heavier bodies, K = 1e-20 / kg, lambda in 1e20 N s", {rod_paper_J}, {real(1e-20)}, {6},
+       paper, 1e20},
       {"two walls, K = 0", {rod_paper_J}, {0}, {6}, walls},
   };
   return table;

@@ -35,47 +35,45 @@ class Look:
 def look(chapter):
     """Reads the exercise file of a chapter."""
     seen, text = Look(chapter), chapter.mine_text()
-    name, again = house.short(chapter.mine), f"./wb reset {chapter.number}"
-    if not chapter.mine.is_file():
-        seen.faults.append(("", f"{name} is not there.", f"Next: {again} makes it new."))
     solution = exercises.read(chapter.solution)
     whole, broken = exercises.scan(text)
-    for line, id_, words in broken:
-        seen.faults.append((id_, f"{name}:{line}: {words}.", "Next: put it back, or "
-                            f"./wb reset {id_} does (your other answers stay)."))
+    mine = {id_: [region for region in whole if region.id == id_] for id_ in chapter.ids()}
     wanted = Counter(region.id for region in exercises.regions(solution))
-    for id_ in chapter.ids():
-        mine = [region for region in whole if region.id == id_]
-        open_ = [region for region in mine if exercises.is_open(region)]
-        if len(mine) == wanted[id_] and not open_:
-            seen.states[id_] = WRITTEN
-        elif all(untouched(region) for region in mine):
-            seen.states[id_] = UNTOUCHED
-        else:
-            seen.states[id_] = BEGUN
+    for id_, regions in mine.items():
+        open_ = [region for region in regions if exercises.is_open(region)]
+        seen.states[id_] = UNTOUCHED if all(map(untouched, regions)) else \
+            WRITTEN if len(regions) == wanted[id_] and not open_ else BEGUN
         if open_:
             seen.left[id_] = line_of_todo(open_[0])
-        if seen.faults:
-            continue
-        if not mine:
-            seen.faults.append((id_, f"{name}: the lines '// begin [exercise {id_}]' and '// end "
-                                f"[exercise {id_}]' are missing.",
-                                f"Next: put them back, or ./wb reset {id_} does (your other "
-                                "answers stay)."))
-        elif len(mine) != wanted[id_]:
-            lines = " and ".join(str(region.begin) for region in mine)
-            seen.faults.append((id_, f"{name}: exercise {id_} begins in line {lines}: that is "
-                                f"{len(mine)} times, not {wanted[id_]}.",
-                                f"Next: delete what is too many, or ./wb reset {id_} makes it new "
-                                "(your other answers stay)."))
-    for region in whole:
-        if words := not seen.faults and unbalanced(region):
-            seen.faults.append((region.id, f"{name}:{words}",
-                                f"Next: mend it, then ./wb test {region.id}"))
+    seen.faults = list(faults(chapter, broken, mine, wanted))
     if not seen.faults and (lines := changed_outside(exercises.stub(solution), text)):
-        seen.note = (f"Note: {name} has changed outside the exercises, in line{lines}. If that was "
-                     f"not meant: {again} --keep puts it back and keeps your answers.")
+        seen.note = (f"Note: {house.short(chapter.mine)} has changed outside the exercises, in "
+                     f"line{lines}. If that was not meant: ./wb reset {chapter.number} --keep puts "
+                     "it back and keeps your answers.")
     return seen
+
+
+def faults(chapter, broken, mine, wanted):
+    """What keeps the file from being built: the file, its markers, the braces in its regions."""
+    name, stay = house.short(chapter.mine), "(your other answers stay)."
+    if not chapter.mine.is_file():
+        yield "", f"{name} is not there.", f"Next: ./wb reset {chapter.number} makes it new."
+        return
+    for line, id_, words in broken:
+        yield (id_, f"{name}:{line}: {words}.",
+               f"Next: put it back, or ./wb reset {id_} does {stay}")
+    for id_, regions in mine.items():
+        lines = " and ".join(str(region.begin) for region in regions)
+        if not regions:
+            yield (id_, f"{name}: the lines '// begin [exercise {id_}]' and '// end [exercise "
+                   f"{id_}]' are missing.", f"Next: put them back, or ./wb reset {id_} does {stay}")
+        elif len(regions) != wanted[id_]:
+            yield (id_, f"{name}: exercise {id_} begins in line {lines}: that is {len(regions)} "
+                   f"times, not {wanted[id_]}.", "Next: put right how often it stands there, or "
+                   f"./wb reset {id_} makes it new {stay}")
+    for region in (region for regions in mine.values() for region in regions):
+        if words := unbalanced(region):
+            yield region.id, f"{name}:{words}", f"Next: mend it, then ./wb test {region.id}"
 
 
 def untouched(region):

@@ -229,7 +229,8 @@ inline SweepMistake explain_sweep(const Chain& start, const Chain& yours) {
       {order({0, 1, 2, 3, 0, 1, 2, 3}), "this is two sweeps: every joint is visited once"},
       {order({0, 1, 2, 3, 3, 2, 1, 0}), "there and back: every joint is visited once"},
       {order({0, 2}), "every second joint is left out"},
-      {order({0, 2, 1, 3}), "every second joint, then the others: from the first joint to the last"},
+      {order({0, 2, 1, 3}), "every second joint, then the others: from the first joint to the "
+                            "last"},
       {order({}), "nothing moves: nothing is done yet, or copies move: take the bodies of the "
                   "chain by reference, auto& and not auto"},
       {stale_errors, "the errors are taken before the sweep: each joint needs its error at the "

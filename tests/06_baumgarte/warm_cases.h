@@ -196,6 +196,11 @@ inline CaseTable<WarmCase> warm_table() {
                               return c.pair.body1.is_static() || c.pair.body2.is_static()
                                          ? of(c.lambda, {}) : right(c);
                             }});
+  table.mistakes.push_back({"beside a static body lambda is scaled and not applied: the other one "
+                            "gets its share", [=, right = table.right](const Case& c) {
+                              return c.pair.body1.is_static() || c.pair.body2.is_static()
+                                         ? of(real(c.ratio) * c.lambda, {}) : right(c);
+                            }});
   add_pieces(table, [](const Case& c) { return WarmTwin(c); },
              [](const WarmTwin& t) { return t.answer(); }, wrong_warm_starts());
   return table;

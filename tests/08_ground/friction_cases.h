@@ -202,6 +202,11 @@ inline CaseTable<FrictionCase> friction_table() {
        [=](const Case& c) { return c.mu == 0 ? Numbers{step(c), c.sum} : right(c); }},
       {"what slides slowly is let go: there is no threshold, friction stops that, too",
        [=](const Case& c) { return std::abs(c.rate) < 0.075 ? Numbers{0, c.sum} : right(c); }},
+      {"what the sum has left of the bound is taken for either way: the sum itself stays within "
+       "+-mu normal", [=](const Case& c) {
+         const double change = clamped(step(c), std::max(bound(c) - std::abs(c.sum), 0.0));
+         return Numbers{change, c.sum + change};
+       }},
       {"mu is missing in the lower bound: -mu normal and +mu normal",
        to([=](const Case& c) { return std::clamp(wanted(c), -c.normal, bound(c)); })},
       {"mu is missing in the upper bound: -mu normal and +mu normal",

@@ -119,6 +119,8 @@ inline Pieces<RoomTwin> wrong_rooms() {
        instead([](const T& t) { return length(t.point() - t.origin) - t.height; })},
       {"the length of a cross product: only what is along n counts, the dot product",
        instead([](const T& t) { return length(cross(t.n, t.point() - t.origin)) - t.height; })},
+      {"the length of the way from the top: only what is along n counts, the dot product",
+       instead([](const T& t) { return length(t.point() - t.origin - t.height * t.n); })},
       {"only x and y count in the dot product: all three do", instead([](const T& t) {
          const vec3 r = t.point() - t.origin;
          return t.n.x * r.x + t.n.y * r.y - t.height;

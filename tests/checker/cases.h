@@ -100,9 +100,12 @@ struct CaseTable {
     if (out.empty()) pattern(true);
     if (out.empty() && pairs) look(pairs(), true, "");
     if (out.empty()) pattern(false);
-    if (out.empty() && !whole)
+    if (out.empty() && !whole) {
       look(mistakes, false, " (in the " + std::to_string(count) + " of " +
                                 std::to_string(more.size()) + " cases that are wrong)");
+      if (std::adjacent_find(out.begin(), out.end(), std::not_equal_to<>()) != out.end())
+        out.clear();  // where several fit, the cases do not tell which
+    }
     return out;
   }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "tests/checker/proved.h"
+#include "tests/checker/patterns.h"
 #include "tests/checker/report.h"
 
 namespace joints::testing {
@@ -96,6 +97,8 @@ void guess(Sample& s, double tolerance, const std::string& first) {
   const double factor = common_factor(s, tolerance);
   std::string words = first.empty() ? no_number(s.yours) : first;
   if (close(s.yours, Numbers(s.yours.size(), 0), tolerance)) words = "every entry is zero";
+  if (const std::string digits = seven_digits({{s.yours, s.right}}); !digits.empty())
+    words = digits;
   if (!words.empty()) s.mistakes.insert(s.mistakes.begin(), words);
   if (!s.mistakes.empty()) return;
   for (const char* number : {"2", "4", "0.5", "0.25"})

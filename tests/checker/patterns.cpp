@@ -109,6 +109,8 @@ std::string listed(const std::vector<std::string>& names) {
 
 std::string common_pattern(const std::vector<std::string>& entries,
                            const std::vector<Compared>& cases, double tolerance, bool whole) {
+  for (const Compared& c : cases)
+    if (!no_number(c.yours).empty()) return "";
   if (cases.empty()) return "";
   if (const std::string words = seven_digits(cases); !words.empty()) return words;
   std::vector<Column> columns;

@@ -4,7 +4,9 @@
     // expects: words of the report         what a wrong answer must be told; the first such line
     // region: 2                            must stand in the report that a reader sees first
     // tests: 1.5                           those of 1.5 judge it, once its own have found it right
-      the lines that take the place of the solution's
+      the lines that take the place of the solution's, or, where these differ in little,
+    // change: these words of the solution ==>
+    //         those that stand there instead, on the same line or below
 
 All answers of a chapter become one source: in each region `if (chosen == k) {answer} else
 {solution}`. The choice comes from the environment, see tests/checker/chosen.h.
@@ -20,7 +22,9 @@ import exercises
 
 KINDS = ("wrong units", "wrong", "right")
 HEADING = re.compile(rf"// ---- ({'|'.join(KINDS)}): (\S.*)$")
-MARK = re.compile(r"\s*//\s*(-{2,}|={2,}|expects?\b|regions?\b|tests?\b)", re.I)
+CHANGE = re.compile(r"// change: (\S.*)$")
+MORE = re.compile(r"// {7,}(\S.*)$")  # of a change that takes more than a line
+MARK = re.compile(r"\s*//\s*(-{2,}|={2,}|expects?\b|regions?\b|tests?\b|changes?\b)", re.I)
 STUB = "stub"  # the choice that leaves every exercise unwritten
 
 
@@ -36,6 +40,7 @@ class Answer:
     tests: str = ""                               # the exercise that finds it out, not its own
     promises: list = field(default_factory=list)  # (line, words)
     body: list = field(default_factory=list)
+    changes: list = field(default_factory=list)   # [line, "words of the solution ==> others"]
     first: int = 0                                # the line of the file where the body begins
     faults: list = field(default_factory=list)    # (line, words): why it cannot be judged
 
@@ -49,8 +54,21 @@ class Answer:
         return hashlib.sha1(words.encode()).hexdigest()
 
 
+    def placed(self):
+        """The body with its places in the file; all that is changed from the solution stands where
+        the first change does."""
+        if not self.changes:
+            return [f'#line {self.first} "{self.file}"', *self.body]
+        return [part for line in self.body for part in (f'#line {self.first} "{self.file}"', line)]
+
+    def last(self):
+        """The line of the file behind the body."""
+        return self.first + (1 if self.changes else len(self.body))
+
+
 def read(path, regions):
-    """The answers of one file, each with its faults. `regions`: how many its exercise has."""
+    """The answers of one file, each with its faults. `regions`: the solution's lines in each of
+    those that its exercise has."""
     found, answer = [], None
     for number, line in enumerate(path.read_text().rstrip("\n").split("\n"), 1):
         if match := HEADING.match(line):
@@ -68,26 +86,47 @@ def read(path, regions):
             answer.region = int(match[1])
         elif match := re.match(r"// tests: (\d+\.\d+)$", line):
             answer.tests = match[1]
+        elif match := CHANGE.match(line):
+            answer.changes.append([number, match[1]])
+        elif answer.changes and (match := MORE.match(line)):
+            answer.changes[-1][1] += " " + match[1]
         elif MARK.match(line):
             answer.faults.append((number, f"'{line.strip()}' is neither a heading (// ---- wrong: "
                                           "words) nor // expects: words nor // region: 2 nor "
-                                          "// tests: 1.5"))
+                                          "// tests: 1.5 nor // change: words ==> others"))
         else:
             answer.first = answer.first or number
             answer.body.append(line)
     titles = {}
     for one in found:
-        faults_of(one, regions)
+        change(one, regions)
+        faults_of(one, len(regions))
         if one.name in titles:
             one.faults.append((one.line, f"the same heading as line {titles[one.name]}"))
         titles[one.name] = one.line
     return found
 
 
-def faults_of(answer, regions):
-    """Adds what is wrong with an answer on paper."""
+def change(answer, regions):
+    """Makes the body of an answer that changes the solution."""
     while answer.body and not answer.body[-1].strip():
         answer.body.pop()
+    if not answer.changes or not 1 <= answer.region <= len(regions):
+        return
+    if any(not line.startswith("//") for line in answer.body):
+        answer.faults.append((answer.first, "lines of its own beside '// change:'"))
+    answer.first = answer.changes[0][0]
+    text = "\n".join(regions[answer.region - 1])
+    for number, words in answer.changes:
+        old, arrow, new = (part.strip() for part in words.partition("==>"))
+        if not arrow or old not in text:
+            answer.faults.append((number, f"the solution has no '{old}'"))
+        text = text.replace(old, new, 1)
+    answer.body = text.split("\n")
+
+
+def faults_of(answer, regions):
+    """Adds what is wrong with an answer on paper."""
     wrong = answer.kind != "right"
     if not answer.body:
         answer.faults.append((answer.line, "the answer is empty"))
@@ -118,10 +157,10 @@ def files_of(chapter_folder, root):
 
 def read_all(files, solution_text):
     """All answers of a chapter's files."""
-    count = {}
+    regions = {}
     for region in exercises.regions(solution_text):
-        count[region.id] = count.get(region.id, 0) + 1
-    return [answer for path in files for answer in read(Path(path), count.get(path.stem, 0))]
+        regions.setdefault(region.id, []).append(region.answer())
+    return [answer for path in files for answer in read(Path(path), regions.get(path.stem, []))]
 
 
 # ---- the source that holds them all --------------------------------------------------------------
@@ -148,8 +187,7 @@ def make(solution, files, units, out, root):
         made = before + [f'  if (chosen == 0) todo("{region.id}");']
         for k, one in enumerate(chosen, 1):
             if (one.id, one.region) == (region.id, place):
-                made += [f"  else if (chosen == {k}) {{", f'#line {one.first} "{one.file}"',
-                         *one.body]
+                made += [f"  else if (chosen == {k}) {{", *one.placed()]
                 made += [f'  testing::no_return("{one.file}:{one.line}");'] * last + ["  }"]
         return made + ["  else {", f'#line {answer_at} "{root}/{shown}"', *region.answer(),
                        "  }", f'#line {region.end + 1} "{root}/{shown}"']
@@ -180,9 +218,8 @@ def refuse(out, answers, log):
         for one in answers:
             places = re.findall(rf"{re.escape(one.file.name)}:(\d+):", block) \
                 if str(one.file) in block else []
-            last = one.first + len(one.body)
             for number in map(int, places):
-                if one.first <= number < last and one.key() not in refused:
+                if one.first <= number < one.last() and one.key() not in refused:
                     refused[one.key()] = (number, error_at(block, one.file, number) or error[1])
     Path(f"{out}.refused.json").write_text(json.dumps(refused))
     return len(refused) - before

@@ -108,6 +108,10 @@ inline Pieces<CrossTwin> wrong_shares() {
        lever([](const CrossCase& c, int k) {
          return world_point(c.body(1 - k), c.anchor(1 - k)) - c.body(k).x;
        })},
+      {"the gap in the place of the lever: r runs from the body's centre to the anchor",
+       lever([](const CrossCase& c, int) { return c.point.error(c.pair.body1, c.pair.body2); })},
+      {"from centre to centre: r runs from the body's centre to the anchor",
+       lever([](const CrossCase& c, int) { return c.pair.body2.x - c.pair.body1.x; })},
       {"made a unit vector: a lever keeps its length",
        lever([](const CrossCase& c, int k) {
          return direction(to_world(c.body(k), c.anchor(k)));
@@ -192,6 +196,8 @@ inline Pieces<CrossTwin> wrong_Xs() {
        with([](const T& t, const mat3&) {
          return -(skew(t.r[0] + t.r[1]) * (t.inertia[0] + t.inertia[1]));
        })},
+      {"a unit matrix is added: there is none in X",
+       with([](const T&, const mat3& X) { return X + mat3(1); })},
       {"beside a static body it is zero: the share of the other body stays",
        with([](const T& t, const mat3& X) {
          return t.c.body(0).is_static() || t.c.body(1).is_static() ? mat3(0) : X;

@@ -142,6 +142,9 @@ inline CaseTable<AboutCase> about_table() {
        arm([](const AboutCase& c) { return c.to; })},
       {"the lever is a difference: from - to",
        arm([](const AboutCase& c) { return c.from + c.to; })},
+      {"a short lever counts as none: it turns all the same", arm([](const AboutCase& c) {
+         return length(c.from - c.to) < real(0.05) ? vec3(0) : c.from - c.to;
+       })},
       {"the lever is made a unit vector: it keeps its length",
        arm([](const AboutCase& c) { return normalize(c.from - c.to); })},
       {"the new share is taken twice", arm([](const AboutCase& c) {
@@ -183,6 +186,8 @@ inline CaseTable<AboutCase> about_table() {
   for (int draw = 0; draw < 8; ++draw)
     table.cases.push_back({"points anywhere", {random.vector(5), random.vector(5)},
                            random.vector(2), random.vector(2)});
+  table.cases.push_back({"points close together", {random.vector(5), random.vector(5)},
+                         vec3(1, 2, 3), vec3(1, real(2.02), real(2.99))});
   table.tolerance = 10 * rounding;
   add_pieces(table, [](const AboutCase& c) { return AboutTwin(c); },
              [](const AboutTwin& t) { return t.load(); }, pieces);

@@ -196,13 +196,32 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
   if (n > 1)
     add.push_back({"each row divided by its own K: the rows of a block are solved together",
                    pushed([](const Twin& twin) { return twin.each_row_alone(); })});
+  for (const int share : {0, 1, 2, 3})  // of body 1: none, half, all, by the inverse masses
+    add.push_back({"the gap itself is shared out: how much a body moves and turns is M^-1 J^T "
+                   "lambda, Eq. 6-11", changed([=](const Twin& twin, const Moves&) {
+                     const real m1 = twin.pair.body1.inverse_mass;
+                     const real m2 = twin.pair.body2.inverse_mass;
+                     const real of_1 = share < 3 ? real(share) / 2 : m1 / (m1 + m2);
+                     Moves out;
+                     for (int i = 0; i < n; ++i) {
+                       out.way1 -= of_1 * twin.C[std::size_t(i)] * twin.J[i].v1;
+                       out.way2 -= (1 - of_1) * twin.C[std::size_t(i)] * twin.J[i].v2;
+                     }
+                     return out;
+                   })});
   if constexpr (n == 3)
-    for (const real share : {real(0), real(0.5), real(1)})  // of body 1
-      add.push_back({"the gap itself is shared out: how much a body moves and turns is M^-1 J^T "
-                     "lambda, Eq. 6-11", changed([=](const Twin& twin, const Moves&) {
-                       const vec3 gap(twin.C[0], twin.C[1], twin.C[2]);
-                       return Moves{share * gap, vec3(0), (share - 1) * gap, vec3(0)};
-                     })});
+    add.push_back({"K along the gap only: the block is solved as a whole, lambda = -K^-1 C",
+                   pushed([](const Twin& twin) {
+                     real CC = 0, CKC = 0;
+                     for (int i = 0; i < 3; ++i)
+                       for (int j = 0; j < 3; ++j) {
+                         CC += i == j ? twin.C[std::size_t(i)] * twin.C[std::size_t(i)] : 0;
+                         CKC += twin.C[std::size_t(i)] * twin.K[i][j] * twin.C[std::size_t(j)];
+                       }
+                     Vector<3> out = twin.without_K();
+                     for (real& a : out) a *= CC / CKC;
+                     return out;
+                   })});
   for (const bool all : {false, true})
     for (const bool place : {false, true})
       add.push_back({place ? "the place of an anchor is no lever: that begins at the centre, "

@@ -6,40 +6,11 @@
 #include "chapters/06_baumgarte/baumgarte.h"
 #include "tests/checker/fixtures.h"
 #include "tests/checker/impulse_lines.h"
+#include "tests/checker/vector_cases.h"
 
 namespace joints::testing {
 
-// ---- numbers that are vectors -------------------------------------------------------------------
-
-/// One case of a table whose numbers are vectors, three after three; an entry is one of them.
-template <class Case>
-void check_vectors(const CaseTable<Case>& table, const Case& c, const Numbers& expected,
-                   double tolerance) {
-  const Numbers numbers = table.yours(c);
-  const auto at = [](const Numbers& a, std::size_t k) {
-    return vec3(real(a[3 * k]), real(a[3 * k + 1]), real(a[3 * k + 2]));
-  };
-  std::vector<std::string> likely;
-  if (!close(numbers, expected, tolerance)) likely = table.likely({c});
-  for (std::size_t k = 0; k < table.entries.size(); ++k) {
-    std::vector<VectorSuspect> suspects;
-    for (const std::string& words : likely) suspects.push_back({at(numbers, k), words});
-    expect(table.subject, table.entries[k] + " (" + c.words + ")", at(numbers, k),
-           at(expected, k), tolerance, suspects);
-  }
-}
-template <class Case>
-void check_vectors(const CaseTable<Case>& table) {
-  for (const Case& c : table.cases) check_vectors(table, c, table.right(c), table.tolerance);
-}
-
-/// For a test of another kind: whatever vector it finds wrong, the table's mistake explains it.
-template <class Case>
-std::vector<VectorSuspect> why(const CaseTable<Case>& table, const vec3& yours) {
-  std::vector<VectorSuspect> out;
-  for (const std::string& words : table.likely()) out.push_back({yours, words});
-  return out;
-}
+// ---- what an impulse does -----------------------------------------------------------------------
 
 /// M^-1 J^T lambda: what an impulse does to velocities, or Eq. 6-11 to poses.
 struct Moves {
@@ -58,11 +29,6 @@ Moves response(const Jacobian<N>& J, const Vector<N>& lambda, const Pair& pair) 
 }
 inline Moves scaled(real one, real two, const Moves& a) {
   return {one * a.way1, one * a.turn1, two * a.way2, two * a.turn2};
-}
-inline Numbers flat(const std::vector<vec3>& vectors) {
-  Numbers out;
-  for (const vec3& a : vectors) out.insert(out.end(), {double(a.x), double(a.y), double(a.z)});
-  return out;
 }
 
 // ---- 6.2 the warm start -------------------------------------------------------------------------
@@ -229,6 +195,11 @@ inline CaseTable<WarmCase> warm_table() {
                             [=, right = table.right](const Case& c) {
                               return c.pair.body1.is_static() || c.pair.body2.is_static()
                                          ? of(c.lambda, {}) : right(c);
+                            }});
+  table.mistakes.push_back({"beside a static body lambda is scaled and not applied: the other one "
+                            "gets its share", [=, right = table.right](const Case& c) {
+                              return c.pair.body1.is_static() || c.pair.body2.is_static()
+                                         ? of(real(c.ratio) * c.lambda, {}) : right(c);
                             }});
   add_pieces(table, [](const Case& c) { return WarmTwin(c); },
              [](const WarmTwin& t) { return t.answer(); }, wrong_warm_starts());

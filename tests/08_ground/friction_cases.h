@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "chapters/08_ground/ground.h"
-#include "tests/checker/cases.h"
+#include "tests/checker/arguments.h"
 
 namespace joints::testing {
 
@@ -13,6 +13,60 @@ struct FrictionCase {
   std::string words;
   double rate, K, mu, normal, sum;
 };
+inline const Arguments<FrictionCase> friction_arguments{{"rate", &FrictionCase::rate, "m/s"},
+                                                        {"K", &FrictionCase::K, "1/kg"},
+                                                        {"mu", &FrictionCase::mu},
+                                                        {"normal", &FrictionCase::normal, "N s"},
+                                                        {"sum", &FrictionCase::sum, "N s"}};
+inline std::string friction_given(const FrictionCase& c) {
+  return "Case: " + arguments_of(c, friction_arguments) + ".";
+}
+
+/// What is wanted, or the bound, by another formula: of each exponent and factor, in words.
+inline CaseTable<FrictionCase>::Mistakes other_formulas() {
+  using Case = FrictionCase;
+  const auto clamped = [](double a, double bound) { return std::clamp(a, -bound, bound); };
+  const auto result = [=](const Case& c, double wanted, double bound) {
+    const double sum = clamped(wanted, std::abs(bound));
+    return Numbers{sum - c.sum, sum};
+  };
+  const auto factors = [](double factor) {
+    return factor == 1 ? std::string() : short_number(factor) + " ";
+  };
+  const auto power = [](const char* name, double exponent) {
+    return exponent == 0 ? std::string()
+           : exponent == 1 ? name + std::string(" ")
+                           : name + ("^" + short_number(exponent)) + " ";
+  };
+  CaseTable<Case>::Mistakes out;
+  for (const double of_mu : {0, 1, 2, -1})
+    for (const double of_normal : {0, 1, 2})
+      for (const double of_K : {0, 1, -1})
+        for (const double of_rate : {0, 1})
+          for (const double factor : {1.0, 2.0, 0.5})
+            out.push_back({"the bound is mu normal, yours is " + factors(factor) +
+                               power("mu", of_mu) + power("normal", of_normal) + power("K", of_K) +
+                               power("|rate|", of_rate),
+                           [=](const Case& c) {
+                             return result(c, c.sum - c.rate / c.K,
+                                           factor * std::pow(c.mu, of_mu) *
+                                               std::pow(c.normal, of_normal) *
+                                               std::pow(c.K, of_K) *
+                                               std::pow(std::abs(c.rate), of_rate));
+                           }});
+  for (const double of_sum : {1, 0, -1})
+    for (const double factor : {-1.0, 1.0, -2.0, 2.0, -0.5, 0.5})
+      for (const double of_K : {-1, 0, 1})
+        out.push_back({std::string("sum - rate/K is wanted, yours is ") +
+                           (of_sum > 0 ? "sum " : of_sum < 0 ? "-sum " : "") +
+                           (factor < 0 ? "- " : "+ ") + factors(std::abs(factor)) + "rate" +
+                           (of_K < 0 ? "/K" : of_K > 0 ? " K" : ""),
+                       [=](const Case& c) {
+                         return result(c, of_sum * c.sum + factor * c.rate * std::pow(c.K, of_K),
+                                       c.mu * c.normal);
+                       }});
+  return out;
+}
 
 inline CaseTable<FrictionCase> friction_table() {
   using Case = FrictionCase;
@@ -44,10 +98,12 @@ inline CaseTable<FrictionCase> friction_table() {
   const char* const inwards = "the bound moves inwards when the normal impulse becomes less, and "
                               "the sum goes with it: clamp the sum anew in each visit";
   const char* const either = ": friction is bounded either way, -mu normal and +mu normal";
+  const char* const same_bound = "always the same bound: are the ends of clamp exchanged, "
+                                 "clamp(a, low, high), or was what is wanted never set?";
   const char* const returns = "what was wanted is returned: return by how much the sum changed";
 
-  CaseTable<Case> table{{"8.2", "the impulse of friction (v is J V, N the normal impulse)", 2},
-                        {"change", "sum"}, {}, {}, {}, {}};
+  CaseTable<Case> table{{"8.2", "the impulse of friction", 2}, {"change", "sum"}, {}, {}, {}, {}};
+  table.given = friction_given;
   table.yours = [=](const Case& c) {
     real sum = real(c.sum);
     const real change =
@@ -85,6 +141,8 @@ inline CaseTable<FrictionCase> friction_table() {
        bounded([](const Case& c) { return c.mu; })},
       {"the bound is mu times the normal impulse: times, not divided by mu",
        bounded([](const Case& c) { return c.normal / c.mu; })},
+      {"mu plus normal: the bound is mu times the normal impulse",
+       bounded([](const Case& c) { return c.mu + c.normal; })},
       {"the bound is divided by K: it is an impulse already",
        bounded([=](const Case& c) { return bound(c) / c.K; })},
       {"a half of the bound: it is mu normal either way",
@@ -115,9 +173,8 @@ inline CaseTable<FrictionCase> friction_table() {
        to([=](const Case& c) { return c.rate < 0 ? -bound(c) : bound(c); })},
       {std::string(always) + ", and works against J V",
        to([=](const Case& c) { return c.rate > 0 ? bound(c) : -bound(c); })},
-      {"always the same bound: are the ends of clamp exchanged? clamp(a, low, high)",
-       to([=](const Case& c) { return -bound(c); })},
-      {"always the same bound: are the ends of clamp exchanged? clamp(a, low, high)", to(bound)},
+      {same_bound, to([=](const Case& c) { return -bound(c); })},
+      {same_bound, to(bound)},
       {"the ends of clamp are exchanged: clamp(a, low, high), -mu normal is the low one",
        to([=](const Case& c) {
          return wanted(c) < bound(c) ? bound(c) : std::min(wanted(c), -bound(c));
@@ -135,6 +192,31 @@ inline CaseTable<FrictionCase> friction_table() {
       {returns, [=](const Case& c) { return Numbers{wanted(c), right(c)[1]}; }},
       {"the sign of the change: new sum minus old sum",
        [=](const Case& c) { return Numbers{-right(c)[0], right(c)[1]}; }},
+      {"new sum plus old sum: the change is new sum minus old sum",
+       [=](const Case& c) { return Numbers{right(c)[1] + c.sum, right(c)[1]}; }},
+      {"nothing is done where nothing slides: the bound may have moved inwards all the same",
+       [=](const Case& c) { return c.rate == 0 ? Numbers{0, c.sum} : right(c); }},
+      {"nothing is done where nothing presses: the sum goes back to 0 then",
+       [=](const Case& c) { return c.normal == 0 ? Numbers{0, c.sum} : right(c); }},
+      {"without friction the sliding is stopped all the same: the bound is 0 then",
+       [=](const Case& c) { return c.mu == 0 ? Numbers{step(c), c.sum} : right(c); }},
+      {"what slides slowly is let go: there is no threshold, friction stops that, too",
+       [=](const Case& c) { return std::abs(c.rate) < 0.075 ? Numbers{0, c.sum} : right(c); }},
+      {"what the sum has left of the bound is taken for either way: the sum itself stays within "
+       "+-mu normal", [=](const Case& c) {
+         const double change = clamped(step(c), std::max(bound(c) - std::abs(c.sum), 0.0));
+         return Numbers{change, c.sum + change};
+       }},
+      {"mu is missing in the lower bound: -mu normal and +mu normal",
+       to([=](const Case& c) { return std::clamp(wanted(c), -c.normal, bound(c)); })},
+      {"mu is missing in the upper bound: -mu normal and +mu normal",
+       to([=](const Case& c) { return std::clamp(wanted(c), -bound(c), c.normal); })},
+      {"what is wanted is cut to a whole number: an int has no fraction",
+       wanting([=](const Case& c) { return std::trunc(wanted(c)); })},
+      {"the bound is cut to a whole number: an int has no fraction",
+       bounded([=](const Case& c) { return std::trunc(bound(c)); })},
+      {"the sum is cut to a whole number: an int has no fraction",
+       to([=](const Case& c) { return std::trunc(right(c)[1]); })},
       {"0 is returned: keep the old sum before the new one is stored",
        [=](const Case& c) { return Numbers{0, right(c)[1]}; }},
       {"the sum so far is missing in what is wanted: sum - rate/K", wanting(step)},
@@ -150,36 +232,54 @@ inline CaseTable<FrictionCase> friction_table() {
     for (const double factor : {steps, 1 / steps})
       table.mistakes.push_back({"the bound is an impulse already: mu normal, without h",
                                 bounded([=](const Case& c) { return bound(c) * factor; })});
-  const auto add = [&](double rate, double K, double mu, double normal, double sum) {
-    table.cases.push_back({"v " + short_number(rate) + " N " + short_number(normal) + " sum " +
-                               short_number(sum), rate, K, mu, normal, sum});
-  };
   for (const double way : {1, -1}) {
-    add(way * 2.88, 11.0 / 60, 0.5, 1.2, 0);       // the text's: slides on
-    add(way * 2.77, 11.0 / 60, 0.5, 1.2, way * -0.6);  // and once more
-    add(way * 0.05, 0.4, 0.5, 1.2, 0);             // within the bound: stops
-    add(way * 0.05, 0.4, 0.5, 1.2, way * -0.2);
-    add(way * -0.1, 0.4, 0.5, 1.2, way * -0.4);    // gives back
-    add(way * -3, 0.4, 0.5, 1.2, way * -0.4);      // gives all back, and brakes the other way
-    add(0, 0.4, 0.5, 0.7, way * 0.6);              // the normal impulse has become less
-    add(way * 0.05, 0.4, 0.5, 0.7, way * 0.6);
-    add(way * -1, 0.4, 0.5, 0.7, way * 0.6);
-    add(0, 0.4, 0.5, 0, way * 0.6);                // lifted off
-    add(way * 2, 2.5, 1.5, 3, way * 1.5);          // a rough ground, a light body
-    add(way * 2, 2.5, 0, 3, 0);                    // no friction
+    const auto add = [&](double rate, double K, double mu, double normal, double sum) {
+      table.cases.push_back({"", way * rate, K, mu, normal, way * sum});
+    };
+    add(2.88, 11.0 / 60, 0.5, 1.2, 0);      // the text's: slides on
+    add(2.77, 11.0 / 60, 0.5, 1.2, -0.6);   // and once more
+    add(0.05, 0.4, 0.5, 1.2, 0);            // within the bound: stops
+    add(0.05, 0.4, 0.5, 1.2, -0.2);
+    add(-0.1, 0.4, 0.5, 1.2, -0.4);         // gives back
+    add(-3, 0.4, 0.5, 1.2, -0.4);           // gives all back, and brakes the other way
+    add(0, 0.4, 0.5, 0.7, 0.6);             // the normal impulse has become less
+    add(0.05, 0.4, 0.5, 0.7, 0.6);
+    add(-1, 0.4, 0.5, 0.7, 0.6);
+    add(0, 0.4, 0.5, 0, 0.6);               // lifted off
+    add(-0.3, 0.4, 0.5, 0, 0.6);
+    add(2, 2.5, 1.5, 3, 1.5);               // a rough ground, a light body
+    add(-9, 1.25, 1.4, 1.6, 0.3);
+    add(0.8, 0.125, 0.3, 2.4, -0.1);        // a smooth one, a heavy body
+    add(-1.5, 0.8, 0.8, 0.9, 0.35);
+    add(2, 2.5, 0, 3, 0);                   // no friction
   }
   table.tolerance = 10 * rounding;
+  for (const auto& [words, mistake] : other_formulas())
+    if (!table.knows(mistake) && !table.is_right(mistake))
+      table.mistakes.push_back({words, mistake});
+  for (const Argument<Case>& a : friction_arguments) {
+    const auto cut = [=](const Case& c) {
+      Case other = c;
+      other.*a.of = std::trunc(other.*a.of);
+      const double sum = right(other)[1];
+      return Numbers{sum - c.sum, sum};
+    };
+    if (a.of != &Case::K && !table.knows(cut))
+      table.mistakes.push_back({a.name + std::string(" is cut to a whole number: an int has no "
+                                                     "fraction"), cut});
+  }
   return table;
 }
 
 /// For a test of another kind: the table's mistakes explain whatever is wrong.
 inline void expect_friction(const std::string& entry, double yours, double right,
-                            std::vector<Suspect> otherwise = {}) {
-  const CaseTable<FrictionCase> table = friction_table();
+                            const std::string& given) {
   const double tolerance = 100 * rounding;
   const bool same = std::abs(yours - right) <= tolerance;
-  expect(table.subject, entry, yours, right, tolerance,
-         same ? std::vector<Suspect>{} : table.explain(yours, otherwise));
+  Subject about{"8.2", "the impulse of friction", 2};
+  about.given = given.c_str();
+  expect(about, entry, yours, right, tolerance,
+         same ? std::vector<Suspect>{} : friction_table().explain(yours));
 }
 
 }  // namespace joints::testing

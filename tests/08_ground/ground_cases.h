@@ -116,14 +116,20 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_corner_rows(
   levers(order, r1, exchanged - two.x);
   levers("J is in world axes: levers in axes of the bodies do not go with it",
          to_local(one, r1), to_local(two, r2));
+  levers("height is taken from both levers: they end at point()", r1 - corner.height * n,
+         r2 - corner.height * n);
   // along n alone many of them are the same: they have to explain another direction, too
   const vec3 t = to_world(one, vec3(real(0.6), 0, real(0.8)));
   const Row yours = corner.along(t, one, two);
+  const auto built = [&](const std::string& words, const auto& row) {
+    if (!close(flat(to_jacobian(yours)), flat(to_jacobian(row(t))), difference_tolerance)) return;
+    Jacobian<N> J;
+    for (int i = 0; i < N; ++i) J[i] = row(directions[std::size_t(i)]);
+    out.push_back({words, J});
+  };
+  const auto right = [&](const vec3& d) { return Row{-d, -cross(r1, d), d, cross(r2, d)}; };
   const auto turned = [&](const char* words, const auto& turn) {
-    const vec3 d = turn(t);
-    const Row other{-d, -cross(r1, d), d, cross(r2, d)};
-    if (close(flat(to_jacobian(yours)), flat(to_jacobian(other)), difference_tolerance))
-      add(words, r1, r2, turn);
+    built(words, [&](const vec3& d) { return right(turn(d)); });
   };
   add(N == 1 ? "the sign of the whole row: C grows when body 2 moves up"
              : "the sign of the whole row: J V is how fast body 2 moves along the direction",
@@ -138,6 +144,34 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_corner_rows(
   turned(already, [&](const vec3& d) { return conjugate(one.q) * d; });
   turned("what is along n is taken from the direction: take it as it is given",
          [&](const vec3& d) { return d - dot(d, n) * n; });
+  // one or two of the four blocks
+  vec3 Row::*const blocks[] = {&Row::v1, &Row::w1, &Row::v2, &Row::w2};
+  const char* const names[] = {"v1", "w1", "v2", "w2"};
+  for (const int which : {5, 10, 1, 2, 4, 8}) {
+    std::string who;
+    for (int k = 0; k < 4; ++k)
+      if (which >> k & 1) who += (who.empty() ? "" : " and ") + std::string(names[k]);
+    const auto in_blocks = [&](const std::string& words, const auto& other) {
+      built(words + " in " + who, [&](const vec3& d) {
+        Row J = right(d);
+        const Row instead = other(d);
+        for (int k = 0; k < 4; ++k)
+          if (which >> k & 1) J.*blocks[k] = instead.*blocks[k];
+        return J;
+      });
+    };
+    in_blocks("n in the place of the direction", [&](const vec3&) { return right(n); });
+    if (which & 5) continue;
+    in_blocks("a lever made a unit vector: it keeps its length,", [&](const vec3& d) {
+      return Row{d, -cross(normalize(r1), d), d, cross(normalize(r2), d)};
+    });
+    in_blocks("entry times entry where the cross product belongs,", [&](const vec3& d) {
+      return Row{d, -(r1 * d), d, r2 * d};
+    });
+  }
+  if (one.is_static())
+    built("beside a static body its blocks are left out: they stay, its inverse mass is 0 already",
+          [&](const vec3& d) { return Row{vec3(0), vec3(0), d, cross(r2, d)}; });
   return out;
 }
 

@@ -1,8 +1,8 @@
 // Exercise 8.1: the room of a corner at every pose as a table, with its usual mistakes.
 #pragma once
 
-#include "tests/checker/cases.h"
 #include "tests/08_ground/ground_cases.h"
+#include "tests/checker/pieces.h"
 
 namespace joints::testing {
 
@@ -17,113 +17,144 @@ inline std::string corner_pose(int pose) {
   return pose == 3 ? CornerFixture::broken.name : pose_names[std::size_t(pose)];
 }
 
-/// Sharp corners and balls at every pose.
+/// Sharp corners and balls at every pose, and one of each over a static ground.
 inline std::vector<RoomCase> room_cases() {
   std::vector<RoomCase> out;
-  visit_poses<CornerFixture>([&](int pose, const Corner& part, const Pair& pair) {
-    out.push_back({"corner, " + corner_pose(pose), part, pair});
-  });
-  visit_poses<BallOnTopFixture>([&](int pose, const Corner& part, const Pair& pair) {
-    out.push_back({"ball, " + corner_pose(pose), part, pair});
-  });
+  const auto look = [&](const std::string& what) {
+    return [&, what](int pose, const Corner& part, const Pair& pair) {
+      out.push_back({what + corner_pose(pose), part, pair});
+    };
+  };
+  visit_poses<CornerFixture>(look("corner, "));
+  visit_poses<BallOnTopFixture>(look("ball, "));
+  for (const std::size_t k : {std::size_t(14), out.size() - 1}) {
+    out.push_back(out[k]);
+    out.back().words = (k == 14 ? "corner, 1 static, " : "ball, 1 static, ") + corner_pose(3);
+    Body& ground = out.back().pair.body1;
+    ground = static_body(ground.x, ground.q);
+  }
   return out;
 }
 
-inline CaseTable<RoomCase> room_table() {
-  using Case = RoomCase;
-  const auto n_of = [](const Case& c) { return to_world(c.pair.body1, vec3(0, 1, 0)); };
-  const auto centre = [](const Case& c) {
-    return world_point(c.pair.body2, c.corner.corner_local);
-  };
-  const auto right = [](const Case& c) {
-    return Numbers{double(room(c.corner, c.pair.body1, c.pair.body2))};
-  };
-  // what comes on top of the right C
-  const auto plus = [=](auto more) {
-    return [=](const Case& c) { return Numbers{right(c)[0] + double(more(c))}; };
-  };
-  // measured from x1 along another direction; the point itself is right
-  const auto along = [=](auto direction) {
-    return [=](const Case& c) {
-      const vec3 p = centre(c) - c.corner.radius * n_of(c);
-      return Numbers{double(dot(direction(c), p - c.pair.body1.x) - c.corner.height)};
-    };
-  };
-  // another vector in the place of p - x1
-  const auto from = [=](auto vector) {
-    return [=](const Case& c) {
-      return Numbers{double(dot(n_of(c), vector(c)) - c.corner.height)};
-    };
-  };
-  const auto changed = [=](double (*change)(double)) {
-    return [=](const Case& c) { return Numbers{change(right(c)[0])}; };
-  };
-  const vec3 y(0, 1, 0);
-  const auto point = [=](const Case& c) { return centre(c) - c.corner.radius * n_of(c); };
+/// n . (place + arm - rho - origin) - height, each by itself.
+struct RoomTwin {
+  RoomCase c;
+  vec3 n, place, arm, rho, origin;
+  real height;
+  std::function<real(const RoomTwin&)> instead;  ///< of the whole
+  std::function<real(real)> after;               ///< what becomes of C
 
-  CaseTable<Case> table{{"8.1", "the error C of a corner"}, {"C"}, {}, {}, {}, room_cases()};
-  table.yours = [](const Case& c) {
+  explicit RoomTwin(const RoomCase& c)
+      : c(c), n(to_world(c.pair.body1, vec3(0, 1, 0))), place(c.pair.body2.x),
+        arm(to_world(c.pair.body2, c.corner.corner_local)), rho(c.corner.radius * n),
+        origin(c.pair.body1.x), height(c.corner.height) {}
+  vec3 point() const { return place + arm - rho; }
+  real room() const {
+    const real C = instead ? instead(*this) : dot(n, point() - origin) - height;
+    return after ? after(C) : C;
+  }
+};
+
+inline Pieces<RoomTwin> wrong_rooms() {
+  using T = RoomTwin;
+  using Change = std::function<void(T&)>;
+  const auto up = [](auto of) { return Change([=](T& t) { t.n = of(t); }); };
+  const auto radius = [](auto of) { return Change([=](T& t) { t.rho = of(t); }); };
+  const auto origin = [](auto of) { return Change([=](T& t) { t.origin = of(t); }); };
+  const auto height = [](auto of) { return Change([=](T& t) { t.height = of(t); }); };
+  const auto after = [](auto of) { return Change([=](T& t) { t.after = of; }); };
+  const auto instead = [](auto of) { return Change([=](T& t) { t.instead = of; }); };
+  const vec3 y(0, 1, 0);
+  return {
+      {"n is not turned: up is the y axis of body 1, up(body1), not that of the world",
+       up([=](const T&) { return y; })},
+      {"n is the axis of body 2: up is the y axis of body 1",
+       up([=](const T& t) { return to_world(t.c.pair.body2, y); })},
+      {"n is turned the wrong way round: body 1 turns it into the world, up(body1)",
+       up([=](const T& t) { return to_local(t.c.pair.body1, y); })},
+      {"n is the x axis of body 1: up is its y axis",
+       up([](const T& t) { return to_world(t.c.pair.body1, vec3(1, 0, 0)); })},
+      {"n is the z axis of body 1: up is its y axis",
+       up([](const T& t) { return to_world(t.c.pair.body1, vec3(0, 0, 1)); })},
+      {"height is forgotten: the top stands above the centre of body 1",
+       height([](const T&) { return real(0); })},
+      {"height is added: it is taken away, the top is where it ends",
+       height([](const T& t) { return -t.height; })},
+      {"height is taken away twice: once", height([](const T& t) { return 2 * t.height; })},
+      {"half of height: the top is all of it above the centre of body 1",
+       height([](const T& t) { return t.height / 2; })},
+      {"the radius in the place of height: point() has the radius in it",
+       height([](const T& t) { return t.c.corner.radius; })},
+      {"the place of body 1 is taken away, too: p - x1 has it in it",
+       height([](const T& t) { return t.height + t.c.pair.body1.x.y; })},
+      {"height along the y axis of the world: it is along n",
+       [=](T& t) { t.origin += t.height * y, t.height = 0; }},
+      {"the radius is forgotten: the lowest point of the ball counts, point()",
+       radius([](const T&) { return vec3(0); })},
+      {"the radius is added: the point is below the centre of the ball",
+       radius([](const T& t) { return -t.rho; })},
+      {"the radius is taken away twice: point() has done so already",
+       radius([](const T& t) { return real(2) * t.rho; })},
+      {"the radius along the y axis of the world: it is along n",
+       radius([=](const T& t) { return t.c.corner.radius * y; })},
+      {"a world point in the place of p - x1: C is measured from body 1",
+       origin([](const T&) { return vec3(0); })},
+      {"x1 is added: p - x1 is what is measured", origin([](const T& t) { return -t.origin; })},
+      {"the lever of body 2 in the place of the one of body 1: p - x1",
+       origin([](const T& t) { return t.c.pair.body2.x; })},
+      {"point(body2, body1): the other way round, the corner is one of body 2", [](T& t) {
+         t.place = t.c.corner.point(t.c.pair.body2, t.c.pair.body1);
+         t.arm = t.rho = vec3(0);
+       }},
+      {"from centre to centre: the corner counts, point()", [](T& t) { t.arm = t.rho = vec3(0); }},
+      {"corner_local is not turned into the world: point() does it",
+       [](T& t) { t.arm = t.c.corner.corner_local; }},
+      {"the place of body 2 is missing in the point: point() has it in it",
+       [](T& t) { t.place = vec3(0); }},
+      {"the lever of the corner alone: it lies at x2 + R2 corner_local, less x1",
+       [](T& t) { t.place = t.origin = vec3(0); }},
+      {"the height of the point in the world: C is measured from body 1, along its n",
+       [=](T& t) { t.n = y, t.origin = vec3(0); }},
+      {"the length of p - x1: only what is along n counts, the dot product",
+       instead([](const T& t) { return length(t.point() - t.origin) - t.height; })},
+      {"the length of a cross product: only what is along n counts, the dot product",
+       instead([](const T& t) { return length(cross(t.n, t.point() - t.origin)) - t.height; })},
+      {"the length of the way from the top: only what is along n counts, the dot product",
+       instead([](const T& t) { return length(t.point() - t.origin - t.height * t.n); })},
+      {"only x and y count in the dot product: all three do", instead([](const T& t) {
+         const vec3 r = t.point() - t.origin;
+         return t.n.x * r.x + t.n.y * r.y - t.height;
+       })},
+      {"times height: it is taken away",
+       instead([](const T& t) { return dot(t.n, t.point() - t.origin) * t.height; })},
+      {"the sign of p - x1: it runs from body 1 to the point",
+       instead([](const T& t) { return dot(t.n, t.origin - t.point()) - t.height; })},
+      {"over a static body it is measured in the world: C is measured from body 1, along its n",
+       instead([=](const T& t) {
+         return t.c.pair.body1.is_static() ? t.point().y - t.height
+                                           : dot(t.n, t.point() - t.origin) - t.height;
+       })},
+      {"the sign: C is positive above the top", after([](real C) { return -C; })},
+      {"the size of C: below the top it is negative", after([](real C) { return std::abs(C); })},
+      {"nothing below the top: C is negative there, that tells how deep the corner is",
+       after([](real C) { return std::max(C, real(0)); })},
+      {"only below the top: while C > 0 it is the room that may be used up",
+       after([](real C) { return std::min(C, real(0)); })},
+      {"C is 0 everywhere: it is not measured, or cut to a whole number by an int",
+       after([](real) { return real(0); })}};
+}
+
+inline CaseTable<RoomCase> room_table() {
+  CaseTable<RoomCase> table{{"8.1", "the error C of a corner"}, {"C"}, {}, {}, {}, room_cases()};
+  table.yours = [](const RoomCase& c) {
     return Numbers{double(c.corner.error(c.pair.body1, c.pair.body2))};
   };
-  table.right = right;
-  table.mistakes = {
-      {"n is not turned: up is the y axis of body 1, up(body1), not that of the world",
-       along([=](const Case&) { return y; })},
-      {"n is not turned, and height is forgotten",
-       [=](const Case& c) { return Numbers{double((point(c) - c.pair.body1.x).y)}; }},
-      {"n is the axis of body 2: up is the y axis of body 1",
-       along([=](const Case& c) { return c.pair.body2.q * y; })},
-      {"n is turned the wrong way round: body 1 turns it into the world, up(body1)",
-       along([=](const Case& c) { return conjugate(c.pair.body1.q) * y; })},
-      {"height is forgotten: the top stands above the centre of body 1",
-       plus([](const Case& c) { return c.corner.height; })},
-      {"height is added: it is taken away, the top is where it ends",
-       plus([](const Case& c) { return 2 * c.corner.height; })},
-      {"the radius is forgotten: the lowest point of the ball counts, point()",
-       plus([](const Case& c) { return c.corner.radius; })},
-      {"the radius is added: the point is below the centre of the ball",
-       plus([](const Case& c) { return 2 * c.corner.radius; })},
-      {"the radius is taken away twice: point() has done so already",
-       plus([](const Case& c) { return -c.corner.radius; })},
-      {"the radius and height are forgotten",
-       plus([](const Case& c) { return c.corner.radius + c.corner.height; })},
-      {"the radius along the y axis of the world: it is along n",
-       from([=](const Case& c) { return centre(c) - c.corner.radius * y - c.pair.body1.x; })},
-      {"a world point in the place of p - x1: C is measured from body 1", from(point)},
-      {"x1 and height are forgotten: C is measured from the top of body 1",
-       [=](const Case& c) { return Numbers{double(dot(n_of(c), point(c)))}; }},
-      {"the height of the point in the world: C is measured from body 1, along its n",
-       [=](const Case& c) { return Numbers{double(point(c).y - c.corner.height)}; }},
-      {"the lever of body 2 in the place of the one of body 1: p - x1",
-       from([=](const Case& c) { return point(c) - c.pair.body2.x; })},
-      {"point(body2, body1): the other way round, the corner is one of body 2",
-       from([](const Case& c) {
-         return c.corner.point(c.pair.body2, c.pair.body1) - c.pair.body1.x;
-       })},
-      {"from centre to centre: the corner counts, point()",
-       from([](const Case& c) { return c.pair.body2.x - c.pair.body1.x; })},
-      {"corner_local is not turned into the world: point() does it",
-       from([=](const Case& c) {
-         return c.pair.body2.x + c.corner.corner_local - c.corner.radius * n_of(c) -
-                c.pair.body1.x;
-       })},
-      {"the length of p - x1: only what is along n counts, the dot product",
-       [=](const Case& c) {
-         return Numbers{double(length(point(c) - c.pair.body1.x) - c.corner.height)};
-       }},
-      {"height along the y axis of the world: it is along n",
-       [=](const Case& c) {
-         return Numbers{double(dot(n_of(c), point(c) - c.pair.body1.x - c.corner.height * y))};
-       }},
-      {"the sign: C is positive above the top", changed([](double C) { return -C; })},
-      {"the size of C: below the top it is negative",
-       changed([](double C) { return std::abs(C); })},
-      {"nothing below the top: C is negative there, that tells how deep the corner is",
-       changed([](double C) { return std::max(C, 0.0); })},
-      {"only below the top: while C > 0 it is the room that may be used up",
-       changed([](double C) { return std::min(C, 0.0); })},
-      {"C is never measured: it is 0 everywhere", changed([](double) { return 0.0; })}};
+  table.right = [](const RoomCase& c) {
+    return Numbers{double(room(c.corner, c.pair.body1, c.pair.body2))};
+  };
   table.tolerance = 10 * rounding;
+  add_pieces(table, [](const RoomCase& c) { return RoomTwin(c); },
+             [](const RoomTwin& t) { return Numbers{double(t.room())}; }, wrong_rooms());
   return table;
 }
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "chapters/08_ground/ground.h"
-#include "tests/06_baumgarte/warm_cases.h"
+#include "tests/checker/arguments.h"
+#include "tests/checker/vector_cases.h"
 
 namespace joints::testing {
 
@@ -80,6 +81,15 @@ inline std::vector<TangentCase> rest_cases() {
   return out;
 }
 
+/// The arguments of a case, for the report.
+inline std::string tangent_given(const TangentCase& c) {
+  const auto words = [](const vec3& a) {
+    return "(" + short_number(double(a.x)) + ", " + short_number(double(a.y)) + ", " +
+           short_number(double(a.z)) + ")";
+  };
+  return "Case: n " + words(c.n) + ", sliding " + words(c.sliding) + " m/s.";
+}
+
 inline const char* const stand_in_along_n =
     "the vector that stands in for the sliding is along n here, so that nothing of it is left: "
     "choose it by looking at n";
@@ -111,7 +121,10 @@ inline void check_rest_is_finite() {
 
 inline CaseTable<TangentCase> tangent_table() {
   using Case = TangentCase;
-  const auto numbers = [](const vec3& t1, const vec3& t2) { return flat({t1, t2}); };
+  const auto unit = [](const vec3& a) { return length(a) > 0 ? normalize(a) : a; };
+  const auto numbers = [](const vec3& t1, const vec3& t2) {
+    return flat(std::vector<vec3>{t1, t2});
+  };
   const auto across = [](const Case& c) { return c.sliding - dot(c.n, c.sliding) * c.n; };
   const auto t1 = [=](const Case& c) { return normalize(across(c)); };
   // another t1, with t2 = n x t1
@@ -132,7 +145,8 @@ inline CaseTable<TangentCase> tangent_table() {
   const auto stand_in = [](const Case& c) {
     return std::abs(c.n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
   };
-  const char* const ignored = "the velocity is not looked at: t1 looks where the point slides";
+  const char* const ignored = "the velocity is not looked at, or lost in a number that was never "
+                              "set: t1 looks where the point slides";
   const char* const nothing = "what slides slowly counts as nothing: only below 1e-4 m/s across n "
                               "may t1 be any direction";
   const char* const against = "t1 looks against the sliding: it looks where the point slides, the "
@@ -144,7 +158,10 @@ inline CaseTable<TangentCase> tangent_table() {
   const char* const left_handed = "t2 = t1 x n: it is n x t1, so that n, t1 and t2 go round "
                                   "like x, y and z";
 
+  const vec3 fixed_t1 = tangents(tangent_cases()[0].n, tangent_cases()[0].sliding)[0];
+  const vec3 fixed_t2 = tangents(tangent_cases()[0].n, tangent_cases()[0].sliding)[1];
   CaseTable<Case> table{{"8.2", "the two directions of friction"}, {"t1", "t2"}, {}, {}, {}, {}};
+  table.given = tangent_given;
   table.yours = [=](const Case& c) {
     const std::array<vec3, 2> t = tangents(c.n, c.sliding);
     return numbers(t[0], t[1]);
@@ -181,6 +198,30 @@ inline CaseTable<TangentCase> tangent_table() {
          const real part = dot(c.n, c.sliding);
          return std::abs(part) < real(1e-4) ? resting(c) : part < 0 ? -c.n : c.n;
        })},
+      {"what is taken away is along the velocity: it is along n, (n.v) n and not (n.v) v",
+       with([=](const Case& c) { return unit(c.sliding - dot(c.n, c.sliding) * c.sliding); })},
+      {"n itself is taken away: the part of the velocity along it, (n.v) n",
+       with([=](const Case& c) { return unit(c.sliding - c.n); })},
+      {"half of what is along n is taken away: all of it",
+       with([=](const Case& c) {
+         return unit(c.sliding - real(0.5) * dot(c.n, c.sliding) * c.n);
+       })},
+      {"what is along n is taken away twice: once", with([=](const Case& c) {
+         return unit(c.sliding - real(2) * dot(c.n, c.sliding) * c.n);
+       })},
+      {"the x part of the velocity is taken away: n need not be the x axis",
+       with([=](const Case& c) { return unit(c.sliding - vec3(c.sliding.x, 0, 0)); })},
+      {"divided by the largest entry: by the length", with([=](const Case& c) {
+         const vec3 a = across(c);
+         return a / std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+       })},
+      {"divided by the sum of the entries: by the length", with([=](const Case& c) {
+         const vec3 a = across(c);
+         return a / (std::abs(a.x) + std::abs(a.y) + std::abs(a.z));
+       })},
+      {"t2 is always the same: t2 = n x t1", beside([=](const Case&) { return fixed_t2; })},
+      {"t1 and t2 are always the same: t1 looks where the point slides. Was a number never set?",
+       [=](const Case&) { return numbers(fixed_t1, fixed_t2); }},
       {"the y part of the velocity is taken away: n need not be the y axis",
        with([](const Case& c) {
          return normalize(c.sliding - vec3(0, c.sliding.y, 0));

@@ -218,9 +218,12 @@ TEST_CASE("8.2 where nothing slides there are two directions in the ground all t
   });
   for (const TangentCase& c : rest_cases()) {
     const auto [t1, t2] = tangents(c.n, c.sliding);
+    const std::string given = tangent_given(c);
+    Subject about = rest_subject;
+    about.given = given.c_str();
     const auto same = [&](const std::string& entry, double yours, double right,
                           const std::string& words) {
-      expect(rest_subject, entry + " (" + c.words + ")", yours, right, loose, {{yours, words}});
+      expect(about, entry + " (" + c.words + ")", yours, right, loose, {{yours, words}});
     };
     const double size = length(t1);
     same("length of t1", size, 1,
@@ -233,7 +236,7 @@ TEST_CASE("8.2 where nothing slides there are two directions in the ground all t
              : "t1 does not lie in the ground: take what is along n from the vector that stands in "
                "for the sliding, too. What is left of a fall is rounding: do not make it a unit "
                "vector");
-    expect(rest_subject, "t2 (" + c.words + ")", t2, cross(c.n, t1), loose,
+    expect(about, "t2 (" + c.words + ")", t2, cross(c.n, t1), loose,
            {{cross(t1, c.n), "t2 = t1 x n: it is n x t1"},
             {t2, "t2 = n x t1 at rest, too"}});
   }
@@ -257,19 +260,21 @@ TEST_CASE("8.2 friction stops what slides slowly and takes its bound from what i
       real v = v0, sum = 0;
       for (int n = 0; n < visits; ++n) v += friction_impulse(v, 1 / mass, mu, normal, sum) / mass;
       const real most = mu * normal / mass;
-      expect_friction("speed from " + short_number(double(v0)) + " after visits: " +
-                          std::to_string(visits),
-                      double(v), double(v0 - std::clamp(v0, -most, most)));
+      expect_friction("speed after visits: " + std::to_string(visits), double(v),
+                      double(v0 - std::clamp(v0, -most, most)),
+                      "Case: 4 kg at " + short_number(double(v0)) +
+                          " m/s, K 0.25 1/kg, mu 0.5, normal 1.2 N s, sum 0 N s at first.");
     }
 }
 
 TEST_CASE("8.2 friction never adds energy", "[8.2]") {
-  for (const FrictionCase& c : friction_table().cases) {
+  for (FrictionCase c : friction_table().cases) {
+    c.sum = 0;
     real sum = 0;
     const double change = friction_impulse(real(c.rate), real(c.K), real(c.mu), real(c.normal),
                                            sum);
     const double energy = change * (c.rate + c.K * change / 2);
-    expect_friction("energy, " + c.words.substr(0, c.words.find(" sum")), std::max(energy, 0.0), 0);
+    expect_friction("energy won", std::max(energy, 0.0), 0, friction_given(c));
   }
 }
 
@@ -277,10 +282,11 @@ TEST_CASE("8.2 the sum of friction follows the normal impulse inwards", "[8.2]")
   // the sweeps take back what the normal row gave too much; nothing slides any more
   real sum = 0, given = 0;
   for (const real normal : {real(2), real(1.2), real(0.7), real(0.7), real(0)}) {
-    given += friction_impulse(normal == 2 ? real(3) : real(0), real(0.25), real(0.5), normal, sum);
-    const std::string at = ", normal impulse " + short_number(double(normal));
-    expect_friction("sum" + at, double(sum), -0.5 * double(normal));
-    expect_friction("given in all" + at, double(given), -0.5 * double(normal));
+    const FrictionCase c{"", normal == 2 ? 3.0 : 0.0, 0.25, 0.5, double(normal), double(sum)};
+    given += friction_impulse(real(c.rate), real(c.K), real(c.mu), normal, sum);
+    expect_friction("sum", double(sum), -0.5 * double(normal), friction_given(c));
+    expect_friction("given in all visits", double(given), -0.5 * double(normal),
+                    friction_given(c));
   }
 }
 
@@ -290,7 +296,7 @@ TEST_CASE("8.2 friction in a mirror is the mirror image of friction", "[8.2]") {
     const double one = friction_impulse(real(c.rate), real(c.K), real(c.mu), real(c.normal), sum);
     const double other =
         friction_impulse(real(-c.rate), real(c.K), real(c.mu), real(c.normal), mirrored);
-    expect_friction("mirror, " + c.words, other, -one);
-    expect_friction("sum, " + c.words, double(mirrored), -double(sum));
+    expect_friction("change in the mirror", other, -one, friction_given(c));
+    expect_friction("sum in the mirror", double(mirrored), -double(sum), friction_given(c));
   }
 }

@@ -77,16 +77,18 @@ struct CaseTable {
     }
   }
   /// Is yours right in every case?
-  bool holds() const {
-    return std::all_of(cases.begin(), cases.end(),
-                       [&](const Case& c) { return same(yours(c), right(c)); });
-  }
+  bool holds() const { return is_right(yours); }
   /// Does one of the mistakes give the same numbers in every case?
   bool knows(const Answer& answer) const {
     return std::any_of(mistakes.begin(), mistakes.end(), [&](const auto& mistake) {
       return std::all_of(cases.begin(), cases.end(),
                          [&](const Case& c) { return same(answer(c), mistake.second(c)); });
     });
+  }
+  /// Is it no mistake at all?
+  bool is_right(const Answer& answer) const {
+    return std::all_of(cases.begin(), cases.end(),
+                       [&](const Case& c) { return same(answer(c), right(c)); });
   }
   /// For a test of another kind: whatever it finds wrong, the table's mistake explains it.
   std::vector<Suspect> explain(double yours, std::vector<Suspect> otherwise = {}) const {
@@ -98,11 +100,7 @@ struct CaseTable {
   }
   /// Takes out the mistakes that give the right numbers in all cases: in float the small ones do.
   void leave_out_harmless() {
-    std::erase_if(mistakes, [this](const auto& mistake) {
-      return std::all_of(cases.begin(), cases.end(), [&](const Case& c) {
-        return same(mistake.second(c), right(c));
-      });
-    });
+    std::erase_if(mistakes, [this](const auto& mistake) { return is_right(mistake.second); });
   }
   /// See likely_mistakes(). \param more further cases
   std::vector<std::string> likely(std::vector<Case> more = {},

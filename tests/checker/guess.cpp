@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tests/checker/patterns.h"
 #include "tests/checker/report.h"
 
 namespace joints::testing {
@@ -200,6 +201,8 @@ void guess(Sample& s, double tolerance, const std::string& first) {
   if (!words.empty()) s.mistakes.insert(s.mistakes.begin() + s.own, words);
   if (long(s.mistakes.size()) > s.own) return;
   const double factor = common_factor(s, tolerance);
+  if (const std::string digits = seven_digits({{s.yours, s.right}}); !digits.empty())
+    words = digits;
   for (const char* number : {"2", "4", "0.5", "0.25"})
     if (near(factor, std::atof(number), tolerance))
       s.mistakes.push_back(std::string("a factor of ") + number);

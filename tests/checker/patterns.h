@@ -21,6 +21,9 @@ std::string common_pattern(const std::vector<std::string>& entries,
                            const std::vector<Compared>& cases, double tolerance,
                            bool whole = false);
 
+/// Are yours right, but for what a float among doubles loses? In words; "" where they are not.
+std::string seven_digits(const std::vector<Compared>& cases);
+
 /// "r1.x, r1.y, r1.z, r2.x" as "r1, r2.x"; of a long list only the first ones.
 std::string listed(const std::vector<std::string>& names);
 

@@ -10,6 +10,9 @@
 #include "tests/07_performance/hoist_bias_cases.h"
 #include "tests/07_performance/solve_pieces.h"
 #include "tests/07_performance/whole_K_cases.h"
+#include "tests/08_ground/friction_cases.h"
+#include "tests/08_ground/room_cases.h"
+#include "tests/08_ground/tangent_cases.h"
 #include "tests/06_baumgarte/warm_cases.h"
 #include "tests/checker/named.h"
 
@@ -71,4 +74,10 @@ TEST_CASE("each usual mistake of chapter 7 is found out and called by its name")
   is_sound(whole_K_table());
   for (const int part : {0, 1, 2}) is_sound(K_part_table(part));
   is_sound(solve_table());
+}
+
+TEST_CASE("each usual mistake of chapter 8 is found out and called by its name") {
+  is_sound(room_table());
+  is_sound(tangent_table());
+  is_sound(friction_table());
 }

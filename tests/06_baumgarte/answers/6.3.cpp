@@ -1,5 +1,21 @@
 // Known answers of exercise 6.3, each put in the place of the solution's.
 
+// ---- wrong: point K along the gap
+// expects: Likely mistake: K along the gap only: the block is solved as a whole
+  const vec3 C = point.error(body1, body2), n = direction(C);
+  const vec3 lambda = -length(C) / dot(n, point.K(body1, body2) * n) * n;
+  Body move1 = body1, move2 = body2;
+  move1.v = move1.w = move2.v = move2.w = vec3(0);
+  apply_impulse(point.jacobian(body1, body2), lambda, move1, move2);
+  body1.x += move1.v;
+  body2.x += move2.v;
+  body1.q = turned(body1.q, move1.w, 1);
+  body2.q = turned(body2.q, move2.w, 1);
+
+// ---- wrong: point K of exchanged bodies
+// expects: Likely mistake: the bodies are exchanged in K: body 1 first
+// change: point.K(body1, body2) ==> point.K(body2, body1)
+
 // ---- wrong: point a share of the gap
 // expects: Likely mistake: only a share of the gap is taken: there is no beta here
   const vec3 lambda = -real(0.3) * inverse(point.K(body1, body2)) * point.error(body1, body2);
@@ -10,6 +26,10 @@
   body2.x += move2.v;
   body1.q = turned(body1.q, move1.w, 1);
   body2.q = turned(body2.q, move2.w, 1);
+
+// ---- wrong: point applied twice
+// expects: Likely mistake: more than the gap is taken, 2 times: a visit takes it once
+// change: -inverse ==> real(-2) * inverse
 
 // ---- wrong: point body 1 not turned
 // expects: turn of 1 (upright)
@@ -44,6 +64,10 @@
   body1.q = turned(body1.q, move1.w, 1);
   body2.q = turned(body2.q, move2.w, 1);
 
+// ---- wrong: point copies exchanged
+// expects: Likely mistake: the copies are exchanged in apply_impulse: the one of body 1 comes first
+// change: lambda, move1, move2 ==> lambda, move2, move1
+
 // ---- wrong: point copies not at rest
 // expects: Likely mistake: the copies are not at rest
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
@@ -53,6 +77,10 @@
   body2.x += move2.v;
   body1.q = turned(body1.q, move1.w, 1);
   body2.q = turned(body2.q, move2.w, 1);
+
+// ---- wrong: point copies of body 1
+// expects: Likely mistake: both copies are copies of body 1: each body has its own
+// change: move2 = body2 ==> move2 = body1
 
 // ---- wrong: point copies written back
 // expects: change of v2 (on paper)
@@ -117,6 +145,15 @@
     body->q = turned(body->q, body->w, 1);
   }
 
+// ---- wrong: point new places
+// expects: Likely mistake: the place of both bodies is replaced by the move: += and not =
+// change: body1.x += ==> body1.x =
+// change: body2.x += ==> body2.x =
+
+// ---- wrong: point one entry of the gap
+// expects: Likely mistake: only C.x counts: the gap has three numbers
+// change: point.error(body1, body2) ==> vec3(point.error(body1, body2).x, 0, 0)
+
 // ---- wrong: point only body 2
 // expects: Likely mistake: only body 2 moves
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
@@ -125,6 +162,10 @@
   apply_impulse(point.jacobian(body1, body2), lambda, move1, move2);
   body2.x += move2.v;
   body2.q = turned(body2.q, move2.w, 1);
+
+// ---- wrong: point orientation replaced
+// expects: Likely mistake: the orientation of body 2 is replaced by the turn
+// change: turned(body2.q, move2.w, 1) ==> rotation(move2.w)
 
 // ---- wrong: point quaternions added
 // expects: Likely mistake: a sum of quaternions is no orientation
@@ -136,6 +177,13 @@
   body2.x += move2.v;
   body1.q = body1.q + turned(body1.q, move1.w, 1);
   body2.q = body2.q + turned(body2.q, move2.w, 1);
+
+// ---- wrong: point shared by masses
+// expects: Likely mistake: the gap itself is shared out
+  const real all = body1.inverse_mass + body2.inverse_mass;
+  const vec3 gap = point.error(body1, body2);
+  body1.x += body1.inverse_mass / all * gap;
+  body2.x -= body2.inverse_mass / all * gap;
 
 // ---- wrong: point sign
 // expects: move of 2 (on paper).x
@@ -173,6 +221,10 @@
   body1.q = turned(body1.q, move1.w, h);
   body2.q = turned(body2.q, move2.w, h);
 
+// ---- wrong: point turned by the move
+// expects: Likely mistake: turn of 2 is what belongs to move of 2
+// change: turned(body2.q, move2.w, 1) ==> turned(body2.q, move2.v, 1)
+
 // ---- wrong: point turned in body axes
 // expects: turn of 2 (upright)
 // expects: Likely mistake: a body turns in its own axes
@@ -190,6 +242,14 @@
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
   apply_impulse(point.jacobian(body1, body2), lambda, body1, body2);
 
+// ---- wrong: point velocities of body 1 changed, too
+// expects: Likely mistake: change of v1 is what belongs to move of 1
+// change: body1.x += move1.v; ==> body1.x += move1.v; body1.v += move1.v;
+
+// ---- wrong: point velocities to rest
+// expects: Likely mistake: v of both bodies is lost: the velocities stay as they are
+// change: body1.x += move1.v; ==> body1.x += move1.v; body1.v = body2.v = vec3(0);
+
 // ---- wrong: point without turns
 // expects: turn of 2 (on paper).z
 // expects: Likely mistake: the turns are missing
@@ -205,6 +265,17 @@
 // expects: Likely mistake: this is the visit of a point
   if (rope.error(body1, body2) >= 0) return;
   project(Point{rope.rod.anchor1_local, rope.rod.anchor2_local}, body1, body2);
+
+// ---- wrong: rope hardly slack is pushed
+// region: 2
+// expects: hardly, slack
+// expects: Likely mistake: a rope that is hardly slack is pushed to its length
+// change: C >= 0 ==> C >= real(0.05)
+
+// ---- wrong: rope lambda in an int
+// region: 2
+// expects: Or an int cuts lambda to 0
+// change: const real lambda ==> const int lambda
 
 // ---- wrong: rope only body 2
 // region: 2
@@ -308,12 +379,22 @@
     body2.q = turned(body2.q, move2.w, 1);
   }
 
+// ---- wrong: sweep every second joint
+// region: 3
+// expects: Likely mistake: every second joint is left out
+// change: ++k ==> k += 2
+
 // ---- wrong: sweep first joint left out
 // region: 3
 // expects: x of body 1
 // expects: Likely mistake: the first joint is left out
   for (std::size_t k = 1; k < chain.joints.size(); ++k)
     project(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]);
+
+// ---- wrong: sweep of a body with itself
+// region: 3
+// expects: Likely mistake: a joint between a body and itself has no K
+// change: chain.bodies[k + 1] ==> chain.bodies[k]
 
 // ---- wrong: sweep of copies
 // region: 3
@@ -341,6 +422,17 @@
     chain.bodies[k].q = one.q * conjugate(before[k].q) * chain.bodies[k].q;
     chain.bodies[k + 1].q = two.q * conjugate(before[k + 1].q) * chain.bodies[k + 1].q;
   }
+
+// ---- wrong: sweep until closed
+// region: 3
+// expects: Likely mistake: this is 50 sweeps: every joint is visited once
+// change: for (std::size_t k ==> for (int sweep = 0; sweep < 50; ++sweep) for (std::size_t k
+
+// ---- wrong: sweep velocities to rest
+// region: 3
+// expects: Likely mistake: the velocities of the bodies change: a sweep moves and turns them
+// change: for (std::size_t k ==>
+//         for (Body& body : chain.bodies) body.v = vec3(0); for (std::size_t k
 
 // ---- right: point as an impulse
 // The impulse of a block at rest with the gap for its bias.

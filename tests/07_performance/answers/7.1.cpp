@@ -1,5 +1,9 @@
 // Known answers of exercise 7.1, each put in the place of the solution's.
 
+// ---- wrong: added to what stood there
+// expects: Likely mistake: added to what stood there: = and not += (the axis)
+// change: out.bias[3 + i] = ==> out.bias[3 + i] +=
+
 // ---- wrong: axis biases exchanged
 // expects: Likely mistake: the two of the axis are exchanged
   out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
@@ -14,6 +18,10 @@
   for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
   for (int i = 0; i < 2; ++i) out.bias[4 - i] = rate * tilt[i];
 
+// ---- wrong: axis bodies exchanged
+// expects: Likely mistake: the bodies are exchanged: axis.jacobian(body1, body2)
+// change: axis.jacobian(body1, body2) ==> axis.jacobian(body2, body1)
+
 // ---- wrong: axis row twice
 // expects: Likely mistake: the first row stands there twice
   out.r1 = triple(to_world(body1, hinge.point.anchor1_local));
@@ -27,6 +35,10 @@
   const Vector<2> tilt = hinge.axis.error(body1, body2);
   for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
   for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: axis sign of one row
+// expects: Likely mistake: the sign of the first row: b x a1 is the block w2
+// change: triple(axis[i].w2) ==> triple(i == 0 ? axis[i].w1 : axis[i].w2)
 
 // ---- wrong: axis with the wrong body
 // expects: Likely mistake: the axis is turned with the wrong body: a1 rides on body 1
@@ -58,6 +70,38 @@
   const Vector<2> tilt = hinge.axis.error(body1, body2);
   for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
   for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: bias in body axes
+// expects: Likely mistake: the gap in the axes of body 1: point.error is in world axes already
+// change: hinge.point.error(body1, body2) ==> to_local(body1, hinge.point.error(body1, body2))
+
+// ---- wrong: bias in float
+// expects: Likely mistake: right to about seven digits only: is there a float among the reals
+// change: const real rate ==> const float rate
+
+// ---- wrong: bias of exchanged bodies
+// expects: Likely mistake: the bodies are exchanged: axis.error(body1, body2)
+// change: hinge.axis.error(body1, body2) ==> hinge.axis.error(body2, body1)
+
+// ---- wrong: bias one place too early
+// expects: Likely mistake: the two of the axis begin one place too early: bias[3] and bias[4]
+// change: out.bias[3 + i] ==> out.bias[2 + i]
+
+// ---- wrong: bias outside
+// expects: an index outside
+// change: out.bias[3 + i] ==> out.bias[4 + i]
+
+// ---- wrong: bias rate in an int
+// expects: Likely mistake: beta / h is cut to a whole number: an int has no fraction
+// change: const real rate ==> const int rate
+
+// ---- wrong: bias size of the gap
+// expects: Likely mistake: the size of the error: a bias has its sign (the point)
+// change: rate * gap[i] ==> std::abs(rate * gap[i])
+
+// ---- wrong: bias value never set
+// expects: Likely mistake: a value that was never set
+// change: out.bias[i] = rate * gap[i] ==> { real sum; sum += rate * gap[i]; out.bias[i] = sum; }
 
 // ---- wrong: bias with velocities
 // expects: Likely mistake: the velocities are mixed in
@@ -152,6 +196,10 @@
   for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
   for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
 
+// ---- wrong: inertia itself
+// expects: Likely mistake: I1: the inertia itself, not its inverse
+// change: inverse_inertia(body1) ==> inverse(inverse_inertia(body1))
+
 // ---- wrong: inertia of body 1 twice
 // expects: I2.xx
 // expects: Likely mistake: I2: the inertia of the other body
@@ -166,6 +214,10 @@
   const Vector<2> tilt = hinge.axis.error(body1, body2);
   for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
   for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: inertia of body 2 with its mass
+// expects: Likely mistake: I2: times the inverse mass: an inverse inertia has the mass in it
+// change: inverse_inertia(body2) ==> body2.inverse_mass * inverse_inertia(body2)
 
 // ---- wrong: inertia row after row
 // expects: Likely mistake: I1 and I2: row after row: the diagonal xx, yy, zz comes first
@@ -215,6 +267,10 @@
   for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
   for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
 
+// ---- wrong: lever written in the other place
+// expects: Likely mistake: r1: the lever of the other body; and r2: not written yet
+// change: out.r2 ==> out.r1
+
 // ---- wrong: levers exchanged
 // expects: Pose: pencil and paper.
 // expects: r1.z
@@ -230,6 +286,10 @@
   const Vector<2> tilt = hinge.axis.error(body1, body2);
   for (int i = 0; i < 3; ++i) out.bias[i] = rate * gap[i];
   for (int i = 0; i < 2; ++i) out.bias[3 + i] = rate * tilt[i];
+
+// ---- wrong: no rate for the gap
+// expects: Likely mistake: the error itself: beta C / h (the point)
+// change: rate * gap[i] ==> gap[i]
 
 // ---- wrong: one axis bias
 // expects: Likely mistake: not written yet: bias[4]. All five errors are fed back

@@ -1,5 +1,19 @@
 // Known answers of exercise 7.2, each put in the place of the solution's.
 
+// ---- wrong: all of it beside a static body
+// expects: Fails at 1 static and 2 static; holds at upright, turned, moved, broken
+// expects: Likely mistake: beside a static body K is zero: the other one moves
+// change: for (int j = 0; j < 3; ++j) ==>
+//         if (inverse_mass1 == 0 || inverse_mass2 == 0) return K; for (int j = 0; j < 3; ++j)
+
+// ---- wrong: axis dot product with the same row
+// expects: Likely mistake: the dot product is taken with the same row twice: row i with column j
+// change: dot(row[i], turn1 ==> dot(row[j], turn1
+
+// ---- wrong: axis halved
+// expects: Likely mistake: a factor of 0.5 in the axis' 2x2, in every case
+// change: dot(row[i], turn1 + turn2) ==> real(0.5) * dot(row[i], turn1 + turn2)
+
 // ---- wrong: axis of body 2 only
 // expects: Likely mistake: body 1 is missing in the axis' 2x2
   const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -35,6 +49,16 @@
     const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
+
+// ---- wrong: cross added up first
+// expects: Likely mistake: the levers, or the inertias, are added up first: each lever goes with
+// change: cross(hinge.r1, turn1) + cross(hinge.r2, turn2) ==>
+//         cross(hinge.r1 + hinge.r2, turn1 + turn2)
+
+// ---- wrong: cross and axis with the other row
+// expects: Likely mistake: the two axis rows are exchanged for body 2 between the point and the
+// expects: axis; and I2 of the other axis row in the axis' 2x2
+// change: turn2 = hinge.I2 * row[j] ==> turn2 = hinge.I2 * row[1 - j]
 
 // ---- wrong: cross lever first
 // expects: Likely mistake: first the inverse inertia, then the lever: r x (I^-1 a)
@@ -123,6 +147,10 @@
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = dot(unit[i], at);
   }
 
+// ---- wrong: cross sign of one line
+// expects: Likely mistake: the sign of K[C.x, a1.b], K[C.x, a1.c], K[a1.b, C.x] and K[a1.c, C.x]
+// change: = -gap.x ==> = gap.x
+
 // ---- wrong: cross with body 1 taken away
 // expects: Likely mistake: the sign of body 1 between the point and the axis
   const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -156,6 +184,18 @@
     const Triple<real> at = cross(hinge.r1, row[j]) + cross(hinge.r2, row[j]);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
+
+// ---- wrong: cross without its last line
+// expects: Likely mistake: K[C.z, a1.b], K[C.z, a1.c], K[a1.b, C.z] and K[a1.c, C.z] are zero
+// change: K[2][3 + j] = K[3 + j][2] = -gap.z; ==>
+
+// ---- wrong: index outside
+// expects: an index outside
+// change: K[3 + i][3 + j] ==> K[4 + i][4 + j]
+
+// ---- wrong: inertia of body 1 with body 2
+// expects: Likely mistake: I1 with r2: I2 belongs to it, between the point and the axis; and I1 in
+// change: turn2 = hinge.I2 ==> turn2 = hinge.I1
 
 // ---- wrong: inverse masses in all nine
 // expects: Likely mistake: the inverse masses are added to all nine entries
@@ -209,6 +249,11 @@
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
+// ---- wrong: last axis column
+// expects: Likely mistake: the second column is missing: there are two axis rows, between the
+// expects: and its second column is missing, in the axis' 2x2
+// change: for (int j = 0; j < 2; ++j) ==> for (int j = 0; j < 1; ++j)
+
 // ---- wrong: levers exchanged
 // expects: Likely mistake: the levers, or the inverse inertias, are exchanged
   const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -225,6 +270,18 @@
     const Triple<real> at = cross(hinge.r2, turn1) + cross(hinge.r1, turn2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
+
+// ---- wrong: masses in the first row
+// expects: Likely mistake: the inverse masses are added to the first row
+// change: K[j][j] += ==> K[0][j] +=
+
+// ---- wrong: masses in the place of the turns
+// expects: Likely mistake: the inverse masses take the place of what stands on the diagonal
+// change: K[j][j] += ==> K[j][j] =
+
+// ---- wrong: masses taken away
+// expects: Likely mistake: the sign of the inverse mass of body 2: both are added
+// change: inverse_mass1 + inverse_mass2 ==> inverse_mass1 - inverse_mass2
 
 // ---- wrong: one over the sum of the masses
 // expects: Likely mistake: one over the sum of the masses: each mass is inverted first
@@ -259,6 +316,23 @@
     const Triple<real> at = cross(hinge.r1, turn1);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
+
+// ---- wrong: point inertia last
+// expects: Likely mistake: I1 is applied last: (I (r x e)) x r
+// change: cross(hinge.I1 * cross(hinge.r1, along), hinge.r1) ==>
+//         hinge.I1 * cross(cross(hinge.r1, along), hinge.r1)
+
+// ---- wrong: point inner lever
+// expects: Likely mistake: r2 as the inner lever of body 1: r1 stands on both sides in the point's
+// change: cross(hinge.r1, along) ==> cross(hinge.r2, along)
+
+// ---- wrong: point outer lever missing
+// expects: Likely mistake: the outer lever of body 1 is missing: (I (r x e)) x r
+// change: cross(hinge.I1 * cross(hinge.r1, along), hinge.r1) ==> hinge.I1 * cross(hinge.r1, along)
+
+// ---- wrong: point row twice
+// expects: Likely mistake: row C.z has the turns of row C.y once more
+// change: K[2][j] = gap.z ==> K[2][j] = gap.y
 
 // ---- wrong: transposed skew
 // expects: Likely mistake: the sign of the turns: skew(r) I^-1 skew(r) lacks a transpose
@@ -310,6 +384,15 @@
     const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = dot(unit[i], at);
   }
+
+// ---- wrong: unknown in the point
+// expects: Likely mistake: none of the usual ones, but it is in the point's 3x3 alone
+// change: {real(j == 0), real(j == 1), real(j == 2)} ==> {real(j == 0), real(j == 1), real(j == 1)}
+
+// ---- wrong: value never set
+// expects: Likely mistake: a value that was never set
+// change: K[j][j] += inverse_mass1 + inverse_mass2; ==>
+//         { real sum; sum += K[j][j] + inverse_mass1 + inverse_mass2; K[j][j] = sum; }
 
 // ---- wrong: without the inverse masses
 // expects: Likely mistake: the inverse masses are missing on the diagonal
@@ -376,6 +459,11 @@
     for (int i = 0; i < 3; ++i) K[i][j] = dot(unit[i], gap);
     for (int i = 0; i < 2; ++i) K[3 + i][j] = dot(row[i], w1 + w2);
   }
+
+// ---- right: columns where rows stand
+// What the point does to itself is symmetric: its columns may be its rows.
+// change: K[0][j] = gap.x, K[1][j] = gap.y, K[2][j] = gap.z; ==>
+//         K[j][0] = gap.x, K[j][1] = gap.y, K[j][2] = gap.z;
 
 // ---- wrong units: cross without levers
 // expects: Units: what is between point and axis in K is in 1/(kg m^2) and should be in 1/(kg m)

@@ -18,6 +18,90 @@
   }
   return colours;
 
+// ---- wrong: as many bodies as joints
+// expects: an index outside a vector
+  std::vector<std::vector<bool>> taken(links.size(), std::vector<bool>(links.size()));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    std::size_t colour = 0;
+    while ((moves[link.body1] && taken[link.body1][colour]) ||
+           (moves[link.body2] && taken[link.body2][colour]))
+      ++colour;
+    for (int body : {link.body1, link.body2}) taken[body][colour] = true;
+    colours.push_back(int(colour));
+  }
+  return colours;
+
+// ---- wrong: as many colours as bodies
+// expects: Likely mistake: an index outside a vector: std::vector<bool> does not check it
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(moves.size()));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    while ((moves[link.body1] && taken[link.body1][colour]) ||
+           (moves[link.body2] && taken[link.body2][colour]))
+      ++colour;
+    taken[link.body1][colour] = taken[link.body2][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+
+// ---- wrong: body 1 not asked again
+// expects: Likely mistake: body 1 is not asked again after the colour has gone up for body 2
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    while (moves[link.body1] && taken[link.body1][colour]) ++colour;
+    while (moves[link.body2] && taken[link.body2][colour]) ++colour;
+    taken[link.body1][colour] = true;
+    taken[link.body2][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+
+// ---- wrong: body 2 not asked again
+// expects: Likely mistake: body 2 is not asked again after the colour has gone up for body 1
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    while (moves[link.body2] && taken[link.body2][colour]) ++colour;
+    while (moves[link.body1] && taken[link.body1][colour]) ++colour;
+    taken[link.body1][colour] = true;
+    taken[link.body2][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+
+// ---- wrong: body that is not there
+// expects: Likely mistake: `moves` is asked of a body that is not there
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 2));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    while ((moves[link.body1 + 1] && taken[link.body1][colour]) ||
+           (moves[link.body2] && taken[link.body2][colour]))
+      ++colour;
+    taken[link.body1][colour] = taken[link.body2][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+
+// ---- wrong: colour not set back
+// expects: Likely mistake: the colour of the last joint is where the next one begins
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 2));
+  std::vector<int> colours;
+  int colour = 0;
+  for (const BodyPair& link : links) {
+    while ((moves[link.body1] && taken[link.body1][colour]) ||
+           (moves[link.body2] && taken[link.body2][colour]))
+      ++colour;
+    taken[link.body1][colour] = taken[link.body2][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+
 // ---- wrong: colour of its own
 // expects: Likely mistake: every joint has a colour of its own
   std::vector<std::vector<bool>> taken(moves.size());
@@ -33,6 +117,52 @@
       taken[body][colour] = true;
     }
     colours.push_back(int(colours.size()));
+  }
+  return colours;
+
+// ---- wrong: eight colours at most
+// expects: Likely mistake: there is a greatest colour, 7
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(8));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    while (colour < 7 && ((moves[link.body1] && taken[link.body1][colour]) ||
+                          (moves[link.body2] && taken[link.body2][colour])))
+      ++colour;
+    taken[link.body1][colour] = taken[link.body2][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+
+// ---- wrong: empty vectors asked
+// expects: the program crashed: it reached for memory that is not its own
+// expects: std::vector<bool> does not check its own
+  std::vector<std::vector<bool>> taken(moves.size());
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    std::size_t colour = 0;
+    while ((moves[link.body1] && taken[link.body1][colour]) ||
+           (moves[link.body2] && taken[link.body2][colour]))
+      ++colour;
+    for (int body : {link.body1, link.body2}) {
+      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
+      taken[body][colour] = true;
+    }
+    colours.push_back(int(colour));
+  }
+  return colours;
+
+// ---- wrong: four colours of room
+// expects: Likely mistake: an index outside a vector: std::vector<bool> does not check it
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(4));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    std::size_t colour = 0;
+    while ((moves[link.body1] && taken[link.body1][colour]) ||
+           (moves[link.body2] && taken[link.body2][colour]))
+      ++colour;
+    for (int body : {link.body1, link.body2}) taken[body][colour] = true;
+    colours.push_back(int(colour));
   }
   return colours;
 
@@ -73,6 +203,50 @@
   }
   return colours;
 
+// ---- wrong: greater of two colours
+// expects: Likely mistake: the greater one of two colours, each free at one of the bodies
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int a = 0, b = 0;
+    while (moves[link.body1] && taken[link.body1][a]) ++a;
+    while (moves[link.body2] && taken[link.body2][b]) ++b;
+    const int colour = std::max(a, b);
+    taken[link.body1][colour] = true;
+    taken[link.body2][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+
+// ---- wrong: if in the place of while
+// expects: Likely mistake: the colour goes up once at most
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 2));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    if ((moves[link.body1] && taken[link.body1][colour]) ||
+        (moves[link.body2] && taken[link.body2][colour]))
+      ++colour;
+    taken[link.body1][colour] = taken[link.body2][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+
+// ---- wrong: joints before gone through once
+// expects: Likely mistake: the joints before are gone through once
+  std::vector<int> colours;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    int colour = 0;
+    for (std::size_t n = 0; n < k; ++n) {
+      const BodyPair &a = links[k], &b = links[n];
+      const bool share = (moves[a.body1] && (a.body1 == b.body1 || a.body1 == b.body2)) ||
+                         (moves[a.body2] && (a.body2 == b.body1 || a.body2 == b.body2));
+      if (share && colours[n] == colour) ++colour;
+    }
+    colours.push_back(colour);
+  }
+  return colours;
+
 // ---- wrong: joints counted
 // expects: Holds in
 // expects: Likely mistake: the number of joints that a body has had so far is no colour
@@ -81,6 +255,19 @@
     int colour = 0;
     for (const int body : {link.body1, link.body2})
       if (moves[body]) colour = std::max(colour, count[body]++);
+    colours.push_back(colour);
+  }
+  return colours;
+
+// ---- wrong: joints with a static body left out
+// expects: Likely mistake: joints with a static body are left out: they have a colour, too
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    if (!moves[link.body1] || !moves[link.body2]) continue;
+    int colour = 0;
+    while (taken[link.body1][colour] || taken[link.body2][colour]) ++colour;
+    taken[link.body1][colour] = taken[link.body2][colour] = true;
     colours.push_back(colour);
   }
   return colours;
@@ -138,6 +325,78 @@
   }
   return colours;
 
+// ---- wrong: moves turned round where it is asked
+// expects: Is nothing remembered, or `moves` turned round where it is asked?
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    while ((!moves[link.body1] && taken[link.body1][colour]) ||
+           (!moves[link.body2] && taken[link.body2][colour]))
+      ++colour;
+    for (int body : {link.body1, link.body2}) if (moves[body]) taken[body][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+
+// ---- wrong: nothing asked beside a static body
+// expects: Likely mistake: beside a static body nothing is asked
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    while (moves[link.body1] && moves[link.body2] &&
+           (taken[link.body1][colour] || taken[link.body2][colour]))
+      ++colour;
+    taken[link.body1][colour] = taken[link.body2][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+
+// ---- wrong: nothing taken beside a static body
+// expects: Likely mistake: a joint with a static body takes part in nothing
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    if (moves[link.body1] && moves[link.body2]) {
+      while (taken[link.body1][colour] || taken[link.body2][colour]) ++colour;
+      taken[link.body1][colour] = taken[link.body2][colour] = true;
+    }
+    colours.push_back(colour);
+  }
+  return colours;
+
+// ---- wrong: one more than the joint before
+// expects: Likely mistake: one more than the joint before
+  std::vector<int> colours;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    int colour = 0;
+    if (k > 0) {
+      const BodyPair &a = links[k], &b = links[k - 1];
+      const bool share = (moves[a.body1] && (a.body1 == b.body1 || a.body1 == b.body2)) ||
+                         (moves[a.body2] && (a.body2 == b.body1 || a.body2 == b.body2));
+      if (share) colour = colours[k - 1] + 1;
+    }
+    colours.push_back(colour);
+  }
+  return colours;
+
+// ---- wrong: one more than the last neighbour
+// expects: Likely mistake: one more than the last neighbour has
+  std::vector<int> colours;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    int colour = 0;
+    for (std::size_t n = 0; n < k; ++n) {
+      const BodyPair &a = links[k], &b = links[n];
+      const bool share = (moves[a.body1] && (a.body1 == b.body1 || a.body1 == b.body2)) ||
+                         (moves[a.body2] && (a.body2 == b.body1 || a.body2 == b.body2));
+      if (share) colour = colours[n] + 1;
+    }
+    colours.push_back(colour);
+  }
+  return colours;
+
 // ---- wrong: only body 1 asked
 // expects: Likely mistake: only body 1 of a joint is asked
   std::vector<std::vector<bool>> taken(moves.size());
@@ -153,6 +412,21 @@
       taken[body][colour] = true;
     }
     colours.push_back(int(colour));
+  }
+  return colours;
+
+// ---- wrong: only the joint before
+// expects: Likely mistake: only the joint before is looked at: all joints of both bodies count
+  std::vector<int> colours;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    int colour = 0;
+    if (k > 0) {
+      const BodyPair &a = links[k], &b = links[k - 1];
+      const bool share = (moves[a.body1] && (a.body1 == b.body1 || a.body1 == b.body2)) ||
+                         (moves[a.body2] && (a.body2 == b.body1 || a.body2 == b.body2));
+      if (share && colours[k - 1] == 0) colour = 1;
+    }
+    colours.push_back(colour);
   }
   return colours;
 
@@ -182,6 +456,21 @@
   }
   return colours;
 
+// ---- wrong: sized and pushed
+// expects: There are 8 colours for 4 joints
+// expects: Likely mistake: the vector has its size already and is pushed to as well
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 2));
+  std::vector<int> colours(links.size());
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    while ((moves[link.body1] && taken[link.body1][colour]) ||
+           (moves[link.body2] && taken[link.body2][colour]))
+      ++colour;
+    taken[link.body1][colour] = taken[link.body2][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+
 // ---- wrong: static bodies count
 // expects: joint 1 (bodies 2 and 0 (static))
 // expects: Likely mistake: a static body counts: it does not move
@@ -198,6 +487,21 @@
       taken[body][colour] = true;
     }
     colours.push_back(int(colour));
+  }
+  return colours;
+
+// ---- wrong: thirty two bits
+// expects: Holds in 19 of 21 scenes
+// expects: Likely mistake: there is a greatest colour, 31: a body may need any number of them
+  std::vector<unsigned> taken(moves.size(), 0);
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    const auto has = [&](int body) { return moves[body] && (taken[body] & (1u << colour)); };
+    while (colour < 31 && (has(link.body1) || has(link.body2))) ++colour;
+    taken[link.body1] |= 1u << colour;
+    taken[link.body2] |= 1u << colour;
+    colours.push_back(colour);
   }
   return colours;
 
@@ -222,6 +526,27 @@
       colours[k] = colour;
       --left;
     }
+  }
+  return colours;
+
+// ---- right: going up until neither has it
+  std::vector<std::vector<int>> taken(moves.size());
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    const auto has = [&](int body, int c) {
+      if (!moves[body]) return false;
+      for (int t : taken[body]) if (t == c) return true;
+      return false;
+    };
+    int colour = 0;
+    for (bool moved = true; moved;) {
+      moved = false;
+      while (has(link.body1, colour)) ++colour, moved = true;
+      while (has(link.body2, colour)) ++colour, moved = true;
+    }
+    taken[link.body1].push_back(colour);
+    taken[link.body2].push_back(colour);
+    colours.push_back(colour);
   }
   return colours;
 

@@ -1,5 +1,27 @@
 // Known answers of exercise 7.4, each put in the place of the solution's.
 
+// ---- wrong: K not used
+// expects: Likely mistake: a value that was never set
+// change: hinge.inverse_K_times(e, back); ==>
+
+// ---- wrong: K over e
+// expects: Likely mistake: K^-1 e is written over e while e is still being read: give
+// change: const Number e[] ==> Number e[]
+// change: hinge.inverse_K_times(e, back); ==>
+//         hinge.inverse_K_times(e, e); for (int i = 0; i < 5; ++i) back[i] = e[i];
+
+// ---- wrong: a third axis row
+// expects: an index outside a vector or an array
+// change: back[4] * hinge.axis_row[1] ==> back[4] * hinge.axis_row[2]
+
+// ---- wrong: all velocities anew
+// expects: Likely mistake: v1, w1, v2 and w2 take a new value where it is added to the old one
+// change: body1.v = body1.v - ==> body1.v = -
+// change: body1.w - hinge.I1 * (cross(hinge.r1, push) + turn) ==>
+//         -(hinge.I1 * (cross(hinge.r1, push) + turn))
+// change: body2.v = body2.v + ==> body2.v =
+// change: body2.w = body2.w + ==> body2.w =
+
 // ---- wrong: another order of K
 // expects: Likely mistake: K^-1 is read in another order: take place(i, j)
   const Triple<Number> gap =
@@ -23,6 +45,10 @@
   body2.v = body2.v + body2.inverse_mass * push;
   body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
 
+// ---- wrong: bias of another row
+// expects: Likely mistake: bias[1] in e[2]: it belongs to e[1]
+// change: hinge.bias[2] ==> hinge.bias[1]
+
 // ---- wrong: both the same way
 // expects: Likely mistake: both bodies are pushed the same way
   const Triple<Number> gap =
@@ -42,6 +68,12 @@
   body1.w = body1.w + hinge.I1 * (cross(hinge.r1, push) + turn);
   body2.v = body2.v + body2.inverse_mass * push;
   body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+
+// ---- wrong: brackets forgotten for both
+// expects: from w2
+// expects: Likely mistake: T is not multiplied by I1 and I2: I (r x P + T), with brackets
+// change: hinge.I1 * (cross(hinge.r1, push) + turn) ==> (hinge.I1 * cross(hinge.r1, push) + turn)
+// change: hinge.I2 * (cross(hinge.r2, push) + turn) ==> (hinge.I2 * cross(hinge.r2, push) + turn)
 
 // ---- wrong: by momentum
 // expects: Likely mistake: a division by zero
@@ -149,6 +181,25 @@
     body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
   }
 
+// ---- wrong: gap of body 1 less body 2
+// expects: Likely mistake: the sign of e in the point's rows: rates of body 2 less those of body 1
+// change: body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1) ==>
+//         body1.v + cross(body1.w, hinge.r1) - body2.v - cross(body2.w, hinge.r2)
+
+// ---- wrong: gap with r1 twice
+// expects: The path of Eq. 7-6. Yours is worked back from your velocities
+// expects: Likely mistake: r1 in the place of r2 in the gap's rate
+// change: cross(body2.w, hinge.r2) ==> cross(body2.w, hinge.r1)
+
+// ---- wrong: gap with w1 twice
+// expects: Likely mistake: w1 in the place of w2 in the gap's rate
+// change: cross(body2.w, hinge.r2) ==> cross(body1.w, hinge.r2)
+
+// ---- wrong: gap y twice
+// expects: yours        0.4600    0.8000    1.5200    0.5000    0.0000  x
+// expects: Likely mistake: the rate of e[1] stands in e[2], too
+// change: gap.z ==> gap.y
+
 // ---- wrong: inertia of body 1 for both
 // expects: w2.x
 // expects: Likely mistake: I1 is taken for both bodies
@@ -169,6 +220,10 @@
   body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
   body2.v = body2.v + body2.inverse_mass * push;
   body2.w = body2.w + hinge.I1 * (cross(hinge.r2, push) + turn);
+
+// ---- wrong: lambda five taken away
+// expects: Likely mistake: the sign of lambda[4]
+// change: - back[4] ==> + back[4]
 
 // ---- wrong: lambda over e
 // expects: Likely mistake: lambda is written over e while e is still being read
@@ -268,6 +323,14 @@
   body2.v = body2.v + body2.inverse_mass * push;
   body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
 
+// ---- wrong: push begins too late
+// expects: Likely mistake: the push begins with lambda[1]: it is lambda[0] to lambda[2]
+// change: {-back[0], -back[1], -back[2]} ==> {-back[1], -back[2], -back[3]}
+
+// ---- wrong: push itself turns
+// expects: Likely mistake: P in the place of r2 x P in w2
+// change: cross(hinge.r2, push) ==> push
+
 // ---- wrong: push of the first lane
 // expects: v1 of lane 1
 // expects: Likely mistake: the lanes are mixed: nothing may pass
@@ -312,6 +375,10 @@
   const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
   body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+
+// ---- wrong: push with two exchanged
+// expects: Likely mistake: lambda[1] and lambda[2] are exchanged
+// change: -back[1], -back[2] ==> -back[2], -back[1]
 
 // ---- wrong: read as if full
 // expects: Likely mistake: K^-1 is read as if all 25 entries stood there
@@ -420,6 +487,12 @@
   body2.v = body2.v + body2.inverse_mass * push;
   body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
 
+// ---- wrong: unknown in the bias
+// expects: None of the usual mistakes explains it
+// expects: yours        3.8800    0.8000    2.1000    0.5000   -1.4400  x
+// change: {-back[0], -back[1], -back[2]} ==>
+//         {-back[0] - hinge.bias[0], -back[1] - hinge.bias[1], -back[2] - hinge.bias[2]}
+
 // ---- wrong: upper half only
 // expects: Likely mistake: only the upper half of K^-1 is used
   const Triple<Number> gap =
@@ -441,6 +514,14 @@
   body2.v = body2.v + body2.inverse_mass * push;
   body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
 
+// ---- wrong: v in the axis rows
+// expects: Likely mistake: v in the place of w in the axis rows: a_j . (w2 - w1)
+// change: turning = body2.w - body1.w ==> turning = body2.v - body1.v
+
+// ---- wrong: v of body 2 forgotten
+// expects: Likely mistake: v2 is never changed
+// change: body2.v = body2.v + body2.inverse_mass * push; ==>
+
 // ---- wrong: velocities added
 // expects: Likely mistake: the velocities of body 1 are added in e
   const Triple<Number> gap =
@@ -460,6 +541,19 @@
   body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
   body2.v = body2.v + body2.inverse_mass * push;
   body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+
+// ---- wrong: w of body 1 with the lever of body 2
+// expects: from w1     -0.1684    0.0736    0.1667  x
+// expects: Likely mistake: r2 in the place of r1 in w1
+// change: cross(hinge.r1, push) ==> cross(hinge.r2, push)
+
+// ---- wrong: w of body 2 anew
+// expects: Likely mistake: w2 takes a new value where it is added to the old one: += and not =
+// change: body2.w = body2.w + ==> body2.w =
+
+// ---- wrong: w of body 2 taken away
+// expects: Likely mistake: the sign of what is added to w2
+// change: body2.w = body2.w + ==> body2.w = body2.w -
 
 // ---- wrong: without bias
 // expects: Likely mistake: the bias is forgotten: e = bias + J V
@@ -589,6 +683,13 @@
   body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
   body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
 
+// ---- right: added in place
+// The sums with += and -=.
+// change: body1.v = body1.v - ==> body1.v -=
+// change: body1.w = body1.w - ==> body1.w -=
+// change: body2.v = body2.v + ==> body2.v +=
+// change: body2.w = body2.w + ==> body2.w +=
+
 // ---- right: axis after the point
 // The axis sees the velocities that the push has left: row i of K^-1 K is row i of the unit matrix,
 // so that its lambda is the same.
@@ -637,6 +738,12 @@
   body1.w = body1.w + I1 * around1;
   body2.v = body2.v - body2.inverse_mass * P;
   body2.w = body2.w - I2 * around2;
+
+// ---- right: lambda as an array
+// With a minus in front of each of the five.
+// change: const Triple<Number> push{-back[0], -back[1], -back[2]}; ==>
+//         for (Number& l : back) l = -l; const Triple<Number> push{back[0], back[1], back[2]};
+// change: -back[3] * hinge.axis_row[0] - back[4] ==> back[3] * hinge.axis_row[0] + back[4]
 
 // ---- wrong units: push without levers
 // expects: Units: in the solve, adding

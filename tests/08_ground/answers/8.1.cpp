@@ -5,6 +5,11 @@
   const vec3 p = body2.x + corner_local - radius * up(body1);
   return dot(up(body1), p - body1.x) - height;
 
+// ---- wrong: C cut to whole numbers
+// expects: Likely mistake: C is 0 everywhere: it is not measured, or cut to a whole number by
+// change: return dot ==> const int C = dot
+// change: - height; ==> - height; return C;
+
 // ---- wrong: C from centre to centre
 // expects: Likely mistake: from centre to centre
   return dot(up(body1), body2.x - body1.x) - height;
@@ -22,14 +27,28 @@
 // expects: Likely mistake: the height of the point in the world
   return point(body1, body2).y - height;
 
+// ---- wrong: C height in the world over a static body
+// expects: 1 static
+// expects: Likely mistake: over a static body it is measured in the world
+// change: return dot ==> if (body1.is_static()) return point(body1, body2).y - height; return dot
+
 // ---- wrong: C height upright
 // expects: Likely mistake: height along the y axis of the world
   const vec3 top = body1.x + vec3(0, height, 0);
   return dot(up(body1), point(body1, body2) - top);
 
+// ---- wrong: C in float
+// expects: Likely mistake: right to about seven digits only: is there a float among the reals
+  const float C = dot(up(body1), point(body1, body2) - body1.x) - height;
+  return C;
+
 // ---- wrong: C length
 // expects: Likely mistake: the length of p - x1: only what is along n counts
   return length(point(body1, body2) - body1.x) - height;
+
+// ---- wrong: C length from the top
+// expects: Likely mistake: the length of the way from the top: only what is along n counts
+  return length(point(body1, body2) - body1.x - height * up(body1));
 
 // ---- wrong: C lever of body 2
 // expects: Likely mistake: the lever of body 2 in the place of the one of body 1
@@ -55,6 +74,10 @@
 // expects: Likely mistake: the radius is added
   return dot(up(body1), world_point(body2, corner_local) - body1.x) + radius - height;
 
+// ---- wrong: C radius for height
+// expects: Likely mistake: the radius in the place of height
+// change: - height ==> - radius
+
 // ---- wrong: C radius forgotten
 // expects: Likely mistake: the radius is forgotten: the lowest point of the ball counts
 // expects: C, ball, upright
@@ -73,6 +96,10 @@
 // expects: Likely mistake: the sign: C is positive above the top
   return height - dot(up(body1), point(body1, body2) - body1.x);
 
+// ---- wrong: C sign of the vector
+// expects: Likely mistake: the sign of p - x1: it runs from body 1 to the point
+// change: point(body1, body2) - body1.x ==> body1.x - point(body1, body2)
+
 // ---- wrong: C size
 // expects: Likely mistake: the size of C: below the top it is negative
   return std::abs(dot(up(body1), point(body1, body2) - body1.x) - height);
@@ -81,9 +108,30 @@
 // expects: Likely mistake: n is turned the wrong way round
   return dot(to_local(body1, vec3(0, 1, 0)), point(body1, body2) - body1.x) - height;
 
+// ---- wrong: C two mistakes
+// expects: Likely mistake: the radius is forgotten: the lowest point of the ball counts, point();
+// expects: and corner_local is not turned into the world
+// change: point(body1, body2) - body1.x ==> body2.x + corner_local - body1.x
+
+// ---- wrong: C value never set
+// expects: Likely mistake: a value that was never set
+  real sum;
+  for (int i = 0; i < 3; ++i) sum += up(body1)[i] * (point(body1, body2) - body1.x)[i];
+  return sum - height;
+
 // ---- wrong: C world point
 // expects: Likely mistake: a world point in the place of p - x1
   return dot(up(body1), point(body1, body2)) - height;
+
+// ---- wrong: C x and y only
+// expects: Likely mistake: only x and y count in the dot product: all three do
+  real sum = 0;
+  for (int i = 0; i < 2; ++i) sum += up(body1)[i] * (point(body1, body2) - body1.x)[i];
+  return sum - height;
+
+// ---- wrong: C z axis
+// expects: Likely mistake: n is the z axis of body 1: up is its y axis
+// change: up(body1) ==> to_world(body1, vec3(0, 0, 1))
 
 // ---- wrong: J always n
 // region: 2
@@ -127,6 +175,11 @@
   const vec3 d = to_world(body1, direction);
   return {-d, -cross(r1, d), d, cross(r2, d)};
 
+// ---- wrong: J entry times entry
+// region: 2
+// expects: Likely mistake: entry times entry where the cross product belongs, in w2
+// change: , cross(r2, direction)} ==> , r2 * direction}
+
 // ---- wrong: J foot of the corner
 // region: 2
 // expects: Likely mistake: r1 ends on the top, below the corner
@@ -140,6 +193,18 @@
 // expects: Likely mistake: height is taken from r1
   const vec3 p = point(body1, body2), r1 = p - body1.x - height * up(body1), r2 = p - body2.x;
   return {-direction, -cross(r1, direction), direction, cross(r2, direction)};
+
+// ---- wrong: J height taken from both levers
+// region: 2
+// expects: Likely mistake: height is taken from both levers: they end at point()
+// change: p = point(body1, body2) ==> p = point(body1, body2) - height * up(body1)
+
+// ---- wrong: J in float
+// region: 2
+// expects: Likely mistake: right to about seven digits only: is there a float among the reals
+  const glm::vec3 r1(point(body1, body2) - body1.x), r2(point(body1, body2) - body2.x);
+  const glm::vec3 d(direction);
+  return {-direction, -vec3(cross(r1, d)), direction, vec3(cross(r2, d))};
 
 // ---- wrong: J levers exchanged
 // region: 2
@@ -160,6 +225,18 @@
 // expects: Likely mistake: r1 ends in the middle of the top
   const vec3 r1 = height * up(body1), r2 = point(body1, body2) - body2.x;
   return {-direction, -cross(r1, direction), direction, cross(r2, direction)};
+
+// ---- wrong: J n for w1
+// region: 2
+// expects: Likely mistake: n in the place of the direction in w1
+// change: -cross(r1, direction) ==> -cross(r1, up(body1))
+
+// ---- wrong: J nothing of a static body
+// region: 2
+// expects: Likely mistake: beside a static body its blocks are left out
+// change: return {-direction ==>
+//         if (body1.is_static()) return {vec3(0), vec3(0), direction, cross(r2, direction)};
+//         return {-direction
 
 // ---- wrong: J one lever for both
 // region: 2
@@ -238,6 +315,11 @@
 // expects: Likely mistake: the sign of the block w1
   const vec3 p = point(body1, body2), r1 = p - body1.x, r2 = p - body2.x;
   return {-direction, cross(r1, direction), direction, cross(r2, direction)};
+
+// ---- wrong: J unit lever
+// region: 2
+// expects: Likely mistake: a lever made a unit vector: it keeps its length, in w1
+// change: r1 = p - body1.x ==> r1 = normalize(p - body1.x)
 
 // ---- wrong: J w2 halved
 // region: 2

@@ -24,6 +24,12 @@
   sum = -mu * normal;
   return sum - before;
 
+// ---- wrong: friction bound doubled
+// region: 2
+// expects: Case: rate 2.88 m/s, K 0.183333 1/kg, mu 0.5, normal 1.2 N s, sum 0 N s.
+// expects: Likely mistake: the bound is mu normal, yours is 2 mu normal
+// change: bound = mu * normal ==> bound = 2 * mu * normal
+
 // ---- wrong: friction bound for sixty steps
 // region: 2
 // expects: Likely mistake: the bound is an impulse already
@@ -31,6 +37,16 @@
   const real before = sum;
   sum = std::clamp(wanted, -bound, bound);
   return sum - before;
+
+// ---- wrong: friction bound in an int
+// region: 2
+// expects: Likely mistake: the bound is cut to a whole number: an int has no fraction
+// change: bound = mu * normal ==> bound = int(mu * normal)
+
+// ---- wrong: friction bound in float
+// region: 2
+// expects: Likely mistake: right to about seven digits only: is there a float among the reals
+// change: bound = mu * normal ==> bound = float(mu * normal)
 
 // ---- wrong: friction bound only outwards
 // region: 2
@@ -63,6 +79,18 @@
   const real before = sum;
   sum = std::clamp(wanted, -bound, bound);
   return sum - before;
+
+// ---- wrong: friction bound times the rate
+// region: 2
+// expects: Likely mistake: the bound is mu normal, yours is mu normal |rate|
+// change: bound = mu * normal ==> bound = mu * normal * std::abs(rate)
+
+// ---- wrong: friction copy of the sum
+// region: 2
+// expects: Likely mistake: the sum is not stored: the next visit has to know it
+// change: const real before = sum; ==> const real before = sum; real copy = sum;
+// change: sum = std::clamp ==> copy = std::clamp
+// change: return sum ==> return copy
 
 // ---- wrong: friction dropped beyond the bound
 // region: 2
@@ -112,12 +140,30 @@
   sum = rate > 0 ? -bound : rate < 0 ? bound : real(0);
   return sum - before;
 
+// ---- wrong: friction half of what is wanted
+// region: 2
+// expects: Likely mistake: sum - rate/K is wanted, yours is sum - 0.5 rate/K
+// change: rate / K ==> rate / K / 2
+
+// ---- wrong: friction less what was given
+// region: 2
+// expects: Likely mistake: what the sum has left of the bound is taken for either way
+  const real left = std::max(mu * normal - std::abs(sum), real(0));
+  const real change = std::clamp(-rate / K, -left, left);
+  sum += change;
+  return change;
+
 // ---- wrong: friction lower bound only
 // region: 2
 // expects: Likely mistake: only the lower bound is there: friction is bounded either way
   const real before = sum;
   sum = std::max(sum - rate / K, -mu * normal);
   return sum - before;
+
+// ---- wrong: friction lower end without mu
+// region: 2
+// expects: Likely mistake: mu is missing in the lower bound
+// change: -bound, bound ==> -normal, bound
 
 // ---- wrong: friction mu forgotten
 // region: 2
@@ -128,12 +174,38 @@
   sum = std::clamp(wanted, -bound, bound);
   return sum - before;
 
+// ---- wrong: friction mu squared
+// region: 2
+// expects: Likely mistake: mu is taken twice in the bound
+// change: bound = mu * normal ==> bound = mu * mu * normal
+
 // ---- wrong: friction new sum added
 // region: 2
 // expects: Likely mistake: the new sum is added to the old one
   const real bound = mu * normal, now = std::clamp(sum - rate / K, -bound, bound);
   sum += now;
   return now;
+
+// ---- wrong: friction new sum plus old sum
+// region: 2
+// expects: Likely mistake: new sum plus old sum: the change is new sum minus old sum
+// change: return sum - before ==> return sum + before
+
+// ---- wrong: friction none at rest
+// region: 2
+// expects: Likely mistake: nothing is done where nothing slides
+// change: const real before = sum; ==> if (rate == 0) return 0; const real before = sum;
+
+// ---- wrong: friction none in the air
+// region: 2
+// expects: Likely mistake: nothing is done where nothing presses: the sum goes back to 0 then
+// change: const real before = sum; ==> if (normal <= 0) return 0; const real before = sum;
+
+// ---- wrong: friction none of slow sliding
+// region: 2
+// expects: Likely mistake: what slides slowly is let go: there is no threshold
+// change: const real before = sum; ==>
+//         if (std::abs(rate) < real(0.06)) return 0; const real before = sum;
 
 // ---- wrong: friction normal forgotten
 // region: 2
@@ -258,6 +330,15 @@
   sum = std::min(sum - rate / K, mu * normal);
   return sum - before;
 
+// ---- wrong: friction value never set
+// region: 2
+// expects: or was what is wanted never set?
+  real wanted;
+  wanted += sum - rate / K;
+  const real bound = mu * normal, before = sum;
+  sum = std::clamp(wanted, -bound, bound);
+  return sum - before;
+
 // ---- wrong: friction without K
 // region: 2
 // expects: Likely mistake: K is missing: an impulse is a speed divided by K
@@ -287,6 +368,11 @@
   const vec3 t1 = -normalize(across);
   return {t1, cross(n, t1)};
 
+// ---- wrong: tangents along the velocity taken away
+// expects: Case: n (0, 1, 0), sliding (3, -2.49, 0) m/s.
+// expects: Likely mistake: what is taken away is along the velocity: it is along n
+// change: * n; ==> * sliding;
+
 // ---- wrong: tangents always x at rest
 // expects: Likely mistake: the vector that stands in for the sliding is along n here
 // expects: (at rest, n = x)
@@ -294,6 +380,11 @@
   if (length(across) < real(1e-4)) across = vec3(1, 0, 0) - n.x * n;
   const vec3 t1 = normalize(across);
   return {t1, cross(n, t1)};
+
+// ---- wrong: tangents by the largest entry
+// expects: Likely mistake: divided by the largest entry: by the length
+// change: normalize(across) ==>
+//         across / std::max({std::abs(across.x), std::abs(across.y), std::abs(across.z)})
 
 // ---- wrong: tangents cross of one stand in
 // expects: Likely mistake: the vector that stands in for the sliding is along n here
@@ -313,6 +404,14 @@
   }
   const vec3 t1 = normalize(across);
   return {cross(n, t1), t1};
+
+// ---- wrong: tangents fixed across
+// expects: Likely mistake: t2 is always the same: t2 = n x t1
+// change: cross(n, t1) ==> vec3(0, 0, 1)
+
+// ---- wrong: tangents half of n taken away
+// expects: Likely mistake: half of what is along n is taken away: all of it
+// change: dot(n, sliding) * n ==> real(0.5) * dot(n, sliding) * n
 
 // ---- wrong: tangents left handed
 // expects: Likely mistake: t2 = t1 x n: it is n x t1
@@ -338,6 +437,10 @@
   }
   const vec3 s = normalize(sliding), t1 = s - dot(n, s) * n;
   return {t1, cross(n, t1)};
+
+// ---- wrong: tangents n taken away
+// expects: Likely mistake: n itself is taken away: the part of the velocity along it, (n.v) n
+// change: dot(n, sliding) * n ==> n
 
 // ---- wrong: tangents not a unit vector
 // expects: Likely mistake: t1 is not a unit vector
@@ -496,6 +599,13 @@
   sum = std::copysign(std::min(std::abs(wanted), mu * normal), wanted);
   return sum - before;
 
+// ---- right: friction change clamped between what is left
+// region: 2
+// What the sum may still change, either way.
+  const real bound = mu * normal, change = std::clamp(-rate / K, -bound - sum, bound - sum);
+  sum += change;
+  return change;
+
 // ---- right: friction with ifs
 // region: 2
 // One bound after the other.
@@ -526,6 +636,9 @@
   const vec3 aside = std::abs(n.x) > std::abs(n.z) ? vec3(-n.y, n.x, 0) : vec3(0, -n.z, n.y);
   const vec3 t1 = normalize(length(across) < real(1e-4) ? aside : across);
   return {t1, cross(n, t1)};
+
+// ---- right: tangents by the lesser of two entries
+// change: std::abs(n.x) < real(0.6) ==> std::abs(n.x) < std::abs(n.y)
 
 // ---- right: tangents by two cross products
 // t2 first: n x sliding has no part along n.

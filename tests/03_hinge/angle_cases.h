@@ -177,6 +177,23 @@ inline CaseTable<AngleCase> angle_table() {
        [=](const Case& c) { return degrees(dot(glm::eulerAngles(turn(c)), c.a1_local)); }},
       {"angles about three axes are no rotation: their sum along the axis is not the twist",
        [=](const Case& c) { return degrees(dot(glm::eulerAngles(up(turn(c))), c.a1_local)); }},
+      {"body 2 alone: the angle is that of body 2 as body 1 sees it, q1^-1 q2",
+       of([](const Case& c) { return c.q2; })},
+      {"a difference of two angles: the turns are multiplied, q1^-1 q2 start^-1",
+       [=](const Case& c) {
+         return degrees(angle_of(conjugate(c.q1) * c.q2, c.a1_local) -
+                        angle_of(c.start, c.a1_local));
+       }},
+      {"a difference of two angles: the turns are multiplied, q1^-1 q2 start^-1",
+       [=](const Case& c) {
+         return degrees(as_it_stands(c.q2, c.a1_local) - as_it_stands(c.q1, c.a1_local));
+       }},
+      {"half the range: a sine cannot tell 80 degrees from 100. atan2 takes p and s",
+       angle([](real p, real s, real) { return std::asin(2 * p * s); })},
+      {"v is not made a unit vector: its length is the sine",
+       angle([](real p, real s, real v) { return 2 * std::atan2(p / v, s); })},
+      {"the quotient the wrong way round: the tangent is p / s",
+       as_it_comes([](real p, real s, real) { return 2 * std::atan(s / p); })},
       {"start is forgotten, and the sign rule (where s < 0 turn all of q)",
        [=](const Case& c) {
          return degrees(as_it_stands(conjugate(c.q1) * c.q2, c.a1_local));

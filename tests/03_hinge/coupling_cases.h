@@ -12,8 +12,8 @@ struct RowsCase {
   Pair pair;
 };
 
-/// Rows with numbers in every block between two uneven bodies that are turned; the last four with
-/// a static body.
+/// Rows with numbers in every block between two uneven bodies that are turned; one of them little,
+/// the last four with a static body.
 inline std::vector<RowsCase> rows_cases() {
   std::vector<RowsCase> out;
   Random random(32);
@@ -23,7 +23,8 @@ inline std::vector<RowsCase> rows_cases() {
   for (int draw = 0; draw < 12; ++draw) {
     Pair pair = uneven_pair();
     move_together(pair, random);
-    const Row a = row(), b = row();
+    Row a = row(), b = row();
+    if (draw == 7) a = {real(1e-3) * a.v1, real(1e-3) * a.w1, real(1e-3) * a.v2, real(1e-3) * a.w2};
     if (draw >= 8) {
       Body& wall = draw % 2 ? pair.body2 : pair.body1;
       wall = static_body(wall.x, wall.q);
@@ -118,6 +119,24 @@ inline CaseTable<RowsCase> coupling_table() {
        with([=](const Body& body) {
          return Mass{body.inverse_mass, turned(body, conjugate(body.q))};
        })},
+      {"rows in the body's axes with an inertia in the world's: inverse_inertia(body) takes the "
+       "rows as they are",
+       with([=](const Body& body) {
+         const mat3 R = glm::mat3_cast(body.q);
+         return Mass{body.inverse_mass, R * inverse_inertia(body) * transpose(R)};
+       })},
+      {"one side is turned into the body's axes and not the other: take inverse_inertia(body)",
+       with([=](const Body& body) {
+         return Mass{body.inverse_mass, local(body) * transpose(glm::mat3_cast(body.q))};
+       })},
+      {"the inverse inertia of body 1 is missing",
+       of_bodies([=](const Body& one, const Body& two) {
+         return std::pair(Mass{one.inverse_mass, mat3(1)}, inverse_of(two));
+       })},
+      {"the inverse inertia of body 2 is missing",
+       of_bodies([=](const Body& one, const Body& two) {
+         return std::pair(inverse_of(one), Mass{two.inverse_mass, mat3(1)});
+       })},
       {"the inertia is turned by R alone: R I^-1 R^T", with([=](const Body& body) {
          return Mass{body.inverse_mass, glm::mat3_cast(body.q) * local(body)};
        })},
@@ -204,6 +223,8 @@ inline CaseTable<RowsCase> coupling_table() {
        }},
       {"a static body 1 has an answer, too: its own share is 0, body 2's is not",
        [=](const Case& c) { return c.pair.body1.is_static() ? Numbers{0} : table.right(c); }},
+      {"a static body 2 has an answer, too: its own share is 0, body 1's is not",
+       [=](const Case& c) { return c.pair.body2.is_static() ? Numbers{0} : table.right(c); }},
       {"the sum is an int: it cuts the fraction off", [=](const Case& c) {
          int sum = 0;
          for (int k = 0; k < 4; ++k)

@@ -142,7 +142,7 @@ inline CaseTable<LimitCase> limit_table() {
        ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate + 0.1); })},
       {"0.1 h is added: C < h |rate| + 0.1 h",
        ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate) - 0.1 * h; })},
-      {"0.01 h where 0.1 h belongs",
+      {"less than 0.1 h is added (0.01 h, or h twice): C < h |rate| + 0.1 h",
        ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate) + 0.01 * h; })},
       {"the rate is squared: C < h |rate| + 0.1 h",
        ruled([](const Case& c, const Row3& r) { return r.C < h * c.rate * c.rate + 0.1 * h; })},
@@ -162,6 +162,29 @@ inline CaseTable<LimitCase> limit_table() {
        ruled([](const Case& c, const Row3& r) {
          return r.C + h * r.sign * c.rate < h * std::abs(c.rate) + 0.1 * h;
        })},
+      {"a limit is live at rest, too: no rate is asked for",
+       ruled([=](const Case& c, const Row3& r) { return c.rate != 0 && live(c, r); })},
+      {"live while x moves away, too: a neighbour may turn it round within the step",
+       ruled([=](const Case& c, const Row3& r) { return r.sign * c.rate <= 0 && live(c, r); })},
+      {"live while x moves away, too: a neighbour may turn it round within the step",
+       ruled([=](const Case& c, const Row3& r) { return r.sign * c.rate < 0 && live(c, r); })},
+      {"live is asked of the limit that is returned, not of the other one",
+       ruled([=](const Case& c, const Row3&) {
+         return live(c, side(c, false)) || live(c, side(c, true));
+       })},
+      {"live is asked of the limit that is returned, not of the other one",
+       ruled([=](const Case& c, const Row3&) {
+         return live(c, side(c, false)) && live(c, side(c, true));
+       })},
+      {"h is what is given, not 1/60", [=](const Case& c) {
+         const double short_h = 1.0 / 60;
+         return build([=](const Case& at) {
+                        return at.upper - at.x - short_h * at.rate <=
+                               at.x - at.lower + short_h * at.rate;
+                      }, keep, [=](const Case& at, const Row3& r) {
+                        return r.C < short_h * std::abs(at.rate) + 0.1 * short_h;
+                      })(c);
+       }},
       {"live is set for the lower limit alone",
        ruled([=](const Case& c, const Row3& r) { return r.sign > 0 && live(c, r); })},
       {"live is set for the upper limit alone",
@@ -172,6 +195,14 @@ inline CaseTable<LimitCase> limit_table() {
        filled_in_where([](const Row3& row) { return row.live; })},
       {"C and sign are those of the nearer limit whether it is passed or not",
        filled_in_where([](const Row3& row) { return row.C < 0; })},
+      {"C and sign are those of the nearer limit whether it is live or not", [=](const Case& c) {
+         Row3 row{std::numeric_limits<double>::infinity(), 1, false};
+         for (const bool upper : {false, true})
+           if (Row3 one = side(c, upper); live(c, one)) row = one, row.live = true;
+         return numbers(row);
+       }},
+      {"the sign is that of the limit: it does not ask whether it is passed",
+       changed([](const Case&, Row3& r) { r.sign = r.C < 0 ? -1 : 1; })},
       {"the sign is that of the limit: it does not ask where x is going",
        changed([](const Case& c, Row3& r) { r.sign = c.rate < 0 ? 1 : -1; })},
       {"the sign is that of the limit: it does not ask where x is going",

@@ -76,6 +76,17 @@ inline CaseTable<MotorCase> motor_table() {
        }},
       {"strength 0 is a motor that is off, not one without a bound",
        bounded([=](const Case& c) { return c.strength == 0 ? 1e30 : h * c.strength; })},
+      {"the bound is h strength: it does not ask for the speed",
+       bounded([](const Case& c) { return h * std::abs(c.speed); })},
+      {"K is in it twice: (rate - speed) / K",
+       wanting([=](const Case& c) { return c.sum + lack(c) / c.K; })},
+      {"a factor of 0.5 in what is wanted", wanting([=](const Case& c) {
+         return c.sum + lack(c) / 2;
+       })},
+      {"what lacks to the speed is not all: it comes on top of the sum, and is divided by K",
+       wanting([](const Case& c) { return c.speed - c.rate; })},
+      {"the motor gives all it has at once: it gives (speed - rate) / K, at most h strength",
+       wanting([=](const Case& c) { return c.sum + std::copysign(1e30, c.speed - c.rate); })},
       {"the bound is h strength: K has no part in it",
        bounded([](const Case& c) { return h * c.strength / c.K; })},
       {"the bound is h strength: h is in it twice",
@@ -114,6 +125,15 @@ inline CaseTable<MotorCase> motor_table() {
          const double sum = std::clamp(wanted(c), std::min(end, 0.0), std::max(end, 0.0));
          return Numbers{sum - c.sum, sum};
        }},
+      {"below the lower bound the sum is that bound: it is not left as it was",
+       [=](const Case& c) {
+         const double sum = wanted(c) <= -bound(c) ? c.sum : std::min(wanted(c), bound(c));
+         return Numbers{sum - c.sum, sum};
+       }},
+      {"the sum so far is thrown away: it grows over all visits of a step", [=](const Case& c) {
+         const double sum = clamped(lack(c), bound(c));
+         return Numbers{sum, sum};
+       }},
       {"the sum is always at its lower bound: are min and max exchanged, or is something in it "
        "never set?",
        [=](const Case& c) { return Numbers{-bound(c) - c.sum, -bound(c)}; }},
@@ -149,6 +169,12 @@ inline CaseTable<MotorCase> motor_table() {
        [=](const Case& c) { return Numbers{wanted(c), right(c)[1]}; }},
       {"the sum is not stored, and it is returned itself: return by how much it changed",
        [=](const Case& c) { return Numbers{right(c)[1], c.sum}; }},
+      {"the bound is returned: return by how much the sum changed",
+       [=](const Case& c) { return Numbers{bound(c), right(c)[1]}; }},
+      {"old and new sum are added: return by how much the sum changed",
+       [=](const Case& c) { return Numbers{right(c)[1] + c.sum, right(c)[1]}; }},
+      {"what was cut off is returned: return by how much the sum changed",
+       [=](const Case& c) { return Numbers{wanted(c) - right(c)[1], right(c)[1]}; }},
       {"the sign of the change: new sum minus old sum",
        [=](const Case& c) { return Numbers{-right(c)[0], right(c)[1]}; }},
       {"0 is returned: keep the old sum before the new one is stored",

@@ -52,6 +52,18 @@ inline CaseTable<TurnsCase> turns_table() {
        plus(turn, [](double k) { return -std::round(k); })},
       {"half turns: a whole turn is 2 pi", plus(turn / 2, nearest)},
       {"degrees where radians belong: a whole turn is 2 pi", plus(360, nearest)},
+      {"two turns at a time: a whole turn is 2 pi", plus(2 * turn, nearest)},
+      {"the sign of `expected`: what remains is of measured - expected", [](const Case& c) {
+         return Numbers{c.expected + std::remainder(c.measured + c.expected, turn)};
+       }},
+      {"the angle nearest to `expected` counts, not one from 0 to 2 pi",
+       [](const Case& c) { return Numbers{c.measured < 0 ? c.measured + turn : c.measured}; }},
+      {"half a turn off is another turn already: the nearest one counts", [=](const Case& c) {
+         const bool far = std::abs(c.measured - c.expected) >= turn;
+         return far ? plus(turn, nearest)(c) : Numbers{c.measured};
+       }},
+      {"the turns of `expected` alone: k comes from expected - measured",
+       [](const Case& c) { return Numbers{c.measured + turn * std::trunc(c.expected / turn)}; }},
       {"half turns are added: a whole turn is 2 pi", [](const Case& c) {
          double angle = c.measured;
          while (angle < c.expected - turn / 2) angle += turn / 2;

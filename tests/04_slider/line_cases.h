@@ -98,6 +98,11 @@ CaseTable<PartCase<typename Fixture::Part>> way_table(
       {"centres in place of anchors: u is p2 - p1", along(d, on_1)},
       {"centres in place of anchors, and " + name + " left in body space", along(d, as_it_is)},
       {"the point of body 2 in the place of u: u is p2 - p1", along(p2, on_1)},
+      {"the anchor of body 2 is forgotten: u is p2 - p1", along([=](const Case& c) {
+         return c.pair.body2.x - world_point(c.pair.body1, c.part.anchor1_local);
+       }, on_1)},
+      {"the anchor of body 1 is forgotten: u is p2 - p1",
+       along([=](const Case& c) { return p2(c) - c.pair.body1.x; }, on_1)},
       {unit, along([=](const Case& c) { return direction(u(c)); }, on_1)},
       {unit, along([=](const Case& c) { return normalize(u(c)); }, on_1)},
       {"the length of u: only its part along " + name + " counts",

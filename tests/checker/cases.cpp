@@ -20,11 +20,23 @@ Numbers at(const Numbers& numbers, const Columns& columns) {
 std::vector<std::string> named(const CaseNumbers& all, const std::vector<Asked>& mistakes,
                                const Columns& columns) {
   std::vector<std::string> out;
+  // Yes or no in one entry fits too easily: there a mistake must leave the other entries right.
+  const bool only_yes_or_no = columns.size() < all.entries.size() &&
+                              std::all_of(all.cases.begin(), all.cases.end(), [&](const auto& c) {
+                                const Numbers numbers = at(c.right, columns);
+                                return std::all_of(numbers.begin(), numbers.end(),
+                                                   [](double a) { return a == 0 || a == 1; });
+                              });
   for (const Asked& mistake : mistakes) {
     bool fits = true;
-    for (std::size_t c = 0; fits && c < all.cases.size(); ++c)
-      fits = same_numbers(at(all.cases[c].yours, columns), at(mistake.in(c), columns),
-                          all.tolerance);
+    for (std::size_t c = 0; fits && c < all.cases.size(); ++c) {
+      Numbers wrong = mistake.in(c);
+      const Numbers own = at(wrong, columns);
+      fits = same_numbers(at(all.cases[c].yours, columns), own, all.tolerance);
+      if (!only_yes_or_no) continue;
+      for (const std::size_t k : columns) wrong[k] = all.cases[c].right[k];
+      fits = fits && same_numbers(wrong, all.cases[c].right, all.tolerance);
+    }
     if (fits) out.push_back(mistake.words);
   }
   return out;
@@ -44,7 +56,7 @@ bool is(const std::vector<Numbers>& yours, const std::vector<Numbers>& right, do
       changed += !same_numbers({wanted}, {right[c][i]}, tolerance);
       not_zero += !near(wanted, 0, tolerance);
     }
-  return changed > 1 && not_zero > 0;
+  return changed > 2 && not_zero > 0;
 }
 
 std::string constant(const std::vector<Numbers>& yours, const std::vector<Numbers>& right,
@@ -63,15 +75,17 @@ std::string constant(const std::vector<Numbers>& yours, const std::vector<Number
 bool threshold(const std::vector<Numbers>& yours, const std::vector<Numbers>& right,
                double tolerance) {
   double largest_wrong = 0, smallest_right = std::numeric_limits<double>::infinity();
+  int wrong = 0;
   for (std::size_t c = 0; c < yours.size(); ++c)
     for (std::size_t i = 0; i < yours[c].size(); ++i) {
       const double a = std::abs(right[c][i]);
       const bool same = same_numbers({yours[c][i]}, {right[c][i]}, tolerance);
       if (!same && yours[c][i] != 0) return false;
+      wrong += !same;
       if (!same) largest_wrong = std::max(largest_wrong, a);
       else if (a > tolerance) smallest_right = std::min(smallest_right, a);
     }
-  return 0 < largest_wrong && largest_wrong < smallest_right / 2;
+  return 0 < largest_wrong && largest_wrong < smallest_right / (wrong < 4 ? 2 : 1);
 }
 
 std::string shown(const CaseNumbers& all, const Columns& columns) {
@@ -94,6 +108,8 @@ std::string shown(const CaseNumbers& all, const Columns& columns) {
   if (equal(overwritten)) return "the first number is written twice, the second never";
   if (equal(first)) return "the first number stands in both places";
   if (equal(last)) return "the second number stands in both places";
+  if (threshold(yours, right, all.tolerance))
+    return "what is small has become 0: no threshold belongs here";
   const auto fits = [&](auto f) { return is(yours, right, all.tolerance, f); };
   if (fits([](double a) { return std::abs(a); }))
     return "an absolute value: the sign is lost";
@@ -102,8 +118,6 @@ std::string shown(const CaseNumbers& all, const Columns& columns) {
   if (fits([](double a) { return std::trunc(a); }))
     return "the fraction is cut off: an int holds whole numbers only";
   if (fits([](double a) { return 1 / a; })) return "one over the right number";
-  if (threshold(yours, right, all.tolerance))
-    return "what is small has become 0: no threshold belongs here";
   const double degrees = 180 / std::numbers::pi;
   if (fits([=](double a) { return degrees * a; })) return "degrees where radians belong";
   if (fits([=](double a) { return a / degrees; }))

@@ -220,6 +220,10 @@ void guess_rows(Sample& s, double tolerance) {
                     : "the sign of the whole row: C grows when body 2 moves positively";
   guess(s, tolerance, words);
   if (!all_finite(s.yours) || any_unset(s.yours, s.right)) return;
+  Numbers sizes = s.right;
+  for (double& number : sizes) number = std::abs(number);
+  if (close(s.yours, sizes, tolerance))
+    s.mistakes.push_back("absolute values: the numbers of J have a sign");
   if (!swapped && other_order(s, tolerance))
     s.mistakes.push_back("the order of the blocks: a row is {v1, w1, v2, w2}");
   const std::string blocks = block_mistake(s, tolerance);

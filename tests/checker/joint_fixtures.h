@@ -123,6 +123,11 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_levers(
     add("u belongs to the lever of body 1: " + rides, n, r1, r2 + sign * u);
     add("u belongs to the lever of body 1 alone", n, r1 + u, r2 + sign * u);
   }
+  add("the levers r1 and r2 are exchanged", n, r2 + u, r1);
+  add("u belongs to the lever of body 1 once", n, r1 + real(2) * u, r2);
+  add("u belongs to the lever of body 1, all of it: " + rides, n, r1 + u / real(2),
+      r2 - u / real(2));
+  add("a lever has its length: it is no unit vector", n, direction(r1 + u), direction(r2));
   add("the lever of body 2 is r2, not r1", n, r1 + u, r1);
   add("the lever of body 1 is r1 + u, not r2 + u", n, r2 + u, r2);
   std::array<vec3, N> gaps;
@@ -181,6 +186,7 @@ struct RotationLockFixture {
   }
   static std::vector<std::pair<std::string, Jacobian<3>>> mistakes(const Part&, const Pair& pair) {
     const mat3 R1 = glm::mat3_cast(pair.body1.q), R2 = glm::mat3_cast(pair.body2.q);
+    const mat3 ones(1, 1, 1, 1, 1, 1, 1, 1, 1);
     const auto turning = [](const mat3& one, const mat3& two) {
       return jacobian_from_blocks(mat3(0), -one, mat3(0), two);
     };
@@ -188,6 +194,8 @@ struct RotationLockFixture {
     return {{axes, turning(transpose(R1), transpose(R1))}, {axes, turning(R1, R1)},
             {axes, turning(transpose(R2), transpose(R2))}, {axes, turning(R2, R2)},
             {axes, turning(transpose(R1), transpose(R2))}, {axes, turning(R1, R2)},
+            {"E has ones on its diagonal alone: mat3(1)", turning(ones, ones)},
+            {"E has ones on its diagonal alone: mat3(1)", turning(mat3(1), ones)},
             {"a lock turns and does not push: E belongs to w1 and w2, not to v1 and v2",
              jacobian_from_blocks(mat3(-1), mat3(0), mat3(1), mat3(0))},
             {"both spins with the same sign: C grows with w2 - w1", turning(mat3(-1), mat3(1))}};

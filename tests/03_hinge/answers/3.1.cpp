@@ -1,5 +1,11 @@
 // Known answers of exercise 3.1, each put in the place of the solution's.
 
+// ---- wrong: C 1 - cos
+// expects: Likely mistake: 1 minus the cosine: the arrows are at right angles, so a1.b itself is 0
+  const vec3 a1 = to_world(body1, a1_local);
+  const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local);
+  return {1 - dot(a1, b), 1 - dot(a1, c)};
+
 // ---- wrong: C absolute values
 // expects: Likely mistake: an absolute value: the sign is lost
   const vec3 a1 = to_world(body1, a1_local);
@@ -20,6 +26,11 @@
 // expects: Likely mistake: b_local and c_local are not turned into the world
   const vec3 a1 = to_world(body1, a1_local);
   return {dot(a1, b_local), dot(a1, c_local)};
+
+// ---- wrong: C c not turned
+// expects: Likely mistake: in C.c alone: b_local and c_local are not turned into the world
+  const vec3 a1 = to_world(body1, a1_local);
+  return {dot(a1, to_world(body2, b_local)), dot(a1, c_local)};
 
 // ---- wrong: C cross product of the axes
 // expects: Likely mistake: the cross product of the axes: that holds a1.c and -(a1.b)
@@ -196,6 +207,13 @@
   J[1] = {vec3(0), -cross(a1, c), vec3(0), cross(a1, c)};
   return J;
 
+// ---- wrong: J row b's w2 sign
+// region: 2
+// expects: Likely mistake: in C.b alone: the sign of the block w2 (pencil and paper, upright,
+// expects: turned, moved, broken)
+  const vec3 p = cross(b, a1), q = cross(c, a1);
+  return {{Row{vec3(0), -p, vec3(0), -p}, Row{vec3(0), -q, vec3(0), q}}};
+
 // ---- wrong: J rows exchanged
 // region: 2
 // expects: Likely mistake: the rows C.b and C.c are exchanged (pencil and paper, upright, turned,
@@ -216,8 +234,8 @@
 
 // ---- wrong: J sign of one row
 // region: 2
-// expects: Likely mistake: in C.c alone: the sign of the whole row, or bodies 1 and 2 swapped
-// expects: (pencil and paper, upright, turned, moved, broken)
+// expects: Likely mistake: in one row alone: the sign of the whole row: b x a1, not a1 x b; or
+// expects: bodies 1 and 2 swapped (pencil and paper, upright, turned, moved, broken)
   Jacobian<2> J;
   J[0] = {vec3(0), -cross(b, a1), vec3(0), cross(b, a1)};
   J[1] = {vec3(0), cross(c, a1), vec3(0), -cross(c, a1)};

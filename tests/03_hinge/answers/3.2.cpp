@@ -5,6 +5,15 @@
   return body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
          body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w1, inverse_inertia(body2) * b.w2);
 
+// ---- wrong: a sum that is thrown away
+// expects: Likely mistake: body 2 is missing
+  real k;
+  k = body1.inverse_mass * dot(a.v1, b.v1);
+  k = k + dot(a.w1, inverse_inertia(body1) * b.w1);
+  k + body2.inverse_mass * dot(a.v2, b.v2);
+  k + dot(a.w2, inverse_inertia(body2) * b.w2);
+  return k;
+
 // ---- wrong: a w2 with a w2
 // expects: Likely mistake: row a stands on both sides in the turn of body 2
   return body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
@@ -75,6 +84,15 @@
   return body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
          body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, body2.inverse_inertia_local * b.w2);
 
+// ---- wrong: local rows
+// expects: Likely mistake: rows in the body's axes with an inertia in the world's:
+// expects: inverse_inertia(body) takes the rows as they are
+  const auto turn = [](const Body& body, const vec3& p, const vec3& q) {
+    return dot(to_local(body, p), inverse_inertia(body) * to_local(body, q));
+  };
+  return body1.inverse_mass * dot(a.v1, b.v1) + turn(body1, a.w1, b.w1) +
+         body2.inverse_mass * dot(a.v2, b.v2) + turn(body2, a.w2, b.w2);
+
 // ---- wrong: mass for inverse mass
 // expects: Likely mistake: masses where inverse masses belong: M^-1 divides by the mass
   const auto mass = [](const Body& body) {
@@ -87,6 +105,12 @@
 // expects: Likely mistake: the inverse mass of body 2 for both bodies: each has its own
   return body2.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
          body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2);
+
+// ---- wrong: max 0
+// expects: Likely mistake: what is negative has become 0
+  const real k = body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
+         body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2);
+  return std::max(k, real(0));
 
 // ---- wrong: minus body 1
 // expects: Likely mistake: the sign of body 1's share: the shares of both bodies are added
@@ -103,6 +127,15 @@
   return body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
          body2.inverse_mass * dot(a.v2, b.v2);
 
+// ---- wrong: only local side
+// expects: Likely mistake: one side is turned into the body's axes and not the other: take
+// expects: inverse_inertia(body)
+  const auto answer = [](const Body& body, const vec3& q) {
+    return body.inverse_inertia_local * to_local(body, q);
+  };
+  return body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, answer(body1, b.w1)) +
+         body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, answer(body2, b.w2));
+
 // ---- wrong: set for added
 // expects: Likely mistake: only the turn of body 2 is left: the blocks w2. Is an = there where +=
 // expects: belongs?
@@ -112,6 +145,12 @@
   k = dot(a.w2, inverse_inertia(body2) * b.w2);
   return k;
 
+// ---- wrong: threshold
+// expects: Likely mistake: what is small has become 0: no threshold belongs here
+  const real k = body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
+         body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2);
+  return std::abs(k) < 0.1 ? 0 : k;
+
 // ---- wrong: unset sum
 // expects: Likely mistake: a value that was never set
   real k;
@@ -120,6 +159,11 @@
   k += body2.inverse_mass * dot(a.v2, b.v2);
   k += dot(a.w2, inverse_inertia(body2) * b.w2);
   return k;
+
+// ---- wrong: w terms without inertia of body 1
+// expects: Likely mistake: the inverse inertia of body 1 is missing
+  return body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, b.w1) +
+         body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2);
 
 // ---- wrong: w1 for w2
 // expects: Likely mistake: w1 where w2 belongs: body 2 takes its own blocks, a.w2 and b.w2
@@ -139,6 +183,12 @@
 // expects: Likely mistake: a static body has an answer, too: its own share is 0, the other body's
 // expects: is not
   if (body1.is_static() || body2.is_static()) return 0;
+  return body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
+         body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2);
+
+// ---- wrong: zero for a static body 2
+// expects: Likely mistake: a static body 2 has an answer, too: its own share is 0, body 1's is not
+  if (body2.is_static()) return 0;
   return body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
          body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2);
 

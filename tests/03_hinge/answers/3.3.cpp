@@ -7,6 +7,11 @@
   if (q.w < 0) q = -q;
   return 2 * std::asin(dot(vec3(q.x, q.y, q.z), a1_local));
 
+// ---- wrong: atan of ratio reversed
+// expects: Likely mistake: the quotient the wrong way round: the tangent is p / s
+  quat q = conjugate(body1.q) * body2.q * conjugate(start);
+  return 2 * std::atan(q.w / dot(vec3(q.x, q.y, q.z), a1_local));
+
 // ---- wrong: atan2 exchanged
 // expects: Likely mistake: the arguments of atan2 are exchanged: first p, then s
   quat q = conjugate(body1.q) * body2.q * conjugate(start);
@@ -36,6 +41,16 @@
 // expects: Likely mistake: a difference of quaternions is no turn: q1^-1 q2
   quat q = body2.q - body1.q;
   return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
+
+// ---- wrong: difference of angles
+// expects: Likely mistake: a difference of two angles: the turns are multiplied, q1^-1 q2 start^-1
+  quat q = conjugate(body1.q) * body2.q, s = start;
+  if (q.w < 0) q = -q;
+  if (s.w < 0) s = -s;
+  const auto angle = [&](const quat& e) {
+    return 2 * std::atan2(dot(vec3(e.x, e.y, e.z), a1_local), e.w);
+  };
+  return angle(q) - angle(s);
 
 // ---- wrong: factor two forgotten
 // expects: Likely mistake: the factor 2 is missing: a quaternion holds half the angle
@@ -89,6 +104,12 @@
 // ---- wrong: no sign rule
 // expects: Likely mistake: no sign rule: q and -q are the same turn. Where s < 0 turn all of q
   const quat q = conjugate(body1.q) * body2.q * conjugate(start);
+  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
+
+// ---- wrong: only body 2
+// expects: Likely mistake: body 2 alone: the angle is that of body 2 as body 1 sees it, q1^-1 q2
+  quat q = body2.q;
+  if (q.w < 0) q = -q;
   return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
 
 // ---- wrong: sign of s alone
@@ -179,6 +200,12 @@
   const real turn = 2 * std::numbers::pi_v<real>;
   return measured + turn * std::round(expected - measured / turn);
 
+// ---- wrong: unwrapped if
+// region: 2
+// expects: Likely mistake: the angle nearest to `expected` counts, not one from 0 to 2 pi
+  if (measured < 0) return measured + 2 * std::numbers::pi_v<real>;
+  return measured;
+
 // ---- wrong: unwrapped int truncation
 // region: 2
 // expects: Likely mistake: the number of turns is cut off (as std::fmod does), not rounded: the
@@ -200,6 +227,11 @@
   if (expected - measured < -pi) return measured - 2 * pi;
   return measured;
 
+// ---- wrong: unwrapped plus
+// region: 2
+// expects: Likely mistake: the sign of `expected`: what remains is of measured - expected
+  return expected + std::remainder(measured + expected, 2 * std::numbers::pi_v<real>);
+
 // ---- wrong: unwrapped round no turn
 // region: 2
 // expects: Likely mistake: the number of turns is added: each of them is 2 pi
@@ -211,6 +243,19 @@
 // expects: Likely mistake: the arguments of std::remainder are exchanged: first the difference,
 // expects: then 2 pi
   return expected + std::remainder(2 * std::numbers::pi_v<real>, measured - expected);
+
+// ---- wrong: unwrapped threshold only when far
+// region: 2
+// expects: Likely mistake: half a turn off is another turn already: the nearest one counts
+  const real pi = std::numbers::pi_v<real>;
+  if (std::abs(measured - expected) < 2 * pi) return measured;
+  return expected + std::remainder(measured - expected, 2 * pi);
+
+// ---- wrong: unwrapped truncation of expected/turn
+// region: 2
+// expects: Likely mistake: the turns of `expected` alone: k comes from expected - measured
+  const real turn = 2 * std::numbers::pi_v<real>;
+  return measured + turn * int(expected / turn);
 
 // ---- wrong: unwrapped while adds pi
 // region: 2
@@ -231,6 +276,12 @@
 // region: 2
 // expects: Likely mistake: `expected` is not added again after std::remainder
   return std::remainder(measured - expected, 2 * std::numbers::pi_v<real>);
+
+// ---- wrong: v made a unit vector
+// expects: Likely mistake: v is not made a unit vector: its length is the sine
+  quat q = conjugate(body1.q) * body2.q * conjugate(start);
+  if (q.w < 0) q = -q;
+  return 2 * std::atan2(dot(normalize(vec3(q.x, q.y, q.z)), a1_local), q.w);
 
 // ---- wrong: vector q.w q.x q.y
 // expects: Likely mistake: the numbers w, x, y: the vector of q is (q.x, q.y, q.z)

@@ -1,7 +1,7 @@
 // Known answers of exercise 3.4, each put in the place of the solution's.
 
 // ---- wrong: 0.01 h
-// expects: Likely mistake: 0.01 h where 0.1 h belongs
+// expects: Likely mistake: less than 0.1 h is added (0.01 h, or h twice): C < h |rate| + 0.1 h
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
   nearer.live = nearer.C < h * std::abs(rate) + real(0.01) * h;
@@ -35,6 +35,13 @@
   LimitRow lower{(x - range.lower) / h, 1}, upper{(range.upper - x) / h, -1};
   LimitRow nearer = lower.C + rate < upper.C - rate ? lower : upper;
   nearer.live = nearer.C < std::abs(rate) + real(0.1);
+  return nearer;
+
+// ---- wrong: abs of C
+// expects: Likely mistake: in C alone: beyond the limit C is negative: no absolute value
+  LimitRow lower{std::abs(x - range.lower), 1}, upper{std::abs(range.upper - x), -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
 // ---- wrong: abs of C in the choice
@@ -75,6 +82,13 @@
   nearer.live = range.lower != range.upper && nearer.C < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
+// ---- wrong: filled in where live
+// expects: Likely mistake: C and sign are those of the nearer limit whether it is live or not
+  LimitRow row;
+  if (x - range.lower < h * std::abs(rate) + real(0.1) * h) row = {x - range.lower, 1, true};
+  if (range.upper - x < h * std::abs(rate) + real(0.1) * h) row = {range.upper - x, -1, true};
+  return row;
+
 // ---- wrong: first live one wins
 // expects: Likely mistake: the lower limit wherever it is live: the one with less room at the end
 // expects: of the step counts
@@ -95,6 +109,20 @@
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
   nearer.live = nearer.C < h * std::abs(rate) + h;
+  return nearer;
+
+// ---- wrong: h of 1/60
+// expects: Likely mistake: h is what is given, not 1/60
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + rate / 60 < upper.C - rate / 60 ? lower : upper;
+  nearer.live = nearer.C < std::abs(rate) / 60 + real(0.1) / 60;
+  return nearer;
+
+// ---- wrong: h squared
+// expects: Likely mistake: less than 0.1 h is added (0.01 h, or h twice): C < h |rate| + 0.1 h
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.C < h * (std::abs(rate) + real(0.1) * h);
   return nearer;
 
 // ---- wrong: if lower passed else upper
@@ -120,11 +148,28 @@
   nearer.live = room < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
+// ---- wrong: live if either is near
+// expects: Likely mistake: live is asked of the limit that is returned, not of the other one
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  const real reach = h * std::abs(rate) + real(0.1) * h;
+  const bool live = lower.C < reach || upper.C < reach;
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = live;
+  return nearer;
+
 // ---- wrong: live of lower only
 // expects: Likely mistake: live is set for the lower limit alone
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   lower.live = lower.C < h * std::abs(rate) + real(0.1) * h;
   LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  return nearer;
+
+// ---- wrong: live only in the direction
+// expects: Likely mistake: live while x moves away, too: a neighbour may turn it round within the
+// expects: step
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = nearer.sign * rate <= 0 && nearer.C < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
 // ---- wrong: lower C negated
@@ -173,6 +218,13 @@
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C < upper.C ? lower : upper;
   nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: not live at rest
+// expects: Likely mistake: a limit is live at rest, too: no rate is asked for
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.live = rate != 0 && nearer.C < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
 // ---- wrong: not live set
@@ -262,6 +314,14 @@
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
   nearer.sign = rate < 0 ? 1 : -1;
+  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
+  return nearer;
+
+// ---- wrong: sign from C
+// expects: Likely mistake: the sign is that of the limit: it does not ask whether it is passed
+  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
+  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
+  nearer.sign = nearer.C < 0 ? -1 : 1;
   nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 

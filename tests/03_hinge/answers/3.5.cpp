@@ -6,6 +6,12 @@
   sum = std::clamp(sum - (rate - motor.speed), -bound, bound);
   return sum - before;
 
+// ---- wrong: K squared
+// expects: Likely mistake: K is in it twice: (rate - speed) / K
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(sum - (rate - motor.speed) / (K * K), -bound, bound);
+  return sum - before;
+
 // ---- wrong: a step of 1/60
 // expects: Likely mistake: the bound is h strength: h is what is given, not 1/60
   const real bound = motor.strength / 60, before = sum;
@@ -37,6 +43,12 @@
   const real bound = h * motor.strength;
   sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
   const real before = sum;
+  return sum - before;
+
+// ---- wrong: bound by speed
+// expects: Likely mistake: the bound is h strength: it does not ask for the speed
+  const real before = sum, bound = h * motor.speed;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -std::abs(bound), std::abs(bound));
   return sum - before;
 
 // ---- wrong: bound on one side
@@ -135,6 +147,13 @@
   sum = std::clamp(float(sum - (rate - motor.speed) / K), float(-bound), float(bound));
   return sum - before;
 
+// ---- wrong: if else keeps old
+// expects: Likely mistake: below the lower bound the sum is that bound: it is not left as it was
+  const real before = sum, bound = h * motor.strength, wanted = sum - (rate - motor.speed) / K;
+  if (wanted < bound && wanted > -bound) sum = wanted;
+  else if (wanted >= bound) sum = bound;
+  return sum - before;
+
 // ---- wrong: if lower sign lost
 // expects: Likely mistake: below the lower bound the sum is the lower bound, not the upper one
   const real before = sum, bound = h * motor.strength;
@@ -154,6 +173,13 @@
   const int bound = h * motor.strength;
   const real before = sum;
   sum = std::clamp(sum - (rate - motor.speed) / K, real(-bound), real(bound));
+  return sum - before;
+
+// ---- wrong: lack for the sum
+// expects: Likely mistake: what lacks to the speed is not all: it comes on top of the sum, and is
+// expects: divided by K
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(motor.speed - rate, -bound, bound);
   return sum - before;
 
 // ---- wrong: lower bound 0
@@ -188,11 +214,23 @@
   sum = std::clamp(sum - rate - motor.speed / K, -bound, bound);
   return sum - before;
 
+// ---- wrong: returns bound
+// expects: Likely mistake: the bound is returned: return by how much the sum changed
+  const real before = sum, bound = h * motor.strength;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
+  return bound;
+
 // ---- wrong: returns the sum
 // expects: Likely mistake: the new sum is returned instead of its change
   const real bound = h * motor.strength;
   sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
   return sum;
+
+// ---- wrong: returns what was cut off
+// expects: Likely mistake: what was cut off is returned: return by how much the sum changed
+  const real bound = h * motor.strength, wanted = sum - (rate - motor.speed) / K;
+  sum = std::clamp(wanted, -bound, bound);
+  return wanted - sum;
 
 // ---- wrong: sign of the speed
 // expects: Likely mistake: the sign of the speed: the motor wants J V - speed = 0, not J V + speed
@@ -212,6 +250,14 @@
 // expects: Likely mistake: the sum is not stored
   const real bound = h * motor.strength;
   return std::clamp(sum - (rate - motor.speed) / K, -bound, bound) - sum;
+
+// ---- wrong: sum thrown away
+// expects: Likely mistake: the sum so far is thrown away: it grows over all visits of a step
+  const real bound = h * motor.strength;
+  sum = 0;
+  const real before = sum;
+  sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
+  return sum - before;
 
 // ---- wrong: torque for an impulse
 // expects: Likely mistake: the bound is h strength: an impulse is a torque times a time, and h is

@@ -32,6 +32,10 @@
   const vec3 a = cross(to_world(body1, n1_local), to_world(body1, n2_local));
   return {dot(u, a), dot(u, a)};
 
+// ---- wrong: C n2 with body 2
+// expects: Likely mistake: in C.2 alone: n is turned with body 2: the line rides on body 1
+  return {dot(u, to_world(body1, n1_local)), dot(u, to_world(body2, n2_local))};
+
 // ---- wrong: C normalized
 // expects: Likely mistake: u is not made a unit vector: its length counts
   const vec3 n = normalize(u);
@@ -60,6 +64,13 @@
 // ---- wrong: C swapped
 // expects: Likely mistake: n1 and n2 are exchanged
   return {dot(u, to_world(body1, n2_local)), dot(u, to_world(body1, n1_local))};
+
+// ---- wrong: C threshold
+// expects: Likely mistake: what is small has become 0: no threshold belongs here
+  real p = dot(u, to_world(body1, n1_local)), q = dot(u, to_world(body1, n2_local));
+  if (std::abs(p) < 0.1) p = 0;
+  if (std::abs(q) < 0.1) q = 0;
+  return {p, q};
 
 // ---- wrong: C turned with body 2
 // expects: Likely mistake: n is turned with body 2: the line rides on body 1
@@ -92,6 +103,16 @@
   const vec3 d = normalize(u);
   Jacobian<2> J;
   for (int i = 0; i < 2; ++i) J[i] = {-d, -cross(r1 + u, d), d, cross(r2, d)};
+  return J;
+
+// ---- wrong: J doubled u
+// region: 2
+// expects: Likely mistake: u belongs to the lever of body 1 once (pencil and paper, turned, moved,
+// expects: broken)
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  Jacobian<2> J;
+  for (int i = 0; i < 2; ++i)
+    J[i] = {-n[i], -cross(r1 + u, n[i]) - cross(u, n[i]), n[i], cross(r2, n[i])};
   return J;
 
 // ---- wrong: J first row written twice
@@ -150,6 +171,16 @@
   for (int i = 0; i < 2; ++i) J[i] = {-n[i], vec3(0), n[i], cross(r2, n[i])};
   return J;
 
+// ---- wrong: J normalised levers
+// region: 2
+// expects: Likely mistake: a lever has its length: it is no unit vector (pencil and paper, upright,
+// expects: turned, moved, broken)
+  const vec3 r1 = normalize(to_world(body1, anchor1_local) + u);
+  const vec3 r2 = normalize(to_world(body2, anchor2_local));
+  Jacobian<2> J;
+  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1, n[i]), n[i], cross(r2, n[i])};
+  return J;
+
 // ---- wrong: J order v v w w
 // region: 2
 // expects: Likely mistake: the order of the blocks: a row is {v1, w1, v2, w2} (pencil and paper,
@@ -195,6 +226,16 @@
   for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r1, n[i])};
   return J;
 
+// ---- wrong: J row 1 without u
+// region: 2
+// expects: Likely mistake: in one row alone: u is forgotten, the lever of body 1 is r1 + u, because
+// expects: n rides on body 1 (pencil and paper, turned, moved, broken)
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  Jacobian<2> J;
+  J[0] = {-n[0], -cross(r1 + u, n[0]), n[0], cross(r2, n[0])};
+  J[1] = {-n[1], -cross(r1, n[1]), n[1], cross(r2, n[1])};
+  return J;
+
 // ---- wrong: J rows exchanged
 // region: 2
 // expects: Likely mistake: the rows C.1 and C.2 are exchanged (pencil and paper, upright, turned,
@@ -220,6 +261,24 @@
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   Jacobian<2> J;
   for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[0])};
+  return J;
+
+// ---- wrong: J swapped r1 r2
+// region: 2
+// expects: Likely mistake: the levers r1 and r2 are exchanged (pencil and paper, upright, turned,
+// expects: moved, broken)
+  const vec3 r1 = to_world(body2, anchor2_local), r2 = to_world(body1, anchor1_local);
+  Jacobian<2> J;
+  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[i])};
+  return J;
+
+// ---- wrong: J to_local levers
+// region: 2
+// expects: Likely mistake: the levers of both bodies are turned the wrong way round: to_world, not
+// expects: to_local (pencil and paper, upright, turned, moved, broken)
+  const vec3 r1 = to_local(body1, anchor1_local), r2 = to_local(body2, anchor2_local);
+  Jacobian<2> J;
+  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[i])};
   return J;
 
 // ---- wrong: J u in both

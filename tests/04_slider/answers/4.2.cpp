@@ -29,6 +29,12 @@
 // expects: Likely mistake: a factor of 0.5 (pencil and paper, upright, turned, moved)
   return jacobian_from_blocks(mat3(0), mat3(real(-0.5)), mat3(0), mat3(real(0.5)));
 
+// ---- wrong: J one number
+// region: 2
+// expects: Likely mistake: E has ones on its diagonal alone: mat3(1) (pencil and paper, upright,
+// expects: turned, moved)
+  return jacobian_from_blocks(mat3(0), mat3(-1), mat3(0), mat3(1, 1, 1, 1, 1, 1, 1, 1, 1));
+
 // ---- wrong: J order
 // region: 2
 // expects: Likely mistake: the order of the blocks: a row is {v1, w1, v2, w2} (pencil and paper,
@@ -69,6 +75,12 @@
 // region: 2
 // expects: Likely mistake: the block w1 is missing (pencil and paper, upright, turned, moved)
   return jacobian_from_blocks(mat3(0), mat3(0), mat3(0), mat3(1));
+
+// ---- wrong: J with inertia
+// region: 2
+// expects: Likely mistake: J times M^-1: masses and inertias come in with K (pencil and paper,
+// expects: upright, turned, moved)
+  return jacobian_from_blocks(mat3(0), -inverse_inertia(body1), mat3(0), inverse_inertia(body2));
 
 // ---- wrong: J zero
 // region: 2
@@ -133,6 +145,12 @@
   if (q.w < 0) q = -q;
   return real(2) * vec3(q.x, q.y, q.z);
 
+// ---- wrong: q1 for q2
+// expects: Likely mistake: body 1 alone: the turn is that of body 2
+  quat q = body1.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  return real(2) * vec3(q.x, q.y, q.z);
+
 // ---- wrong: rows with s alone
 // region: 2
 // expects: skew(v) is missing
@@ -175,6 +193,12 @@
   if (q.w < 0) q = -q;
   return real(2) * vec3(q.x, q.y, q.z);
 
+// ---- wrong: start twice
+// expects: Likely mistake: start is taken away twice
+  quat q = body2.q * conjugate(start) * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  return real(2) * vec3(q.x, q.y, q.z);
+
 // ---- wrong: to_world body1
 // expects: Likely mistake: turned once more with a body: q2 start^-1 q1^-1 is in the world
   quat q = body2.q * conjugate(start) * conjugate(body1.q);
@@ -194,6 +218,18 @@
   quat q = body2.q * conjugate(start) * conjugate(body1.q);
   if (q.w < 0) q = -q;
   return real(2) * vec3(q.w, q.x, q.y);
+
+// ---- wrong: x y only
+// expects: Likely mistake: in C.z alone: C is zero, though body 2 is turned too far
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  return real(2) * vec3(q.x, q.y, 0);
+
+// ---- wrong: xzy
+// expects: Likely mistake: the numbers x, z, y: the vector of q is (q.x, q.y, q.z)
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = -q;
+  return real(2) * vec3(q.x, q.z, q.y);
 
 // ---- wrong: zero near
 // expects: Likely mistake: a small turn is an error, too: no threshold belongs here
@@ -243,6 +279,12 @@
   const quat q = body2.q * conjugate(body1.q * start);
   const vec3 v(q.x, q.y, q.z);
   return q.w < 0 ? real(-2) * v : real(2) * v;
+
+// ---- right: sign by the conjugate
+// Where s < 0 only v turns its sign: s has no part in C.
+  quat q = body2.q * conjugate(start) * conjugate(body1.q);
+  if (q.w < 0) q = conjugate(q);
+  return real(2) * vec3(q.x, q.y, q.z);
 
 // ---- right: where it belongs
 // The orientation that body 2 should have first, then the turn from there to where it is.

@@ -1,5 +1,13 @@
 // Known answers of exercise 4.3, each put in the place of the solution's.
 
+// ---- wrong: J axis in body space in the turns
+// region: 2
+// expects: Likely mistake: a direction of body 1 is not turned into the world (turned, moved,
+// expects: broken)
+  const vec3 a = to_world(body1, a1_local);
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  return {-a, -cross(r1 + u, a1_local), a, cross(r2, a1_local)};
+
 // ---- wrong: J crosses reversed
 // region: 2
 // expects: Likely mistake: the sign of the blocks w1 and w2: a x b is -(b x a) (pencil and paper,
@@ -7,6 +15,14 @@
   const vec3 a = to_world(body1, a1_local);
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   return {-a, -cross(a, r1 + u), a, cross(a, r2)};
+
+// ---- wrong: J lever of x2 - x1
+// region: 2
+// expects: Likely mistake: centres in place of anchors: u is p2 - p1 (pencil and paper, upright,
+// expects: turned, moved, broken)
+  const vec3 a = to_world(body1, a1_local);
+  const vec3 r2 = to_world(body2, anchor2_local);
+  return {-a, -cross(body2.x - body1.x, a), a, cross(r2, a)};
 
 // ---- wrong: J no w2
 // region: 2
@@ -119,6 +135,10 @@
 // expects: Likely mistake: centres in place of anchors: u is p2 - p1
   return dot(body2.x - body1.x, to_world(body1, a1_local));
 
+// ---- wrong: way from p1 to x2
+// expects: Likely mistake: the anchor of body 2 is forgotten: u is p2 - p1
+  return dot(body2.x - world_point(body1, anchor1_local), to_world(body1, a1_local));
+
 // ---- wrong: way int
 // expects: Likely mistake: the fraction is cut off: an int holds whole numbers only
   const int way = dot(u, to_world(body1, a1_local));
@@ -132,6 +152,11 @@
 // expects: Likely mistake: the square: the dot product of u and a itself
   const real d = dot(u, to_world(body1, a1_local));
   return d * d;
+
+// ---- wrong: way threshold
+// expects: Likely mistake: what is small has become 0: no threshold belongs here
+  const real way = dot(u, to_world(body1, a1_local));
+  return std::abs(way) < 0.2 ? 0 : way;
 
 // ---- wrong: way unset
 // expects: Likely mistake: a value that was never set

@@ -1,153 +1,10 @@
-// The usual mistakes in the J and the K of a part, worked out from the right one: levers, inertias.
-#include <algorithm>
+#include "tests/checker/mistakes.h"
 
-#include "tests/checker/report.h"
+#include <algorithm>
 
 namespace joints::testing {
 
 namespace {
-
-using Rows = std::vector<Row>;
-
-Rows rows_of(const Numbers& J) {
-  Rows out(J.size() / 12);
-  for (std::size_t i = 0; i < J.size(); ++i) {
-    Row& row = out[i / 12];
-    vec3* const blocks[] = {&row.v1, &row.w1, &row.v2, &row.w2};
-    (*blocks[i % 12 / 3])[int(i % 3)] = real(J[i]);
-  }
-  return out;
-}
-Numbers flat(const Rows& rows) {
-  Numbers out;
-  for (const Row& row : rows)
-    for (const Numbers& numbers = testing::flat(to_jacobian(row)); double number : numbers)
-      out.push_back(number);
-  return out;
-}
-
-bool pushes(const Rows& J) {
-  return std::any_of(J.begin(), J.end(),
-                     [](const Row& row) { return row.v1 != vec3(0) || row.v2 != vec3(0); });
-}
-
-// Mistakes with levers. Rows that only turn have none.
-Wrong wrong_levers(const Rows& J, const Pair& pair) {
-  if (!pushes(J)) return {};
-  Wrong out;
-  const auto add = [&](const char* words, auto change) {
-    Rows wrong = J;
-    for (Row& row : wrong) change(row);
-    out.push_back({words, flat(wrong)});
-  };
-  add("the sign of the blocks w1 and w2: a x b is -(b x a)",
-      [](Row& row) { row.w1 = -row.w1, row.w2 = -row.w2; });
-  add("the blocks w1 and w2 are missing: they hold the levers",
-      [](Row& row) { row.w1 = row.w2 = vec3(0); });
-  add("the arms are missing: w1 and w2 hold r x n, not n",
-      [](Row& row) { row.w1 = row.v1, row.w2 = row.v2; });
-  add("a point where a lever belongs: r runs from the body's centre to the anchor "
-      "(to_world, not world_point)",
-      [&](Row& row) {
-        row.w1 += cross(pair.body1.x, row.v1);
-        row.w2 += cross(pair.body2.x, row.v2);
-      });
-  add("a point where the lever of body 1 belongs: r1 runs from the body's centre to the anchor "
-      "(to_world, not world_point)",
-      [&](Row& row) { row.w1 += cross(pair.body1.x, row.v1); });
-  add("a point where the lever of body 2 belongs: r2 runs from the body's centre to the anchor "
-      "(to_world, not world_point)",
-      [&](Row& row) { row.w2 += cross(pair.body2.x, row.v2); });
-  add("the levers r1 and r2 are exchanged", [](Row& row) {
-    const vec3 w1 = row.w1;
-    row.w1 = -row.w2;
-    row.w2 = -w1;
-  });
-  add("the lever of body 1 for both bodies: each has its own",
-      [](Row& row) { row.w2 = -row.w1; });
-  add("the lever of body 2 for both bodies: each has its own",
-      [](Row& row) { row.w1 = -row.w2; });
-  return out;
-}
-
-// J where nothing stands for a body that is static, and J times M^-1.
-Wrong wrong_bodies(Rows J, const Pair& pair) {
-  Wrong out;
-  Rows without = J;
-  for (Row& row : without) {
-    if (pair.body1.is_static()) row.v1 = row.w1 = vec3(0);
-    if (pair.body2.is_static()) row.v2 = row.w2 = vec3(0);
-  }
-  if (pair.body1.is_static() != pair.body2.is_static())
-    out.push_back({"a static body has its blocks in J, too: it is K that its mass leaves out",
-                   flat(without)});
-  for (Row& row : J)
-    row = {pair.body1.inverse_mass * row.v1, inverse_inertia(pair.body1) * row.w1,
-           pair.body2.inverse_mass * row.v2, inverse_inertia(pair.body2) * row.w2};
-  out.push_back({"J times M^-1: masses and inertias come in with K", flat(J)});
-  return out;
-}
-
-Wrong own_Js(const Seen& part, const Pair& pair) {
-  return part.mistakes ? part.mistakes(pair) : Wrong{};
-}
-
-// ---- what is turned with which body -------------------------------------------------------------
-
-// The pair with other orientations. An answer that is right there and wrong elsewhere has left a
-// lever in body space (right where that body is not turned), has turned it the wrong way round
-// (right where it is turned by half a turn, too), or with the other body (right where both are
-// turned alike).
-Pair turned(Pair pair, int which, const quat& q) {
-  if (which != 2) pair.body1.q = q;
-  if (which != 1) pair.body2.q = q;
-  return pair;
-}
-
-using Holds = std::function<bool(const Pair&)>;
-
-std::vector<std::string> wrong_turns(const Pair& pair, const Holds& holds,
-                                     const std::string& which_lever) {
-  const quat unturned(1, 0, 0, 0), half_turn(0, real(0.36), real(0.48), real(0.8)),
-      alike = rotation(vec3(real(0.4), real(-0.9), real(0.6)));
-  const char* const levers[] = {"the levers of both bodies are ", "the lever of body 1 is ",
-                                "the lever of body 2 is "};
-  if (holds(turned(pair, 0, alike)))
-    return {which_lever + " turned with the other body: each body turns its own"};
-  std::vector<std::string> out;
-  for (const int which : {1, 2, 0})
-    if (holds(turned(pair, which, unturned)))
-      out.push_back(holds(turned(pair, which, half_turn))
-                        ? std::string(levers[which]) +
-                              "turned the wrong way round: to_world, not to_local"
-                        : std::string("body-space arm: ") + levers[which] +
-                              "not turned into the world");
-  return out;
-}
-
-// Which of the levers differs; where the direction comes from both, it cannot be told.
-std::string lever_that_differs(const Sample& s) {
-  bool differs[4] = {};
-  for (std::size_t i = 0; i < s.right.size(); ++i)
-    if (!near(s.yours[i], s.right[i], difference_tolerance)) differs[i % 12 / 3] = true;
-  if (differs[0] || differs[2]) return "a lever is";
-  return differs[1] && differs[3] ? "each lever is"
-                                  : std::string("the lever of body ") + (differs[1] ? "1" : "2") +
-                                        " is";
-}
-
-// What is right here, as some mistakes are at some poses, explains nothing.
-void add_named(Sample& sample, const Wrong& wrong, double tolerance) {
-  for (const auto& [words, numbers] : wrong)
-    if (close(sample.yours, numbers, tolerance) && !close(sample.right, numbers, tolerance))
-      sample.mistakes.push_back(words);
-}
-
-void add(Sample& sample, const std::vector<std::string>& words) {
-  sample.mistakes.insert(sample.mistakes.end(), words.begin(), words.end());
-}
-
-// ---- K ------------------------------------------------------------------------------------------
 
 // What stands in the place of a body's inverse mass and inverse inertia.
 struct Mass {
@@ -278,21 +135,6 @@ Numbers whole_K(const Numbers& J, const Pair& pair) {
   return product(rows_of(J), inverse_of(pair.body1), inverse_of(pair.body2));
 }
 
-Sample jacobian_sample(int pose, const Seen& part, const Pair& pair, const Numbers& right) {
-  Sample sample{pose, part.J(pair), right, {}, part.broken};
-  if (close(sample.yours, right, difference_tolerance)) return sample;
-  add_named(sample, own_Js(part, pair), difference_tolerance);
-  sample.own = long(sample.mistakes.size());
-  add_named(sample, wrong_levers(rows_of(right), pair), difference_tolerance);
-  add_named(sample, wrong_bodies(rows_of(right), pair), difference_tolerance);
-  const std::string lever = lever_that_differs(sample);
-  const auto holds = [&](const Pair& at) {
-    return close(part.J(at), part.slope(at), difference_tolerance);
-  };
-  if (pushes(rows_of(right))) add(sample, wrong_turns(pair, holds, lever));
-  return sample;
-}
-
 Sample K_sample(int pose, const Seen& part, const Pair& pair, const Numbers& right) {
   Sample sample{pose, part.K(pair), right, {}, part.broken};
   if (close(sample.yours, right, K_tolerance)) return sample;
@@ -303,7 +145,9 @@ Sample K_sample(int pose, const Seen& part, const Pair& pair, const Numbers& rig
   const auto holds = [&](const Pair& at) {
     return close(part.K(at), whole_K(part.slope(at), at), K_tolerance);
   };
-  if (pushes(rows_of(J))) add(sample, wrong_turns(pair, holds, "a lever is"));
+  if (pushes(rows_of(J)))
+    for (const std::string& words : wrong_turns(pair, holds, "a lever is"))
+      sample.mistakes.push_back(words);
   return sample;
 }
 

@@ -985,6 +985,96 @@
     }
   for (Body& body : bodies) body.x += settings.h * body.v;
 
+// ---- wrong: only walls fall
+// expects: Likely mistake: gravity moves static bodies and no others
+  for (Body& body : bodies)
+    if (body.is_static()) body.v += settings.h * settings.gravity;
+  std::vector<LinkRow> rows;
+  for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
+  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
+      real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
+      if (links[k].rope) lambda = clamp_sum(lambda, rows[k].sum);
+      apply_impulse(rows[k].J, lambda, body1, body2);
+    }
+  for (Body& body : bodies) body.x += settings.h * body.v;
+
+// ---- wrong: rows behind empty ones
+// expects: Likely mistake: no impulse was applied.
+  for (Body& body : bodies)
+    if (!body.is_static()) body.v += settings.h * settings.gravity;
+  std::vector<LinkRow> rows(links.size());
+  for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
+  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
+      real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
+      if (links[k].rope) lambda = clamp_sum(lambda, rows[k].sum);
+      apply_impulse(rows[k].J, lambda, body1, body2);
+    }
+  for (Body& body : bodies) body.x += settings.h * body.v;
+
+// ---- wrong: only the y of gravity, from the last link
+// expects: Likely mistake: only the y of gravity acts
+  for (Body& body : bodies)
+    if (!body.is_static()) body.v.y += settings.h * settings.gravity.y;
+  std::vector<LinkRow> rows;
+  for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
+  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+    for (std::size_t k = links.size(); k-- > 0;) {
+      Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
+      real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
+      if (links[k].rope) lambda = clamp_sum(lambda, rows[k].sum);
+      apply_impulse(rows[k].J, lambda, body1, body2);
+    }
+  for (Body& body : bodies) body.x += settings.h * body.v;
+
+// ---- wrong: fixed number of iterations, from the last link
+// expects: Likely mistake: a fixed number of iterations, 20
+  for (Body& body : bodies)
+    if (!body.is_static()) body.v += settings.h * settings.gravity;
+  std::vector<LinkRow> rows;
+  for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
+  for (int sweep = 0; sweep < 20; ++sweep)
+    for (std::size_t k = links.size(); k-- > 0;) {
+      Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
+      real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
+      if (links[k].rope) lambda = clamp_sum(lambda, rows[k].sum);
+      apply_impulse(rows[k].J, lambda, body1, body2);
+    }
+  for (Body& body : bodies) body.x += settings.h * body.v;
+
+// ---- wrong: impulse as a whole number
+// expects: Likely mistake: the fraction of lambda is cut off
+  for (Body& body : bodies)
+    if (!body.is_static()) body.v += settings.h * settings.gravity;
+  std::vector<LinkRow> rows;
+  for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
+  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
+      int lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
+      if (links[k].rope) lambda = clamp_sum(lambda, rows[k].sum);
+      apply_impulse(rows[k].J, lambda, body1, body2);
+    }
+  for (Body& body : bodies) body.x += settings.h * body.v;
+
+// ---- wrong: impulse as a float
+// expects: Likely mistake: right to five digits
+  for (Body& body : bodies)
+    if (!body.is_static()) body.v += settings.h * settings.gravity;
+  std::vector<LinkRow> rows;
+  for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
+  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
+      float lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
+      if (links[k].rope) lambda = clamp_sum(lambda, rows[k].sum);
+      apply_impulse(rows[k].J, lambda, body1, body2);
+    }
+  for (Body& body : bodies) body.x += settings.h * body.v;
+
 // ---- right: in one loop
 // tests: 1.5
 // The rows do not read the velocities: they may be prepared before gravity acts.

@@ -261,6 +261,28 @@
     body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w1);
   }
 
+// ---- wrong: nothing moves beside a wall
+// region: 2
+// expects: Likely mistake: nothing is done where one body is static
+  if (body1.is_static() || body2.is_static()) return;
+  for (int i = 0; i < 3; ++i) {
+    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
+    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
+    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
+    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
+  }
+
+// ---- wrong: small impulses left out
+// region: 2
+// expects: Likely mistake: a small lambda is left out
+  if (length(lambda) < real(1e-6)) return;
+  for (int i = 0; i < 3; ++i) {
+    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
+    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
+    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
+    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
+  }
+
 // ---- right: cholesky
 // K = L L^T: two triangular systems in the place of an inverse.
   vec3 e = bias;
@@ -313,6 +335,17 @@
   body1.w += inverse_inertia(body1) * b;
   body2.v += c * body2.inverse_mass;
   body2.w += inverse_inertia(body2) * d;
+
+// ---- right: vec3 begins at zero
+  vec3 e;
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2) + bias[i];
+  return -inverse(K) * e;
+
+// ---- right: cross products of the columns
+  vec3 e = bias;
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
+  const mat3 A(cross(K[1], K[2]), cross(K[2], K[0]), cross(K[0], K[1]));
+  return -(transpose(A) * e) / dot(K[0], cross(K[1], K[2]));
 
 // ---- wrong units: times K
 // expects: Units: lambda is in m/(kg s) and should be in kg m/s: an inverse mass where a mass

@@ -188,12 +188,8 @@
 
 // ---- wrong: first order without the half
 // expects: Likely mistake: q + h (0, w) q is only the first term
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  const vec3 s = h * w;
-  return normalize(q + quat(0, s.x, s.y, s.z) * q);
+// change: return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q); ==> const vec3 s = h * w;
+//         return normalize(q + quat(0, s.x, s.y, s.z) * q);
 
 // ---- wrong: Euler angles
 // expects: Likely mistake: h w holds no Euler angles

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/02_ball/ball.h"
-#include "tests/checker/cases.h"
+#include "tests/checker/pieces.h"
 
 namespace joints::testing {
 
@@ -13,143 +13,150 @@ struct SpinCase {
   real h;
   int steps = 1;
 };
-/// The orientation after one step.
-using Spin = std::function<quat(const quat&, const vec3&, real)>;
 
-/// exp(phi) with another angle and another axis: (cos a/2, sin a/2 axis), not normalised.
-inline quat turn_by(real angle, const vec3& axis) {
-  const vec3 v = std::sin(angle / 2) * axis;
-  return {std::cos(angle / 2), v.x, v.y, v.z};
-}
-inline quat from_vector(const vec3& a) { return {0, a.x, a.y, a.z}; }
-
-inline std::vector<std::pair<std::string, Spin>> spin_mistakes() {
-  std::vector<std::pair<std::string, Spin>> out;
-  // each as it is and normalised; a body at rest keeps q
-  const auto add = [&](const char* words, const Spin& spin) {
-    const auto at_rest = [](const vec3& w) { return w == vec3(0); };
-    out.push_back({words, [=](const quat& q, const vec3& w, real h) {
-                     return at_rest(w) ? q : normalize(spin(q, w, h));
-                   }});
-    out.push_back({words, [=](const quat& q, const vec3& w, real h) {
-                     return at_rest(w) ? q : spin(q, w, h);
-                   }});
-  };
-  const auto by = [](std::function<quat(const vec3& w, real size, real h)> turn) {
-    return [=](const quat& q, const vec3& w, real h) { return turn(w, length(w), h) * q; };
-  };
+/// How a step turns a body, piece by piece; a mistake changes one of the pieces.
+struct Spin {
   using V = const vec3&;
   using Q = const quat&;
-  out.push_back({"a body at rest keeps q: it does not go back to (1, 0, 0, 0)",
-                 [](Q q, V w, real h) {
-                   return w == vec3(0) ? quat(1, 0, 0, 0) : normalize(rotation(h * w) * q);
+  SpinCase c;
+  bool normal = true;  ///< the product is normalised
+  real limit = 0;      ///< what is not above this does not turn
+  std::function<real(V w, real h)> size = [](V w, real h) { return h * length(w); };
+  std::function<quat(Q q)> at_rest = [](Q q) { return q; };
+  std::function<vec3(Q q, V w)> in_world = [](Q, V w) { return w; };
+  std::function<real(V w, real h)> angle = [](V w, real h) { return h * length(w); };
+  std::function<real(real angle)> for_sine = [](real angle) { return angle / 2; };
+  std::function<real(real angle)> for_cosine = for_sine;
+  std::function<vec3(V w, real h)> axis = [](V w, real) { return w / length(w); };
+  std::function<quat(real sine, real cosine, V axis)> written = [](real s, real c, V axis) {
+    return quat(c, s * axis);
+  };
+  std::function<quat(Q turn, Q q)> together = [](Q turn, Q q) { return turn * q; };
+
+  quat step(Q q) const {
+    if (size(c.w, c.h) <= limit) return at_rest(q);
+    const vec3 w = in_world(q, c.w);
+    const real a = angle(w, c.h);
+    const quat out = together(written(std::sin(for_sine(a)), std::cos(for_cosine(a)), axis(w, c.h)),
+                              q);
+    return normal ? normalize(out) : out;
+  }
+};
+
+inline Pieces<Spin> spin_mistakes() {
+  using V = const vec3&;
+  using Q = const quat&;
+  Pieces<Spin> out;
+  const auto angle = [&](const char* words, auto angle) {
+    out.push_back({words, [=](Spin& s) { s.angle = angle; }});
+  };
+  const auto axis = [&](auto axis) {
+    out.push_back({"the axis must be a unit vector, w / |w|", [=](Spin& s) { s.axis = axis; }});
+  };
+  const auto together = [&](const char* words, auto how) {
+    out.push_back({words, [=](Spin& s) { s.together = how; }});
+  };
+  const auto written = [&](const char* words, auto how) {
+    out.push_back({words, [=](Spin& s) { s.written = how; }});
+  };
+  const auto halves = [&](const char* words, real sine, real cosine) {
+    out.push_back({words, [=](Spin& s) {
+                     s.for_sine = [=](real a) { return sine * a; };
+                     s.for_cosine = [=](real a) { return cosine * a; };
+                   }});
+  };
+  angle("h is missing: the angle is h |w|", [](V w, real) { return length(w); });
+  angle("the angle is h |w|, with one h", [](V w, real h) { return h * h * length(w); });
+  angle("the angle is h |w|, not h w.w", [](V w, real h) { return h * dot(w, w); });
+  const char* const degrees = "degrees: std::sin, std::cos and angleAxis take radians";
+  angle(degrees, [](V w, real h) { return glm::radians(h * length(w)); });
+  angle(degrees, [](V w, real h) { return glm::degrees(h * length(w)); });
+  for (int i = 0; i < 3; ++i)
+    angle("the angle is h |w|, from all three numbers of w",
+          [=](V w, real h) { return h * std::abs(w[i]); });
+  halves("the half of the angle is forgotten", 1, 1);
+  halves("the angle is halved twice", real(0.25), real(0.25));
+  halves("nothing turns. Is the half 1 / 2, which is 0 in whole numbers?", 0, 0);
+  const char* const both = "the half of the angle belongs to both, the sine and the cosine";
+  halves(both, 1, real(0.5));
+  halves(both, real(0.5), 1);
+  axis([](V w, real) { return w; });
+  axis([](V w, real h) { return h * w; });
+  axis([](V w, real h) { return w / (h * length(w)); });
+  out.push_back({"the sign of the turn",
+                 [](Spin& s) { s.axis = [](V w, real) { return -w / length(w); }; }});
+  written("the order of the four numbers: quat(w, x, y, z), the cosine first",
+          [](real s, real c, V axis) { return quat(s * axis.x, s * axis.y, s * axis.z, c); });
+  written("sine and cosine are exchanged: the cosine comes first",
+          [](real s, real c, V axis) { return quat(s, c * axis); });
+  out.push_back({"h w holds no Euler angles: it is an axis times an angle", [](Spin& s) {
+                   const vec3 w = s.c.w;
+                   const real h = s.c.h;
+                   s.written = [=](real, real, V) { return quat(h * w); };
                  }});
-  const char* const small = "a small angle is left out: many small steps add up, and only an angle "
-                            "of 0 is no turn";
-  const auto above = [&](real limit, bool with_h) {
-    out.push_back({small, [=](Q q, V w, real h) {
-                     const real size = (with_h ? h : 1) * length(w);
-                     return size < limit ? q : normalize(rotation(h * w) * q);
+  together("the turn is multiplied from the right, or w is turned by q: w is in world axes, not "
+           "body axes",
+           [](Q turn, Q q) { return q * turn; });
+  together("the old orientation is lost: exp(h w) q", [](Q turn, Q) { return turn; });
+  together("q is inverted: the turn stands on the left of q itself",
+           [](Q turn, Q q) { return turn * conjugate(q); });
+  together("q is no vector: the turn stands on its left alone",
+           [](Q turn, Q q) { return turn * q * conjugate(turn); });
+  together("the turn is added to q: it is multiplied", [](Q turn, Q q) { return turn + q; });
+  out.push_back({"w is in world axes already: it is not turned by q",
+                 [](Spin& s) { s.in_world = [](Q q, V w) { return conjugate(q) * w; }; }});
+  out.push_back({"a body at rest keeps q: it does not go back to (1, 0, 0, 0)",
+                 [](Spin& s) { s.at_rest = [](Q) { return quat(1, 0, 0, 0); }; }});
+  const auto first_order = [&](const char* words, real factor, bool right) {
+    out.push_back({words, [=](Spin& s) {
+                     const vec3 a = factor * s.c.h * s.c.w;
+                     s.together = [=](Q, Q q) {
+                       const quat turn(0, a.x, a.y, a.z);
+                       return q + (right ? q * turn : turn * q);
+                     };
+                   }});
+  };
+  first_order("q + h/2 (0, w) q is only the first term of the exponential", real(0.5), false);
+  first_order("q + h (0, w) q is only the first term of the exponential, and without its half", 1,
+              false);
+  first_order("q + h/2 q (0, w) is only the first term of the exponential, and from the wrong side",
+              real(0.5), true);
+  const auto small = [&](real limit, bool with_h) {
+    out.push_back({"a small angle is left out: many small steps add up, and only an angle of 0 is "
+                   "no turn", [=](Spin& s) {
+                     s.limit = limit;
+                     s.size = [=](V w, real h) { return (with_h ? h : 1) * length(w); };
                    }});
   };
   for (int digits = 1; digits <= 7; ++digits)
-    for (const bool with_h : {true, false}) above(std::pow(real(10), real(-digits)), with_h);
-  above(real(1e-8), true);
-  add("nothing turns", [](Q q, V, real) { return q; });
-  add("h is missing: the angle is h |w|", by([](V w, real size, real) {
-        return turn_by(size, w / size);
-      }));
-  add("the half of the angle is forgotten", by([](V w, real size, real h) {
-        return turn_by(2 * h * size, w / size);
-      }));
-  add("h and the half of the angle are forgotten", by([](V w, real size, real) {
-        return turn_by(2 * size, w / size);
-      }));
-  const char* const both = "the half of the angle belongs to both, the sine and the cosine";
-  add(both, by([](V w, real size, real h) {
-        return quat(std::cos(h * size / 2), std::sin(h * size) / size * w);
-      }));
-  add(both, by([](V w, real size, real h) {
-        return quat(std::cos(h * size), std::sin(h * size / 2) / size * w);
-      }));
-  add("the angle is halved twice", by([](V w, real size, real h) {
-        return turn_by(h * size / 2, w / size);
-      }));
-  add("the angle is h |w|, with one h", by([](V w, real size, real h) {
-        return turn_by(h * h * size, w / size);
-      }));
-  add("the angle is h |w|, not h w.w", by([](V w, real size, real h) {
-        return turn_by(h * size * size, w / size);
-      }));
-  add("the sign of the turn", by([](V w, real, real h) { return rotation(-h * w); }));
-  add("the turn is multiplied from the right, or w is turned by q: w is in world axes, not body "
-      "axes",
-      [](Q q, V w, real h) { return q * rotation(h * w); });
-  add("w is in world axes already: it is not turned by q",
-      [](Q q, V w, real h) { return rotation(h * (conjugate(q) * w)) * q; });
-  add("the old orientation is lost: exp(h w) q",
-      [](Q, V w, real h) { return rotation(h * w); });
-  add("q is inverted: the turn stands on the left of q itself",
-      [](Q q, V w, real h) { return rotation(h * w) * conjugate(q); });
-  add("q is no vector: the turn stands on its left alone",
-      [](Q q, V w, real h) { return rotation(h * w) * q * conjugate(rotation(h * w)); });
-  add("the turn is added to q: it is multiplied", [](Q q, V w, real h) {
-    return rotation(h * w) + q;
-  });
-  const char* const order = "the order of the four numbers: quat(w, x, y, z), the cosine first";
-  add(order, by([](V w, real, real h) {
-        const quat turn = rotation(h * w);
-        return quat(turn.x, turn.y, turn.z, turn.w);
-      }));
-  add("sine and cosine are exchanged: the cosine comes first", by([](V w, real size, real h) {
-        return quat(std::sin(h * size / 2), std::cos(h * size / 2) / size * w);
-      }));
-  add("degrees: std::sin and std::cos take radians", by([](V w, real size, real h) {
-        return turn_by(glm::radians(h * size), w / size);
-      }));
-  add("degrees: std::sin, std::cos and angleAxis take radians", by([](V w, real size, real h) {
-        return turn_by(glm::degrees(h * size), w / size);
-      }));
-  const char* const unit_axis = "the axis must be a unit vector, w / |w|";
-  add(unit_axis, by([](V w, real size, real h) { return turn_by(h * size, w); }));
-  add(unit_axis, by([](V w, real size, real h) { return turn_by(h * size, h * w); }));
-  add(unit_axis, by([](V w, real size, real h) { return turn_by(h * size, w / (h * size)); }));
-  const char* const first = "q + h/2 (0, w) q is only the first term of the exponential";
-  add(first, [](Q q, V w, real h) { return q + from_vector(h / 2 * w) * q; });
-  add("q + h (0, w) q is only the first term of the exponential, and without its half",
-      [](Q q, V w, real h) { return q + from_vector(h * w) * q; });
-  add("q + h/2 q (0, w) is only the first term of the exponential, and from the wrong side",
-      [](Q q, V w, real h) { return q + q * from_vector(h / 2 * w); });
-  add("h w holds no Euler angles: it is an axis times an angle", by([](V w, real, real h) {
-        return quat(h * w);
-      }));
+    for (const bool with_h : {true, false}) small(std::pow(real(10), real(-digits)), with_h);
+  small(real(1e-8), true);
   return out;
 }
 
 inline CaseTable<SpinCase> spin_table() {
   CaseTable<SpinCase> table{{"2.4", "turning a body"},
-                             {"q.w", "q.x", "q.y", "q.z"}, {}, {}, {}, {}};
-  // q and -q are the same orientation: the one beside the right one is shown
-  const auto after = [](const SpinCase& c, const Spin& spin) {
+                            {"q.w", "q.x", "q.y", "q.z"}, {}, {}, {}, {}};
+  // q and -q are the same orientation, so that the one beside the right one is shown; whether it
+  // is normalised is another test's question
+  const auto after = [](const SpinCase& c, const std::function<quat(const quat&)>& step) {
     quat q = c.q, right = c.q;
     for (int n = 0; n < c.steps; ++n) {
-      q = spin(q, c.w, c.h);
+      q = step(q);
       right = normalize(rotation(c.h * c.w) * right);
     }
     if (dot(q, right) < 0) q = -q;
     return Numbers{double(q.w), double(q.x), double(q.y), double(q.z)};
   };
+  const auto spun = [=](const Spin& spin) {
+    return after(spin.c, [&](const quat& q) { return spin.step(q); });
+  };
   table.whole = true;
   table.tolerance = 10 * rounding;
-  table.yours = [=](const SpinCase& c) { return after(c, turned); };
-  table.right = [=](const SpinCase& c) {
-    return after(c, [](const quat& q, const vec3& w, real h) {
-      return w == vec3(0) ? q : normalize(rotation(h * w) * q);
-    });
+  table.yours = [=](const SpinCase& c) {
+    return after(c, [&](const quat& q) { return turned(q, c.w, c.h); });
   };
-  for (const auto& [words, spin] : spin_mistakes())
-    table.mistakes.push_back(
-        {words, [=, spin = spin](const SpinCase& c) { return after(c, spin); }});
+  table.right = [=](const SpinCase& c) { return spun({c}); };
   const real third = real(3.14159265358979323846) * 2 / 3;
   table.cases = {{"Numbers, in the text", quat(1, 0, 0, 0), vec3(0, 0, third), real(0.75)}};
   Random random(4);
@@ -164,6 +171,14 @@ inline CaseTable<SpinCase> spin_table() {
   table.cases.push_back({"1000 steps, together 0.01 rad", q, real(1e-5) * normalize(w), 1, 1000});
   table.cases.push_back({"1000 steps, together 1e-6 rad", q, real(6e-8) * normalize(w),
                          1 / real(60), 1000});
+  Pieces<Spin> pieces = spin_mistakes();
+  for (auto& one : spin_mistakes())  // the same where the product is not normalised
+    if (!one.first.starts_with("a small angle") && !one.first.starts_with("a body at rest"))
+      pieces.push_back({one.first, [change = one.second](Spin& s) {
+                          change(s);
+                          s.normal = false;
+                        }});
+  add_pieces(table, [](const SpinCase& c) { return Spin{c}; }, spun, pieces);
   return table;
 }
 

@@ -30,6 +30,12 @@ struct Lack {
   }();
 
   explicit Lack(const LackCase& lack) : c(lack) {}
+  /// Where K = 0 is divided by.
+  static Lack unguarded(const LackCase& lack) {
+    Lack out(lack);
+    if (lack.K == std::vector<real>{0}) out.inverse = {1 / lack.K[0]};
+    return out;
+  }
   /// J V, where something is changed in each row.
   PerRow rates(const std::function<void(Row&)>& change) const {
     PerRow out(c.J.size());
@@ -53,12 +59,33 @@ struct Lack {
 
 inline bool all_below(const PerRow& x, double limit) { return std::abs(x).max() < limit; }
 
-/// The mistakes that one row and a block have in common.
-inline std::vector<std::pair<std::string, std::function<PerRow(const Lack&)>>> lack_mistakes() {
+using LackMistakes = std::vector<std::pair<std::string, std::function<PerRow(const Lack&)>>>;
+
+/// Where nothing is done though something should be.
+inline std::vector<std::pair<std::string, std::function<bool(const Lack&)>>> lack_guards() {
   using L = const Lack&;
-  const auto unless = [](auto condition) {
-    return [condition](L l) { return condition(l) ? l.none : l.lambda(); };
+  const char* const no_bias = "nothing is done where the bias is 0. C = 0 does not mean that there "
+                              "is nothing to solve: the velocity J V would change C";
+  const char* const no_rate = "nothing is done where J V is 0: the error has to go all the same";
+  const char* const heavy = "nothing is done where K is small: it is small where bodies are heavy; "
+                            "only 0 means that nothing can move";
+  return {
+      {no_bias, [](L l) { return all_below(l.b, 1e-12); }},
+      {no_bias, [](L l) { return all_below(l.b, 1e-8); }},
+      {no_rate, [](L l) { return all_below(l.JV, 1e-12); }},
+      {no_rate, [](L l) { return all_below(l.JV, 1e-8); }},
+      {"nothing is done where one body is static: the other one can move",
+       [](L l) { return l.c.pair.body1.is_static() || l.c.pair.body2.is_static(); }},
+      {heavy, [](L l) { return l.c.K[0] < 0.1; }},
+      {heavy, [](L l) { return l.c.K[0] < 1e-15; }},
+      {"nothing is done where J V + b is small: there is no such threshold",
+       [](L l) { return all_below(l.JV + l.b, 1e-3); }},
   };
+}
+
+/// The mistakes that one row and a block have in common.
+inline LackMistakes lack_mistakes() {
+  using L = const Lack&;
   const auto reading = [](std::function<void(Row&)> change) {
     return [change](L l) -> PerRow { return -l.over_K(l.rates(change) + l.b); };
   };
@@ -68,12 +95,6 @@ inline std::vector<std::pair<std::string, std::function<PerRow(const Lack&)>>> l
       "J V is written out as if J.v1 and J.v2 were known: row_velocity reads all four blocks";
   const char* const either_sign = "a row may push and pull: lambda has either sign";
   const char* const bias_as_it_is = "the bias b is used as it is: neither beta nor h belongs here";
-  const char* const no_bias = "nothing is done where the bias is 0. C = 0 does not mean that there "
-                              "is nothing to solve: the velocity J V would change C";
-  const char* const no_rate = "nothing is done where J V is 0: the error has to go all the same";
-  const char* const heavy = "nothing is done where K is small: it is small where bodies are heavy; "
-                            "only 0 means that nothing can move";
-  const char* const light = "nothing is done where J V + b is small: there is no such threshold";
   return {
       {"0 is returned always", [](L l) { return l.none; }},
       {"the sign: the impulse works against J V + b", [](L l) -> PerRow { return -l.lambda(); }},
@@ -113,23 +134,13 @@ inline std::vector<std::pair<std::string, std::function<PerRow(const Lack&)>>> l
       {bias_as_it_is, [](L l) -> PerRow { return -l.over_K(l.JV + 0.2 * l.b); }},
       {bias_as_it_is, [](L l) -> PerRow { return -l.over_K(l.JV + 60.0 * l.b); }},
       {bias_as_it_is, [](L l) -> PerRow { return -l.over_K(l.JV + l.b / 60); }},
-      {no_bias, unless([](L l) { return all_below(l.b, 1e-12); })},
-      {no_bias, unless([](L l) { return all_below(l.b, 1e-8); })},
-      {no_rate, unless([](L l) { return all_below(l.JV, 1e-12); })},
-      {no_rate, unless([](L l) { return all_below(l.JV, 1e-8); })},
-      {"nothing is done where one body is static: the other one can move",
-       unless([](L l) { return l.c.pair.body1.is_static() || l.c.pair.body2.is_static(); })},
-      {heavy, unless([](L l) { return l.c.K[0] < 0.1; })},
-      {heavy, unless([](L l) { return l.c.K[0] < 1e-15; })},
-      {light, unless([](L l) { return all_below(l.JV + l.b, 1e-3); })},
   };
 }
 
 /// A table without cases: `yours` gives lambda. \param own mistakes that only this exercise knows
-inline CaseTable<LackCase> lack_table(
-    const Subject& subject, std::vector<std::string> entries,
-    std::function<PerRow(const LackCase&)> yours,
-    const std::vector<std::pair<std::string, std::function<PerRow(const Lack&)>>>& own) {
+inline CaseTable<LackCase> lack_table(const Subject& subject, std::vector<std::string> entries,
+                                      std::function<PerRow(const LackCase&)> yours,
+                                      const LackMistakes& own) {
   const auto shown = [](const PerRow& lambda, const LackCase& c) {
     Numbers out;
     for (double a : lambda) out.push_back(a / c.unit);
@@ -143,11 +154,27 @@ inline CaseTable<LackCase> lack_table(
   for (const auto& [words, lambda] : own)
     table.mistakes.push_back(
         {words, [=, answer = lambda](const LackCase& c) { return shown(answer(Lack(c)), c); }});
+  const auto unless = [=](const auto& guard, const auto& answer) {
+    return [=](const LackCase& c) {
+      const Lack lack(c);
+      return shown(c.K[0] == 0 || guard(lack) ? lack.none : answer(lack), c);
+    };
+  };
   for (const auto& [words, lambda] : lack_mistakes())
-    table.mistakes.push_back({words, [=, answer = lambda](const LackCase& c) {
-                                const Lack lack(c);
-                                return shown(c.K[0] == 0 ? lack.none : answer(lack), c);
-                              }});
+    table.mistakes.push_back({words, unless([](const Lack&) { return false; }, lambda)});
+  for (const auto& [words, guard] : lack_guards())
+    table.mistakes.push_back({words, unless(guard, [](const Lack& l) { return l.lambda(); })});
+  table.pairs = [=] {
+    CaseTable<LackCase>::Mistakes out;
+    for (const auto& [words, lambda] : lack_mistakes()) {
+      for (const auto& [other, guard] : lack_guards())
+        out.push_back({words + "; and " + other, unless(guard, lambda)});
+      out.push_back({words + "; and K = 0 is divided by", [=, answer = lambda](const LackCase& c) {
+                       return shown(answer(Lack::unguarded(c)), c);
+                     }});
+    }
+    return out;
+  };
   return table;
 }
 

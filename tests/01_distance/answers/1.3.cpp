@@ -254,6 +254,36 @@
   body1.x += body1.v / real(60);
   body2.w += inverse_inertia(body2) * (lambda * J.w2);
 
+// ---- wrong: sign of the bias and K not asked for
+// expects: Likely mistake: the sign of the bias; and K = 0 is divided by
+  return -(row_velocity(J, body1, body2) - bias) / K;
+
+// ---- wrong: sign and a small K taken for none
+// expects: Likely mistake: the sign: the impulse works against J V + b; and nothing is done where
+  if (K < real(1e-3)) return 0;
+  return (row_velocity(J, body1, body2) + bias) / K;
+
+// ---- wrong: body 1 left out of J V
+// expects: Likely mistake: body 1 is missing in J V
+  if (K == 0) return 0;
+  return -((dot(J.v2, body2.v) + dot(J.w2, body2.w)) + bias) / K;
+
+// ---- wrong: minus for body 1 in J V
+// expects: Likely mistake: the sign of a body in J V
+  if (K == 0) return 0;
+  const real rate = dot(J.v2, body2.v) + dot(J.w2, body2.w) - dot(J.v1, body1.v) -
+                    dot(J.w1, body1.w);
+  return -(rate + bias) / K;
+
+// ---- wrong: without masses and inertias
+// region: 2
+// expects: Likely mistake: the inverse mass is missing (v1 and v2); the inverse inertia is missing
+// expects: (w1 and w2)
+  body1.v += lambda * J.v1;
+  body1.w += (lambda * J.w1);
+  body2.v += lambda * J.v2;
+  body2.w += (lambda * J.w2);
+
 // ---- right: K not positive
 // K is never negative, so that K <= 0 asks the same as K == 0.
   return K <= 0 ? real(0) : -(row_velocity(J, body1, body2) + bias) / K;

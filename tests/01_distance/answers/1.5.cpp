@@ -107,6 +107,21 @@
   sum = glm::max(before + dlambda, real(0));
   return sum - before;
 
+// ---- wrong: corrected by a sum that is 0 already
+// expects: Likely mistake: all of dlambda is returned
+  sum += dlambda;
+  if (sum < 0) {
+    sum = 0;
+    dlambda -= sum;
+  }
+  return dlambda;
+
+// ---- wrong: old sum as a whole number
+// expects: Likely mistake: the fraction is cut off
+  const int before = sum;
+  sum = glm::max(before + dlambda, real(0));
+  return sum - before;
+
 // ---- right: with an if
 // The same in two cases: all of dlambda, or as much as was there.
   if (sum + dlambda < 0) {
@@ -121,3 +136,11 @@
   const real g = glm::max(dlambda, -sum);
   sum += g;
   return g;
+
+// ---- right: corrected afterwards
+  sum += dlambda;
+  if (sum < 0) {
+    dlambda -= sum;
+    sum = 0;
+  }
+  return dlambda;

@@ -3,27 +3,21 @@
 // ---- wrong: J without transpose
 // region: 2
 // expects: Likely mistake: J where J^T belongs: row i pushes along J[i] with lambda[i]
-  vec3 push1, turn1, push2, turn2;
-  for (int i = 0; i < 3; ++i) {
-    push1[i] = dot(J[i].v1, lambda);
-    turn1[i] = dot(J[i].w1, lambda);
-    push2[i] = dot(J[i].v2, lambda);
-    turn2[i] = dot(J[i].w2, lambda);
-  }
-  body1.v += body1.inverse_mass * push1;
-  body1.w += inverse_inertia(body1) * turn1;
-  body2.v += body2.inverse_mass * push2;
-  body2.w += inverse_inertia(body2) * turn2;
+// change: for ( ==> vec3 push1, turn1, push2, turn2; for (
+// change: body1.v += body1.inverse_mass * lambda[i] * J[i].v1 ==> push1[i] = dot(J[i].v1, lambda)
+// change: body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1 ==> turn1[i] = dot(J[i].w1,
+//         lambda
+// change: body2.v += body2.inverse_mass * lambda[i] * J[i].v2 ==> push2[i] = dot(J[i].v2, lambda)
+// change: body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2 ==> turn2[i] = dot(J[i].w2,
+//         lambda
+// change: } ==> } body1.v += body1.inverse_mass * push1; body1.w += inverse_inertia(body1) * turn1;
+//         body2.v += body2.inverse_mass * push2; body2.w += inverse_inertia(body2) * turn2;
 
 // ---- wrong: body space inertia
 // region: 2
 // expects: Likely mistake: body-space inertia: take inverse_inertia(body)
-  for (int i = 0; i < 3; ++i) {
-    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
-    body1.w += body1.inverse_inertia_local * (lambda[i] * J[i].w1);
-    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
-    body2.w += body2.inverse_inertia_local * (lambda[i] * J[i].w2);
-  }
+// change: inverse_inertia(body1) ==> body1.inverse_inertia_local
+// change: inverse_inertia(body2) ==> body2.inverse_inertia_local
 
 // ---- wrong: each row by its own K
 // expects: Likely mistake: each row divided by its own K: the rows of a block are solved together
@@ -125,113 +119,75 @@
 // ---- wrong: first row left out
 // region: 2
 // expects: Likely mistake: the first row is left out: rows are J[0], J[1], J[2] (v1, w1, v2 and w2)
-  for (int i = 1; i < 3; ++i) {
-    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
-    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
-    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
-    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
-  }
+// change: 0 ==> 1
 
 // ---- wrong: last row left out
 // region: 2
 // expects: Likely mistake: the last row is left out
-  for (int i = 0; i < 2; ++i) {
-    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
-    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
-    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
-    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
-  }
+// change: 3 ==> 2
 
 // ---- wrong: only the first row
 // region: 2
 // expects: Likely mistake: only the first row pushes
-  for (int i = 0; i < 3; ++i) {
-    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
-    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
-    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
-    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
-    return;
-  }
+// change: } ==> return; }
 
 // ---- wrong: velocities set
 // region: 2
 // expects: Likely mistake: the velocity is set where it must grow: += and not = (v1, w1, v2 and w2)
-  for (int i = 0; i < 3; ++i) {
-    body1.v = body1.inverse_mass * lambda[i] * J[i].v1;
-    body1.w = inverse_inertia(body1) * (lambda[i] * J[i].w1);
-    body2.v = body2.inverse_mass * lambda[i] * J[i].v2;
-    body2.w = inverse_inertia(body2) * (lambda[i] * J[i].w2);
-  }
+// change: .v += body1 ==> .v = body1
+// change: body1.w += inverse_inertia( ==> body1.w = inverse_inertia(
+// change: v += ==> v =
+// change: += ==> =
 
 // ---- wrong: lambda added to v
 // region: 2
 // expects: Likely mistake: lambda is added without J.v1 and J.v2
-  body1.v -= body1.inverse_mass * lambda;
-  body2.v += body2.inverse_mass * lambda;
-  for (int i = 0; i < 3; ++i) {
-    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
-    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
-  }
+// change: for ( ==> body1.v -= body1.inverse_mass * lambda; body2.v += body2.inverse_mass * lambda;
+//         for (
+// change: body1.v += body1.inverse_mass * lambda[i] * J[i].v1; ==>
+// change: body2.v += body2.inverse_mass * lambda[i] * J[i].v2; ==>
 
 // ---- wrong: minus for body 1
 // region: 2
 // expects: Likely mistake: the sign: velocities grow by +M^-1 J^T lambda (v1 and w1)
-  for (int i = 0; i < 3; ++i) {
-    body1.v -= body1.inverse_mass * lambda[i] * J[i].v1;
-    body1.w -= inverse_inertia(body1) * (lambda[i] * J[i].w1);
-    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
-    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
-  }
+// change: .v += body1 ==> .v -= body1
+// change: body1.w += inverse_inertia( ==> body1.w -= inverse_inertia(
 
 // ---- wrong: minus for the turns
 // region: 2
 // expects: Likely mistake: the sign: velocities grow by +M^-1 J^T lambda (w1 and w2)
-  for (int i = 0; i < 3; ++i) {
-    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
-    body1.w -= inverse_inertia(body1) * (lambda[i] * J[i].w1);
-    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
-    body2.w -= inverse_inertia(body2) * (lambda[i] * J[i].w2);
-  }
+// change: body1.w += inverse_inertia( ==> body1.w -= inverse_inertia(
+// change: w += ==> w -=
 
 // ---- wrong: lambda[0] in every row
 // region: 2
 // expects: Likely mistake: lambda[0] in every row
-  for (int i = 0; i < 3; ++i) {
-    body1.v += body1.inverse_mass * lambda[0] * J[i].v1;
-    body1.w += inverse_inertia(body1) * (lambda[0] * J[i].w1);
-    body2.v += body2.inverse_mass * lambda[0] * J[i].v2;
-    body2.w += inverse_inertia(body2) * (lambda[0] * J[i].w2);
-  }
+// change: body1.inverse_mass * lambda[i] * J[i] ==> body1.inverse_mass * lambda[0] * J[i]
+// change: body1) * (lambda[i] * J[i] ==> body1) * (lambda[0] * J[i]
+// change: * lambda[i] * ==> * lambda[0] *
+// change: lambda[i] ==> lambda[0]
 
 // ---- wrong: J[0] in every row
 // region: 2
 // expects: Likely mistake: J[0] in every row
-  for (int i = 0; i < 3; ++i) {
-    body1.v += body1.inverse_mass * lambda[i] * J[0].v1;
-    body1.w += inverse_inertia(body1) * (lambda[i] * J[0].w1);
-    body2.v += body2.inverse_mass * lambda[i] * J[0].v2;
-    body2.w += inverse_inertia(body2) * (lambda[i] * J[0].w2);
-  }
+// change: J[i].v1 ==> J[0].v1
+// change: J[i].w1 ==> J[0].w1
+// change: J[i].v2 ==> J[0].v2
+// change: J[i]. ==> J[0].
 
 // ---- wrong: lambda times J number by number
 // region: 2
 // expects: Likely mistake: a vector times a vector is taken number by number
-  for (int i = 0; i < 3; ++i) {
-    body1.v += body1.inverse_mass * lambda * J[i].v1;
-    body1.w += inverse_inertia(body1) * (lambda * J[i].w1);
-    body2.v += body2.inverse_mass * lambda * J[i].v2;
-    body2.w += inverse_inertia(body2) * (lambda * J[i].w2);
-  }
+// change: body1.inverse_mass * lambda[i] * J[i] ==> body1.inverse_mass * lambda * J[i]
+// change: body1) * (lambda[i] * J[i] ==> body1) * (lambda * J[i]
+// change: * lambda[i] * ==> * lambda *
+// change: lambda[i] ==> lambda
 
 // ---- wrong: without inverse masses
 // region: 2
 // expects: Likely mistake: the inverse mass is missing (v1 and v2)
-  for (int i = 0; i < 3; ++i) {
-    body1.v += lambda[i] * J[i].v1;
-    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
-    body2.v += lambda[i] * J[i].v2;
-    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
-  }
+// change: body1.inverse_mass * ==>
+// change: body2.inverse_mass * ==>
 
 // ---- wrong: turns forgotten
 // region: 2
@@ -244,46 +200,33 @@
 // ---- wrong: both shares to body 1
 // region: 2
 // expects: Likely mistake: the share of body 2 is given to body 1
-  for (int i = 0; i < 3; ++i) {
-    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
-    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
-    body1.v += body2.inverse_mass * lambda[i] * J[i].v2;
-    body1.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
-  }
+// change: body2.v ==> body1.v
+// change: body2.w ==> body1.w
 
 // ---- wrong: blocks of body 1 for both
 // region: 2
 // expects: Likely mistake: the block v of the other body (v2); the block w of the other body (w2)
-  for (int i = 0; i < 3; ++i) {
-    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
-    body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
-    body2.v += body2.inverse_mass * lambda[i] * J[i].v1;
-    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w1);
-  }
+// change: v2 ==> v1
+// change: w2 ==> w1
+
+// ---- wrong: nothing moves beside a wall
+// region: 2
+// expects: Likely mistake: nothing is done where one body is static
+// change: for ( ==> if (body1.is_static() || body2.is_static()) return; for (
+
+// ---- wrong: small impulses left out
+// region: 2
+// expects: Likely mistake: a small lambda is left out
+// change: for ( ==> if (length(lambda) < real(1e-6)) return; for (
 
 // ---- right: cholesky
 // K = L L^T: two triangular systems in the place of an inverse.
-  vec3 e = bias;
-  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
-  real L[3][3] = {};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j <= i; ++j) {
-      real rest = K[j][i];
-      for (int k = 0; k < j; ++k) rest -= L[i][k] * L[j][k];
-      L[i][j] = i == j ? std::sqrt(rest) : rest / L[j][j];
-    }
-  vec3 y, x;
-  for (int i = 0; i < 3; ++i) {
-    real rest = -e[i];
-    for (int k = 0; k < i; ++k) rest -= L[i][k] * y[k];
-    y[i] = rest / L[i][i];
-  }
-  for (int i = 2; i >= 0; --i) {
-    real rest = y[i];
-    for (int k = i + 1; k < 3; ++k) rest -= L[k][i] * x[k];
-    x[i] = rest / L[i][i];
-  }
-  return x;
+// change: return -inverse(K) * e; ==> real L[3][3] = {}; for (int i = 0; i < 3; ++i) for (int j =
+//         0; j <= i; ++j) { real rest = K[j][i]; for (int k = 0; k < j; ++k) rest -= L[i][k] *
+//         L[j][k]; L[i][j] = i == j ? std::sqrt(rest) : rest / L[j][j]; } vec3 y, x; for (int i =
+//         0; i < 3; ++i) { real rest = -e[i]; for (int k = 0; k < i; ++k) rest -= L[i][k] * y[k];
+//         y[i] = rest / L[i][i]; } for (int i = 2; i >= 0; --i) { real rest = y[i]; for (int k = i
+//         + 1; k < 3; ++k) rest -= L[k][i] * x[k]; x[i] = rest / L[i][i]; } return x;
 
 // ---- right: with transposed matrices
 // region: 2
@@ -302,17 +245,24 @@
 
 // ---- right: summed up first
 // region: 2
-  vec3 a(0), b(0), c(0), d(0);
-  for (int i = 0; i < 3; ++i) {
-    a += lambda[i] * J[i].v1;
-    b += lambda[i] * J[i].w1;
-    c += lambda[i] * J[i].v2;
-    d += lambda[i] * J[i].w2;
-  }
-  body1.v += a * body1.inverse_mass;
-  body1.w += inverse_inertia(body1) * b;
-  body2.v += c * body2.inverse_mass;
-  body2.w += inverse_inertia(body2) * d;
+// change: for ( ==> vec3 a(0), b(0), c(0), d(0); for (
+// change: body1.v += body1.inverse_mass * ==> a +=
+// change: body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1) ==> b += lambda[i] * J[i].w1
+// change: body2.v += body2.inverse_mass * ==> c +=
+// change: body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2) ==> d += lambda[i] * J[i].w2
+// change: } ==> } body1.v += a * body1.inverse_mass; body1.w += inverse_inertia(body1) * b; body2.v
+//         += c * body2.inverse_mass; body2.w += inverse_inertia(body2) * d;
+
+// ---- right: vec3 begins at zero
+  vec3 e;
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2) + bias[i];
+  return -inverse(K) * e;
+
+// ---- right: cross products of the columns
+  vec3 e = bias;
+  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
+  const mat3 A(cross(K[1], K[2]), cross(K[2], K[0]), cross(K[0], K[1]));
+  return -(transpose(A) * e) / dot(K[0], cross(K[1], K[2]));
 
 // ---- wrong units: times K
 // expects: Units: lambda is in m/(kg s) and should be in kg m/s: an inverse mass where a mass

@@ -147,7 +147,7 @@
   return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
 
 // ---- wrong: radians of radians
-// expects: Likely mistake: degrees: std::sin and std::cos take radians
+// expects: Likely mistake: degrees: std::sin, std::cos and angleAxis take radians
   const real angle = h * length(w);
   if (angle == 0) return q;
   const vec3 axis = w / length(w);
@@ -188,12 +188,8 @@
 
 // ---- wrong: first order without the half
 // expects: Likely mistake: q + h (0, w) q is only the first term
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  const vec3 s = h * w;
-  return normalize(q + quat(0, s.x, s.y, s.z) * q);
+// change: return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q); ==> const vec3 s = h * w;
+//         return normalize(q + quat(0, s.x, s.y, s.z) * q);
 
 // ---- wrong: Euler angles
 // expects: Likely mistake: h w holds no Euler angles
@@ -202,6 +198,23 @@
   const vec3 axis = w / length(w);
   const vec3 v = std::sin(angle / 2) * axis;
   return normalize(quat(h * w) * q);
+
+// ---- wrong: from the right and without h
+// expects: Likely mistake: h is missing: the angle is h |w|; and the turn is multiplied from the
+// expects: right
+  const real angle = length(w);
+  if (angle == 0) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(q * quat(std::cos(angle / 2), v.x, v.y, v.z));
+
+// ---- wrong: sign of the turn and small angles left out
+// expects: Likely mistake: the sign of the turn; and a small angle is left out
+  const real angle = h * length(w);
+  if (angle < real(1e-3)) return q;
+  const vec3 axis = w / length(w);
+  const vec3 v = -std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
 
 // ---- right: angle and axis
 // GLM makes the same quaternion of an angle and an axis.
@@ -241,6 +254,13 @@
   const real angle = h * length(w);
   if (angle == 0) return normalize(q);
   const vec3 axis = w / length(w);
+  const vec3 v = std::sin(angle / 2) * axis;
+  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+
+// ---- right: normalised by glm
+  const real angle = h * length(w);
+  if (angle == 0) return q;
+  const vec3 axis = normalize(w);
   const vec3 v = std::sin(angle / 2) * axis;
   return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
 

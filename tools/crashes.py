@@ -48,6 +48,11 @@ REFUSED = {  # of the compiler's words
     r"-W(error=)?return-type":
         "the function ends without a return: what it computes is not given back.",
     r"todo.{1,3} was not declared": "todo is written todo(\"1.1\"); with the exercise's number.",
+    r"operator\*.*(‘int’|'int')": "a whole number times a vector: write real(2) * v, not 2 * v.",
+    r"no matching function for call to .(max|min|clamp)\(": "both numbers must be of one kind: "
+        "real(0), not 0.",
+    r"initializer list.*joints::Row": "a Row is four vectors: {v1, w1, v2, w2}, and nothing is "
+        "vec3(0), not 0.",
     r"-W(error=)?infinite-recursion": "the function calls itself without end."}
 
 
@@ -64,5 +69,7 @@ def plainly(words):
 
 
 def refused(words):
-    """What the compiler's words mean, or ""."""
-    return next((meaning for pattern, meaning in REFUSED.items() if re.search(pattern, words)), "")
+    """What the compiler's first error means, or "": the others often follow from it."""
+    first = re.split(r"^(?=\S+:\d+:\d+: error: )", words, flags=re.M)[:2]
+    return next((meaning for pattern, meaning in REFUSED.items()
+                 if re.search(pattern, "".join(first))), "")

@@ -55,6 +55,9 @@ def with_place(words, chapter, id_):
         if re.match(beginning, words) and len(found) == 1:
             place = f"{house.short(chapter.mine)}:{found[0].begin}"
             break
+    else:  # a crash may come from any of the exercise's regions
+        found = [region for region in exercises.scan(text)[0] if region.id == id_]
+        place += "".join(f" or :{region.begin}" for region in found[1:])
     return f"{textwrap.fill(words, 76)}\n\nWhere: {place}\nNext:  ./wb hint {id_}"
 
 

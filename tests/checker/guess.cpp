@@ -196,13 +196,15 @@ void guess(Sample& s, double tolerance, const std::string& first) {
     s.mistakes = {never_set};
     return;
   }
+  if (!seven_digits({{s.yours, s.right}}).empty()) {
+    s.mistakes = {few_digits};  // what fits within the tolerance fits by chance
+    return;
+  }
   if (!all_finite(s.yours) && first.empty()) words = division_by_zero;
   else if (zero(s.yours, tolerance)) words = "every entry is zero";
   if (!words.empty()) s.mistakes.insert(s.mistakes.begin() + s.own, words);
   if (long(s.mistakes.size()) > s.own) return;
   const double factor = common_factor(s, tolerance);
-  if (const std::string digits = seven_digits({{s.yours, s.right}}); !digits.empty())
-    words = digits;
   for (const char* number : {"2", "4", "0.5", "0.25"})
     if (near(factor, std::atof(number), tolerance))
       s.mistakes.push_back(std::string("a factor of ") + number);

@@ -25,8 +25,8 @@ std::string no_number(const Numbers& numbers);
 /// Are the wrong ones among yours right to five digits? In double alone: a float has no more.
 bool five_digits(const Numbers& yours, const Numbers& right, double tolerance);
 inline const char* const few_digits =
-    "right to five digits: a float among the numbers (a cast, a literal like 0.5f), or a constant "
-    "with few digits";
+    "right to a few digits only: is there a float among the reals, such as 0.5f or std::exp2f, or "
+    "a constant with few digits?";
 /// "v1, w1 and v2"
 std::string joined(const std::vector<std::string>& words);
 /// A long line is folded at a space and goes on below its first word after ": ".

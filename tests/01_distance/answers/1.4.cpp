@@ -407,7 +407,7 @@
 // change: real ==> int
 
 // ---- wrong: impulse as a float
-// expects: Likely mistake: right to about seven digits only: is there a float among the reals
+// expects: Likely mistake: right to a few digits only: is there a float among the reals
 // change: real ==> float
 
 // ---- right: in one loop

@@ -44,8 +44,7 @@
          dot(a.v2, b.v2) / body2.inverse_mass + dot(a.w2, inverse_inertia(body2) * b.w2);
 
 // ---- wrong: float
-// expects: Likely mistake: right to five digits: a float among the numbers (a cast, a literal like
-// expects: 0.5f), or a constant with few digits
+// expects: Likely mistake: right to a few digits only: is there a float among the reals
   return float(body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
          body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2));
 

@@ -59,8 +59,7 @@
   return std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
 
 // ---- wrong: float literal pi in twist
-// expects: Likely mistake: right to five digits: a float among the numbers (a cast, a literal like
-// expects: 0.5f), or a constant with few digits
+// expects: Likely mistake: right to a few digits only: is there a float among the reals
   quat q = conjugate(body1.q) * body2.q * conjugate(start);
   real angle = 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
   if (angle > 3.14159f) angle -= 2 * 3.14159f;

@@ -141,8 +141,7 @@
   return sum - before;
 
 // ---- wrong: float literal
-// expects: Likely mistake: right to five digits: a float among the numbers (a cast, a literal like
-// expects: 0.5f), or a constant with few digits
+// expects: Likely mistake: right to a few digits only: is there a float among the reals
   const real before = sum, bound = h * motor.strength;
   sum = std::clamp(float(sum - (rate - motor.speed) / K), float(-bound), float(bound));
   return sum - before;

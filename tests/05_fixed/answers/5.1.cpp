@@ -26,7 +26,7 @@
 // change: inverse_inertia(body1) ==> inverse_inertia(body2)
 
 // ---- wrong: last column never filled
-// expects: Likely mistake: X[x, z], X[y, z] and X[z, z] are zero in every case
+// expects: Likely mistake: in X[x, z], X[y, z] and X[z, z] alone: X is zero
   const vec3 r1 = to_world(body1, point.anchor1_local), r2 = to_world(body2, point.anchor2_local);
   const mat3 all = -(skew(r1) * inverse_inertia(body1) + skew(r2) * inverse_inertia(body2));
   mat3 X(0);

@@ -12,7 +12,7 @@
 
 // ---- wrong: about in float
 // region: 2
-// expects: Likely mistake: right to about seven digits only: is there a float among the reals
+// expects: Likely mistake: right to a few digits only: is there a float among the reals
 // change: cross(from - to, load.force) ==> vec3(cross(glm::vec3(from - to), glm::vec3(load.force)))
 
 // ---- wrong: about lever of the torque
@@ -105,7 +105,7 @@
 // change: impulse[0], impulse[1], impulse[2] ==> impulse[1], impulse[2], impulse[3]
 
 // ---- wrong: index outside
-// expects: an index outside a vector
+// expects: an index outside an array of 6 numbers
 // change: impulse[3], impulse[4], impulse[5] ==> impulse[4], impulse[5], impulse[6]
 
 // ---- wrong: threes exchanged
@@ -122,7 +122,7 @@
 // change: impulse[3], impulse[4], impulse[5] ==> impulse[2], impulse[3], impulse[4]
 
 // ---- wrong: two entries of three
-// expects: Likely mistake: force.z and torque.z are zero in every case
+// expects: Likely mistake: in force.z and torque.z alone: 0 in every case
 // change: impulse[1], impulse[2]) ==> impulse[1], 0)
 // change: impulse[4], impulse[5]) ==> impulse[4], 0)
 

@@ -61,7 +61,7 @@
 
 // ---- wrong: half time in float
 // region: 3
-// expects: Likely mistake: right to about seven digits only: is there a float among the reals
+// expects: Likely mistake: right to a few digits only: is there a float among the reals
 // change: -h / half_time ==> float(-h / half_time)
 
 // ---- wrong: half time natural

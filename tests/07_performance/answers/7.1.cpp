@@ -76,7 +76,7 @@
 // change: hinge.point.error(body1, body2) ==> to_local(body1, hinge.point.error(body1, body2))
 
 // ---- wrong: bias in float
-// expects: Likely mistake: right to about seven digits only: is there a float among the reals
+// expects: Likely mistake: right to a few digits only: is there a float among the reals
 // change: const real rate ==> const float rate
 
 // ---- wrong: bias of exchanged bodies

@@ -148,7 +148,7 @@
   }
 
 // ---- wrong: cross sign of one line
-// expects: Likely mistake: the sign of K[C.x, a1.b], K[C.x, a1.c], K[a1.b, C.x] and K[a1.c, C.x]
+// expects: in K[C.x, a1.b], K[C.x, a1.c], K[a1.b, C.x] and K[a1.c, C.x] alone: the sign
 // change: = -gap.x ==> = gap.x
 
 // ---- wrong: cross with body 1 taken away
@@ -186,7 +186,7 @@
   }
 
 // ---- wrong: cross without its last line
-// expects: Likely mistake: K[C.z, a1.b], K[C.z, a1.c], K[a1.b, C.z] and K[a1.c, C.z] are zero
+// expects: Likely mistake: in K[C.z, a1.b], K[C.z, a1.c], K[a1.b, C.z] and K[a1.c, C.z] alone:
 // change: K[2][3 + j] = K[3 + j][2] = -gap.z; ==>
 
 // ---- wrong: index outside

@@ -38,7 +38,7 @@
   return dot(up(body1), point(body1, body2) - top);
 
 // ---- wrong: C in float
-// expects: Likely mistake: right to about seven digits only: is there a float among the reals
+// expects: Likely mistake: right to a few digits only: is there a float among the reals
   const float C = dot(up(body1), point(body1, body2) - body1.x) - height;
   return C;
 
@@ -201,7 +201,7 @@
 
 // ---- wrong: J in float
 // region: 2
-// expects: Likely mistake: right to about seven digits only: is there a float among the reals
+// expects: Likely mistake: right to a few digits only: is there a float among the reals
   const glm::vec3 r1(point(body1, body2) - body1.x), r2(point(body1, body2) - body2.x);
   const glm::vec3 d(direction);
   return {-direction, -vec3(cross(r1, d)), direction, vec3(cross(r2, d))};

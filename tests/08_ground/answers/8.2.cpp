@@ -45,7 +45,7 @@
 
 // ---- wrong: friction bound in float
 // region: 2
-// expects: Likely mistake: right to about seven digits only: is there a float among the reals
+// expects: Likely mistake: right to a few digits only: is there a float among the reals
 // change: bound = mu * normal ==> bound = float(mu * normal)
 
 // ---- wrong: friction bound only outwards

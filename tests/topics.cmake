@@ -21,19 +21,19 @@ function(gather out name)
 endfunction()
 
 # Eigen is read in one file, once for both kinds of number: the oracle reckons in double.
-add_library(dense STATIC checker/dense.cpp)
+add_library(dense STATIC oracle/dense.cpp)
 target_compile_features(dense PRIVATE cxx_std_20)
 target_include_directories(dense PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(dense PRIVATE Eigen3::Eigen workbook_strict)
 
 foreach(number double float)
   set(suffix ${suffix_of_${number}})
-  add_library(oracle${suffix} STATIC checker/oracle.cpp checker/rigs.cpp
-    checker/allocations.cpp)
+  add_library(oracle${suffix} STATIC oracle/oracle.cpp oracle/rigs.cpp
+    oracle/allocations.cpp)
   target_link_libraries(oracle${suffix} PUBLIC bench_stability${suffix} wide${suffix}
     ${libraries${suffix}} instruments${suffix} checker${suffix} dense
     PRIVATE workbook_strict)
-  target_precompile_headers(oracle${suffix} PRIVATE checker/catch.h checker/oracle.h)
+  target_precompile_headers(oracle${suffix} PRIVATE checker/catch.h oracle/oracle.h)
   foreach(topic ${topics})
     set(target ${topic}_test${suffix})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${topic}/*_test.cpp)

@@ -9,7 +9,7 @@
 #include "engine/measure.h"
 #include "engine/record.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

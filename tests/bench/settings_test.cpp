@@ -1,7 +1,7 @@
 // The settings of error against run time: what is said of them is so.
 #include "bench/settings.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -4,7 +4,7 @@
 #include "chapters/03_hinge/hinge_joint.h"
 #include "engine/sequential_impulses.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

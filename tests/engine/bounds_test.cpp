@@ -2,7 +2,7 @@
 // of bounds.
 #include "chapters/01_distance/distance_joint.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

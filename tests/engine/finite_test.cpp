@@ -1,7 +1,7 @@
 // Whatever the settings: no body is ever NaN or infinite.
 #include "chapters/03_hinge/hinge_joint.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -3,8 +3,8 @@
 #include "chapters/02_ball/ball_joint.h"
 #include "engine/program.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
-#include "tests/checker/shared.h"
+#include "tests/oracle/oracle.h"
+#include "tests/oracle/shared.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -4,7 +4,7 @@
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

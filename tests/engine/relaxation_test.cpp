@@ -5,8 +5,8 @@
 #include "chapters/04_slider/slider_joint.h"
 #include "engine/wide.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/oracle.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -6,7 +6,7 @@
 #include "chapters/01_distance/distance_joint.h"
 #include "chapters/02_ball/ball_joint.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -1,7 +1,7 @@
 // Warm starting: what the joints remember of the last step, and what it is worth in the next.
 #include "chapters/01_distance/distance_joint.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -2,7 +2,7 @@
 // the wrong one: each worked out as it stands, and what is so beside it.
 #include "chapters/05_fixed/fixed_joint.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;

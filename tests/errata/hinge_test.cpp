@@ -2,8 +2,8 @@
 // where it does not say so: each worked out as it stands, and the right one beside it.
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
-#include "tests/checker/rigs.h"
-#include "tests/checker/shared.h"
+#include "tests/oracle/rigs.h"
+#include "tests/oracle/shared.h"
 
 using namespace joints;
 using namespace joints::testing;

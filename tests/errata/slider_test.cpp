@@ -4,8 +4,8 @@
 #include "engine/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
-#include "tests/checker/rigs.h"
-#include "tests/checker/shared.h"
+#include "tests/oracle/rigs.h"
+#include "tests/oracle/shared.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -3,7 +3,7 @@
 #include "chapters/08_ground/ground_contact.h"
 #include "chapters/08_ground/program/own_ground.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -4,7 +4,7 @@
 #include "chapters/08_ground/program/cannon.h"
 #include "chapters/08_ground/program/curl.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;

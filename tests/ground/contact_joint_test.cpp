@@ -6,7 +6,7 @@
 #include "tests/checker/catch.h"
 #include "tests/ground/rigs.h"
 #include "tests/checker/numeric.h"
-#include "tests/checker/shared.h"
+#include "tests/oracle/shared.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -3,7 +3,7 @@
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/08_ground/program/order.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::chapter8;

@@ -2,7 +2,7 @@
 #include "chapters/08_ground/program/ragdoll.h"
 #include "chapters/08_ground/program/wheels.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::chapter8;

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "chapters/08_ground/ground_contact.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 namespace joints::testing {
 

@@ -4,8 +4,8 @@
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
-#include "tests/checker/shared.h"
+#include "tests/oracle/oracle.h"
+#include "tests/oracle/shared.h"
 
 using namespace joints;
 using namespace joints::testing;

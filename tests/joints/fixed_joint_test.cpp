@@ -3,7 +3,7 @@
 #include "chapters/05_fixed/fixed_joint.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;

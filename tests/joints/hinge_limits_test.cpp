@@ -2,7 +2,7 @@
 // equal, beyond a full turn, and changed while it moves (cases X11 and X13).
 #include "chapters/02_ball/ball_joint.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -2,7 +2,7 @@
 // rank, invariance, momentum, and numbers that stay numbers where the geometry degenerates.
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -3,7 +3,7 @@
 #include "engine/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 #include "tests/joints/any_part.h"
 
 using namespace joints;

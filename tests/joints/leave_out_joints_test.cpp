@@ -7,8 +7,8 @@
 #include "chapters/05_fixed/fixed_joint.h"
 #include "engine/plan.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/allocations.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/allocations.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -1,6 +1,6 @@
 // A motor and a limit as what they are to the solver: one row with bounds.
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -7,7 +7,7 @@
 #include "engine/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/fixtures.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

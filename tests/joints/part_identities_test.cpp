@@ -2,7 +2,7 @@
 // and for every part of chapters 1 and 2.
 #include "tests/checker/catch.h"
 #include "tests/checker/fixtures.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

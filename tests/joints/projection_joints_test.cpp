@@ -5,8 +5,8 @@
 #include "chapters/05_fixed/fixed_joint.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
-#include "tests/checker/allocations.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/allocations.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -3,7 +3,7 @@
 #include "chapters/04_slider/slider_joint.h"
 #include "engine/measure.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -4,7 +4,7 @@
 #include "chapters/03_hinge/hinge_joint.h"
 #include "engine/wide.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/allocations.h"
+#include "tests/oracle/allocations.h"
 #include "tests/ground/rigs.h"
 
 using namespace joints;

@@ -9,7 +9,7 @@
 #include "chapters/05_fixed/fixed_joint.h"
 #include "engine/wide.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -8,9 +8,9 @@
 #include "chapters/05_fixed/fixed_joint.h"
 #include "engine/wide.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/allocations.h"
-#include "tests/checker/oracle.h"
-#include "tests/checker/shared.h"
+#include "tests/oracle/allocations.h"
+#include "tests/oracle/oracle.h"
+#include "tests/oracle/shared.h"
 
 using namespace joints;
 using namespace joints::testing;

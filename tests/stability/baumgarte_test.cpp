@@ -2,7 +2,7 @@
 // the energy that the feedback brings in, the spin it leaves, and who keeps its speed.
 #include "engine/measure.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;

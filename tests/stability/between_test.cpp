@@ -2,7 +2,7 @@
 // when it is shot at, and what slack changes.
 #include "chapters/01_distance/distance_joint.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -2,7 +2,7 @@
 // long chain of hinges cold and warm.
 #include "bench/runner.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;

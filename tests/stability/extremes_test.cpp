@@ -4,7 +4,7 @@
 #include "chapters/02_ball/ball_joint.h"
 #include "engine/measure.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 using namespace joints;
 using namespace joints::testing;

@@ -1,5 +1,5 @@
 // Every allocation of a program that asks for them goes through here, counted while `counting`.
-#include "tests/checker/allocations.h"
+#include "tests/oracle/allocations.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The dense matrices of the oracle.
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 namespace joints::testing {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "chapters/03_hinge/hinge_joint.h"
-#include "tests/checker/oracle.h"
+#include "tests/oracle/oracle.h"
 
 namespace joints::testing {
 

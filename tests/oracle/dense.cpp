@@ -1,5 +1,5 @@
 // The one file that reads Eigen.
-#include "tests/checker/dense.h"
+#include "tests/oracle/dense.h"
 
 #include <Eigen/Dense>
 

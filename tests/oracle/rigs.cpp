@@ -1,5 +1,5 @@
 // What the dense matrices of a scene say.
-#include "tests/checker/rigs.h"
+#include "tests/oracle/rigs.h"
 
 #include <cmath>
 

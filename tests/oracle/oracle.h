@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/sequential_impulses.h"
-#include "tests/checker/dense.h"
+#include "tests/oracle/dense.h"
 #include "tests/checker/numeric.h"
 
 namespace joints::testing {

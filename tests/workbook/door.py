@@ -88,6 +88,8 @@ class Door:
             lines += [f"build {product}: make {of}/{CHAPTER}/distance.cpp", f"  line = {line}"]
             lines += [f"build {target}: phony {product}"] if product != target else []
         (build / "build.ninja").write_text("\n".join(lines) + "\n")
+        for folder in re.findall(r"--dependency-file=(\S+)/", "\n".join(lines)):
+            (build / folder).mkdir(parents=True, exist_ok=True)  # where a linker writes of itself
 
     def moved(self, line):
         """A command line for the copy: what it does not make itself lies in the source's build."""

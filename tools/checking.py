@@ -105,9 +105,10 @@ def build(choice):
     targets += ["check_scripts"] if choice.scripts else []
     if choice.everything:
         targets = ["check_programs"]
-    log = house.build(targets, "building the tests") if targets else ""
     topics = {one.topic for one in choice.programs}
     chapters = [chapter for chapter in house.chapters() if chapter.folder in topics]
+    judge.ask_again(chapters)
+    log = house.build(targets, "building the tests") if targets else ""
     while log and judge.leave_out_refused(chapters, log):
         log = house.build(targets, "building without the answers that do not compile")
     return log

@@ -1,10 +1,7 @@
 """Judges known answers: each runs in a process of its own and is read as a reader's would be."""
-import os
-import subprocess
 from pathlib import Path
 
 import answers
-import exercises
 import grade as grading
 import house
 import runs
@@ -84,6 +81,15 @@ def known(chapter, units):
 
 def source_of(chapter, kind):
     return house.BUILD / "answers" / f"{chapter.folder}_{kind}.cpp"
+
+
+def ask_again(chapters):
+    """Forgets which answers the compiler has refused: what they call may have changed since."""
+    for chapter in chapters:
+        for kind in ("numbers", "units"):
+            source = source_of(chapter, kind)
+            if answers.refused_of(source):
+                Path(f"{source}.refused.json").write_text("{}")
 
 
 def leave_out_refused(chapters, log):

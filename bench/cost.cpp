@@ -12,10 +12,10 @@
 #include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/03_hinge/hinge_joint.h"
-#include "engine/plan.h"
-#include "engine/program.h"
+#include "engine/instruments/plan.h"
+#include "engine/instruments/options.h"
 #include "engine/sequential_impulses.h"
-#include "engine/wide.h"
+#include "engine/simd/packed.h"
 
 using namespace joints;
 using namespace joints::bench;

@@ -7,10 +7,10 @@
 #include "bench/own_loop.h"
 #include "bench/runner.h"
 #include "bench/textbook.h"
-#include "engine/lane_records.h"
-#include "engine/program.h"
+#include "engine/simd/records.h"
+#include "engine/instruments/options.h"
 #include "engine/sequential_impulses.h"
-#include "engine/wide.h"
+#include "engine/simd/packed.h"
 
 using namespace joints;
 using namespace joints::bench;

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/07_performance/hinge_loop.h"
+#include "chapters/07_performance/program/hinge_loop.h"
 
 namespace joints::bench {
 

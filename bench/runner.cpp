@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/summary.h"
+#include "engine/instruments/summary.h"
 
 namespace joints::bench {
 

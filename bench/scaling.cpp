@@ -7,8 +7,8 @@
 #endif
 
 #include "bench/settings.h"
-#include "engine/program.h"
-#include "engine/summary.h"
+#include "engine/instruments/options.h"
+#include "engine/instruments/summary.h"
 
 using namespace joints;
 using namespace joints::bench;

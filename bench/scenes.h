@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "chapters/03_hinge/hinge_joint.h"
-#include "engine/measure.h"
+#include "engine/instruments/measure.h"
 #include "engine/world.h"
 
 /// \defgroup bench Benchmark

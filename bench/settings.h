@@ -6,7 +6,7 @@
 
 #include "bench/runner.h"
 #include "engine/sequential_impulses.h"
-#include "engine/wide.h"
+#include "engine/simd/packed.h"
 
 /// \addtogroup bench
 /// @{

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/program.h"
+#include "engine/instruments/options.h"
 
 using namespace joints;
 using namespace joints::bench;

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "bench/settings.h"
-#include "engine/program.h"
+#include "engine/instruments/options.h"
 
 using namespace joints;
 using namespace joints::bench;

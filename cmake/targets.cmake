@@ -140,7 +140,7 @@ endfunction()
 
 # use_best_instructions(NN_name): a chapter's file and all that use it may have the 32 byte registers
 # of an x86 processor, if the one that builds has them. None of it is installed: what goes elsewhere
-# chooses where it runs (engine/wide_sweep.cpp).
+# chooses where it runs (engine/simd/iterate.cpp).
 function(use_best_instructions chapter)
   include(CheckCXXSourceRuns)
   check_cxx_source_runs("

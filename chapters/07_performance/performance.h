@@ -7,7 +7,7 @@
 
 #include "chapters/02_ball/ball.h"
 #include "chapters/03_hinge/hinge.h"
-#include "engine/triple.h"
+#include "engine/simd/triple.h"
 
 /// \defgroup chapter7 Chapter 7: the performance loop
 /// \brief What belongs inside the loop, and how eight joints are solved in the time of one.

@@ -3,7 +3,7 @@
 #include "chapters/07_performance/performance.h"
 
 #ifndef REAL_HEADER  // lanes are of plain numbers
-#include "engine/lanes.h"
+#include "engine/simd/lanes.h"
 #endif
 
 namespace joints {

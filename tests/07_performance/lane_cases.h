@@ -1,7 +1,7 @@
 // Exercise 7.4: what a solve must keep, and the lanes on which several hinges are solved.
 #pragma once
 
-#include "engine/lanes.h"
+#include "engine/simd/lanes.h"
 #include "tests/07_performance/solve_pieces.h"
 
 namespace joints::testing {

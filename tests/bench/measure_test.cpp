@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "engine/measure.h"
-#include "engine/record.h"
+#include "engine/instruments/measure.h"
+#include "engine/instruments/record.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 

@@ -2,7 +2,7 @@
 // that is zero, and no memory taken from the heap in a step after the first.
 #include "chapters/01_distance/distance_joint.h"
 #include "chapters/02_ball/ball_joint.h"
-#include "engine/plan.h"
+#include "engine/instruments/plan.h"
 #include "tests/oracle/allocations.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"

@@ -1,7 +1,7 @@
 // How a free body moves: the exponential map, the gyroscopic torque, force and torque.
 #include <numbers>
 
-#include "engine/measure.h"
+#include "engine/instruments/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 

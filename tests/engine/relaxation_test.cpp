@@ -3,7 +3,7 @@
 #include "chapters/02_ball/ball_joint.h"
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/04_slider/slider_joint.h"
-#include "engine/wide.h"
+#include "engine/simd/packed.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 #include "tests/oracle/rigs.h"

@@ -1,7 +1,7 @@
 // Formulas of the thesis about the slider that are wrong as printed: each worked out as it stands,
 // and the right one beside it.
 #include "chapters/04_slider/slider_joint.h"
-#include "engine/measure.h"
+#include "engine/instruments/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
 #include "tests/oracle/rigs.h"

@@ -1,6 +1,6 @@
 // Falling on the ground: how high it comes back, what two free bodies keep when they meet, and that
 // the ground neither pulls nor rubs more than it presses.
-#include "engine/measure.h"
+#include "engine/instruments/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/ground/rigs.h"
 

@@ -1,7 +1,7 @@
 // The contact as a joint of the engine: which corners have rows, what is remembered of them, and
 // what projection, reaction, plan and removal make of it.
 #include "chapters/02_ball/ball_joint.h"
-#include "engine/plan.h"
+#include "engine/instruments/plan.h"
 #include "engine/reaction.h"
 #include "tests/checker/catch.h"
 #include "tests/ground/rigs.h"

@@ -1,6 +1,6 @@
 // The hinge as the engine runs it: it comes back from any misalignment, its motor has the strength
 // that it was given, it counts its turns, and it does not wear out (cases X7, X8, X12 and X17).
-#include "engine/measure.h"
+#include "engine/instruments/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
 #include "tests/oracle/rigs.h"

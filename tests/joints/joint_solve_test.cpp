@@ -1,6 +1,6 @@
 // What one exact solve of a whole hinge, slider or weld does, and of the parts it is made of: the
 // rows hold, a second solve finds nothing, energy and momentum change by what the formulas say.
-#include "engine/measure.h"
+#include "engine/instruments/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
 #include "tests/oracle/rigs.h"

@@ -5,7 +5,7 @@
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
-#include "engine/plan.h"
+#include "engine/instruments/plan.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/allocations.h"
 #include "tests/oracle/oracle.h"

@@ -2,7 +2,7 @@
 // however they are thrown, they stay finite, inside their limits, and gain no energy.
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
-#include "engine/measure.h"
+#include "engine/instruments/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/rigs.h"
 

@@ -4,7 +4,7 @@
 
 #include "chapters/01_distance/distance_joint.h"
 #include "chapters/02_ball/ball_joint.h"
-#include "engine/measure.h"
+#include "engine/instruments/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/fixtures.h"
 #include "tests/oracle/oracle.h"

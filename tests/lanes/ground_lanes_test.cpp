@@ -2,7 +2,7 @@
 // another group.
 #include "chapters/02_ball/ball_joint.h"
 #include "chapters/03_hinge/hinge_joint.h"
-#include "engine/wide.h"
+#include "engine/simd/packed.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/allocations.h"
 #include "tests/ground/rigs.h"

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "bench/scenes.h"
-#include "chapters/07_performance/hinge_loop.h"
+#include "chapters/07_performance/program/hinge_loop.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 #include "tests/oracle/rigs.h"

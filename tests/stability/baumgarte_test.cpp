@@ -1,6 +1,6 @@
 // Baumgarte's feedback by number: what a straight step leaves the circle by, how an error fades,
 // the energy that the feedback brings in, the spin it leaves, and who keeps its speed.
-#include "engine/measure.h"
+#include "engine/instruments/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/rigs.h"
 

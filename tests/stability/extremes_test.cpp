@@ -2,7 +2,7 @@
 // thousand kilometres from the origin, masses from a grain to a mountain, a rod like a needle.
 #include "chapters/01_distance/distance_joint.h"
 #include "chapters/02_ball/ball_joint.h"
-#include "engine/measure.h"
+#include "engine/instruments/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "chapters/08_ground/ground_contact.h"
-#include "engine/stage.h"
+#include "engine/instruments/scene.h"
 
 namespace joints::chapter8 {
 

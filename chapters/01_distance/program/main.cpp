@@ -1,0 +1,136 @@
+// Chapter 1's program: a pendulum and the suspension bridge, moved by the step of exercise 1.4.
+// It uses the engine's bodies and nothing of its solver. Read it; there is nothing to edit here.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "chapters/01_distance/distance.h"
+#include "engine/instruments/plan.h"
+#include "engine/instruments/options.h"
+#include "engine/instruments/record.h"
+#include "engine/instruments/summary.h"
+
+using namespace joints;
+
+namespace {
+
+// Bodies, the links between them, and how they look.
+struct Scene {
+  std::string name;
+  std::vector<Body> bodies;
+  std::vector<Link> links;
+  Shape shape;
+  double energy_scale = 1;  // [J]
+};
+
+// A ball of 1 kg on a rod of 2 m, let go where the rod is level.
+Scene pendulum() {
+  Scene scene{"pendulum", {static_body(vec3(0)), ball(1, real(0.2), vec3(2, 0, 0))},
+              {Link{0, 1, 2}}, {"ball", {0.4, 0.4, 0.4}}, 9.81 * 2};
+  return scene;
+}
+
+// The thesis' bridge (fig. 5.6): ten cubes of 100 kg, 2 m apart, the outer two static, hung from
+// ropes of 2.3 m. Every cube first falls freely until its ropes are taut.
+Scene bridge() {
+  Scene scene{"bridge", {}, {}, {"box", {1, 1, 1}}, 0};
+  for (int i = 0; i < 10; ++i) {
+    const vec3 place(real(2 * i - 9), 0, 0);
+    const bool end = i == 0 || i == 9;
+    scene.bodies.push_back(end ? static_body(place) : box(100, vec3(1), place));
+    if (i > 0) scene.links.push_back({i - 1, i, real(2.3), true});
+    if (!end) scene.energy_scale += 100 * 9.81 * 2.3 * std::min(i, 9 - i);
+  }
+  return scene;
+}
+
+double energy(const Scene& scene) {
+  double sum = 0;
+  for (const Body& body : scene.bodies)
+    if (!body.is_static())
+      sum += (double(dot(body.v, body.v)) / 2 + 9.81 * double(body.x.y)) /
+             double(body.inverse_mass);
+  return sum;
+}
+
+// How far a link is from what it allows [m]: a slack rope is not in error.
+double gap(const Scene& scene, const Link& link) {
+  const double stretch =
+      CentreDistance{link.length}.error(scene.bodies[link.body1], scene.bodies[link.body2]);
+  return link.rope ? std::max(stretch, 0.0) : std::abs(stretch);
+}
+
+// Runs a scene; one line of the table a step, a motion if its path is given.
+Summary run(Scene scene, const StepSettings& settings, double seconds, CsvFile& table,
+            const std::string& motion_path) {
+  Motion motion(scene.name, settings.h);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) motion.body(scene.shape);
+  for (const Link& link : scene.links) motion.line({link.body1, link.body2, {}, {}});
+  StepClock clock;
+  const double start = energy(scene);
+  const int steps = int(std::lround(seconds / double(settings.h)));
+  double squares = 0, worst = 0;
+  for (int n = 0; n <= steps; ++n) {
+    double step_squares = 0, step_worst = 0;
+    for (const Link& link : scene.links) {
+      const double size = gap(scene, link);
+      step_squares += size * size;
+      step_worst = std::max(step_worst, size);
+    }
+    const double links = double(scene.links.size());
+    table.row({double(settings.iterations), n * double(settings.h),
+               std::sqrt(step_squares / links), step_worst, energy(scene) - start});
+    motion.frame(scene.bodies.data());
+    squares += step_squares / links;
+    worst = std::max(worst, step_worst);
+    if (n == steps) break;
+    clock.start();
+    step(scene.bodies, scene.links, settings);
+    clock.stop();
+  }
+  if (!motion_path.empty()) motion.write(motion_path);
+  return {scene.name, std::to_string(settings.iterations) + " iterations", clock.median_us(),
+          std::sqrt(squares / (steps + 1)), worst, (energy(scene) - start) / scene.energy_scale};
+}
+
+void print_plan(const Scene& scene) {
+  Plan plan;
+  plan.bodies = int(scene.bodies.size());
+  for (const Body& body : scene.bodies) plan.static_bodies += body.is_static();
+  plan.blocks = plan.rows = int(scene.links.size());
+  std::printf("%s: %s\n", scene.name.c_str(), plan.line().c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program([&] {
+    Options options("Chapter 1: a pendulum on a rod and a bridge hung from ropes",
+                    {{"iterations", "30", "sweeps a step, of the recorded motion"},
+                     {"beta", "0.2", "share of the error fed back in a step"},
+                     {"seconds", "10", "how long to simulate"}});
+    if (!options.read(argc, argv)) return;
+    StepSettings settings;
+    settings.beta = real(options.number("beta", 0));
+    const int chosen = options.count("iterations", 1);
+    const double seconds = options.number("seconds", 0.1);
+    const std::string out = options.text("out");
+
+    print_plan(pendulum());
+    print_plan(bridge());
+    std::vector<Summary> lines;
+    std::vector<int> counts{5, 10, 30, 100};
+    if (std::find(counts.begin(), counts.end(), chosen) == counts.end()) counts.push_back(chosen);
+    for (const auto& make : {pendulum, bridge}) {
+      const Scene scene = make();
+      CsvFile table(out + "/" + scene.name + ".csv",
+                    {"iterations", "time_s", "gap_rms_m", "gap_max_m", "energy_change_j"});
+      for (int iterations : counts) {
+        settings.iterations = iterations;
+        const std::string motion = out + "/" + scene.name + ".motion.json";
+        lines.push_back(run(scene, settings, seconds, table, iterations == chosen ? motion : ""));
+      }
+    }
+    report(lines, out);
+  });
+}

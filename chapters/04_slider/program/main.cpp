@@ -1,0 +1,190 @@
+// Chapter 4's program: a piston between two limits, a cannon, and what a motor without levers does
+// to the angular momentum. Read it; there is nothing to edit here.
+#include <algorithm>
+
+#include "chapters/04_slider/slider_joint.h"
+#include "engine/instruments/options.h"
+#include "engine/instruments/scene.h"
+
+using namespace joints;
+
+namespace {
+
+SliderJoint& slider(Stage& stage, BodyId id1, BodyId id2, const vec3& anchor,
+                    const vec3& direction, const Settings& settings, bool whole) {
+  auto& joint = stage.world.add<SliderJoint>(stage.world.bodies, id1, id2, anchor, direction);
+  joint.beta = settings.beta;
+  joint.whole = whole;
+  return joint;
+}
+
+// How far the anchor of body 2 is off the line, or beyond a limit [m], for all sliders of a stage.
+struct LineGap {
+  double sum = 0, worst = 0;
+  long count = 0;
+  void look(const SliderJoint& joint, const Bodies& bodies) {
+    const Vector<2> C = joint.first.error(bodies[joint.body1], bodies[joint.body2]);
+    const double x = double(joint.position(bodies));
+    const double beyond = std::max({double(joint.limits().lower) - x,
+                                    x - double(joint.limits().upper), 0.0});
+    const double gap = std::hypot(double(C[0]), double(C[1]), beyond);
+    sum += gap * gap;
+    worst = std::max(worst, gap);
+    ++count;
+  }
+  Summary into(Summary line) const {
+    line.gap_rms = std::sqrt(sum / double(count));
+    line.gap_max = worst;
+    return line;
+  }
+};
+
+// ---- the piston ---------------------------------------------------------------------------------
+
+// A piston of 5 kg that a motor of 80 N drives up and down between 0 and 0.4 m, 1 m/s at most; it
+// is held 0.3 m beside its centre. The motor turns round every 1.5 s.
+Summary piston(const Settings& settings, bool whole, CsvFile& table) {
+  const std::string words = whole ? "whole joint" : "blocks apart";
+  Stage stage{.name = "piston"};
+  stage.solver.iterations = settings.iterations;
+  stage.energy_scale = 5 * 9.81 * 0.4;
+  const BodyId cylinder = stage.box(0, vec3(real(0.1), real(1.2), real(0.1)), vec3(0));
+  const BodyId body = stage.box(5, vec3(real(0.4), real(0.2), real(0.4)), vec3(real(0.3), 0, 0));
+  SliderJoint& joint = slider(stage, cylinder, body, vec3(0), vec3(0, 1, 0), settings, whole);
+  joint.set_limits(0, real(0.4));
+  joint.set_motor(1, 80);
+  if (whole) stage.print_plan();
+  LineGap gap;
+  const std::string motion = whole == settings.whole ? settings.out + "/piston.motion.json" : "";
+  return gap.into(play(stage, words, settings.seconds, motion, [&](double time) {
+    table.row({words}, {time, double(joint.position(stage.world.bodies)),
+                        double(joint.speed(stage.world.bodies)), double(joint.motor_force()),
+                        double(joint.limit_force())});
+    gap.look(joint, stage.world.bodies);
+    joint.set_motor(int(time / 1.5) % 2 == 0 ? 1 : -1, 80);
+  }));
+}
+
+// ---- the cannon ---------------------------------------------------------------------------------
+
+// A carriage of 50 kg on a slider at 45 degrees, limits -1 and 10 m, driven by a motor. It pushes a
+// shot of 10 kg before it: a second slider whose lower limit is the carriage. At the muzzle the
+// carriage stops and the shot goes on; half a metre further its slider is taken away.
+Summary cannon(const Settings& settings, bool whole, CsvFile& table) {
+  const std::string words = whole ? "whole joint" : "blocks apart";
+  const real diagonal = std::sqrt(real(0.5));
+  const vec3 along(diagonal, diagonal, 0);
+  const quat turn = rotation(vec3(0, 0, std::atan2(diagonal, diagonal)));
+  Stage stage{.name = "cannon"};
+  stage.solver.iterations = settings.iterations;
+  stage.energy_scale = 60 * 9.81 * 11 * double(diagonal);
+  const BodyId barrel = stage.box(0, vec3(11, real(0.1), real(0.6)),
+                                  real(4.5) * along + real(0.6) * vec3(diagonal, -diagonal, 0),
+                                  turn);
+  const BodyId carriage = stage.box(50, vec3(1, 1, 1), vec3(0), turn);
+  const BodyId shot = stage.box(10, vec3(real(0.5)), along, turn);
+  SliderJoint& rail = slider(stage, barrel, carriage, vec3(0), along, settings, whole);
+  SliderJoint& push = slider(stage, carriage, shot, along, along, settings, whole);
+  for (const BodyId id : {carriage, shot}) stage.world.bodies[id].x -= along;  // loaded: at -1 m
+  rail.set_limits(-1, 10);
+  rail.set_motor(60, 5000);
+  push.set_limits(0, unbounded);
+  if (whole) stage.print_plan();
+  bool flying = false;
+  LineGap gap;
+  const std::string motion = whole == settings.whole ? settings.out + "/cannon.motion.json" : "";
+  const double seconds = std::min(settings.seconds, 2.0);
+  return gap.into(play(stage, words, seconds, motion, [&](double time) {
+    const Bodies& bodies = stage.world.bodies;
+    const vec3 x = bodies[shot].x;
+    table.row({words}, {time, double(rail.position(bodies)), double(rail.speed(bodies)),
+                        double(x.x), double(x.y), double(length(bodies[shot].v)),
+                        flying ? 1.0 : 0.0});
+    gap.look(rail, bodies);
+    if (flying) return;
+    gap.look(push, bodies);
+    flying = push.position(bodies) > real(0.5);
+    if (flying) stage.world.remove(push);
+  }));
+}
+
+// ---- a motor without levers ---------------------------------------------------------------------
+
+// The motor's row as the thesis prints it, with its sign put right: no levers. It drives the
+// centres apart, not the anchors along the line.
+class CentreMotor : public Joint {
+ public:
+  vec3 a1_local;
+  real speed, strength;
+  CentreMotor(BodyId id1, BodyId id2, const vec3& a1_local, real speed, real strength)
+      : Joint(id1, id2), a1_local(a1_local), speed(speed), strength(strength) {}
+  void append(const Bodies& bodies, Blocks& blocks) const override {
+    const vec3 a = to_world(bodies[body1], a1_local);
+    const real K = bodies[body1].inverse_mass + bodies[body2].inverse_mass;
+    blocks.append(bodies.index(body1), bodies.index(body2),
+                  to_jacobian(Row{-a, vec3(0), a, vec3(0)}), {0}, to_matrix(K),
+                  {.target = speed,
+                   .holds_position = false,
+                   .lower = -strength,
+                   .upper = strength},
+                  &impulse_);
+  }
+  int most_rows() const override { return 1; }
+
+ private:
+  mutable real impulse_ = 0;
+};
+
+// Two free bodies that turn together while a motor pushes the one along the other: nothing acts on
+// them from outside, so that their angular momentum may not change.
+void momentum(const Settings& settings, bool levers, CsvFile& table) {
+  Stage stage{.name = "momentum"};
+  stage.solver.iterations = settings.iterations;
+  stage.world.gravity = vec3(0);
+  const BodyId id1 = stage.box(3, vec3(2, real(0.4), real(0.4)), vec3(0));
+  const BodyId id2 = stage.box(1, vec3(real(0.5)), vec3(0, 1, 0));
+  SliderJoint& joint =
+      slider(stage, id1, id2, vec3(0, real(0.5), 0), vec3(1, 0, 0), settings, settings.whole);
+  if (levers)
+    joint.set_motor(100, 5);  // a speed that it does not reach: 5 N all the while
+  else
+    stage.world.add<CentreMotor>(id1, id2, joint.coordinate.a1_local, real(100), real(5));
+  const auto masses = joints::masses(stage.world.bodies);
+  play(stage, "", 1, "", [&](double time) {
+    double L = 0;
+    for (const BodyId id : {id1, id2}) {
+      const Body& body = stage.world.bodies[id];
+      const vec3 w = to_local(body, body.w);
+      const glm::dvec3 spin = masses[id.slot].inertia * glm::dvec3(w);
+      L += double(cross(body.x, body.v).z) / double(body.inverse_mass) +
+           double(to_world(body, vec3(spin)).z);
+    }
+    table.row({levers ? "levers" : "centres"},
+              {time, L, double(joint.speed(stage.world.bodies)),
+               double(stage.world.bodies[id1].w.z)});
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program([&] {
+    Settings settings;
+    if (!read(settings, "Chapter 4: a piston, a cannon, a motor without levers", "6",
+              "how long the piston runs", argc, argv))
+      return;
+
+    std::vector<Summary> lines;
+    CsvFile piston_table(settings.out + "/piston.csv",
+                         {"blocks", "time_s", "way_m", "speed_m_s", "motor_n", "limit_n"});
+    CsvFile cannon_table(settings.out + "/cannon.csv", {"blocks", "time_s", "way_m", "speed_m_s",
+                                                        "shot_x_m", "shot_y_m", "shot_m_s",
+                                                        "flying"});
+    for (bool whole : {false, true}) lines.push_back(piston(settings, whole, piston_table));
+    for (bool whole : {false, true}) lines.push_back(cannon(settings, whole, cannon_table));
+    CsvFile momentum_table(settings.out + "/momentum.csv",
+                           {"row", "time_s", "angular_momentum", "speed_m_s", "turn_rad_s"});
+    for (bool levers : {true, false}) momentum(settings, levers, momentum_table);
+    report(lines, settings.out);
+  });
+}

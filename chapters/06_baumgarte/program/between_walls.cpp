@@ -1,0 +1,151 @@
+// Chapter 6's program: the chain of T 5.1, four links of which the outer two cannot move, kicked.
+// Read it; there is nothing to edit here.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "chapters/02_ball/ball_joint.h"
+#include "chapters/06_baumgarte/baumgarte.h"
+#include "chapters/06_baumgarte/program/program.h"
+
+namespace joints::chapter6 {
+
+namespace {
+
+// Each joint sits at the centre of the link before it. The first free link leads 1 m from the
+// centre of the left wall, the second from there to a point that the right wall holds. With the
+// bend 0 the two are stretched straight: there is one place for them and no other. Bent by an angle
+// they have some room.
+Chain bent_chain(real bend) {
+  const real along = std::cos(bend), down = std::sin(bend);
+  const quat first = rotation(vec3(0, 0, -bend)), second = rotation(vec3(0, 0, bend));
+  Chain chain;
+  chain.bodies = {static_body(vec3(0)),
+                  box(100, vec3(real(0.4)), vec3(along, -down, 0), first),
+                  box(100, vec3(real(0.4)), vec3(2 * along, 0, 0), second),
+                  static_body(vec3(2 * along + 1, 0, 0))};
+  for (std::size_t k = 0; k < 3; ++k)
+    chain.joints.push_back(point_at(chain.bodies[k], chain.bodies[k + 1], chain.bodies[k].x));
+  return chain;
+}
+
+// ---- what the rows can do ----------------------------------------------------------------------
+
+// How many of the nine rows are independent: elimination in J M^-1 J^T, whose columns are what an
+// impulse of 1 in each row does to the rates of all.
+int rank_of(Chain chain) {
+  std::array<std::array<double, 9>, 9> A{};
+  for (std::size_t column = 0; column < 9; ++column) {
+    std::vector<Body> pushed = chain.bodies;
+    vec3 unit(0);
+    unit[int(column % 3)] = 1;
+    const std::size_t j = column / 3;
+    apply_impulse(chain.joints[j].jacobian(pushed[j], pushed[j + 1]), unit, pushed[j],
+                  pushed[j + 1]);
+    for (std::size_t row = 0; row < 9; ++row) {
+      const std::size_t k = row / 3;
+      const Jacobian<3> J = chain.joints[k].jacobian(pushed[k], pushed[k + 1]);
+      A[row][column] = double(row_velocity(J[int(row % 3)], pushed[k], pushed[k + 1]));
+    }
+  }
+  double scale = 0;
+  for (std::size_t k = 0; k < 9; ++k) scale = std::max(scale, A[k][k]);
+  int rank = 0;
+  for (std::size_t k = 0; k < 9; ++k) {  // A is symmetric: the largest pivot stands on its diagonal
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < 9; ++i)
+      if (A[i][i] > A[best][best]) best = i;
+    if (A[best][best] < 1e-9 * scale) break;
+    ++rank;
+    const std::array<double, 9> pivot = A[best];
+    for (auto& row : A) {
+      const double share = row[best] / pivot[best];
+      for (std::size_t j = 0; j < 9; ++j) row[j] -= share * pivot[j];
+    }
+  }
+  return rank;
+}
+
+// What a sweep leaves of impulses that should not be there, in the long run. Impulses of any size
+// are given to bodies at rest; the sweeps have to take them back.
+double contraction(Chain chain) {
+  std::vector<vec3> impulses{vec3(3, 1, 2), vec3(1, 4, 1), vec3(5, 9, 2)};
+  std::vector<Jacobian<3>> J;
+  std::vector<mat3> K;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Body &body1 = chain.bodies[k], &body2 = chain.bodies[k + 1];
+    J.push_back(chain.joints[k].jacobian(body1, body2));
+    K.push_back(chain.joints[k].K(body1, body2));
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    apply_impulse(J[k], impulses[k], chain.bodies[k], chain.bodies[k + 1]);
+  const auto sweep = [&] {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      Body &body1 = chain.bodies[k], &body2 = chain.bodies[k + 1];
+      const vec3 lambda = block_impulse(J[k], K[k], vec3(0), body1, body2);
+      apply_impulse(J[k], lambda, body1, body2);
+      impulses[k] += lambda;
+      sum += double(dot(impulses[k], impulses[k]));
+    }
+    return std::sqrt(sum);
+  };
+  const double first = sweep();
+  double before = first, now = first, ratio = 0;
+  for (int n = 0; n < 500 && now > 1e-10 * first; ++n) {  // below that it is rounding
+    before = now;
+    now = sweep();
+    ratio = now / before;
+  }
+  return ratio;
+}
+
+// ---- kicked ------------------------------------------------------------------------------------
+
+Summary kicked(const Choice& choice, const std::string& method, real beta, int projections,
+               real bend, CsvFile& table) {
+  const Chain chain = bent_chain(bend);
+  Stage stage{.name = "between"};
+  stage.solver.iterations = choice.iterations;
+  stage.solver.projections = projections;
+  stage.energy_scale = 200 * 9.81;
+  std::vector<BodyId> ids;
+  for (const Body& body : chain.bodies)
+    ids.push_back(stage.box(body.is_static() ? 0 : 100, vec3(real(0.4)), body.x, body.q));
+  for (std::size_t k = 0; k < 3; ++k) {
+    stage.world.add<BallJoint>(ids[k], ids[k + 1], chain.joints[k]).beta = beta;
+    stage.mark(ids[k], ids[k + 1], chain.bodies[k].x);
+  }
+  if (method == "beta 0.05") stage.print_plan();  // the others have the same
+  // Three blows, as from cubes that are shot at the second link, then time to come to rest.
+  const vec3 blows[] = {vec3(3, 5, -8), vec3(-6, 4, 5), vec3(2, -9, 3)};
+  Bodies& bodies = stage.world.bodies;
+  const std::string motion = method == "beta 0.2" ? choice.out + "/between.motion.json" : "";
+  return play(stage, method, choice.seconds, motion, [&](double time) {
+    const int n = int(std::lround(time / double(h)));
+    double gap = 0, speed = 0;
+    for (const Mark& mark : stage.marks) gap = std::max(gap, joints::gap(mark, poses(bodies)));
+    for (const BodyId id : ids) speed = std::max(speed, double(length(bodies[id].v)));
+    table.row({method}, {time, gap, speed});
+    if (n % 60 == 30 && n / 60 < 3) bodies[ids[1]].v += blows[n / 60];
+  });
+}
+
+}  // namespace
+
+void between_walls(const Choice& choice, std::vector<Summary>& lines) {
+  CsvFile rates(choice.out + "/between_rate.csv", {"bend_rad", "rho", "rank"});
+  for (const double bend : {0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0}) {
+    const Chain chain = bent_chain(real(bend));
+    rates.row({bend, contraction(chain), double(rank_of(chain))});
+  }
+  CsvFile table(choice.out + "/between.csv", {"method", "time_s", "gap_max_m", "speed_m_s"});
+  lines.push_back(kicked(choice, "beta 0.05", real(0.05), 0, 0, table));
+  lines.push_back(kicked(choice, "beta 0.2", real(0.2), 0, 0, table));
+  lines.push_back(kicked(choice, "beta 1", 1, 0, 0, table));
+  lines.push_back(kicked(choice, "projection", 0, 1, 0, table));
+  lines.push_back(kicked(choice, "beta 0.2 + projection", real(0.2), 1, 0, table));
+  lines.push_back(kicked(choice, "beta 0.2, bent 0.2 rad", real(0.2), 0, real(0.2), table));
+}
+
+}  // namespace joints::chapter6

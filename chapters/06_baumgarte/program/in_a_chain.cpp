@@ -1,0 +1,161 @@
+// Chapter 6's program, beta and the warm start in a chain. Read it; there is nothing to edit here.
+#include <algorithm>
+#include <cmath>
+
+#include "chapters/06_baumgarte/baumgarte.h"
+#include "chapters/06_baumgarte/program/cube_chain.h"
+#include "chapters/06_baumgarte/program/program.h"
+
+namespace joints::chapter6 {
+
+namespace {
+
+// ---- what a sweep leaves -----------------------------------------------------------------------
+
+// How much a sweep leaves, in the long run, of what the joints still ask for: rho.
+double contraction(CubeChain& chain, int sweeps) {
+  Bodies& bodies = chain.stage.world.bodies;
+  chain.stage.solver.begin(chain.stage.world, h);
+  const auto change = [&] {
+    const vec3 before = bodies[chain.ids.back()].v;
+    chain.stage.solver.sweep(bodies, 0);
+    return double(length(bodies[chain.ids.back()].v - before));
+  };
+  for (int n = 0; n < sweeps; ++n) change();
+  const double first = change();
+  for (int n = 0; n < sweeps / 2; ++n) change();
+  return std::pow(change() / first, 1.0 / (sweeps / 2 + 1));
+}
+
+// The same by formula, for n equal masses in a row held at one end: what a sweep leaves of mode j.
+double contraction_of_row(int n, int j) {
+  return std::pow(std::cos((2 * j - 1) * std::acos(-1.0) / (2 * n)), 2);
+}
+
+// ---- beta, alone and in a chain ----------------------------------------------------------------
+
+// What a step makes of a mode of which its sweeps leave `eta`: the larger root of
+// z^2 - (1 + eta - (1 - eta) beta) z + eta, in size.
+double step_factor(double eta, double beta) {
+  const double half = (1 + eta - (1 - eta) * beta) / 2, root = half * half - eta;
+  return root < 0 ? std::sqrt(eta) : std::abs(half) + std::sqrt(root);
+}
+
+// The slowest of all modes. A sweep over n equal masses in a row leaves cos^2((2j - 1) pi/2n) of
+// the modes j = 1, 2, .., and nothing of as many others.
+double predicted_factor(int links, int sweeps, double beta) {
+  double slowest = std::abs(1 - beta);
+  if (links > 1)
+    for (int j = 1; 2 * j <= links; ++j)
+      slowest = std::max(slowest, step_factor(std::pow(contraction_of_row(links, j), sweeps),
+                                              beta));
+  return slowest;
+}
+
+// A chain without gravity whose last joint starts open by 0.1 m, along the chain: what a step
+// leaves of the gaps. They may swing, so the largest of some steps is compared with the largest of
+// later ones.
+double measured_factor(int links, int sweeps, double beta) {
+  CubeChain chain("beta", links, 1, vec3(0, -1, 0), real(beta));
+  chain.stage.world.gravity = vec3(0);
+  chain.stage.solver.iterations = sweeps;
+  chain.stage.world.bodies[chain.ids.back()].x.y -= real(0.1);
+  std::vector<double> gaps{chain.gap()};
+  while (gaps.size() < 300 && gaps.back() > 1e-13 && gaps.back() < 1e6) {
+    chain.step();
+    gaps.push_back(chain.gap());
+  }
+  const auto n = long(gaps.size()) - 1, window = std::min(20L, n / 4);
+  if (n < 4) return gaps[1] / gaps[0] < 1e-12 ? 0 : gaps[1] / gaps[0];
+  const auto largest = [&](long last) {
+    return *std::max_element(gaps.begin() + last - window, gaps.begin() + last + 1);
+  };
+  const long early = n / 2;
+  return std::pow(largest(n) / largest(early), 1.0 / double(n - early));
+}
+
+void betas(const Choice& choice) {
+  CsvFile table(choice.out + "/beta.csv", {"scene", "beta", "predicted", "measured"});
+  for (const int sweeps : {0, 10, 30, 300})
+    for (const double beta : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.3,
+                              1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0, 2.1, 2.2}) {
+      const bool one = sweeps == 0;
+      const int links = one ? 1 : 10, count = one ? 1 : sweeps;
+      table.row({one ? "one joint" : "chain, " + std::to_string(sweeps) + " sweeps"},
+                {beta, predicted_factor(links, count, beta), measured_factor(links, count, beta)});
+    }
+}
+
+// ---- the warm start ----------------------------------------------------------------------------
+
+// Sag of a cold chain that hangs plumb, Eq. 6-12: x = H (x + b) repeated until nothing changes, H
+// being what is left of a right side after some sweeps over n equal masses in a row.
+double predicted_sag(int n, int sweeps, double beta) {
+  std::vector<double> x(std::size_t(n), 0.0);
+  for (double change = 1; change > 1e-9;) {
+    std::vector<double> r = x, lambda(std::size_t(n), 0.0);
+    r[0] += 9.81;  // what gravity does to the first joint; the others fall together
+    const auto left = [&](std::size_t k) {
+      double sum = r[k] - (k == 0 ? 1 : 2) * lambda[k];
+      if (k > 0) sum += lambda[k - 1];
+      if (k + 1 < r.size()) sum += lambda[k + 1];
+      return sum;
+    };
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+      for (std::size_t k = 0; k < r.size(); ++k) lambda[k] += left(k) / (k == 0 ? 1 : 2);
+    change = 0;
+    for (std::size_t k = 0; k < r.size(); ++k) {
+      change = std::max(change, std::abs(left(k) - x[k]));
+      x[k] = left(k);
+    }
+  }
+  double sum = 0;
+  for (const double part : x) sum += part;
+  return double(h) * double(h) / beta * sum;
+}
+
+// How far the last cube is out of place: the largest of the third and of the fifteenth second.
+struct Sag {
+  double early = 0, late = 0;  // [m]
+};
+
+Sag sag(int links, int sweeps, double beta, bool warm) {
+  CubeChain chain("hanging", links, 1, vec3(0, -1, 0), real(beta));
+  chain.stage.solver.iterations = sweeps;
+  chain.stage.solver.warm_start = warm;
+  Sag out;
+  for (int n = 1; n <= 900; ++n) {
+    chain.step();
+    const double size = std::abs(links + double(chain.stage.world.bodies[chain.ids.back()].x.y));
+    if (n > 120 && n <= 180) out.early = std::max(out.early, size);
+    if (n > 840) out.late = std::max(out.late, size);
+  }
+  return out;
+}
+
+void warm(const Choice& choice) {
+  CsvFile table(choice.out + "/warm.csv",
+                {"links", "iterations", "beta", "rho", "kept", "safe", "warm_sag_m", "cold_sag_m",
+                 "predicted_cold_sag_m", "warm_early_m"});
+  for (const int links : {5, 10, 20}) {
+    CubeChain chain("warm", links, 1, vec3(0, -1, 0), 0);
+    const double rho = contraction(chain, 400);
+    for (const double beta : {0.05, 0.15, 0.5})
+      for (const int k : {1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 30, 50, 80}) {
+        const double kept = std::pow(rho, k) * (1 + beta);
+        const Sag warm = sag(links, k, beta, true), cold = sag(links, k, beta, false);
+        table.row({double(links), double(k), beta, rho, kept,
+                   warm_start_is_safe(real(rho), k, real(beta)) ? 1.0 : 0.0,
+                   warm.late, cold.late, predicted_sag(links, k, beta), warm.early});
+      }
+  }
+}
+
+}  // namespace
+
+void in_a_chain(const Choice& choice) {
+  betas(choice);
+  warm(choice);
+}
+
+}  // namespace joints::chapter6

@@ -1,0 +1,162 @@
+// Chapter 6's program. Here: four pendulums and a hanging chain, moved by the reader's own bias,
+// warm start and projection. Read it; there is nothing to edit here.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <deque>
+
+#include "chapters/02_ball/ball_joint.h"
+#include "chapters/06_baumgarte/program/own_loop.h"
+#include "chapters/06_baumgarte/program/program.h"
+#include "engine/instruments/plan.h"
+#include "engine/instruments/options.h"
+
+using namespace joints;
+using namespace joints::chapter6;
+
+namespace {
+
+void print_plan(const std::string& name, int chains, int links, bool warm) {
+  Plan plan;
+  plan.warm_start = warm;
+  plan.bodies = chains * (links + 1);
+  plan.static_bodies = chains;
+  plan.blocks = chains * links;
+  plan.rows = 3 * plan.blocks;
+  std::printf("%s: %s\n", name.c_str(), plan.line().c_str());
+}
+
+// ---- four pendulums ----------------------------------------------------------------------------
+
+struct Method {
+  std::string name;
+  real beta;
+  int projections;
+};
+
+const vec3 bar_size(1, real(0.1), real(0.1));
+
+// A bar of 1 m and 1 kg, let go level, its end on a ball joint; and its twin in the engine, which
+// must move in the same way.
+struct Pendulum {
+  OwnLoop own;
+  World world;
+  SequentialImpulses solver;
+  BodyId bar;
+
+  Pendulum(const Method& method, const vec3& place, int iterations) {
+    const Body wall = static_body(place), body = box(1, bar_size, place + vec3(real(0.5), 0, 0));
+    const Point joint = point_at(wall, body, place);
+    own.chain = {{wall, body}, {joint}};
+    own.settings = {.beta = method.beta, .projections = method.projections,
+                    .iterations = iterations};
+    const BodyId hook = world.add(wall);
+    bar = world.add(body);
+    world.add<BallJoint>(hook, bar, joint).beta = method.beta;
+    solver.iterations = iterations;
+    solver.projections = method.projections;
+  }
+  double gap() const { return double(own.gap(0)); }
+  double energy() const {
+    const Body& body = own.chain.bodies[1];
+    return kinetic_energy(body) + 9.81 * double(body.x.y);
+  }
+  double off_engine() const { return double(length(own.chain.bodies[1].x - world.bodies[bar].x)); }
+};
+
+void pendulums(const Choice& choice, std::vector<Summary>& lines) {
+  char chosen[30];
+  std::snprintf(chosen, sizeof chosen, "beta %g", double(choice.beta));
+  const std::vector<Method> methods{{"beta 0", 0, 0}, {chosen, choice.beta, 0},
+                                    {"beta 1", 1, 0}, {"projection", 0, 1}};
+  print_plan("pendulums", int(methods.size()), 1, false);
+  CsvFile table(choice.out + "/pendulums.csv",
+                {"method", "time_s", "gap_m", "energy_change", "off_engine_m"});
+  Motion motion("pendulums", double(h));
+  std::deque<Pendulum> all;
+  for (std::size_t k = 0; k < methods.size(); ++k) {
+    all.emplace_back(methods[k], vec3(0, 0, real(0.6) * real(k)), choice.iterations);
+    motion.body({"ball", {0.15, 0.15, 0.15}, methods[k].name});
+    motion.body({"box", {bar_size.x, bar_size.y, bar_size.z}});
+  }
+  const int steps = int(std::lround(choice.seconds / double(h)));
+  std::vector<Body> frame;
+  std::vector<StepClock> clocks(methods.size());
+  std::vector<Summary> found;
+  for (const Method& method : methods) found.push_back({"pendulums", method.name, 0, 0, 0, 0});
+  for (int n = 0; n <= steps; ++n) {
+    frame.clear();
+    for (std::size_t k = 0; k < methods.size(); ++k) {
+      Pendulum& pendulum = all[k];
+      if (n > 0) {
+        clocks[k].start();
+        pendulum.own.step(h);
+        clocks[k].stop();
+        pendulum.solver.step(pendulum.world, h);
+      }
+      const double gap = pendulum.gap(), change = pendulum.energy() / (9.81 * 0.5);
+      table.row({methods[k].name}, {n * double(h), gap, change, pendulum.off_engine()});
+      Summary& line = found[k];
+      line.gap_rms += gap * gap / (steps + 1);
+      line.gap_max = std::max(line.gap_max, gap);
+      line.energy_drift = change;
+      for (const Body& body : pendulum.own.chain.bodies) frame.push_back(body);
+    }
+    motion.frame(frame.data());
+  }
+  for (std::size_t k = 0; k < methods.size(); ++k) {
+    found[k].gap_rms = std::sqrt(found[k].gap_rms);
+    found[k].us_per_step = clocks[k].median_us();
+    lines.push_back(found[k]);
+  }
+  motion.write(choice.out + "/pendulums.motion.json");
+}
+
+// ---- a chain that hangs plumb ------------------------------------------------------------------
+
+// Ten cubes of 1 kg, each on a ball joint at the centre of the one above it; how much too low the
+// last one hangs.
+void hanging(const Choice& choice) {
+  CsvFile table(choice.out + "/hanging.csv", {"start", "iterations", "time_s", "sag_m"});
+  const int links = 10;
+  for (const bool warm : {false, true}) {
+    print_plan("hanging", 1, links, warm);
+    for (const int iterations : {4, 10}) {
+      OwnLoop own;
+      own.settings = {.beta = choice.beta, .warm = warm, .iterations = iterations};
+      for (int k = 0; k <= links; ++k) {
+        const vec3 place(0, real(-k), 0);
+        own.chain.bodies.push_back(k == 0 ? static_body(place) : box(1, vec3(real(0.4)), place));
+        if (k > 0) own.chain.joints.push_back({vec3(0), vec3(0, 1, 0)});
+      }
+      const int steps = int(std::lround(5 / double(h)));
+      for (int n = 0; n <= steps; ++n) {
+        if (n > 0) own.step(h);
+        table.row({warm ? "warm" : "cold"}, {double(iterations), n * double(h),
+                                             -links - double(own.chain.bodies.back().x.y)});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program([&] {
+    Options options("Chapter 6: errors fed back, started warm, and projected",
+                    {{"iterations", "30", "sweeps a step"},
+                     {"beta", "0.15", "share of the error fed back in a step"},
+                     {"seconds", "10", "how long the pendulums swing"}});
+    if (!options.read(argc, argv)) return;
+    const Choice choice{options.count("iterations", 1), real(options.number("beta", 0)),
+                        options.number("seconds", 0.1), options.text("out")};
+    std::vector<Summary> lines;
+    pendulums(choice, lines);
+    hanging(choice);
+    one_joint(choice, lines);
+    in_a_chain(choice);
+    many_joints(choice, lines);
+    between_walls(choice, lines);
+    report(lines, choice.out);
+  });
+}

@@ -1,0 +1,81 @@
+// Chapter 7's program, what the colours look like: a chain, a bridge, a net. Read it; there is
+// nothing to edit here.
+#include <cmath>
+
+#include "chapters/07_performance/program/program.h"
+#include "chapters/07_performance/program/scenes.h"
+
+namespace joints::chapter7 {
+
+namespace {
+
+// Bodies and who is linked to whom, all that colours need.
+struct Sketch {
+  std::string name;
+  std::vector<Body> bodies;
+  std::vector<BodyPair> links;
+
+  int add(real mass, const vec3& place) {
+    bodies.push_back(mass > 0 ? box(mass, vec3(real(0.8)), place) : static_body(place));
+    return int(bodies.size()) - 1;
+  }
+};
+
+Sketch a_chain() {
+  Sketch chain{"chain", {}, {}};
+  for (int i = 0; i < 12; ++i) {
+    chain.add(i == 0 ? 0 : 100, vec3(spacing * real(i), 0, 0));
+    if (i > 0) chain.links.push_back({i - 1, i});
+  }
+  return chain;
+}
+
+// 42 boxes on an arc of 90 degrees that hangs down, chords of 1 m, both ends static.
+Sketch a_bridge() {
+  Sketch bridge{"bridge", {}, {}};
+  const double pi = std::acos(-1.0), step = pi / 2 / 41, radius = 0.5 / std::sin(step / 2);
+  for (int i = 0; i < 42; ++i) {
+    const double angle = -pi / 4 + i * step;
+    bridge.add(i == 0 || i == 41 ? 0 : 1,
+               vec3(real(radius * std::sin(angle)),
+                    real(radius * (std::cos(pi / 4) - std::cos(angle))), 0));
+    if (i > 0) bridge.links.push_back({i - 1, i});
+  }
+  return bridge;
+}
+
+// Six by six cubes, the upper corners static; cube after cube, the joint to its right neighbour
+// and the one to its lower neighbour.
+Sketch a_net() {
+  Sketch net{"net", {}, {}};
+  const int side = 6;
+  for (int row = 0; row < side; ++row)
+    for (int column = 0; column < side; ++column) {
+      const bool corner = row == 0 && (column == 0 || column == side - 1);
+      net.add(corner ? 0 : 1, spacing * vec3(real(column), real(-row), 0));
+    }
+  for (int i = 0; i < side * side; ++i) {
+    if (i % side < side - 1) net.links.push_back({i, i + 1});
+    if (i / side < side - 1) net.links.push_back({i, i + side});
+  }
+  return net;
+}
+
+}  // namespace
+
+void colours(const Choice& choice) {
+  CsvFile table(choice.out + "/colours.csv", {"scene", "body1_x", "body1_y", "body1_z", "body2_x",
+                                              "body2_y", "body2_z", "colour"});
+  for (const Sketch& sketch : {a_chain(), a_bridge(), a_net()}) {
+    print_plan(sketch.name, sketch.bodies, sketch.links.size());
+    const std::vector<int> found = checked_colours(sketch.links, sketch.bodies);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const vec3 &a = sketch.bodies[sketch.links[k].body1].x,
+                 &b = sketch.bodies[sketch.links[k].body2].x;
+      table.row({sketch.name}, {double(a.x), double(a.y), double(a.z), double(b.x), double(b.y),
+                                double(b.z), double(found[k])});
+    }
+  }
+}
+
+}  // namespace joints::chapter7

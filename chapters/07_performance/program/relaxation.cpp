@@ -1,0 +1,88 @@
+// Chapter 7's program, what a sweep leaves: the order of the joints, over-relaxation, and the rows
+// inside one step. One chain is enough, for the others do the same. Read it; there is nothing to
+// edit here.
+#include <algorithm>
+#include <set>
+
+#include "chapters/07_performance/program/program.h"
+#include "chapters/07_performance/program/scenes.h"
+
+namespace joints::chapter7 {
+
+namespace {
+
+struct Order {
+  std::string name;
+  Groups groups;
+};
+
+// Runs a loop as long as its numbers are ordinary ones.
+Watch run(const Chains& chains, HingeLoop<real>& loop, int steps) {
+  Watch watch(chains, steps);
+  for (int n = 1; n <= steps; ++n) {
+    loop.step(h);
+    if (!watch.look(n, loop.bodies)) break;
+  }
+  return watch;
+}
+
+void orders(const Choice& choice, const Chains& chains) {
+  CsvFile table(choice.out + "/order.csv", {"order", "sweeps", "gap_rms_m", "gap_max_m"});
+  std::set<int> counts{5, 10, 20, 30, 60, 120};
+  counts.insert(choice.iterations);
+  for (const Order& order : {Order{"chain", chain_order(chains)},
+                             {"from the end", from_the_end(chains)},
+                             {"colours", colour_order(chains, 1)}})
+    for (const int count : counts) {
+      HingeLoop<real> loop = loop_over<real>(chains, order.groups, count);
+      const Watch watch = run(chains, loop, steps_in(choice.seconds));
+      table.row({order.name}, {double(count), watch.gap_rms(), watch.gap_max()});
+    }
+}
+
+void omegas(const Choice& choice, const Chains& chains, const std::vector<Order>& list) {
+  CsvFile table(choice.out + "/relaxation.csv", {"order", "status", "omega", "sweeps",
+                                                 "gap_rms_m", "gap_max_m", "energy_change"});
+  const std::set<int> counts{std::max(1, choice.iterations / 3), choice.iterations};
+  for (const Order& order : list)
+    for (const int count : counts)
+      for (int tenths = 6; tenths <= 21; ++tenths) {
+        HingeLoop<real> loop = loop_over<real>(chains, order.groups, count);
+        loop.relaxation = real(tenths) / 10;
+        const Watch watch = run(chains, loop, steps_in(choice.seconds));
+        table.row({order.name, watch.status()}, {tenths / 10.0, double(count), watch.gap_rms(),
+                                                 watch.gap_max(), watch.energy_change()});
+      }
+}
+
+// Each order and omega from where it has brought the chain by itself in 1 s. A step with n sweeps
+// shows what sweep n leaves.
+void inside_a_step(const Choice& choice, const Chains& chains, const std::vector<Order>& list) {
+  CsvFile table(choice.out + "/inside_a_step.csv", {"order", "omega", "sweep", "largest_e"});
+  for (const Order& order : list)
+    for (const real omega : {real(1), real(1.5), real(1.9)}) {
+      HingeLoop<real> before = loop_over<real>(chains, order.groups, choice.iterations);
+      before.relaxation = omega;
+      for (int n = 0; n < steps_in(1); ++n) before.step(h);
+      for (int sweep = 0; sweep <= 60; ++sweep) {
+        HingeLoop<real> loop = before;
+        loop.iterations = sweep;
+        loop.step(h);
+        table.row({order.name}, {double(omega), double(sweep), double(loop.largest_error())});
+      }
+    }
+}
+
+}  // namespace
+
+void relaxation(const Choice& choice) {
+  const Chains chains = cube_chains(1, 100, choice.beta);
+  print_plan("relaxation", chains.bodies, chains.links.size());
+  const std::vector<Order> list{{"chain", chain_order(chains)},
+                                {"colours", colour_order(chains, 1)}};
+  orders(choice, chains);
+  omegas(choice, chains, list);
+  inside_a_step(choice, chains, list);
+}
+
+}  // namespace joints::chapter7

@@ -1,0 +1,115 @@
+// Writing tables and motions.
+#include "engine/instruments/record.h"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace joints {
+
+namespace {
+
+std::ofstream open(const std::string& path) {
+  std::error_code ignored;
+  const auto folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
+  std::ofstream file(path);
+  if (!file) refuse("out: cannot write " + path);
+  return file;
+}
+
+std::string text(double number, const char* format = "%.10g") {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, format, number);
+  return buffer;
+}
+
+// A word of a table; quoted where it holds a comma.
+std::string field(const std::string& word) {
+  return word.find(',') == std::string::npos ? word : '"' + word + '"';
+}
+
+// A text of a JSON file.
+std::string json(const std::string& words) {
+  std::string out = "\"";
+  for (char c : words) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return out + '"';
+}
+
+std::string triple(const std::array<double, 3>& a) {
+  return "[" + text(a[0]) + "," + text(a[1]) + "," + text(a[2]) + "]";
+}
+
+}  // namespace
+
+CsvFile::CsvFile(const std::string& path, std::initializer_list<const char*> columns)
+    : file_(open(path)), path_(path), columns_(columns.size()) {
+  const char* comma = "";
+  for (const char* column : columns) {
+    file_ << comma << column;
+    comma = ",";
+  }
+  file_ << '\n';
+}
+
+void CsvFile::row(std::initializer_list<double> numbers) { row({}, numbers); }
+
+void CsvFile::row(std::initializer_list<std::string> words,
+                  std::initializer_list<double> numbers) {
+  if (words.size() + numbers.size() != columns_)
+    refuse("row: " + path_ + " has " + std::to_string(columns_) + " columns");
+  const char* comma = "";
+  for (const std::string& word : words) {
+    file_ << comma << field(word);
+    comma = ",";
+  }
+  for (double number : numbers) {
+    file_ << comma << text(number);
+    comma = ",";
+  }
+  file_ << '\n';
+}
+
+Motion::Motion(std::string title, double h, int every)
+    : title_(std::move(title)), h_(h), every_(every) {
+  require(std::isfinite(h) && h > 0, "h: the time between two frames must be positive [s]");
+  require(every > 0, "every: one frame of how many, at least 1");
+}
+
+void Motion::body(const Shape& shape) { shapes_.push_back(shape); }
+void Motion::line(const Stroke& stroke) { strokes_.push_back(stroke); }
+
+void Motion::frame(const Body* bodies) {
+  if (calls_++ % every_ != 0) return;
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    const Body& b = bodies[i];
+    for (real number : {b.x.x, b.x.y, b.x.z, b.q.w, b.q.x, b.q.y, b.q.z})
+      poses_.push_back(float(number));
+  }
+}
+
+void Motion::write(const std::string& path) const {
+  std::ofstream file = open(path);
+  file << "{\"title\":" << json(title_) << ",\"dt\":" << text(h_ * every_) << ",\"bodies\":[";
+  for (std::size_t i = 0; i < shapes_.size(); ++i)
+    file << (i ? "," : "") << "{\"kind\":\"" << shapes_[i].kind
+         << "\",\"size\":" << triple(shapes_[i].size)
+         << (shapes_[i].label.empty() ? "" : ",\"label\":" + json(shapes_[i].label)) << "}";
+  file << "],\"lines\":[";
+  for (std::size_t i = 0; i < strokes_.size(); ++i)
+    file << (i ? "," : "") << "[" << strokes_[i].body1 << "," << triple(strokes_[i].anchor1) << ","
+         << strokes_[i].body2 << "," << triple(strokes_[i].anchor2) << "]";
+  file << "],\"frames\":[";
+  const std::size_t width = 7 * shapes_.size();
+  for (std::size_t begin = 0; width > 0 && begin < poses_.size(); begin += width) {
+    file << (begin ? ",\n[" : "\n[");
+    for (std::size_t i = 0; i < width; ++i)
+      file << (i ? "," : "") << text(poses_[begin + i], "%.6g");
+    file << "]";
+  }
+  file << "]}\n";
+}
+
+}  // namespace joints

@@ -1,0 +1,59 @@
+// A scene that a chapter's program runs, watches and records. The engine does not include it.
+#pragma once
+
+#include <functional>
+
+#include "engine/instruments/measure.h"
+#include "engine/instruments/record.h"
+#include "engine/sequential_impulses.h"
+#include "engine/instruments/summary.h"
+
+/// \addtogroup measuring
+/// @{
+namespace joints {
+
+/// A world with its solver, what it is measured by and how it looks.
+struct Stage {
+  std::string name;               ///< for the plan, the summary and the recording
+  World world{};                  ///< bodies and joints
+  SequentialImpulses solver{};    ///< with its settings
+  std::vector<Mark> marks{};      ///< one a joint: what should stay together
+  std::vector<Shape> shapes{};    ///< one a body, in their order
+  std::vector<Stroke> strokes{};  ///< lines of the recording, beside those of the marks
+  double energy_scale = 1;        ///< what the change of the energy is divided by [J]
+  real h = real(1) / 60;          ///< the step [s]
+
+  /// Adds a box of uniform density. \param mass [kg], 0 for a static one \param size edges [m]
+  BodyId box(real mass, const vec3& size, const vec3& x, const quat& q = quat(1, 0, 0, 0));
+  /// Remembers a place and a direction of the world that a joint holds together.
+  /// \param axis zero where there is none
+  void mark(BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis = vec3(0));
+  /// Prints what the first step has to do in one line.
+  void print_plan();
+};
+
+/// What the programs of stages can be told on the command line.
+struct Settings {
+  int iterations = 30;      ///< sweeps a step
+  real beta = real(0.2);    ///< share of the error fed back in a step [1]
+  bool whole = true;        ///< whole joints, not a block for each part
+  double seconds = 0;       ///< how long to run [s]
+  std::string out;          ///< folder of tables and recordings
+};
+/// Reads them. \param program what `--help` says first \param seconds default of `--seconds`
+/// \param what_runs what `--help` says of the seconds \return false when --help was asked for
+/// \throws std::invalid_argument for options without sense
+bool read(Settings& settings, const std::string& program, const std::string& seconds,
+          const std::string& what_runs, int argc, const char* const* argv);
+
+/// Kinetic energy and energy of position of all bodies [J].
+double energy(const World& world);
+
+/// Runs a stage and measures it. \param look called with the time [s] before the first step and
+/// after each one \param motion_path where the recording goes; "" for none
+Summary play(Stage& stage, const std::string& setting, double seconds,
+             const std::string& motion_path = "",
+             const std::function<void(double)>& look = [](double) {});
+
+}  // namespace joints
+/// @}

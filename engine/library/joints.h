@@ -1,0 +1,14 @@
+// The finished joints and the solver in one include, for programs outside the workbook.
+// How to install and use it: docs/library.md.
+#pragma once
+
+#include "chapters/01_distance/distance_joint.h"
+#include "chapters/02_ball/ball_joint.h"
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/04_slider/slider_joint.h"
+#include "chapters/05_fixed/fixed_joint.h"
+#include "chapters/06_baumgarte/baumgarte.h"
+#include "chapters/08_ground/ground_contact.h"
+#include "engine/reaction.h"
+#include "engine/sequential_impulses.h"
+#include "engine/simd/packed.h"

@@ -134,7 +134,7 @@ using MakeRun = std::unique_ptr<Run> (*)(const Case& what, int iterations);
 constexpr real h = real(1) / 60;
 
 int rows_of(const SequentialImpulses& solver) { return int(solver.blocks().J.size()); }
-int rows_of(const WideImpulses& solver) {
+int rows_of(const PackedImpulses& solver) {
   int rows = 0;
   for (const LaneGroup& group : solver.packed().groups) rows += group.rows;
   return rows;
@@ -165,7 +165,7 @@ std::unique_ptr<Run> rows_run(const Case& what, int iterations) {
 }
 
 std::unique_ptr<Run> packed_run(const Case& what, int iterations) {
-  auto run = std::make_unique<EngineRun<WideImpulses>>(chain(what));
+  auto run = std::make_unique<EngineRun<PackedImpulses>>(chain(what));
   run->solver.iterations = iterations;
   run->solver.lanes = false;
   return run;

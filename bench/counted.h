@@ -12,12 +12,12 @@ namespace joints::bench {
 struct Counted {
   int before = 2;  ///< steps that come first and are not counted
   int steps = 4;   ///< steps that are
-  int few = 10;    ///< sweeps a step of the first count
+  int few = 10;    ///< iterations a step of the first count
   int many = 30;   ///< and of the second
 };
 
-/// Two counts, with few sweeps and with many: their difference is what sweeps cost.
-/// \param fresh everything made anew with so many sweeps a step; what it returns is one step
+/// Two counts, with few iterations and with many: their difference is what iterations cost.
+/// \param fresh everything made anew with so many iterations a step; what it returns is one step
 void count(const std::function<std::function<void()>(int iterations)>& fresh,
            const Counted& counted);
 

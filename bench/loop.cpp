@@ -1,5 +1,5 @@
-// The inner loop in its variants on the thesis' performance scene: what a joint and sweep costs in
-// each, and what a step takes, all in one run. `./wb bench --loop` calls it.
+// The inner loop in its variants on the thesis' performance scene: what a joint and iteration costs
+// in each, and what a step takes, all in one run. `./wb bench --loop` calls it.
 #include <algorithm>
 #include <cstdio>
 
@@ -19,7 +19,7 @@ namespace {
 
 // ---- the variants -------------------------------------------------------------------------------
 
-// A variant: how its solver is made, and up to how many sweeps it is worth the time.
+// A variant: how its solver is made, and up to how many iterations it is worth the time.
 struct Variant {
   std::string name;
   std::function<Setting(int chains, int iterations)> setting;
@@ -85,8 +85,8 @@ Setting engine(Solver solver, int iterations) {
           }};
 }
 
-WideImpulses wide(Packing packing, bool lanes) {
-  WideImpulses solver;
+PackedImpulses wide(Packing packing, bool lanes) {
+  PackedImpulses solver;
   solver.packing = packing;
   solver.lanes = lanes;
   return solver;
@@ -107,14 +107,15 @@ std::vector<Variant> variants() {
           {"lanes", ours(Visits::chain_a_lane)},
           {"lanes coloured", ours(Visits::coloured_lanes)},
           {"engine rows", general(SequentialImpulses{})},
-          {"engine packed", general(wide(Packing::trees, false))},
-          {"engine lanes", general(wide(Packing::trees, true))},
+          {"engine packed", general(wide(Packing::islands, false))},
+          {"engine lanes", general(wide(Packing::islands, true))},
           {"engine lanes coloured", general(wide(Packing::colours, true))}};
 }
 
 // ---- measuring ----------------------------------------------------------------------------------
 
-constexpr int few = 10, many = 30;  // sweeps: the slope between them is what one sweep costs
+constexpr int few = 10,
+              many = 30;  // iterations: the slope between them is what one iteration costs
 constexpr int length = 100;         // bodies of a chain
 
 // A variant on so many chains, and what was measured of it so far.
@@ -122,7 +123,7 @@ struct Row {
   Variant variant;
   int chains;
   MakeScene scene{};
-  std::vector<double> slope{};                 // ns a joint and sweep, one a round
+  std::vector<double> slope{};                 // ns a joint and iteration, one a round
   struct Point {
     int iterations;
     std::vector<double> us{};  // one a round
@@ -137,7 +138,7 @@ double median(std::vector<double> values) {
   return (values[n / 2] + values[(n - 1) / 2]) / 2;
 }
 
-// One more timing of a count of sweeps.
+// One more timing of a count of iterations.
 void time_again(const Row& row, Row::Point& point) {
   const Setting setting = row.variant.setting(row.chains, point.iterations);
   const bool takes_long = point.iterations * row.chains > 1500 || row.variant.most < 100;
@@ -145,7 +146,7 @@ void time_again(const Row& row, Row::Point& point) {
   point.us.push_back(time_of_step(row.scene, setting, span));
 }
 
-// The first look at a count of sweeps: what gap it leaves, and how long a step takes.
+// The first look at a count of iterations: what gap it leaves, and how long a step takes.
 void look(Row& row, int iterations) {
   const Result result = run(row.scene, row.variant.setting(row.chains, iterations), 1);
   row.points.push_back({iterations, {}, result.gap_rms});
@@ -180,7 +181,7 @@ std::vector<Row> measure(int rounds, bool all_counts) {
     if (!all_counts) break;
     for (const int iterations : {60, 90, 120, 200}) {
       if (iterations > row.variant.most) break;
-      std::fprintf(stderr, "%d sweeps: %s, %d chains\n", iterations, row.variant.name.c_str(),
+      std::fprintf(stderr, "%d iterations: %s, %d chains\n", iterations, row.variant.name.c_str(),
                    row.chains);
       look(row, iterations);
     }
@@ -222,8 +223,8 @@ int main(int argc, char** argv) {
     Options options("The inner loop in its variants",
                     {{"csv", "out/loop.csv", "the table"},
                      {"append", "0", "1: add lines to the table that is there"},
-                     {"rounds", "7", "how often 10 and 30 sweeps are timed"},
-                     {"all-counts", "1", "0: no more than 30 sweeps"},
+                     {"rounds", "7", "how often 10 and 30 iterations are timed"},
+                     {"all-counts", "1", "0: no more than 30 iterations"},
                      {"count", "0", "1: for valgrind, measures nothing"}});
     if (!options.read(argc, argv)) return;
     if (options.flag("count")) return count_all();

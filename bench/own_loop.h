@@ -28,7 +28,7 @@ class OwnLoop {
 };
 
 /// \param world chains of as many hinges each, one chain after the other, and nothing else
-/// \param chains how many there are \param iterations sweeps a step
+/// \param chains how many there are \param iterations iterations a step
 /// \param relaxation factor of every impulse [1]
 std::unique_ptr<OwnLoop> own_loop(const World& world, int chains, int iterations, Visits visits,
                                   real relaxation = 1);

@@ -25,11 +25,12 @@ struct Solver {
 };
 
 std::vector<Solver> solvers() {
-  return {{"textbook", "one at a time", {.loop = Loop::textbook}},
-          {"engine rows", "one at a time", {.loop = Loop::rows}},
-          {"packed", "one at a time", {.loop = Loop::packed}},
-          {"lanes", "trees", {.loop = Loop::lanes}, 10},  // of one tree seven lanes would be idle
-          {"lanes", "colours", {.loop = Loop::lanes, .packing = Packing::colours}}};
+  return {
+      {"textbook", "one at a time", {.loop = Loop::textbook}},
+      {"engine rows", "one at a time", {.loop = Loop::rows}},
+      {"packed", "one at a time", {.loop = Loop::packed}},
+      {"lanes", "islands", {.loop = Loop::lanes}, 10},  // of one island seven lanes would be idle
+      {"lanes", "colours", {.loop = Loop::lanes, .packing = Packing::colours}}};
 }
 
 // Bytes that the program has taken from the heap and not given back, with what the heap itself
@@ -43,23 +44,23 @@ double bytes_in_use() {
 #endif
 }
 
-// What one size and number of sweeps takes.
+// What one size and number of iterations takes.
 struct Seen {
   double us = 0, bytes = 0;
 };
 
 // Bodies, joints and what the solver keeps for itself: made, run, and counted while they are there.
-Seen look(const Solver& solver, int chains, int sweeps, int repetitions) {
+Seen look(const Solver& solver, int chains, int iterations, int repetitions) {
   const double before = bytes_in_use();
   Seen seen;
   Scene scene = cubes_on_hinges(chains, length);
   scene.marks = {};  // they are the measure's
-  const Setting setting = solver.way.setting(sweeps);
+  const Setting setting = solver.way.setting(iterations);
   setting.prepare(scene.world);
   const Step step = setting.make();
   const real h = real(1) / 60;
   const double joints = double(chains) * (length - 1);
-  const int steps = std::clamp(int(3e6 / (joints * sweeps)), 7, 200) * repetitions;
+  const int steps = std::clamp(int(3e6 / (joints * iterations)), 7, 200) * repetitions;
   for (int k = 0; k < 3; ++k) step(scene.world, h);
   seen.bytes = std::max(0.0, bytes_in_use() - before);
   StepClock clock;
@@ -79,12 +80,12 @@ void measure(FILE* file, const Solver& solver, int chains, int repetitions) {
   const Seen few = look(solver, chains, 10, repetitions),
              many = look(solver, chains, 30, repetitions);
   const double slope = 1000 * (many.us - few.us) / (joints * 20);
-  for (const auto& [sweeps, seen] : {std::pair{10, few}, std::pair{30, many}}) {
+  for (const auto& [iterations, seen] : {std::pair{10, few}, std::pair{30, many}}) {
     std::fprintf(file, "%.0f,%s,%s,%s,%.4f,%.3f,%.3f,", joints, solver.name.c_str(),
                  solver.setting.c_str(), sizeof(real) == 8 ? "double" : "float", seen.us, slope,
                  1000 * seen.us / joints);
     if (seen.bytes > 0) std::fprintf(file, "%.1f", seen.bytes / joints);
-    std::fprintf(file, ",%d,%d\n", sweeps, chains);
+    std::fprintf(file, ",%d,%d\n", iterations, chains);
   }
 }
 
@@ -100,7 +101,7 @@ int main(int argc, char** argv) {
     FILE* file = std::fopen(path.c_str(), "w");
     if (!file) refuse("--csv " + path + ": cannot be written");
     std::fputs("joints,solver,setting,real,us_per_step,ns_per_joint_iteration,ns_per_joint_step,"
-               "bytes_per_joint,sweeps,chains\n", file);
+               "bytes_per_joint,iterations,chains\n", file);
     for (const int chains : {1, 10, 101, 1010})
       for (const Solver& solver : solvers())
         if (chains >= solver.least) measure(file, solver, chains, options.count("repetitions", 1));

@@ -14,10 +14,11 @@ namespace {
 
 // ---- the table ----------------------------------------------------------------------------------
 
-// Keys of scenes: S1x is S1 with twice the chains, S2 stands for all its ratios. What a sweep does
-// to a joint does not depend on the loop: where there are trees, what is set is tried on lanes.
-const char* const alone = "S2 S3 S3b S5 S6";  // one chain: no two trees
-const char* const trees = "S1 S7";            // ten of them side by side
+// Keys of scenes: S1x is S1 with twice the chains, S2 stands for all its ratios. What an iteration
+// does to a joint does not depend on the loop: where there are islands, what is set is tried on
+// lanes.
+const char* const alone = "S2 S3 S3b S5 S6";  // one chain: no two islands
+const char* const islands = "S1 S7";            // ten of them side by side
 
 }  // namespace
 
@@ -39,7 +40,7 @@ std::vector<Way> ways() {
 
       {.name = "list", .scenes = "S1", .loop = Loop::packed, .packing = list, .most = 30},
       {.name = "list", .scenes = "S2 S3 S3b S5 S6", .loop = Loop::packed, .packing = list},
-      {.name = "trees", .scenes = "S1 S1x", .loop = Loop::packed},
+      {.name = "islands", .scenes = "S1 S1x", .loop = Loop::packed},
       {.name = "omega 1.5", .scenes = alone, .loop = Loop::packed, .relaxation = real(1.5)},
       {.name = "omega 1.9", .scenes = alone, .loop = Loop::packed, .relaxation = real(1.9),
        .quick = true},
@@ -55,23 +56,23 @@ std::vector<Way> ways() {
        .relaxation = real(1.5), .substeps = 4},
       {.name = "16 substeps", .scenes = alone, .loop = Loop::packed, .substeps = 16},
 
-      {.name = "trees", .scenes = "S1 S1x S7", .loop = Loop::lanes, .quick = true},
+      {.name = "islands", .scenes = "S1 S1x S7", .loop = Loop::lanes, .quick = true},
       {.name = "colours", .scenes = "S1 S1x S2 S3 S3b S7", .loop = Loop::lanes,
        .packing = colours, .quick = true},
-      {.name = "trees omega 1.5", .scenes = "S1", .loop = Loop::lanes, .relaxation = real(1.5)},
-      {.name = "trees omega 1.9", .scenes = "S1 S1x S7", .loop = Loop::lanes,
+      {.name = "islands omega 1.5", .scenes = "S1", .loop = Loop::lanes, .relaxation = real(1.5)},
+      {.name = "islands omega 1.9", .scenes = "S1 S1x S7", .loop = Loop::lanes,
        .relaxation = real(1.9), .quick = true},
       {.name = "colours omega 1.9", .scenes = "S1 S3 S7", .loop = Loop::lanes,
        .packing = colours, .relaxation = real(1.9)},
-      {.name = "trees beta 1", .scenes = trees, .loop = Loop::lanes, .beta = 1},
-      {.name = "trees omega 1.9 beta 1", .scenes = "S1 S1x S7", .loop = Loop::lanes, .beta = 1,
+      {.name = "islands beta 1", .scenes = islands, .loop = Loop::lanes, .beta = 1},
+      {.name = "islands omega 1.9 beta 1", .scenes = "S1 S1x S7", .loop = Loop::lanes, .beta = 1,
        .relaxation = real(1.9), .quick = true},
-      {.name = "trees warm", .scenes = trees, .loop = Loop::lanes, .warm = true},
-      {.name = "trees omega 1.5 beta 1", .scenes = "S1", .loop = Loop::lanes, .beta = 1,
+      {.name = "islands warm", .scenes = islands, .loop = Loop::lanes, .warm = true},
+      {.name = "islands omega 1.5 beta 1", .scenes = "S1", .loop = Loop::lanes, .beta = 1,
        .relaxation = real(1.5)},
-      {.name = "trees projection 1", .scenes = trees, .loop = Loop::lanes, .projections = 1},
-      {.name = "trees 4 substeps", .scenes = trees, .loop = Loop::lanes, .substeps = 4},
-      {.name = "trees omega 1.9 half a kick", .scenes = "S1", .loop = Loop::lanes,
+      {.name = "islands projection 1", .scenes = islands, .loop = Loop::lanes, .projections = 1},
+      {.name = "islands 4 substeps", .scenes = islands, .loop = Loop::lanes, .substeps = 4},
+      {.name = "islands omega 1.9 half a kick", .scenes = "S1", .loop = Loop::lanes,
        .relaxation = real(1.9), .half_kick = true, .quick = true},
 
       {.name = "hinges alone", .scenes = "S1 S1x", .loop = Loop::hinges},
@@ -101,16 +102,16 @@ std::string Way::solver() const {
   }
 }
 
-int Way::sweeps_of(int a_step) const { return std::max(1, (a_step + substeps / 2) / substeps); }
+int Way::iterations_of(int a_step) const { return std::max(1, (a_step + substeps / 2) / substeps); }
 
 // ---- a setting becomes a step -------------------------------------------------------------------
 
 namespace {
 
 template <class Solver>
-Step stepping(const Way& way, int sweeps) {
+Step stepping(const Way& way, int iterations) {
   Solver solver;
-  solver.iterations = sweeps;
+  solver.iterations = iterations;
   solver.warm_start = way.warm;
   solver.projections = way.projections;
   solver.relaxation = way.relaxation;
@@ -124,9 +125,9 @@ Step stepping(const Way& way, int sweeps) {
   return [solver](World& world, real h) mutable { solver.step(world, h); };
 }
 
-Step of_the_textbook(const Way& way, int sweeps) {
+Step of_the_textbook(const Way& way, int iterations) {
   const auto solver = std::make_shared<TextbookSolver>();
-  solver->iterations = sweeps;
+  solver->iterations = iterations;
   solver->recompute = way.loop == Loop::recomputed;
   return [solver](World& world, real h) {
     if (solver->joints.empty())
@@ -140,24 +141,24 @@ Step of_the_textbook(const Way& way, int sweeps) {
 }
 
 // Chapter 7's loop has bodies of its own: `loop` keeps them, for those who want to see them.
-Step of_chapter_7(const Way& way, int sweeps, std::shared_ptr<std::unique_ptr<OwnLoop>> loop) {
+Step of_chapter_7(const Way& way, int iterations, std::shared_ptr<std::unique_ptr<OwnLoop>> loop) {
   loop->reset();
   return [=](World& world, real h) {
     if (!*loop) {
       int chains = 0;  // each hangs on a static body of its own
       for (int slot = 0; slot < world.bodies.slots(); ++slot)
         chains += world.bodies.at(slot).is_static();
-      *loop = own_loop(world, chains, sweeps, Visits::chain_a_lane, way.relaxation);
+      *loop = own_loop(world, chains, iterations, Visits::chain_a_lane, way.relaxation);
     }
     (*loop)->step(h);
   };
 }
 
-Step step_of(const Way& way, int sweeps) {
-  if (way.loop == Loop::rows) return stepping<SequentialImpulses>(way, sweeps);
+Step step_of(const Way& way, int iterations) {
+  if (way.loop == Loop::rows) return stepping<SequentialImpulses>(way, iterations);
   if (way.loop == Loop::packed || way.loop == Loop::lanes)
-    return stepping<WideImpulses>(way, sweeps);
-  return of_the_textbook(way, sweeps);
+    return stepping<PackedImpulses>(way, iterations);
+  return of_the_textbook(way, iterations);
 }
 
 }  // namespace
@@ -178,11 +179,12 @@ Step with_half_a_kick(Step step) {
   };
 }
 
-Setting Way::setting(int sweeps_a_step) const {
-  Setting setting{solver(), name, sweeps_of(sweeps_a_step), warm, {}, {}};
+Setting Way::setting(int iterations_a_step) const {
+  Setting setting{solver(), name, iterations_of(iterations_a_step), warm, {}, {}};
   const auto loop = std::make_shared<std::unique_ptr<OwnLoop>>();
-  setting.make = [way = *this, sweeps = setting.iterations, loop] {
-    Step step = way.loop == Loop::hinges ? of_chapter_7(way, sweeps, loop) : step_of(way, sweeps);
+  setting.make = [way = *this, iterations = setting.iterations, loop] {
+    Step step =
+        way.loop == Loop::hinges ? of_chapter_7(way, iterations, loop) : step_of(way, iterations);
     if (way.half_kick) step = with_half_a_kick(std::move(step));
     return way.substeps > 1 ? in_substeps(std::move(step), way.substeps) : step;
   };

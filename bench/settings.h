@@ -19,7 +19,7 @@ enum class Loop {
   lanes,      ///< packed blocks, eight (float) or four (double) at a time
   hinges,     ///< chapter 7's: hinges alone, a chain a lane; its bodies start anew in every run
   textbook,   ///< a class a joint, set up once a step
-  recomputed  ///< the same, set up anew in every sweep
+  recomputed  ///< the same, set up anew in every iteration
 };
 
 /// A line of the figures: a solver, and all that is set in it and in the joints.
@@ -27,26 +27,26 @@ struct Way {
   std::string name{};    ///< what is set, in words without a comma
   std::string scenes{};  ///< keys of the scenes on which it is tried, with blanks between
   Loop loop = Loop::rows;
-  Packing packing = Packing::trees;  ///< packed and lanes only
+  Packing packing = Packing::islands;  ///< packed and lanes only
   Order order = Order::forward;      ///< rows only
   bool warm = false;        ///< begin with the impulses of the last step
   bool row_by_row = false;  ///< rows only
   bool whole = true;        ///< false: a hinge's point and its axis are blocks of their own
-  int projections = 0;      ///< sweeps of position projection after a step
+  int projections = 0;      ///< iterations of position projection after a step
   real beta = real(0.2);    ///< of every joint [1]
   real relaxation = 1;      ///< over-relaxation [1]; not the textbook's
-  int substeps = 1;         ///< they share the sweeps of a step
+  int substeps = 1;         ///< they share the iterations of a step
   bool half_kick = false;   ///< begin with the velocities of half a step earlier
-  int most = 200;           ///< no more sweeps than this: further ones say nothing new
+  int most = 200;           ///< no more iterations than this: further ones say nothing new
   bool quick = false;       ///< also in the short form
 
   /// \param scene a key
   bool means_something_on(const std::string& scene) const;
   std::string solver() const;  ///< the word for its loop
-  /// Sweeps of a substep where a step has so many.
-  int sweeps_of(int a_step) const;
+  /// Iterations of a substep where a step has so many.
+  int iterations_of(int a_step) const;
   /// As a setting of the runner.
-  Setting setting(int sweeps_a_step) const;
+  Setting setting(int iterations_a_step) const;
 };
 /// All of them.
 std::vector<Way> ways();

@@ -24,7 +24,7 @@ struct Line {
   std::string status{};  ///< of a scene that was run: its word; of a number that is known: ok, off
   double gap_rms = none, gap_max = none;           ///< [m]
   double energy_drift = none, energy_peak = none;  ///< at the end, and the highest on the way [1]
-  double rho = none;        ///< what a sweep leaves in the long run, motions the scene can have [1]
+  double rho = none;  ///< what an iteration leaves in the long run, motions the scene can have [1]
   double criterion = none;  ///< warm: 1 where rho^k (1 + beta) < 1, else 0
   double rho_any = none;    ///< rho of any motion, also against the hinges' axes [1]
 };
@@ -58,7 +58,7 @@ inline double digits(double in_double, double in_float) {
 /// A setting of the solver, as the rows of the maps have it.
 struct Method {
   std::string name{};
-  int iterations = 30;   ///< sweeps a step, or a substep
+  int iterations = 30;   ///< iterations a step, or a substep
   bool warm = false;
   real beta = real(0.2);
   int projections = 0;
@@ -71,15 +71,15 @@ std::vector<Method> methods();
 /// As a setting of the runner.
 Setting setting_of(const Method& method);
 
-/// What a sweep leaves of the error in the long run [1]: the blocks of the first step are swept
-/// until what a sweep changes is rounding. Where that takes more than `most` sweeps it is a lower
-/// bound.
-double sweep_rate(World& world, int most);
-/// Gives all bodies of a scene velocities, so that no mode of the sweeps is missing.
+/// What an iteration leaves of the error in the long run [1]: the blocks of the first step are
+/// swept until what an iteration changes is rounding. Where that takes more than `most` iterations
+/// it is a lower bound.
+double iteration_rate(World& world, int most);
+/// Gives all bodies of a scene velocities, so that no mode of the iterations is missing.
 /// \param planar only those that its forbidden direction leaves: a plane chain stays plane
 void kick(Scene& scene, bool planar);
 
-/// The rates of a scene's sweeps, each a lower bound where it is very close to 1.
+/// The rates of a scene's iterations, each a lower bound where it is very close to 1.
 struct Rates {
   double possible;  ///< of the motions that the scene can have: what the criterion asks for
   double any;       ///< of any motion
@@ -121,7 +121,7 @@ void limits_hit(bool quick, const Tell& tell);          ///< X11
 void motors(bool quick, const Tell& tell);              ///< X12
 void motors_into_limits(bool quick, const Tell& tell);  ///< X13
 void redundant(bool quick, const Tell& tell);           ///< X14
-void sweep_rates(bool quick, const Tell& tell);         ///< X15
+void iteration_rates(bool quick, const Tell& tell);         ///< X15
 void bad_input(bool quick, const Tell& tell);           ///< X16
 void a_long_time(bool quick, const Tell& tell);         ///< X17
 

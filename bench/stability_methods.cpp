@@ -1,4 +1,5 @@
-// What all cases of the stability suite share: the list of them, lines, methods, the sweep rate.
+// What all cases of the stability suite share: the list of them, lines, methods, the iteration
+// rate.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -25,7 +26,7 @@ std::vector<Case> cases() {
           {"X12", "a motor's strength", motors},
           {"X13", "a motor pushes into a limit", motors_into_limits},
           {"X14", "redundant rows", redundant},
-          {"X15", "Gauss-Seidel rates", sweep_rates},
+          {"X15", "Gauss-Seidel rates", iteration_rates},
           {"X16", "bad input", bad_input},
           {"X17", "a door, 1e6 steps", a_long_time}};
 }
@@ -101,7 +102,7 @@ Setting setting_of(const Method& method) {
 namespace {
 
 struct Change {
-  double size;    // of what a sweep changed
+  double size;    // of what an iteration changed
   double lambda;  // the largest impulse
 };
 
@@ -135,12 +136,12 @@ void kick(Scene& scene, bool planar) {
   }
 }
 
-double sweep_rate(World& world, int most) {
+double iteration_rate(World& world, int most) {
   SequentialImpulses solver;
   solver.begin(world, real(1) / 60);
   std::vector<double> before, sizes;
   while (int(sizes.size()) < most) {
-    solver.sweep(world.bodies, int(sizes.size()));
+    solver.iterate(world.bodies, int(sizes.size()));
     const Change change = change_of(solver.blocks(), before);
     if (change.size <= 200 * double(epsilon) * change.lambda) break;
     sizes.push_back(change.size);
@@ -155,7 +156,7 @@ Rates rates_of(const MakeScene& make) {
   const auto rate = [&](bool planar) {
     Scene scene = make();
     kick(scene, planar);
-    return sweep_rate(scene.world, 3000);
+    return iteration_rate(scene.world, 3000);
   };
   return {rate(true), rate(false)};
 }

@@ -1,4 +1,4 @@
-// Cases of the stability suite on rows and input: redundant rows X14, rates of the sweeps X15,
+// Cases of the stability suite on rows and input: redundant rows X14, rates of the iterations X15,
 // what is refused X16.
 #include <algorithm>
 #include <cmath>
@@ -117,7 +117,7 @@ void between_static_ends(const Tell& tell) {
 
 void rate_line(const Tell& tell, const char* method, const char* parameter, double value,
                double expected, World& world) {
-  const double rate = sweep_rate(world, 200000);
+  const double rate = iteration_rate(world, 200000);
   tell(compared({.id = "X15", .method = method, .parameter = parameter, .value = value}, expected,
                 all_finite(world) ? rate : none, digits(1e-4, 2e-3)));
 }
@@ -130,7 +130,7 @@ void redundant(bool, const Tell& tell) {
   between_static_ends(tell);
 }
 
-void sweep_rates(bool quick, const Tell& tell) {
+void iteration_rates(bool quick, const Tell& tell) {
   const vec3 down(0, -1, 0);
   for (double m2 : {1., 10., 100.}) {
     Scene scene = chain_of_masses({1, m2}, down);

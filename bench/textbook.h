@@ -1,4 +1,4 @@
-// The textbook's loop: a class a joint, set up once a step, one virtual call a joint and sweep,
+// The textbook's loop: a class a joint, set up once a step, one virtual call a joint and iteration,
 // small matrices by GLM. It is what the faster loops are measured against. Beside it the same
 // hinges in one array, without the virtual call.
 #pragma once
@@ -41,8 +41,8 @@ class TextbookHinge : public TextbookJoint {
 /// Sequential Impulses over textbook joints.
 class TextbookSolver {
  public:
-  int iterations = 30;       ///< sweeps a step
-  bool recompute = false;    ///< set up anew in every sweep: what it costs not to hoist
+  int iterations = 30;       ///< iterations a step
+  bool recompute = false;    ///< set up anew in every iteration: what it costs not to hoist
   std::vector<std::unique_ptr<TextbookJoint>> joints;  ///< in the order in which they are solved
   void step(World& world, real h);  ///< \param h step [s]
 };
@@ -50,7 +50,7 @@ class TextbookSolver {
 /// The same hinges by value in one array, solved without any call.
 class FlatSolver {
  public:
-  int iterations = 30;                ///< sweeps a step
+  int iterations = 30;                ///< iterations a step
   std::vector<TextbookHinge> hinges;  ///< in the order in which they are solved
   void step(World& world, real h);    ///< \param h step [s]
 };

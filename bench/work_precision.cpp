@@ -21,7 +21,7 @@ struct Entry {
   int repetitions = 2;
   bool quick = true;
   int steps = 300;
-  int most = 200;  // sweeps
+  int most = 200;  // iterations
 };
 
 std::vector<Entry> scenes(int repetitions) {
@@ -45,7 +45,7 @@ std::vector<Entry> scenes(int repetitions) {
 // A run, and in the fronts of which measures it stands.
 struct Point {
   Way way;
-  int sweeps = 0;
+  int iterations = 0;
   Result result;
   double ns = 0;
   std::string fronts{};
@@ -68,7 +68,7 @@ void write(FILE* file, const Scene& scene, const std::string& measures, const Po
   std::fprintf(file, "%s,%d,%s,%s,%s,%d,%d,%d,%.4f,%.3f,%.8g,%.8g,%.8g,%.8g,%.8g,%s,%.8g,%s,%s\n",
                scene.name.c_str(), scene.chains, point.way.solver().c_str(),
                point.way.name.c_str(), sizeof(real) == 8 ? "double" : "float",
-               point.way.sweeps_of(point.sweeps), point.way.substeps, int(point.way.warm),
+               point.way.iterations_of(point.iterations), point.way.substeps, int(point.way.warm),
                r.us_per_step, point.ns, r.gap_rms, r.gap_max, r.axis_error, r.energy_drift,
                r.tip_error, r.status.c_str(), r.sideways, measures.c_str(), point.fronts.c_str());
 }
@@ -79,21 +79,22 @@ std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
-// What one more sweep costs a joint is the slope of the time between a count and its neighbour.
+// What one more iteration costs a joint is the slope of the time between a count and its neighbour.
 double slope(const Point& a, const Point& b, std::size_t joints) {
-  const int sweeps = b.way.sweeps_of(b.sweeps) - a.way.sweeps_of(a.sweeps);
+  const int iterations = b.way.iterations_of(b.iterations) - a.way.iterations_of(a.iterations);
   return 1000 * (b.result.us_per_step - a.result.us_per_step) /
-         (double(joints) * sweeps * a.way.substeps);
+         (double(joints) * iterations * a.way.substeps);
 }
 
-// One setting on one scene, over the counts of sweeps.
+// One setting on one scene, over the counts of iterations.
 std::vector<Point> series(const Entry& entry, const Scene& scene, const Way& way,
                           const std::vector<int>& counts, int repetitions) {
   std::vector<Point> points;
   for (const int count : counts) {
     if (count > std::min(way.most, entry.most)) continue;
-    if (!points.empty() && way.sweeps_of(count) == way.sweeps_of(points.back().sweeps)) continue;
-    std::fprintf(stderr, "%s, %d chains, %s, %s, %d sweeps\n", scene.name.c_str(), scene.chains,
+    if (!points.empty() && way.iterations_of(count) == way.iterations_of(points.back().iterations))
+      continue;
+    std::fprintf(stderr, "%s, %d chains, %s, %s, %d iterations\n", scene.name.c_str(), scene.chains,
                  way.solver().c_str(), way.name.c_str(), count);
     Span span;
     span.steps = entry.steps;
@@ -151,7 +152,7 @@ int main(int argc, char** argv) {
                      {"scene", "", "one scene alone, by its key: S1, S1x (20 chains), S2, ..."},
                      {"repetitions", "5", "how often each run is timed at the most"},
                      {"only-steps", "0", "do so many steps of one chain and measure nothing"},
-                     {"iterations", "30", "with --only-steps: sweeps a step"}});
+                     {"iterations", "30", "with --only-steps: iterations a step"}});
     if (!options.read(argc, argv)) return;
     if (const int steps = options.count("only-steps", 0); steps > 0)
       return only_steps(options.count("iterations", 1), steps);

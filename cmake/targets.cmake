@@ -93,17 +93,14 @@ function(add_exercise_file target source)
   target_link_libraries(${target} PUBLIC workbook_options ${ARGN} PRIVATE workbook_lenient)
 endfunction()
 
-# add_chapter(NN_name name [USES earlier chapters...] [PROGRAM sources...]) makes
+# add_chapter(NN_name name [USES earlier chapters...]) makes
 #   NN_name, NN_name_float   the solution          NN_name_mine   the reader's file
-#   NN_name_run              the program on the solution, NN_name_run_mine on the reader's file,
+#   NN_name_run              program/*.cpp on the solution, NN_name_run_mine on the reader's file,
 #                            its unwritten exercises filled in from the solution
 # Later chapters use the solutions of earlier ones, so that an unfinished one blocks nothing.
 function(add_chapter chapter name)
-  cmake_parse_arguments(arg "" "" "USES;PROGRAM" ${ARGN})
-  if(NOT arg_PROGRAM)
-    set(arg_PROGRAM main.cpp)
-  endif()
-  list(TRANSFORM arg_PROGRAM PREPEND ${PROJECT_SOURCE_DIR}/chapters/${chapter}/)
+  cmake_parse_arguments(arg "" "" "USES" ${ARGN})
+  file(GLOB program CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/${chapter}/program/*.cpp)
   set(solution ${PROJECT_SOURCE_DIR}/solutions/${chapter}/${name}.cpp)
   set(mine ${PROJECT_SOURCE_DIR}/chapters/${chapter}/${name}.cpp)
   set(mixed ${PROJECT_BINARY_DIR}/mixed/${chapter}/${name}.cpp)  # written by ./wb run
@@ -128,7 +125,7 @@ function(add_chapter chapter name)
     if(kind STREQUAL "_mixed")
       set(run ${chapter}_run_mine)
     endif()
-    add_executable(${run} ${arg_PROGRAM})
+    add_executable(${run} ${program})
     target_link_libraries(${run} PRIVATE ${chapter}${kind} instruments workbook_strict)
     at_once(${run})
   endforeach()

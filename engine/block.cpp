@@ -20,7 +20,7 @@ void Blocks::reserve(int rows) {
 }
 
 void Blocks::append(int slot1, int slot2, int rows, const Row* rows_J, const real* rows_C,
-                    const real* rows_K, const Demand& demand, real* impulse) {
+                    const real* rows_K, const RowTarget& target, real* impulse) {
   const int first = int(J.size()), first_K = int(K.size());
   J.insert(J.end(), rows_J, rows_J + rows);
   C.insert(C.end(), rows_C, rows_C + rows);
@@ -37,7 +37,7 @@ void Blocks::append(int slot1, int slot2, int rows, const Row* rows_J, const rea
     for (int j = 0; j < rows; ++j) K_block[i * rows + j] = K_block[j * rows + i] = 0;
   }
   const Touches touches = !angular ? Touches::linear : linear ? Touches::both : Touches::angular;
-  list.push_back({slot1, slot2, rows, first, first_K, touches, demand, impulse});
+  list.push_back({slot1, slot2, rows, first, first_K, touches, target, impulse});
 }
 
 }  // namespace joints

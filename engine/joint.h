@@ -32,9 +32,10 @@ class Joint {
   /// Called when the bodies were moved without a velocity (position projection), before the blocks
   /// are asked for at the new poses: a joint that counts turns looks again.
   virtual void moved(const Bodies& bodies);
-  /// Called after the sweeps; appends the blocks of limits that turn out to be needed after all.
-  virtual void second_look(const Bodies& bodies, real h, Blocks& blocks);
-  /// The most rows that append and second_look can ever give together.
+  /// Called after the iterations; appends the blocks of limits that turn out to be needed after
+  /// all.
+  virtual void late_limits(const Bodies& bodies, real h, Blocks& blocks);
+  /// The most rows that append and late_limits can ever give together.
   virtual int most_rows() const = 0;
   /// What the joint has of limits and motors, for the plan line.
   struct Extras {

@@ -38,29 +38,29 @@ void Preparation::add(const Bodies& bodies, const Blocks& list, int first, real 
 // The rows [from, to) of a block.
 void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block& block, int from,
                            int to, real h, bool turns) {
-  const Demand& demand = block.demand;
+  const RowTarget& target = block.target;
   const int n = to - from;
   const bool has_last = to == block.rows;  // the row to which target and bounds belong
   PreparedBlock out{block.body1, block.body2, n, int(rows.size()), int(inverse_K.size()),
                     block.touches, 0, 1, 0, -unbounded, unbounded, block.impulse + from};
 
-  real rate = demand.beta / h;  // share of C that is removed each second
-  if (demand.frequency > 0) {   // a spring and damper, implicit in time (Catto 2011)
-    const real omega = 2 * std::numbers::pi_v<real> * demand.frequency;
-    const real a1 = 2 * demand.damping + h * omega, a2 = h * omega * a1;
+  real rate = target.beta / h;  // share of C that is removed each second
+  if (target.frequency > 0) {   // a spring and damper, implicit in time (Catto 2011)
+    const real omega = 2 * std::numbers::pi_v<real> * target.frequency;
+    const real a1 = 2 * target.damping + h * omega, a2 = h * omega * a1;
     rate = omega / a1;
     out.mass_scale = a2 / (1 + a2);
     out.impulse_scale = 1 / (1 + a2);
   }
   out.mass_scale *= relaxation;
   out.impulse_scale *= relaxation;
-  if (has_last && demand.follows != 0) {
+  if (has_last && target.follows != 0) {
     require(n == 1, "follows: only a block of one row can follow another sum");
-    out.follows = static_cast<signed char>(demand.follows);
-    out.upper = demand.upper;
+    out.follows = static_cast<signed char>(target.follows);
+    out.upper = target.upper;
   } else if (has_last) {
-    out.lower = h * demand.lower;
-    out.upper = h * demand.upper;
+    out.lower = h * target.lower;
+    out.upper = h * target.upper;
   }
 
   inverse_K.resize(inverse_K.size() + std::size_t(n * n));
@@ -88,9 +88,9 @@ void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block
   }
   if (has_last) {
     const real C = list.C[block.first + to - 1];
-    const bool one_sided = demand.lower == 0 && demand.upper == unbounded;
+    const bool one_sided = target.lower == 0 && target.upper == unbounded;
     if (one_sided && C > 0) row[n - 1].bias = C / h;  // still room: it may be used up, no more
-    row[n - 1].bias -= demand.target;
+    row[n - 1].bias -= target.rate;
   }
   blocks.push_back(out);
 }

@@ -23,13 +23,13 @@ struct PreparedBlock {
   int rows;                ///< 1 to 6
   int first, first_K;      ///< where its rows and its inverse begin: Blocks::J, rows, inverse_K
   Touches touches;         ///< which half of the velocities it needs
-  signed char follows;     ///< Demand::follows: then `upper` is a factor, and there is no `lower`
+  signed char follows;  ///< RowTarget::follows: then `upper` is a factor, and there is no `lower`
   real mass_scale, impulse_scale;  ///< soft rows; 1 and 0 for hard ones
   real lower, upper;       ///< bounds of the last row's sum, as impulses [N s or N m s]
   real* impulse;           ///< its sums, in the joint
 };
 
-/// The blocks of a step, prepared: each demand turned, with this h, into bias, scales, bounds and
+/// The blocks of a step, prepared: each target turned, with this h, into bias, scales, bounds and
 /// the inverse of K.
 class Preparation {
  public:

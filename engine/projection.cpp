@@ -5,7 +5,7 @@
 
 namespace joints {
 
-void Projection::sweep(World& world) {
+void Projection::iterate(World& world) {
   for (const auto& joint : world.joints()) {
     joint->moved(world.bodies);
     if (!joint->projected) continue;
@@ -13,9 +13,9 @@ void Projection::sweep(World& world) {
     blocks_.reserve(joint->most_rows());
     joint->append(world.bodies, blocks_);
     for (const Block& block : blocks_.list) {
-      if (!block.demand.holds_position) continue;  // a motor asks for a speed, not for a place
+      if (!block.target.holds_position) continue;  // a motor asks for a speed, not for a place
       const real C = blocks_.C[block.first + block.rows - 1];
-      const bool one_sided = block.demand.lower == 0 && block.demand.upper == unbounded;
+      const bool one_sided = block.target.lower == 0 && block.target.upper == unbounded;
       solve(world.bodies, block, one_sided && C > 0 ? block.rows - 1 : block.rows);
     }
   }
@@ -34,7 +34,7 @@ void Projection::solve(Bodies& bodies, const Block& block, int rows) {
       lambda[i] -= inverse_K[i * rows + j] * blocks_.C[block.first + j];
   }
   // The rigid rows alone may bring a limit back further than to its end: then it may not pull.
-  const bool one_sided = rows == block.rows && block.demand.lower == 0;
+  const bool one_sided = rows == block.rows && block.target.lower == 0;
   if (one_sided && lambda[rows - 1] < 0) return solve(bodies, block, rows - 1);
 
   vec3 move[2], turn[2];  // M^-1 J^T lambda of the two bodies

@@ -7,13 +7,13 @@ namespace joints {
 
 void SequentialImpulses::step(World& world, real h) {
   begin(world, h);
-  for (int i = 0; i < iterations; ++i) sweep(world.bodies, i);
-  for (;;) {  // a limit that lies ahead may have been reached during the sweeps
+  for (int i = 0; i < iterations; ++i) iterate(world.bodies, i);
+  for (;;) {  // a limit that lies ahead may have been reached during the iterations
     const int known = int(blocks_.list.size());
-    for (const auto& joint : world.joints()) joint->second_look(world.bodies, h, blocks_);
+    for (const auto& joint : world.joints()) joint->late_limits(world.bodies, h, blocks_);
     if (int(blocks_.list.size()) == known) break;
     prepared_.add(world.bodies, blocks_, known, h, row_by_row, true);
-    for (int i = 0; i < iterations; ++i) sweep(world.bodies, i);
+    for (int i = 0; i < iterations; ++i) iterate(world.bodies, i);
   }
   finish(world, h);
 }
@@ -35,10 +35,10 @@ void SequentialImpulses::begin(World& world, real h) {
 void SequentialImpulses::finish(World& world, real h) {
   for (int slot = 0; slot < world.bodies.slots(); ++slot)
     integrate_pose(world.bodies.at(slot), h);
-  for (int i = 0; i < projections; ++i) projection_.sweep(world);
+  for (int i = 0; i < projections; ++i) projection_.iterate(world);
 }
 
-void SequentialImpulses::sweep(Bodies& bodies, int number) {
+void SequentialImpulses::iterate(Bodies& bodies, int number) {
   Body* array = bodies.data();
   const int n = int(prepared_.blocks.size());
   const bool back =
@@ -53,7 +53,7 @@ void SequentialImpulses::sweep(Bodies& bodies, int number) {
   }
 }
 
-void SequentialImpulses::sweep(Bodies& bodies, int from, int to) {
+void SequentialImpulses::iterate(Bodies& bodies, int from, int to) {
   for (int k = from; k < to; ++k) solve(bodies.data(), prepared_.blocks[k]);
 }
 

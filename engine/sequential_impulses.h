@@ -11,24 +11,24 @@
 /// @{
 namespace joints {
 
-/// In which order the blocks are solved in a sweep.
+/// In which order the blocks are solved in an iteration.
 enum class Order {
   forward,      ///< as the joints were added
   backward,     ///< the other way round
-  alternating,  ///< forward in every even sweep, backward in every odd one
-  shuffled      ///< drawn anew for every sweep from Settings::seed
+  alternating,  ///< forward in every even iteration, backward in every odd one
+  shuffled      ///< drawn anew for every iteration from Settings::seed
 };
 
-/// Sequential Impulses: forces, then sweeps over all blocks, each solved exactly while the others
-/// wait, then the new velocities move the bodies. One object serves one world.
+/// Sequential Impulses: forces, then iterations over all blocks, each solved exactly while the
+/// others wait, then the new velocities move the bodies. One object serves one world.
 /// Source: Catto, "Fast and Simple Physics using Sequential Impulses", GDC 2006.
 class SequentialImpulses {
  public:
-  int iterations = 30;         ///< sweeps a step
+  int iterations = 30;         ///< iterations a step
   bool warm_start = false;     ///< begin with the impulses of the last step
-  int projections = 0;         ///< sweeps of position projection after a step (chapter 6)
+  int projections = 0;         ///< iterations of position projection after a step (chapter 6)
   real relaxation = 1;         ///< over-relaxation: a factor of every impulse [1], below 2
-  Order order = Order::forward;  ///< of the blocks in a sweep
+  Order order = Order::forward;  ///< of the blocks in an iteration
   unsigned seed = 1;           ///< of the shuffled order
   bool row_by_row = false;     ///< solve every row as a block of its own (chapter 2)
 
@@ -37,15 +37,15 @@ class SequentialImpulses {
   /// positive and the projections not negative
   void step(World& world, real h);
 
-  // The pieces of a step, for those who measure between the sweeps (chapter 2, tests).
+  // The pieces of a step, for those who measure between the iterations (chapter 2, tests).
 
   /// Forces, begin_step, the blocks, their preparation and the warm start.
   void begin(World& world, real h);
-  /// One sweep over all blocks. \param number counts from 0; only the alternating order asks
-  void sweep(Bodies& bodies, int number);
+  /// One iteration over all blocks. \param number counts from 0; only the alternating order asks
+  void iterate(Bodies& bodies, int number);
   /// The blocks from number `from` up to `to`, in the order of the list: for those who solve some
   /// of them before others (chapter 8).
-  void sweep(Bodies& bodies, int from, int to);
+  void iterate(Bodies& bodies, int from, int to);
   /// The poses from the velocities, and the projection if it is on.
   void finish(World& world, real h);
   /// The blocks of the present step.

@@ -7,7 +7,7 @@ namespace joints {
 
 void Joint::begin_step(const Bodies&, real h) { h_ = h; }
 void Joint::moved(const Bodies&) {}
-void Joint::second_look(const Bodies&, real, Blocks&) {}
+void Joint::late_limits(const Bodies&, real, Blocks&) {}
 Joint::Extras Joint::extras() const { return {}; }
 
 void World::keep(std::unique_ptr<Joint> joint) {

@@ -12,7 +12,7 @@ from chapter_01 import gap_figure
 from style import COLOURS, INK, PALE, visible
 
 ROWS = 3         # of a ball joint
-SOLVED = 1e-10   # [m/s]; below it a sweep has nothing left to do
+SOLVED = 1e-10   # [m/s]; below it an iteration has nothing left to do
 FAINTEST = 1e-14  # [m/s], end of the colour bar
 COLOUR = {"rows": COLOURS[0], "block": COLOURS[1]}
 NAME = {"rows": "three rows, one by one", "block": "one 3x3 block a joint"}
@@ -21,9 +21,9 @@ NAME = {"rows": "three rows, one by one", "block": "one 3x3 block a joint"}
 def tables(folder, command):
     def read(name, *columns):
         return style.read_csv(folder / f"{name}.csv", *columns, command=command)
-    return {"iterations": read("iterations", ["sweep", "error_m_s"], ["method"]),
+    return {"iterations": read("iterations", ["iteration", "error_m_s"], ["method"]),
             "system": read("system", ["row", "column", "value"]),
-            "blow": read("blow", ["sweep", "joint", "error_m_s"], ["order"]),
+            "blow": read("blow", ["iteration", "joint", "error_m_s"], ["order"]),
             "chain": read("chain", ["iterations", "time_s", "gap_rms_m"])}
 
 
@@ -52,19 +52,19 @@ def predicted_rate(A, block):
 
 def errors(table, method):
     chosen = np.array(table["method"]) == method
-    return table["sweep"][chosen], table["error_m_s"][chosen]
+    return table["iteration"][chosen], table["error_m_s"][chosen]
 
 
 def decay(curve):
-    """The curve until it is solved, and the factor of a sweep over the last third of it."""
-    sweep, error = curve
+    """The curve until it is solved, and the factor of an iteration over the last third of it."""
+    iteration, error = curve
     error = visible(error)
     floor = max(SOLVED, 300 * style.extent(error)[0])  # above rounding, in float too
     solved = np.flatnonzero(error < floor)
     end = int(solved[0]) if len(solved) and floor < error[0] else len(error) - 1
     first = 2 * end // 3
     ratio = (error[end] / error[first]) ** (1 / max(end - first, 1))
-    return sweep[:end + 1], error[:end + 1], float(ratio)
+    return iteration[:end + 1], error[:end + 1], float(ratio)
 
 
 def rows_or_block(solution, mine, out):
@@ -77,18 +77,18 @@ def rows_or_block(solution, mine, out):
         print(f"{method:6} predicted rho {rate:.6f}   measured {curve[2]:.6f}"
               + (f"   yours {found[method][2][2]:.6f}" if mine else ""))
     rows, block = found["rows"][0], found["block"][0]
-    title = (f"A sweep leaves {100 * rows[2]:.0f} % of the error row by row, "
+    title = (f"An iteration leaves {100 * rows[2]:.0f} % of the error row by row, "
              f"{100 * block[2]:.0f} % with a block"
              if not mine else "Rows against a block: yours over the solution")
     figure, ax = style.figure(title)
     ax.set_yscale("log")
     ax.text(0.98, 0.96, "dashed: the solution" if mine else
-            "$\\rho$: factor of a sweep\ndashed: predicted from $J M^{-1} J^T$",
+            "$\\rho$: factor of an iteration\ndashed: predicted from $J M^{-1} J^T$",
             ha="right", va="top", color=PALE, transform=ax.transAxes)
     slower = max(found, key=lambda method: len(found[method][0][0]))
     for method, (curve, rate, own) in found.items():
         draw_decay(ax, method, curve, rate, own, method == slower)
-    ax.set(xlabel="sweep", ylabel="error $|J V + b|$, RMS over the joints  [m/s]",
+    ax.set(xlabel="iteration", ylabel="error $|J V + b|$, RMS over the joints  [m/s]",
            xlim=(0, 1.15 * max(len(curve[0]) for curve in (rows, block))),
            ylim=np.multiply(style.extent(rows[1], block[1]), (0.3, 6)))
     style.save(figure, out / "02_rows_or_block")
@@ -96,20 +96,21 @@ def rows_or_block(solution, mine, out):
 
 def draw_decay(ax, method, curve, rate, own, above):
     """A measured curve, the predicted line through its end, and both numbers beside it."""
-    sweep, error, ratio = curve
+    iteration, error, ratio = curve
     colour = COLOUR[method]
     numbers = f"predicted $\\rho$ = {rate:.4f}\n"
     numbers += (f"the solution {ratio:.4f}\nyours {own[2]:.4f}" if own else
                 f"measured $\\rho$ = {ratio:.4f}")
     if own:
         ax.plot(own[0], own[1], color=colour, linewidth=3.2, alpha=0.7)
-        ax.plot(sweep, error, color=INK, linewidth=1.1, dashes=(4, 2))
+        ax.plot(iteration, error, color=INK, linewidth=1.1, dashes=(4, 2))
     else:
-        ax.plot(sweep, error, color=colour, linewidth=3.2, alpha=0.7)
-        line = np.array([0, 1.03 * sweep[-1]])
-        ax.plot(line, error[-1] * rate ** (line - sweep[-1]), color=INK, linewidth=1, dashes=(4, 2))
-    place = int((0.45 if above else 0.72) * len(sweep))
-    ax.annotate(f"{NAME[method]}\n{numbers}", (sweep[place], error[place]), color=colour,
+        ax.plot(iteration, error, color=colour, linewidth=3.2, alpha=0.7)
+        line = np.array([0, 1.03 * iteration[-1]])
+        ax.plot(line, error[-1] * rate ** (line - iteration[-1]), color=INK, linewidth=1,
+                dashes=(4, 2))
+    place = int((0.45 if above else 0.72) * len(iteration))
+    ax.annotate(f"{NAME[method]}\n{numbers}", (iteration[place], error[place]), color=colour,
                 xytext=(10, 4) if above else (-10, -4), textcoords="offset points", fontsize=9,
                 ha="left" if above else "right", va="bottom" if above else "top")
 
@@ -117,21 +118,21 @@ def draw_decay(ax, method, curve, rate, own, above):
 # ---- the blow ------------------------------------------------------------------------------------
 
 def strip(table, order):
-    """Errors of one order as an array [joint, sweep]."""
+    """Errors of one order as an array [joint, iteration]."""
     chosen = np.array(table["order"]) == order
-    sweep, joint = table["sweep"][chosen].astype(int), table["joint"][chosen].astype(int)
-    out = np.zeros((joint.max(), sweep.max() + 1))
-    out[joint - 1, sweep] = table["error_m_s"][chosen]
+    iteration, joint = table["iteration"][chosen].astype(int), table["joint"][chosen].astype(int)
+    out = np.zeros((joint.max(), iteration.max() + 1))
+    out[joint - 1, iteration] = table["error_m_s"][chosen]
     return np.where(np.isfinite(out), out, 1e300)
 
 
 def reached(errors_of):
-    """Which joints the blow has reached at each sweep."""
+    """Which joints the blow has reached at each iteration."""
     return np.maximum.accumulate(errors_of > 0, axis=1)
 
 
 def crossing(errors_of):
-    """Sweeps until the blow has reached as many joints as it ever moves at once."""
+    """Iterations until the blow has reached as many joints as it ever moves at once."""
     count = reached(errors_of).sum(axis=0)
     return int(np.argmax(count >= len(errors_of) - 1))
 
@@ -144,7 +145,7 @@ def blow(solution, mine, out):
               for order in orders}
     needs = [crossing(strips["the solution", order]) for order in orders]
     title = "The blow is at joint 2 after " + ", after ".join(
-        f"{need} sweep{'s' * (need != 1)} {order}" for need, order in zip(needs, orders))
+        f"{need} iteration{'s' * (need != 1)} {order}" for need, order in zip(needs, orders))
     figure, axes = style.figure(title, len(orders), len(sources), sharex=True, sharey=True,
                                 squeeze=False)
     last = max(np.nonzero((values >= FAINTEST).any(axis=0))[0].max(initial=0)
@@ -152,11 +153,11 @@ def blow(solution, mine, out):
     for row, (who, _) in zip(axes, sources):
         for ax, order in zip(row, orders):
             scale = draw_strip(ax, strips[who, order])
-            ax.set_title(f"sweeps from the {order.replace(' to ', ' to the ')}"
+            ax.set_title(f"iterations from the {order.replace(' to ', ' to the ')}"
                          + (f": {who}" if mine else ""))
         row[0].set_ylabel("joint  (1 at the wall)")
     for ax in axes[-1]:
-        ax.set(xlabel="sweep", xlim=(-0.5, last + 1.5))
+        ax.set(xlabel="iteration", xlim=(-0.5, last + 1.5))
     bar = figure.colorbar(scale, ax=axes, extend="min", aspect=25, pad=0.02)
     bar.set_label("error left at the joint  [m/s]")
     bar.outline.set(edgecolor=PALE, linewidth=0.7)
@@ -164,7 +165,7 @@ def blow(solution, mine, out):
 
 
 def draw_strip(ax, values):
-    joints, sweeps = values.shape
+    joints, iterations = values.shape
     touched = reached(values)
     colours = style.plt.get_cmap("viridis").copy()
     colours.set_bad(style.EMPTY)
@@ -172,7 +173,7 @@ def draw_strip(ax, values):
     scale = ScalarMappable(LogNorm(FAINTEST, 1), colours)
     shown = np.ma.masked_array(np.clip(values, FAINTEST / 10, 1), ~touched)
     ax.imshow(colours(scale.norm(shown)), origin="lower", aspect="auto", interpolation="nearest",
-              extent=(-0.5, sweeps - 0.5, 0.5, joints + 0.5))
+              extent=(-0.5, iterations - 0.5, 0.5, joints + 0.5))
     ax.grid(False)
     ax.set(ylim=(0.5, joints + 0.5), yticks=[1, *range(5, joints + 1, 5)])
     describe(ax, values, touched)
@@ -180,7 +181,7 @@ def draw_strip(ax, values):
 
 
 def describe(ax, values, touched):
-    """Says in the strip what it shows: how far the blow gets in its sweeps."""
+    """Says in the strip what it shows: how far the blow gets in its iterations."""
     joints = len(touched)
     count = touched.sum(axis=0)
     if len(count) < 3 or count[1] == count[0] or count.max() < joints - 1:
@@ -188,13 +189,14 @@ def describe(ax, values, touched):
     first, need = count[1] - count[0], int(np.argmax(count >= joints - 1))
     if need > 2:  # a front: along it, in the part not reached
         ax.text(need / 2 - 0.9, joints / 2 - 0.9, rotation=-45, rotation_mode="anchor",
-                s=f"{(count[need] - count[0]) / need:.2g} joint a sweep", ha="center", va="top",
+                s=f"{(count[need] - count[0]) / need:.2g} joint an iteration", ha="center",
+                va="top",
                 fontsize=9, transform_rotates_text=True)
         ax.text(0.1 * need, joints * 0.2, "not reached yet:\nexactly 0", color=PALE, fontsize=9)
     else:
         ax.annotate("", (0, joints - first), (0, joints - 0.4),
                     arrowprops={"arrowstyle": "->", "color": INK, "linewidth": 1.2})
-        ax.text(0.97, 0.2, f"the first sweep\ndisturbs {first} joints", ha="right", fontsize=9,
+        ax.text(0.97, 0.2, f"the first iteration\ndisturbs {first} joints", ha="right", fontsize=9,
                 transform=ax.transAxes)
     for joint in (0, joints - 1):
         if (values[joint, 1:3] < FAINTEST).all() and touched[joint, 2]:

@@ -44,7 +44,7 @@ def draw_beam(solution, mine, out):
 def draw_anchor(solution, mine, out):
     table = mine or solution
     apart, whole = rows(table, blocks="3+3"), rows(table, blocks="6x6")
-    figure, ax = style.figure("The farther the anchor, the less a sweep of 3+3 achieves; "
+    figure, ax = style.figure("The farther the anchor, the less an iteration of 3+3 achieves; "
                               "6x6 needs one")
     lever = np.linspace(0, 10, 300)
     ax.plot(lever, lever ** 2 / (1 / 6 + lever ** 2), color=INK, linewidth=1, dashes=(4, 2),
@@ -52,11 +52,11 @@ def draw_anchor(solution, mine, out):
     ax.plot(apart["lever_m"], apart["measured"], color=COLOURS[0], marker="o", linestyle="none",
             label="3+3, measured")
     ax.plot(apart["lever_m"], apart["left_after_30"], color=COLOURS[2], marker="^",
-            label="3+3, left after\n30 more sweeps")
+            label="3+3, left after\n30 more iterations")
     ax.plot(whole["lever_m"], whole["measured"], color=COLOURS[1], marker="s",
             label="6x6, measured")
     ax.set(xlabel="distance of the anchor from the cube's centre  [m]",
-           ylabel="share of the error that a sweep leaves", ylim=(-0.04, 1.04), xlim=(0, 10.2))
+           ylabel="share of the error that an iteration leaves", ylim=(-0.04, 1.04), xlim=(0, 10.2))
     label_ends(ax)
     style.save(figure, out / "05_anchor")
 

@@ -192,7 +192,7 @@ def draw_warm(solution, mine, out):
     def end(start, count):
         return metres(np.max(rows(table, start=start, iterations=count)["size_m"][-60:]))
     figure, (left, right) = style.figure(
-        f"With {many:g} sweeps a warm start takes the sag from {end('cold', many)} to "
+        f"With {many:g} iterations a warm start takes the sag from {end('cold', many)} to "
         f"{end('warm', many)}; with {few:g} it swings by {end('warm', few)}", 2)
     left.set_yscale("log")
     over_time(left, solution[0], mine and mine[0], "size_m", "setting", decades=12)
@@ -254,7 +254,7 @@ def draw_between(solution, mine, out):
     for bend, rho, rank in zip(*(rate[name][stuck] for name in ("bend_rad", "rho", "rank"))):
         inset.annotate(f"rank\n{rank:g} of {rate['rank'].max():g}", (bend, rho), fontsize=7,
                        xytext=(-2, -28), textcoords="offset points", color=COLOURS[0])
-    inset.set_title("share that a sweep leaves", fontsize=7.5, pad=3)
+    inset.set_title("share that an iteration leaves", fontsize=7.5, pad=3)
     inset.set_xlabel("bend of the links  [rad]", fontsize=7.5, labelpad=1)
     inset.tick_params(labelsize=7)
     finish(figure, out / "06_between", left, right)
@@ -266,7 +266,7 @@ def draw_side_by_side(solution, mine, out):
     gaps = [(gap, name) for gap, name, count in zip(table["gap_rms_m"], table["method"], counted)
             if 30 <= count <= 32]
     figure, (left, right) = style.figure(
-        f"20 cubes, about 30 sweeps: gaps of {metres(max(gaps)[0])} with {max(gaps)[1]}, "
+        f"20 cubes, about 30 iterations: gaps of {metres(max(gaps)[0])} with {max(gaps)[1]}, "
         f"{metres(min(gaps)[0])} with {min(gaps)[1]}", 2)
     for name, part, colour, marker in parts(table, "method"):
         left.plot(part["us_per_step"], visible(part["gap_rms_m"]), color=colour, marker=marker,
@@ -278,7 +278,7 @@ def draw_side_by_side(solution, mine, out):
                           part["gap_rms_m"][n]), xytext=(3, 4), textcoords="offset points",
                           fontsize=7.5, color=colour)
     left.set(xscale="log", yscale="log", xlabel="time of a step  [µs]", ylabel="gap, RMS  [m]",
-             title=f"{counted.min():g} to {counted.max():g} sweeps a step")
+             title=f"{counted.min():g} to {counted.max():g} iterations a step")
     left.margins(x=0.12)
     right.axhline(0, color=PALE, linewidth=0.8)
     right.set_yscale("symlog", linthresh=0.01)
@@ -304,7 +304,7 @@ def tables(folder, command):
     def read(name, numbers, *words):
         return style.read_csv(folder / f"{name}.csv", numbers.split(), words, command)
     hanging = read("hanging", "iterations time_s sag_m", "start")
-    hanging["setting"] = [f"{start}, {count:g} sweeps"
+    hanging["setting"] = [f"{start}, {count:g} iterations"
                           for start, count in zip(hanging["start"], hanging["iterations"])]
     hanging["size_m"] = visible(np.abs(hanging["sag_m"]))
     return (read("pendulums", "time_s gap_m energy_change off_engine_m", "method"),

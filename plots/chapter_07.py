@@ -35,12 +35,12 @@ def theirs(ax, x, y):
 
 def draw_steps(solution, mine, out):
     table = mine or solution
-    table = rows(table, sweeps=table["sweeps"].max())
-    names, ns = list(table["step"]), table["ns_per_hinge_and_sweep"]
+    table = rows(table, iterations=table["iterations"].max())
+    names, ns = list(table["step"]), table["ns_per_hinge_and_iteration"]
     good = np.where(np.isfinite(ns) & (ns > 0), ns, np.nan)
     first, least = good[0], int(np.argmin(np.nan_to_num(good, nan=np.inf)))
     figure, ax = style.figure(
-        f"A hinge and sweep, {first:.3g} ns when all is prepared in every visit, takes "
+        f"A hinge and iteration, {first:.3g} ns when all is prepared in every visit, takes "
         f"{good[least]:.3g} ns with {names[least]}" + (": yours" if mine else ""))
     places = np.arange(len(names))[::-1]
     ax.barh(places, good, height=0.62, color=[COLOURS[1 if count == 1 else 2]
@@ -56,8 +56,8 @@ def draw_steps(solution, mine, out):
         ax.text(good[k] + (-0.012 if inside else 0.012) * right, place, words, va="center",
                 ha="right" if inside else "left", color="white" if inside else INK, fontsize=8.5)
     if mine:
-        given = rows(solution, sweeps=solution["sweeps"].max())
-        ax.plot(given["ns_per_hinge_and_sweep"], places[:len(given["step"])], linestyle="none",
+        given = rows(solution, iterations=solution["iterations"].max())
+        ax.plot(given["ns_per_hinge_and_iteration"], places[:len(given["step"])], linestyle="none",
                 marker="|", markersize=22, markeredgewidth=1.4, color=MINE)
     ax.set_yticks(places, [
         f"{name}\n{count:g} {'lane' if count == 1 else 'lanes'}, gap {length(gap)}"
@@ -65,8 +65,9 @@ def draw_steps(solution, mine, out):
     ax.tick_params(axis="y", length=0)
     ax.grid(axis="y", visible=False)
     far = np.max(np.nan_to_num(table["off_m"], nan=np.inf))
-    ax.set(xlabel="time of a hinge and sweep, a linear axis  [ns]", xlim=(0, 1.03 * right),
-           title=("|: the solution's" if mine else f"gap: RMS, sweeps: {table['sweeps'][0]:g}")
+    ax.set(xlabel="time of a hinge and iteration, a linear axis  [ns]", xlim=(0, 1.03 * right),
+           title=("|: the solution's" if mine
+                  else f"gap: RMS, iterations: {table['iterations'][0]:g}")
            + f"; off one lane in the same order by {length(far)}")
     style.save(figure, out / "07_steps")
 
@@ -84,22 +85,22 @@ def draw_order(solution, mine, out):
     for ax, column, words in ((left, "gap_rms_m", "gap, RMS"), (right, "gap_max_m", "largest gap")):
         for order, part in parts(table, "order"):
             colour, marker = look(order)
-            ax.plot(part["sweeps"], 1000 * visible(part[column]), color=colour, marker=marker,
+            ax.plot(part["iterations"], 1000 * visible(part[column]), color=colour, marker=marker,
                     markersize=5, label=order, linestyle=":" if order == "from the end" else "-")
         if mine:
             for _, part in parts(solution, "order"):
-                theirs(ax, part["sweeps"], 1000 * visible(part[column]))
-        ax.set(xscale="log", yscale="log", xlabel="sweeps a step", ylabel=f"{words}  [mm]",
+                theirs(ax, part["iterations"], 1000 * visible(part[column]))
+        ax.set(xscale="log", yscale="log", xlabel="iterations a step", ylabel=f"{words}  [mm]",
                title=words + (": yours; dashed: the solution's" if mine else ""))
         if mine:
             style.hold(ax, 1000 * mine[column], 1000 * solution[column])
-        ax.set_xticks(np.unique(table["sweeps"]))
+        ax.set_xticks(np.unique(table["iterations"]))
         ax.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
         ax.set_xticks([], minor=True)
         style.plain_log(ax.yaxis)
-    k = len(chain["sweeps"]) // 2
+    k = len(chain["iterations"]) // 2
     for ax, column in ((left, "gap_rms_m"), (right, "gap_max_m")):
-        count, low, high = chain["sweeps"][k], chain[column][k], colours[column][k]
+        count, low, high = chain["iterations"][k], chain[column][k], colours[column][k]
         ax.annotate("", (count, 1000 * high), (count, 1000 * low),
                     arrowprops={"arrowstyle": "<->", "color": INK, "linewidth": 0.9,
                                 "shrinkA": 3, "shrinkB": 3})
@@ -119,26 +120,26 @@ def holds(table):
 
 def draw_relaxation(solution, mine, out):
     table = mine or solution
-    table["held"], most = holds(table), table["sweeps"].max()
-    chain = rows(table, order="chain", sweeps=most)
+    table["held"], most = holds(table), table["iterations"].max()
+    chain = rows(table, order="chain", iterations=most)
     burst = min(chain["omega"][~chain["held"]], default=np.inf)
     gaps = np.where(chain["held"], chain["gap_rms_m"], np.inf)
     best, plain = int(np.argmin(gaps)), gaps[np.argmin(np.abs(chain["omega"] - 1))]
     figure, ax = style.figure(
-        f"Chain order, sweeps: {most:g}; omega {chain['omega'][best]:g} leaves "
+        f"Chain order, iterations: {most:g}; omega {chain['omega'][best]:g} leaves "
         f"{length(gaps[best])} in place of {length(plain)}"
         + (f"; from {burst:g} on it explodes" if np.isfinite(burst) else "")
         + (" (yours)" if mine else ""))
     for order, of_order in parts(table, "order"):
         colour, marker = look(order)
-        for count, part in parts(of_order, "sweeps"):
+        for count, part in parts(of_order, "iterations"):
             gaps = np.where(part["held"], 1000 * part["gap_rms_m"], np.nan)
             ax.plot(part["omega"], visible(gaps), color=colour, marker=marker, markersize=4.5,
-                    linestyle="-" if count == most else ":", label=f"{order}, {count:g} sweeps",
+                    linestyle="-" if count == most else ":", label=f"{order}, {count:g} iterations",
                     markerfacecolor=colour if count == most else "white")
     if mine:
         for _, of_order in parts(solution, "order"):
-            for _, part in parts(of_order, "sweeps"):
+            for _, part in parts(of_order, "iterations"):
                 fine = holds(part)
                 theirs(ax, part["omega"][fine], 1000 * visible(part["gap_rms_m"][fine]))
     last = table["omega"].max()
@@ -147,7 +148,7 @@ def draw_relaxation(solution, mine, out):
         ax.text((burst + last + 0.05) / 2, 0.41, "explodes", rotation=90, color=COLOURS[0],
                 fontsize=9, ha="center", va="center", transform=ax.get_xaxis_transform())
     ax.axvline(1, color=PALE, linewidth=0.8)
-    ax.text(1.01, 0.03, "1: plain sweeps", fontsize=8.5, color=PALE,
+    ax.text(1.01, 0.03, "1: plain iterations", fontsize=8.5, color=PALE,
             transform=ax.get_xaxis_transform())
     ax.set(yscale="log", xlabel=r"$\omega$, factor of every impulse", ylabel="gap, RMS  [mm]",
            xlim=(table["omega"].min() - 0.03, last + 0.05),
@@ -164,23 +165,24 @@ def draw_relaxation(solution, mine, out):
 
 def draw_inside(solution, mine, out):
     table = mine or solution
-    last = table["sweep"].max()
+    last = table["iteration"].max()
 
     def end(order, omega):
-        return rows(table, order=order, omega=omega, sweep=last)["largest_e"][0]
+        return rows(table, order=order, omega=omega, iteration=last)["largest_e"][0]
     omegas = np.unique(table["omega"])
     figure, axes = style.figure(
-        f"Chain order: {last:g} sweeps leave the worst row {end('chain', omegas[0]):.2g} m/s from "
+        f"Chain order: {last:g} iterations leave the worst row {end('chain', omegas[0]):.2g} "
+        f"m/s from "
         f"true with omega {omegas[0]:g}, {end('chain', omegas[-1]):.2g} with {omegas[-1]:g}",
         2, sharey=True)
     for ax, order in zip(axes, ("chain", "colours")):
         for k, (omega, part) in enumerate(parts(rows(table, order=order), "omega")):
-            ax.plot(part["sweep"], visible(part["largest_e"]), color=COLOURS[(1, 2, 0)[k % 3]],
+            ax.plot(part["iteration"], visible(part["largest_e"]), color=COLOURS[(1, 2, 0)[k % 3]],
                     label=rf"$\omega$ {omega:g}")
         if mine:
             for _, part in parts(rows(solution, order=order), "omega"):
-                theirs(ax, part["sweep"], visible(part["largest_e"]))
-        ax.set(yscale="log", xlabel="sweeps of one step, after 1 s",
+                theirs(ax, part["iteration"], visible(part["largest_e"]))
+        ax.set(yscale="log", xlabel="iterations of one step, after 1 s",
                title=("chain order" if order == "chain" else "colour after colour")
                + (": yours; dashed: the solution's" if mine else ""))
         if mine:
@@ -238,10 +240,10 @@ def draw_colours(solution, mine, out):
 def tables(folder, command):
     def read(name, numbers, *words):
         return style.read_csv(folder / f"{name}.csv", numbers.split(), words, command)
-    return (read("steps", "lanes sweeps ns_per_hinge_and_sweep gap_rms_m off_m", "step"),
-            read("order", "sweeps gap_rms_m gap_max_m", "order"),
-            read("relaxation", "omega sweeps gap_rms_m energy_change", "order", "status"),
-            read("inside_a_step", "omega sweep largest_e", "order"),
+    return (read("steps", "lanes iterations ns_per_hinge_and_iteration gap_rms_m off_m", "step"),
+            read("order", "iterations gap_rms_m gap_max_m", "order"),
+            read("relaxation", "omega iterations gap_rms_m energy_change", "order", "status"),
+            read("inside_a_step", "omega iteration largest_e", "order"),
             read("colours", "body1_x body1_y body2_x body2_y colour", "scene"))
 
 

@@ -41,7 +41,7 @@ def draw_cost(ax, path):
     x, y = table["us_per_step"][chosen] / 1000, table["gap_rms_m"][chosen] * 1000
     ax.loglog(x, y, "o-", color=style.COLOURS[1])
     for a, b, count in zip(x, y, table["iterations"][chosen]):
-        ax.annotate(f"{count:.0f} sweeps" if count in (10, 200) else f"{count:.0f}", (a, b),
+        ax.annotate(f"{count:.0f} iterations" if count in (10, 200) else f"{count:.0f}", (a, b),
                     xytext=(6, 4), textcoords="offset points", fontsize=8.5)
     ax.set_xlim(right=x.max() * 1.9)
     ax.set_xlabel("milliseconds a step, 990 ball joints, one core")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the loop's variants: what a joint and sweep costs, and the thesis' tables 5.1 and 5.2.
+"""Draws the loop's variants: what a joint and iteration costs, and the thesis' tables 5.1 and 5.2.
 
 loop.py --csv out/loop.csv --thesis bench/thesis_frames.csv --out DIR
 """
@@ -28,25 +28,26 @@ AS_PRINTED = "printed in the thesis,\nanother machine"
 
 
 def of(table, variant, chains):
-    """The rows of one variant, in the order of their sweeps; none are there of some."""
+    """The rows of one variant, in the order of their iterations; none are there of some."""
     found = style.rows(table, variant=variant, chains=chains)
     order = np.argsort(found["iterations"])
     return {name: column[order] for name, column in found.items()}
 
 
-def per_sweep(table, variant, chains):
-    """ns a joint and sweep, NaN where a variant is not in the table."""
+def per_iteration(table, variant, chains):
+    """ns a joint and iteration, NaN where a variant is not in the table."""
     found = of(table, variant, chains)["ns_per_joint_iteration"]
     return found[0] if len(found) else np.nan
 
 
-# ---- what a joint and sweep costs ----------------------------------------------------------------
+# ---- what a joint and iteration costs
+# ----------------------------------------------------------------
 
 def draw_bars(ax, table, chains, names, places, most):
     """A bar a variant; behind it, pale, what it saves against the one above it."""
-    base, before = per_sweep(table, "textbook", chains), np.nan
+    base, before = per_iteration(table, "textbook", chains), np.nan
     for name, place in zip(names, places):
-        ns = per_sweep(table, name, chains)
+        ns = per_iteration(table, name, chains)
         _, colour, engine = VARIANTS[name]
         if not engine and before > ns:
             ax.barh(place, before - ns, left=ns, height=0.66, color=style.EMPTY)
@@ -67,18 +68,19 @@ def per_joint(table, out):
     ours = [name for name in names if not VARIANTS[name][2]]
     places = [i + (0.9 if VARIANTS[name][2] else 0) for i, name in enumerate(names)]
     counts = np.unique(table["chains"])
-    best = [min(ours, key=lambda name, c=chains: per_sweep(table, name, c)) for chains in counts]
-    said = [f"{per_sweep(table, 'textbook', c) / per_sweep(table, name, c):.1f}"
+    best = [min(ours, key=lambda name, c=chains: per_iteration(table, name, c))
+            for chains in counts]
+    said = [f"{per_iteration(table, 'textbook', c) / per_iteration(table, name, c):.1f}"
             for c, name in zip(counts, best)]
     figure, axes = style.figure(
-        f"{' or '.join(dict.fromkeys(best)).capitalize()}: {' and '.join(said)} times as fast a "
-        "sweep as the textbook's loop", len(counts), sharey=True, squeeze=False)
+        f"{' or '.join(dict.fromkeys(best)).capitalize()}: {' and '.join(said)} times as fast an "
+        "iteration as the textbook's loop", len(counts), sharey=True, squeeze=False)
     figure.set_size_inches(style.WIDTH, 4.6)
-    most = 1.6 * max(per_sweep(table, name, c) for name in names for c in counts
+    most = 1.6 * max(per_iteration(table, name, c) for name in names for c in counts
                       if name != "recomputed")
     for ax, chains in zip(axes[0], counts):
         draw_bars(ax, table, chains, names, places, most)
-        ax.set(xlabel="ns a joint and sweep  (x: textbook / this)", xlim=(0, most),
+        ax.set(xlabel="ns a joint and iteration  (x: textbook / this)", xlim=(0, most),
                ylim=(places[-1] + 0.6, -0.6))
         ax.grid(axis="y", visible=False)
         ax.tick_params(axis="y", length=0)
@@ -93,7 +95,7 @@ def per_joint(table, out):
 # ---- the thesis' two tables ----------------------------------------------------------------------
 
 def thesis(frames, chains):
-    """(sweeps, us a step) of a table in frames a second.
+    """(iterations, us a step) of a table in frames a second.
 
     F frames and 60 steps fill a second, and paused only frames do: a step takes (1 - F/paused)/60.
     """
@@ -113,7 +115,7 @@ def steps(table, frames, out):
     times = [f"{rows['us_per_step'][rows['iterations'] == many][0] / 1000:.2g} ms"
              for rows in (first, last)]
     figure, axes = style.figure(
-        f"{many:g} sweeps over {99 * counts[0]:g} hinges take the textbook's loop {times[0]}, "
+        f"{many:g} iterations over {99 * counts[0]:g} hinges take the textbook's loop {times[0]}, "
         f"lanes {times[1]}", len(counts), sharey=True, squeeze=False)
     figure.set_size_inches(style.WIDTH, 5.2)
     for ax, chains in zip(axes[0], counts):
@@ -133,7 +135,7 @@ def steps(table, frames, out):
         if chains in frames["chains"]:
             ax.plot(*thesis(frames, chains), "s:", color="#B00020", label=AS_PRINTED,
                     markersize=4, linewidth=1.1, zorder=4)
-        ax.set(xscale="log", yscale="log", xlabel="sweeps a step")
+        ax.set(xscale="log", yscale="log", xlabel="iterations a step")
         ax.set_title(f"{chains:g} chains: {100 * chains:g} cubes, {99 * chains:g} hinges",
                      color=PALE)
         ax.set_xticks(np.unique(table["iterations"]))

@@ -44,13 +44,13 @@ def draw_machines(solution, mine, out):
     words = f"{metres(sizes[low])} ({low})" if low == high else \
         f"{metres(sizes[low])} ({low}) to {metres(sizes[high])} ({high})"
     figure, (left, right) = style.figure(
-        f"Gaps of the machines, RMS, each with its most sweeps: {words}", 2)
+        f"Gaps of the machines, RMS, each with its most iterations: {words}", 2)
 
     def place(name, count):
-        """A line for every machine, and on it one above the other how often it was swept."""
-        swept = sorted(parted[name]["iterations"])
-        return -names.index(name) + 0.2 * ((swept.index(count) if count in swept else 0)
-                                           - (len(swept) - 1) / 2)
+        """A line for every machine, and on it one above the other how often it was iterated."""
+        iterated = sorted(parted[name]["iterations"])
+        return -names.index(name) + 0.2 * ((iterated.index(count) if count in iterated else 0)
+                                           - (len(iterated) - 1) / 2)
     for ax, columns in ((left, ("gap_rms_m", "gap_max_m")), (right, ("penetration_max_m",))):
         for n, count in enumerate(counts):
             part = rows(table, iterations=count)
@@ -62,7 +62,7 @@ def draw_machines(solution, mine, out):
                 ax.plot(visible(part[columns[1]]), y, color=colour, marker="|", markersize=9,
                         markeredgewidth=1.6, linestyle="none", label="_")
             ax.plot(visible(part[columns[0]]), y, color=colour, marker=marker, markersize=5,
-                    linestyle="none", label=f"{count:g} sweeps")
+                    linestyle="none", label=f"{count:g} iterations")
             if mine and count in solution["iterations"]:
                 theirs = rows(solution, iterations=count)
                 shown = np.isin(theirs["machine"], names)

@@ -8,23 +8,24 @@ import numpy as np
 import style
 from style import COLOURS, INK, PALE
 
-NUMBERS = ["joints", "us_per_step", "ns_per_joint_step", "bytes_per_joint", "sweeps"]
+NUMBERS = ["joints", "us_per_step", "ns_per_joint_step", "bytes_per_joint", "iterations"]
 WORDS = ["solver", "setting"]
 LINES = {  # solver, setting: words, colour
     ("textbook", "one at a time"): ("textbook", INK),
     ("engine rows", "one at a time"): ("engine rows", COLOURS[1]),
     ("packed", "one at a time"): ("packed,\none at a time", COLOURS[2]),
-    ("lanes", "trees"): ("lanes,\na tree each", COLOURS[0]),
+    ("lanes", "islands"): ("lanes,\na island each", COLOURS[0]),
     ("lanes", "colours"): ("lanes,\ncoloured", COLOURS[3])}
 SMALL, LARGE = 1e3, 1e5  # between these the growth is told
 
 
-def lines_of(table, sweeps):
-    """Of each solver its rows with so many sweeps, fewest joints first."""
+def lines_of(table, iterations):
+    """Of each solver its rows with so many iterations, fewest joints first."""
     kind = list(zip(table["solver"], table["setting"]))
     out = {}
     for key in LINES:
-        chosen = [i for i, one in enumerate(kind) if one == key and table["sweeps"][i] == sweeps]
+        chosen = [i for i, one in enumerate(kind)
+                  if one == key and table["iterations"][i] == iterations]
         chosen.sort(key=lambda i: table["joints"][i])
         if chosen:
             out[key] = {name: table[name][chosen] for name in NUMBERS}
@@ -44,7 +45,7 @@ def main():
     given = style.arguments("Draws what a joint costs as a scene grows.",
                             csv="the table that ./wb bench writes", out="folder of the figures")
     table = style.read_csv(given.csv, NUMBERS, WORDS, "./wb bench")
-    counts = sorted(set(table["sweeps"]))
+    counts = sorted(set(table["iterations"]))
     lines = lines_of(table, counts[-1])
     factors = {key: factor for key, line in lines.items() if (factor := growth(line))}
     title = "What a joint costs as the scene grows"
@@ -63,7 +64,7 @@ def main():
     left.set(xscale="log", yscale="log", xlabel="joints", ylabel="time of a step a joint  [ns]")
     left.set_ylim(style.extent(table["ns_per_joint_step"])[0] / 1.5,
                   style.extent(*[line["ns_per_joint_step"] for line in lines.values()])[1] * 1.3)
-    left.set_title(f"{counts[-1]:g} sweeps; x: dearer at {LARGE:,.0f} than at {SMALL:,.0f}",
+    left.set_title(f"{counts[-1]:g} iterations; x: dearer at {LARGE:,.0f} than at {SMALL:,.0f}",
                    color=PALE, fontsize=8.5)
     right.set(xscale="log", xlabel="joints", ylabel="memory a joint  [bytes]")
     right.set_ylim(0, 1.15 * style.extent(table["bytes_per_joint"])[1])

@@ -129,7 +129,7 @@ def heights(rows, name, factor, low, high):
 
 
 def draw_setting(ax, group, name, factor):
-    """One setting: a thin line, and at each count of sweeps a marker that says how it went."""
+    """One setting: a thin line, and at each count of iterations a marker that says how it went."""
     colour, (low, high) = FAMILY[group[0]["solver"]], ax.get_ylim()
     x = np.array([row["us_per_step"] for row in group])
     y, lost = heights(group, name, factor, low, high)
@@ -198,7 +198,7 @@ def explain(ax, rows, peers):
     states = list(dict.fromkeys(LOOKS[row["status"]][2] for row in rows))
     states += ["v at the edge: below this picture"] * peers
     most = max(row["iterations"] for row in rows if row["substeps"] == 1)
-    ax.set_title(f"{title_of(rows[0])}; along a line: 10 to {most:g} sweeps a step\n"
+    ax.set_title(f"{title_of(rows[0])}; along a line: 10 to {most:g} iterations a step\n"
                  + "; ".join(word for word in states if word) + "\n", fontsize=8, color=PALE)
     at = 0.0
     families = [(name, colour) for name, colour in FAMILY.items()
@@ -241,8 +241,9 @@ def fastest(rows):
 
 
 def called(row):
-    sweeps = f"{row['iterations']:g}" + (f" x {row['substeps']:g}" if row["substeps"] > 1 else "")
-    return f"{row['solver']}, {row['setting']}, {sweeps} sweeps"
+    iterations = f"{row['iterations']:g}"
+    iterations += f" x {row['substeps']:g}" if row["substeps"] > 1 else ""
+    return f"{row['solver']}, {row['setting']}, {iterations} iterations"
 
 
 def headline(rows, measure, factor, unit):
@@ -253,7 +254,7 @@ def headline(rows, measure, factor, unit):
     best = min(good, key=lambda row: row[measure])
     least = f"{number(factor * best[measure])} {unit}"
     if measure == "sideways_m":
-        return f"{scene}: the exact answer is 0; no sweeps come below {least} ({called(best)})"
+        return f"{scene}: the exact answer is 0; no iterations come below {least} ({called(best)})"
     if measure == "tip_error_m":
         plain = [row for row in good if "half a kick" not in row["setting"]]
         without = min(factor * row[measure] for row in plain)
@@ -267,8 +268,8 @@ def headline(rows, measure, factor, unit):
     first = fastest(held)
     most = max([row["iterations"] for row in rows if row["setting"] == "cold"], default=0)
     plain = fastest([row for row in held if row["setting"] == "cold"])
-    rest = f"plain cold sweeps in {number(plain['us_per_step'])} µs" if plain else \
-        f"plain cold sweeps never, up to {most:g}"
+    rest = f"plain cold iterations in {number(plain['us_per_step'])} µs" if plain else \
+        f"plain cold iterations never, up to {most:g}"
     return (f"{scene}: every gap stays below 1 % of a link in {number(first['us_per_step'])} µs\n"
             f"by {called(first)}; by {rest}")
 

@@ -37,7 +37,7 @@ foreach(number double float)
   set(suffix ${suffix_of_${number}})
   add_library(oracle${suffix} STATIC oracle/oracle.cpp oracle/rigs.cpp
     oracle/allocations.cpp)
-  target_link_libraries(oracle${suffix} PUBLIC bench_stability${suffix} wide${suffix}
+  target_link_libraries(oracle${suffix} PUBLIC bench_stability${suffix} simd${suffix}
     ${libraries${suffix}} instruments${suffix} checker${suffix} dense
     PRIVATE workbook_strict)
   target_precompile_headers(oracle${suffix} PRIVATE checker/catch.h oracle/oracle.h)

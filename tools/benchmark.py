@@ -18,7 +18,7 @@ MOST_OF_A_FRONT = 4  # points that are printed of it
 
 
 def instructions(program):
-    """Instructions of one joint and iteration: two counts of sweeps, their difference."""
+    """Instructions of one joint and iteration: two counts of iterations, their difference."""
     counts = []
     for iterations in (FEW, MANY):
         with tempfile.TemporaryDirectory() as folder:
@@ -47,8 +47,8 @@ def scenes_of(rows):
 
 
 def called(row):
-    sweeps = row["iterations"] + (f" x {row['substeps']}" if row["substeps"] != "1" else "")
-    return f"{row['solver']}, {row['setting']}, {sweeps}"
+    iterations = row["iterations"] + (f" x {row['substeps']}" if row["substeps"] != "1" else "")
+    return f"{row['solver']}, {row['setting']}, {iterations}"
 
 
 def microseconds(row):
@@ -57,9 +57,10 @@ def microseconds(row):
 
 def print_fastest(scenes):
     """Of every scene the fastest run whose gaps stay below 1 % of a link, without more energy."""
-    print("\nthe fastest that holds 1 % of a link (largest gap), and plain cold sweeps beside it:")
+    print("\nthe fastest that holds 1 % of a link (largest gap), and plain cold iterations beside "
+          "it:")
     print(f"  {'scene':10} {'chains':>6} {'real':7} {'us a step':>10} {'cold':>10}  "
-          "setting, sweeps")
+          "setting, iterations")
     for (scene, chains, real), rows in scenes.items():
         if len({(row["solver"], row["setting"]) for row in rows}) < 2:
             continue
@@ -92,9 +93,9 @@ def print_fronts(scenes):
 
 def print_scaling():
     """What a joint costs in a thousand and in a hundred thousand."""
-    rows = [row for row in read(figures.SCALING) if row["sweeps"] == "30"]
+    rows = [row for row in read(figures.SCALING) if row["iterations"] == "30"]
     sizes = sorted({int(row["joints"]) for row in rows})
-    print("\nns a joint and step, 30 sweeps, float; bytes a joint:")
+    print("\nns a joint and step, 30 iterations, float; bytes a joint:")
     print(f"  {'solver':26}" + "".join(f"{size:>10,}" for size in sizes)
           + f"{'growth':>9}{'bytes':>8}")
     for solver, setting in dict.fromkeys((row["solver"], row["setting"]) for row in rows):
@@ -109,11 +110,11 @@ def print_scaling():
 
 
 def print_instructions():
-    """What one more sweep costs a hinge of the engine's own loop, where it can be counted."""
+    """What one more iteration costs a hinge of the engine's own loop, where it can be counted."""
     if not shutil.which("valgrind"):
         print("\n(no instruction counts: valgrind is not installed)")
         return
-    print("\none hinge, one sweep of the engine's own loop (S1, one chain):")
+    print("\none hinge, one iteration of the engine's own loop (S1, one chain):")
     for real, program in (("double", "work_precision"), ("float", "work_precision_float")):
         house.progress(f"counting instructions, {real}")
         count = instructions(program)

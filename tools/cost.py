@@ -19,7 +19,7 @@ def measure(build):
         for row in instructions.table(build / "bench" / program):
             rows.append({**{name: row[name] for name in COLUMNS if name in row},
                          "instructions_per_joint_step": number(row["at_few"]),
-                         "instructions_per_joint_iteration": number(row["per_sweep"])})
+                         "instructions_per_joint_iteration": number(row["per_iteration"])})
     return rows
 
 
@@ -47,7 +47,7 @@ def print_table(rows):
         block = [row for row in rows if (row["solver"], row["real"]) == key]
         plain = next(row for row in block if row["case"] == "hinge")
         print(f"\n{key[0]}, {key[1]:17} {'rows':>4} {'bytes':>8} {'instructions a step':>20} "
-              f"{'less the hinge':>15} {'a sweep':>9}")
+              f"{'less the hinge':>15} {'an iteration':>9}")
         for row in block:
             a_step, base = row["instructions_per_joint_step"], plain["instructions_per_joint_step"]
             more = f"{float(a_step) - float(base):+.0f}" if a_step and row != plain else ""
@@ -63,7 +63,8 @@ def main(keep):
     house.progress("counting the instructions of every kind of joint")
     rows = measure(house.BUILD)
     house.progress_done()
-    print("a chain of 99 joints, 10 sweeps a step; bytes and instructions of a joint and step, with"
+    print("a chain of 99 joints, 10 iterations a step; bytes and instructions of a joint and step, "
+          "with"
           "\nits share of all that a step does; the case none: bodies without joints")
     print_table(rows)
     write(COST, rows)

@@ -27,15 +27,15 @@ def run(command):
 
 
 def table(program, *options):
-    """The rows that a program prints, two counts each: what a joint costs a step and a sweep.
+    """The rows that a program prints, two counts each: what a joint costs a step and an iteration.
 
     The counts are added as `at_few`, `at_many` (instructions of a joint and step with as many
-    sweeps) and `per_sweep` (of a joint and sweep). Without valgrind they are None.
+    iterations) and `per_iteration` (of a joint and iteration). Without valgrind they are None.
     """
     if not program.exists():
         raise house.Trouble(f"{house.short(program)} is not built")
     if not there():
-        return [{**row, "at_few": None, "at_many": None, "per_sweep": None}
+        return [{**row, "at_few": None, "at_many": None, "per_iteration": None}
                 for row in run([program, *options])]
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "counts"
@@ -48,7 +48,8 @@ def table(program, *options):
     for row, (few, many) in zip(rows, counts):
         joints, steps = int(row["joints"]), int(row["steps"])
         row["at_few"], row["at_many"] = few / (joints * steps), many / (joints * steps)
-        row["per_sweep"] = (many - few) / (joints * steps * (int(row["many"]) - int(row["few"])))
+        iterations = int(row["many"]) - int(row["few"])
+        row["per_iteration"] = (many - few) / (joints * steps * iterations)
     return rows
 
 

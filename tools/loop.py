@@ -1,4 +1,4 @@
-"""The inner loop in its variants, all in one run: what a joint and sweep costs in each."""
+"""The inner loop in its variants, all in one run: what a joint and iteration costs in each."""
 import csv
 
 import figures
@@ -7,7 +7,7 @@ import instructions
 import show
 
 THESIS = house.ROOT / "bench" / "thesis_frames.csv"
-PER_SWEEP, PER_STEP = "instructions_per_joint_iteration", "instructions_per_joint_step"
+PER_ITERATION, PER_STEP = "instructions_per_joint_iteration", "instructions_per_joint_step"
 
 
 def read():
@@ -16,7 +16,7 @@ def read():
 
 
 def add_instructions():
-    """Fills in what is counted: of a joint and sweep, and of a joint and step where it is known."""
+    """Fills in what is counted: of a joint and iteration, of a joint and step where it is known."""
     rows = read()
     counts = {(row["variant"], row["chains"]): row for row in instructions.table(
         house.BUILD / "bench" / "loop_float", "--count", "1")}
@@ -24,9 +24,9 @@ def add_instructions():
         if row["real"] != "float":
             continue
         count = counts[row["variant"], row["chains"]]
-        row[PER_SWEEP] = f"{count['per_sweep']:.1f}"
-        for sweeps, at in (("few", "at_few"), ("many", "at_many")):
-            if row["iterations"] == count[sweeps]:
+        row[PER_ITERATION] = f"{count['per_iteration']:.1f}"
+        for iterations, at in (("few", "at_few"), ("many", "at_many")):
+            if row["iterations"] == count[iterations]:
                 row[PER_STEP] = f"{count[at]:.1f}"
     with open(figures.LOOP, "w", newline="") as file:
         writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
@@ -37,7 +37,7 @@ def add_instructions():
 def print_table():
     """A line a variant; the ratio is against the textbook's in the same run."""
     rows = [row for row in read() if row["iterations"] == "30"]
-    print(f"{'':38}{'30 sweeps':>10} {'one joint, one sweep':^34}")
+    print(f"{'':38}{'30 iterations':>10} {'one joint, one iteration':^34}")
     print(f"{'variant':22} {'real':7} {'chains':>6} {'us a step':>10} {'ns':>8} "
           f"{'textbook / this':>16} {'instructions':>13} {'gap RMS mm':>11}")
     for row in rows:
@@ -47,7 +47,7 @@ def print_table():
         ns = float(row["ns_per_joint_iteration"])
         print(f"{row['variant']:22} {row['real']:7} {row['chains']:>6} "
               f"{float(row['us_per_step']):10.1f} {ns:8.2f} {base / ns:16.2f} "
-              f"{row[PER_SWEEP] or '-':>13} {1000 * float(row['gap_rms_m']):11.2f}")
+              f"{row[PER_ITERATION] or '-':>13} {1000 * float(row['gap_rms_m']):11.2f}")
 
 
 def draw():

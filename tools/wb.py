@@ -31,7 +31,7 @@ HELP = """The Joint Workbook
 
   ./wb bench           error against run time; a joint's cost in larger scenes
   ./wb bench --stability   what is stiff, extreme or redundant: what holds what
-  ./wb bench --loop    a joint and sweep, from the textbook's loop to lanes
+  ./wb bench --loop    a joint and iteration, from the textbook's loop to lanes
   ./wb bench --cost    rows, bytes and instructions of every kind of joint
   ./wb docs            the documentation as a site, with every motion
 """

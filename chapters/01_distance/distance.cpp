@@ -58,7 +58,7 @@ void step(std::vector<Body>& bodies, const std::vector<Link>& links,
   // Write Algorithm 1 in four pieces:
   //  1. gravity changes v of every body that is not static (body.is_static());
   //  2. set_up(link, bodies, settings) gives the LinkRow of each link: keep them in a vector;
-  //  3. as many sweeps as settings.iterations say: for every link row_impulse, for a rope also
+  //  3. as many iterations as settings.iterations say: for every link row_impulse, for a rope also
   //     clamp_sum (exercise 1.5), then apply_impulse;
   //  4. the new v moves x of every body.
   todo("1.4");

@@ -61,8 +61,9 @@ struct Distance {
 /// A rope: a rod that cannot push. C >= 0 is the slack, so it is the rod with its sign turned.
 ///
 /// C = length - |u| [m]; J is the rod's with its sign turned, K the rod's; bias C/h while there is
-/// slack, beta C/h otherwise (Eq. 1-11; set_up does it); the sum of its impulses over the sweeps of
-/// a step must not become negative (exercise 1.5). Removes one degree of freedom while taut.
+/// slack, beta C/h otherwise (Eq. 1-11; set_up does it); the sum of its impulses over the
+/// iterations of a step must not become negative (exercise 1.5). Removes one degree of freedom
+/// while taut.
 template <class Rod>
 struct Rope {
   Rod rod;  ///< the rod that it is when taut
@@ -90,7 +91,7 @@ real row_impulse(const Row& J, real K, real bias, const Body& body1, const Body&
 void apply_impulse(const Row& J, real lambda, Body& body1, Body& body2);
 
 /// Exercise 1.5: how much of `dlambda` a rope may really apply.
-/// \param dlambda what the row asks for in this sweep [N s]
+/// \param dlambda what the row asks for in this iteration [N s]
 /// \param sum what the rope has applied in this step so far [N s], brought up to date here
 /// \return the part of dlambda that keeps the sum from becoming negative [N s]
 real clamp_sum(real dlambda, real& sum);
@@ -102,7 +103,7 @@ struct Link {
   bool rope = false;         ///< only pulls
 };
 
-/// What stays the same of a link while the sweeps go on.
+/// What stays the same of a link while the iterations go on.
 struct LinkRow {
   Row J;          ///< the row
   real K = 0;     ///< J M^-1 J^T [1/kg]
@@ -114,7 +115,7 @@ struct LinkRow {
 struct StepSettings {
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
   real h = real(1) / 60;            ///< length of a step [s]
-  int iterations = 30;              ///< sweeps over all links
+  int iterations = 30;              ///< iterations over all links
   real beta = real(0.2);            ///< share of the error fed back in a step [1] (chapter 6)
 };
 
@@ -122,7 +123,7 @@ struct StepSettings {
 LinkRow set_up(const Link& link, const std::vector<Body>& bodies, const StepSettings& settings);
 
 /// Exercise 1.4: one step of the whole simulation, Algorithm 1 of the thesis.
-/// Forces, rows, sweeps, places. Orientations are left alone: nothing here turns a body.
+/// Forces, rows, iterations, places. Orientations are left alone: nothing here turns a body.
 void step(std::vector<Body>& bodies, const std::vector<Link>& links,
           const StepSettings& settings);
 

@@ -72,7 +72,7 @@ class DrivenJoint : public Joint {
   /// Motor, limit, rigid rows: those that are live.
   void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Adds a limit that a neighbour has driven the joint past.
-  void second_look(const Bodies& bodies, real h, Blocks& blocks) override;
+  void late_limits(const Bodies& bodies, real h, Blocks& blocks) override;
   int most_rows() const override { return places; }  ///< rigid rows, limit, motor, late limit
   /// A limit if there are bounds, a motor if it has strength.
   Extras extras() const override {
@@ -103,11 +103,12 @@ class DrivenJoint : public Joint {
   Limit<Coordinate> limit_part(real sign) const {
     return {coordinate, sign > 0 ? range_.lower : range_.upper, sign};
   }
-  Demand limit_demand() const { return {.beta = beta, .lower = held() ? -unbounded : real(0)}; }
+  RowTarget limit_demand() const { return {.beta = beta, .lower = held() ? -unbounded : real(0)}; }
 
   Range range_;
   Motor motor_;
-  LimitRow limit_, late_;  // the limit that has a row in this step; one found by the second look
+  LimitRow limit_,
+      late_;  // the limit that has a row in this step; one found late
   real x_ = 0, next_ = 0;  // the coordinate when it was measured, and where it was going
   bool measured_ = false;    // in this step
   Leeway<Coordinate> leeway_;  // says when it need not be
@@ -144,24 +145,24 @@ void DrivenJoint<First, Second, Coordinate>::moved(const Bodies& bodies) {
 
 template <class First, class Second, class Coordinate>
 void DrivenJoint<First, Second, Coordinate>::append(const Bodies& bodies, Blocks& blocks) const {
-  const auto add = [&](const auto& part, const Demand& demand, int place) {
-    blocks.append(bodies, body1, body2, part, demand, &impulse_[place]);
+  const auto add = [&](const auto& part, const RowTarget& target, int place) {
+    blocks.append(bodies, body1, body2, part, target, &impulse_[place]);
   };
   if (motor_.strength > 0)
     add(coordinate,
-        {.target = motor_.speed,
+        {.rate = motor_.speed,
          .holds_position = false,
          .lower = -motor_.strength,
          .upper = motor_.strength},
         motor_place);
   const Limit<Coordinate> limit = limit_part(limit_.sign);
-  const Stack<First, Second> rigid{first, second};
+  const Composite<First, Second> rigid{first, second};
   if (!whole) {
     if (limit_.live) add(limit, limit_demand(), limit_place);
     add(first, {.beta = beta}, 0);
     add(second, {.beta = beta}, First::rows);
   } else if (limit_.live) {
-    add(Stack<Stack<First, Second>, Limit<Coordinate>>{rigid, limit}, limit_demand(), 0);
+    add(Composite<Composite<First, Second>, Limit<Coordinate>>{rigid, limit}, limit_demand(), 0);
   } else {
     add(rigid, {.beta = beta}, 0);
   }
@@ -170,7 +171,7 @@ void DrivenJoint<First, Second, Coordinate>::append(const Bodies& bodies, Blocks
 
 // A neighbour may have driven the joint past a limit that looked far enough away.
 template <class First, class Second, class Coordinate>
-void DrivenJoint<First, Second, Coordinate>::second_look(const Bodies& bodies, real h,
+void DrivenJoint<First, Second, Coordinate>::late_limits(const Bodies& bodies, real h,
                                                          Blocks& blocks) {
   if (!counted() || (bodies[body1].is_static() && bodies[body2].is_static())) return;
   if (leeway_.is_slow(bodies[body1], bodies[body2], h)) return;

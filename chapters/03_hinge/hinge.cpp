@@ -125,8 +125,9 @@ LimitRow limit_row(const Range& range, real x, real rate, real h) {
 
 real motor_impulse(real rate, real K, const Motor& motor, real h, real& sum) {
   // begin [exercise 3.5]
-  // The impulse that would reach motor.speed at once is Eq. 3-15. The sum over all the sweeps of a
-  // step may not leave +-h motor.strength, Eq. 3-16. Store the new sum, return how much it changed.
+  // The impulse that would reach motor.speed at once is Eq. 3-15. The sum over all the iterations
+  // of a step may not leave +-h motor.strength, Eq. 3-16. Store the new sum, return how much it
+  // changed.
   todo("3.5");
   // end [exercise 3.5]
 }

@@ -115,9 +115,9 @@ struct Motor {
   real strength = 0;  ///< greatest torque or force, either way [N m or N]; 0 is off
 };
 
-/// Exercise 3.5: what one visit of a sweep adds to a motor's impulse.
+/// Exercise 3.5: what one visit of an iteration adds to a motor's impulse.
 /// \param rate J V, the rate of the coordinate now [rad/s or m/s] \param K of its row
-/// \param sum what the sweeps of this step have given so far [N m s or N s]; brought up to date
+/// \param sum what the iterations of this step have given so far [N m s or N s]; brought up to date
 /// \return the change of the sum
 real motor_impulse(real rate, real K, const Motor& motor, real h, real& sum);
 

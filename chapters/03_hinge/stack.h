@@ -11,7 +11,7 @@ namespace joints {
 /// are solved together. K has the parts' own K on its diagonal, coupling() everywhere else.
 /// A stack is a part like any other; stacks can be stacked.
 template <class First, class Second>
-struct Stack {
+struct Composite {
   First first;    ///< the upper rows
   Second second;  ///< the lower rows
 

@@ -26,12 +26,12 @@ class FixedJoint : public Joint {
     if (bodies[body1].is_static() && bodies[body2].is_static()) impulse_ = {};  // no live row
   }
   void append(const Bodies& bodies, Blocks& blocks) const override {
-    const Demand demand{.beta = beta};
+    const RowTarget target{.beta = beta};
     if (whole) {
-      blocks.append(bodies, body1, body2, weld, demand, impulse_.data());
+      blocks.append(bodies, body1, body2, weld, target, impulse_.data());
     } else {
-      blocks.append(bodies, body1, body2, weld.point, demand, impulse_.data());
-      blocks.append(bodies, body1, body2, weld.lock, demand, impulse_.data() + 3);
+      blocks.append(bodies, body1, body2, weld.point, target, impulse_.data());
+      blocks.append(bodies, body1, body2, weld.lock, target, impulse_.data() + 3);
     }
   }
   int most_rows() const override { return 6; }

@@ -36,7 +36,7 @@ void warm_start(const Jacobian<3>& J, real ratio, vec3& lambda, Body& body1, Bod
   // end [exercise 6.2]
 }
 
-bool warm_start_is_safe(real rho, int sweeps, real beta) {
+bool warm_start_is_safe(real rho, int iterations, real beta) {
   // begin [exercise 6.2]
   // Return true where Eq. 6-9 holds. std::pow(x, n) is x to the power n.
   todo("6.2");
@@ -61,7 +61,7 @@ void project(const Rope<Distance>& rope, Body& body1, Body& body2) {
   // end [exercise 6.3]
 }
 
-void projection_sweep(Chain& chain) {
+void projection_iteration(Chain& chain) {
   // begin [exercise 6.3]
   // Project every joint between its two bodies, one after the other.
   todo("6.3");

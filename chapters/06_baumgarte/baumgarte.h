@@ -31,9 +31,9 @@ real beta_for(real half_time, real h);
 void warm_start(const Jacobian<3>& J, real ratio, vec3& lambda, Body& body1, Body& body2);
 
 /// Exercise 6.2, second part: does a warm start together with beta keep a scene stable?
-/// \param rho what a sweep leaves of the error in the long run [1], from 0 to 1
-/// \param sweeps in a step \param beta share of the error fed back in a step [1]
-bool warm_start_is_safe(real rho, int sweeps, real beta);
+/// \param rho what an iteration leaves of the error in the long run [1], from 0 to 1
+/// \param iterations in a step \param beta share of the error fed back in a step [1]
+bool warm_start_is_safe(real rho, int iterations, real beta);
 
 /// Exercise 6.3, first part: a visit of position projection. Moves and turns the two bodies so that
 /// the gap of the point is zero to first order; their velocities stay as they are. At least one of
@@ -50,9 +50,9 @@ struct Chain {
   std::vector<Point> joints;  ///< one less than bodies
 };
 
-/// Exercise 6.3, third part: a sweep of position projection visits every joint of the chain once,
-/// in their order, each at the poses that the one before it has left.
-void projection_sweep(Chain& chain);
+/// Exercise 6.3, third part: an iteration of position projection visits every joint of the chain
+/// once, in their order, each at the poses that the one before it has left.
+void projection_iteration(Chain& chain);
 
 }  // namespace joints
 /// @}

@@ -27,8 +27,8 @@ struct BodyPair {
   int body2 = 0;  ///< the other
 };
 
-/// All that the sweeps of a step read of a hinge. Number is `real` for one hinge, or a lane type
-/// for several hinges side by side: then each number below is one of every hinge.
+/// All that the iterations of a step read of a hinge. Number is `real` for one hinge, or a lane
+/// type for several hinges side by side: then each number below is one of every hinge.
 template <class Number>
 struct HingeNumbers {
   Triple<Number> r1, r2;  ///< levers from the centres to the anchors [m], world
@@ -54,7 +54,7 @@ struct HingeNumbers {
   }
 };
 
-/// Exercise 7.1: everything a hinge's sweeps need that does not depend on the velocities, apart
+/// Exercise 7.1: everything a hinge's iterations need that does not depend on the velocities, apart
 /// from inverse_K, which stays as it is. \param h the step [s]
 void hoist(const Hinge& hinge, const Body& body1, const Body& body2, real h,
            HingeNumbers<real>& out);

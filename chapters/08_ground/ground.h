@@ -52,7 +52,7 @@ struct Corner {
 /// t2 = n x t1. Where nothing slides (below 1e-4 m/s across n), t1 is any such direction.
 std::array<vec3, 2> tangents(const vec3& n, const vec3& sliding);
 
-/// Exercise 8.2: what one visit of a sweep adds to the impulse of a friction row.
+/// Exercise 8.2: what one visit of an iteration adds to the impulse of a friction row.
 /// \param rate J V, the speed along its direction now [m/s] \param K of its row [1/kg], positive
 /// \param mu coefficient of friction [1] \param normal what the normal row has given in this step
 /// up to now [N s] \param sum what this row has given in this step [N s]; brought up to date

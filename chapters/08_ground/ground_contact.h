@@ -76,7 +76,7 @@ class GroundContact : public Joint {
   /// Friction, friction, normal, of each corner that has rows.
   inline void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Adds a corner that a neighbour has driven into the ground after all.
-  inline void second_look(const Bodies& bodies, real h, Blocks& blocks) override;
+  inline void late_limits(const Bodies& bodies, real h, Blocks& blocks) override;
   int most_rows() const override { return 3 * most_corners; }
 
   /// How many corners have rows in this step.
@@ -86,7 +86,7 @@ class GroundContact : public Joint {
 
  private:
   // A corner: its room and rates are those of the step's beginning, forces included.
-  struct Foot {
+  struct ContactPoint {
     bool live = false;        // has rows in this step
     real C = 0, rate = 0;     // room [m] and J V of the normal row [m/s]
     real last_rate = 0;       // J V at the end of the last step, if that was looked at
@@ -105,12 +105,12 @@ class GroundContact : public Joint {
   real least_room(const Body& body1, const Body& body2, real time) const;
   real normal_rate(int k, const Body& body1, const Body& body2) const;
   bool over_top(int k, const Body& body1, const Body& body2) const;
-  void look_at_impact(Foot& foot, real h) const;
-  Foot& farthest_live(real h);
+  void look_at_impact(ContactPoint& point, real h) const;
+  ContactPoint& farthest_live(real h);
   void turn_friction(int k, const Body& body1, const Body& body2);
-  void append_foot(int k, const Bodies& bodies, Blocks& blocks) const;
+  void append_point(int k, const Bodies& bodies, Blocks& blocks) const;
 
-  mutable std::array<Foot, 8> feet_{};  // the solver writes the impulses
+  mutable std::array<ContactPoint, 8> points_{};  // the solver writes the impulses
   int live_ = 0;
   real reach_ = 0;     // from the centre of body 2 to its farthest point [m]
   bool near_ = false;  // were the corners looked at in this step?
@@ -129,60 +129,61 @@ inline void GroundContact::begin_step(const Bodies& bodies, real h) {
           least_room(a, b, restitution > 0 ? 3 * h : h) < reserve;
   live_ = 0;
   if (!near_) {
-    if (was_near) feet_ = {};
+    if (was_near) points_ = {};
     return;
   }
   for (int k = 0; k < outline.count; ++k) {
-    Foot& foot = feet_[std::size_t(k)];
-    foot.C = corner(k).error(a, b);
-    foot.rate = normal_rate(k, a, b);
-    foot.live = foot.room_after(h) < reserve && over_top(k, a, b);  // Eq. 8-4
-    live_ += foot.live;
+    ContactPoint& point = points_[std::size_t(k)];
+    point.C = corner(k).error(a, b);
+    point.rate = normal_rate(k, a, b);
+    point.live = point.room_after(h) < reserve && over_top(k, a, b);  // Eq. 8-4
+    live_ += point.live;
   }
   for (; live_ > most_corners; --live_) farthest_live(h).live = false;
   for (int k = 0; k < outline.count; ++k) {
-    Foot& foot = feet_[std::size_t(k)];
-    if (foot.live) {
-      look_at_impact(foot, h);
+    ContactPoint& point = points_[std::size_t(k)];
+    if (point.live) {
+      look_at_impact(point, h);
       turn_friction(k, a, b);
     } else {
-      foot.impulse = {};
-      foot.bounce = foot.target = 0;
+      point.impulse = {};
+      point.bounce = point.target = 0;
     }
   }
 }
 
 // The live corner that will have the most room left.
-inline GroundContact::Foot& GroundContact::farthest_live(real h) {
-  Foot* farthest = nullptr;
-  for (Foot& foot : feet_)
-    if (foot.live && (!farthest || foot.room_after(h) > farthest->room_after(h))) farthest = &foot;
+inline GroundContact::ContactPoint& GroundContact::farthest_live(real h) {
+  ContactPoint* farthest = nullptr;
+  for (ContactPoint& point : points_)
+    if (point.live && (!farthest || point.room_after(h) > farthest->room_after(h)))
+      farthest = &point;
   return *farthest;
 }
 
 inline void GroundContact::append(const Bodies& bodies, Blocks& blocks) const {
   for (int k = 0; k < outline.count; ++k)
-    if (feet_[std::size_t(k)].live) append_foot(k, bodies, blocks);
+    if (points_[std::size_t(k)].live) append_point(k, bodies, blocks);
 }
 
-inline void GroundContact::second_look(const Bodies& bodies, real h, Blocks& blocks) {
+inline void GroundContact::late_limits(const Bodies& bodies, real h, Blocks& blocks) {
   const Body &a = bodies[body1], &b = bodies[body2];
   if (!near_) {
     if ((a.is_static() && b.is_static()) || least_room(a, b, h) >= 0) return;
     near_ = true;  // a neighbour brings it here
-    for (int k = 0; k < outline.count; ++k) feet_[std::size_t(k)].C = corner(k).error(a, b);
+    for (int k = 0; k < outline.count; ++k) points_[std::size_t(k)].C = corner(k).error(a, b);
   }
   for (int k = 0; k < outline.count; ++k) {
-    Foot& foot = feet_[std::size_t(k)];
+    ContactPoint& point = points_[std::size_t(k)];
     const real rate = normal_rate(k, a, b);
-    foot.last_rate = rate;
-    foot.followed = true;
-    if (foot.live || live_ == most_corners || foot.C + h * rate >= 0 || !over_top(k, a, b))
+    point.last_rate = rate;
+    point.followed = true;
+    if (point.live || live_ == most_corners || point.C + h * rate >= 0 || !over_top(k, a, b))
       continue;
-    foot.live = true;
+    point.live = true;
     ++live_;
     turn_friction(k, a, b);
-    append_foot(k, bodies, blocks);
+    append_point(k, bodies, blocks);
   }
 }
 
@@ -216,25 +217,26 @@ inline bool GroundContact::over_top(int k, const Body& body1, const Body& body2)
 
 // A rebound takes two steps: in the first the corner comes to the ground and no further, and the
 // speed that it had is remembered; in the second it leaves.
-inline void GroundContact::look_at_impact(Foot& foot, real h) const {
-  const real kick = foot.followed ? foot.rate - foot.last_rate : real(0);  // by forces, this step
-  foot.target = 0;
-  if (foot.bounce > 0) {
-    foot.target = std::max(real(0), foot.bounce + kick / 2);  // Eq. 8-10
-    foot.bounce = 0;
-  } else if (restitution > 0 && foot.C + h * foot.rate < 0) {
-    const real speed = impact_speed(foot.C, foot.rate, kick, h);
-    if (speed > threshold) foot.bounce = restitution * speed;  // Eq. 8-10
+inline void GroundContact::look_at_impact(ContactPoint& point, real h) const {
+  const real kick =
+      point.followed ? point.rate - point.last_rate : real(0);  // by forces, this step
+  point.target = 0;
+  if (point.bounce > 0) {
+    point.target = std::max(real(0), point.bounce + kick / 2);  // Eq. 8-10
+    point.bounce = 0;
+  } else if (restitution > 0 && point.C + h * point.rate < 0) {
+    const real speed = impact_speed(point.C, point.rate, kick, h);
+    if (speed > threshold) point.bounce = restitution * speed;  // Eq. 8-10
   }
 }
 
 // New directions of friction; what was remembered of the old ones is an arrow, and stays one. t1
 // looks where the corner slides; where it rests, along the friction that holds it, so that this has
-// the bound mu lambda_n, too. (The velocity of a corner at rest is what the sweeps left unfinished.
-// Bounds that turn with that move at random, and a corner near its bound creeps.)
+// the bound mu lambda_n, too. (The velocity of a corner at rest is what the iterations left
+// unfinished. Bounds that turn with that move at random, and a corner near its bound creeps.)
 inline void GroundContact::turn_friction(int k, const Body& body1, const Body& body2) {
-  Foot& foot = feet_[std::size_t(k)];
-  const vec3 arrow = foot.impulse[0] * foot.t[0] + foot.impulse[1] * foot.t[1];
+  ContactPoint& point = points_[std::size_t(k)];
+  const vec3 arrow = point.impulse[0] * point.t[0] + point.impulse[1] * point.t[1];
   const vec3 p = corner(k).point(body1, body2), n = Corner::up(body1);
   vec3 sliding(0);
   if (turned_tangents) {
@@ -243,25 +245,25 @@ inline void GroundContact::turn_friction(int k, const Body& body1, const Body& b
     if (length(sliding - dot(n, sliding) * n) < at_rest)
       sliding = held > 0 ? -arrow / held : vec3(0);
   }
-  foot.t = tangents(n, sliding);
-  foot.impulse[0] = dot(arrow, foot.t[0]);
-  foot.impulse[1] = dot(arrow, foot.t[1]);
+  point.t = tangents(n, sliding);
+  point.impulse[0] = dot(arrow, point.t[0]);
+  point.impulse[1] = dot(arrow, point.t[1]);
 }
 
-inline void GroundContact::append_foot(int k, const Bodies& bodies, Blocks& blocks) const {
-  Foot& foot = feet_[std::size_t(k)];
+inline void GroundContact::append_point(int k, const Bodies& bodies, Blocks& blocks) const {
+  ContactPoint& point = points_[std::size_t(k)];
   const Body &a = bodies[body1], &b = bodies[body2];
   const Corner part = corner(k);
   for (const int i : {0, 1}) {
     if (friction == 0) break;
-    const Row J = part.along(foot.t[std::size_t(i)], a, b);
+    const Row J = part.along(point.t[std::size_t(i)], a, b);
     blocks.append(bodies.index(body1), bodies.index(body2), to_jacobian(J), {0},
                   to_matrix(coupling(J, J, a, b)),
                   {.holds_position = false, .follows = 2 - i, .upper = friction},  // Eq. 8-6
-                  &foot.impulse[std::size_t(i)]);
+                  &point.impulse[std::size_t(i)]);
   }
-  blocks.append(bodies, body1, body2, part, {.beta = beta, .target = foot.target, .lower = 0},
-                &foot.impulse[2]);
+  blocks.append(bodies, body1, body2, part, {.beta = beta, .rate = point.target, .lower = 0},
+                &point.impulse[2]);
 }
 
 }  // namespace joints

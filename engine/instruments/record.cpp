@@ -79,7 +79,7 @@ Motion::Motion(std::string title, double h, int every)
 }
 
 void Motion::body(const Shape& shape) { shapes_.push_back(shape); }
-void Motion::line(const Stroke& stroke) { strokes_.push_back(stroke); }
+void Motion::line(const Segment& segment) { segments_.push_back(segment); }
 
 void Motion::frame(const Body* bodies) {
   if (calls_++ % every_ != 0) return;
@@ -98,9 +98,9 @@ void Motion::write(const std::string& path) const {
          << "\",\"size\":" << triple(shapes_[i].size)
          << (shapes_[i].label.empty() ? "" : ",\"label\":" + json(shapes_[i].label)) << "}";
   file << "],\"lines\":[";
-  for (std::size_t i = 0; i < strokes_.size(); ++i)
-    file << (i ? "," : "") << "[" << strokes_[i].body1 << "," << triple(strokes_[i].anchor1) << ","
-         << strokes_[i].body2 << "," << triple(strokes_[i].anchor2) << "]";
+  for (std::size_t i = 0; i < segments_.size(); ++i)
+    file << (i ? "," : "") << "[" << segments_[i].body1 << "," << triple(segments_[i].anchor1)
+         << "," << segments_[i].body2 << "," << triple(segments_[i].anchor2) << "]";
   file << "],\"frames\":[";
   const std::size_t width = 7 * shapes_.size();
   for (std::size_t begin = 0; width > 0 && begin < poses_.size(); begin += width) {

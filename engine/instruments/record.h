@@ -36,7 +36,7 @@ struct Shape {
   std::string label{};                     ///< written beside it, if it is not empty
 };
 /// A line drawn from a point of one body to a point of another: rods, ropes, joints.
-struct Stroke {
+struct Segment {
   int body1 = 0, body2 = 0;                             ///< places in the array
   std::array<double, 3> anchor1{}, anchor2{};           ///< [m, body space]
 };
@@ -49,7 +49,7 @@ class Motion {
   /// \param every keep one frame of so many
   Motion(std::string title, double h, int every = 2);
   void body(const Shape& shape);  ///< the next body of the array
-  void line(const Stroke& stroke);    ///< one more line to draw
+  void line(const Segment& segment);    ///< one more line to draw
   /// Remembers the poses of the first n bodies, n = how many shapes there are.
   void frame(const Body* bodies);
   /// \throws std::invalid_argument if the file cannot be made
@@ -60,7 +60,7 @@ class Motion {
   double h_;
   int every_, calls_ = 0;
   std::vector<Shape> shapes_;
-  std::vector<Stroke> strokes_;
+  std::vector<Segment> segments_;
   std::vector<float> poses_;  // 7 numbers a body and frame
 };
 

@@ -13,13 +13,13 @@
 namespace joints {
 
 /// A world with its solver, what it is measured by and how it looks.
-struct Stage {
+struct Scene {
   std::string name;               ///< for the plan, the summary and the recording
   World world{};                  ///< bodies and joints
   SequentialImpulses solver{};    ///< with its settings
   std::vector<Mark> marks{};      ///< one a joint: what should stay together
   std::vector<Shape> shapes{};    ///< one a body, in their order
-  std::vector<Stroke> strokes{};  ///< lines of the recording, beside those of the marks
+  std::vector<Segment> segments{};  ///< lines of the recording, beside those of the marks
   double energy_scale = 1;        ///< what the change of the energy is divided by [J]
   real h = real(1) / 60;          ///< the step [s]
 
@@ -32,9 +32,9 @@ struct Stage {
   void print_plan();
 };
 
-/// What the programs of stages can be told on the command line.
+/// What the programs of scenes can be told on the command line.
 struct Settings {
-  int iterations = 30;      ///< sweeps a step
+  int iterations = 30;      ///< iterations a step
   real beta = real(0.2);    ///< share of the error fed back in a step [1]
   bool whole = true;        ///< whole joints, not a block for each part
   double seconds = 0;       ///< how long to run [s]
@@ -49,9 +49,9 @@ bool read(Settings& settings, const std::string& program, const std::string& sec
 /// Kinetic energy and energy of position of all bodies [J].
 double energy(const World& world);
 
-/// Runs a stage and measures it. \param look called with the time [s] before the first step and
+/// Runs a scene and measures it. \param look called with the time [s] before the first step and
 /// after each one \param motion_path where the recording goes; "" for none
-Summary play(Stage& stage, const std::string& setting, double seconds,
+Summary play(Scene& scene, const std::string& setting, double seconds,
              const std::string& motion_path = "",
              const std::function<void(double)>& look = [](double) {});
 

@@ -1,4 +1,4 @@
-// Who is solved side by side, and when: trees of joints that are alike, or colours.
+// Who is solved side by side, and when: islands of joints that are alike, or colours.
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -14,7 +14,7 @@ bool still2(int kind) { return kind & 1; }
 
 }  // namespace
 
-void WideBlocks::arrange(const Bodies& bodies, Packing packing) {
+void PackedBlocks::arrange(const Bodies& bodies, Packing packing) {
   groups.clear();
   blocks.clear();
   ends.clear();
@@ -28,16 +28,16 @@ void WideBlocks::arrange(const Bodies& bodies, Packing packing) {
     for (int k = 0; k < int(signs_.size()); ++k) add_group(&k, 1);
   else if (packing == Packing::colours)
     arrange_colours(bodies);
-  else if (const Trees trees = find_trees(bodies); width_ == 1)
-    interleave(trees);
-  else if (!arrange_trees(bodies, trees))
+  else if (const Islands islands = find_islands(bodies); width_ == 1)
+    interleave(islands);
+  else if (!arrange_islands(bodies, islands))
     arrange_colours(bodies);
   place_sums();
 }
 
 // Neighbours get different colours: each block takes the first one that none of its two moving
 // bodies has yet. Within a colour, like blocks come together.
-void WideBlocks::arrange_colours(const Bodies& bodies) {
+void PackedBlocks::arrange_colours(const Bodies& bodies) {
   std::vector<std::vector<bool>> taken(std::size_t(bodies.slots()));
   std::vector<std::map<int, std::vector<int>>> colours;  // of each colour: kind -> blocks
   for (int k = 0; k < int(signs_.size()); ++k) {
@@ -63,8 +63,8 @@ void WideBlocks::arrange_colours(const Bodies& bodies) {
         add_group(&list[at], std::min(width_, int(list.size() - at)));
 }
 
-// Trees that hang together by bodies that move, each in the order of the list.
-WideBlocks::Trees WideBlocks::find_trees(const Bodies& bodies) const {
+// Islands that hang together by bodies that move, each in the order of the list.
+PackedBlocks::Islands PackedBlocks::find_islands(const Bodies& bodies) const {
   std::vector<int> root(std::size_t(bodies.slots()));
   std::iota(root.begin(), root.end(), 0);
   const auto find = [&](int body) {
@@ -73,41 +73,42 @@ WideBlocks::Trees WideBlocks::find_trees(const Bodies& bodies) const {
   };
   for (const Sign& sign : signs_)
     if (!still1(sign.kind) && !still2(sign.kind)) root[find(sign.body1)] = find(sign.body2);
-  std::map<int, std::vector<int>> trees;  // root -> its blocks
+  std::map<int, std::vector<int>> islands;  // root -> its blocks
   for (int k = 0; k < int(signs_.size()); ++k)
-    trees[find(still1(signs_[k].kind) ? signs_[k].body2 : signs_[k].body1)].push_back(k);
-  Trees out;
-  for (const auto& [body, list] : trees) out.push_back(list);
+    islands[find(still1(signs_[k].kind) ? signs_[k].body2 : signs_[k].body1)].push_back(k);
+  Islands out;
+  for (const auto& [body, list] : islands) out.push_back(list);
   return out;
 }
 
-// The first block of every tree, then the second of every one: none has to wait for the one before.
-void WideBlocks::interleave(const Trees& trees) {
+// The first block of every island, then the second of every one: none has to wait for the one
+// before.
+void PackedBlocks::interleave(const Islands& islands) {
   std::size_t longest = 0;
-  for (const auto& tree : trees) longest = std::max(longest, tree.size());
+  for (const auto& island : islands) longest = std::max(longest, island.size());
   for (std::size_t k = 0; k < longest; ++k)
-    for (const auto& tree : trees)
-      if (k < tree.size()) add_group(&tree[k], 1);
+    for (const auto& island : islands)
+      if (k < island.size()) add_group(&island[k], 1);
 }
 
-// Trees that are alike, block by block, a lane each: then no body is in two lanes, and its record
+// Islands that are alike, block by block, a lane each: then no body is in two lanes, and its record
 // can stand as the lanes want it, in a column. Returns false where fewer than half of the lanes
 // would be used.
-bool WideBlocks::arrange_trees(const Bodies& bodies, const Trees& trees) {
-  // What a tree looks like: of each block its kind and its two bodies, counted as they appear.
-  struct Tree {
+bool PackedBlocks::arrange_islands(const Bodies& bodies, const Islands& islands) {
+  // What a island looks like: of each block its kind and its two bodies, counted as they appear.
+  struct Island {
     const std::vector<int>* list;
     std::vector<int> slots;  // in the order in which they appear
   };
-  std::map<std::vector<int>, std::vector<Tree>> alike;
+  std::map<std::vector<int>, std::vector<Island>> alike;
   std::vector<int> place(std::size_t(bodies.slots()), -1);
-  for (const auto& list : trees) {
-    Tree tree{&list, {}};
+  for (const auto& list : islands) {
+    Island island{&list, {}};
     std::vector<int> look;
     const auto place_of = [&](int slot) {
       if (place[slot] < 0) {
-        place[slot] = int(tree.slots.size());
-        tree.slots.push_back(slot);
+        place[slot] = int(island.slots.size());
+        island.slots.push_back(slot);
       }
       return place[slot];
     };
@@ -115,8 +116,8 @@ bool WideBlocks::arrange_trees(const Bodies& bodies, const Trees& trees) {
       const Sign& sign = signs_[k];
       look.insert(look.end(), {sign.kind, place_of(sign.body1), place_of(sign.body2)});
     }
-    for (const int slot : tree.slots) place[slot] = -1;
-    alike[look].push_back(tree);
+    for (const int slot : island.slots) place[slot] = -1;
+    alike[look].push_back(island);
   }
   const std::size_t width = std::size_t(width_);
   std::size_t used = 0, lanes = 0;
@@ -137,8 +138,8 @@ bool WideBlocks::arrange_trees(const Bodies& bodies, const Trees& trees) {
     for (std::size_t k = 0; k < look.size() / 3; ++k)
       for (std::size_t at = 0; at < list.size(); at += width) {
         std::vector<int> same;
-        for (std::size_t tree = at; tree < std::min(list.size(), at + width); ++tree)
-          same.push_back((*list[tree].list)[k]);
+        for (std::size_t island = at; island < std::min(list.size(), at + width); ++island)
+          same.push_back((*list[island].list)[k]);
         const int column = int(before + at / width * bodies_each);
         add_group(same.data(), int(same.size()));
         ends.resize(ends.size() - 2 * width);
@@ -150,7 +151,7 @@ bool WideBlocks::arrange_trees(const Bodies& bodies, const Trees& trees) {
 }
 
 // A group of blocks of one kind; `list` names them.
-void WideBlocks::add_group(const int* list, int count) {
+void PackedBlocks::add_group(const int* list, int count) {
   const int kind = signs_[list[0]].kind / 4;
   LaneGroup group{kind / 8 % 8, bool(kind & 4), bool(kind & 2), bool(kind & 1), bool(kind & 64),
                   int(numbers_.size()) * lane_count, int(ends.size())};

@@ -1,21 +1,21 @@
-// The sweeps for any processor, and the choice among those that there are.
+// The iterations for any processor, and the choice among those that there are.
 #include "engine/simd/iterate.h"
 
 namespace joints {
 
 #if defined(__x86_64__) && defined(JOINTS_AVX2)
 // The same code compiled for processors with 32 byte registers: engine/simd/iterate_avx2.cpp.
-void sweep_lanes_avx2(const LaneSweep& sweep);
+void iterate_lanes_avx2(const LaneIteration& iteration);
 #endif
 
-void sweep_single(const LaneSweep& sweep) { sweep_all<real>(sweep); }
+void iterate_single(const LaneIteration& iteration) { iterate_all<real>(iteration); }
 
-void sweep_lanes(const LaneSweep& sweep) {
+void iterate_lanes(const LaneIteration& iteration) {
 #if defined(__x86_64__) && defined(JOINTS_AVX2)
   static const bool has_avx2 = __builtin_cpu_supports("avx2");
-  if (has_avx2) return sweep_lanes_avx2(sweep);
+  if (has_avx2) return iterate_lanes_avx2(iteration);
 #endif
-  sweep_all<Lanes>(sweep);
+  iterate_all<Lanes>(iteration);
 }
 
 }  // namespace joints

@@ -57,9 +57,9 @@ inline Triple<Number> next_triple(const Number*& at) {
   at += 3;
   return {at[-3], at[-2], at[-1]};
 }
-template <bool round, class Number>
+template <bool isotropic, class Number>
 inline auto next_inertia(const Number*& at) {
-  if constexpr (round) {
+  if constexpr (isotropic) {
     return *at++;
   } else {
     at += 6;
@@ -71,23 +71,23 @@ inline auto next_inertia(const Number*& at) {
 // one bounded row end with lower, upper, answer, and here a factor. Not inlined: the loop of those
 // who follow nothing must not pay for it.
 template <class Number>
-__attribute__((noinline)) void move_bounds(const LaneSweep& sweep, const LaneGroup& group) {
+__attribute__((noinline)) void move_bounds(const LaneIteration& iteration, const LaneGroup& group) {
   constexpr int width = int(sizeof(Number) / sizeof(real));
-  const int* const sums = sweep.sums + (&group - sweep.groups) * width;
-  real* const lower = sweep.numbers + group.first + 22 * width;
+  const int* const sums = iteration.sums + (&group - iteration.groups) * width;
+  real* const lower = iteration.numbers + group.first + 22 * width;
   real *const upper = lower + width, *const factor = lower + 3 * width;
   for (int lane = 0; lane < width; ++lane) {
-    upper[lane] = factor[lane] * sweep.numbers[sums[lane]];
+    upper[lane] = factor[lane] * iteration.numbers[sums[lane]];
     lower[lane] = -upper[lane];
   }
 }
 
 // Three rows of a point, and rows that only turn: ball, hinge, weld, with or without a limit.
-template <int N, bool hard, bool round, class Number>
+template <int N, bool hard, bool isotropic, class Number>
 inline void solve_point(Number* numbers, Velocities<Number>& body1, Velocities<Number>& body2) {
   const Number* at = numbers;
   const Triple<Number> r1 = next_triple(at), r2 = next_triple(at);
-  const auto I1 = next_inertia<round>(at), I2 = next_inertia<round>(at);
+  const auto I1 = next_inertia<isotropic>(at), I2 = next_inertia<isotropic>(at);
   const Number* const bias = at;
   const Number* axis = at + N;
   Number* rest = numbers + (at - numbers) + N + 3 * (N - 3);
@@ -143,9 +143,9 @@ inline void solve_rows(const LaneGroup& group, Number* numbers, Velocities<Numbe
                        Velocities<Number>& body2) {
   if constexpr (N >= 3) {
     if (group.point) {
-      if (group.hard && group.round) return solve_point<N, true, true>(numbers, body1, body2);
+      if (group.hard && group.isotropic) return solve_point<N, true, true>(numbers, body1, body2);
       if (group.hard) return solve_point<N, true, false>(numbers, body1, body2);
-      if (group.round) return solve_point<N, false, true>(numbers, body1, body2);
+      if (group.isotropic) return solve_point<N, false, true>(numbers, body1, body2);
       return solve_point<N, false, false>(numbers, body1, body2);
     }
   }
@@ -154,11 +154,11 @@ inline void solve_rows(const LaneGroup& group, Number* numbers, Velocities<Numbe
 }
 
 template <class Number>
-inline void solve_group(const LaneSweep& sweep, const LaneGroup& group, Number* numbers,
+inline void solve_group(const LaneIteration& iteration, const LaneGroup& group, Number* numbers,
                         Velocities<Number>& body1, Velocities<Number>& body2) {
   switch (group.rows) {
     case 1:
-      if (group.follows) move_bounds<Number>(sweep, group);
+      if (group.follows) move_bounds<Number>(iteration, group);
       return solve_rows<1>(group, numbers, body1, body2);
     case 2: return solve_rows<2>(group, numbers, body1, body2);
     case 3: return solve_rows<3>(group, numbers, body1, body2);
@@ -170,24 +170,24 @@ inline void solve_group(const LaneSweep& sweep, const LaneGroup& group, Number* 
 
 // Number is real, or the lanes of a file.
 template <class Number>
-inline void sweep_all(const LaneSweep& sweep) {
+inline void iterate_all(const LaneIteration& iteration) {
   constexpr int width = int(sizeof(Number) / sizeof(real));
-  for (int k = 0; k < sweep.count; ++k) {
-    const LaneGroup& group = sweep.groups[k];
-    Number* const numbers = reinterpret_cast<Number*>(sweep.numbers + group.first);
-    const int* const ends = sweep.ends + group.first_end;
+  for (int k = 0; k < iteration.count; ++k) {
+    const LaneGroup& group = iteration.groups[k];
+    Number* const numbers = reinterpret_cast<Number*>(iteration.numbers + group.first);
+    const int* const ends = iteration.ends + group.first_end;
     if constexpr (width == 1) {
-      solve_group(sweep, group, numbers, sweep.bodies[ends[0]], sweep.bodies[ends[1]]);
-    } else if (sweep.columns) {
-      auto* const columns = reinterpret_cast<Velocities<Number>*>(sweep.bodies);
-      solve_group(sweep, group, numbers, columns[ends[0]], columns[ends[1]]);
+      solve_group(iteration, group, numbers, iteration.bodies[ends[0]], iteration.bodies[ends[1]]);
+    } else if (iteration.columns) {
+      auto* const columns = reinterpret_cast<Velocities<Number>*>(iteration.bodies);
+      solve_group(iteration, group, numbers, columns[ends[0]], columns[ends[1]]);
     } else {
       Velocities<Number> body1, body2;
-      load(sweep.bodies, ends, body1);
-      load(sweep.bodies, ends + width, body2);
-      solve_group(sweep, group, numbers, body1, body2);
-      store(sweep.bodies, ends, body1);
-      store(sweep.bodies, ends + width, body2);
+      load(iteration.bodies, ends, body1);
+      load(iteration.bodies, ends + width, body2);
+      solve_group(iteration, group, numbers, body1, body2);
+      store(iteration.bodies, ends, body1);
+      store(iteration.bodies, ends + width, body2);
     }
   }
 }

@@ -29,20 +29,20 @@ int kind_of(const Bodies& bodies, const Blocks& list, const PreparedBlock& block
   const bool point = !follows && holds_a_point(&list.J[block.first], block.rows);
   const bool hard = block.follows == 0 && block.impulse_scale == 0 &&
                     block.lower == -unbounded && block.upper == unbounded;
-  const bool round = point && bodies.at(block.body1).is_isotropic() &&
+  const bool isotropic = point && bodies.at(block.body1).is_isotropic() &&
                      bodies.at(block.body2).is_isotropic();
-  return 64 * follows + 8 * block.rows + 4 * point + 2 * hard + round;
+  return 64 * follows + 8 * block.rows + 4 * point + 2 * hard + isotropic;
 }
 // After how many numbers of a block its sums begin.
 int sums_at(const LaneGroup& group) {
   const int n = group.rows;
-  return group.point ? 6 + (group.round ? 2 : 12) + n + 3 * (n - 3) : 19 * n;
+  return group.point ? 6 + (group.isotropic ? 2 : 12) + n + 3 * (n - 3) : 19 * n;
 }
 
 }  // namespace
 
 // The sum that block k follows, as 8 * block + row; a neighbour in the list has it, or nobody.
-int WideBlocks::find_sum(const Preparation& prepared, int k) {
+int PackedBlocks::find_sum(const Preparation& prepared, int k) {
   const auto& all = prepared.blocks;
   const PreparedBlock& block = all[std::size_t(k)];
   const real* const sum = block.impulse + block.follows;
@@ -54,13 +54,13 @@ int WideBlocks::find_sum(const Preparation& prepared, int k) {
   return -1;
 }
 
-int WideBlocks::size_of(const LaneGroup& group) {
+int PackedBlocks::size_of(const LaneGroup& group) {
   const int n = group.rows;
   return sums_at(group) + n + n * (n + 1) / 2 + (group.hard ? 0 : 3 + n) + group.follows;
 }
 
 // Where among the numbers each group finds the sums that it follows.
-void WideBlocks::place_sums() {
+void PackedBlocks::place_sums() {
   sums_.clear();
   if (std::none_of(groups.begin(), groups.end(), [](const LaneGroup& g) { return g.follows; }))
     return;
@@ -78,15 +78,15 @@ void WideBlocks::place_sums() {
 }
 
 // A record's first number: in columns the others stand lane_count apart.
-real* WideBlocks::record(int number) {
+real* PackedBlocks::record(int number) {
   real* const all = reinterpret_cast<real*>(records_.data());
   return columns_ ? all + number / width_ * 8 * width_ + number % width_ : all + 8 * number;
 }
-const real* WideBlocks::record(int number) const {
-  return const_cast<WideBlocks*>(this)->record(number);
+const real* PackedBlocks::record(int number) const {
+  return const_cast<PackedBlocks*>(this)->record(number);
 }
 
-void WideBlocks::pack(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
+void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
                       Packing packing, bool lanes) {
   const int width = lanes && packing != Packing::list ? lane_count : 1;
   now_.clear();
@@ -118,7 +118,7 @@ void WideBlocks::pack(const Bodies& bodies, const Blocks& list, const Preparatio
 }
 
 // The numbers of a group, each block into its lane.
-void WideBlocks::fill(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
+void PackedBlocks::fill(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
                       const LaneGroup& group, int first) {
   const int n = group.rows;
   for (int lane = 0; lane < width_; ++lane) {
@@ -137,7 +137,7 @@ void WideBlocks::fill(const Bodies& bodies, const Blocks& list, const Preparatio
       put_vector(-vec3(J[2].w2.y, J[0].w2.z, J[1].w2.x));
       for (const int slot : {block.body1, block.body2}) {
         const Body& body = bodies.at(slot);
-        if (group.round) {
+        if (group.isotropic) {
           put(body.inverse_inertia_local.x);
           continue;
         }
@@ -172,14 +172,14 @@ void WideBlocks::fill(const Bodies& bodies, const Blocks& list, const Preparatio
   }
 }
 
-void WideBlocks::sweep() {
-  const LaneSweep all{groups.data(), int(groups.size()),
+void PackedBlocks::iterate() {
+  const LaneIteration all{groups.data(), int(groups.size()),
                       reinterpret_cast<real*>(numbers_.data()), ends.data(), sums_.data(),
                       records_.data(), columns_};
-  width_ == 1 ? sweep_single(all) : sweep_lanes(all);
+  width_ == 1 ? iterate_single(all) : iterate_lanes(all);
 }
 
-void WideBlocks::end(Bodies& bodies, const Preparation& prepared) const {
+void PackedBlocks::end(Bodies& bodies, const Preparation& prepared) const {
   const int step = columns_ ? width_ : 1;
   for (std::size_t k = 0; k < slots_.size(); ++k) {
     if (slots_[k] < 0 || bodies.at(slots_[k]).is_static()) continue;
@@ -199,7 +199,7 @@ void WideBlocks::end(Bodies& bodies, const Preparation& prepared) const {
     }
 }
 
-void WideImpulses::step(World& world, real h) {
+void PackedImpulses::step(World& world, real h) {
   require(finite(h) && h > 0, "h: the step must be positive and finite [s]");
   require(iterations > 0, "iterations: there must be at least one");
   require(projections >= 0, "projections: must not be negative");
@@ -210,18 +210,18 @@ void WideImpulses::step(World& world, real h) {
   prepared_.add(world.bodies, blocks_, 0, h, false, false);
   prepared_.start(world.bodies, blocks_, warm_start, last_h_ > 0 ? h / last_h_ : 1);
   last_h_ = h;
-  for (;;) {  // a limit that lies ahead may have been reached during the sweeps
+  for (;;) {  // a limit that lies ahead may have been reached during the iterations
     packed_.pack(world.bodies, blocks_, prepared_, packing, lanes);
-    for (int i = 0; i < iterations; ++i) packed_.sweep();
+    for (int i = 0; i < iterations; ++i) packed_.iterate();
     packed_.end(world.bodies, prepared_);
     const int known = int(blocks_.list.size());
-    for (const auto& joint : world.joints()) joint->second_look(world.bodies, h, blocks_);
+    for (const auto& joint : world.joints()) joint->late_limits(world.bodies, h, blocks_);
     if (int(blocks_.list.size()) == known) break;
     prepared_.add(world.bodies, blocks_, known, h, false, false);
   }
   for (int slot = 0; slot < world.bodies.slots(); ++slot)
     integrate_pose(world.bodies.at(slot), h);
-  for (int i = 0; i < projections; ++i) projection_.sweep(world);
+  for (int i = 0; i < projections; ++i) projection_.iterate(world);
 }
 
 }  // namespace joints

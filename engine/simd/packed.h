@@ -12,8 +12,8 @@ namespace joints {
 
 /// Which blocks come together, and in which order.
 enum class Packing {
-  trees,    ///< the first block of every tree of joints, then the second of every one; on lanes a
-            ///< tree a lane, where so many are alike that most lanes are used, else colours
+  islands,  ///< the first block of every island of joints, then the second of every one; on lanes a
+            ///< island a lane, where so many are alike that most lanes are used, else colours
   colours,  ///< neighbours get different colours, and one colour comes after the other
   list      ///< one at a time, in the order of the list: no lanes
 };
@@ -21,7 +21,7 @@ enum class Packing {
 /// All blocks of a step in groups that are solved side by side. Who comes with whom is worked out
 /// once and kept for as long as the next steps have blocks of the same kinds between the same
 /// bodies; then a step takes no memory from the heap.
-class WideBlocks {
+class PackedBlocks {
  public:
   std::vector<LaneGroup> groups;  ///< in the order in which they are solved
   std::vector<int> blocks;        ///< of each group's lanes, which prepared block; -1: lane unused
@@ -30,8 +30,8 @@ class WideBlocks {
   /// \param lanes false: every group is one block
   void pack(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
             Packing packing, bool lanes);
-  /// One sweep over all groups, with the best instructions that this processor has.
-  void sweep();
+  /// One iteration over all groups, with the best instructions that this processor has.
+  void iterate();
   /// Gives velocities and sums of impulses back. \param prepared whose blocks were packed
   void end(Bodies& bodies, const Preparation& prepared) const;
 
@@ -53,10 +53,10 @@ class WideBlocks {
   };
 
   void arrange(const Bodies& bodies, Packing packing);
-  using Trees = std::vector<std::vector<int>>;  // of each, its blocks
-  Trees find_trees(const Bodies& bodies) const;
-  void interleave(const Trees& trees);
-  bool arrange_trees(const Bodies& bodies, const Trees& trees);
+  using Islands = std::vector<std::vector<int>>;  // of each, its blocks
+  Islands find_islands(const Bodies& bodies) const;
+  void interleave(const Islands& islands);
+  bool arrange_islands(const Bodies& bodies, const Islands& islands);
   void arrange_colours(const Bodies& bodies);
   void add_group(const int* list, int count);
   static int find_sum(const Preparation& prepared, int k);
@@ -71,32 +71,32 @@ class WideBlocks {
   std::vector<LaneNumber> numbers_;
   std::vector<Velocities<real>> records_;
   std::vector<int> slots_, sums_;
-  Packing packing_ = Packing::trees;
+  Packing packing_ = Packing::islands;
   int width_ = 0, packed_ = 0;
   bool columns_ = false;
 };
 
-/// Sequential Impulses over packed blocks: the same rows, the same order within a tree or a colour,
-/// other blocks first.
-class WideImpulses {
+/// Sequential Impulses over packed blocks: the same rows, the same order within a island or a
+/// colour, other blocks first.
+class PackedImpulses {
  public:
-  int iterations = 30;      ///< sweeps a step
+  int iterations = 30;      ///< iterations a step
   bool warm_start = false;  ///< begin with the impulses of the last step
-  int projections = 0;      ///< sweeps of position projection after a step
+  int projections = 0;      ///< iterations of position projection after a step
   real relaxation = 1;      ///< over-relaxation: a factor of every impulse [1], below 2
-  Packing packing = Packing::trees;  ///< which blocks come together
+  Packing packing = Packing::islands;  ///< which blocks come together
   bool lanes = true;        ///< false: one block at a time
 
   /// Moves the world on by one step. \param h step [s]
   /// \throws std::invalid_argument unless h, the iterations and the relaxation are positive and the
   /// projections not negative
   void step(World& world, real h);
-  const WideBlocks& packed() const { return packed_; }  ///< of the last step
+  const PackedBlocks& packed() const { return packed_; }  ///< of the last step
 
  private:
   Blocks blocks_;
   Preparation prepared_;
-  WideBlocks packed_;
+  PackedBlocks packed_;
   Projection projection_;
   real last_h_ = 0;
 };

@@ -15,14 +15,14 @@ struct LaneGroup {
   int rows = 0;        ///< of each block, 1 to 6
   bool point = false;  ///< the first three rows hold two points together, the others only turn
   bool hard = false;   ///< neither soft nor bounded: no scales, no bounds
-  bool round = false;  ///< point: no body's inertia has a direction, one number says it
+  bool isotropic = false;  ///< point: no body's inertia has a direction, one number says it
   bool follows = false;  ///< one row whose bounds are multiples of other sums, not fixed
   int first = 0;       ///< where its numbers begin, counted in single numbers
   int first_end = 0;   ///< where its lanes' bodies 1, then its lanes' bodies 2 begin
 };
 
-/// All that a sweep works on.
-struct LaneSweep {
+/// All that an iteration works on.
+struct LaneIteration {
   const LaneGroup* groups;   ///< in the order in which they are solved
   int count;                 ///< how many
   real* numbers;             ///< of the groups, at an address that 32 divides
@@ -32,10 +32,10 @@ struct LaneSweep {
   bool columns;              ///< bodies stand as the lanes want them
 };
 
-/// One sweep, one block at a time.
-void sweep_single(const LaneSweep& sweep);
-/// One sweep on lanes, with the best instructions of the processor that runs it.
-void sweep_lanes(const LaneSweep& sweep);
+/// One iteration, one block at a time.
+void iterate_single(const LaneIteration& iteration);
+/// One iteration on lanes, with the best instructions of the processor that runs it.
+void iterate_lanes(const LaneIteration& iteration);
 
 }  // namespace joints
 /// @}

@@ -74,7 +74,7 @@ inline Symmetric<real> symmetric(const mat3& m) {
   return {m[0][0], m[1][1], m[2][2], m[1][0], m[2][0], m[2][1]};
 }
 
-/// What a sweep reads and writes of a body: a record of eight numbers.
+/// What an iteration reads and writes of a body: a record of eight numbers.
 template <class Number>
 struct alignas(32) Velocities {
   Triple<Number> v;     ///< of the centre [m/s], world

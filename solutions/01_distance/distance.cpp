@@ -63,7 +63,7 @@ void step(std::vector<Body>& bodies, const std::vector<Link>& links,
   // Write Algorithm 1 in four pieces:
   //  1. gravity changes v of every body that is not static (body.is_static());
   //  2. set_up(link, bodies, settings) gives the LinkRow of each link: keep them in a vector;
-  //  3. as many sweeps as settings.iterations say: for every link row_impulse, for a rope also
+  //  3. as many iterations as settings.iterations say: for every link row_impulse, for a rope also
   //     clamp_sum (exercise 1.5), then apply_impulse;
   //  4. the new v moves x of every body.
   for (Body& body : bodies)
@@ -72,7 +72,7 @@ void step(std::vector<Body>& bodies, const std::vector<Link>& links,
   std::vector<LinkRow> rows;
   for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
 
-  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+  for (int iteration = 0; iteration < settings.iterations; ++iteration)
     for (std::size_t k = 0; k < links.size(); ++k) {
       Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
       real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);

@@ -37,10 +37,10 @@ void warm_start(const Jacobian<3>& J, real ratio, vec3& lambda, Body& body1, Bod
   // end [exercise 6.2]
 }
 
-bool warm_start_is_safe(real rho, int sweeps, real beta) {
+bool warm_start_is_safe(real rho, int iterations, real beta) {
   // begin [exercise 6.2]
   // Return true where Eq. 6-9 holds. std::pow(x, n) is x to the power n.
-  return std::pow(rho, real(sweeps)) * (1 + beta) < 1;  // Eq. 6-9
+  return std::pow(rho, real(iterations)) * (1 + beta) < 1;  // Eq. 6-9
   // end [exercise 6.2]
 }
 
@@ -78,7 +78,7 @@ void project(const Rope<Distance>& rope, Body& body1, Body& body2) {
   // end [exercise 6.3]
 }
 
-void projection_sweep(Chain& chain) {
+void projection_iteration(Chain& chain) {
   // begin [exercise 6.3]
   // Project every joint between its two bodies, one after the other.
   for (std::size_t k = 0; k < chain.joints.size(); ++k)

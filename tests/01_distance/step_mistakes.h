@@ -1,7 +1,7 @@
 // Exercise 1.4: the usual ways to do a step wrong, each as a step with another part.
 #pragma once
 
-#include "tests/01_distance/step_twin.h"
+#include "tests/01_distance/step_reference.h"
 
 namespace joints::testing {
 

@@ -31,7 +31,7 @@ struct Joint3 {
       body->w = random.vector(2);
     }
   }
-  /// A ball joint, from the numeric twin, so that this exercise waits for no other.
+  /// A ball joint, from the numeric reference, so that this exercise waits for no other.
   static Joint3 ball() {
     Joint3 out;
     const Point part = point_at(out.pair.body1, out.pair.body2, vec3(real(0.6), real(0.9), 1));

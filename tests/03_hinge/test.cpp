@@ -22,14 +22,14 @@ const Pair paper{static_body(vec3(0)),
 const Axis paper_axis{vec3(0, 0, 1), vec3(1, 0, 0), vec3(0, 1, 0)};
 
 // The rows of the exercise beside an error that is right whatever the exercise's own is.
-struct AxisTwin : Axis {
+struct AxisReference : Axis {
   Vector<2> error(const Body& body1, const Body& body2) const {
     const vec3 a1 = body1.q * a1_local;
     return {dot(a1, body2.q * b_local), dot(a1, body2.q * c_local)};
   }
 };
 struct AxisTwinFixture : AxisFixture {
-  using Part = AxisTwin;
+  using Part = AxisReference;
   static Part make(const Pair& pair) { return {AxisFixture::make(pair)}; }
 };
 
@@ -56,7 +56,7 @@ TEST_CASE("3.1 the error of an axis is as long as the sine of the angle between 
 
 TEST_CASE("3.1 the rows of an axis hold cross products with it", "[3.1]") {
   check_jacobian<AxisTwinFixture>(
-      AxisTwin{paper_axis}, paper,
+      AxisReference{paper_axis}, paper,
       Jacobian<2>{{Row{vec3(0), vec3(0, 1, 0), vec3(0), vec3(0, -1, 0)},
                    Row{vec3(0), vec3(real(-0.8), 0, 0), vec3(0), vec3(real(0.8), 0, 0)}}});
 }

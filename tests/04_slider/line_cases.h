@@ -2,7 +2,7 @@
 // line and along it.
 #pragma once
 
-#include "tests/04_slider/slider_twins.h"
+#include "tests/04_slider/slider_references.h"
 #include "tests/checker/cases.h"
 
 namespace joints::testing {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tests/04_slider/slider_twins.h"
+#include "tests/04_slider/slider_references.h"
 #include "tests/checker/cases.h"
 
 namespace joints::testing {

@@ -13,7 +13,7 @@ struct BreakCase {
 };
 
 /// What the answer is made of: two sizes, two bounds, how they are compared and joined.
-struct BreakTwin {
+struct BreakReference {
   enum class Join { either, both, one, force, torque, sum, shares, product, never, always };
   using Size = std::function<real(const vec3&)>;
   BreakCase c;
@@ -23,7 +23,7 @@ struct BreakTwin {
   Join join = Join::either;
   bool negated = false;
 
-  explicit BreakTwin(const BreakCase& c) : c(c), bound{c.strength.force, c.strength.torque} {
+  explicit BreakReference(const BreakCase& c) : c(c), bound{c.strength.force, c.strength.torque} {
     size.fill([](const vec3& a) { return length(a); });
   }
   bool breaks() const {
@@ -47,8 +47,8 @@ struct BreakTwin {
   }
 };
 
-inline Pieces<BreakTwin> wrong_breaks() {
-  using T = BreakTwin;
+inline Pieces<BreakReference> wrong_breaks() {
+  using T = BreakReference;
   using Join = T::Join;
   const auto join = [](Join how) { return std::function<void(T&)>([=](T& t) { t.join = how; }); };
   const auto bounds = [](auto change) {
@@ -113,7 +113,7 @@ inline CaseTable<BreakCase> break_table() {
   table.yours = [](const BreakCase& c) {
     return Numbers{breaks({c.force, c.torque}, c.strength) ? 1.0 : 0.0};
   };
-  table.right = [](const BreakCase& c) { return Numbers{BreakTwin(c).breaks() ? 1.0 : 0.0}; };
+  table.right = [](const BreakCase& c) { return Numbers{BreakReference(c).breaks() ? 1.0 : 0.0}; };
   table.cases = {
       {"12 N of 10, 0 N m of 2", vec3(0, 12, 0), vec3(0)},
       {"0 N of 10, 3 N m of 2", vec3(0), vec3(0, 0, 3)},
@@ -146,8 +146,9 @@ inline CaseTable<BreakCase> break_table() {
     table.cases.push_back(c);
   }
   table.whole = true;
-  add_pieces(table, [](const BreakCase& c) { return BreakTwin(c); },
-             [](const BreakTwin& t) { return Numbers{t.breaks() ? 1.0 : 0.0}; }, wrong_breaks());
+  add_pieces(
+      table, [](const BreakCase& c) { return BreakReference(c); },
+      [](const BreakReference& t) { return Numbers{t.breaks() ? 1.0 : 0.0}; }, wrong_breaks());
   return table;
 }
 

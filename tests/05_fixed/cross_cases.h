@@ -56,15 +56,15 @@ inline Numbers row_after_row(const mat3& X) {
 }
 
 /// What X is made of, of body 1 and of body 2.
-struct CrossTwin {
+struct CrossReference {
   CrossCase c;
   std::array<vec3, 2> r;
   std::array<mat3, 2> inertia;
   std::array<real, 2> share{1, 1};
   std::array<bool, 2> inertia_first{};
-  std::function<mat3(const CrossTwin&, const mat3&)> whole;  ///< what becomes of X itself
+  std::function<mat3(const CrossReference&, const mat3&)> whole;  ///< what becomes of X itself
 
-  explicit CrossTwin(const CrossCase& c) : c(c) {
+  explicit CrossReference(const CrossCase& c) : c(c) {
     for (int k = 0; k < 2; ++k) {
       r[k] = to_world(c.body(k), c.anchor(k));
       inertia[k] = inverse_inertia(c.body(k));
@@ -79,8 +79,8 @@ struct CrossTwin {
 };
 
 /// The mistakes with the lever, the inertia and the share of one body, for body 1, 2 and both.
-inline Pieces<CrossTwin> wrong_shares() {
-  using T = CrossTwin;
+inline Pieces<CrossReference> wrong_shares() {
+  using T = CrossReference;
   using Change = std::function<void(T&, int)>;
   const auto lever = [](auto of) {
     return Change([=](T& t, int k) { t.r[k] = of(t.c, k); });
@@ -163,8 +163,8 @@ inline Pieces<CrossTwin> wrong_shares() {
 }
 
 /// The mistakes with X as a whole.
-inline Pieces<CrossTwin> wrong_Xs() {
-  using T = CrossTwin;
+inline Pieces<CrossReference> wrong_Xs() {
+  using T = CrossReference;
   const auto with = [](auto change) {
     return std::function<void(T&)>([=](T& t) {
       t.whole = [=](const T& t, const mat3& X) { return change(t, X); };
@@ -228,10 +228,10 @@ inline CaseTable<CrossCase> cross_table() {
   };
   table.right = [](const CrossCase& c) { return row_after_row(product_X(c)); };
   table.tolerance = K_tolerance;
-  Pieces<CrossTwin> pieces = wrong_Xs();
+  Pieces<CrossReference> pieces = wrong_Xs();
   for (const auto& piece : wrong_shares()) pieces.push_back(piece);
-  add_pieces(table, [](const CrossCase& c) { return CrossTwin(c); },
-             [](const CrossTwin& t) { return row_after_row(t.X()); }, pieces);
+  add_pieces(table, [](const CrossCase& c) { return CrossReference(c); },
+             [](const CrossReference& t) { return row_after_row(t.X()); }, pieces);
   return table;
 }
 

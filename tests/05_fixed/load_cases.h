@@ -16,12 +16,12 @@ struct LoadCase {
   real h;
 };
 
-struct LoadTwin {
+struct LoadReference {
   LoadCase c;
   std::array<int, 6> from{0, 1, 2, 3, 4, 5};  ///< which impulse each number is
   std::array<real, 2> scale;                  ///< of force and torque
   Numbers more = Numbers(6, 0);
-  explicit LoadTwin(const LoadCase& c) : c(c), scale{1 / c.h, 1 / c.h} {}
+  explicit LoadReference(const LoadCase& c) : c(c), scale{1 / c.h, 1 / c.h} {}
   Numbers load() const {
     Numbers out = more;
     for (std::size_t i = 0; i < 6; ++i)
@@ -31,7 +31,7 @@ struct LoadTwin {
 };
 
 inline CaseTable<LoadCase> load_table() {
-  using T = LoadTwin;
+  using T = LoadReference;
   Pieces<T> pieces;
   // what is wrong with both, with the force, with the torque
   const auto scaled = [&](const std::string& words, auto scale) {
@@ -90,14 +90,14 @@ inline CaseTable<LoadCase> load_table() {
     append(out, load.torque);
     return out;
   };
-  table.right = [](const LoadCase& c) { return LoadTwin(c).load(); };
+  table.right = [](const LoadCase& c) { return LoadReference(c).load(); };
   table.cases = {{"h = 0.25", {real(0.3), real(-0.2), real(0.7), real(-0.4), real(0.1), real(0.6)},
                   real(0.25)},
                  {"h = 0.016", {real(-1), real(0.5), real(0.2), real(0.9), real(-0.8), real(0.35)},
                   real(0.016)}};
   table.tolerance = 1000 * rounding;
-  add_pieces(table, [](const LoadCase& c) { return LoadTwin(c); },
-             [](const LoadTwin& t) { return t.load(); }, pieces);
+  add_pieces(table, [](const LoadCase& c) { return LoadReference(c); },
+             [](const LoadReference& t) { return t.load(); }, pieces);
   return table;
 }
 
@@ -109,10 +109,10 @@ struct AboutCase {
   vec3 from, to;
 };
 
-struct AboutTwin {
+struct AboutReference {
   AboutCase c;
   vec3 arm, pushed, kept, force;  ///< force and kept + arm x pushed
-  explicit AboutTwin(const AboutCase& c)
+  explicit AboutReference(const AboutCase& c)
       : c(c), arm(c.from - c.to), pushed(c.load.force), kept(c.load.torque), force(c.load.force) {}
   Numbers load() const {
     Numbers out;
@@ -123,7 +123,7 @@ struct AboutTwin {
 };
 
 inline CaseTable<AboutCase> about_table() {
-  using T = AboutTwin;
+  using T = AboutReference;
   const auto arm = [](auto of) {
     return std::function<void(T&)>([=](T& t) { t.arm = of(t.c); });
   };
@@ -181,7 +181,7 @@ inline CaseTable<AboutCase> about_table() {
     append(out, moved.force);
     return out;
   };
-  table.right = [](const AboutCase& c) { return AboutTwin(c).load(); };
+  table.right = [](const AboutCase& c) { return AboutReference(c).load(); };
   Random random(52);
   for (int draw = 0; draw < 8; ++draw)
     table.cases.push_back({"points anywhere", {random.vector(5), random.vector(5)},
@@ -189,8 +189,8 @@ inline CaseTable<AboutCase> about_table() {
   table.cases.push_back({"points close together", {random.vector(5), random.vector(5)},
                          vec3(1, 2, 3), vec3(1, real(2.02), real(2.99))});
   table.tolerance = 10 * rounding;
-  add_pieces(table, [](const AboutCase& c) { return AboutTwin(c); },
-             [](const AboutTwin& t) { return t.load(); }, pieces);
+  add_pieces(table, [](const AboutCase& c) { return AboutReference(c); },
+             [](const AboutReference& t) { return t.load(); }, pieces);
   return table;
 }
 

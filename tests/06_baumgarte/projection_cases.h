@@ -14,7 +14,7 @@ template <class Part>
 CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
                                        std::vector<VisitCase<Part>> cases) {
   using Case = VisitCase<Part>;
-  using Twin = VisitTwin<Part>;
+  using Reference = VisitReference<Part>;
   constexpr int n = Part::rows;
   using Rules = VisitRules<Part>;
   const auto of = [](const Moves& a, const Moves& b = {}) { return Rules::of(a, b); };
@@ -23,23 +23,23 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
   const auto the_moves = [](const Moves& a, const Moves&) { return a; };
   const auto no_moves = [](const Moves&, const Moves&) { return Moves{}; };
   const auto pushed = [=](auto lambda) {
-    return changed([=](const Twin& twin, const Moves&) {
-      return response<n>(twin.J, lambda(twin), twin.pair);
+    return changed([=](const Reference& reference, const Moves&) {
+      return response<n>(reference.J, lambda(reference), reference.pair);
     });
   };
   const auto times = [=](double factor) {
-    return changed([=](const Twin&, const Moves& a) {
+    return changed([=](const Reference&, const Moves& a) {
       return scaled(real(factor), real(factor), a);
     });
   };
   const auto turns = [=](auto other) {  // of a body with its turn: what happens instead
-    return changed([=](const Twin& twin, Moves a) {
-      a.turn1 = other(twin.pair.body1, a.turn1);
-      a.turn2 = other(twin.pair.body2, a.turn2);
+    return changed([=](const Reference& reference, Moves a) {
+      a.turn1 = other(reference.pair.body1, a.turn1);
+      a.turn2 = other(reference.pair.body2, a.turn2);
       return a;
     });
   };
-  const auto right = changed([](const Twin&, const Moves& a) { return a; });
+  const auto right = changed([](const Reference&, const Moves& a) { return a; });
   const auto yours = [=](const Case& c) {
     Pair after = c.pair;
     project(c.part, after.body1, after.body2);
@@ -93,132 +93,133 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
   if (factor > 1 + 100 * difference_tolerance)
     add.push_back({"more than the gap is taken, " + short_number(factor) +
                        " times: a visit takes it once", times(factor)});
-  add.insert(add.end(), {
-      {"the velocities are changed, and the poses stay: add the moves to x and turn q by them",
-       velocities(no_moves, the_moves)},
-      {"the velocities are changed, too: they stay as they are, take copies of the bodies",
-       velocities(the_moves, the_moves)},
-      {"the bodies' own velocities are pushed and added: take copies of the bodies, at rest",
-       velocities(sum, the_moves)},
-      {"the velocities are lost: they stay as they are, only the copies are at rest",
-       velocities(the_moves, [](const Moves&, const Moves& b) { return scaled(-1, -1, b); })},
-      {"the velocities hold the moves now: they stay as they are. Are those of the copies "
-       "written back, too? Only x and q move",
-       velocities(the_moves, [](const Moves& a, const Moves& b) {
-         return sum(a, scaled(-1, -1, b));
-       })},
-      {"the velocities are in lambda: K lambda = -C has no J V, the copies are at rest",
-       pushed([](const Twin& twin) { return twin.with_velocities(); })},
-      {"K is missing: lambda is -K^-1 C",
-       pushed([](const Twin& twin) { return twin.without_K(); })},
-      {"times K where its inverse belongs",
-       pushed([](const Twin& twin) { return Twin::times(twin.K, twin.C); })},
-      {"K without the turns: it holds the masses only",
-       pushed([](const Twin& twin) {
-         return Twin::solved(product_K(twin.J, twin.pair.body1.inverse_mass, mat3(0),
-                                       twin.pair.body2.inverse_mass, mat3(0)), twin.C);
-       })},
-      {"the turns are missing: the other half of Eq. 6-11",
-       turns([](const Body&, const vec3&) { return vec3(0); })},
-      {"a body turns in its own axes: exp(w) q and not q exp(w), w is in world axes",
-       turns([](const Body& body, const vec3& turn) { return body.q * turn; })},
-      {"the sign of the turns", turns([](const Body&, const vec3& turn) { return -turn; })},
-      {normal ? "half the turn: turned(q, w, 1) halves the angle itself" : no_sum,
-       turns([](const Body&, const vec3& turn) { return turn / real(2); })},
-      {"twice the turn: turned(q, w, 1) halves the angle itself",
-       turns([](const Body&, const vec3& turn) { return real(2) * turn; })},
-      {"the turn is multiplied by h: turned(q, w, 1), for w is an angle already",
-       turns([](const Body&, const vec3& turn) { return turn / real(60); })},
-      {normal ? "q + (0, w) q/2 is only the first term of the turn: take turned(q, w, 1)" : no_sum,
-       turns([](const Body&, const vec3& turn) {
-         const real half = length(turn) / 2;
-         return half > 0 ? std::atan(half) / half * turn : turn;
-       })},
-      {"body-space inertia: take inverse_inertia(body)",
-       turns([](const Body& body, const vec3& turn) {
-         return body.is_static() ? vec3(0)
-                                 : body.inverse_inertia_local *
-                                       (inverse(inverse_inertia(body)) * turn);
-       })},
-      {"the moves are missing: the first half of Eq. 6-11",
-       changed([](const Twin&, const Moves& a) {
-         return Moves{vec3(0), a.turn1, vec3(0), a.turn2};
-       })},
-      {"only body 2 moves: body 1 has its share of the gap",
-       changed([](const Twin&, const Moves& a) { return scaled(0, 1, a); })},
-      {"only body 1 moves: body 2 has its share of the gap",
-       changed([](const Twin&, const Moves& a) { return scaled(1, 0, a); })},
-      {"the moves of the two bodies are exchanged",
-       changed([](const Twin&, const Moves& a) {
-         return Moves{a.way2, a.turn2, a.way1, a.turn1};
-       })},
-      {"the moves of the two bodies are exchanged, their turns are not",
-       changed([](const Twin&, const Moves& a) {
-         return Moves{a.way2, a.turn1, a.way1, a.turn2};
-       })},
-      {"the turns of the two bodies are exchanged, their moves are not",
-       changed([](const Twin&, const Moves& a) {
-         return Moves{a.way1, a.turn2, a.way2, a.turn1};
-       })},
-      {"the sign of the moves: they are added to x, lambda has the sign already",
-       changed([](const Twin&, const Moves& a) {
-         return Moves{-a.way1, a.turn1, -a.way2, a.turn2};
-       })},
-      {"both moves are added to body 1: body 2 has its own",
-       changed([](const Twin&, const Moves& a) {
-         return Moves{a.way1 + a.way2, a.turn1, vec3(0), a.turn2};
-       })},
-      {"both moves are added to body 2: body 1 has its own",
-       changed([](const Twin&, const Moves& a) {
-         return Moves{vec3(0), a.turn1, a.way1 + a.way2, a.turn2};
-       })},
-      {"body 2 is turned from where body 1 stands: its own q, turned",
-       changed([](const Twin& twin, Moves a) {
-         const quat q1 = rotation(a.turn1) * twin.pair.body1.q;
-         a.turn2 = turn_between(twin.pair.body2.q, rotation(a.turn2) * q1);
-         return a;
-       })},
-      {"this is two visits: one closes the gap to first order, the next sweep does the rest",
-       [=](const Case& c) {
-         Pair at = c.pair;
-         for (int n = 0; n < 2; ++n) move_by(twin_moves(c.part, at), at.body1, at.body2);
-         return of(between(c.pair, at));
-       }},
-      {"the inverse masses are missing",
-       changed([](const Twin& twin, Moves a) {
-         const auto push = [&](const Body& body, const vec3& way) {
-           return body.is_static() ? way : way / body.inverse_mass;
-         };
-         a.way1 = push(twin.pair.body1, a.way1);
-         a.way2 = push(twin.pair.body2, a.way2);
-         return a;
-       })}});
+  add.insert(
+      add.end(),
+      {{"the velocities are changed, and the poses stay: add the moves to x and turn q by them",
+        velocities(no_moves, the_moves)},
+       {"the velocities are changed, too: they stay as they are, take copies of the bodies",
+        velocities(the_moves, the_moves)},
+       {"the bodies' own velocities are pushed and added: take copies of the bodies, at rest",
+        velocities(sum, the_moves)},
+       {"the velocities are lost: they stay as they are, only the copies are at rest",
+        velocities(the_moves, [](const Moves&, const Moves& b) { return scaled(-1, -1, b); })},
+       {"the velocities hold the moves now: they stay as they are. Are those of the copies "
+        "written back, too? Only x and q move",
+        velocities(the_moves,
+                   [](const Moves& a, const Moves& b) { return sum(a, scaled(-1, -1, b)); })},
+       {"the velocities are in lambda: K lambda = -C has no J V, the copies are at rest",
+        pushed([](const Reference& reference) { return reference.with_velocities(); })},
+       {"K is missing: lambda is -K^-1 C",
+        pushed([](const Reference& reference) { return reference.without_K(); })},
+       {"times K where its inverse belongs", pushed([](const Reference& reference) {
+          return Reference::times(reference.K, reference.C);
+        })},
+       {"K without the turns: it holds the masses only", pushed([](const Reference& reference) {
+          return Reference::solved(product_K(reference.J, reference.pair.body1.inverse_mass,
+                                             mat3(0), reference.pair.body2.inverse_mass, mat3(0)),
+                                   reference.C);
+        })},
+       {"the turns are missing: the other half of Eq. 6-11",
+        turns([](const Body&, const vec3&) { return vec3(0); })},
+       {"a body turns in its own axes: exp(w) q and not q exp(w), w is in world axes",
+        turns([](const Body& body, const vec3& turn) { return body.q * turn; })},
+       {"the sign of the turns", turns([](const Body&, const vec3& turn) { return -turn; })},
+       {normal ? "half the turn: turned(q, w, 1) halves the angle itself" : no_sum,
+        turns([](const Body&, const vec3& turn) { return turn / real(2); })},
+       {"twice the turn: turned(q, w, 1) halves the angle itself",
+        turns([](const Body&, const vec3& turn) { return real(2) * turn; })},
+       {"the turn is multiplied by h: turned(q, w, 1), for w is an angle already",
+        turns([](const Body&, const vec3& turn) { return turn / real(60); })},
+       {normal ? "q + (0, w) q/2 is only the first term of the turn: take turned(q, w, 1)" : no_sum,
+        turns([](const Body&, const vec3& turn) {
+          const real half = length(turn) / 2;
+          return half > 0 ? std::atan(half) / half * turn : turn;
+        })},
+       {"body-space inertia: take inverse_inertia(body)",
+        turns([](const Body& body, const vec3& turn) {
+          return body.is_static()
+                     ? vec3(0)
+                     : body.inverse_inertia_local * (inverse(inverse_inertia(body)) * turn);
+        })},
+       {"the moves are missing: the first half of Eq. 6-11",
+        changed([](const Reference&, const Moves& a) {
+          return Moves{vec3(0), a.turn1, vec3(0), a.turn2};
+        })},
+       {"only body 2 moves: body 1 has its share of the gap",
+        changed([](const Reference&, const Moves& a) { return scaled(0, 1, a); })},
+       {"only body 1 moves: body 2 has its share of the gap",
+        changed([](const Reference&, const Moves& a) { return scaled(1, 0, a); })},
+       {"the moves of the two bodies are exchanged", changed([](const Reference&, const Moves& a) {
+          return Moves{a.way2, a.turn2, a.way1, a.turn1};
+        })},
+       {"the moves of the two bodies are exchanged, their turns are not",
+        changed([](const Reference&, const Moves& a) {
+          return Moves{a.way2, a.turn1, a.way1, a.turn2};
+        })},
+       {"the turns of the two bodies are exchanged, their moves are not",
+        changed([](const Reference&, const Moves& a) {
+          return Moves{a.way1, a.turn2, a.way2, a.turn1};
+        })},
+       {"the sign of the moves: they are added to x, lambda has the sign already",
+        changed([](const Reference&, const Moves& a) {
+          return Moves{-a.way1, a.turn1, -a.way2, a.turn2};
+        })},
+       {"both moves are added to body 1: body 2 has its own",
+        changed([](const Reference&, const Moves& a) {
+          return Moves{a.way1 + a.way2, a.turn1, vec3(0), a.turn2};
+        })},
+       {"both moves are added to body 2: body 1 has its own",
+        changed([](const Reference&, const Moves& a) {
+          return Moves{vec3(0), a.turn1, a.way1 + a.way2, a.turn2};
+        })},
+       {"body 2 is turned from where body 1 stands: its own q, turned",
+        changed([](const Reference& reference, Moves a) {
+          const quat q1 = rotation(a.turn1) * reference.pair.body1.q;
+          a.turn2 = turn_between(reference.pair.body2.q, rotation(a.turn2) * q1);
+          return a;
+        })},
+       {"this is two visits: one closes the gap to first order, the next iteration does the rest",
+        [=](const Case& c) {
+          Pair at = c.pair;
+          for (int n = 0; n < 2; ++n) move_by(reference_moves(c.part, at), at.body1, at.body2);
+          return of(between(c.pair, at));
+        }},
+       {"the inverse masses are missing", changed([](const Reference& reference, Moves a) {
+          const auto push = [&](const Body& body, const vec3& way) {
+            return body.is_static() ? way : way / body.inverse_mass;
+          };
+          a.way1 = push(reference.pair.body1, a.way1);
+          a.way2 = push(reference.pair.body2, a.way2);
+          return a;
+        })}});
   if (n > 1)
     add.push_back({"each row divided by its own K: the rows of a block are solved together",
-                   pushed([](const Twin& twin) { return twin.each_row_alone(); })});
+                   pushed([](const Reference& reference) { return reference.each_row_alone(); })});
   for (const int share : {0, 1, 2, 3})  // of body 1: none, half, all, by the inverse masses
     add.push_back({"the gap itself is shared out: how much a body moves and turns is M^-1 J^T "
-                   "lambda, Eq. 6-11", changed([=](const Twin& twin, const Moves&) {
-                     const real m1 = twin.pair.body1.inverse_mass;
-                     const real m2 = twin.pair.body2.inverse_mass;
+                   "lambda, Eq. 6-11", changed([=](const Reference& reference, const Moves&) {
+                     const real m1 = reference.pair.body1.inverse_mass;
+                     const real m2 = reference.pair.body2.inverse_mass;
                      const real of_1 = share < 3 ? real(share) / 2 : m1 / (m1 + m2);
                      Moves out;
                      for (int i = 0; i < n; ++i) {
-                       out.way1 -= of_1 * twin.C[std::size_t(i)] * twin.J[i].v1;
-                       out.way2 -= (1 - of_1) * twin.C[std::size_t(i)] * twin.J[i].v2;
+                       out.way1 -= of_1 * reference.C[std::size_t(i)] * reference.J[i].v1;
+                       out.way2 -= (1 - of_1) * reference.C[std::size_t(i)] * reference.J[i].v2;
                      }
                      return out;
                    })});
   if constexpr (n == 3)
     add.push_back({"K along the gap only: the block is solved as a whole, lambda = -K^-1 C",
-                   pushed([](const Twin& twin) {
+                   pushed([](const Reference& reference) {
                      real CC = 0, CKC = 0;
                      for (int i = 0; i < 3; ++i)
                        for (int j = 0; j < 3; ++j) {
-                         CC += i == j ? twin.C[std::size_t(i)] * twin.C[std::size_t(i)] : 0;
-                         CKC += twin.C[std::size_t(i)] * twin.K[i][j] * twin.C[std::size_t(j)];
+                         CC +=
+                             i == j ? reference.C[std::size_t(i)] * reference.C[std::size_t(i)] : 0;
+                         CKC += reference.C[std::size_t(i)] * reference.K[i][j] *
+                                reference.C[std::size_t(j)];
                        }
-                     Vector<3> out = twin.without_K();
+                     Vector<3> out = reference.without_K();
                      for (real& a : out) a *= CC / CKC;
                      return out;
                    })});
@@ -228,16 +229,16 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
                              "to_world(body, anchor)"
                            : "body-space arm: the levers are not turned into the world",
                      [=](const Case& c) {
-                       Twin twin(c.part, c.pair);
-                       if (Part::one_sided && twin.C[0] >= 0) return of({});
+                       Reference reference(c.part, c.pair);
+                       if (Part::one_sided && reference.C[0] >= 0) return of({});
                        const auto& rod = rod_of(c.part);
                        const auto lever = [=](const Body& body, const vec3& anchor) {
                          return place ? world_point(body, anchor) : anchor;
                        };
-                       twin.J = twin.levers(lever(c.pair.body1, rod.anchor1_local),
+                       reference.J = reference.levers(lever(c.pair.body1, rod.anchor1_local),
                                             lever(c.pair.body2, rod.anchor2_local));
-                       if (all) twin.K = dense_K(twin.J, c.pair.body1, c.pair.body2);
-                       return of(twin.moves());
+                       if (all) reference.K = dense_K(reference.J, c.pair.body1, c.pair.body2);
+                       return of(reference.moves());
                      }});
   add_single_moves<Part>(add);
   add_copies<Part>(add);

@@ -2,7 +2,7 @@
 // are given lambda, and with a rope's question.
 #pragma once
 
-#include "tests/06_baumgarte/projection_twin.h"
+#include "tests/06_baumgarte/projection_reference.h"
 
 namespace joints::testing {
 
@@ -10,7 +10,7 @@ namespace joints::testing {
 template <class Part>
 struct VisitRules {
   using Case = VisitCase<Part>;
-  using Twin = VisitTwin<Part>;
+  using Reference = VisitReference<Part>;
   using Mistakes = typename CaseTable<Case>::Mistakes;
 
   static Numbers of(const Moves& poses, const Moves& velocities = {}) {
@@ -22,17 +22,18 @@ struct VisitRules {
   template <class Change>
   static auto changed(Change change) {
     return [=](const Case& c) {
-      const Twin twin(c.part, c.pair);
-      return Part::one_sided && twin.C[0] >= 0 ? of({}) : of(change(twin, twin.moves()));
+      const Reference reference(c.part, c.pair);
+      return Part::one_sided && reference.C[0] >= 0 ? of({})
+                                                    : of(change(reference, reference.moves()));
     };
   }
   /// What a mistake does to the velocities: of the moves and the velocities before.
   template <class Poses, class Change>
   static auto velocities(Poses poses, Change change) {
     return [=](const Case& c) {
-      const Twin twin(c.part, c.pair);
-      if (Part::one_sided && twin.C[0] >= 0) return of({});
-      const Moves a = twin.moves(), b = velocities_of(c.pair);
+      const Reference reference(c.part, c.pair);
+      if (Part::one_sided && reference.C[0] >= 0) return of({});
+      const Moves a = reference.moves(), b = velocities_of(c.pair);
       return of(poses(a, b), change(a, b));
     };
   }
@@ -42,13 +43,13 @@ struct VisitRules {
 template <class Part>
 void add_single_moves(typename VisitRules<Part>::Mistakes& add) {
   using Rules = VisitRules<Part>;
-  using Twin = typename Rules::Twin;
+  using Reference = typename Rules::Reference;
   const auto changed = [](auto change) { return Rules::changed(change); };
   for (int k = 0; k < 4; ++k) {  // each of the four moves alone
     const auto& [move, words] = four_moves[k];
     const auto one = [=, move = move](auto instead) {
-      return changed([=](const Twin& twin, Moves a) {
-        a.*move = instead(twin.pair, a);
+      return changed([=](const Reference& reference, Moves a) {
+        a.*move = instead(reference.pair, a);
         return a;
       });
     };
@@ -71,14 +72,14 @@ void add_single_moves(typename VisitRules<Part>::Mistakes& add) {
   }
   // a new value where the move belongs beside the old one
   const auto replaced = [=](bool first, bool second, bool places) {
-    return changed([=](const Twin& twin, Moves a) {
+    return changed([=](const Reference& reference, Moves a) {
       const auto turn = [](const Body& body, const vec3& move) {
         return turn_between(body.q, rotation(move));
       };
-      if (first && places) a.way1 -= twin.pair.body1.x;
-      if (second && places) a.way2 -= twin.pair.body2.x;
-      if (first && !places) a.turn1 = turn(twin.pair.body1, a.turn1);
-      if (second && !places) a.turn2 = turn(twin.pair.body2, a.turn2);
+      if (first && places) a.way1 -= reference.pair.body1.x;
+      if (second && places) a.way2 -= reference.pair.body2.x;
+      if (first && !places) a.turn1 = turn(reference.pair.body1, a.turn1);
+      if (second && !places) a.turn2 = turn(reference.pair.body2, a.turn2);
       return a;
     });
   };
@@ -120,41 +121,45 @@ void add_single_moves(typename VisitRules<Part>::Mistakes& add) {
 template <class Part>
 void add_copies(typename VisitRules<Part>::Mistakes& add) {
   using Rules = VisitRules<Part>;
-  using Twin = typename Rules::Twin;
+  using Reference = typename Rules::Reference;
   const auto changed = [](auto change) { return Rules::changed(change); };
   for (int flying = 15; flying > 0; --flying)  // which of the four velocities of the copies
     add.push_back({"the copies are not at rest: v and w of both must be zero before they are given "
                    "lambda",
-                   changed([=](const Twin& twin, Moves a) {
-                     const Moves b = velocities_of(twin.pair);
+                   changed([=](const Reference& reference, Moves a) {
+                     const Moves b = velocities_of(reference.pair);
                      for (int k = 0; k < 4; ++k)
                        if (flying >> k & 1) a.*four_moves[k].of += b.*four_moves[k].of;
                      return a;
                    })});
   for (int which = 1; which < 8; ++which) {
-    add.push_back({"the bodies are exchanged in " + Twin::words(which) + ": body 1 first",
-                   changed([=](const Twin& twin, const Moves&) {
-                     const Pair& pair = twin.pair;
-                     const Twin back(twin.part, {pair.body2, pair.body1});
-                     return twin.with(back, which).moves();
+    add.push_back({"the bodies are exchanged in " + Reference::words(which) + ": body 1 first",
+                   changed([=](const Reference& reference, const Moves&) {
+                     const Pair& pair = reference.pair;
+                     const Reference back(reference.part, {pair.body2, pair.body1});
+                     return reference.with(back, which).moves();
                    })});
-    if (Twin::n == 3 && which > 3) continue;  // what J of a point has of body 2 is the same then
-    add.push_back({"taken again after body 1 has moved (" + Twin::words(which) + "): one lambda, "
-                   "from the poses before the visit, moves both",
-                   changed([=](const Twin& twin, Moves a) {
-                     Pair at = twin.pair;
+    if (Reference::n == 3 && which > 3)
+      continue;  // what J of a point has of body 2 is the same then
+    add.push_back({"taken again after body 1 has moved (" + Reference::words(which) +
+                       "): one lambda, "
+                       "from the poses before the visit, moves both",
+                   changed([=](const Reference& reference, Moves a) {
+                     Pair at = reference.pair;
                      move_by({a.way1, a.turn1, vec3(0), vec3(0)}, at.body1, at.body2);
-                     const Moves late = twin.with(Twin(twin.part, at), which).moves();
+                     const Moves late =
+                         reference.with(Reference(reference.part, at), which).moves();
                      return Moves{a.way1, a.turn1, late.way2, late.turn2};
                    })});
   }
   // J^T lambda on other copies
   const auto given_to = [=](auto one, auto two, bool exchanged) {
-    return changed([=](const Twin& twin, const Moves&) {
-      Jacobian<Twin::n> J = twin.J;
+    return changed([=](const Reference& reference, const Moves&) {
+      Jacobian<Reference::n> J = reference.J;
       if (exchanged)
         for (Row& row : J.row) row = {row.v2, row.w2, row.v1, row.w1};
-      return response<Twin::n>(J, twin.lambda(), {twin.pair.*one, twin.pair.*two});
+      return response<Reference::n>(J, reference.lambda(),
+                                    {reference.pair.*one, reference.pair.*two});
     });
   };
   add.push_back({"the copies are exchanged in apply_impulse: the one of body 1 comes first",
@@ -163,13 +168,13 @@ void add_copies(typename VisitRules<Part>::Mistakes& add) {
                  given_to(&Pair::body1, &Pair::body1, false)});
   add.push_back({"both copies are copies of body 2: each body has its own",
                  given_to(&Pair::body2, &Pair::body2, false)});
-  if constexpr (Twin::n == 3)
+  if constexpr (Reference::n == 3)
     for (int k = 0; k < 3; ++k)
       add.push_back({std::string("only C.") + "xyz"[k] + " counts: the gap has three numbers",
-                     changed([=](Twin twin, const Moves&) {
+                     changed([=](Reference reference, const Moves&) {
                        for (int i = 0; i < 3; ++i)
-                         if (i != k) twin.C[std::size_t(i)] = 0;
-                       return twin.moves();
+                         if (i != k) reference.C[std::size_t(i)] = 0;
+                       return reference.moves();
                      })});
 }
 
@@ -178,19 +183,19 @@ template <class Part>
 void add_rope(typename VisitRules<Part>::Mistakes& add) {
   using Rules = VisitRules<Part>;
   using Case = typename Rules::Case;
-  using Twin = typename Rules::Twin;
+  using Reference = typename Rules::Reference;
   const auto of = [](const Moves& a) { return Rules::of(a); };
   const auto whatever = [=](auto live, int sign = 1) {
     return [=](const Case& c) {
-      const Twin twin(c.part, c.pair);
-      return live(twin.C[0]) ? of(scaled(real(sign), real(sign), twin.moves())) : of({});
+      const Reference reference(c.part, c.pair);
+      return live(reference.C[0]) ? of(scaled(real(sign), real(sign), reference.moves())) : of({});
     };
   };
   const auto as_point = [=](auto live) {
     return [=](const Case& c) {
-      const Twin twin(c.part, c.pair);
+      const Reference reference(c.part, c.pair);
       const Point point{c.part.rod.anchor1_local, c.part.rod.anchor2_local};
-      return live(twin.C[0]) ? of(twin_moves(point, c.pair)) : of({});
+      return live(reference.C[0]) ? of(reference_moves(point, c.pair)) : of({});
     };
   };
   const auto always = [](real) { return true; };
@@ -216,11 +221,12 @@ template <class Part>
 std::string threshold_of(const CaseTable<VisitCase<Part>>& table) {
   real moves = -unbounded, rests = unbounded;  // the greatest C that moves, the least that rests
   for (const VisitCase<Part>& c : table.cases) {
-    const VisitTwin<Part> twin(c.part, c.pair);
+    const VisitReference<Part> reference(c.part, c.pair);
     const Numbers yours = table.yours(c);
-    if (close(yours, VisitRules<Part>::of({}), table.tolerance)) rests = std::min(rests, twin.C[0]);
-    else if (close(yours, VisitRules<Part>::of(twin.moves()), table.tolerance))
-      moves = std::max(moves, twin.C[0]);
+    if (close(yours, VisitRules<Part>::of({}), table.tolerance))
+      rests = std::min(rests, reference.C[0]);
+    else if (close(yours, VisitRules<Part>::of(reference.moves()), table.tolerance))
+      moves = std::max(moves, reference.C[0]);
     else return "";
   }
   if (moves > rests || (moves < 0 && rests > 0) || std::isinf(moves) || std::isinf(rests))

@@ -9,35 +9,36 @@ namespace joints::testing {
 
 struct SafetyCase {
   std::string words;
-  double rho, sweeps, beta;
+  double rho, iterations, beta;
 };
-inline SafetyCase safety_case(double rho, int sweeps, double beta) {
-  return {"rho " + short_number(rho) + " sweeps " + std::to_string(sweeps) + " beta " +
-              short_number(beta), rho, double(sweeps), beta};
+inline SafetyCase safety_case(double rho, int iterations, double beta) {
+  return {"rho " + short_number(rho) + " iterations " + std::to_string(iterations) + " beta " +
+              short_number(beta), rho, double(iterations), beta};
 }
 
 inline const double ten_links = std::pow(std::cos(std::acos(-1.0) / 20), 2);  // rho of a chain
 
 /// What is compared with what.
-struct SafetyTwin {
+struct SafetyReference {
   SafetyCase c;
   double left, more, bound = 1;  ///< left * more < bound
   bool at_bound = false, negated = false;
-  explicit SafetyTwin(const SafetyCase& c)
-      : c(c), left(std::pow(c.rho, c.sweeps)), more(1 + c.beta) {}
+  explicit SafetyReference(const SafetyCase& c)
+      : c(c), left(std::pow(c.rho, c.iterations)), more(1 + c.beta) {}
   bool safe() const {
     const double a = left * more;
     return (at_bound ? a <= bound : a < bound) != negated;
   }
 };
 
-inline Pieces<SafetyTwin> wrong_safeties() {
-  using T = SafetyTwin;
+inline Pieces<SafetyReference> wrong_safeties() {
+  using T = SafetyReference;
   const auto power = [](auto exponent) {
-    return std::function<void(T&)>([=](T& t) { t.left = std::pow(t.c.rho, exponent(t.c.sweeps)); });
+    return std::function<void(T&)>(
+        [=](T& t) { t.left = std::pow(t.c.rho, exponent(t.c.iterations)); });
   };
   const auto left = [](auto of) {
-    return std::function<void(T&)>([=](T& t) { t.left = of(t.c.rho, t.c.sweeps); });
+    return std::function<void(T&)>([=](T& t) { t.left = of(t.c.rho, t.c.iterations); });
   };
   const auto more = [](auto of) {
     return std::function<void(T&)>([=](T& t) { t.more = of(t.c.beta); });
@@ -49,22 +50,27 @@ inline Pieces<SafetyTwin> wrong_safeties() {
     });
   };
   return {
-      {"rho times k: each sweep leaves rho of what the last one left, that is rho to the power k",
+      {"rho times k: each iteration leaves rho of what the last one left, that is rho to the power "
+       "k",
        left([](double rho, double k) { return rho * k; })},
-      {"rho over k: each sweep leaves rho of what the last one left, that is rho to the power k",
+      {"rho over k: each iteration leaves rho of what the last one left, that is rho to the power "
+       "k",
        left([](double rho, double k) { return rho / k; })},
-      {"the sweeps are forgotten: k of them leave rho to the power k. Or 1 + beta has the power k, "
-       "too: only rho has it", power([](double) { return 1; })},
-      {"the square root: rho is what a whole sweep leaves",
+      {"the iterations are forgotten: k of them leave rho to the power k. Or 1 + beta has the "
+       "power k, "
+       "too: only rho has it",
+       power([](double) { return 1; })},
+      {"the square root: rho is what a whole iteration leaves",
        power([](double k) { return k / 2; })},
-      {"twice the sweeps: rho is what a whole sweep leaves",
+      {"twice the iterations: rho is what a whole iteration leaves",
        power([](double k) { return 2 * k; })},
-      {"one sweep less: k sweeps leave rho to the power k, the first one counts, too",
+      {"one iteration less: k iterations leave rho to the power k, the first one counts, too",
        power([](double k) { return k - 1; })},
-      {"one sweep more: k sweeps leave rho to the power k", power([](double k) { return k + 1; })},
-      {"1 - rho to the power k: rho itself is what a sweep leaves",
+      {"one iteration more: k iterations leave rho to the power k",
+       power([](double k) { return k + 1; })},
+      {"1 - rho to the power k: rho itself is what an iteration leaves",
        left([](double rho, double k) { return std::pow(1 - rho, k); })},
-      {"e to the power -rho k: a sweep leaves rho, so k leave rho to the power k",
+      {"e to the power -rho k: an iteration leaves rho, so k leave rho to the power k",
        left([](double rho, double k) { return std::exp(-rho * k); })},
       {"divided by 1 - beta: rho^k is multiplied by 1 + beta",
        [](T& t) { t.more = 1 / (1 - t.c.beta); }},
@@ -78,14 +84,14 @@ inline Pieces<SafetyTwin> wrong_safeties() {
       {"rho^k + rho beta < 1: rho^k is multiplied by 1 + beta",
        all([](double left, const SafetyCase& c) { return left + c.rho * c.beta; })},
       {"beta does not count: it is forgotten, or rho is cut to 0 by an int. The error that is fed "
-       "back comes on top", more([](double) { return 1; })},
+       "back comes on top",
+       more([](double) { return 1; })},
       {"beta is cut to a whole number: an int has no fraction",
        more([](double beta) { return 1 + std::trunc(beta); })},
       {"compared with beta: Eq. 6-9 compares rho^k (1 + beta) with 1",
        [](T& t) { t.more = 1, t.bound = t.c.beta; }},
       {"a factor of 2: rho^k (1 + beta) is compared with 1", [](T& t) { t.left *= 2; }},
-      {"a bound below 1: rho^k (1 + beta) is compared with 1 itself",
-       [](T& t) { t.bound = 0.9; }},
+      {"a bound below 1: rho^k (1 + beta) is compared with 1 itself", [](T& t) { t.bound = 0.9; }},
       {"at the bound nothing dies away: < and not <=", [](T& t) { t.at_bound = true; }},
       {"the other way round: true means safe", [](T& t) { t.negated = true; }},
       {"it is always safe: is anything compared, or is a variable never set?",
@@ -98,9 +104,9 @@ inline CaseTable<SafetyCase> safety_table() {
   CaseTable<SafetyCase> table{{"6.2", "is a warm start safe? (1 yes, 0 no)", 2}, {"safe"},
                               {}, {}, {}, {}};
   table.yours = [](const SafetyCase& c) {
-    return Numbers{warm_start_is_safe(real(c.rho), int(c.sweeps), real(c.beta)) ? 1.0 : 0.0};
+    return Numbers{warm_start_is_safe(real(c.rho), int(c.iterations), real(c.beta)) ? 1.0 : 0.0};
   };
-  table.right = [](const SafetyCase& c) { return Numbers{SafetyTwin(c).safe() ? 1.0 : 0.0}; };
+  table.right = [](const SafetyCase& c) { return Numbers{SafetyReference(c).safe() ? 1.0 : 0.0}; };
   const std::tuple<double, int, double> scenes[] = {
       {ten_links, 4, 0.15}, {ten_links, 6, 0.15}, {ten_links, 10, 0.15}, {ten_links, 10, 0.5},
       {ten_links, 30, 0.8}, {0.9, 1, 0.05},       {0.9, 1, 0.15},        {0.9, 2, 0.3},
@@ -108,8 +114,8 @@ inline CaseTable<SafetyCase> safety_table() {
       {0.7, 2, 1},          {0.2, 1, 1.5},        {0.6, 1, 0.5},         {0.5, 1, 1},
       {1, 10, 0},           {1, 10, 0.2},         {0.999, 10, 0},        {0, 1, 1.9},
       {0.99, 10, 0.5},      {0.9, 1, 1.5},        {ten_links, 5, 0.15}};
-  for (const auto& [rho, sweeps, beta] : scenes)
-    table.cases.push_back(safety_case(rho, sweeps, beta));
+  for (const auto& [rho, iterations, beta] : scenes)
+    table.cases.push_back(safety_case(rho, iterations, beta));
   Random random(625);  // more of them, so that no mistake fits by chance; none near the bound
   while (table.cases.size() < 60) {
     const auto two_digits = [&](real least, real most) {
@@ -117,23 +123,24 @@ inline CaseTable<SafetyCase> safety_table() {
     };
     const SafetyCase c = safety_case(two_digits(real(0.3), real(0.99)),
                                      1 + int(random.uniform(0, 8)), two_digits(0, real(1.9)));
-    const SafetyTwin twin(c);
-    if (std::abs(twin.left * twin.more - 1) > 0.02) table.cases.push_back(c);
+    const SafetyReference reference(c);
+    if (std::abs(reference.left * reference.more - 1) > 0.02) table.cases.push_back(c);
   }
   table.whole = true;
-  add_pieces(table, [](const SafetyCase& c) { return SafetyTwin(c); },
-             [](const SafetyTwin& t) { return Numbers{t.safe() ? 1.0 : 0.0}; }, wrong_safeties());
+  add_pieces(
+      table, [](const SafetyCase& c) { return SafetyReference(c); },
+      [](const SafetyReference& t) { return Numbers{t.safe() ? 1.0 : 0.0}; }, wrong_safeties());
   return table;
 }
 
-// One row whose sweeps each leave the share rho of what is wrong, with a weight on it, warm: how
-// far is it from its place in the end?
+// One row whose iterations each leave the share rho of what is wrong, with a weight on it, warm:
+// how far is it from its place in the end?
 inline double runs_away(const SafetyCase& scene) {
   const double h = 1.0 / 60;
   double C = 1e-3, v = 0, kept = 0;  // for 1 kg
   for (int step = 0; step < 2000; ++step) {
     v += -9.81 * h + kept;
-    for (int sweep = 0; sweep < scene.sweeps; ++sweep) {
+    for (int iteration = 0; iteration < scene.iterations; ++iteration) {
       const double lambda = -(1 - scene.rho) * (v + scene.beta * C / h);
       v += lambda;
       kept += lambda;

@@ -135,10 +135,10 @@ TEST_CASE("6.2 what hangs at rest goes on hanging when the step changes", "[6.2]
   }
 }
 
-TEST_CASE("6.2 a chain of ten links needs six sweeps for a warm start beside beta", "[6.2]") {
+TEST_CASE("6.2 a chain of ten links needs six iterations for a warm start beside beta", "[6.2]") {
   const CaseTable<SafetyCase> table = safety_table();
-  for (const int sweeps : {4, 5}) table.check(safety_case(ten_links, sweeps, 0.15), {0});
-  for (const int sweeps : {6, 10}) table.check(safety_case(ten_links, sweeps, 0.15), {1});
+  for (const int iterations : {4, 5}) table.check(safety_case(ten_links, iterations, 0.15), {0});
+  for (const int iterations : {6, 10}) table.check(safety_case(ten_links, iterations, 0.15), {1});
   table.check();
 }
 
@@ -274,14 +274,16 @@ TEST_CASE("6.3 what a rope is off its length after a visit falls with the square
   }
 }
 
-// ---- 6.3 the sweep ------------------------------------------------------------------------------
+// ---- 6.3 the iteration
+// ------------------------------------------------------------------------------
 
-TEST_CASE("6.3 in a sweep each joint sees the poses that the one before it has left", "[6.3]") {
+TEST_CASE("6.3 in an iteration each joint sees the poses that the one before it has left",
+          "[6.3]") {
   const Chain start = torn_chain();
   Chain yours = start, right = start;
-  visit_all(right, {0, 1, 2, 3}, twin_visit);
-  projection_sweep(yours);
-  const SweepMistake mistake = explain_sweep(start, yours);
+  visit_all(right, {0, 1, 2, 3}, reference_visit);
+  projection_iteration(yours);
+  const IterationMistake mistake = explain_iteration(start, yours);
   for (std::size_t k = 0; k < start.bodies.size(); ++k) {
     const Body &mine = yours.bodies[k], &other = right.bodies[k];
     const std::string number = " of body " + std::to_string(k);
@@ -297,12 +299,12 @@ TEST_CASE("6.3 in a sweep each joint sees the poses that the one before it has l
   }
 }
 
-TEST_CASE("6.3 sweep after sweep a torn chain closes", "[6.3]") {
+TEST_CASE("6.3 iteration after iteration a torn chain closes", "[6.3]") {
   const Chain start = torn_chain();
   Chain chain = start;
-  projection_sweep(chain);
-  const SweepMistake mistake = explain_sweep(start, chain);
-  for (int n = 1; n < 400 && largest_gap(chain) < 10; ++n) projection_sweep(chain);
+  projection_iteration(chain);
+  const IterationMistake mistake = explain_iteration(start, chain);
+  for (int n = 1; n < 400 && largest_gap(chain) < 10; ++n) projection_iteration(chain);
   for (std::size_t k = 0; k < chain.joints.size(); ++k) {
     const vec3 gap = chain.joints[k].error(chain.bodies[k], chain.bodies[k + 1]);
     std::vector<VectorSuspect> suspects;

@@ -121,9 +121,10 @@ void expect_left_alone(const CaseTable<VisitCase<Part>>& table) {
   }
 }
 
-// ---- the sweep ----------------------------------------------------------------------------------
+// ---- the iteration
+// ----------------------------------------------------------------------------------
 
-inline constexpr Subject sweep_subject{"6.3", "a sweep of position projection", 3};
+inline constexpr Subject iteration_subject{"6.3", "an iteration of position projection", 3};
 
 // A chain of five uneven bodies, each turned, each joint torn.
 inline Chain torn_chain() {
@@ -147,29 +148,29 @@ inline void visit_all(Chain& chain, const std::vector<std::size_t>& order, const
   for (const std::size_t k : order)
     visit(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]);
 }
-inline void twin_visit(const Point& point, Body& body1, Body& body2) {
-  move_by(twin_moves(point, {body1, body2}), body1, body2);
+inline void reference_visit(const Point& point, Body& body1, Body& body2) {
+  move_by(reference_moves(point, {body1, body2}), body1, body2);
 }
 inline void your_visit(const Point& point, Body& body1, Body& body2) {
   project(point, body1, body2);
 }
 
-// Every joint looks at the poses before the sweep.
+// Every joint looks at the poses before the iteration.
 inline void stale_visits(Chain& chain, const Visit&) {
   const Chain before = chain;
   for (std::size_t k = 0; k < chain.joints.size(); ++k)
-    move_by(twin_moves(before.joints[k], {before.bodies[k], before.bodies[k + 1]}),
+    move_by(reference_moves(before.joints[k], {before.bodies[k], before.bodies[k + 1]}),
             chain.bodies[k], chain.bodies[k + 1]);
 }
 
-// All errors are taken before the sweep, K and J are fresh.
+// All errors are taken before the iteration, K and J are fresh.
 inline void stale_errors(Chain& chain, const Visit&) {
   const Chain before = chain;
   for (std::size_t k = 0; k < chain.joints.size(); ++k) {
     Body &a = chain.bodies[k], &b = chain.bodies[k + 1];
-    VisitTwin<Point> twin(chain.joints[k], {a, b});
-    twin.C = to_vector(chain.joints[k].error(before.bodies[k], before.bodies[k + 1]));
-    move_by(twin.moves(), a, b);
+    VisitReference<Point> reference(chain.joints[k], {a, b});
+    reference.C = to_vector(chain.joints[k].error(before.bodies[k], before.bodies[k + 1]));
+    move_by(reference.moves(), a, b);
   }
 }
 // One of the two bodies of each joint is a copy.
@@ -207,33 +208,33 @@ inline bool same_chains(const Chain& a, const Chain& b) {
 }
 
 // The mistake that gives all the bodies of a chain; "" where there is none. The subject is another
-// one where the sweep is right and its visits are not.
-struct SweepMistake {
+// one where the iteration is right and its visits are not.
+struct IterationMistake {
   Subject subject;
   std::string words;
 };
-inline SweepMistake explain_sweep(const Chain& start, const Chain& yours) {
-  using Sweep = std::function<void(Chain&, const Visit&)>;
+inline IterationMistake explain_iteration(const Chain& start, const Chain& yours) {
+  using Iteration = std::function<void(Chain&, const Visit&)>;
   const auto order = [](std::vector<std::size_t> joints) {
     return [=](Chain& chain, const Visit& visit) { visit_all(chain, joints, visit); };
   };
-  const std::pair<Sweep, const char*> sweeps[] = {
-      {order({0, 1, 2, 3}), "the sweep is right and its visits are not: look at `project` of a "
+  const std::pair<Iteration, const char*> iterations[] = {
+      {order({0, 1, 2, 3}), "the iteration is right and its visits are not: look at `project` of a "
                             "point, the first part of the exercise"},
       {stale_visits, "the poses are stale: each joint must see the poses that the one before it "
                      "has left, else both move their body for the same gap"},
-      {order({3, 2, 1, 0}), "the sweep runs backwards: from the first joint to the last"},
+      {order({3, 2, 1, 0}), "the iteration runs backwards: from the first joint to the last"},
       {order({1, 2, 3}), "the first joint is left out: it holds body 0 to body 1"},
       {order({0, 1, 2}), "the last joint is left out: there is one joint less than bodies"},
       {order({0}), "only the first joint is visited"},
-      {order({0, 1, 2, 3, 0, 1, 2, 3}), "this is two sweeps: every joint is visited once"},
+      {order({0, 1, 2, 3, 0, 1, 2, 3}), "this is two iterations: every joint is visited once"},
       {order({0, 1, 2, 3, 3, 2, 1, 0}), "there and back: every joint is visited once"},
       {order({0, 2}), "every second joint is left out"},
       {order({0, 2, 1, 3}),
        "every second joint, then the others: from the first joint to the last"},
       {order({}), "nothing moves: nothing is done yet, or copies move: take the bodies of the "
                   "chain by reference, auto& and not auto"},
-      {stale_errors, "the errors are taken before the sweep: each joint needs its error at the "
+      {stale_errors, "the errors are taken before the iteration: each joint needs its error at the "
                      "poses that the one before it has left"},
       {visit_copy(1), "body k + 1 is a copy: take it by reference, auto& and not auto"},
       {visit_copy(0), "body k is a copy: take it by reference, auto& and not auto"},
@@ -256,28 +257,31 @@ inline SweepMistake explain_sweep(const Chain& start, const Chain& yours) {
        }, "joint 0 is taken for all of them: joint k holds body k to body k + 1"}};
   for (const Body& body : yours.bodies)
     if (!std::isfinite(double(dot(body.x, body.x) + dot(body.q, body.q))))
-      fail(sweep_subject, "A body's place is no number.\n\n" +
+      fail(iteration_subject, "A body's place is no number.\n\n" +
                               likely("a joint between a body and itself has no K: joint k holds "
                                      "body k to body k + 1"));
-  for (const bool twin : {true, false})
-    for (const auto& [sweep, words] : sweeps) {
+  for (const bool reference : {true, false})
+    for (const auto& [iteration, words] : iterations) {
       Chain chain = start;
-      sweep(chain, twin ? twin_visit : your_visit);
+      iteration(chain, reference ? reference_visit : your_visit);
       if (!same_chains(chain, yours)) continue;
-      const bool in_order = &words == &sweeps[0].second;
-      return {in_order && !twin ? visit : sweep_subject, in_order && twin ? "" : words};
+      const bool in_order = &words == &iterations[0].second;
+      return {in_order && !reference ? visit : iteration_subject,
+              in_order && reference ? "" : words};
     }
   Chain often = start, resting = yours;
   for (int n = 2; n < 200; ++n) {
     visit_all(often, {0, 1, 2, 3}, your_visit);
     if (same_chains(often, yours) && n > 2)
-      return {sweep_subject, "this is " + std::to_string(n - 1) + " sweeps: every joint is visited "
-                             "once"};
+      return {iteration_subject, "this is " + std::to_string(n - 1) +
+                                     " iterations: every joint is visited "
+                                     "once"};
   }
   for (std::size_t k = 0; k < resting.bodies.size(); ++k) resting.bodies[k].v = start.bodies[k].v;
   if (!same_chains(resting, yours))
-    return {sweep_subject, "the velocities of the bodies change: a sweep moves and turns them"};
-  return {sweep_subject, ""};
+    return {iteration_subject,
+            "the velocities of the bodies change: an iteration moves and turns them"};
+  return {iteration_subject, ""};
 }
 
 }  // namespace joints::testing

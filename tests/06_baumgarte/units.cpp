@@ -57,6 +57,6 @@ TEST_CASE("6.3 projection adds ways to places and angles to turns", "[6.3]") {
   keeps_poses(a);
   keeps_poses(b);
   Chain chain{{body1, body2}, {{lever1, lever2}}};
-  in("the sweep", [&] { projection_sweep(chain); }, no_step);
+  in("the iteration", [&] { projection_iteration(chain); }, no_step);
   keeps_poses(chain.bodies[1]);
 }

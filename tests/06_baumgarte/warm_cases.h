@@ -55,12 +55,12 @@ inline WarmCase warm_case(const std::string& words, double ratio, unsigned seed)
 }
 
 /// The path to the answer: what is applied, by which rows, in which four lines; what is kept.
-struct WarmTwin {
+struct WarmReference {
   Jacobian<3> J;
   vec3 applied, kept;
   ImpulseLines lines;
   real ratio;
-  explicit WarmTwin(const WarmCase& c)
+  explicit WarmReference(const WarmCase& c)
       : J(c.J), applied(real(c.ratio) * c.lambda), kept(applied), lines(c.pair),
         ratio(real(c.ratio)) {}
   Numbers answer() const {
@@ -68,8 +68,8 @@ struct WarmTwin {
     return flat({kept, a[0], a[1], a[2], a[3]});
   }
 };
-inline Pieces<WarmTwin> wrong_warm_starts() {
-  using T = WarmTwin;
+inline Pieces<WarmReference> wrong_warm_starts() {
+  using T = WarmReference;
   const auto lambda = [](auto of) {
     return std::function<void(T&)>([=](T& t) {
       const vec3 before = t.applied / t.ratio;
@@ -134,9 +134,13 @@ inline CaseTable<WarmCase> warm_table() {
   table.right = shares([](double r) { return A{r, r, r}; });
   table.mistakes = {
       {"nothing is applied where the step has not changed: the bodies feel lambda in every step",
-       shares([](double r) { return r == 1 ? A{1, 0, 0} : A{r, r, r}; })},
+       shares([](double r) {
+         return r == 1 ? A{1, 0, 0} : A{r, r, r};
+       })},
       {"the ratio is cut to a whole number: it is a real, and half a step is 0.5",
-       shares([](double r) { return A{std::floor(r), std::floor(r), std::floor(r)}; })},
+       shares([](double r) {
+         return A{std::floor(r), std::floor(r), std::floor(r)};
+       })},
       {"only v changes: lambda turns the bodies, too, w gets its share",
        [=](const Case& c) {
          Moves a = scaled(real(c.ratio), real(c.ratio), moves(c));
@@ -149,38 +153,64 @@ inline CaseTable<WarmCase> warm_table() {
          a.way1 = a.way2 = vec3(0);
          return of(real(c.ratio) * c.lambda, a);
        }},
-      {"the ratio is forgotten: half a step needs half the impulse",
-       shares([](double) { return A{1, 1, 1}; })},
-      {"divided by the ratio: half a step needs half the impulse",
-       shares([](double r) { return A{1 / r, 1 / r, 1 / r}; })},
-      {"lambda is set to zero: it must hold what has been applied, for the sweeps go on from there",
-       shares([](double r) { return A{0, r, r}; })},
-      {"lambda is set to zero, and the ratio is forgotten",
-       shares([](double) { return A{0, 1, 1}; })},
+      {"the ratio is forgotten: half a step needs half the impulse", shares([](double) {
+         return A{1, 1, 1};
+       })},
+      {"divided by the ratio: half a step needs half the impulse", shares([](double r) {
+         return A{1 / r, 1 / r, 1 / r};
+       })},
+      {"lambda is set to zero: it must hold what has been applied, for the iterations go on from "
+       "there",
+       shares([](double r) {
+         return A{0, r, r};
+       })},
+      {"lambda is set to zero, and the ratio is forgotten", shares([](double) {
+         return A{0, 1, 1};
+       })},
       {"the old impulse is applied and the scaled one is kept: scale first, then apply",
-       shares([](double r) { return A{r, 1, 1}; })},
+       shares([](double r) {
+         return A{r, 1, 1};
+       })},
       {"the scaled impulse is applied and the old one is kept: lambda must hold what was applied",
-       shares([](double r) { return A{1, r, r}; })},
-      {"the impulse is applied twice: the sweeps begin where it has been applied once",
-       shares([](double r) { return A{r, 2 * r, 2 * r}; })},
-      {"the ratio is taken twice for what is applied",
-       shares([](double r) { return A{r, r * r, r * r}; })},
-      {"the ratio is taken twice", shares([](double r) { return A{r * r, r * r, r * r}; })},
+       shares([](double r) {
+         return A{1, r, r};
+       })},
+      {"the impulse is applied twice: the iterations begin where it has been applied once",
+       shares([](double r) {
+         return A{r, 2 * r, 2 * r};
+       })},
+      {"the ratio is taken twice for what is applied", shares([](double r) {
+         return A{r, r * r, r * r};
+       })},
+      {"the ratio is taken twice", shares([](double r) {
+         return A{r * r, r * r, r * r};
+       })},
       {"only body 2 feels it: body 1 gets the opposite push, and a turn of its own",
-       shares([](double r) { return A{r, 0, r}; })},
-      {"only body 1 feels it: +lambda acts on body 2", shares([](double r) { return A{r, r, 0}; })},
-      {"the sign of what is applied: +M^-1 J^T lambda, as apply_impulse does",
-       shares([](double r) { return A{r, -r, -r}; })},
-      {"the sign: the impulse of this step has the sign of the last one",
-       shares([](double r) { return A{-r, -r, -r}; })},
-      {"nothing is applied: lambda is scaled, but the bodies do not feel it",
-       shares([](double r) { return A{r, 0, 0}; })},
+       shares([](double r) {
+         return A{r, 0, r};
+       })},
+      {"only body 1 feels it: +lambda acts on body 2", shares([](double r) {
+         return A{r, r, 0};
+       })},
+      {"the sign of what is applied: +M^-1 J^T lambda, as apply_impulse does", shares([](double r) {
+         return A{r, -r, -r};
+       })},
+      {"the sign: the impulse of this step has the sign of the last one", shares([](double r) {
+         return A{-r, -r, -r};
+       })},
+      {"nothing is applied: lambda is scaled, but the bodies do not feel it", shares([](double r) {
+         return A{r, 0, 0};
+       })},
       {"nothing is done yet, or copies are changed: lambda is a reference, and so are the bodies",
-       shares([](double) { return A{1, 0, 0}; })},
-      {"added to the old impulse where it takes its place: = and not +=",
-       shares([](double r) { return A{1 + r, r, r}; })},
-      {"added to the old impulse where it takes its place: = and not +=",
-       shares([](double r) { return A{1 + r, 1 + r, 1 + r}; })},
+       shares([](double) {
+         return A{1, 0, 0};
+       })},
+      {"added to the old impulse where it takes its place: = and not +=", shares([](double r) {
+         return A{1 + r, r, r};
+       })},
+      {"added to the old impulse where it takes its place: = and not +=", shares([](double r) {
+         return A{1 + r, 1 + r, 1 + r};
+       })},
       {"the bodies are exchanged: body 1 first, then body 2", [=](const Case& c) {
          const Moves a = response<3>(c.J, to_vector(real(c.ratio) * c.lambda),
                                      {c.pair.body2, c.pair.body1});
@@ -201,8 +231,8 @@ inline CaseTable<WarmCase> warm_table() {
                               return c.pair.body1.is_static() || c.pair.body2.is_static()
                                          ? of(real(c.ratio) * c.lambda, {}) : right(c);
                             }});
-  add_pieces(table, [](const Case& c) { return WarmTwin(c); },
-             [](const WarmTwin& t) { return t.answer(); }, wrong_warm_starts());
+  add_pieces(table, [](const Case& c) { return WarmReference(c); },
+             [](const WarmReference& t) { return t.answer(); }, wrong_warm_starts());
   return table;
 }
 

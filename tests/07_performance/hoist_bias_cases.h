@@ -7,12 +7,12 @@
 namespace joints::testing {
 
 /// The five errors, by what each is multiplied, and what is done with the numbers.
-struct BiasTwin {
+struct BiasReference {
   HingeCase c;
   Vector<5> C, rate, more{};
   std::function<void(Vector<5>&)> after;
 
-  explicit BiasTwin(const HingeCase& c) : c(c), C(c.hinge.error(c.pair.body1, c.pair.body2)) {
+  explicit BiasReference(const HingeCase& c) : c(c), C(c.hinge.error(c.pair.body1, c.pair.body2)) {
     rate.fill(c.hinge.beta / c.h);
   }
   Numbers biases() const {
@@ -25,8 +25,8 @@ struct BiasTwin {
 
 /// What may be wrong with the rate or the number of each: all five, those of the point, those of
 /// the axis.
-inline Pieces<BiasTwin> wrong_rates() {
-  using T = BiasTwin;
+inline Pieces<BiasReference> wrong_rates() {
+  using T = BiasReference;
   struct Rule {
     const char* words;
     real (*of)(const HingeCase&);
@@ -79,8 +79,8 @@ inline Pieces<BiasTwin> wrong_rates() {
 }
 
 /// What may be taken for the errors.
-inline Pieces<BiasTwin> wrong_errors() {
-  using T = BiasTwin;
+inline Pieces<BiasReference> wrong_errors() {
+  using T = BiasReference;
   // another gap
   const auto gap = [](auto of) {
     return std::function<void(T&)>([=](T& t) {
@@ -132,7 +132,7 @@ inline Pieces<BiasTwin> wrong_errors() {
          return c.body(second).x + c.anchor(second);
        })},
       {"the gap of the levers alone: it runs from anchor to anchor, point.error",
-       between([](const HingeCase& c, bool second) { return twin_lever(c, second); })},
+       between([](const HingeCase& c, bool second) { return reference_lever(c, second); })},
       {"the gap in the axes of body 1: point.error is in world axes already",
        gap([=](const HingeCase& c) { return to_local(c.pair.body1, right_gap(c)); })},
       {"the gap in the axes of body 2: point.error is in world axes already",
@@ -149,8 +149,8 @@ inline Pieces<BiasTwin> wrong_errors() {
 }
 
 /// The velocities among the errors, in some rows, with or without what w does.
-inline Pieces<BiasTwin> wrong_velocities() {
-  using T = BiasTwin;
+inline Pieces<BiasReference> wrong_velocities() {
+  using T = BiasReference;
   Pieces<T> out;
   for (const bool turns : {true, false})
     for (const auto& [from, to] : {std::pair{0, 5}, {0, 3}, {3, 5}})
@@ -159,8 +159,8 @@ inline Pieces<BiasTwin> wrong_velocities() {
         out.push_back({"the velocities are mixed in: bias holds what does not depend on them, J V "
                        "comes in the solve", [=, from = from, to = to](T& t) {
                          const HingeCase& c = t.c;
-                         Jacobian<5> J = hinge_rows(twin_lever(c, false), twin_lever(c, true),
-                                                    twin_rows(c));
+                         Jacobian<5> J = hinge_rows(reference_lever(c, false),
+                                                    reference_lever(c, true), reference_rows(c));
                          if (!turns)
                            for (Row& row : J.row) row.w1 = row.w2 = vec3(0);
                          for (int i = from; i < to; ++i)
@@ -181,11 +181,12 @@ inline CaseTable<HingeCase> hinge_bias_table() {
     const HingeNumbers<real> yours = hoisted(c);
     return Numbers(yours.bias.begin(), yours.bias.end());
   };
-  table.right = [](const Case& c) { return BiasTwin(c).biases(); };
+  table.right = [](const Case& c) { return BiasReference(c).biases(); };
   table.tolerance = 10 * rounding;
-  Pieces<BiasTwin> pieces = {
-      {"the biases are not written yet", [](BiasTwin& t) { t.C = {}, t.more.fill(unwritten); }},
-      {"all are zero: beta C / h, with the error as it is now", [](BiasTwin& t) { t.C = {}; }}};
+  Pieces<BiasReference> pieces = {{"the biases are not written yet",
+                                   [](BiasReference& t) { t.C = {}, t.more.fill(unwritten); }},
+                                  {"all are zero: beta C / h, with the error as it is now",
+                                   [](BiasReference& t) { t.C = {}; }}};
   for (int present = 1; present < 31; ++present) {  // which of the five are written or not zero
     std::string missing;
     for (int i = 0; i < 5; ++i)
@@ -194,15 +195,15 @@ inline CaseTable<HingeCase> hinge_bias_table() {
       pieces.push_back({(nothing == 0 ? "zero: " : "not written yet: ") + missing +
                             ". All five errors are fed back, three of the point and two of the "
                             "axis",
-                        [=](BiasTwin& t) {
+                        [=](BiasReference& t) {
                           for (std::size_t i = 0; i < 5; ++i)
                             if (!(present >> i & 1)) t.C[i] = 0, t.more[i] = nothing;
                         }});
   }
-  for (const Pieces<BiasTwin>& more : {wrong_rates(), wrong_errors(), wrong_velocities()})
+  for (const Pieces<BiasReference>& more : {wrong_rates(), wrong_errors(), wrong_velocities()})
     pieces.insert(pieces.end(), more.begin(), more.end());
-  add_pieces(table, [](const Case& c) { return BiasTwin(c); },
-             [](const BiasTwin& t) { return t.biases(); }, pieces);
+  add_pieces(table, [](const Case& c) { return BiasReference(c); },
+             [](const BiasReference& t) { return t.biases(); }, pieces);
   return table;
 }
 

@@ -69,7 +69,9 @@ inline CaseTable<HingeCase> lever_table() {
     append(out, yours.r2);
     return out;
   };
-  table.right = [=](const Case& c) { return flat(twin_lever(c, false), twin_lever(c, true)); };
+  table.right = [=](const Case& c) {
+    return flat(reference_lever(c, false), reference_lever(c, true));
+  };
   add_body_rules<vec3>(
       table,
       {{"not written yet", [](const Case&, bool) { return vec3(unwritten); }},
@@ -81,9 +83,9 @@ inline CaseTable<HingeCase> lever_table() {
         }},
        {"the place of the anchor: a lever begins at the centre of its body, to_world and not "
         "world_point",
-        [](const Case& c, bool second) { return c.body(second).x + twin_lever(c, second); }},
+        [](const Case& c, bool second) { return c.body(second).x + reference_lever(c, second); }},
        {"the lever of the other body",
-        [](const Case& c, bool second) { return twin_lever(c, !second); }},
+        [](const Case& c, bool second) { return reference_lever(c, !second); }},
        {"the anchor of the other body, turned with this one",
         [](const Case& c, bool second) { return rotated(c.body(second).q, c.anchor(!second)); }},
        {"turned with the other body: each anchor rides on its own body",
@@ -91,21 +93,21 @@ inline CaseTable<HingeCase> lever_table() {
        {"the anchor of the other body, not turned",
         [](const Case& c, bool second) { return c.anchor(!second); }},
        {"the sign: from the centre to the anchor",
-        [](const Case& c, bool second) { return -twin_lever(c, second); }},
+        [](const Case& c, bool second) { return -reference_lever(c, second); }},
        {"to the anchor on the other body: that is the same point only while the gap is zero",
         [](const Case& c, bool second) {
-          return c.body(!second).x + twin_lever(c, !second) - c.body(second).x;
+          return c.body(!second).x + reference_lever(c, !second) - c.body(second).x;
         }},
        {"it begins at the centre of the other body: at that of its own",
         [](const Case& c, bool second) {
-          return c.body(second).x + twin_lever(c, second) - c.body(!second).x;
+          return c.body(second).x + reference_lever(c, second) - c.body(!second).x;
         }},
        {"made a unit vector: a lever keeps its length",
         [](const Case& c, bool second) {
-          const vec3 r = twin_lever(c, second);
+          const vec3 r = reference_lever(c, second);
           return length(r) > 0 ? normalize(r) : r;
         }}},
-      twin_lever, "r", flat);
+      reference_lever, "r", flat);
   table.tolerance = 10 * rounding;
   return table;
 }
@@ -129,7 +131,7 @@ inline CaseTable<HingeCase> axis_row_table() {
     };
   };
   const auto of_rows = [=](auto change) {
-    return [=](const Case& c) { return flat(change(c, twin_rows(c))); };
+    return [=](const Case& c) { return flat(change(c, reference_rows(c))); };
   };
   const auto on_1 = [](const Case& c, const vec3& a) { return rotated(c.pair.body1.q, a); };
   const auto on_2 = [](const Case& c, const vec3& a) { return rotated(c.pair.body2.q, a); };
@@ -177,12 +179,12 @@ inline CaseTable<HingeCase> axis_row_table() {
        of_rows([](const Case&, const Rows& a) { return Rows{a[1], a[1]}; })},
       {"the blocks v of the rows, which are zero: take w2",
        of_rows([](const Case&, const Rows&) { return Rows{vec3(0), vec3(0)}; })},
-      {"turned back into the axes of body 2: the sweeps need the rows in world axes",
+      {"turned back into the axes of body 2: the iterations need the rows in world axes",
        of_rows([](const Case& c, const Rows& a) {
          const quat back = conjugate(c.pair.body2.q);
          return Rows{rotated(back, a[0]), rotated(back, a[1])};
        })},
-      {"turned back into the axes of body 1: the sweeps need the rows in world axes",
+      {"turned back into the axes of body 1: the iterations need the rows in world axes",
        of_rows([](const Case& c, const Rows& a) {
          const quat back = conjugate(c.pair.body1.q);
          return Rows{rotated(back, a[0]), rotated(back, a[1])};
@@ -231,7 +233,7 @@ inline CaseTable<HingeCase> inertia_table() {
     return [=](const Case& c, bool second) { return six_numbers(of(c.body(second))); };
   };
   const auto right = [](const Case& c, bool second) {
-    return six_numbers(twin_inertia(c, second));
+    return six_numbers(reference_inertia(c, second));
   };
   const auto in_order = [=](std::array<int, 6> order) {  // which number stands in each place
     return [=](const Case& c, bool second) {

@@ -8,7 +8,8 @@
 
 namespace joints::testing {
 
-// ---- the twin of exercise 7.1 -------------------------------------------------------------------
+// ---- the reference of exercise 7.1
+// -------------------------------------------------------------------
 
 /// A direction turned by a quaternion: q a q^-1.
 inline vec3 rotated(const quat& q, const vec3& a) {
@@ -114,15 +115,15 @@ inline std::vector<HingeCase> hinge_cases() {
 inline std::array<vec3, 2> axis_rows(const vec3& a1, const vec3& b, const vec3& c) {
   return {cross(b, a1), cross(c, a1)};
 }
-inline std::array<vec3, 2> twin_rows(const HingeCase& c) {
+inline std::array<vec3, 2> reference_rows(const HingeCase& c) {
   return axis_rows(rotated(c.pair.body1.q, c.hinge.axis.a1_local),
                    rotated(c.pair.body2.q, c.hinge.axis.b_local),
                    rotated(c.pair.body2.q, c.hinge.axis.c_local));
 }
-inline vec3 twin_lever(const HingeCase& c, bool second) {
+inline vec3 reference_lever(const HingeCase& c, bool second) {
   return rotated(c.body(second).q, c.anchor(second));
 }
-inline mat3 twin_inertia(const HingeCase& c, bool second) {
+inline mat3 reference_inertia(const HingeCase& c, bool second) {
   return turned_inertia(c.body(second).q, c.body(second).inverse_inertia_local);
 }
 /// The five rows: a gap moves with both anchors, an axis error with the turns alone.
@@ -136,11 +137,11 @@ inline Jacobian<5> hinge_rows(const vec3& r1, const vec3& r2, const std::array<v
   return J;
 }
 /// The numbers of a hinge. inverse_K is K of the five rows, inverted.
-inline HingeNumbers<real> twin_numbers(const HingeCase& c) {
+inline HingeNumbers<real> reference_numbers(const HingeCase& c) {
   HingeNumbers<real> out{};
-  const vec3 r1 = twin_lever(c, false), r2 = twin_lever(c, true);
-  const mat3 I1 = twin_inertia(c, false), I2 = twin_inertia(c, true);
-  const std::array<vec3, 2> a = twin_rows(c);
+  const vec3 r1 = reference_lever(c, false), r2 = reference_lever(c, true);
+  const mat3 I1 = reference_inertia(c, false), I2 = reference_inertia(c, true);
+  const std::array<vec3, 2> a = reference_rows(c);
   out.r1 = {r1.x, r1.y, r1.z};
   out.r2 = {r2.x, r2.y, r2.z};
   for (int k = 0; k < 2; ++k) out.axis_row[k] = {a[k].x, a[k].y, a[k].z};

@@ -17,7 +17,7 @@ inline Velocities<real> velocities_of(const Body& body) {
   return {{body.v.x, body.v.y, body.v.z}, body.inverse_mass, {body.w.x, body.w.y, body.w.z}, 0};
 }
 inline SolveCase solve_case(const HingeCase& c) {
-  return {c.words, twin_numbers(c), velocities_of(c.pair.body1), velocities_of(c.pair.body2)};
+  return {c.words, reference_numbers(c), velocities_of(c.pair.body1), velocities_of(c.pair.body2)};
 }
 inline std::vector<SolveCase> solve_cases() {
   std::vector<SolveCase> out;
@@ -47,8 +47,8 @@ inline Numbers flat(const FourVelocities& V) {
 }
 
 /// What a solve is made of, each piece by itself, so that a mistake changes one of them.
-struct SolveTwin {
-  using Step = std::function<void(SolveTwin&, Vector<5>&)>;
+struct SolveReference {
+  using Step = std::function<void(SolveReference&, Vector<5>&)>;
   vec3 r1, r2;              ///< levers
   std::array<vec3, 2> a;    ///< axis rows
   Jacobian<5> read, push;   ///< J of e, and J of what lambda does
@@ -58,7 +58,7 @@ struct SolveTwin {
   FourVelocities V;
   std::vector<Step> on_e, on_lambda, after;  ///< what else becomes of e, of lambda, of V
 
-  explicit SolveTwin(const SolveCase& c)
+  explicit SolveReference(const SolveCase& c)
       : r1(to_vec3(c.hinge.r1)), r2(to_vec3(c.hinge.r2)),
         a{to_vec3(c.hinge.axis_row[0]), to_vec3(c.hinge.axis_row[1])},
         read(hinge_rows(r1, r2, a)), push(read), V(velocities_of(c)) {

@@ -17,33 +17,33 @@ struct SolvePath {
 };
 
 inline SolvePath right_path(const SolveCase& c) {
-  SolveTwin twin(c);
+  SolveReference reference(c);
   SolvePath out;
-  out.e = twin.e();
-  out.lambda = twin.lambda(out.e);
+  out.e = reference.e();
+  out.lambda = reference.lambda(out.e);
   out.P.fill(vec3(out.lambda[0], out.lambda[1], out.lambda[2]));
-  out.T.fill(out.lambda[3] * twin.a[0] + out.lambda[4] * twin.a[1]);
+  out.T.fill(out.lambda[3] * reference.a[0] + out.lambda[4] * reference.a[1]);
   return out;
 }
 /// Worked back from velocities after a solve; both bodies have to move.
 inline SolvePath path_to(const SolveCase& c, const FourVelocities& after) {
-  const SolveTwin twin(c);
+  const SolveReference reference(c);
   SolvePath out;
   for (std::size_t k = 0; k < 2; ++k) {
     const real sign = k == 0 ? -1 : 1;
     const auto given = [&](std::size_t line) {
-      return sign * (inverse(twin.lines.inverse_M[line]) * (after[line] - twin.V[line]));
+      return sign * (inverse(reference.lines.inverse_M[line]) * (after[line] - reference.V[line]));
     };
     out.P[k] = given(2 * k);
-    out.T[k] = given(2 * k + 1) - cross(k == 0 ? twin.r1 : twin.r2, out.P[k]);
+    out.T[k] = given(2 * k + 1) - cross(k == 0 ? reference.r1 : reference.r2, out.P[k]);
   }
   // T = lambda4 a_1 + lambda5 a_2, as near as can be
-  const vec3 &a = twin.a[0], &b = twin.a[1], &T = out.T[1];
+  const vec3 &a = reference.a[0], &b = reference.a[1], &T = out.T[1];
   const real aa = dot(a, a), ab = dot(a, b), bb = dot(b, b), det = aa * bb - ab * ab;
   const real x = dot(a, T), y = dot(b, T);
   out.lambda = {out.P[1].x, out.P[1].y, out.P[1].z, (bb * x - ab * y) / det,
                 (aa * y - ab * x) / det};
-  Matrix<5> K = twin.inverse_K;
+  Matrix<5> K = reference.inverse_K;
   invert_symmetric(K[0].data(), 5);
   out.e = {};
   for (int i = 0; i < 5; ++i)
@@ -104,8 +104,8 @@ inline std::string place_on_path() {
     const auto same = [](const vec3& a, const vec3& b) {
       return close(numbers_of(a), numbers_of(b), path_tolerance);
     };
-    const SolveTwin twin(c);
-    const vec3 T = yours.lambda[3] * twin.a[0] + yours.lambda[4] * twin.a[1];
+    const SolveReference reference(c);
+    const vec3 T = yours.lambda[3] * reference.a[0] + yours.lambda[4] * reference.a[1];
     agree = agree && same(yours.P[0], yours.P[1]) && same(yours.T[0], yours.T[1]) &&
             same(yours.T[1], T);
     for (std::size_t k = 0; k < 2; ++k) {

@@ -6,8 +6,8 @@
 namespace joints::testing {
 
 /// The mistakes that have a name of their own.
-inline Pieces<SolveTwin> usual_pieces() {
-  using T = SolveTwin;
+inline Pieces<SolveReference> usual_pieces() {
+  using T = SolveReference;
   const auto times = [](Jacobian<5> T::*rows, int from, int to, real v1, real w1, real v2,
                         real w2) {
     return [=](T& t) { t.*rows = T::scaled(t.*rows, from, to, v1, w1, v2, w2); };
@@ -194,13 +194,13 @@ inline const CaseTable<SolveCase>& solve_table() {
     CaseTable<Case> out{{"7.4", "the solve of a whole hinge"},
                         with_xyz({"v1", "w1", "v2", "w2"}), {}, {}, {}, solve_cases()};
     out.yours = [](const Case& c) { return flat(velocities_of(solved(c))); };
-    out.right = [](const Case& c) { return flat(SolveTwin(c).solved()); };
+    out.right = [](const Case& c) { return flat(SolveReference(c).solved()); };
     out.tolerance = is_float ? 1e-3 : 1e-10;
-    Pieces<SolveTwin> pieces = usual_pieces();
-    for (const auto& more : {wrong_lines(&SolveTwin::lines, false), any_pieces()})
+    Pieces<SolveReference> pieces = usual_pieces();
+    for (const auto& more : {wrong_lines(&SolveReference::lines, false), any_pieces()})
       pieces.insert(pieces.end(), more.begin(), more.end());
-    add_pieces(out, [](const Case& c) { return SolveTwin(c); },
-               [](const SolveTwin& t) { return flat(SolveTwin(t).solved()); }, pieces);
+    add_pieces(out, [](const Case& c) { return SolveReference(c); },
+               [](const SolveReference& t) { return flat(SolveReference(t).solved()); }, pieces);
     return out;
   }();
   return table;

@@ -6,8 +6,8 @@
 namespace joints::testing {
 
 /// The mistakes that any row, any entry or any term can have.
-inline Pieces<SolveTwin> any_pieces() {
-  using T = SolveTwin;
+inline Pieces<SolveReference> any_pieces() {
+  using T = SolveReference;
   Pieces<T> out;
   const auto name = [](const char* of, std::size_t i) {
     return of + ("[" + std::to_string(i) + "]");

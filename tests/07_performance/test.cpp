@@ -214,12 +214,12 @@ TEST_CASE("7.4 the hinge of the text is closed at one blow", "[7.4]") {
 
 TEST_CASE("7.4 a solve changes the velocities by M^-1 J^T lambda at every pose", "[7.4]") {
   for (const SolveCase& c : solve_cases())
-    check_solve(c, flat(SolveTwin(c).solved()), "numeric ");
+    check_solve(c, flat(SolveReference(c).solved()), "numeric ");
 }
 
 TEST_CASE("7.4 after one solve all five rows are true", "[7.4]") {
   for (const SolveCase& c : solve_cases()) {
-    const Vector<5> left = SolveTwin(solved(c)).e();
+    const Vector<5> left = SolveReference(solved(c)).e();
     for (std::size_t i = 0; i < 5; ++i)
       expect_solved("e[" + std::to_string(i) + "] after the solve (" + c.words + ")",
                     double(left[i]), 0, loose);

@@ -11,7 +11,7 @@ inline const std::vector<std::string> five_rows{"C.x", "C.y", "C.z", "a1.b", "a1
 
 /// Yours, for the hinge's numbers as they should be.
 inline Matrix<5> your_K(const HingeCase& c) {
-  return whole_K(twin_numbers(c), c.pair.body1.inverse_mass, c.pair.body2.inverse_mass);
+  return whole_K(reference_numbers(c), c.pair.body1.inverse_mass, c.pair.body2.inverse_mass);
 }
 /// J M^-1 J^T, with J by differences of the five errors.
 inline Matrix<5> right_K(const HingeCase& c) {
@@ -165,13 +165,13 @@ inline CaseTable<HingeCase> whole_K_table() {
 /// push at both anchors, or a turn, and then both bodies move a little ahead and back.
 inline Vector<5> rates_after_an_impulse(const HingeCase& c, int row) {
   const vec3 push = row < 3 ? unit_vector(row) : vec3(0);
-  const vec3 turn = row < 3 ? vec3(0) : twin_rows(c)[std::size_t(row - 3)];
+  const vec3 turn = row < 3 ? vec3(0) : reference_rows(c)[std::size_t(row - 3)];
   const auto moved = [&](bool second, real time) {
     Body body = c.body(second);
     const real sign = second ? time : -time;
-    const vec3 r = twin_lever(c, second);
+    const vec3 r = reference_lever(c, second);
     body.x += sign * body.inverse_mass * push;
-    const vec3 w = twin_inertia(c, second) * (cross(r, push) + turn);
+    const vec3 w = reference_inertia(c, second) * (cross(r, push) + turn);
     body.q = normalize(rotation(sign * w) * body.q);
     return body;
   };

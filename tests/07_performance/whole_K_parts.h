@@ -14,8 +14,8 @@ struct KSource {
   std::array<vec3, 2> a;
   explicit KSource(const HingeCase& c)
       : m{c.pair.body1.inverse_mass, c.pair.body2.inverse_mass},
-        r{twin_lever(c, false), twin_lever(c, true)},
-        I{twin_inertia(c, false), twin_inertia(c, true)}, a(twin_rows(c)) {}
+        r{reference_lever(c, false), reference_lever(c, true)},
+        I{reference_inertia(c, false), reference_inertia(c, true)}, a(reference_rows(c)) {}
   real masses() const { return m[0] + m[1]; }
   Matrix<5> K() const { return product_K(hinge_rows(r[0], r[1], a), m[0], I[0], m[1], I[1]); }
 };

@@ -1,5 +1,5 @@
 // Exercise 8.1: a corner and a ball above the top of a body as the numeric checker wants them, the
-// rows along any direction beside their numeric twin, and the usual mistakes with them.
+// rows along any direction beside their numeric reference, and the usual mistakes with them.
 #pragma once
 
 #include "chapters/08_ground/ground.h"
@@ -16,7 +16,7 @@ inline real room(const Corner& corner, const Body& body1, const Body& body2) {
 }
 
 /// The rows of the exercise beside an error that is right whatever the exercise's own is.
-struct CornerTwin : Corner {
+struct CornerReference : Corner {
   real error(const Body& body1, const Body& body2) const { return room(*this, body1, body2); }
 };
 
@@ -185,7 +185,7 @@ inline Corner corner_on_top(const Pair& pair, real radius) {
 }
 
 struct CornerFixture {
-  using Part = CornerTwin;
+  using Part = CornerReference;
   static constexpr Subject J{"8.1", "the row J of a corner", 2};
   static constexpr Subject K{"", "K of a corner"};
   static constexpr std::array rows{"C"};

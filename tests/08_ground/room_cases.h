@@ -37,14 +37,14 @@ inline std::vector<RoomCase> room_cases() {
 }
 
 /// n . (place + arm - rho - origin) - height, each by itself.
-struct RoomTwin {
+struct RoomReference {
   RoomCase c;
   vec3 n, place, arm, rho, origin;
   real height;
-  std::function<real(const RoomTwin&)> instead;  ///< of the whole
+  std::function<real(const RoomReference&)> instead;  ///< of the whole
   std::function<real(real)> after;               ///< what becomes of C
 
-  explicit RoomTwin(const RoomCase& c)
+  explicit RoomReference(const RoomCase& c)
       : c(c), n(to_world(c.pair.body1, vec3(0, 1, 0))), place(c.pair.body2.x),
         arm(to_world(c.pair.body2, c.corner.corner_local)), rho(c.corner.radius * n),
         origin(c.pair.body1.x), height(c.corner.height) {}
@@ -55,8 +55,8 @@ struct RoomTwin {
   }
 };
 
-inline Pieces<RoomTwin> wrong_rooms() {
-  using T = RoomTwin;
+inline Pieces<RoomReference> wrong_rooms() {
+  using T = RoomReference;
   using Change = std::function<void(T&)>;
   const auto up = [](auto of) { return Change([=](T& t) { t.n = of(t); }); };
   const auto radius = [](auto of) { return Change([=](T& t) { t.rho = of(t); }); };
@@ -153,8 +153,8 @@ inline CaseTable<RoomCase> room_table() {
     return Numbers{double(room(c.corner, c.pair.body1, c.pair.body2))};
   };
   table.tolerance = 10 * rounding;
-  add_pieces(table, [](const RoomCase& c) { return RoomTwin(c); },
-             [](const RoomTwin& t) { return Numbers{double(t.room())}; }, wrong_rooms());
+  add_pieces(table, [](const RoomCase& c) { return RoomReference(c); },
+             [](const RoomReference& t) { return Numbers{double(t.room())}; }, wrong_rooms());
   return table;
 }
 

@@ -109,7 +109,7 @@ void visit_rows(const Look& look) {
 TEST_CASE("8.1 the normal row of the text's corner has levers of a metre and a half metre",
           "[8.1]") {
   check_jacobian<CornerFixture>(
-      CornerTwin{paper_corner}, paper,
+      CornerReference{paper_corner}, paper,
       to_jacobian(Row{-y, vec3(real(0.5), 0, real(-0.5)), y, vec3(real(-0.5), 0, -1)}));
 }
 
@@ -279,7 +279,7 @@ TEST_CASE("8.2 friction never adds energy", "[8.2]") {
 }
 
 TEST_CASE("8.2 the sum of friction follows the normal impulse inwards", "[8.2]") {
-  // the sweeps take back what the normal row gave too much; nothing slides any more
+  // the iterations take back what the normal row gave too much; nothing slides any more
   real sum = 0, given = 0;
   for (const real normal : {real(2), real(1.2), real(0.7), real(0.7), real(0)}) {
     const FrictionCase c{"", normal == 2 ? 3.0 : 0.0, 0.25, 0.5, double(normal), double(sum)};

@@ -36,14 +36,14 @@ TEST_CASE("the first step of a hundred cubes on balls is block Gauss-Seidel on d
   const Column right = -(system.J * V + 0.2 / double(h) * system.C);
 
   Column lambda(A.rows());
-  for (int sweep = 0; sweep < 30; ++sweep) {
-    solver.sweep(scene.world.bodies, sweep);
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    solver.iterate(scene.world.bodies, iteration);
     for (long k = 0; k < A.rows(); k += 3) {
       const Column lacking = right.rows_from(k, 3) - A.rows_from(k, 3) * lambda;
       lambda.add(k, 0, solved(A.block(k, k, 3, 3), lacking));
     }
     const double size = lambda.largest();
-    INFO("sweep " << sweep);
+    INFO("iteration " << iteration);
     REQUIRE((impulses(solver.blocks()) - lambda).largest() <
             tolerance(1e-10, 1e-4) * std::max(1.0, size));
   }
@@ -51,7 +51,7 @@ TEST_CASE("the first step of a hundred cubes on balls is block Gauss-Seidel on d
   CHECK(difference(velocities(snapshot(scene.world.bodies)), after) < tolerance(1e-10, 1e-4));
 }
 
-TEST_CASE("more sweeps close the gaps of a thousand cubes on balls") {
+TEST_CASE("more iterations close the gaps of a thousand cubes on balls") {
   const auto gap = [](int iterations) {
     return bench::run([] { return bench::cubes_on_balls(10, 100); }, cold(iterations), 1).gap_rms;
   };

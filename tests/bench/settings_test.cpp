@@ -95,10 +95,10 @@ TEST_CASE("packed one at a time in the order of the list a chain moves as with t
           tolerance(1e-11, 1e-3));
 }
 
-TEST_CASE("substeps share the sweeps of a step") {
+TEST_CASE("substeps share the iterations of a step") {
   const auto list = bench::ways();
-  const bench::Way& four = way("lanes", "trees 4 substeps", list);
+  const bench::Way& four = way("lanes", "islands 4 substeps", list);
   CHECK(four.setting(120).iterations == 30);
   CHECK(four.setting(1).iterations == 1);
-  CHECK(way("lanes", "trees", list).setting(120).iterations == 120);
+  CHECK(way("lanes", "islands", list).setting(120).iterations == 120);
 }

@@ -87,7 +87,7 @@ TEST_CASE("a spinning box keeps its energy where the usual steps gain or lose it
   CHECK(ok["implicit Euler (for comparison)"] < all["implicit Euler (for comparison)"]);
 }
 
-TEST_CASE("a chain of hinges that stays in its plane sweeps as fast as equal masses in a row") {
+TEST_CASE("a chain of hinges that stays in its plane iterations as fast as equal masses in a row") {
   // along the chain the cubes are masses in a row: cos^2(pi/2n); across it they are a beam, and a
   // beam is far slower
   for (int n : {5, 10}) {
@@ -98,7 +98,8 @@ TEST_CASE("a chain of hinges that stays in its plane sweeps as fast as equal mas
   }
 }
 
-TEST_CASE("warm starting beyond the criterion is flagged and one sweep of a long chain breaks it") {
+TEST_CASE(
+    "warm starting beyond the criterion is flagged and one iteration of a long chain breaks it") {
   const MakeScene chain = [] { return cubes_on_hinges(1, 11); };
   const Rates rates = rates_of(chain);
   const Method few{.name = "warm 1", .iterations = 1, .warm = true, .beta = real(0.5)};
@@ -126,7 +127,7 @@ TEST_CASE("S5 three hinges come to their reference with substeps and by less the
   CHECK(sixteen.tip_error < whole.tip_error / 8);
 }
 
-TEST_CASE("S1 in its plane stays there and S7 goes out of it for want of sweeps") {
+TEST_CASE("S1 in its plane stays there and S7 goes out of it for want of iterations") {
   const auto plane = [] { return cubes_on_hinges(1, 21); };
   CHECK(after(plane, {.name = "cold 10", .iterations = 10}, 120).sideways < tolerance(1e-9, 1e-3));
   const auto side = [] {
@@ -159,7 +160,7 @@ TEST_CASE("S3 begins as a quarter of a circle with chords of 1 m between its sta
     CHECK(1 / double(scene.world.bodies.at(21).inverse_mass) == Approx(100));
     const Result fell = after([=] { return hanging_bridge(hinges); }, {.name = "cold 30"}, 30);
     CHECK(fell.finite);
-    CHECK(fell.gap_max > 1e-4);  // a heavy middle: soft at 30 sweeps
+    CHECK(fell.gap_max > 1e-4);  // a heavy middle: soft at 30 iterations
   }
 }
 

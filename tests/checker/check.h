@@ -1,5 +1,5 @@
-// The numeric checker: a part against its numeric twin at four kinds of poses, with a report that
-// teaches. A part comes with a fixture, a struct of about ten lines:
+// The numeric checker: a part against its numeric reference at four kinds of poses, with a report
+// that teaches. A part comes with a fixture, a struct of about ten lines:
 //
 //   struct PointFixture {
 //     using Part = Point;

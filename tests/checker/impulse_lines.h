@@ -48,9 +48,9 @@ FourVectors impulses(const Jacobian<N>& J, const Vector<N>& lambda) {
 }
 
 /// \param body_space are there inertias in body space that could be taken?
-template <class Twin>
-Pieces<Twin> wrong_lines(ImpulseLines Twin::*lines, bool body_space = true) {
-  Pieces<Twin> out;
+template <class Reference>
+Pieces<Reference> wrong_lines(ImpulseLines Reference::*lines, bool body_space = true) {
+  Pieces<Reference> out;
   const char* const names[] = {"v1", "w1", "v2", "w2"};
   for (const int which : {15, 5, 10, 3, 12, 1, 2, 4, 8}) {
     std::vector<std::string> who;
@@ -62,7 +62,7 @@ Pieces<Twin> wrong_lines(ImpulseLines Twin::*lines, bool body_space = true) {
                              : v    ? "inverse mass"
                                     : "inverse inertia";
     const auto add = [&](const std::string& words, auto change) {
-      out.push_back({words, [=](Twin& t) {
+      out.push_back({words, [=](Reference& t) {
                        for (std::size_t k = 0; k < 4; ++k)
                          if (which >> k & 1) change(t.*lines, k);
                      }});
@@ -91,7 +91,7 @@ Pieces<Twin> wrong_lines(ImpulseLines Twin::*lines, bool body_space = true) {
                                    "inverse inertia of the other body in w1 and w2",
                                    "inverse mass and inertia of the other body in all four lines"};
   for (const int which : {0, 1, 2})
-    out.push_back({std::string("the ") + exchanged[which], [=](Twin& t) {
+    out.push_back({std::string("the ") + exchanged[which], [=](Reference& t) {
                      auto& M = (t.*lines).inverse_M;
                      if (which != 1) std::swap(M[0], M[2]);
                      if (which != 0) std::swap(M[1], M[3]);

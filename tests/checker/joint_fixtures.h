@@ -226,7 +226,7 @@ struct SlideFixture {
 // ---- whole joints -------------------------------------------------------------------------------
 
 struct HingeFixture {
-  using Part = Stack<Point, Axis>;
+  using Part = Composite<Point, Axis>;
   static constexpr Subject J{"", "the five rows J of a hinge"};
   static constexpr Subject K{"", "K of a hinge"};
   static constexpr std::array rows{"C.x", "C.y", "C.z", "C.b", "C.c"};
@@ -240,7 +240,7 @@ struct HingeFixture {
 };
 
 struct SliderFixture {
-  using Part = Stack<Line, RotationLock>;
+  using Part = Composite<Line, RotationLock>;
   static constexpr Subject J{"", "the five rows J of a slider"};
   static constexpr Subject K{"", "K of a slider"};
   static constexpr std::array rows{"C.1", "C.2", "C.x", "C.y", "C.z"};

@@ -1,4 +1,4 @@
-// The numeric twin of a part: its Jacobian by central differences, its K from that.
+// The numeric reference of a part: its Jacobian by central differences, its K from that.
 #pragma once
 
 #include <random>

@@ -1,23 +1,23 @@
 // Mistakes that change one piece of what is right: the path to an answer is taken apart into a
-// struct, the twin, and each mistake is one change of it. A table gets every mistake by itself and,
-// where none of them explains your numbers, every two of them together.
+// struct, the reference, and each mistake is one change of it. A table gets every mistake by itself
+// and, where none of them explains your numbers, every two of them together.
 #pragma once
 
 #include "tests/checker/cases.h"
 
 namespace joints::testing {
 
-template <class Twin>
-using Pieces = std::vector<std::pair<std::string, std::function<void(Twin&)>>>;
+template <class Reference>
+using Pieces = std::vector<std::pair<std::string, std::function<void(Reference&)>>>;
 
 /// What another mistake of the table gives already keeps the other's name.
-/// \param twin of a case \param answer what a twin comes to
-template <class Case, class Make, class Answer, class Twin>
-void add_pieces(CaseTable<Case>& table, const Make& twin, const Answer& answer,
-                const Pieces<Twin>& pieces) {
-  const auto changed = [=](const std::vector<std::function<void(Twin&)>>& changes) {
+/// \param reference of a case \param answer what a reference comes to
+template <class Case, class Make, class Answer, class Reference>
+void add_pieces(CaseTable<Case>& table, const Make& reference, const Answer& answer,
+                const Pieces<Reference>& pieces) {
+  const auto changed = [=](const std::vector<std::function<void(Reference&)>>& changes) {
     return [=](const Case& c) {
-      Twin one = twin(c);
+      Reference one = reference(c);
       for (const auto& change : changes) change(one);
       return answer(one);
     };

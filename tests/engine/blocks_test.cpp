@@ -43,7 +43,7 @@ struct Pile {
 template <class A, class B>
 void check(const Pile<A, B>&) {}
 
-// One sweep of one block of N random rows against the dense solution. \return its Touches
+// One iteration of one block of N random rows against the dense solution. \return its Touches
 template <int N>
 Touches compare_with_dense(bool linear, bool angular, unsigned seed) {
   Random random(seed);
@@ -54,7 +54,7 @@ Touches compare_with_dense(bool linear, bool angular, unsigned seed) {
   auto& joint = world.add<AnyJoint<N>>(a, b);
   for (Row& row : joint.J.row) row = random_row(random, linear, angular);
   for (real& C : joint.C) C = random.uniform(real(-0.1), real(0.1));
-  joint.demand.beta = real(0.2);
+  joint.target.beta = real(0.2);
   SequentialImpulses solver;
   solver.begin(world, h);
   push_at_random(world.bodies, random);
@@ -64,7 +64,7 @@ Touches compare_with_dense(bool linear, bool angular, unsigned seed) {
   const Dense A = system.J * W * system.J.transpose();
   const Column V1 = velocities(start);
   const Column lambda = solved(A, -(system.J * V1 + 0.2 / double(h) * system.C));
-  solver.sweep(world.bodies, 0);
+  solver.iterate(world.bodies, 0);
   INFO("rows: " << N);
   CHECK(difference(impulses(solver.blocks()), lambda) < tolerance(1e-10, 2e-3));
   CHECK(difference(velocities(snapshot(world.bodies)), V1 + W * system.J.transpose() * lambda) <

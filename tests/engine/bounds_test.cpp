@@ -62,15 +62,15 @@ Bounded bounded(const Blocks& blocks, const std::vector<Body>& forced, real step
               all_of(n, -inf), all_of(n, inf)};
   for (const Block& block : blocks.list) {
     const long first = block.first, last = first + block.rows - 1;
-    const Demand& demand = block.demand;
+    const RowTarget& target = block.target;
     for (long i = first; i <= last; ++i) {
-      const bool ahead = i == last && demand.lower == 0 && demand.upper == unbounded &&
+      const bool ahead = i == last && target.lower == 0 && target.upper == unbounded &&
                          system.C[i] > 0;  // room that may be used up
-      out.c[i] -= (ahead ? 1 : double(demand.beta)) * system.C[i] / double(step);
+      out.c[i] -= (ahead ? 1 : double(target.beta)) * system.C[i] / double(step);
     }
-    out.c[last] += double(demand.target);
-    out.lower[last] = double(step) * double(demand.lower);
-    out.upper[last] = double(step) * double(demand.upper);
+    out.c[last] += double(target.rate);
+    out.lower[last] = double(step) * double(target.lower);
+    out.upper[last] = double(step) * double(target.upper);
   }
   return out;
 }
@@ -92,7 +92,7 @@ World body_on_ropes(Random& random) {
 
 }  // namespace
 
-TEST_CASE("I17 accumulated clamped sweeps settle at the pull that trying everything finds") {
+TEST_CASE("I17 accumulated clamped iterations settle at the pull that trying everything finds") {
   Random random(41);
   int pulling = 0, idle = 0;
   for (int draw = 0; draw < 40; ++draw) {
@@ -102,7 +102,7 @@ TEST_CASE("I17 accumulated clamped sweeps settle at the pull that trying everyth
     push_at_random(world.bodies, random);
     const Column expected =
         bounded(solver.blocks(), snapshot(world.bodies), h).solution();
-    for (int k = 0; k < 20000; ++k) solver.sweep(world.bodies, k);
+    for (int k = 0; k < 20000; ++k) solver.iterate(world.bodies, k);
     const Column found = impulses(solver.blocks());
     CHECK(difference(found, expected) < tolerance(1e-9, 1e-2));
     for (double lambda : expected) ++(lambda > 0 ? pulling : idle);
@@ -130,7 +130,7 @@ TEST_CASE("I17 clamping each impulse instead of the sum leaves a rope pulling fo
       wrong[i] += dlambda;
       V += dlambda * (W * system.J.rows_from(i, 1).transpose());
     }
-  for (int k = 0; k < 200; ++k) solver.sweep(world.bodies, k);
+  for (int k = 0; k < 200; ++k) solver.iterate(world.bodies, k);
   const Column right = impulses(solver.blocks());
   const double near = tolerance(1e-12, 1e-5);
   CHECK(std::abs(wrong[0] - 1) < near);
@@ -153,16 +153,16 @@ TEST_CASE("the last row of a block stays within its bounds while the others hold
     for (Row& row : joint.J.row) row = random_row(random);
     for (real& C : joint.C) C = random.uniform(real(-0.02), real(0.02));
     const real step = draw % 2 ? h : h / 4;  // bounds are forces: their impulses go with the step
-    joint.demand = {.beta = real(0.2), .target = random.uniform(-3, 3),
+    joint.target = {.beta = real(0.2), .rate = random.uniform(-3, 3),
                     .lower = random.uniform(-60, 0), .upper = random.uniform(0, 60)};
     SequentialImpulses solver;
     solver.begin(world, step);
     push_at_random(world.bodies, random);
     const Bounded system = bounded(solver.blocks(), snapshot(world.bodies), step);
     const Column expected = system.solution();
-    solver.sweep(world.bodies, 0);
+    solver.iterate(world.bodies, 0);
     CHECK(difference(impulses(solver.blocks()), expected) < tolerance(1e-11, 1e-3));
-    solver.sweep(world.bodies, 1);  // and stays there
+    solver.iterate(world.bodies, 1);  // and stays there
     CHECK(difference(impulses(solver.blocks()), expected) < tolerance(1e-11, 1e-3));
     ++(expected[3] == system.lower[3] ? below : expected[3] == system.upper[3] ? above : inside);
   }
@@ -182,15 +182,15 @@ TEST_CASE("blocks with a bounded last row settle together at the one solution") 
       auto& joint = world.add<AnyJoint<2>>(ids[one], ids[other]);
       for (Row& row : joint.J.row) row = random_row(random);
       joint.C[1] = random.uniform(real(-0.02), real(0.05));
-      joint.demand.beta = real(0.2);
-      joint.demand.lower = draw % 2 ? 0 : real(-10);
-      joint.demand.upper = draw % 2 ? unbounded : 25;
+      joint.target.beta = real(0.2);
+      joint.target.lower = draw % 2 ? 0 : real(-10);
+      joint.target.upper = draw % 2 ? unbounded : 25;
     }
     SequentialImpulses solver;
     solver.begin(world, h);
     push_at_random(world.bodies, random);
     const Column expected = bounded(solver.blocks(), snapshot(world.bodies), h).solution();
-    for (int k = 0; k < 20000; ++k) solver.sweep(world.bodies, k);
+    for (int k = 0; k < 20000; ++k) solver.iterate(world.bodies, k);
     CHECK(difference(impulses(solver.blocks()), expected) < tolerance(1e-9, 3e-3));
   }
 }

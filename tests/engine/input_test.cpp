@@ -151,7 +151,7 @@ TEST_CASE("X16 an anchor must be finite") {
   CHECK(small.unchanged());
 }
 
-TEST_CASE("X16 a step without a proper length or without sweeps is refused and nothing moves") {
+TEST_CASE("X16 a step without a proper length or without iterations is refused and nothing moves") {
   Small small;
   SequentialImpulses solver;
   for (real bad : bad_numbers) {

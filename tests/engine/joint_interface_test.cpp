@@ -74,7 +74,7 @@ struct PlaneFixture {
   }
 };
 
-// Writes down what it is asked. In its second look it adds the row that it held back.
+// Writes down what it is asked. late_limits adds the row that it held back.
 class Probe : public Joint {
  public:
   std::string& log;
@@ -93,7 +93,7 @@ class Probe : public Joint {
     log += std::string("a") + name;
     if (!holds_back) row(bodies, blocks);
   }
-  void second_look(const Bodies& bodies, real, Blocks& blocks) override {
+  void late_limits(const Bodies& bodies, real, Blocks& blocks) override {
     log += std::string("s") + name;
     if (holds_back && !added) row(bodies, blocks), added = true;
   }
@@ -144,7 +144,7 @@ TEST_CASE("two weights on a pulley fall with the difference of their weights") {
   CHECK(double(joint.impulse()[0] / h) == Approx(-1.5 * 9.81).epsilon(tolerance(1e-9, 1e-4)));
 }
 
-TEST_CASE("a step asks all joints to begin then for their blocks then for a second look") {
+TEST_CASE("a step asks all joints to begin then for their blocks then for late limits") {
   World world;
   const BodyId wall = world.add(static_body(vec3(0)));
   const BodyId body = world.add(ball(2, 1, vec3(0, -1, 0)));
@@ -155,7 +155,7 @@ TEST_CASE("a step asks all joints to begin then for their blocks then for a seco
   CHECK(log == "b1b2a1a2s1s2");
 }
 
-TEST_CASE("a block that comes with the second look is swept and looked at again") {
+TEST_CASE("a block that comes with the late limits is solved and looked at again") {
   World world;
   const BodyId wall = world.add(static_body(vec3(0)));
   const BodyId body = world.add(ball(2, 1, vec3(0, -1, 0)));

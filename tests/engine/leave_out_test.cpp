@@ -14,8 +14,8 @@ namespace {
 
 const real h = real(1) / 60;
 
-// Adds its six rows in the second look of every third step only, so that the list of blocks grows
-// where nobody expects it.
+// Adds its six rows in the late limits of every third step only, so that the list of
+// blocks grows where nobody expects it.
 class Late : public Joint {
  public:
   using Joint::Joint;
@@ -24,7 +24,7 @@ class Late : public Joint {
   mutable Vector<6> impulse{};
   void begin_step(const Bodies&, real) override { added = ++steps % 3 != 0; }
   void append(const Bodies&, Blocks&) const override {}
-  void second_look(const Bodies& bodies, real, Blocks& blocks) override {
+  void late_limits(const Bodies& bodies, real, Blocks& blocks) override {
     if (added) return;
     added = true;
     Jacobian<6> J;
@@ -99,7 +99,7 @@ TEST_CASE("a rod between centres has no angular half and a ball joint has both")
   CHECK(list[8].touches == Touches::linear);  // rod between centres
   // the block that does not turn leaves the spin alone to the last bit
   net.world.bodies[net.ids[6]].w = vec3(real(0.1), real(0.2), real(0.3));
-  for (int k = 0; k < 10; ++k) solver.sweep(net.world.bodies, k);
+  for (int k = 0; k < 10; ++k) solver.iterate(net.world.bodies, k);
   CHECK(net.world.bodies[net.ids[6]].w == vec3(real(0.1), real(0.2), real(0.3)));
 }
 

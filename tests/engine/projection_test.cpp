@@ -43,7 +43,7 @@ struct Pendulum {
 
 }  // namespace
 
-TEST_CASE("one sweep of projection a step keeps a pendulum together for ten seconds") {
+TEST_CASE("one iteration of projection a step keeps a pendulum together for ten seconds") {
   const double without = Pendulum(0, 0).largest_gap(10);
   const double fed_back = Pendulum(real(0.2), 0).largest_gap(10);
   const double projected = Pendulum(0, 1).largest_gap(10);
@@ -52,7 +52,7 @@ TEST_CASE("one sweep of projection a step keeps a pendulum together for ten seco
   CHECK(projected < tolerance(1e-8, 2e-5));
 }
 
-TEST_CASE("two sweeps of projection close what one has left") {
+TEST_CASE("two iterations of projection close what one has left") {
   CHECK(Pendulum(0, 2).largest_gap(10) < tolerance(1e-14, 2e-6));
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("I20 projection closes a wide gap with the square of what is left") {
   Projection projection;
   std::vector<double> gaps{pendulum.gap()};
   for (int n = 0; n < 4; ++n) {
-    projection.sweep(pendulum.world);
+    projection.iterate(pendulum.world);
     gaps.push_back(pendulum.gap());
   }
   for (std::size_t n = 1; n < gaps.size(); ++n)
@@ -75,7 +75,7 @@ TEST_CASE("projection changes no velocity and turns no static body") {
   bar.x += vec3(real(0.1));
   bar.v = vec3(1, 2, 3);
   bar.w = vec3(3, 2, 1);
-  Projection().sweep(pendulum.world);
+  Projection().iterate(pendulum.world);
   CHECK(bar.v == vec3(1, 2, 3));
   CHECK(bar.w == vec3(3, 2, 1));
   CHECK(pendulum.world.bodies[pendulum.joint->body1].x == vec3(0));
@@ -90,7 +90,7 @@ TEST_CASE("projection leaves the common centre of two free bodies where it is") 
   world.bodies[b].x += vec3(real(0.02), real(-0.05), real(0.03));
   const vec3 before = real(2) * world.bodies[a].x + real(5) * world.bodies[b].x;
   Projection projection;
-  for (int n = 0; n < 10; ++n) projection.sweep(world);
+  for (int n = 0; n < 10; ++n) projection.iterate(world);
   const vec3 after = real(2) * world.bodies[a].x + real(5) * world.bodies[b].x;
   CHECK(double(length(after - before)) < tolerance(1e-13, 1e-5));
 }
@@ -100,7 +100,7 @@ TEST_CASE("a visit of projection moves no body further than it is told") {
   pendulum.world.bodies[pendulum.bar].x += vec3(10, 3, -7);
   for (int n = 0; n < 20; ++n) {
     const Body before = pendulum.world.bodies[pendulum.bar];
-    Projection().sweep(pendulum.world);
+    Projection().iterate(pendulum.world);
     const Body& after = pendulum.world.bodies[pendulum.bar];
     const quat turned = after.q * conjugate(before.q);
     CHECK(double(length(after.x - before.x)) < 0.2 * (1 + tolerance(1e-12, 1e-4)));
@@ -123,7 +123,7 @@ TEST_CASE("projection brings a passed limit back and leaves a motor and a limit 
     world.bodies[door].x = turn * vec3(real(0.5), 0, 0);
     hinge.begin_step(world.bodies, h);
     Projection projection;
-    for (int n = 0; n < 20; ++n) projection.sweep(world);
+    for (int n = 0; n < 20; ++n) projection.iterate(world);
     CHECK(double(hinge.position(world.bodies) / degree) ==
           Approx(std::min(start, 60.0)).margin(tolerance(1e-9, 1e-3)));
   }

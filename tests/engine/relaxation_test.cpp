@@ -1,5 +1,5 @@
 // Over-relaxation in the engine's solvers: a factor of every impulse that changes how fast the
-// sweeps settle, and neither where they settle nor what bounds allow.
+// iterations settle, and neither where they settle nor what bounds allow.
 #include "chapters/02_ball/ball_joint.h"
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/04_slider/slider_joint.h"
@@ -43,15 +43,15 @@ struct Machine {
     auto& soft = world.add<AnyJoint<1>>(motor->body1, before);
     soft.J[0] = {vec3(0, -1, 0), vec3(0), vec3(0, 1, 0), vec3(0)};
     soft.C[0] = real(0.02);
-    soft.demand = {.frequency = 3, .damping = real(0.5)};
+    soft.target = {.frequency = 3, .damping = real(0.5)};
   }
 };
 
 template <class Solver>
-Column settled(real relaxation, int sweeps, Solver solver) {
+Column settled(real relaxation, int iterations, Solver solver) {
   Machine machine;
   solver.relaxation = relaxation;
-  solver.iterations = sweeps;
+  solver.iterations = iterations;
   solver.step(machine.world, h);
   return velocities(snapshot(machine.world.bodies));
 }
@@ -59,7 +59,7 @@ Column settled(real relaxation, int sweeps, Solver solver) {
 }  // namespace
 
 TEST_CASE("a relaxed solve of one block is omega times the exact one") {
-  const auto impulse = [](real relaxation, const Demand& demand) {
+  const auto impulse = [](real relaxation, const RowTarget& target) {
     World world;
     world.gravity = vec3(0);
     const Pair pair = uneven_pair();
@@ -68,16 +68,16 @@ TEST_CASE("a relaxed solve of one block is omega times the exact one") {
     Random random(62);
     for (Row& row : joint.J.row) row = random_row(random);
     for (real& error : joint.C) error = random.uniform(-1, 1);
-    joint.demand = demand;
+    joint.target = target;
     SequentialImpulses scalar;
     scalar.iterations = 1;
     scalar.relaxation = relaxation;
     scalar.step(world, h);
     return joint.impulse;
   };
-  for (const Demand& demand : {Demand{.beta = real(0.2)}, Demand{.frequency = 4}}) {
-    const Vector<3> exact = impulse(1, demand), twice = impulse(2, demand);
-    const Vector<3> half = impulse(real(0.5), demand), more = impulse(real(1.7), demand);
+  for (const RowTarget& target : {RowTarget{.beta = real(0.2)}, RowTarget{.frequency = 4}}) {
+    const Vector<3> exact = impulse(1, target), twice = impulse(2, target);
+    const Vector<3> half = impulse(real(0.5), target), more = impulse(real(1.7), target);
     for (int i = 0; i < 3; ++i) {
       CHECK(exact[i] != 0);
       CHECK(twice[i] == 2 * exact[i]);  // to the last bit: only the exponent changes
@@ -98,7 +98,7 @@ TEST_CASE("relaxation 1 changes no digit: a solver that never heard of it finds 
       auto& tie = world.add<AnyJoint<3>>(before, id);
       tie.J = to_jacobian(point_at(world.bodies[before], world.bodies[id], x - vec3(real(0.5)))
                               .jacobian(world.bodies[before], world.bodies[id]));
-      if (k % 2 == 0) tie.demand = {.frequency = 5, .damping = real(0.4)};
+      if (k % 2 == 0) tie.target = {.frequency = 5, .damping = real(0.4)};
       before = id;
     }
     return world;
@@ -109,8 +109,8 @@ TEST_CASE("relaxation 1 changes no digit: a solver that never heard of it finds 
   solver.begin(by_engine, h);
   Blocks blocks;
   collect(by_hand, h, blocks);
-  for (int sweep = 0; sweep < 30; ++sweep) {
-    solver.sweep(by_engine.bodies, sweep);
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    solver.iterate(by_engine.bodies, iteration);
     for (const Block& block : blocks.list) {  // the same sums in the same order, no factor
       Body &body1 = by_hand.bodies.at(block.body1), &body2 = by_hand.bodies.at(block.body2);
       const Row* const J = &blocks.J[std::size_t(block.first)];
@@ -118,9 +118,9 @@ TEST_CASE("relaxation 1 changes no digit: a solver that never heard of it finds 
       std::copy_n(&blocks.K[std::size_t(block.first_K)], 9, K);
       invert_symmetric(K, 3);
       real share = 1, kept = 0;
-      if (block.demand.frequency > 0) {
-        const real omega = 2 * std::numbers::pi_v<real> * block.demand.frequency;
-        const real a2 = h * omega * (2 * block.demand.damping + h * omega);
+      if (block.target.frequency > 0) {
+        const real omega = 2 * std::numbers::pi_v<real> * block.target.frequency;
+        const real a2 = h * omega * (2 * block.target.damping + h * omega);
         share = a2 / (1 + a2);
         kept = 1 / (1 + a2);
       }
@@ -169,9 +169,9 @@ TEST_CASE("relaxed sums stay within the strength of a motor and a limit only pus
   const double last_digit = 4 * double(epsilon);
   for (const real speed : {real(3), real(1e6)}) {
     check(SequentialImpulses(), last_digit, speed);
-    for (const Packing packing : {Packing::trees, Packing::colours})
+    for (const Packing packing : {Packing::islands, Packing::colours})
       for (const bool lanes : {true, false}) {
-        WideImpulses wide;
+        PackedImpulses wide;
         wide.packing = packing;
         wide.lanes = lanes;
         check(wide, last_digit, speed);
@@ -179,18 +179,18 @@ TEST_CASE("relaxed sums stay within the strength of a motor and a limit only pus
   }
 }
 
-TEST_CASE("relaxed sweeps settle where plain sweeps do") {
+TEST_CASE("relaxed iterations settle where plain iterations do") {
   const Column plain = settled(1, 1000, SequentialImpulses());
   for (const real relaxation : {real(0.5), real(1.3), real(1.8)}) {
-    const int sweeps = relaxation < 1 ? 3000 : 1000;  // below 1 a third of the way each time
-    CHECK(difference(settled(relaxation, sweeps, SequentialImpulses()), plain) <
+    const int iterations = relaxation < 1 ? 3000 : 1000;  // below 1 a third of the way each time
+    CHECK(difference(settled(relaxation, iterations, SequentialImpulses()), plain) <
           tolerance(1e-9, 1e-3));
-    for (const Packing packing : {Packing::trees, Packing::colours, Packing::list}) {
-      WideImpulses wide;
+    for (const Packing packing : {Packing::islands, Packing::colours, Packing::list}) {
+      PackedImpulses wide;
       wide.packing = packing;
-      CHECK(difference(settled(relaxation, sweeps, wide), plain) < tolerance(1e-9, 1e-3));
+      CHECK(difference(settled(relaxation, iterations, wide), plain) < tolerance(1e-9, 1e-3));
     }
   }
-  // and after a few sweeps they have not settled: the test can tell
+  // and after a few iterations they have not settled: the test can tell
   CHECK(difference(settled(1, 3, SequentialImpulses()), plain) > 1e-3);
 }

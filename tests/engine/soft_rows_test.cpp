@@ -23,7 +23,7 @@ struct Spring {
   }
 };
 
-// Two bodies that fly apart, a joint of N random rows between them, and one sweep.
+// Two bodies that fly apart, a joint of N random rows between them, and one iteration.
 template <int N>
 struct SoftPair {
   World world;
@@ -32,14 +32,14 @@ struct SoftPair {
   Column V1, C;
   Dense K, J;
 
-  SoftPair(Random& random, const Demand& demand, real h) {
+  SoftPair(Random& random, const RowTarget& target, real h) {
     world.gravity = vec3(0);
     const Pair pair = uneven_pair();
     const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
     joint = &world.add<AnyJoint<N>>(a, b);
     for (Row& row : joint->J.row) row = random_row(random);
     for (real& error : joint->C) error = random.uniform(real(-0.3), real(0.3));
-    joint->demand = demand;
+    joint->target = target;
     solver.begin(world, h);
     push_at_random(world.bodies, random);
     V1 = velocities(snapshot(world.bodies));
@@ -47,7 +47,7 @@ struct SoftPair {
     J = system.J;
     C = system.C;
     K = J * inverse_masses(snapshot(world.bodies)) * J.transpose();
-    solver.sweep(world.bodies, 0);
+    solver.iterate(world.bodies, 0);
   }
   Column rate() const { return J * velocities(snapshot(world.bodies)); }
   Column lambda() const { return impulses(solver.blocks()); }
@@ -82,11 +82,11 @@ TEST_CASE("I19 a mass on a soft row swings as implicit Euler swings it") {
   const BodyId body = world.add(ball(real(m), 1, vec3(real(0.5), 0, 0)));
   auto& joint = world.add<AnyJoint<1>>(wall, body);
   joint.J[0] = {vec3(-1, 0, 0), vec3(0), vec3(1, 0, 0), vec3(0)};
-  joint.demand = {.frequency = real(f), .damping = real(zeta)};
+  joint.target = {.frequency = real(f), .damping = real(zeta)};
   const Spring s(1 / m, f, zeta, t);
   double x = 0.5, v = 0;
   SequentialImpulses solver;
-  solver.iterations = 4;  // one block: more sweeps must change nothing
+  solver.iterations = 4;  // one block: more iterations must change nothing
   for (int step = 0; step < 120; ++step) {
     joint.C[0] = world.bodies[body].x.x;
     solver.step(world, real(t));
@@ -111,7 +111,7 @@ TEST_CASE("a soft block has the same frequency in every direction") {
         (pair.J * pair.V1 - t * omega * omega * pair.C) / (1 + 2 * zeta * omega * t +
                                                            omega * omega * t * t);
     CHECK((pair.rate() - one).largest() < tolerance(1e-11, 1e-3));
-    pair.solver.sweep(pair.world.bodies, 1);  // a second sweep keeps what the first one found
+    pair.solver.iterate(pair.world.bodies, 1);  // a second iteration keeps what the first one found
     CHECK(left() < tolerance(1e-11, 1e-3));
   }
 }
@@ -157,7 +157,7 @@ TEST_CASE("soft rows that share bodies settle at the solution of A + gamma") {
     auto& joint = world.add<AnyJoint<1>>(a, b);
     joint.J[0] = random_row(random);
     joint.C[0] = random.uniform(real(-0.3), real(0.3));
-    joint.demand = {.frequency = real(f), .damping = real(0.5)};
+    joint.target = {.frequency = real(f), .damping = real(0.5)};
   }
   SequentialImpulses solver;
   solver.begin(world, real(t));
@@ -171,6 +171,6 @@ TEST_CASE("soft rows that share bodies settle at the solution of A + gamma") {
     A(i, i) += s.gamma;
     c[i] -= s.beta * system.C[i] / t;
   }
-  for (int k = 0; k < 500; ++k) solver.sweep(world.bodies, k);
+  for (int k = 0; k < 500; ++k) solver.iterate(world.bodies, k);
   CHECK(difference(impulses(solver.blocks()), solved(A, c)) < tolerance(1e-12, 1e-4));
 }

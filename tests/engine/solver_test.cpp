@@ -1,5 +1,5 @@
-// Sequential Impulses is block Gauss-Seidel: the same numbers sweep by sweep, the same rate of
-// convergence, and the same answer in whatever order the blocks are taken.
+// Sequential Impulses is block Gauss-Seidel: the same numbers iteration by iteration, the same rate
+// of convergence, and the same answer in whatever order the blocks are taken.
 #include <cstring>
 #include <numbers>
 
@@ -51,7 +51,7 @@ struct GaussSeidel {
     A = J * W * J.transpose();
     Column bias(system.C.size());
     for (long i = 0; i < bias.size(); ++i)
-      bias[i] = double(blocks.list[std::size_t(system.block[std::size_t(i)])].demand.beta) /
+      bias[i] = double(blocks.list[std::size_t(system.block[std::size_t(i)])].target.beta) /
                 double(h) * system.C[i];
     c = -(J * V1 + bias);
     lambda = Column(c.size());
@@ -60,7 +60,7 @@ struct GaussSeidel {
   void one_block_a_row() {
     for (std::size_t i = 0; i < block.size(); ++i) block[i] = int(i);
   }
-  void sweep(bool back) {
+  void iterate(bool back) {
     for (int n = block.back() + 1, k = 0; k < n; ++k) {
       const int now = back ? n - 1 - k : k;
       const long first = std::find(block.begin(), block.end(), now) - block.begin();
@@ -79,23 +79,23 @@ std::vector<Body> after_forces(const World& world) {
   return bodies;
 }
 
-void compare_sweep_by_sweep(SequentialImpulses& solver, World& world, Order order) {
+void compare_iteration_by_iteration(SequentialImpulses& solver, World& world, Order order) {
   solver.order = order;
   const std::vector<Body> forced = after_forces(world);
   solver.begin(world, h);
-  GaussSeidel twin(world, solver.blocks(), forced);
-  if (solver.row_by_row) twin.one_block_a_row();
-  twin.lambda = impulses(solver.blocks());
+  GaussSeidel reference(world, solver.blocks(), forced);
+  if (solver.row_by_row) reference.one_block_a_row();
+  reference.lambda = impulses(solver.blocks());
   for (int k = 0; k < 12; ++k) {
-    solver.sweep(world.bodies, k);
-    twin.sweep(order == Order::backward || (order == Order::alternating && k % 2 == 1));
-    CHECK(difference(impulses(solver.blocks()), twin.lambda) < tolerance(1e-11, 1e-5));
-    CHECK(difference(velocities(snapshot(world.bodies)), twin.V()) < tolerance(1e-11, 1e-5));
+    solver.iterate(world.bodies, k);
+    reference.iterate(order == Order::backward || (order == Order::alternating && k % 2 == 1));
+    CHECK(difference(impulses(solver.blocks()), reference.lambda) < tolerance(1e-11, 1e-5));
+    CHECK(difference(velocities(snapshot(world.bodies)), reference.V()) < tolerance(1e-11, 1e-5));
   }
 }
 
-// Hanging plumb from rods: masses from the top, and how fast a sweep brings them to rest.
-double late_ratio(const std::vector<real>& masses, int sweeps) {
+// Hanging plumb from rods: masses from the top, and how fast an iteration brings them to rest.
+double late_ratio(const std::vector<real>& masses, int iterations) {
   World world;
   std::vector<BodyId> ids{world.add(static_body(vec3(0)))};
   for (real mass : masses) {
@@ -108,21 +108,21 @@ double late_ratio(const std::vector<real>& masses, int sweeps) {
     const Column V = velocities(snapshot(world.bodies));
     return (system_of(solver.blocks(), world.bodies.slots()).J * V).norm();
   };
-  for (int k = 0; k < sweeps; ++k) solver.sweep(world.bodies, k);
+  for (int k = 0; k < iterations; ++k) solver.iterate(world.bodies, k);
   const double before = error();
-  solver.sweep(world.bodies, sweeps);
+  solver.iterate(world.bodies, iterations);
   return error() / before;
 }
 
 }  // namespace
 
-TEST_CASE("I16 Sequential Impulses is block Gauss-Seidel sweep by sweep") {
+TEST_CASE("I16 Sequential Impulses is block Gauss-Seidel iteration by iteration") {
   for (bool row_by_row : {false, true})
     for (Order order : {Order::forward, Order::backward, Order::alternating}) {
       World world = bent_chain();
       SequentialImpulses solver;
       solver.row_by_row = row_by_row;
-      compare_sweep_by_sweep(solver, world, order);
+      compare_iteration_by_iteration(solver, world, order);
     }
 }
 
@@ -135,23 +135,23 @@ TEST_CASE("I16 a warm start is Gauss-Seidel that begins with the last impulses")
     solver.step(world, h);
     const Column last = impulses(solver.blocks());
     CHECK(last.norm() > 1);
-    compare_sweep_by_sweep(solver, world, Order::forward);
+    compare_iteration_by_iteration(solver, world, Order::forward);
     SequentialImpulses probe = solver;
-    probe.begin(world, h);  // what a step begins with is what the sweeps ended with
+    probe.begin(world, h);  // what a step begins with is what the iterations ended with
     CHECK(impulses(probe.blocks()) == impulses(solver.blocks()));
   }
 }
 
-TEST_CASE("I14 two masses below a ceiling converge by m2 over m1 + m2 a sweep") {
+TEST_CASE("I14 two masses below a ceiling converge by m2 over m1 + m2 an iteration") {
   for (real ratio : {real(0.5), real(1), real(10), real(100)})
     CHECK(late_ratio({2, 2 * ratio}, 12) ==
           Approx(double(ratio / (1 + ratio))).epsilon(tolerance(1e-6, 1e-4)));
 }
 
-TEST_CASE("I14 n equal masses below a ceiling converge by cos^2 of pi over 2n a sweep") {
-  for (const auto& [n, sweeps] : {std::pair{2, 10}, {3, 40}, {5, 90}, {10, 350}, {20, 1400}}) {
+TEST_CASE("I14 n equal masses below a ceiling converge by cos^2 of pi over 2n an iteration") {
+  for (const auto& [n, iterations] : {std::pair{2, 10}, {3, 40}, {5, 90}, {10, 350}, {20, 1400}}) {
     const double rate = std::pow(std::cos(std::numbers::pi / (2 * n)), 2);
-    CHECK(late_ratio(std::vector<real>(std::size_t(n), real(1.7)), sweeps) ==
+    CHECK(late_ratio(std::vector<real>(std::size_t(n), real(1.7)), iterations) ==
           Approx(rate).epsilon(1e-4));
   }
 }
@@ -163,9 +163,9 @@ TEST_CASE("I16 every order of the blocks leads to the one solution") {
     SequentialImpulses solver;
     solver.order = order;
     solver.begin(world, h);
-    for (int k = 0; k < 2000; ++k) solver.sweep(world.bodies, k);
-    const GaussSeidel twin(world, solver.blocks(), forced);
-    const Column solution = solved(twin.A, twin.c);
+    for (int k = 0; k < 2000; ++k) solver.iterate(world.bodies, k);
+    const GaussSeidel reference(world, solver.blocks(), forced);
+    const Column solution = solved(reference.A, reference.c);
     CHECK(difference(impulses(solver.blocks()), solution) < tolerance(1e-10, 1e-4));
   }
 }
@@ -191,7 +191,7 @@ TEST_CASE("a shuffled order is drawn from its seed and from nothing else") {
   solver.order = Order::shuffled;
   solver.iterations = 3;
   solver.begin(world, h);
-  solver.sweep(world.bodies, 0);
+  solver.iterate(world.bodies, 0);
   for (unsigned seed : {7u, 0u}) {
     World again = bent_chain();
     solver.seed = seed;

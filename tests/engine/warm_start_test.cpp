@@ -30,7 +30,7 @@ struct Hanging {
   void set_beta(real beta) {
     for (BallJoint* joint : joints) joint->beta = beta;
   }
-  double rate() { return sweep_rate(world, rows_of(world)); }
+  double rate() { return iteration_rate(world, rows_of(world)); }
   // How far the lowest body has sunk [m].
   double sag() const { return -double(ids.size() - 1) - double(world.bodies[ids.back()].x.y); }
 };
@@ -62,7 +62,7 @@ std::vector<real> ten_links(real tip = 1) {
   return masses;
 }
 
-// Modulus of the slowest root for a mode of which k sweeps leave the share eta, warm, fed back:
+// Modulus of the slowest root for a mode of which k iterations leave the share eta, warm, fed back:
 // z^3 - (1 + 2 eta - (1 - eta) beta) z^2 + 3 eta z - eta = 0.
 double growth_of_a_mode(double eta, double beta) {
   return spectral_radius({3, 3, {1 + 2 * eta - (1 - eta) * beta, -3 * eta, eta,
@@ -98,13 +98,13 @@ TEST_CASE("I23 warm joints of a chain come to pull as much as hangs from them") 
 }
 
 TEST_CASE("I26 a cold chain that is swept too little sags by what the formula says") {
-  // C = h^2/beta (I - H)^-1 H J g, H = A G^k A^-1, G what a sweep leaves of an error in lambda
-  const int sweeps = 10;
+  // C = h^2/beta (I - H)^-1 H J g, H = A G^k A^-1, G what an iteration leaves of an error in lambda
+  const int iterations = 10;
   const double m1 = 1, m2 = 9, t = double(h), beta = 0.2;
   const Dense A(2, 2, {1 / m1, -1 / m1, -1 / m1, 1 / m1 + 1 / m2});
-  const Dense E = Dense::identity(2), G = sweep_matrix(A, {0, 1});
+  const Dense E = Dense::identity(2), G = iteration_matrix(A, {0, 1});
   Dense H = A;
-  for (int k = 0; k < sweeps; ++k) H = H * G;
+  for (int k = 0; k < iterations; ++k) H = H * G;
   H = H * inverse_of(A);
   const Column Jg(2, 1, {9.81, 0});  // the upper joint sees its body fall, the lower one nothing
   const Column C = t * t / beta * (inverse_of(E - H) * (H * Jg));
@@ -112,7 +112,7 @@ TEST_CASE("I26 a cold chain that is swept too little sags by what the formula sa
 
   Hanging hanging({real(m1), real(m2)});
   SequentialImpulses solver;
-  solver.iterations = sweeps;
+  solver.iterations = iterations;
   const auto sag_after_a_minute = [&](bool warm) {
     solver.warm_start = warm;
     for (int step = 0; step < 3600; ++step) solver.step(hanging.world, h);
@@ -132,7 +132,7 @@ TEST_CASE("when the step changes the remembered impulses change with it") {
   solver.warm_start = true;
   solver.iterations = 2;
   for (int step = 0; step < 2000; ++step) solver.step(hanging.world, h);
-  solver.iterations = 1;  // no sweeps to mend it with
+  solver.iterations = 1;  // no iterations to mend it with
   for (real step : {h / 2, h * 2, h / 5, h}) {
     solver.step(hanging.world, step);
     const double kick = 9.81 * std::abs(double(h - step)) + 0.01;
@@ -145,14 +145,14 @@ TEST_CASE("when the step changes the remembered impulses change with it") {
 }
 
 TEST_CASE("I15 warm starting with feedback is stable where rho^k (1 + beta) is below 1 only") {
-  // ten equal masses: rho = cos^2(pi/20) = 0.97553, so 10 sweeps of beta 0.15 give 0.898 and 4 give
-  // 1.04: one chain hangs still, the other shakes itself to pieces
-  const auto sag_after = [](int sweeps, int steps) {
+  // ten equal masses: rho = cos^2(pi/20) = 0.97553, so 10 iterations of beta 0.15 give 0.898 and 4
+  // give 1.04: one chain hangs still, the other shakes itself to pieces
+  const auto sag_after = [](int iterations, int steps) {
     Hanging hanging(std::vector<real>(10, real(1)));
     for (BallJoint* joint : hanging.joints) joint->beta = real(0.15);
     SequentialImpulses solver;
     solver.warm_start = true;
-    solver.iterations = sweeps;
+    solver.iterations = iterations;
     double largest = 0;
     for (int step = 0; step < steps; ++step) {
       solver.step(hanging.world, h);
@@ -189,13 +189,13 @@ TEST_CASE("E47 an unstable warm chain grows by as much a step as its slowest mod
 }
 
 TEST_CASE("I15 and E47 the criterion tells which warm chains hang still", "[E47]") {
-  for (const auto& [tip, sweeps] : {std::pair{1, 4}, {1, 10}, {1, 30}, {100, 30}, {100, 200}}) {
-    CAPTURE(tip, sweeps);
+  for (const auto& [tip, iterations] : {std::pair{1, 4}, {1, 10}, {1, 30}, {100, 30}, {100, 200}}) {
+    CAPTURE(tip, iterations);
     Hanging hanging(ten_links(real(tip)));
-    const double kept = std::pow(hanging.rate(), sweeps) * 1.15;
+    const double kept = std::pow(hanging.rate(), iterations) * 1.15;
     CHECK(std::abs(kept - 1) > 0.03);  // clear of the edge
     hanging.set_beta(real(0.15));
-    const Sags sags(std::move(hanging), solver_with(true, sweeps), tip == 1 ? 600 : 1200);
+    const Sags sags(std::move(hanging), solver_with(true, iterations), tip == 1 ? 600 : 1200);
     if (kept < 1) CHECK(sags.second < (tip == 1 ? tolerance(1e-8, 1e-4) : 1e-3));
     else CHECK(sags.second > 1);
   }
@@ -203,33 +203,33 @@ TEST_CASE("I15 and E47 the criterion tells which warm chains hang still", "[E47]
 
 TEST_CASE("E47 warm without feedback a projected chain is stable on either side", "[E47]") {
   for (const int tip : {1, 100})
-    for (const int sweeps : {4, 10, 30})
+    for (const int iterations : {4, 10, 30})
       for (const int projections : {1, 4}) {
-        CAPTURE(tip, sweeps, projections);
+        CAPTURE(tip, iterations, projections);
         Hanging hanging(ten_links(real(tip)));
         hanging.set_beta(0);
-        const Sags sags(std::move(hanging), solver_with(true, sweeps, projections), 1800);
+        const Sags sags(std::move(hanging), solver_with(true, iterations, projections), 1800);
         CHECK(sags.second < (tip == 1 ? tolerance(1e-6, 1e-4) : 0.2));
         CHECK(sags.second < 1.01 * sags.first + tolerance(1e-9, 1e-4));
       }
 }
 
 TEST_CASE("I26 a cold chain of ten sags joint by joint by what the formula says") {
-  for (const auto& [tip, sweeps] : {std::pair{1, 4}, {1, 10}, {1, 30}, {100, 72}}) {
-    CAPTURE(tip, sweeps);
+  for (const auto& [tip, iterations] : {std::pair{1, 4}, {1, 10}, {1, 30}, {100, 72}}) {
+    CAPTURE(tip, iterations);
     const double beta = 0.15;
     Hanging hanging(ten_links(real(tip)));
     hanging.set_beta(real(beta));
     const System system = rows_of(hanging.world);
-    const Dense A = whole_K(system, hanging.world), G = sweep_matrix(A, system.block);
+    const Dense A = whole_K(system, hanging.world), G = iteration_matrix(A, system.block);
     const Dense E = Dense::identity(A.rows());
     Dense H = A;
-    for (int k = 0; k < sweeps; ++k) H = H * G;
+    for (int k = 0; k < iterations; ++k) H = H * G;
     H = H * inverse_of(A);
     Column g = Column(system.J.columns());
     for (std::size_t k = 1; k < hanging.ids.size(); ++k) g[6 * long(k) + 1] = -9.81;
     const Column C = double(h * h) / beta * (inverse_of(E - H) * (H * (system.J * g)));
-    SequentialImpulses solver = solver_with(false, sweeps);
+    SequentialImpulses solver = solver_with(false, iterations);
     for (int step = 0; step < (tip == 1 ? 600 : 2400); ++step) solver.step(hanging.world, h);
     double largest = 0;
     for (std::size_t k = 0; k < 10; ++k) {
@@ -245,16 +245,16 @@ TEST_CASE("I26 a cold chain of ten sags joint by joint by what the formula says"
 }
 
 TEST_CASE("E47 a hinge at its limit in blocks apart does as the criterion says", "[E47]") {
-  const auto beyond = [](bool whole, int sweeps, real beta) {
+  const auto beyond = [](bool whole, int iterations, real beta) {
     Crane crane(vec3(0, 1, 0));
     crane.hinge->set_limits(0, 60 * degree);  // at the lower one already: its row is there
     crane.hinge->whole = whole;
-    const double kept = std::pow(sweep_rate(crane.world, rows_of(crane.world)), sweeps) *
+    const double kept = std::pow(iteration_rate(crane.world, rows_of(crane.world)), iterations) *
                         (1 + double(beta));
     crane.hinge->set_limits(-60 * degree, 60 * degree);
     crane.hinge->set_motor(3, 500);
     crane.hinge->beta = beta;
-    crane.solver = solver_with(true, sweeps);
+    crane.solver = solver_with(true, iterations);
     double late = 0;
     for (int step = 0; step < 1200; ++step) {
       crane.solver.step(crane.world, h);
@@ -268,12 +268,12 @@ TEST_CASE("E47 a hinge at its limit in blocks apart does as the criterion says",
   const auto [kept, late] = beyond(false, 1, real(0.2));
   CHECK(kept == Approx(1.2 * 27 / 29).epsilon(1e-4));
   CHECK(late > 1e29);  // it has been thrown out at more than 1e4 m/s
-  for (const auto& [sweeps, beta] : {std::pair{10, 0.2}, {30, 0.2}, {1, 0.0}}) {
-    const auto [apart, rests] = beyond(false, sweeps, real(beta));
+  for (const auto& [iterations, beta] : {std::pair{10, 0.2}, {30, 0.2}, {1, 0.0}}) {
+    const auto [apart, rests] = beyond(false, iterations, real(beta));
     CHECK(apart < 0.95);
     CHECK(std::abs(rests) < (beta > 0 ? 0.01 : 0.5));
   }
   const auto [one, there] = beyond(true, 1, real(0.2));
-  CHECK(one < 1e-5);  // one block: a sweep leaves nothing
+  CHECK(one < 1e-5);  // one block: an iteration leaves nothing
   CHECK(std::abs(there) < 0.01);
 }

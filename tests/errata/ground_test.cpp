@@ -21,11 +21,11 @@ class Ground : public Joint {
     const int slot1 = bodies.index(body1), slot2 = bodies.index(body2);
     const Corner corner{vec3(0), radius, 0};
     append_(corner, bodies.at(slot1), bodies.at(slot2),
-            [&](real sign, const Demand& demand) {
+            [&](real sign, const RowTarget& target) {
               const Body &a = bodies.at(slot1), &b = bodies.at(slot2);
               const Jacobian<1> J = to_jacobian(corner.along(sign * Corner::up(a), a, b));
               blocks.append(slot1, slot2, J, {sign * corner.error(a, b)}, dense_K<1>(J, a, b),
-                            demand, &impulse_);
+                            target, &impulse_);
             });
   }
   int most_rows() const override { return 1; }
@@ -59,7 +59,7 @@ double speed_on_our_ground(real room, real speed) {
 TEST_CASE("E1 a depth that must not be negative pulls what flies into the ground", "[E1]") {
   // printed: C = depth >= 0. A ball 0.3 m over the ground has a depth of -0.3 m.
   const auto printed = [](const auto&, const Body&, const Body&, const auto& row) {
-    row(-1, Demand{.beta = real(0.2), .lower = 0});
+    row(-1, RowTarget{.beta = real(0.2), .lower = 0});
   };
   CHECK(speed_after(real(0.3), 0, printed) == Approx(-0.2 * 0.3 * 60).epsilon(1e-4));
   CHECK(speed_after(real(-0.05), -4, printed) == Approx(-4).epsilon(1e-4));  // it may sink on
@@ -71,7 +71,7 @@ TEST_CASE("E5 a contact solved as an equality is sticky: it holds back what leav
           "[E5]") {
   // printed: a violated inequality is an equality. 5 cm deep, on its way out at 5 m/s.
   const auto printed = [](const Corner& corner, const Body& a, const Body& b, const auto& row) {
-    if (corner.error(a, b) < 0) row(1, Demand{.beta = real(0.2)});
+    if (corner.error(a, b) < 0) row(1, RowTarget{.beta = real(0.2)});
   };
   CHECK(speed_after(real(-0.05), 5, printed) == Approx(0.2 * 0.05 * 60).epsilon(1e-3));
   CHECK(speed_on_our_ground(real(-0.05), 5) == Approx(5).epsilon(1e-6));
@@ -80,7 +80,7 @@ TEST_CASE("E5 a contact solved as an equality is sticky: it holds back what leav
 TEST_CASE("E5 a contact ignored until it is violated lets a ball into the ground by up to a step",
           "[E5]") {
   const auto printed = [](const Corner& corner, const Body& a, const Body& b, const auto& row) {
-    if (corner.error(a, b) < 0) row(1, Demand{.beta = real(0.2)});
+    if (corner.error(a, b) < 0) row(1, RowTarget{.beta = real(0.2)});
   };
   const double room = 0.01, speed = -10;
   CHECK(room + speed_after(real(room), real(speed), printed) / 60 ==

@@ -1,5 +1,5 @@
 // What the thesis says about the inner loop: what its frame rates cost in time, and what may be
-// computed before the sweeps.
+// computed before the iterations.
 #include <numbers>
 #include <vector>
 
@@ -89,9 +89,10 @@ TEST_CASE("E46 how many frames a step costs depends on how many there were", "[E
   CHECK(time / frames == Approx(570.0 / 490).epsilon(1e-12));
 }
 
-TEST_CASE("E50 a soft row needs its sum inside the loop: else more sweeps make it hard", "[E50]") {
+TEST_CASE("E50 a soft row needs its sum inside the loop: else more iterations make it hard",
+          "[E50]") {
   // One soft row between two bodies: J V + beta C/h + gamma lambda = 0, with all but J V and
-  // lambda known before the sweeps.
+  // lambda known before the iterations.
   Random random(58);
   for (int draw = 0; draw < 20; ++draw) {
     World world;
@@ -101,16 +102,16 @@ TEST_CASE("E50 a soft row needs its sum inside the loop: else more sweeps make i
     auto& joint = world.add<AnyJoint<1>>(a, b);
     joint.J[0] = random_row(random);
     joint.C[0] = random.uniform(real(0.1), real(0.3));
-    joint.demand = {.frequency = 4, .damping = real(0.5)};
+    joint.target = {.frequency = 4, .damping = real(0.5)};
     const double t = double(h), omega = 8 * std::numbers::pi, a1 = 1 + t * omega;
     const double K = double(dense_K(joint.J, pair.body1, pair.body2)[0][0]);
     const double gamma = K / (t * omega * a1), bias = omega / a1 * double(joint.C[0]);
     const double right = -bias / (K + gamma);  // both bodies at rest
 
-    const auto by_hand = [&](bool inside, int sweeps) {
+    const auto by_hand = [&](bool inside, int iterations) {
       double rate = 0, sum = 0;
       const double start = sum;  // cold: nothing so far
-      for (int k = 0; k < sweeps; ++k) {
+      for (int k = 0; k < iterations; ++k) {
         const double dlambda = -(rate + bias + gamma * (inside ? sum : start)) / (K + gamma);
         sum += dlambda;
         rate += K * dlambda;
@@ -118,23 +119,23 @@ TEST_CASE("E50 a soft row needs its sum inside the loop: else more sweeps make i
       return sum;
     };
     SequentialImpulses engine;
-    engine.step(world, h);  // 30 sweeps
+    engine.step(world, h);  // 30 iterations
     const double near = tolerance(1e-10, 1e-4);
     CHECK(double(joint.impulse[0]) == Approx(right).epsilon(near));
     CHECK(by_hand(true, 30) == Approx(right).epsilon(1e-12));
-    CHECK(by_hand(false, 1) == Approx(right).epsilon(1e-12));  // the first sweep is still right
+    CHECK(by_hand(false, 1) == Approx(right).epsilon(1e-12));  // the first iteration is still right
     // then it goes on to the hard row's impulse: what is missing shrinks by gamma/(K + gamma)
     const double hard = -bias / K, left = gamma / (K + gamma);
-    for (const int sweeps : {2, 30}) {
-      const double wrong = by_hand(false, sweeps);
-      CHECK(wrong == Approx(hard * (1 - std::pow(left, sweeps))).epsilon(1e-12));
-      CHECK(wrong / right == Approx(sweeps == 2 ? 1.63 : 2.68).epsilon(0.003));
+    for (const int iterations : {2, 30}) {
+      const double wrong = by_hand(false, iterations);
+      CHECK(wrong == Approx(hard * (1 - std::pow(left, iterations))).epsilon(1e-12));
+      CHECK(wrong / right == Approx(iterations == 2 ? 1.63 : 2.68).epsilon(0.003));
     }
     CHECK(hard / right == Approx((K + gamma) / K).epsilon(1e-12));
   }
 }
 
-TEST_CASE("E50 a bound needs the sum inside the loop: else every sweep gives the bound again",
+TEST_CASE("E50 a bound needs the sum inside the loop: else every iteration gives the bound again",
           "[E50]") {
   // A motor row that wants far more than it may give: h F once a step.
   const double F = 3, bound = double(h) * F;
@@ -144,29 +145,29 @@ TEST_CASE("E50 a bound needs the sum inside the loop: else every sweep gives the
   const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
   auto& motor = world.add<AnyJoint<1>>(a, b);
   motor.J[0] = {vec3(-1, 0, 0), vec3(0), vec3(1, 0, 0), vec3(0)};
-  motor.demand = {.target = 1000, .lower = -real(F), .upper = real(F)};
+  motor.target = {.rate = 1000, .lower = -real(F), .upper = real(F)};
   const double K = double(dense_K(motor.J, pair.body1, pair.body2)[0][0]);
-  for (const int sweeps : {1, 10, 30}) {
+  for (const int iterations : {1, 10, 30}) {
     double rate = 0, sum = 0;
     const double start = sum;
-    for (int k = 0; k < sweeps; ++k) {
+    for (int k = 0; k < iterations; ++k) {
       const double wanted = -(rate - 1000) / K;
       const double dlambda = std::clamp(start + wanted, -bound, bound) - start;
       sum += dlambda;
       rate += K * dlambda;
     }
-    CHECK(sum == Approx(sweeps * bound).epsilon(1e-12));
+    CHECK(sum == Approx(iterations * bound).epsilon(1e-12));
     world.bodies[a].v = world.bodies[b].v = vec3(0);
     SequentialImpulses engine;
-    engine.iterations = sweeps;
+    engine.iterations = iterations;
     engine.step(world, h);
     CHECK(double(motor.impulse[0]) == Approx(bound).epsilon(tolerance(1e-12, 1e-6)));
   }
 }
 
-TEST_CASE("E50 a hard row with Baumgarte needs nothing but what is known before the sweeps",
+TEST_CASE("E50 a hard row with Baumgarte needs nothing but what is known before the iterations",
           "[E50]") {
-  // Begun with any sum, the sweeps find the same velocities: the sum is nowhere read.
+  // Begun with any sum, the iterations find the same velocities: the sum is nowhere read.
   Random random(59);
   World world;
   world.gravity = vec3(0);
@@ -175,7 +176,7 @@ TEST_CASE("E50 a hard row with Baumgarte needs nothing but what is known before 
   auto& joint = world.add<AnyJoint<2>>(a, b);
   for (Row& row : joint.J.row) row = random_row(random);
   joint.C = {real(0.1), real(-0.2)};
-  joint.demand = {.beta = real(0.2)};
+  joint.target = {.beta = real(0.2)};
   const Bodies start = world.bodies;
   std::vector<Body> first;
   for (const real told : {0, 5, -7}) {
@@ -183,7 +184,7 @@ TEST_CASE("E50 a hard row with Baumgarte needs nothing but what is known before 
     SequentialImpulses solver;
     solver.begin(world, h);
     joint.impulse = {told, told};
-    for (int k = 0; k < 10; ++k) solver.sweep(world.bodies, k);
+    for (int k = 0; k < 10; ++k) solver.iterate(world.bodies, k);
     if (told == 0) first = snapshot(world.bodies);
     const std::vector<Body> now = snapshot(world.bodies);
     for (std::size_t k = 0; k < now.size(); ++k)

@@ -95,9 +95,10 @@ TEST_CASE("two free bodies that meet keep their momentum, with friction and rebo
     SequentialImpulses solver;
     int touched = 0;
     for (int n = 0; n < 60; ++n) {
-      solver.begin(world, h);  // poses turn the moments: only within the sweeps is the spin kept
+      solver.begin(world,
+                   h);  // poses turn the moments: only within the iterations is the spin kept
       const dvec3 spin = angular_momentum(world.bodies);
-      for (int k = 0; k < 30; ++k) solver.sweep(world.bodies, k);
+      for (int k = 0; k < 30; ++k) solver.iterate(world.bodies, k);
       CHECK(length(angular_momentum(world.bodies) - spin) < tolerance(1e-11, 1e-3));
       solver.finish(world, h);
       touched += contact.touching();
@@ -119,7 +120,7 @@ TEST_CASE("the ground never pulls, and friction is never more than mu times what
       box.solver.step(box.world, h);
       for (const Touch& touch : touches(box.solver.blocks())) {
         CHECK(touch.normal >= 0);
-        // forward, the normal has the last word: it may sink by what 30 sweeps have not settled
+        // forward, the normal has the last word: it may sink by what 30 iterations have not settled
         const double leeway = draw % 2 ? 0 : 1e-2 * 10;  // of a mass of 10 kg [N s]
         CHECK(touch.friction() <= double(real(touch.mu) * real(touch.normal)) + leeway);
         ++(touch.normal > 0 ? pressing : off);
@@ -158,7 +159,7 @@ TEST_CASE("friction and ground only take energy from a box that falls without re
     for (int n = 0; n < 120; ++n) {
       box.solver.begin(box.world, h);
       const double before = kinetic();
-      for (int k = 0; k < 100; ++k) box.solver.sweep(box.world.bodies, k);
+      for (int k = 0; k < 100; ++k) box.solver.iterate(box.world.bodies, k);
       CHECK(kinetic() <= before * (1 + tolerance(1e-12, 1e-5)) + tolerance(1e-12, 1e-4));
       box.solver.finish(box.world, h);
     }

@@ -1,5 +1,5 @@
 // The loop of chapter 8's program: one box on the ground, by the functions of the exercises, and
-// its twin in the engine.
+// its reference in the engine.
 #include "chapters/08_ground/ground_contact.h"
 #include "chapters/08_ground/program/own_ground.h"
 #include "tests/checker/catch.h"
@@ -65,39 +65,39 @@ TEST_CASE("a sliding and turning box moves in the loop by hand as in the engine 
                 {vec3(0), vec3(0), vec3(real(0.3), 0, real(0.5)), 0},
                 {vec3(1, 0, 1), vec3(0, 1, 0), vec3(0), real(0.3)}};
   for (const auto& start : starts) {
-    Twins twins(start.v, start.w, start.slope, start.drop);
-    const vec3 from = twins.own.body.x;
+    Twins references(start.v, start.w, start.slope, start.drop);
+    const vec3 from = references.own.body.x;
     for (int n = 0; n < 60; ++n) {
-      twins.step();
-      CHECK(twins.off() < tolerance(1e-12, 2e-4));
+      references.step();
+      CHECK(references.off() < tolerance(1e-12, 2e-4));
     }
-    CHECK(double(length(twins.own.body.x - from)) > 0.2);  // it did move
+    CHECK(double(length(references.own.body.x - from)) > 0.2);  // it did move
   }
 }
 
 TEST_CASE("while a box slides the friction of all corners is mu times their normal impulses") {
-  Twins twins(vec3(3, 0, 1), vec3(0));
+  Twins references(vec3(3, 0, 1), vec3(0));
   const double weight = 10 * 9.81 * double(h);  // [N s] a step
   int sliding = 0;
-  while (double(length(twins.own.body.v)) > 0.2) {
-    const vec3 before = twins.own.body.v;
-    twins.own.step(h);
-    const vec3 friction = twins.own.sideways();
-    CHECK(double(twins.own.normal()) == Approx(weight).epsilon(tolerance(1e-9, 1e-3)));
+  while (double(length(references.own.body.v)) > 0.2) {
+    const vec3 before = references.own.body.v;
+    references.own.step(h);
+    const vec3 friction = references.own.sideways();
+    CHECK(double(references.own.normal()) == Approx(weight).epsilon(tolerance(1e-9, 1e-3)));
     CHECK(double(length(friction)) ==
-          Approx(0.5 * double(twins.own.normal())).epsilon(tolerance(1e-6, 1e-3)));
+          Approx(0.5 * double(references.own.normal())).epsilon(tolerance(1e-6, 1e-3)));
     CHECK(double(dot(friction, normalize(before))) ==
           Approx(-double(length(friction))).epsilon(tolerance(1e-9, 1e-4)));
     REQUIRE(++sliding < 60);
   }
   CHECK(sliding > 20);
-  for (int n = 0; n < 10; ++n) twins.own.step(h);
-  CHECK(double(length(twins.own.sideways())) < tolerance(1e-9, 1e-3) * weight);  // at rest
+  for (int n = 0; n < 10; ++n) references.own.step(h);
+  CHECK(double(length(references.own.sideways())) < tolerance(1e-9, 1e-3) * weight);  // at rest
 }
 
 TEST_CASE("the loop by hand leaves the engine's box as soon as its friction is another one") {
-  Twins twins(vec3(3, 0, 1), vec3(0));
-  twins.own.friction = real(0.49);
-  for (int n = 0; n < 30; ++n) twins.step();
-  CHECK(twins.off() > 1e-3);
+  Twins references(vec3(3, 0, 1), vec3(0));
+  references.own.friction = real(0.49);
+  for (int n = 0; n < 30; ++n) references.step();
+  CHECK(references.off() > 1e-3);
 }

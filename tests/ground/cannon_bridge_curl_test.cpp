@@ -14,9 +14,9 @@ namespace {
 
 constexpr double g = 9.81;
 
-void step(Stage& stage) { stage.solver.step(stage.world, h); }
-void run(Stage& stage, double seconds) {
-  for (int n = int(std::lround(seconds * 60)); n > 0; --n) step(stage);
+void step(Scene& scene) { scene.solver.step(scene.world, h); }
+void run(Scene& scene, double seconds) {
+  for (int n = int(std::lround(seconds * 60)); n > 0; --n) step(scene);
 }
 double fastest_of(const World& world) {
   double most = 0;
@@ -25,11 +25,11 @@ double fastest_of(const World& world) {
 }
 
 // The fastest body of the next second [m/s].
-double fastest_from_now(Stage& stage) {
+double fastest_from_now(Scene& scene) {
   double most = 0;
   for (int n = 0; n < 60; ++n) {
-    step(stage);
-    most = std::max(most, fastest_of(stage.world));
+    step(scene);
+    most = std::max(most, fastest_of(scene.world));
   }
   return most;
 }
@@ -47,18 +47,18 @@ struct Flight {
 
   Flight() {
     while (cannon.hold) {
-      step(cannon.stage);
+      step(cannon.scene);
       start = shot();
-      way = double(cannon.rail->position(cannon.stage.world.bodies)) + 1;
+      way = double(cannon.rail->position(cannon.scene.world.bodies)) + 1;
       cannon.look();
       ++pushes;
     }
     for (; cannon.landing->touching() == 0 && steps < 1000; ++steps) {
       before = shot();
-      step(cannon.stage);
+      step(cannon.scene);
     }
   }
-  const Body& shot() const { return cannon.stage.world.bodies[cannon.shot]; }
+  const Body& shot() const { return cannon.scene.world.bodies[cannon.shot]; }
 };
 
 // ---- the bridge ---------------------------------------------------------------------------------
@@ -143,14 +143,14 @@ TEST_CASE("a shot that falls further in a step than its own half is thick stops 
   REQUIRE(-double(flight.before.v.y) * double(h) > edge * std::sqrt(0.5));
   double deepest = 0;
   for (int n = 0; n < 900; ++n) {
-    step(flight.cannon.stage);
-    deepest = std::max(deepest, penetration(flight.cannon.stage.world));
+    step(flight.cannon.scene);
+    deepest = std::max(deepest, penetration(flight.cannon.scene.world));
   }
   CHECK(deepest < 1e-4);
   CHECK(double(flight.shot().x.y) == Approx(edge / 2).margin(1e-4));  // flat
   CHECK(double(length(flight.shot().v)) < 1e-3);
   CHECK(double(length(flight.shot().w)) < 1e-3);
-  CHECK(double(flight.cannon.rail->position(flight.cannon.stage.world.bodies)) ==
+  CHECK(double(flight.cannon.rail->position(flight.cannon.scene.world.bodies)) ==
         Approx(-1).margin(1e-4));  // the carriage slid back
 }
 
@@ -160,19 +160,19 @@ TEST_CASE("a bridge's planks give its load the weight of it, at rest and on aver
   const int steps = 600;
   double deepest = 0, widest_gap = 0;
   for (int n = 0; n < steps; ++n) {
-    step(bridge.stage);
+    step(bridge.scene);
     sum += bridge.carried() / real(steps);
-    deepest = std::max(deepest, penetration(bridge.stage.world));
-    widest_gap = std::max(widest_gap, widest(bridge.stage));
+    deepest = std::max(deepest, penetration(bridge.scene.world));
+    widest_gap = std::max(widest_gap, widest(bridge.scene));
   }
   const double weight = Bridge::crate_mass * g;
   CHECK(double(bridge.carried().y) == Approx(weight).epsilon(0.01));
   CHECK(std::abs(double(bridge.carried().x)) < 0.01 * weight);
   CHECK(double(sum.y) == Approx(weight).epsilon(0.01));  // it began at rest and ends at rest
-  CHECK(fastest_of(bridge.stage.world) < 1e-3);
+  CHECK(fastest_of(bridge.scene.world) < 1e-3);
   CHECK(deepest < 1e-3);
   CHECK(widest_gap < 0.02);  // 0.011 while it catches the load, 0.0015 without one
-  CHECK(widest(bridge.stage) < tolerance(1e-5, 1e-4));
+  CHECK(widest(bridge.scene) < tolerance(1e-5, 1e-4));
 }
 
 TEST_CASE("a bridge hangs as deep as statics says, and deeper by as much under its load") {
@@ -181,7 +181,7 @@ TEST_CASE("a bridge hangs as deep as statics says, and deeper by as much under i
   for (const bool loaded : {false, true}) {
     CAPTURE(loaded);
     Bridge bridge(30, loaded, real(rub));
-    run(bridge.stage, 10);
+    run(bridge.scene, 10);
     const Statics statics(loaded ? Bridge::crate_mass * g : 0, double(bridge.crate_size.x) / 2);
     // What the hinges' friction holds moves the line of the pull by rub/H, at the ends and in the
     // middle.
@@ -193,19 +193,19 @@ TEST_CASE("a bridge hangs as deep as statics says, and deeper by as much under i
 
 TEST_CASE("a bridge swings on while its hinges do not rub") {
   Bridge rubs(30, true, 20), free(30, true, 0);
-  for (Bridge* bridge : {&rubs, &free}) run(bridge->stage, 9);
-  CHECK(fastest_from_now(rubs.stage) < 1e-3);
-  CHECK(fastest_from_now(free.stage) > 0.02);
+  for (Bridge* bridge : {&rubs, &free}) run(bridge->scene, 9);
+  CHECK(fastest_from_now(rubs.scene) < 1e-3);
+  CHECK(fastest_from_now(free.scene) > 0.02);
 }
 
 TEST_CASE("a bridge rests under its load where the warm start is safe, not where it is not") {
   Bridge safe(30), unsafe(30, true, 20, real(0.2));
-  for (Bridge* bridge : {&safe, &unsafe}) run(bridge->stage, 9);
-  CHECK(fastest_from_now(safe.stage) < 1e-3);
-  CHECK(fastest_from_now(unsafe.stage) > 0.5);
+  for (Bridge* bridge : {&safe, &unsafe}) run(bridge->scene, 9);
+  CHECK(fastest_from_now(safe.scene) < 1e-3);
+  CHECK(fastest_from_now(unsafe.scene) > 0.5);
   if (is_float) return;  // the slowest error drowns in rounding
   for (HingeJoint* hinge : safe.hinges) hinge->set_motor(0, 0);
-  const double left = std::pow(measured_rate(safe.stage.world, 400, 200), 30);
+  const double left = std::pow(measured_rate(safe.scene.world, 400, 200), 30);
   CHECK(left * 1.02 < 1);  // Eq. 6-9
   CHECK(left * 1.2 > 1);
 }
@@ -216,15 +216,15 @@ TEST_CASE("a chain curls up to a ring with motors that could not lift half of it
   REQUIRE(strength < lifting(curl, 4, 0));
   double deepest = 0, widest_gap = 0, carried = 0;
   for (int n = 0; n < 600; ++n) {
-    step(curl.stage);
-    deepest = std::max(deepest, penetration(curl.stage.world));
-    widest_gap = std::max(widest_gap, widest(curl.stage));
+    step(curl.scene);
+    deepest = std::max(deepest, penetration(curl.scene.world));
+    widest_gap = std::max(widest_gap, widest(curl.scene));
     if (n < 360) continue;  // on average of the last four seconds: it rocks
     for (const GroundContact* contact : curl.contacts)
-      carried += double(reaction(*contact, curl.stage.world.bodies).force.y) / 240;
+      carried += double(reaction(*contact, curl.scene.world.bodies).force.y) / 240;
   }
   for (const HingeJoint* hinge : curl.hinges)
-    CHECK(double(hinge->position(curl.stage.world.bodies) / degree) == Approx(45).margin(1));
+    CHECK(double(hinge->position(curl.scene.world.bodies) / degree) == Approx(45).margin(1));
   CHECK(double(length(curl.tip() - curl.tail())) < 0.1);  // the ring is closed
   CHECK(carried == Approx(Curl::cubes * Curl::cube_mass * g).epsilon(0.02));
   CHECK(deepest < 2e-3);
@@ -236,10 +236,10 @@ TEST_CASE("motors of 4000 N m bend as many hinges from each end as they can lift
   Curl curl(30, real(strength));
   REQUIRE(lifting(curl, 2, bend) < strength);
   REQUIRE(lifting(curl, 3, bend) > strength);
-  run(curl.stage, 10);
+  run(curl.scene, 10);
   for (std::size_t k = 0; k < curl.hinges.size(); ++k) {
     CAPTURE(k);
-    const double angle = double(curl.hinges[k]->position(curl.stage.world.bodies) / degree);
+    const double angle = double(curl.hinges[k]->position(curl.scene.world.bodies) / degree);
     CHECK(angle == Approx(k < 2 || k > 4 ? 45 : 0).margin(1));
   }
 }

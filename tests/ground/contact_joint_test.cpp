@@ -75,8 +75,8 @@ TEST_CASE("each corner that touches has friction, friction and normal, and no mo
     REQUIRE(int(blocks.size()) == 3 * corners);
     for (std::size_t k = 0; k < blocks.size(); ++k) {
       CHECK(blocks[k].rows == 1);
-      CHECK(blocks[k].demand.follows == int(k % 3 == 2 ? 0 : 2 - k % 3));
-      CHECK(blocks[k].demand.holds_position == (k % 3 == 2));
+      CHECK(blocks[k].target.follows == int(k % 3 == 2 ? 0 : 2 - k % 3));
+      CHECK(blocks[k].target.holds_position == (k % 3 == 2));
     }
   }
   Grounded sunk = with_lowest(4, real(-2));  // all eight under the top
@@ -92,7 +92,7 @@ TEST_CASE("of a sunk box the four deepest corners have the rows") {
   box.contact->begin_step(box.world.bodies, h);
   box.contact->append(box.world.bodies, blocks);
   for (const Block& block : blocks.list)
-    if (block.demand.follows == 0) CHECK(double(blocks.C[std::size_t(block.first)]) == Approx(-2));
+    if (block.target.follows == 0) CHECK(double(blocks.C[std::size_t(block.first)]) == Approx(-2));
 }
 
 TEST_CASE("a corner has rows from the step in which it would come within h times 0.1 m/s") {
@@ -153,7 +153,7 @@ TEST_CASE("two static bodies have no rows, however deep they are") {
   CHECK(world.bodies[b].x == vec3(0));
 }
 
-TEST_CASE("warm, a box at rest needs one sweep; cold, one sweep lets it sink") {
+TEST_CASE("warm, a box at rest needs one iteration; cold, one iteration lets it sink") {
   const auto sunk = [](bool warm) {
     Grounded box = standing();
     box.solver.warm_start = warm;
@@ -201,7 +201,7 @@ TEST_CASE("the arrow of friction stays when the directions turn with the sliding
   box.it().v = vec3(3, real(-0.5), 0);
   box.solver.warm_start = true;
   box.solver.begin(box.world, h);
-  for (int k = 0; k < 30; ++k) box.solver.sweep(box.world.bodies, k);
+  for (int k = 0; k < 30; ++k) box.solver.iterate(box.world.bodies, k);
   const vec3 before = arrow(), direction = first_direction();
   REQUIRE(double(length(before)) > 0.1);
   box.it().v = vec3(1, real(-0.5), 2);  // slides elsewhere now
@@ -211,7 +211,7 @@ TEST_CASE("the arrow of friction stays when the directions turn with the sliding
   CHECK(double(length(arrow() - before)) < tolerance(1e-12, 1e-5) * double(length(before)));
 }
 
-TEST_CASE("the second look adds a corner that a neighbour drives into the ground") {
+TEST_CASE("the late limits adds a corner that a neighbour drives into the ground") {
   // a fast stone lifts one end of a long box, which turns the other end into the ground
   const vec3 size(4, real(0.2), 1), end(-2, real(0.2), 0);
   const auto driven = [&](bool looks) {
@@ -224,10 +224,10 @@ TEST_CASE("the second look adds a corner that a neighbour drives into the ground
     lever.solver.iterations = 300;
     if (looks) {
       lever.solver.step(lever.world, h);
-    } else {  // the same without the second look
+    } else {  // the same without the late limits
       lever.solver.begin(lever.world, h);
       CHECK(lever.contact->touching() == 0);  // nothing of it moves yet
-      for (int k = 0; k < 300; ++k) lever.solver.sweep(lever.world.bodies, k);
+      for (int k = 0; k < 300; ++k) lever.solver.iterate(lever.world.bodies, k);
       lever.solver.finish(lever.world, h);
     }
     return std::pair{lever.contact->touching(), double(lever.contact->room(lever.world.bodies))};

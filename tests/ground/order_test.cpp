@@ -23,8 +23,8 @@ Course course(Turns turns, int iterations, int steps = 240) {
   double deepest = 0;
   for (int n = 0; n < steps; ++n) {
     chain.step(turns);
-    gaps.look(chain.stage.marks, poses(chain.stage.world.bodies));
-    deepest = std::max(deepest, penetration(chain.stage.world));
+    gaps.look(chain.scene.marks, poses(chain.scene.world.bodies));
+    deepest = std::max(deepest, penetration(chain.scene.world));
     out.widest.push_back(gaps.maximum());
     out.deepest.push_back(deepest);
   }
@@ -56,7 +56,7 @@ TEST_CASE("contacts solved after the joints pull joints open and solved before t
   CHECK(one_loop.deepest.back() < 1e-3);
 }
 
-TEST_CASE("more sweeps help one loop and not joints whose contacts are solved after them") {
+TEST_CASE("more iterations help one loop and not joints whose contacts are solved after them") {
   CHECK(course(Turns::interleaved, 50).rms < 0.5 * course(Turns::interleaved, 5).rms);
   CHECK(course(Turns::joints_first, 50).rms > 0.5 * course(Turns::joints_first, 5).rms);
 }
@@ -66,30 +66,30 @@ TEST_CASE("taking turns in one loop is the solver's own step to the last bit") {
   LandingChain plain(Turns::interleaved, 8, 10, real(0.2));
   for (int n = 0; n < 120; ++n) {
     turns.step(Turns::interleaved);
-    plain.stage.solver.step(plain.stage.world, h);
+    plain.scene.solver.step(plain.scene.world, h);
   }
-  CHECK(penetration(turns.stage.world) > 0);  // it has landed
+  CHECK(penetration(turns.scene.world) > 0);  // it has landed
   for (const BodyId id : turns.ids)
-    CHECK(turns.stage.world.bodies[id].x == plain.stage.world.bodies[id].x);
+    CHECK(turns.scene.world.bodies[id].x == plain.scene.world.bodies[id].x);
 }
 
 TEST_CASE("a hit opens an uncorrected hinge no more than speed does unless contacts come last") {
   // Eq. 6-1: the steps' arrows of w^2 h^2/2 r, added, are the gap, in a step with a hit as well.
   for (const Turns order : {Turns::interleaved, Turns::joints_first}) {
-    Stage stage;
-    World& world = stage.world;
-    const BodyId wall = stage.box(0, vec3(real(0.4)), vec3(0));
-    const BodyId id = stage.box(100, vec3(1), vec3(2, 0, 0));
-    const BodyId ground = stage.box(0, vec3(8, real(0.2), 8), vec3(0, real(-2.1), 0));
+    Scene scene;
+    World& world = scene.world;
+    const BodyId wall = scene.box(0, vec3(real(0.4)), vec3(0));
+    const BodyId id = scene.box(100, vec3(1), vec3(2, 0, 0));
+    const BodyId ground = scene.box(0, vec3(8, real(0.2), 8), vec3(0, real(-2.1), 0));
     auto& joint = world.add<HingeJoint>(world.bodies, wall, id, vec3(0), vec3(0, 0, 1));
     joint.beta = 0;
     const vec3 size(1);
-    const auto& contact = stand(stage, ground, id, size, 0);
+    const auto& contact = stand(scene, ground, id, size, 0);
     real most = 0;
     vec3 before(0);
     int hits = 0;
     for (int n = 0; n < 60; ++n) {
-      step_in_turns(stage, 1, order);
+      step_in_turns(scene, 1, order);
       const Body& cube = world.bodies[id];
       const vec3 C = joint.first.error(world.bodies[wall], cube);
       const vec3 r = -to_world(cube, joint.first.anchor2_local);

@@ -1,5 +1,5 @@
-// What sweeps over contacts settle at, against an oracle that tries every combination of pressing
-// or not, sticking or sliding this way or that (identity I17 with bounds that follow).
+// What iterations over contacts settle at, against an oracle that tries every combination of
+// pressing or not, sticking or sliding this way or that (identity I17 with bounds that follow).
 #include "chapters/02_ball/ball_joint.h"
 #include "tests/checker/catch.h"
 #include "tests/ground/rigs.h"
@@ -14,7 +14,7 @@ const real h = real(1) / 60;
 // The rows of a step as the oracle sees them: w = A lambda - c is what each row's rate is off.
 struct Problem {
   Dense A, response;  // response: W J^T, what impulses do to the velocities
-  Column c, forced;   // forced: velocities before the sweeps
+  Column c, forced;   // forced: velocities before the iterations
   std::vector<int> free, normal, friction;  // rows: equalities, normals, a friction's normal
   std::vector<double> mu;                   // of each row, 0 where it is no friction
 
@@ -28,17 +28,17 @@ struct Problem {
     mu.assign(std::size_t(c.size()), 0);
     for (const Block& block : blocks.list) {
       const int last = block.first + block.rows - 1;
-      const Demand& demand = block.demand;
+      const RowTarget& target = block.target;
       for (int i = block.first; i <= last; ++i) {
-        const bool ahead = i == last && demand.lower == 0 && demand.follows == 0 &&
+        const bool ahead = i == last && target.lower == 0 && target.follows == 0 &&
                            system.C[i] > 0;  // room that may be used up
-        c[i] -= (ahead ? 1 : double(demand.beta)) * system.C[i] / double(h);
+        c[i] -= (ahead ? 1 : double(target.beta)) * system.C[i] / double(h);
       }
-      c[last] += double(demand.target);
-      if (demand.follows != 0) {
-        friction[std::size_t(last)] = last + demand.follows;  // blocks of one row each
-        mu[std::size_t(last)] = double(demand.upper);
-      } else if (demand.lower == 0) {
+      c[last] += double(target.rate);
+      if (target.follows != 0) {
+        friction[std::size_t(last)] = last + target.follows;  // blocks of one row each
+        mu[std::size_t(last)] = double(target.upper);
+      } else if (target.lower == 0) {
         normal.push_back(last);
       } else {
         for (int i = block.first; i <= last; ++i) free.push_back(i);
@@ -135,7 +135,7 @@ struct Thrown {
 
 }  // namespace
 
-TEST_CASE("I17 sweeps settle where trying all of pressing and sticking and sliding ends") {
+TEST_CASE("I17 iterations settle where trying all of pressing and sticking and sliding ends") {
   Random random(84);
   int sliding = 0, sticking = 0, off = 0, several = 0, two = 0;
   for (int draw = 0; draw < 96; ++draw) {
@@ -144,7 +144,7 @@ TEST_CASE("I17 sweeps settle where trying all of pressing and sticking and slidi
     SequentialImpulses& solver = thrown.solver;
     solver.begin(thrown.world, h);
     const Problem problem(solver.blocks(), snapshot(thrown.world.bodies));
-    for (int k = 0; k < 20000; ++k) solver.sweep(thrown.world.bodies, k);
+    for (int k = 0; k < 20000; ++k) solver.iterate(thrown.world.bodies, k);
     const Column found = velocities(snapshot(thrown.world.bodies));
     CAPTURE(draw, corners, thrown.contact->touching());
     REQUIRE(problem.normal.size() <= 2);
@@ -180,12 +180,12 @@ TEST_CASE("bounds that do not follow the normal settle elsewhere than those that
   SequentialImpulses& solver = thrown.solver;
   solver.begin(thrown.world, h);
   const Problem problem(solver.blocks(), snapshot(thrown.world.bodies));
-  solver.sweep(thrown.world.bodies, 0);  // friction comes first: the normal has pressed nothing
+  solver.iterate(thrown.world.bodies, 0);  // friction comes first: the normal has pressed nothing
   for (const Touch& touch : touches(solver.blocks())) {
     CHECK(touch.normal > 1);
     CHECK(touch.friction() == 0);
   }
-  for (int k = 1; k < 1000; ++k) solver.sweep(thrown.world.bodies, k);
+  for (int k = 1; k < 1000; ++k) solver.iterate(thrown.world.bodies, k);
   const Column expected = problem.solutions().front();
   CHECK(difference(impulses(solver.blocks()), expected) < tolerance(1e-8, 1e-2));
   for (const Touch& touch : touches(solver.blocks())) CHECK(touch.friction() > 0.1);

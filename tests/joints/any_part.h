@@ -8,7 +8,7 @@
 namespace joints {
 
 template <class First, class Second>
-void check(const Stack<First, Second>&) {}
+void check(const Composite<First, Second>&) {}
 inline void check(const Weld&) {}
 inline void check(const RotationLock&) {}
 inline void check(const Axis&) {}

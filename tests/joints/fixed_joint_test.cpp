@@ -32,8 +32,8 @@ struct Welded {
     push_at_random(world.bodies, random);
   }
   Column V() const { return velocities(snapshot(world.bodies)); }
-  void sweep(int sweeps) {
-    for (int k = 0; k < sweeps; ++k) solver.sweep(world.bodies, k);
+  void iterate(int iterations) {
+    for (int k = 0; k < iterations; ++k) solver.iterate(world.bodies, k);
   }
   // What is still wrong in the rows.
   double left() const {
@@ -55,10 +55,10 @@ struct Welded {
 TEST_CASE("I22 what a weld of six rows does is independent of where its anchor is") {
   for (bool to_wall : {false, true}) {
     Welded at_centre(0, true, to_wall);
-    at_centre.sweep(1);
+    at_centre.iterate(1);
     for (real distance : {real(0.5), real(3), real(10)}) {
       Welded far(distance, true, to_wall);
-      far.sweep(1);
+      far.iterate(1);
       CHECK(difference(far.V(), at_centre.V()) <
             tolerance(1e-9, distance > 5 ? 5e-2 : 5e-3));  // float: K's condition is 1e4 there
     }
@@ -68,11 +68,11 @@ TEST_CASE("I22 what a weld of six rows does is independent of where its anchor i
 TEST_CASE("I22 what two blocks of three do depends on it") {
   for (bool to_wall : {false, true}) {
     Welded whole(3, true, to_wall), near(real(0.1), false, to_wall), far(3, false, to_wall);
-    whole.sweep(1);
-    near.sweep(30);
-    far.sweep(30);
+    whole.iterate(1);
+    near.iterate(30);
+    far.iterate(30);
     CHECK(difference(near.V(), whole.V()) < tolerance(1e-9, 1e-4));
-    CHECK(difference(far.V(), whole.V()) > 0.05);  // after thirty sweeps
+    CHECK(difference(far.V(), whole.V()) > 0.05);  // after thirty iterations
     CHECK(difference(far.V(), near.V()) > 0.05);
   }
 }
@@ -83,10 +83,10 @@ TEST_CASE("I13 and X15 two blocks of three converge by the rate that their K giv
     for (real distance : {real(0.3), real(1), real(3)}) {
       Welded welded(distance, false, to_wall);
       const double rho = welded.rho();
-      const int sweeps = is_float ? 10 : int(std::log(1e-7) / std::log(rho)) / 2 + 5;
-      welded.sweep(sweeps);
+      const int iterations = is_float ? 10 : int(std::log(1e-7) / std::log(rho)) / 2 + 5;
+      welded.iterate(iterations);
       const double before = welded.left();
-      welded.sweep(1);
+      welded.iterate(1);
       if (before < tolerance(1e-9, 1e-2)) continue;  // too near to zero for a ratio
       ++looked;
       // the other two directions have died away by now, the further the slower the slowest
@@ -95,7 +95,8 @@ TEST_CASE("I13 and X15 two blocks of three converge by the rate that their K giv
   CHECK(looked >= (is_float ? 3 : 6));
 }
 
-TEST_CASE("I13 an isotropic body on a wall keeps m r^2 over i + m r^2 a sweep to nine digits") {
+TEST_CASE(
+    "I13 an isotropic body on a wall keeps m r^2 over i + m r^2 an iteration to nine digits") {
   for (double r : {0.25, 0.5, 1.0, 2.0}) {
     for (bool hinge : {false, true}) {
       World world;
@@ -114,9 +115,9 @@ TEST_CASE("I13 an isotropic body on a wall keeps m r^2 over i + m r^2 a sweep to
       const auto left = [&] {
         return (system.J * velocities(snapshot(world.bodies))).norm();
       };
-      for (int k = 0; k < 10; ++k) solver.sweep(world.bodies, k);
+      for (int k = 0; k < 10; ++k) solver.iterate(world.bodies, k);
       const double before = left();
-      solver.sweep(world.bodies, 10);
+      solver.iterate(world.bodies, 10);
       const double rho = 3 * r * r / (0.7 + 3 * r * r);
       if (before < tolerance(1e-6, 1e-2)) continue;  // too near to zero for a ratio
       CHECK(left() / before == Approx(rho).epsilon(tolerance(1e-9, 1e-4)));
@@ -190,11 +191,12 @@ TEST_CASE("a weld broken by any turn up to 180 degrees comes back with q as with
 }
 
 TEST_CASE("two welded bodies fly as one body of their joint mass and inertia") {
-  // thrown, spinning: the pair's own inertia decides, and no energy or momentum is lost in a sweep
+  // thrown, spinning: the pair's own inertia decides, and no energy or momentum is lost in an
+  // iteration
   for (real distance : {real(0), real(3)}) {
     Welded welded(distance, true, false);
     const std::vector<Body> start = snapshot(welded.world.bodies);
-    welded.sweep(1);
+    welded.iterate(1);
     const std::vector<Body> end = snapshot(welded.world.bodies);
     double mass = 0;
     dvec3 centre(0), p(0), L(0);

@@ -94,8 +94,9 @@ TEST_CASE("X11 a joint at rest beside its limit is held when a neighbour of its 
     }
 }
 
-TEST_CASE("X11 yanked by ten times its weight a joint passes its limit until the sweeps suffice") {
-  // two joints in turn, as any chain: 30 sweeps leave degrees, 300 leave nothing
+TEST_CASE(
+    "X11 yanked by ten times its weight a joint passes its limit until the iterations suffice") {
+  // two joints in turn, as any chain: 30 iterations leave degrees, 300 leave nothing
   for (bool whole : {true, false}) {
     const auto beyond = [&](int iterations, real speed) {
       Yanked joint(10, speed);
@@ -125,7 +126,8 @@ TEST_CASE("S4l a cube that falls onto its limit stays there") {
     }
 }
 
-TEST_CASE("S4l with blocks apart the cube overshoots and rests within half a degree at 30 sweeps") {
+TEST_CASE(
+    "S4l with blocks apart the cube overshoots and rests within half a degree at 30 iterations") {
   Crane crane(vec3(1, 0, 0));
   crane.hinge->set_limits(-60 * degree, 60 * degree);
   crane.hinge->whole = false;
@@ -138,7 +140,7 @@ TEST_CASE("S4l with blocks apart the cube overshoots and rests within half a deg
   once.hinge->set_limits(-60 * degree, 60 * degree);
   once.hinge->whole = false;
   once.solver.iterations = 1;
-  CHECK(Run(once).highest - 60 > 10);  // one sweep is not enough for blocks apart
+  CHECK(Run(once).highest - 60 > 10);  // one iteration is not enough for blocks apart
 }
 
 TEST_CASE("X13 and S4ml a motor that pushes into a limit neither drifts nor chatters in a minute") {
@@ -160,7 +162,7 @@ TEST_CASE("X13 and S4ml a motor that pushes into a limit neither drifts nor chat
     }
 }
 
-TEST_CASE("X13 and S4ml with blocks apart the motor is held at the limit at 30 sweeps") {
+TEST_CASE("X13 and S4ml with blocks apart the motor is held at the limit at 30 iterations") {
   for (bool warm : {false, true}) {
     Crane crane(vec3(0, 1, 0));
     crane.hinge->set_motor(3, 500);

@@ -11,7 +11,7 @@ namespace {
 
 // A joint with its limit as the last row, as a whole joint has it.
 struct LimitedHingeFixture : HingeFixture {
-  using Part = Stack<Stack<Point, Axis>, Limit<HingeAngle>>;
+  using Part = Composite<Composite<Point, Axis>, Limit<HingeAngle>>;
   static constexpr Subject J{"", "a hinge and its limit"};
   static Part make(const Pair& pair) {
     return {HingeFixture::make(pair), {HingeAngleFixture::make(pair), real(0.1), -1}};
@@ -21,7 +21,7 @@ struct LimitedHingeFixture : HingeFixture {
   }
 };
 struct LimitedSliderFixture : SliderFixture {
-  using Part = Stack<Stack<Line, RotationLock>, Limit<Slide>>;
+  using Part = Composite<Composite<Line, RotationLock>, Limit<Slide>>;
   static constexpr Subject J{"", "a slider and its limit"};
   static Part make(const Pair& pair) {
     return {SliderFixture::make(pair), {SlideFixture::make(pair), real(0.1), 1}};
@@ -89,8 +89,8 @@ TEST_CASE("the rank of J is the number of degrees of freedom that a joint remove
     const long rows = std::decay_t<decltype(part)>::rows;
     CHECK(rank(Numeric(part, pair.body1, pair.body2).J) == rows);
   });
-  CHECK(Stack<Point, Axis>::rows == 5);
-  CHECK(Stack<Line, RotationLock>::rows == 5);
+  CHECK(Composite<Point, Axis>::rows == 5);
+  CHECK(Composite<Line, RotationLock>::rows == 5);
   CHECK(Weld::rows == 6);
   CHECK(LimitedHingeFixture::Part::rows == 6);
 }
@@ -229,7 +229,7 @@ TEST_CASE("I27 axes at right angles or opposite and locks half a turn off give f
     look(axis_along(wall, body, axis), {wall, body});
     look(angle_about(wall, body, axis), {wall, body});
     look(lock_of(wall, body), {wall, body});
-    look(Stack<Point, Axis>{{}, axis_along(wall, body, axis)}, {wall, body});
+    look(Composite<Point, Axis>{{}, axis_along(wall, body, axis)}, {wall, body});
     look(Weld{{}, lock_of(wall, body)}, {wall, body});
   }
 }

@@ -18,7 +18,7 @@ struct Broken : Fixture {
   static constexpr bool exact_when_broken = true;
 };
 
-// One joint between two moving bodies, before and after one sweep.
+// One joint between two moving bodies, before and after one iteration.
 struct Solved {
   System system;
   Column lambda, second, bias, V1, V2;
@@ -36,11 +36,11 @@ struct Solved {
     Random random(71);
     push_at_random(world.bodies, random);
     before = snapshot(world.bodies);
-    solver.sweep(world.bodies, 0);
+    solver.iterate(world.bodies, 0);
     after = snapshot(world.bodies);
     system = system_of(solver.blocks(), 2);
     lambda = impulses(solver.blocks());
-    solver.sweep(world.bodies, 1);
+    solver.iterate(world.bodies, 1);
     second = impulses(solver.blocks()) - lambda;
     bias = double(beta) / double(h) * system.C;
     V1 = velocities(before);

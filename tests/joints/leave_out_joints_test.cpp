@@ -112,7 +112,7 @@ void check_nothing_between_statics() {
     CHECK(one.blocks().empty());
     SequentialImpulses solver;
     solver.step(one.world, h);
-    CHECK(solver.blocks().list.empty());  // no second look either
+    CHECK(solver.blocks().list.empty());  // no late limits either
     CHECK(solver.blocks().J.empty());
     CHECK(solver.blocks().K.empty());
     CHECK(plan(one.world, false).rows == 0);
@@ -124,7 +124,7 @@ void check_nothing_between_statics() {
 }
 
 // A joint at rest, 0.05 from its upper limit, whose body a neighbour drives at `rate`.
-// Returns how many blocks the second look added.
+// Returns how many blocks the late limits added.
 template <class J>
 int late_blocks(real rate, bool limited) {
   One<J> one;
@@ -132,7 +132,7 @@ int late_blocks(real rate, bool limited) {
   auto& neighbour = one.world.template add<AnyJoint<1>>(one.base, one.body);
   const Body &base = one.world.bodies[one.base], &body = one.world.bodies[one.body];
   neighbour.J[0] = one.joint.coordinate.jacobian(base, body);
-  neighbour.demand = {.target = rate, .lower = -100000, .upper = 100000};
+  neighbour.target = {.rate = rate, .lower = -100000, .upper = 100000};
   Blocks before;
   for (const auto& joint : one.world.joints()) {
     joint->begin_step(one.world.bodies, h);
@@ -146,7 +146,7 @@ int late_blocks(real rate, bool limited) {
 }
 
 template <class J>
-void check_second_look() {
+void check_late_limits() {
   CHECK(late_blocks<J>(0, true) == 0);
   CHECK(late_blocks<J>(real(2.9), true) == 0);   // 0.048 in a step: just not there
   CHECK(late_blocks<J>(real(3.1), true) == 1);   // 0.052: past it
@@ -205,8 +205,8 @@ TEST_CASE("hinge and slider and weld between two static bodies append nothing") 
 }
 
 TEST_CASE("a late limit gets a row only when a neighbour drives the joint past it") {
-  check_second_look<HingeJoint>();
-  check_second_look<SliderJoint>();
+  check_late_limits<HingeJoint>();
+  check_late_limits<SliderJoint>();
 }
 
 TEST_CASE("what only turns leaves out the linear half and keeps the velocity to the last bit") {
@@ -248,7 +248,7 @@ TEST_CASE("what only turns leaves out the linear half and keeps the velocity to 
   const BodyId body = world.add(box(2, vec3(1, real(0.5), real(0.2)), vec3(1, 0, 0)));
   auto& motor = world.add<AnyJoint<1>>(base, body);
   motor.J[0] = hinge.joint.coordinate.jacobian(world.bodies[base], world.bodies[body]);
-  motor.demand = {.target = 5, .lower = -100, .upper = 100};
+  motor.target = {.rate = 5, .lower = -100, .upper = 100};
   const vec3 v(real(0.1), real(0.2), real(0.3));
   world.bodies[body].v = v;
   SequentialImpulses solver;

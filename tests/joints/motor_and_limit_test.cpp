@@ -9,14 +9,14 @@ namespace {
 const real h = real(1) / 60;
 }  // namespace
 
-TEST_CASE("I24 a motor gives h times its torque in a step however many sweeps there are") {
+TEST_CASE("I24 a motor gives h times its torque in a step however many iterations there are") {
   for (int iterations : {1, 10, 100}) {
     World world;
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId rotor = world.add(body_with(1, vec3(2), vec3(0)));
     auto& motor = world.add<AnyJoint<1>>(wall, rotor);
     motor.J[0] = {vec3(0), vec3(0, 0, -1), vec3(0), vec3(0, 0, 1)};
-    motor.demand = {.target = 10, .lower = -30, .upper = 30};
+    motor.target = {.rate = 10, .lower = -30, .upper = 30};
     SequentialImpulses solver;
     solver.iterations = iterations;
     for (int step = 1; step <= 50; ++step) {  // 30 N m on 2 kg m^2: a quarter rad/s a step
@@ -39,7 +39,7 @@ TEST_CASE("a limit that lies ahead lets a body come up to it and no further") {
     auto& limit = world.add<AnyJoint<1>>(wall, body);
     limit.J[0] = {vec3(-1, 0, 0), vec3(0), vec3(1, 0, 0), vec3(0)};
     limit.C[0] = real(C);
-    limit.demand = {.beta = real(0.2), .lower = 0};
+    limit.target = {.beta = real(0.2), .lower = 0};
     world.bodies[body].v.x = real(v);
     SequentialImpulses().step(world, h);
     CHECK(double(world.bodies[body].v.x) == Approx(expected).epsilon(tolerance(1e-12, 1e-5)));

@@ -16,11 +16,11 @@ namespace {
 
 const real h = real(1) / 60;
 
-// One joint between two moving bodies, before and after one sweep.
+// One joint between two moving bodies, before and after one iteration.
 struct Solved {
   Pair before, after;
   System system;
-  Column lambda, second;  // the impulse of the sweep, and what a further sweep adds
+  Column lambda, second;  // the impulse of the iteration, and what a further iteration adds
   Column bias;
   Dense W, K;
   Column V1, V2;
@@ -38,12 +38,12 @@ struct Solved {
     push_at_random(world.bodies, random);
     before = {world.bodies[a], world.bodies[b]};
     V1 = velocities({before.body1, before.body2});
-    solver.sweep(world.bodies, 0);
+    solver.iterate(world.bodies, 0);
     after = {world.bodies[a], world.bodies[b]};
     V2 = velocities({after.body1, after.body2});
     system = system_of(solver.blocks(), 2);
     lambda = impulses(solver.blocks());
-    solver.sweep(world.bodies, 1);
+    solver.iterate(world.bodies, 1);
     second = impulses(solver.blocks()) - lambda;
     bias = double(beta) / double(h) * system.C;
     W = inverse_masses({before.body1, before.body2});

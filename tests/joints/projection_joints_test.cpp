@@ -99,7 +99,7 @@ TEST_CASE("I20 projection closes a whole hinge or slider or weld with the square
       double last = error_of(*apart.joint, apart.world);
       CHECK(last > 0.05);
       for (int n = 0; n < 5; ++n) {
-        projection.sweep(apart.world);
+        projection.iterate(apart.world);
         const double now = error_of(*apart.joint, apart.world);
         CHECK(now < std::max(0.5 * last * last, tolerance(1e-14, 1e-6)));
         last = now;
@@ -112,7 +112,7 @@ TEST_CASE("projection closes joints in blocks apart as their blocks let it") {
   for (const int kind : {0, 1, 2}) {
     Apart apart(kind, true, false, 1);
     Projection projection;
-    for (int n = 0; n < 100; ++n) projection.sweep(apart.world);
+    for (int n = 0; n < 100; ++n) projection.iterate(apart.world);
     CHECK(error_of(*apart.joint, apart.world) < tolerance(1e-9, 1e-6));
   }
 }
@@ -138,7 +138,7 @@ TEST_CASE("X14 projected two identical welds come together as one does") {
     auto& second = apart.world.add<FixedJoint>(
         static_cast<const FixedJoint&>(*apart.joint));
     Projection projection;
-    for (int n = 0; n < 60; ++n) projection.sweep(apart.world);
+    for (int n = 0; n < 60; ++n) projection.iterate(apart.world);
     CHECK(all_finite(apart.world));
     CHECK(error_of(second, apart.world) < tolerance(1e-9, 1e-6));
   }
@@ -167,11 +167,11 @@ TEST_CASE("X5 projection pushes nothing in a direction that is not there") {
   world.add<DistanceJoint>(a, b, Distance{vec3(0), vec3(0), 1});
   world.add<RopeJoint>(a, b, Rope<Distance>{{vec3(0), vec3(0), 0}});
   Projection projection;
-  for (int n = 0; n < 10; ++n) projection.sweep(world);
+  for (int n = 0; n < 10; ++n) projection.iterate(world);
   CHECK(world.bodies[a].x == vec3(0));
   CHECK(world.bodies[b].x == vec3(0));
   world.bodies[b].x = vec3(real(1e-3), 0, 0);  // now there is one: the rod and the rope disagree
-  for (int n = 0; n < 10; ++n) projection.sweep(world);
+  for (int n = 0; n < 10; ++n) projection.iterate(world);
   CHECK(all_finite(world));
 }
 
@@ -185,7 +185,7 @@ TEST_CASE("projection leaves a slack rope alone to the last bit and shortens a l
     const bool slack = rope.part.error(world.bodies[a], world.bodies[b]) > 0;
     const Body before = world.bodies[b];
     Projection projection;
-    for (int n = 0; n < 20; ++n) projection.sweep(world);
+    for (int n = 0; n < 20; ++n) projection.iterate(world);
     CHECK(same_bits(world.bodies[b], before) == slack);
     if (slack) continue;
     const double left = double(rope.part.error(world.bodies[a], world.bodies[b]));
@@ -207,7 +207,7 @@ TEST_CASE("X7 projection alone brings a hinge back from 90 and 180 degrees and n
                  rotation(vec3(real(angle) * degree, 0, 0)));
       world.bodies[two].q = sign * world.bodies[two].q;
       Projection projection;
-      for (int n = 0; n < 60; ++n) projection.sweep(world);
+      for (int n = 0; n < 60; ++n) projection.iterate(world);
       const vec3 a1 = to_world(world.bodies[one], hinge.second.a1_local);
       const vec3 a2 = to_world(world.bodies[two],
                                cross(hinge.second.b_local, hinge.second.c_local));
@@ -300,7 +300,7 @@ TEST_CASE("projection that is off leaves every bit as a step without it has it")
     off.run(1);
     flag.run(1);
     by_hand.solver.begin(by_hand.world, h);
-    for (int k = 0; k < 30; ++k) by_hand.solver.sweep(by_hand.world.bodies, k);
+    for (int k = 0; k < 30; ++k) by_hand.solver.iterate(by_hand.world.bodies, k);
     for (int slot = 0; slot < by_hand.world.bodies.slots(); ++slot)
       integrate_pose(by_hand.world.bodies.at(slot), h);
   }

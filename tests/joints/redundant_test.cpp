@@ -29,7 +29,7 @@ World held(int times, const vec3& gravity, Add add) {
 }
 
 // Both run side by side: the second is to do what the first does. Apart, two joints are as good as
-// twice the sweeps, so that they agree only as far as those have settled.
+// twice the iterations, so that they agree only as far as those have settled.
 template <class Add>
 void check_twice_is_once(const vec3& gravity, bool warm, bool whole, Add add) {
   const double near = whole ? tolerance(1e-9, 2e-3) : 2e-3;

@@ -110,7 +110,7 @@ TEST_CASE("a slider's motor moves two free bodies by its force over their reduce
     piston.solver.iterations = iterations;
     const Body one = piston.world.bodies[piston.one], two = piston.body();
     piston.solver.begin(piston.world, h);
-    for (int k = 0; k < iterations; ++k) piston.solver.sweep(piston.world.bodies, k);
+    for (int k = 0; k < iterations; ++k) piston.solver.iterate(piston.world.bodies, k);
     // the six rows solved by the oracle: what a force along the line does when all else holds
     System system = system_of(piston.solver.blocks(), 2);
     const Dense W = inverse_masses({one, two}), A = system.J * W * system.J.transpose();

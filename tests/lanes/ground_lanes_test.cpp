@@ -52,16 +52,16 @@ double difference(const World& a, const World& b) {
   return most;
 }
 
-// A step of the scalar solver whose sweeps visit the blocks in the order of the packed ones.
-void step_in_order(SequentialImpulses& solver, World& world, const WideBlocks& packed) {
+// A step of the scalar solver whose iterations visit the blocks in the order of the packed ones.
+void step_in_order(SequentialImpulses& solver, World& world, const PackedBlocks& packed) {
   solver.begin(world, h);
   REQUIRE(std::count_if(packed.blocks.begin(), packed.blocks.end(),
                         [](int k) { return k >= 0; }) == int(solver.blocks().list.size()));
   for (int n = 0; n < solver.iterations; ++n)
     for (const int k : packed.blocks)
-      if (k >= 0) solver.sweep(world.bodies, k, k + 1);
-  Blocks more;  // a second look goes on from here: it must find nothing
-  for (const auto& joint : world.joints()) joint->second_look(world.bodies, h, more);
+      if (k >= 0) solver.iterate(world.bodies, k, k + 1);
+  Blocks more;  // late limits goes on from here: it must find nothing
+  for (const auto& joint : world.joints()) joint->late_limits(world.bodies, h, more);
   REQUIRE(more.list.empty());
   solver.finish(world, h);
 }
@@ -117,8 +117,8 @@ TEST_CASE("on lanes figures fall on the ground and slide as with the scalar solv
         CAPTURE(limbs, lanes, warm);
         World one = field(9, limbs, true), other = field(9, limbs, true);
         SequentialImpulses scalar;
-        WideImpulses wide;
-        wide.packing = lanes ? Packing::trees : Packing::list;
+        PackedImpulses wide;
+        wide.packing = lanes ? Packing::islands : Packing::list;
         wide.lanes = lanes;
         scalar.warm_start = wide.warm_start = warm;
         double most = 0;
@@ -134,11 +134,11 @@ TEST_CASE("on lanes figures fall on the ground and slide as with the scalar solv
 
 TEST_CASE("in colours contacts and joints give the scalar solver's numbers in that order") {
   for (const bool lanes : {true, false})
-    for (const Packing packing : {Packing::trees, Packing::colours, Packing::list}) {
+    for (const Packing packing : {Packing::islands, Packing::colours, Packing::list}) {
       CAPTURE(lanes, int(packing));
       World one = field(7, true, false, 0), other = field(7, true, false, 0);
       SequentialImpulses scalar;
-      WideImpulses wide;
+      PackedImpulses wide;
       wide.packing = packing;
       wide.lanes = lanes;
       scalar.warm_start = wide.warm_start = true;
@@ -152,10 +152,10 @@ TEST_CASE("in colours contacts and joints give the scalar solver's numbers in th
 
 TEST_CASE("on lanes a bound that follows is mu times the other sum to the last bit") {
   for (const bool lanes : {true, false})
-    for (const Packing packing : {Packing::trees, Packing::colours, Packing::list}) {
+    for (const Packing packing : {Packing::islands, Packing::colours, Packing::list}) {
       Random random(86);
       World world = followings(random, 21);
-      WideImpulses wide;
+      PackedImpulses wide;
       wide.iterations = 7;
       wide.packing = packing;
       wide.lanes = lanes;
@@ -189,7 +189,7 @@ TEST_CASE("a row that follows a sum without a row is bounded by what that sum wa
       World other = followings(again, 9);
       prepare(other);
       SequentialImpulses scalar;
-      WideImpulses wide;
+      PackedImpulses wide;
       wide.lanes = lanes;
       scalar.step(one, h);
       wide.step(other, h);
@@ -204,7 +204,7 @@ TEST_CASE("a row that follows a sum without a row is bounded by what that sum wa
 
 TEST_CASE("who is solved with whom is kept while no corner comes or goes, without the heap") {
   World world = field(9, true, true);
-  WideImpulses wide;
+  PackedImpulses wide;
   wide.warm_start = true;
   for (int n = 0; n < 240; ++n) wide.step(world, h);
   const int fallen = wide.packed().packed();

@@ -92,7 +92,8 @@ World hanging(int links) {
   return world;
 }
 
-// A step's linear system: e = bias + J V before the first sweep, and what a sweep leaves of it.
+// A step's linear system: e = bias + J V before the first iteration, and what an iteration leaves
+// of it.
 struct Step {
   System system;
   Dense A;
@@ -218,7 +219,7 @@ TEST_CASE("preparing in every visit changes no bit because no pose changes withi
   }
 }
 
-TEST_CASE("a relaxed sweep takes omega times the exact impulse of every hinge in turn") {
+TEST_CASE("a relaxed iteration takes omega times the exact impulse of every hinge in turn") {
   World world = uneven_chains(1, 6);
   const Step step(world);
   for (const double omega : {0.5, 1.0, 1.9, 2.1}) {
@@ -231,7 +232,7 @@ TEST_CASE("a relaxed sweep takes omega times the exact impulse of every hinge in
   }
 }
 
-TEST_CASE("sweeps of a chain shrink for omega below 2 and grow above it") {
+TEST_CASE("iterations of a chain shrink for omega below 2 and grow above it") {
   World world = uneven_chains(1, 6);
   const Step step(world);
   const auto largest = [&](double omega) { return spectral_radius(step.H(omega)); };
@@ -257,8 +258,8 @@ TEST_CASE("sweeps of a chain shrink for omega below 2 and grow above it") {
 }
 
 TEST_CASE("in a chain that hangs at rest omega 1.9 leaves a smaller gap than 1") {
-  // At rest a step's sweeps turn e = beta C/h + h J g into beta C/h, what is left of it.
-  const int sweeps = 30;
+  // At rest a step's iterations turn e = beta C/h + h J g into beta C/h, what is left of it.
+  const int iterations = 30;
   World world = hanging(10);
   const Step step(world);
   Column g = Column(6 * world.bodies.slots());
@@ -267,9 +268,9 @@ TEST_CASE("in a chain that hangs at rest omega 1.9 leaves a smaller gap than 1")
   for (const double omega : {1.0, 1.9}) {
     auto loop = loop_of<real>(world, one_by_one(list_order(10)));
     loop.relaxation = real(omega);
-    loop.iterations = sweeps;
+    loop.iterations = iterations;
     loop = after(loop, 300);
-    const Dense H = power(step.H(omega), sweeps);
+    const Dense H = power(step.H(omega), iterations);
     const Column C = double(h * h) / 0.2 *
                      solved(Dense::identity(H.rows()) - H, H * (step.system.J * g));
     double sum = 0;
@@ -284,9 +285,9 @@ TEST_CASE("in a chain that hangs at rest omega 1.9 leaves a smaller gap than 1")
 }
 
 TEST_CASE("with omega 2.1 a hanging chain explodes") {
-  // Two numbers say what a step makes of a mode of the error, and their product is what the sweeps
-  // leave of it: 1.1^30 in size. So one of them is at least 1.1^15 = 4.2, and 20 steps make 10^12
-  // times what rounding left in such a mode: 10^-16 m or, in float, 10^-7 m.
+  // Two numbers say what a step makes of a mode of the error, and their product is what the
+  // iterations leave of it: 1.1^30 in size. So one of them is at least 1.1^15 = 4.2, and 20 steps
+  // make 10^12 times what rounding left in such a mode: 10^-16 m or, in float, 10^-7 m.
   auto loop = loop_of<real>(hanging(10), one_by_one(list_order(10)));
   loop.relaxation = real(2.1);
   double most = 0;

@@ -1,5 +1,5 @@
-// Every kernel of the packed sweep against the engine's scalar solver: rows that hold a point and
-// any rows, 1 to 6 of them, hard or not, inertia of one number or of six.
+// Every kernel of the packed iteration against the engine's scalar solver: rows that hold a point
+// and any rows, 1 to 6 of them, hard or not, inertia of one number or of six.
 #include <functional>
 #include <map>
 #include <numeric>
@@ -19,18 +19,18 @@ namespace {
 
 const real h = real(1) / 60;
 
-// What a block is like: what the sweep's switch looks at.
+// What a block is like: what the iteration's switch looks at.
 struct Kind {
   int rows = 0;
-  bool point = false, hard = false, round = false;
+  bool point = false, hard = false, isotropic = false;
   auto operator<=>(const Kind&) const = default;
 };
 std::string words(const Kind& kind) {
   return std::to_string(kind.rows) + " rows" + (kind.point ? " of a point" : "") +
-         (kind.hard ? ", hard" : "") + (kind.round ? ", round" : "");
+         (kind.hard ? ", hard" : "") + (kind.isotropic ? ", isotropic" : "");
 }
 Kind kind_of(const LaneGroup& group) {
-  return {group.rows, group.point, group.hard, group.round};
+  return {group.rows, group.point, group.hard, group.isotropic};
 }
 
 // All that the switch can tell apart.
@@ -39,14 +39,14 @@ std::vector<Kind> all_kinds() {
   for (int rows = 1; rows <= 6; ++rows)
     for (const bool hard : {true, false}) {
       kinds.push_back({rows, false, hard, false});
-      for (const bool round : {true, false})
-        if (rows >= 3) kinds.push_back({rows, true, hard, round});
+      for (const bool isotropic : {true, false})
+        if (rows >= 3) kinds.push_back({rows, true, hard, isotropic});
     }
   return kinds;
 }
 
 // The three ways not to be hard.
-std::vector<Demand> demands(bool hard) {
+std::vector<RowTarget> targets(bool hard) {
   if (hard) return {{.beta = real(0.2)}};
   return {{.frequency = 6, .damping = real(0.3)},
           {.beta = real(0.2), .lower = 0},
@@ -65,7 +65,7 @@ vec3 vector_of(const Dense& Q, long row, long first) {
 
 // A joint of random rows, or of a point's rows and random ones that turn.
 template <int N>
-void join(World& world, BodyId a, BodyId b, const Kind& kind, const Demand& demand,
+void join(World& world, BodyId a, BodyId b, const Kind& kind, const RowTarget& target,
           Random& random) {
   auto& joint = world.add<AnyJoint<N>>(a, b);
   const Dense of1 = directions(random, 6), of2 = directions(random, 6);
@@ -82,18 +82,18 @@ void join(World& world, BodyId a, BodyId b, const Kind& kind, const Demand& dema
     }
   }
   for (real& error : joint.C) error = random.uniform(real(-0.05), real(0.05));
-  joint.demand = demand;
+  joint.target = target;
 }
 
 // Eleven chains of three joints of one kind, in any order of the joints.
-World chains(const Kind& kind, const Demand& demand, const std::vector<int>& order) {
+World chains(const Kind& kind, const RowTarget& target, const std::vector<int>& order) {
   World world;
   Random random(91);
   std::vector<BodyId> ids;
   for (int k = 0; k < 44; ++k) {
     const vec3 x(real(k % 4), 0, real(k / 4)), uneven(real(0.8), real(0.4), real(0.3));
     Body body = k % 4 == 0   ? static_body(x)
-                : kind.round ? ball(real(1 + k % 3), real(0.4), x)
+                : kind.isotropic ? ball(real(1 + k % 3), real(0.4), x)
                              : box(real(1 + k % 3), uneven, x, random.turn());
     ids.push_back(world.add(body));
   }
@@ -102,12 +102,12 @@ World chains(const Kind& kind, const Demand& demand, const std::vector<int>& ord
     const BodyId a = ids[std::size_t(4 * (k / 3) + k % 3)];
     const BodyId b = ids[std::size_t(4 * (k / 3) + k % 3 + 1)];
     switch (kind.rows) {
-      case 1: join<1>(world, a, b, kind, demand, own); break;
-      case 2: join<2>(world, a, b, kind, demand, own); break;
-      case 3: join<3>(world, a, b, kind, demand, own); break;
-      case 4: join<4>(world, a, b, kind, demand, own); break;
-      case 5: join<5>(world, a, b, kind, demand, own); break;
-      case 6: join<6>(world, a, b, kind, demand, own); break;
+      case 1: join<1>(world, a, b, kind, target, own); break;
+      case 2: join<2>(world, a, b, kind, target, own); break;
+      case 3: join<3>(world, a, b, kind, target, own); break;
+      case 4: join<4>(world, a, b, kind, target, own); break;
+      case 5: join<5>(world, a, b, kind, target, own); break;
+      case 6: join<6>(world, a, b, kind, target, own); break;
     }
   }
   return world;
@@ -143,7 +143,7 @@ Outcome outcome(World world, Solver& solver, const std::vector<int>& order) {
 
 // The kinds that a world's blocks are of, and how many groups of each.
 std::map<Kind, int> kinds_of(World& world) {
-  WideImpulses solver;
+  PackedImpulses solver;
   solver.packing = Packing::list;
   solver.step(world, h);
   std::map<Kind, int> out;
@@ -153,19 +153,19 @@ std::map<Kind, int> kinds_of(World& world) {
 
 }  // namespace
 
-TEST_CASE("every kernel of the packed sweep finds what the scalar solver finds") {
+TEST_CASE("every kernel of the packed iteration finds what the scalar solver finds") {
   std::vector<int> in_list(33);
   std::iota(in_list.begin(), in_list.end(), 0);
   std::map<Kind, std::map<int, int>> met;  // kind -> numbers at a time -> groups
   for (const Kind& kind : all_kinds())
-    for (const Demand& demand : demands(kind.hard))
-      for (const Packing packing : {Packing::trees, Packing::colours, Packing::list})
+    for (const RowTarget& target : targets(kind.hard))
+      for (const Packing packing : {Packing::islands, Packing::colours, Packing::list})
         for (const bool lanes : {true, false}) {
           INFO(words(kind) << ", packing " << int(packing) << ", lanes " << lanes);
-          WideImpulses wide;
+          PackedImpulses wide;
           wide.packing = packing;
           wide.lanes = lanes;
-          const Outcome packed = outcome(chains(kind, demand, in_list), wide, in_list);
+          const Outcome packed = outcome(chains(kind, target, in_list), wide, in_list);
           // the scalar solver in the order in which the groups stand
           std::vector<int> order;
           for (const int block : wide.packed().blocks)
@@ -176,7 +176,7 @@ TEST_CASE("every kernel of the packed sweep finds what the scalar solver finds")
             ++met[kind_of(group)][wide.packed().width()];
           }
           SequentialImpulses one;
-          const Outcome scalar = outcome(chains(kind, demand, order), one, order);
+          const Outcome scalar = outcome(chains(kind, target, order), one, order);
           const double near = tolerance(1e-12, 1e-4);
           CHECK(scalar.lambda.norm() > 1000 * near);  // there was something to find
           CHECK(difference(packed.V, scalar.V) < near);
@@ -234,36 +234,36 @@ TEST_CASE("which kernels the joints of the workbook take") {
       {"weld", {{6, true, true, true}},
        [&](World& w, BodyId a, BodyId b) { w.add<FixedJoint>(w.bodies, a, b, middle); }}};
   for (const Line& line : lines)
-    for (const bool round : {true, false}) {
-      INFO(line.joint << (round ? ", round bodies" : ""));
+    for (const bool isotropic : {true, false}) {
+      INFO(line.joint << (isotropic ? ", isotropic bodies" : ""));
       World world;
       world.gravity = vec3(0);
       const BodyId a = world.add(static_body(vec3(0)));
-      const BodyId b = world.add(round ? box(1, vec3(1), vec3(1, 0, 0))
+      const BodyId b = world.add(isotropic ? box(1, vec3(1), vec3(1, 0, 0))
                                        : box(1, vec3(1, 2, 3), vec3(1, 0, 0)));
       line.join(world, a, b);
       std::map<Kind, int> expected;
       for (Kind kind : line.kinds) {
-        kind.round = kind.point && round;
+        kind.isotropic = kind.point && isotropic;
         ++expected[kind];
       }
       CHECK(kinds_of(world) == expected);
     }
 }
 
-TEST_CASE("a round body is solved by the kernel of one number as by that of six") {
-  const Kind round{5, true, true, true}, general{5, true, true, false};
+TEST_CASE("an isotropic body is solved by the kernel of one number as by that of six") {
+  const Kind isotropic{5, true, true, true}, general{5, true, true, false};
   std::vector<int> order(33);
   std::iota(order.begin(), order.end(), 0);
-  for (const Packing packing : {Packing::trees, Packing::colours})
+  for (const Packing packing : {Packing::islands, Packing::colours})
     for (const bool lanes : {true, false}) {
-      World by_one = chains(round, {.beta = real(0.2)}, order);
-      World by_six = chains(round, {.beta = real(0.2)}, order);
+      World by_one = chains(isotropic, {.beta = real(0.2)}, order);
+      World by_six = chains(isotropic, {.beta = real(0.2)}, order);
       for (int slot = 0; slot < by_six.bodies.slots(); ++slot)  // the last digit of one moment
         by_six.bodies.at(slot).inverse_inertia_local.x *= 1 + epsilon;
-      CHECK(kinds_of(by_one).begin()->first == round);
+      CHECK(kinds_of(by_one).begin()->first == isotropic);
       CHECK(kinds_of(by_six).begin()->first == general);
-      WideImpulses first, second;
+      PackedImpulses first, second;
       first.packing = second.packing = packing;
       first.lanes = second.lanes = lanes;
       const Outcome one = outcome(std::move(by_one), first, order);

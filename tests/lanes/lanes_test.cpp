@@ -58,11 +58,11 @@ World zoo(const std::vector<int>& order) {
 
 }  // namespace
 
-TEST_CASE("on lanes a tree each keeps its own order: chains move as with the scalar solver") {
+TEST_CASE("on lanes a island each keeps its own order: chains move as with the scalar solver") {
   for (const bool warm : {false, true}) {
     bench::Scene scalar = bench::cubes_on_hinges(10, 12), wide = bench::cubes_on_hinges(10, 12);
     SequentialImpulses one;
-    WideImpulses other;
+    PackedImpulses other;
     one.warm_start = other.warm_start = warm;
     one.projections = other.projections = 1;
     for (int n = 0; n < 60; ++n) {
@@ -77,7 +77,7 @@ TEST_CASE("on lanes a tree each keeps its own order: chains move as with the sca
 TEST_CASE("on lanes in colours the numbers are those of the scalar solver in that order") {
   std::vector<int> order(15);
   std::iota(order.begin(), order.end(), 0);
-  WideImpulses wide;
+  PackedImpulses wide;
   wide.packing = Packing::colours;
   World first = zoo(order);
   wide.step(first, h);
@@ -87,7 +87,7 @@ TEST_CASE("on lanes in colours the numbers are those of the scalar solver in tha
   REQUIRE(coloured.size() == 15);
 
   World on_lanes = zoo(order), in_order = zoo(coloured);
-  WideImpulses lanes;
+  PackedImpulses lanes;
   lanes.packing = Packing::colours;
   SequentialImpulses scalar;
   for (int n = 0; n < 10; ++n) {
@@ -101,11 +101,11 @@ TEST_CASE("in a group of lanes no two blocks share a body that moves") {
   std::vector<int> order(30);
   std::iota(order.begin(), order.end(), 0);
   World world = zoo(order);
-  WideImpulses wide;
+  PackedImpulses wide;
   wide.packing = Packing::colours;
   wide.step(world, h);
   int blocks = 0;
-  const WideBlocks& packed = wide.packed();
+  const PackedBlocks& packed = wide.packed();
   REQUIRE(packed.width() == lane_count);
   for (std::size_t group = 0; group < packed.groups.size(); ++group) {
     std::vector<int> seen;
@@ -136,8 +136,8 @@ TEST_CASE("on lanes momentum is kept and a static body stays to the last bit") {
     return sum;
   };
   const vec3 before = momentum();
-  for (const Packing packing : {Packing::trees, Packing::colours}) {
-    WideImpulses wide;
+  for (const Packing packing : {Packing::islands, Packing::colours}) {
+    PackedImpulses wide;
     wide.packing = packing;
     for (int n = 0; n < 20; ++n) wide.step(world, h);
   }
@@ -146,7 +146,8 @@ TEST_CASE("on lanes momentum is kept and a static body stays to the last bit") {
   CHECK(world.bodies.at(0).v == vec3(0));
 }
 
-TEST_CASE("on lanes a limit that a neighbour drives a joint past is found by the second look") {
+TEST_CASE(
+    "on lanes a limit that a neighbour drives a joint past is found late") {
   for (const bool lanes : {true, false}) {
     World world;
     world.gravity = vec3(0);
@@ -159,7 +160,7 @@ TEST_CASE("on lanes a limit that a neighbour drives a joint past is found by the
                          point_at(world.bodies[rotor], world.bodies[stone], vec3(1, 0, 0)));
     world.bodies[stone].v = vec3(0, 100, 0);
     SequentialImpulses scalar;
-    WideImpulses wide;
+    PackedImpulses wide;
     scalar.iterations = wide.iterations = 100;
     lanes ? wide.step(world, h) : scalar.step(world, h);
     CHECK(double(hinge.position(world.bodies)) == Approx(0.1).margin(tolerance(1e-6, 1e-4)));

@@ -18,7 +18,7 @@ using namespace joints::testing;
 namespace {
 
 const real h = real(1) / 60;
-constexpr Packing packings[] = {Packing::trees, Packing::colours, Packing::list};
+constexpr Packing packings[] = {Packing::islands, Packing::colours, Packing::list};
 
 // Joints of every kind in chains that share one static body: driven, limited, in one block or in
 // several, soft, one-sided. The chains are alike but for their masses and places.
@@ -74,11 +74,11 @@ struct Zoo {
       default: {  // a soft tie of two points, and a soft row that turns, with bounds
         auto& tie = world.add<AnyJoint<3>>(a, b);
         tie.J = to_jacobian(point_at(bodies[a], bodies[b], anchor).jacobian(bodies[a], bodies[b]));
-        tie.demand = {.frequency = 5, .damping = real(0.5)};
+        tie.target = {.frequency = 5, .damping = real(0.5)};
         auto& turn = world.add<AnyJoint<1>>(a, b);
         turn.J[0] = {vec3(0), -along, vec3(0), along};
-        turn.demand = {.frequency = 8};
-        if (bounded) turn.demand.lower = -1, turn.demand.upper = 1;
+        turn.target = {.frequency = 8};
+        if (bounded) turn.target.lower = -1, turn.target.upper = 1;
       }
     }
   }
@@ -95,8 +95,8 @@ bool same(const World& a, const World& b) {
 double apart(const World& a, const World& b) {
   return difference(velocities(snapshot(a.bodies)), velocities(snapshot(b.bodies)));
 }
-WideImpulses solver_of(Packing packing, bool lanes, bool warm = false) {
-  WideImpulses solver;
+PackedImpulses solver_of(Packing packing, bool lanes, bool warm = false) {
+  PackedImpulses solver;
   solver.packing = packing;
   solver.lanes = lanes;
   solver.warm_start = warm;
@@ -125,7 +125,7 @@ TEST_CASE("packed in the order of the list every joint moves as with the scalar 
   for (const bool warm : {false, true}) {
     Zoo scalar(2), packed(2);
     SequentialImpulses one;
-    WideImpulses other = solver_of(Packing::list, false, warm);
+    PackedImpulses other = solver_of(Packing::list, false, warm);
     one.warm_start = warm;
     one.projections = other.projections = 1;
     for (int n = 0; n < 20; ++n) {
@@ -139,31 +139,32 @@ TEST_CASE("packed in the order of the list every joint moves as with the scalar 
   }
 }
 
-TEST_CASE("trees one block at a time take turns and change nothing to the last bit") {
+TEST_CASE("islands one block at a time take turns and change nothing to the last bit") {
   Zoo in_list(3), in_turns(3);
-  WideImpulses list = solver_of(Packing::list, false), trees = solver_of(Packing::trees, false);
+  PackedImpulses list = solver_of(Packing::list, false),
+                 islands = solver_of(Packing::islands, false);
   for (int n = 0; n < 20; ++n) {
     list.step(in_list.world, h);
-    trees.step(in_turns.world, h);
+    islands.step(in_turns.world, h);
     CHECK(same(in_list.world, in_turns.world));
   }
-  const std::vector<int>& turns = trees.packed().blocks;
+  const std::vector<int>& turns = islands.packed().blocks;
   const int each = int(turns.size()) / 3;
-  std::vector<int> tree, place;  // of each block in turn: of which chain, and where in it
-  for (const int block : turns) tree.push_back(block / each), place.push_back(block % each);
+  std::vector<int> island, place;  // of each block in turn: of which chain, and where in it
+  for (const int block : turns) island.push_back(block / each), place.push_back(block % each);
   CHECK(std::is_sorted(place.begin(), place.end()));
-  for (std::size_t k = 1; k < tree.size(); ++k) CHECK(tree[k] != tree[k - 1]);
+  for (std::size_t k = 1; k < island.size(); ++k) CHECK(island[k] != island[k - 1]);
 }
 
-TEST_CASE("a static body that ten trees in columns share stays to the last bit") {
+TEST_CASE("a static body that ten islands in columns share stays to the last bit") {
   World world = whips(), in_list = whips();
   const Body before = world.bodies.at(0);
-  WideImpulses columns, list = solver_of(Packing::list, false);
+  PackedImpulses columns, list = solver_of(Packing::list, false);
   for (int n = 0; n < 60; ++n) {
     columns.step(world, h);
     list.step(in_list, h);
   }
-  const WideBlocks& packed = columns.packed();
+  const PackedBlocks& packed = columns.packed();
   const int copies = int(std::count(packed.slots().begin(), packed.slots().end(), 0));
   CHECK(copies == 10);  // one in every lane that is used
   CHECK(packed.groups.size() == std::size_t(3 * ((10 + lane_count - 1) / lane_count)));
@@ -177,10 +178,10 @@ TEST_CASE("who comes with whom is worked out once and anew only when that change
     for (const bool lanes : {true, false})
       for (const bool warm : {false, true}) {
         World kept = whips(), fresh = whips();
-        WideImpulses solver = solver_of(packing, lanes, warm);
+        PackedImpulses solver = solver_of(packing, lanes, warm);
         const auto steps = [&](int count) {  // beside it, a solver that knows nothing of before
           for (int n = 0; n < count; ++n) {
-            WideImpulses another = solver_of(packing, lanes, warm);
+            PackedImpulses another = solver_of(packing, lanes, warm);
             another.step(fresh, h);
             solver.step(kept, h);
             CHECK(same(kept, fresh));
@@ -231,7 +232,7 @@ TEST_CASE("while the structure stays a step takes nothing from the heap in any p
         swinging.set_limits(real(-0.2), real(0.2));  // a limit that comes and goes
         int quiet = 0, arranged = 0;
         for (World* world : {&few, &zoo.world}) {
-          WideImpulses solver = solver_of(packing, lanes, warm);
+          PackedImpulses solver = solver_of(packing, lanes, warm);
           solver.projections = 1;
           solver.step(*world, h);
           for (int n = 0; n < 120; ++n) {
@@ -273,7 +274,7 @@ TEST_CASE("momentum is kept in every packing") {
         };
         std::vector<Body> forced = before;  // the gyroscopic torque keeps its own measure
         for (Body& body : forced) integrate_forces(body, vec3(0), h);
-        WideImpulses solver = solver_of(packing, lanes);
+        PackedImpulses solver = solver_of(packing, lanes);
         solver.relaxation = real(relaxation);
         solver.step(world, h);
         const auto after = momentum(snapshot(world.bodies)), expected = momentum(forced);
@@ -307,5 +308,5 @@ TEST_CASE("a refused setting is named and nothing has moved") {
     CHECK_FALSE(same(another.world, as_before.world));
   };
   check_all(SequentialImpulses());
-  check_all(WideImpulses());
+  check_all(PackedImpulses());
 }

@@ -53,14 +53,14 @@ class AnyJoint : public Joint {
  public:
   Jacobian<N> J;
   Vector<N> C{};
-  Demand demand;
+  RowTarget target;
   mutable Vector<N> impulse{};
 
   using Joint::Joint;
   void append(const Bodies& bodies, Blocks& blocks) const override {
     const int slot1 = bodies.index(body1), slot2 = bodies.index(body2);
     const Matrix<N> K = dense_K(J, bodies.at(slot1), bodies.at(slot2));
-    blocks.append(slot1, slot2, J, C, K, demand, impulse.data());
+    blocks.append(slot1, slot2, J, C, K, target, impulse.data());
   }
   int most_rows() const override { return N; }
 };

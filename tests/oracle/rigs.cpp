@@ -20,7 +20,7 @@ Dense whole_K(const System& system, const World& world) {
   return system.J * inverse_masses(snapshot(world.bodies)) * system.J.transpose();
 }
 
-Dense sweep_matrix(const Dense& A, const std::vector<int>& block) {
+Dense iteration_matrix(const Dense& A, const std::vector<int>& block) {
   Dense L = A;
   for (long i = 0; i < A.rows(); ++i)
     for (long j = 0; j < A.columns(); ++j)
@@ -28,21 +28,21 @@ Dense sweep_matrix(const Dense& A, const std::vector<int>& block) {
   return Dense::identity(A.rows()) - inverse_of(L) * A;
 }
 
-double sweep_rate(const World& world, const System& system) {
-  const Dense G = sweep_matrix(whole_K(system, world), system.block);
+double iteration_rate(const World& world, const System& system) {
+  const Dense G = iteration_matrix(whole_K(system, world), system.block);
   return spectral_radius(G);
 }
 
-double measured_rate(World& world, int settling, int sweeps) {
+double measured_rate(World& world, int settling, int iterations) {
   const Bodies as_it_was = world.bodies;
   SequentialImpulses solver;
   solver.begin(world, real(1) / 60);
   const System system = system_of(solver.blocks(), world.bodies.slots());
   const auto left = [&] { return (system.J * velocities(snapshot(world.bodies))).norm(); };
-  for (int k = 0; k < settling; ++k) solver.sweep(world.bodies, k);
+  for (int k = 0; k < settling; ++k) solver.iterate(world.bodies, k);
   const double before = left();
-  for (int k = 0; k < sweeps; ++k) solver.sweep(world.bodies, k);
-  const double rate = std::pow(left() / before, 1.0 / sweeps);
+  for (int k = 0; k < iterations; ++k) solver.iterate(world.bodies, k);
+  const double rate = std::pow(left() / before, 1.0 / iterations);
   world.bodies = as_it_was;
   return rate;
 }

@@ -36,14 +36,15 @@ System rows_of(World& world, SequentialImpulses solver = {});
 /// J M^-1 J^T of all rows together.
 Dense whole_K(const System& system, const World& world);
 
-/// What a sweep of block Gauss-Seidel leaves of an error in the impulses: E - L^-1 A, L the blocks
-/// on and below the diagonal.
-Dense sweep_matrix(const Dense& A, const std::vector<int>& block);
-/// The share of an error that a sweep leaves in the long run.
-double sweep_rate(const World& world, const System& system);
+/// What an iteration of block Gauss-Seidel leaves of an error in the impulses: E - L^-1 A, L the
+/// blocks on and below the diagonal.
+Dense iteration_matrix(const Dense& A, const std::vector<int>& block);
+/// The share of an error that an iteration leaves in the long run.
+double iteration_rate(const World& world, const System& system);
 
-/// The same, measured: what a sweep leaves of J V on average, once others have settled the rest.
-double measured_rate(World& world, int settling, int sweeps);
+/// The same, measured: what an iteration leaves of J V on average, once others have settled the
+/// rest.
+double measured_rate(World& world, int settling, int iterations);
 
 /// A rotor of 1 kg and 1 kg m^2 on a hinge about z through the origin, its centre `lever` beside
 /// it, no gravity, turning at `speed` [rad/s].

@@ -44,7 +44,7 @@ struct Between {
     for (BodyId id : ids) largest = std::max(largest, double(length(world.bodies[id].v)));
     return largest;
   }
-  double rate() { return sweep_rate(world, rows_of(world)); }
+  double rate() { return iteration_rate(world, rows_of(world)); }
   // The rows, as far as bodies can move.
   Dense rows() { return rows_of(world).J * inverse_masses(snapshot(world.bodies)); }
 };
@@ -84,7 +84,7 @@ TEST_CASE("E45 stretched straight between its ends the chain has 9 rows of rank 
   }
 }
 
-TEST_CASE("E45 a sweep leaves all of one error when straight and 0.996 when bent a little",
+TEST_CASE("E45 an iteration leaves all of one error when straight and 0.996 when bent a little",
           "[E45]") {
   CHECK(Between(0).rate() == Approx(1).epsilon(tolerance(1e-9, 1e-5)));
   CHECK(Between(0.05).rate() == Approx(0.99566).margin(tolerance(1e-5, 1e-4)));
@@ -98,7 +98,8 @@ TEST_CASE("E44 ends of 1e8 kg are swept as fast as static ones", "[E44]") {
           Approx(Between(bend).rate()).epsilon(tolerance(1e-5, 1e-4)));
 }
 
-TEST_CASE("E44 measured sweep by sweep static and heavy ends leave the same share", "[E44]") {
+TEST_CASE("E44 measured iteration by iteration static and heavy ends leave the same share",
+          "[E44]") {
   const auto measured = [](real end_mass) {
     Between chain(0.3, end_mass);
     chain.world.gravity = vec3(0);
@@ -110,7 +111,7 @@ TEST_CASE("E44 measured sweep by sweep static and heavy ends leave the same shar
   CHECK(measured(real(1e8)) == Approx(rate).epsilon(1e-3));
 }
 
-TEST_CASE("E44 a heavy body carried by a light one is what sweeps are slow at", "[E44]") {
+TEST_CASE("E44 a heavy body carried by a light one is what iterations are slow at", "[E44]") {
   // below a ceiling, joints at the centres, no levers: m2/(m1 + m2) whatever is static
   const auto rate = [](real upper, real lower) {
     World world;
@@ -119,7 +120,7 @@ TEST_CASE("E44 a heavy body carried by a light one is what sweeps are slow at", 
     const BodyId b = world.add(ball(lower, real(0.1), vec3(0, -2, 0)));
     world.add<CentreDistanceJoint>(ceiling, a, CentreDistance{1});
     world.add<CentreDistanceJoint>(a, b, CentreDistance{1});
-    return sweep_rate(world, rows_of(world));
+    return iteration_rate(world, rows_of(world));
   };
   CHECK(rate(1, 100) == Approx(100.0 / 101).epsilon(tolerance(1e-9, 1e-5)));
   CHECK(rate(100, 1) == Approx(1.0 / 101).epsilon(tolerance(1e-9, 1e-4)));

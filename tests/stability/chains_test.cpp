@@ -154,7 +154,7 @@ TEST_CASE("X3 the gap of a swinging chain falls with the square of the step") {
   }
 }
 
-TEST_CASE("X4 a chain of 300 hinges is finite at 10 and 30 and 200 sweeps and gaps shrink") {
+TEST_CASE("X4 a chain of 300 hinges is finite at 10 and 30 and 200 iterations and gaps shrink") {
   double last = 1;
   for (const int iterations : {10, 30, 200}) {
     Cubes chain(300, true);
@@ -171,7 +171,7 @@ TEST_CASE("X4 a warm chain of hinges hangs still where its measured rate allows 
   for (const int links : {2, 3, 4})
     for (const double share : {0.5, 1.5}) {
       Cubes chain(links, false);
-      const double rate = sweep_rate(chain.world, rows_of(chain.world));
+      const double rate = iteration_rate(chain.world, rows_of(chain.world));
       chain.world.bodies[chain.ids.back()].v = vec3(real(1e-3), 0, real(1e-3));
       const int settling = int(std::log(1e-3) / std::log(rate));
       const double measured = measured_rate(chain.world, settling, settling);
@@ -195,7 +195,7 @@ TEST_CASE("X4 a warm chain of hinges hangs still where its measured rate allows 
     }
 }
 
-TEST_CASE("X15 a heavy end slows the sweeps of ten links to the rate that their K has") {
+TEST_CASE("X15 a heavy end slows the iterations of ten links to the rate that their K has") {
   for (const double tip : {1.0, 10.0, 100.0}) {
     World world;
     std::vector<BodyId> ids{world.add(static_body(vec3(0)))};
@@ -206,7 +206,7 @@ TEST_CASE("X15 a heavy end slows the sweeps of ten links to the rate that their 
                            point_at(world.bodies[ids[ids.size() - 2]], world.bodies[ids.back()],
                                     vec3(0, real(0.5) - real(k), 0)));
     }
-    const double rate = sweep_rate(world, rows_of(world));
+    const double rate = iteration_rate(world, rows_of(world));
     const int settling = is_float ? 200 : int(std::log(1e-5) / std::log(rate));
     CHECK(measured_rate(world, settling, 20) == Approx(rate).epsilon(tolerance(1e-4, 3e-3)));
   }

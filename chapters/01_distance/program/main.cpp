@@ -106,7 +106,7 @@ void print_plan(const Scene& scene) {
 int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 1: a pendulum on a rod and a bridge hung from ropes",
-                    {{"iterations", "30", "sweeps a step, of the recorded motion"},
+                    {{"iterations", "30", "iterations a step, of the recorded motion"},
                      {"beta", "0.2", "share of the error fed back in a step"},
                      {"seconds", "10", "how long to simulate"}});
     if (!options.read(argc, argv)) return;

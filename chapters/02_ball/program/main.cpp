@@ -21,7 +21,7 @@ struct Chain {
   std::vector<Point> parts;
 };
 
-// One joint, prepared for the sweeps of a step.
+// One joint, prepared for the iterations of a step.
 struct Prepared {
   Jacobian<3> J;
   mat3 K;
@@ -111,9 +111,9 @@ void write_system(Chain chain, const std::vector<Prepared>& joints, const std::s
   }
 }
 
-// One velocity solve of a bent chain: error after every sweep, rows against block.
+// One velocity solve of a bent chain: error after every iteration, rows against block.
 void compare_rows_and_block(int links, const std::string& out) {
-  CsvFile table(out + "/iterations.csv", {"method", "sweep", "error_m_s"});
+  CsvFile table(out + "/iterations.csv", {"method", "iteration", "error_m_s"});
   Chain start = make_chain(links, bent);
   for (Body& body : start.bodies)
     if (!body.is_static()) body.v = vec3(0, real(-9.81) / 60, 0);
@@ -121,8 +121,8 @@ void compare_rows_and_block(int links, const std::string& out) {
   write_system(start, joints, out + "/system.csv");
   for (const std::string method : {"rows", "block"}) {
     Chain chain = start;
-    for (int sweep = 0; sweep <= 400; ++sweep) {
-      table.row({method}, {double(sweep), rms_error(chain, joints)});
+    for (int iteration = 0; iteration <= 400; ++iteration) {
+      table.row({method}, {double(iteration), rms_error(chain, joints)});
       for (std::size_t k = 0; k < joints.size(); ++k)
         method == "block" ? solve_block(chain, joints, k) : solve_rows(chain, joints, k);
     }
@@ -130,17 +130,17 @@ void compare_rows_and_block(int links, const std::string& out) {
 }
 
 // A straight chain at rest; the last rod is struck sideways. What each joint still lacks after
-// every sweep, for sweeps that run from the wall to the tip and from the tip to the wall.
+// every iteration, for iterations that run from the wall to the tip and from the tip to the wall.
 void blow(const std::string& out) {
-  CsvFile table(out + "/blow.csv", {"order", "sweep", "joint", "error_m_s"});
+  CsvFile table(out + "/blow.csv", {"order", "iteration", "joint", "error_m_s"});
   for (const std::string order : {"wall to tip", "tip to wall"}) {
     Chain chain = make_chain(20, straight);
     chain.bodies.back().v = vec3(0, 1, 0);
     const std::vector<Prepared> joints = prepare(chain, 0);
     const std::size_t n = joints.size();
-    for (int sweep = 0; sweep <= 40; ++sweep) {
+    for (int iteration = 0; iteration <= 40; ++iteration) {
       for (std::size_t k = 0; k < n; ++k)
-        table.row({order}, {double(sweep), double(k + 1), joint_error(chain, joints[k], k)});
+        table.row({order}, {double(iteration), double(k + 1), joint_error(chain, joints[k], k)});
       for (std::size_t k = 0; k < n; ++k)
         solve_block(chain, joints, order == "wall to tip" ? k : n - 1 - k);
     }
@@ -158,12 +158,12 @@ double energy(const Chain& chain) {
   return sum;
 }
 
-// Forces, joints, sweeps, places: chapter 1's step, with a block for every joint and bodies that
-// turn.
+// Forces, joints, iterations, places: chapter 1's step, with a block for every joint and bodies
+// that turn.
 void step(Chain& chain, int iterations, real beta, real h) {
   for (Body& body : chain.bodies) integrate_forces(body, vec3(0, real(-9.81), 0), h);
   const std::vector<Prepared> joints = prepare(chain, beta / h);
-  for (int sweep = 0; sweep < iterations; ++sweep)
+  for (int iteration = 0; iteration < iterations; ++iteration)
     for (std::size_t k = 0; k < joints.size(); ++k) solve_block(chain, joints, k);
   for (Body& body : chain.bodies) {
     if (body.is_static()) continue;
@@ -213,7 +213,7 @@ int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 2: rows against a block, a blow, and a chain that swings",
                     {{"links", "12", "links of the bent and of the swinging chain"},
-                     {"iterations", "30", "sweeps a step, of the recorded motion"},
+                     {"iterations", "30", "iterations a step, of the recorded motion"},
                      {"beta", "0.2", "share of the error fed back in a step"},
                      {"seconds", "5", "how long the chain swings"}});
     if (!options.read(argc, argv)) return;

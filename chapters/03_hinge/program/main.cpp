@@ -16,12 +16,12 @@ const real degree = std::numbers::pi_v<real> / 180;
 
 std::string words(bool whole) { return whole ? "whole joint" : "blocks apart"; }
 
-HingeJoint& hinge(Stage& stage, BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis,
+HingeJoint& hinge(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis,
                   const Settings& settings, bool whole) {
-  auto& joint = stage.world.add<HingeJoint>(stage.world.bodies, id1, id2, anchor, axis);
+  auto& joint = scene.world.add<HingeJoint>(scene.world.bodies, id1, id2, anchor, axis);
   joint.beta = settings.beta;
   joint.whole = whole;
-  stage.mark(id1, id2, anchor, axis);
+  scene.mark(id1, id2, anchor, axis);
   return joint;
 }
 
@@ -30,27 +30,27 @@ HingeJoint& hinge(Stage& stage, BodyId id1, BodyId id2, const vec3& anchor, cons
 // Four doors of 20 kg that can open to 110 degrees, each pushed open with another speed.
 Summary doors(const Settings& settings, bool whole, CsvFile& table) {
   const std::array<real, 4> speeds{1, 5, 20, 80};
-  Stage stage{.name = whole ? "doors" : "doors apart"};
-  stage.solver.iterations = settings.iterations;
+  Scene scene{.name = whole ? "doors" : "doors apart"};
+  scene.solver.iterations = settings.iterations;
   std::vector<HingeJoint*> hinges;
   for (int k = 0; k < 4; ++k) {
     const vec3 post(real(2.5) * real(k), 0, 0);
-    const BodyId frame = stage.box(0, vec3(real(0.1), 2, real(0.1)), post);
-    const BodyId door = stage.box(20, vec3(1, 2, real(0.05)), post + vec3(real(0.5), 0, 0));
-    HingeJoint& joint = hinge(stage, frame, door, post, vec3(0, 1, 0), settings, whole);
+    const BodyId frame = scene.box(0, vec3(real(0.1), 2, real(0.1)), post);
+    const BodyId door = scene.box(20, vec3(1, 2, real(0.05)), post + vec3(real(0.5), 0, 0));
+    HingeJoint& joint = hinge(scene, frame, door, post, vec3(0, 1, 0), settings, whole);
     joint.set_limits(0, 110 * degree);
-    Body& body = stage.world.bodies[door];
+    Body& body = scene.world.bodies[door];
     body.w = vec3(0, speeds[std::size_t(k)], 0);
     body.v = cross(body.w, body.x - post);
-    stage.energy_scale += kinetic_energy(body);
+    scene.energy_scale += kinetic_energy(body);
     hinges.push_back(&joint);
   }
-  stage.print_plan();
+  scene.print_plan();
   const std::string motion = whole == settings.whole ? settings.out + "/doors.motion.json" : "";
-  return play(stage, words(whole), settings.seconds, motion, [&](double time) {
+  return play(scene, words(whole), settings.seconds, motion, [&](double time) {
     for (std::size_t k = 0; k < 4; ++k)
       table.row({words(whole)}, {double(settings.iterations), double(speeds[k]), time,
-                                 double(hinges[k]->position(stage.world.bodies) / degree)});
+                                 double(hinges[k]->position(scene.world.bodies) / degree)});
   });
 }
 
@@ -81,30 +81,30 @@ void motor_by_hand(const std::string& out) {
 // Eight cubes of 100 kg that hang one below the other, the first static, each hinged to the centre
 // of the one before; a motor in every hinge bends it, up to 40 degrees.
 Summary curl(const Settings& settings) {
-  Stage stage{.name = "curl"};
-  stage.solver.iterations = settings.iterations;
+  Scene scene{.name = "curl"};
+  scene.solver.iterations = settings.iterations;
   CsvFile table(settings.out + "/curl.csv", {"time_s", "joint", "angle_deg", "motor_nm"});
   std::vector<HingeJoint*> hinges;
   BodyId before;
   for (int k = 0; k < 8; ++k) {
     const vec3 place(0, real(-1.5) * real(k), 0);
-    const BodyId cube = stage.box(k == 0 ? 0 : 100, vec3(1), place);
+    const BodyId cube = scene.box(k == 0 ? 0 : 100, vec3(1), place);
     if (k > 0) {
-      HingeJoint& joint = hinge(stage, before, cube, place + vec3(0, real(1.5), 0),
+      HingeJoint& joint = hinge(scene, before, cube, place + vec3(0, real(1.5), 0),
                                 vec3(0, 0, 1), settings, settings.whole);
       joint.set_limits(0, 40 * degree);
       joint.set_motor(real(0.4), 20000);
-      stage.energy_scale += 100 * 9.81 * 1.5 * k;
+      scene.energy_scale += 100 * 9.81 * 1.5 * k;
       hinges.push_back(&joint);
     }
     before = cube;
   }
-  stage.print_plan();
-  return play(stage, words(settings.whole), settings.seconds, settings.out + "/curl.motion.json",
+  scene.print_plan();
+  return play(scene, words(settings.whole), settings.seconds, settings.out + "/curl.motion.json",
               [&](double time) {
                 for (std::size_t k = 0; k < hinges.size(); ++k)
                   table.row({time, double(k + 1),
-                             double(hinges[k]->position(stage.world.bodies) / degree),
+                             double(hinges[k]->position(scene.world.bodies) / degree),
                              double(hinges[k]->motor_force())});
               });
 }
@@ -113,27 +113,27 @@ Summary curl(const Settings& settings) {
 
 // A static cube and one of 100 kg beside it: S4m drives it round an upright axis with 500 N m to
 // 3 rad/s, S4l lets it swing down to a limit of 60 degrees, S4ml drives it into that limit.
-void driven(const Settings& settings, const std::string& scene, bool whole, int iterations,
+void driven(const Settings& settings, const std::string& name, bool whole, int iterations,
             CsvFile& table) {
-  Stage stage{.name = scene};
-  stage.solver.iterations = iterations;
-  const BodyId wall = stage.box(0, vec3(1), vec3(0));
-  const BodyId cube = stage.box(100, vec3(1), vec3(0, 0, real(1.5)));
-  const vec3 axis = scene == "S4l" ? vec3(1, 0, 0) : vec3(0, 1, 0);
-  HingeJoint& joint = hinge(stage, wall, cube, vec3(0), axis, settings, whole);
-  if (scene != "S4m") joint.set_limits(-60 * degree, 60 * degree);
-  if (scene != "S4l") joint.set_motor(3, 500);
+  Scene scene{.name = name};
+  scene.solver.iterations = iterations;
+  const BodyId wall = scene.box(0, vec3(1), vec3(0));
+  const BodyId cube = scene.box(100, vec3(1), vec3(0, 0, real(1.5)));
+  const vec3 axis = name == "S4l" ? vec3(1, 0, 0) : vec3(0, 1, 0);
+  HingeJoint& joint = hinge(scene, wall, cube, vec3(0), axis, settings, whole);
+  if (name != "S4m") joint.set_limits(-60 * degree, 60 * degree);
+  if (name != "S4l") joint.set_motor(3, 500);
   double before = 0, reached = 0, largest = 0, last = 0;
-  play(stage, "", 10, "", [&](double time) {
-    const double speed = double(joint.speed(stage.world.bodies));
+  play(scene, "", 10, "", [&](double time) {
+    const double speed = double(joint.speed(scene.world.bodies));
     if (reached == 0 && speed >= 2.85)  // 95 % of the target, between two steps
-      reached = time - double(stage.h) * (speed - 2.85) / (speed - before);
+      reached = time - double(scene.h) * (speed - 2.85) / (speed - before);
     before = speed;
-    last = std::abs(double(joint.position(stage.world.bodies) / degree));
+    last = std::abs(double(joint.position(scene.world.bodies) / degree));
     largest = std::max(largest, last);
   });
-  const bool limited = scene != "S4m";
-  table.row({scene, words(whole)}, {double(iterations), scene == "S4m" ? reached : 0.0,
+  const bool limited = name != "S4m";
+  table.row({name, words(whole)}, {double(iterations), name == "S4m" ? reached : 0.0,
                                     limited ? largest - 60 : 0.0, limited ? last - 60 : 0.0});
 }
 
@@ -142,24 +142,24 @@ void driven(const Settings& settings, const std::string& scene, bool whole, int 
 // A chain of 100 cubes whose hinges let it swing in one plane only, under a gravity that pulls it
 // out of that plane: how far do its bodies go where no body may go?
 Summary sideways(const Settings& settings, bool whole, int iterations, CsvFile& table) {
-  Stage stage{.name = "sideways"};
-  stage.solver.iterations = iterations;
-  stage.world.gravity = vec3(3, real(-9.81), 0);
+  Scene scene{.name = "sideways"};
+  scene.solver.iterations = iterations;
+  scene.world.gravity = vec3(3, real(-9.81), 0);
   BodyId before;
   for (int k = 0; k < 100; ++k) {
     const vec3 place(0, 0, real(1.5) * real(k));
-    const BodyId cube = stage.box(k == 0 ? 0 : 100, vec3(1), place);
+    const BodyId cube = scene.box(k == 0 ? 0 : 100, vec3(1), place);
     if (k > 0) {
-      hinge(stage, before, cube, place - vec3(0, 0, real(1.5)), vec3(1, 0, 0), settings, whole);
-      stage.energy_scale += 100 * 9.81 * 1.5 * k;
+      hinge(scene, before, cube, place - vec3(0, 0, real(1.5)), vec3(1, 0, 0), settings, whole);
+      scene.energy_scale += 100 * 9.81 * 1.5 * k;
     }
     before = cube;
   }
   double largest = 0;
   const Summary line =
-      play(stage, words(whole) + ", " + std::to_string(iterations), 5, "", [&](double) {
+      play(scene, words(whole) + ", " + std::to_string(iterations), 5, "", [&](double) {
         for (int slot = 0; slot < 100; ++slot)
-          largest = std::max(largest, std::abs(double(stage.world.bodies.at(slot).x.x)));
+          largest = std::max(largest, std::abs(double(scene.world.bodies.at(slot).x.x)));
       });
   table.row({words(whole)}, {double(iterations), largest, line.gap_rms});
   return line;

@@ -10,15 +10,15 @@ using namespace joints;
 
 namespace {
 
-SliderJoint& slider(Stage& stage, BodyId id1, BodyId id2, const vec3& anchor,
+SliderJoint& slider(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor,
                     const vec3& direction, const Settings& settings, bool whole) {
-  auto& joint = stage.world.add<SliderJoint>(stage.world.bodies, id1, id2, anchor, direction);
+  auto& joint = scene.world.add<SliderJoint>(scene.world.bodies, id1, id2, anchor, direction);
   joint.beta = settings.beta;
   joint.whole = whole;
   return joint;
 }
 
-// How far the anchor of body 2 is off the line, or beyond a limit [m], for all sliders of a stage.
+// How far the anchor of body 2 is off the line, or beyond a limit [m], for all sliders of a scene.
 struct LineGap {
   double sum = 0, worst = 0;
   long count = 0;
@@ -45,22 +45,22 @@ struct LineGap {
 // is held 0.3 m beside its centre. The motor turns round every 1.5 s.
 Summary piston(const Settings& settings, bool whole, CsvFile& table) {
   const std::string words = whole ? "whole joint" : "blocks apart";
-  Stage stage{.name = "piston"};
-  stage.solver.iterations = settings.iterations;
-  stage.energy_scale = 5 * 9.81 * 0.4;
-  const BodyId cylinder = stage.box(0, vec3(real(0.1), real(1.2), real(0.1)), vec3(0));
-  const BodyId body = stage.box(5, vec3(real(0.4), real(0.2), real(0.4)), vec3(real(0.3), 0, 0));
-  SliderJoint& joint = slider(stage, cylinder, body, vec3(0), vec3(0, 1, 0), settings, whole);
+  Scene scene{.name = "piston"};
+  scene.solver.iterations = settings.iterations;
+  scene.energy_scale = 5 * 9.81 * 0.4;
+  const BodyId cylinder = scene.box(0, vec3(real(0.1), real(1.2), real(0.1)), vec3(0));
+  const BodyId body = scene.box(5, vec3(real(0.4), real(0.2), real(0.4)), vec3(real(0.3), 0, 0));
+  SliderJoint& joint = slider(scene, cylinder, body, vec3(0), vec3(0, 1, 0), settings, whole);
   joint.set_limits(0, real(0.4));
   joint.set_motor(1, 80);
-  if (whole) stage.print_plan();
+  if (whole) scene.print_plan();
   LineGap gap;
   const std::string motion = whole == settings.whole ? settings.out + "/piston.motion.json" : "";
-  return gap.into(play(stage, words, settings.seconds, motion, [&](double time) {
-    table.row({words}, {time, double(joint.position(stage.world.bodies)),
-                        double(joint.speed(stage.world.bodies)), double(joint.motor_force()),
+  return gap.into(play(scene, words, settings.seconds, motion, [&](double time) {
+    table.row({words}, {time, double(joint.position(scene.world.bodies)),
+                        double(joint.speed(scene.world.bodies)), double(joint.motor_force()),
                         double(joint.limit_force())});
-    gap.look(joint, stage.world.bodies);
+    gap.look(joint, scene.world.bodies);
     joint.set_motor(int(time / 1.5) % 2 == 0 ? 1 : -1, 80);
   }));
 }
@@ -75,27 +75,27 @@ Summary cannon(const Settings& settings, bool whole, CsvFile& table) {
   const real diagonal = std::sqrt(real(0.5));
   const vec3 along(diagonal, diagonal, 0);
   const quat turn = rotation(vec3(0, 0, std::atan2(diagonal, diagonal)));
-  Stage stage{.name = "cannon"};
-  stage.solver.iterations = settings.iterations;
-  stage.energy_scale = 60 * 9.81 * 11 * double(diagonal);
-  const BodyId barrel = stage.box(0, vec3(11, real(0.1), real(0.6)),
+  Scene scene{.name = "cannon"};
+  scene.solver.iterations = settings.iterations;
+  scene.energy_scale = 60 * 9.81 * 11 * double(diagonal);
+  const BodyId barrel = scene.box(0, vec3(11, real(0.1), real(0.6)),
                                   real(4.5) * along + real(0.6) * vec3(diagonal, -diagonal, 0),
                                   turn);
-  const BodyId carriage = stage.box(50, vec3(1, 1, 1), vec3(0), turn);
-  const BodyId shot = stage.box(10, vec3(real(0.5)), along, turn);
-  SliderJoint& rail = slider(stage, barrel, carriage, vec3(0), along, settings, whole);
-  SliderJoint& push = slider(stage, carriage, shot, along, along, settings, whole);
-  for (const BodyId id : {carriage, shot}) stage.world.bodies[id].x -= along;  // loaded: at -1 m
+  const BodyId carriage = scene.box(50, vec3(1, 1, 1), vec3(0), turn);
+  const BodyId shot = scene.box(10, vec3(real(0.5)), along, turn);
+  SliderJoint& rail = slider(scene, barrel, carriage, vec3(0), along, settings, whole);
+  SliderJoint& push = slider(scene, carriage, shot, along, along, settings, whole);
+  for (const BodyId id : {carriage, shot}) scene.world.bodies[id].x -= along;  // loaded: at -1 m
   rail.set_limits(-1, 10);
   rail.set_motor(60, 5000);
   push.set_limits(0, unbounded);
-  if (whole) stage.print_plan();
+  if (whole) scene.print_plan();
   bool flying = false;
   LineGap gap;
   const std::string motion = whole == settings.whole ? settings.out + "/cannon.motion.json" : "";
   const double seconds = std::min(settings.seconds, 2.0);
-  return gap.into(play(stage, words, seconds, motion, [&](double time) {
-    const Bodies& bodies = stage.world.bodies;
+  return gap.into(play(scene, words, seconds, motion, [&](double time) {
+    const Bodies& bodies = scene.world.bodies;
     const vec3 x = bodies[shot].x;
     table.row({words}, {time, double(rail.position(bodies)), double(rail.speed(bodies)),
                         double(x.x), double(x.y), double(length(bodies[shot].v)),
@@ -104,7 +104,7 @@ Summary cannon(const Settings& settings, bool whole, CsvFile& table) {
     if (flying) return;
     gap.look(push, bodies);
     flying = push.position(bodies) > real(0.5);
-    if (flying) stage.world.remove(push);
+    if (flying) scene.world.remove(push);
   }));
 }
 
@@ -123,7 +123,7 @@ class CentreMotor : public Joint {
     const real K = bodies[body1].inverse_mass + bodies[body2].inverse_mass;
     blocks.append(bodies.index(body1), bodies.index(body2),
                   to_jacobian(Row{-a, vec3(0), a, vec3(0)}), {0}, to_matrix(K),
-                  {.target = speed,
+                  {.rate = speed,
                    .holds_position = false,
                    .lower = -strength,
                    .upper = strength},
@@ -138,30 +138,30 @@ class CentreMotor : public Joint {
 // Two free bodies that turn together while a motor pushes the one along the other: nothing acts on
 // them from outside, so that their angular momentum may not change.
 void momentum(const Settings& settings, bool levers, CsvFile& table) {
-  Stage stage{.name = "momentum"};
-  stage.solver.iterations = settings.iterations;
-  stage.world.gravity = vec3(0);
-  const BodyId id1 = stage.box(3, vec3(2, real(0.4), real(0.4)), vec3(0));
-  const BodyId id2 = stage.box(1, vec3(real(0.5)), vec3(0, 1, 0));
+  Scene scene{.name = "momentum"};
+  scene.solver.iterations = settings.iterations;
+  scene.world.gravity = vec3(0);
+  const BodyId id1 = scene.box(3, vec3(2, real(0.4), real(0.4)), vec3(0));
+  const BodyId id2 = scene.box(1, vec3(real(0.5)), vec3(0, 1, 0));
   SliderJoint& joint =
-      slider(stage, id1, id2, vec3(0, real(0.5), 0), vec3(1, 0, 0), settings, settings.whole);
+      slider(scene, id1, id2, vec3(0, real(0.5), 0), vec3(1, 0, 0), settings, settings.whole);
   if (levers)
     joint.set_motor(100, 5);  // a speed that it does not reach: 5 N all the while
   else
-    stage.world.add<CentreMotor>(id1, id2, joint.coordinate.a1_local, real(100), real(5));
-  const auto masses = joints::masses(stage.world.bodies);
-  play(stage, "", 1, "", [&](double time) {
+    scene.world.add<CentreMotor>(id1, id2, joint.coordinate.a1_local, real(100), real(5));
+  const auto masses = joints::masses(scene.world.bodies);
+  play(scene, "", 1, "", [&](double time) {
     double L = 0;
     for (const BodyId id : {id1, id2}) {
-      const Body& body = stage.world.bodies[id];
+      const Body& body = scene.world.bodies[id];
       const vec3 w = to_local(body, body.w);
       const glm::dvec3 spin = masses[id.slot].inertia * glm::dvec3(w);
       L += double(cross(body.x, body.v).z) / double(body.inverse_mass) +
            double(to_world(body, vec3(spin)).z);
     }
     table.row({levers ? "levers" : "centres"},
-              {time, L, double(joint.speed(stage.world.bodies)),
-               double(stage.world.bodies[id1].w.z)});
+              {time, L, double(joint.speed(scene.world.bodies)),
+               double(scene.world.bodies[id1].w.z)});
   });
 }
 

@@ -17,38 +17,38 @@ std::string words(bool whole) { return whole ? "6x6" : "3+3"; }
 
 // `n` cubes of 1 kg and 1 m in a row, the first welded to a wall at the origin.
 struct Beam {
-  Stage stage{.name = "beam"};
+  Scene scene{.name = "beam"};
   std::vector<FixedJoint*> welds;
   BodyId tip;
 
   Beam(int n, const Settings& settings, int iterations, bool whole, bool warm) {
-    stage.solver.iterations = iterations;
-    stage.solver.warm_start = warm;
-    BodyId before = stage.box(0, vec3(1), vec3(real(-0.5), 0, 0));
+    scene.solver.iterations = iterations;
+    scene.solver.warm_start = warm;
+    BodyId before = scene.box(0, vec3(1), vec3(real(-0.5), 0, 0));
     for (int k = 0; k < n; ++k) {
       const vec3 anchor(real(k), 0, 0);
-      tip = stage.box(1, vec3(1), anchor + vec3(real(0.5), 0, 0));
-      auto& weld = stage.world.add<FixedJoint>(stage.world.bodies, before, tip, anchor);
+      tip = scene.box(1, vec3(1), anchor + vec3(real(0.5), 0, 0));
+      auto& weld = scene.world.add<FixedJoint>(scene.world.bodies, before, tip, anchor);
       weld.beta = settings.beta;
       weld.whole = whole;
-      stage.mark(before, tip, anchor);
-      stage.energy_scale += 9.81 * (k + 0.5);
+      scene.mark(before, tip, anchor);
+      scene.energy_scale += 9.81 * (k + 0.5);
       welds.push_back(&weld);
       before = tip;
     }
   }
-  double sag() const { return -double(stage.world.bodies[tip].x.y); }
+  double sag() const { return -double(scene.world.bodies[tip].x.y); }
 };
 
-// By how much one sweep shrinks what is still to be done, in the long run: the rate at which the
-// tip's velocity goes on changing in the first step.
+// By how much one iteration shrinks what is still to be done, in the long run: the rate at which
+// the tip's velocity goes on changing in the first step.
 double contraction(const Settings& settings, bool whole) {
   Beam beam(10, settings, 1, whole, false);
-  World& world = beam.stage.world;
-  beam.stage.solver.begin(world, beam.stage.h);
+  World& world = beam.scene.world;
+  beam.scene.solver.begin(world, beam.scene.h);
   const auto change = [&] {
     const vec3 before = world.bodies[beam.tip].v;
-    beam.stage.solver.sweep(world.bodies, 0);
+    beam.scene.solver.iterate(world.bodies, 0);
     return double(length(world.bodies[beam.tip].v - before));
   };
   for (int n = 0; n < 5000; ++n) change();
@@ -68,7 +68,7 @@ Summary cantilever(const Settings& settings, int iterations, bool whole, bool wa
   double sag = 0, force = 0, torque = 0;
   int count = 0;
   Summary line =
-      play(beam.stage, "", 2 * settings.seconds, motion, [&](double time) {
+      play(beam.scene, "", 2 * settings.seconds, motion, [&](double time) {
              if (!warm) curves.row({words(whole)}, {double(iterations), time, beam.sag()});
              if (time < 2 * settings.seconds - 2) return;
              const Reaction wall = beam.welds[0]->load();
@@ -91,7 +91,7 @@ Summary cantilever(const Settings& settings, int iterations, bool whole, bool wa
 // ---- a far anchor -------------------------------------------------------------------------------
 
 // A cube of 1 kg welded to a wall at an anchor r metres beside it, hit once: how much of what is
-// wrong is left after one more sweep, by formula and measured, and after 30 more.
+// wrong is left after one more iteration, by formula and measured, and after 30 more.
 void far_anchor(const std::string& out) {
   CsvFile table(out + "/anchor.csv",
                 {"blocks", "lever_m", "predicted", "measured", "left_after_30"});
@@ -109,7 +109,7 @@ void far_anchor(const std::string& out) {
       solver.begin(world, h);
       std::vector<double> left;
       for (int n = 0; n <= 30; ++n) {
-        solver.sweep(world.bodies, n);
+        solver.iterate(world.bodies, n);
         left.push_back(double(length(world.bodies[cube].v)));
       }
       const double i = 1.0 / 6, lever = double(r);
@@ -124,12 +124,12 @@ void far_anchor(const std::string& out) {
 // Three welded cubes; a force at the tip grows by 20 N a second. A weld bears 150 N m.
 Summary breaking(const Settings& settings, CsvFile& table) {
   Beam beam(3, settings, std::max(settings.iterations, 100), settings.whole, false);
-  beam.stage.name = "breaking";
-  beam.stage.print_plan();
+  beam.scene.name = "breaking";
+  beam.scene.print_plan();
   const Strength strength{.torque = 150};
-  Bodies& bodies = beam.stage.world.bodies;
+  Bodies& bodies = beam.scene.world.bodies;
   bool broken = false;
-  return play(beam.stage, words(settings.whole), std::min(settings.seconds, 2.8),
+  return play(beam.scene, words(settings.whole), std::min(settings.seconds, 2.8),
               settings.out + "/breaking.motion.json", [&](double time) {
                 const double pull = -double(bodies[beam.tip].force.y);
                 const Reaction wall = broken ? Reaction{} : beam.welds[0]->load();
@@ -137,8 +137,8 @@ Summary breaking(const Settings& settings, CsvFile& table) {
                            9 * 9.81 / 2 + 2.5 * pull, double(strength.torque),
                            broken ? 1.0 : 0.0});
                 if (!broken && breaks(wall, strength)) {
-                  beam.stage.world.remove(*beam.welds[0]);
-                  beam.stage.marks.erase(beam.stage.marks.begin());
+                  beam.scene.world.remove(*beam.welds[0]);
+                  beam.scene.marks.erase(beam.scene.marks.begin());
                   broken = true;
                 }
                 bodies[beam.tip].force = broken ? vec3(0) : vec3(0, real(-20 * time), 0);
@@ -149,17 +149,17 @@ Summary breaking(const Settings& settings, CsvFile& table) {
 
 // The six boxes of the thesis' fig. 5.5: balls in shoulders and hips, the head welded on.
 Summary ragdoll(const Settings& settings) {
-  Stage stage{.name = "ragdoll"};
-  stage.solver.iterations = settings.iterations;
-  const BodyId torso = stage.box(100, vec3(real(0.6), 1, real(0.4)), vec3(0));
-  const BodyId head = stage.box(33, vec3(real(0.35), real(0.4), real(0.35)), vec3(0, real(0.7), 0));
+  Scene scene{.name = "ragdoll"};
+  scene.solver.iterations = settings.iterations;
+  const BodyId torso = scene.box(100, vec3(real(0.6), 1, real(0.4)), vec3(0));
+  const BodyId head = scene.box(33, vec3(real(0.35), real(0.4), real(0.35)), vec3(0, real(0.7), 0));
   const vec3 arm(real(0.8), real(0.2), real(0.2)), leg(real(0.25), 1, real(0.25));
   const auto limb = [&](const vec3& size, const vec3& x, const vec3& anchor) {
-    const BodyId id = stage.box(25, size, x);
-    auto& joint = stage.world.add<BallJoint>(
-        torso, id, point_at(stage.world.bodies[torso], stage.world.bodies[id], anchor));
+    const BodyId id = scene.box(25, size, x);
+    auto& joint = scene.world.add<BallJoint>(
+        torso, id, point_at(scene.world.bodies[torso], scene.world.bodies[id], anchor));
     joint.beta = settings.beta;
-    stage.mark(torso, id, anchor);
+    scene.mark(torso, id, anchor);
     return id;
   };
   const real side = real(0.3), shoulder = real(0.45);
@@ -167,23 +167,23 @@ Summary ragdoll(const Settings& settings) {
   limb(arm, vec3(real(-0.75), shoulder, 0), vec3(-side, shoulder, 0));
   for (const real x : {real(0.17), real(-0.17)})
     limb(leg, vec3(x, real(-1.05), 0), vec3(x, real(-0.5), 0));
-  auto& neck = stage.world.add<FixedJoint>(stage.world.bodies, torso, head, vec3(0, real(0.5), 0));
+  auto& neck = scene.world.add<FixedJoint>(scene.world.bodies, torso, head, vec3(0, real(0.5), 0));
   neck.beta = settings.beta;
   neck.whole = settings.whole;
-  stage.mark(torso, head, vec3(0, real(0.5), 0));
+  scene.mark(torso, head, vec3(0, real(0.5), 0));
   const vec3 hand(real(1.15), shoulder, 0);
-  const BodyId hook = stage.box(0, vec3(real(0.1)), hand);
-  auto& grip = stage.world.add<BallJoint>(
-      hook, right, point_at(stage.world.bodies[hook], stage.world.bodies[right], hand));
+  const BodyId hook = scene.box(0, vec3(real(0.1)), hand);
+  auto& grip = scene.world.add<BallJoint>(
+      hook, right, point_at(scene.world.bodies[hook], scene.world.bodies[right], hand));
   grip.beta = settings.beta;
-  stage.mark(hook, right, hand);
-  stage.energy_scale = 233 * 9.81 * 1.5;
-  stage.print_plan();
+  scene.mark(hook, right, hand);
+  scene.energy_scale = 233 * 9.81 * 1.5;
+  scene.print_plan();
   CsvFile table(settings.out + "/ragdoll.csv", {"time_s", "hand_n", "weight_n"});
   const double weight = 233 * 9.81;
   double sum = 0;
   int count = 0;
-  Summary line = play(stage, "", settings.seconds, settings.out + "/ragdoll.motion.json",
+  Summary line = play(scene, "", settings.seconds, settings.out + "/ragdoll.motion.json",
                       [&](double time) {  // what the grip gives to the arm, upwards
                         const double carried = double(grip.forces()[1]);
                         table.row({time, carried, weight});
@@ -213,7 +213,7 @@ int main(int argc, char** argv) {
     std::vector<int> counts{10, 30, 100, 300, 1200};
     if (std::find(counts.begin(), counts.end(), settings.iterations) == counts.end())
       counts.push_back(settings.iterations);
-    Beam(10, settings, 1, settings.whole, false).stage.print_plan();
+    Beam(10, settings, 1, settings.whole, false).scene.print_plan();
     for (const bool whole : {false, true}) {
       const double rho = contraction(settings, whole);
       for (const bool warm : {false, true})

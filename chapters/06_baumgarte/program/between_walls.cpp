@@ -66,8 +66,8 @@ int rank_of(Chain chain) {
   return rank;
 }
 
-// What a sweep leaves of impulses that should not be there, in the long run. Impulses of any size
-// are given to bodies at rest; the sweeps have to take them back.
+// What an iteration leaves of impulses that should not be there, in the long run. Impulses of any
+// size are given to bodies at rest; the iterations have to take them back.
 double contraction(Chain chain) {
   std::vector<vec3> impulses{vec3(3, 1, 2), vec3(1, 4, 1), vec3(5, 9, 2)};
   std::vector<Jacobian<3>> J;
@@ -79,7 +79,7 @@ double contraction(Chain chain) {
   }
   for (std::size_t k = 0; k < 3; ++k)
     apply_impulse(J[k], impulses[k], chain.bodies[k], chain.bodies[k + 1]);
-  const auto sweep = [&] {
+  const auto iteration = [&] {
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       Body &body1 = chain.bodies[k], &body2 = chain.bodies[k + 1];
@@ -90,11 +90,11 @@ double contraction(Chain chain) {
     }
     return std::sqrt(sum);
   };
-  const double first = sweep();
+  const double first = iteration();
   double before = first, now = first, ratio = 0;
   for (int n = 0; n < 500 && now > 1e-10 * first; ++n) {  // below that it is rounding
     before = now;
-    now = sweep();
+    now = iteration();
     ratio = now / before;
   }
   return ratio;
@@ -105,26 +105,26 @@ double contraction(Chain chain) {
 Summary kicked(const Choice& choice, const std::string& method, real beta, int projections,
                real bend, CsvFile& table) {
   const Chain chain = bent_chain(bend);
-  Stage stage{.name = "between"};
-  stage.solver.iterations = choice.iterations;
-  stage.solver.projections = projections;
-  stage.energy_scale = 200 * 9.81;
+  Scene scene{.name = "between"};
+  scene.solver.iterations = choice.iterations;
+  scene.solver.projections = projections;
+  scene.energy_scale = 200 * 9.81;
   std::vector<BodyId> ids;
   for (const Body& body : chain.bodies)
-    ids.push_back(stage.box(body.is_static() ? 0 : 100, vec3(real(0.4)), body.x, body.q));
+    ids.push_back(scene.box(body.is_static() ? 0 : 100, vec3(real(0.4)), body.x, body.q));
   for (std::size_t k = 0; k < 3; ++k) {
-    stage.world.add<BallJoint>(ids[k], ids[k + 1], chain.joints[k]).beta = beta;
-    stage.mark(ids[k], ids[k + 1], chain.bodies[k].x);
+    scene.world.add<BallJoint>(ids[k], ids[k + 1], chain.joints[k]).beta = beta;
+    scene.mark(ids[k], ids[k + 1], chain.bodies[k].x);
   }
-  if (method == "beta 0.05") stage.print_plan();  // the others have the same
+  if (method == "beta 0.05") scene.print_plan();  // the others have the same
   // Three blows, as from cubes that are shot at the second link, then time to come to rest.
   const vec3 blows[] = {vec3(3, 5, -8), vec3(-6, 4, 5), vec3(2, -9, 3)};
-  Bodies& bodies = stage.world.bodies;
+  Bodies& bodies = scene.world.bodies;
   const std::string motion = method == "beta 0.2" ? choice.out + "/between.motion.json" : "";
-  return play(stage, method, choice.seconds, motion, [&](double time) {
+  return play(scene, method, choice.seconds, motion, [&](double time) {
     const int n = int(std::lround(time / double(h)));
     double gap = 0, speed = 0;
-    for (const Mark& mark : stage.marks) gap = std::max(gap, joints::gap(mark, poses(bodies)));
+    for (const Mark& mark : scene.marks) gap = std::max(gap, joints::gap(mark, poses(bodies)));
     for (const BodyId id : ids) speed = std::max(speed, double(length(bodies[id].v)));
     table.row({method}, {time, gap, speed});
     if (n % 60 == 30 && n / 60 < 3) bodies[ids[1]].v += blows[n / 60];

@@ -13,35 +13,35 @@ namespace joints::chapter6 {
 /// Cubes 1 m apart in a row, the first static, each on a ball joint at the centre of the one
 /// before.
 struct CubeChain {
-  Stage stage;                     ///< the scene
+  Scene scene;                     ///< the scene
   std::vector<BodyId> ids;         ///< its cubes, the static one first
   std::vector<BallJoint*> joints;  ///< one less
 
   /// \param mass of a cube [kg] \param along from a cube to the next [m]
   CubeChain(const std::string& name, int links, real mass, const vec3& along, real beta)
-      : stage{.name = name} {
-    stage.energy_scale = 0;
+      : scene{.name = name} {
+    scene.energy_scale = 0;
     for (int k = 0; k <= links; ++k) {
-      ids.push_back(stage.box(k == 0 ? 0 : mass, vec3(real(0.4)), real(k) * along));
+      ids.push_back(scene.box(k == 0 ? 0 : mass, vec3(real(0.4)), real(k) * along));
       if (k > 0) add_joint(ids[std::size_t(k) - 1], ids.back(), beta);
-      stage.energy_scale += double(mass) * 9.81 * k;
+      scene.energy_scale += double(mass) * 9.81 * k;
     }
   }
   /// Joins two bodies at the centre of the first.
   void add_joint(BodyId a, BodyId b, real beta) {
-    World& world = stage.world;
+    World& world = scene.world;
     const vec3 anchor = world.bodies[a].x;
     joints.push_back(&world.add<BallJoint>(a, b, point_at(world.bodies[a], world.bodies[b],
                                                           anchor)));
     joints.back()->beta = beta;
-    stage.mark(a, b, anchor);
+    scene.mark(a, b, anchor);
   }
-  /// One step of the stage's length.
-  void step() { stage.solver.step(stage.world, stage.h); }
+  /// One step of the scene's length.
+  void step() { scene.solver.step(scene.world, scene.h); }
   /// Gap of joint k [m].
   double gap(std::size_t k) const {
     const BallJoint& joint = *joints[k];
-    const Bodies& bodies = stage.world.bodies;
+    const Bodies& bodies = scene.world.bodies;
     return double(length(joint.part.error(bodies[joint.body1], bodies[joint.body2])));
   }
   /// All gaps, the root of the sum of their squares [m].

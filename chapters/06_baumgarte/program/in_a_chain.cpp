@@ -10,44 +10,46 @@ namespace joints::chapter6 {
 
 namespace {
 
-// ---- what a sweep leaves -----------------------------------------------------------------------
+// ---- what an iteration leaves
+// -----------------------------------------------------------------------
 
-// How much a sweep leaves, in the long run, of what the joints still ask for: rho.
-double contraction(CubeChain& chain, int sweeps) {
-  Bodies& bodies = chain.stage.world.bodies;
-  chain.stage.solver.begin(chain.stage.world, h);
+// How much an iteration leaves, in the long run, of what the joints still ask for: rho.
+double contraction(CubeChain& chain, int iterations) {
+  Bodies& bodies = chain.scene.world.bodies;
+  chain.scene.solver.begin(chain.scene.world, h);
   const auto change = [&] {
     const vec3 before = bodies[chain.ids.back()].v;
-    chain.stage.solver.sweep(bodies, 0);
+    chain.scene.solver.iterate(bodies, 0);
     return double(length(bodies[chain.ids.back()].v - before));
   };
-  for (int n = 0; n < sweeps; ++n) change();
+  for (int n = 0; n < iterations; ++n) change();
   const double first = change();
-  for (int n = 0; n < sweeps / 2; ++n) change();
-  return std::pow(change() / first, 1.0 / (sweeps / 2 + 1));
+  for (int n = 0; n < iterations / 2; ++n) change();
+  return std::pow(change() / first, 1.0 / (iterations / 2 + 1));
 }
 
-// The same by formula, for n equal masses in a row held at one end: what a sweep leaves of mode j.
+// The same by formula, for n equal masses in a row held at one end: what an iteration leaves of
+// mode j.
 double contraction_of_row(int n, int j) {
   return std::pow(std::cos((2 * j - 1) * std::acos(-1.0) / (2 * n)), 2);
 }
 
 // ---- beta, alone and in a chain ----------------------------------------------------------------
 
-// What a step makes of a mode of which its sweeps leave `eta`: the larger root of
+// What a step makes of a mode of which its iterations leave `eta`: the larger root of
 // z^2 - (1 + eta - (1 - eta) beta) z + eta, in size.
 double step_factor(double eta, double beta) {
   const double half = (1 + eta - (1 - eta) * beta) / 2, root = half * half - eta;
   return root < 0 ? std::sqrt(eta) : std::abs(half) + std::sqrt(root);
 }
 
-// The slowest of all modes. A sweep over n equal masses in a row leaves cos^2((2j - 1) pi/2n) of
-// the modes j = 1, 2, .., and nothing of as many others.
-double predicted_factor(int links, int sweeps, double beta) {
+// The slowest of all modes. An iteration over n equal masses in a row leaves cos^2((2j - 1) pi/2n)
+// of the modes j = 1, 2, .., and nothing of as many others.
+double predicted_factor(int links, int iterations, double beta) {
   double slowest = std::abs(1 - beta);
   if (links > 1)
     for (int j = 1; 2 * j <= links; ++j)
-      slowest = std::max(slowest, step_factor(std::pow(contraction_of_row(links, j), sweeps),
+      slowest = std::max(slowest, step_factor(std::pow(contraction_of_row(links, j), iterations),
                                               beta));
   return slowest;
 }
@@ -55,11 +57,11 @@ double predicted_factor(int links, int sweeps, double beta) {
 // A chain without gravity whose last joint starts open by 0.1 m, along the chain: what a step
 // leaves of the gaps. They may swing, so the largest of some steps is compared with the largest of
 // later ones.
-double measured_factor(int links, int sweeps, double beta) {
+double measured_factor(int links, int iterations, double beta) {
   CubeChain chain("beta", links, 1, vec3(0, -1, 0), real(beta));
-  chain.stage.world.gravity = vec3(0);
-  chain.stage.solver.iterations = sweeps;
-  chain.stage.world.bodies[chain.ids.back()].x.y -= real(0.1);
+  chain.scene.world.gravity = vec3(0);
+  chain.scene.solver.iterations = iterations;
+  chain.scene.world.bodies[chain.ids.back()].x.y -= real(0.1);
   std::vector<double> gaps{chain.gap()};
   while (gaps.size() < 300 && gaps.back() > 1e-13 && gaps.back() < 1e6) {
     chain.step();
@@ -76,12 +78,12 @@ double measured_factor(int links, int sweeps, double beta) {
 
 void betas(const Choice& choice) {
   CsvFile table(choice.out + "/beta.csv", {"scene", "beta", "predicted", "measured"});
-  for (const int sweeps : {0, 10, 30, 300})
+  for (const int iterations : {0, 10, 30, 300})
     for (const double beta : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.3,
                               1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0, 2.1, 2.2}) {
-      const bool one = sweeps == 0;
-      const int links = one ? 1 : 10, count = one ? 1 : sweeps;
-      table.row({one ? "one joint" : "chain, " + std::to_string(sweeps) + " sweeps"},
+      const bool one = iterations == 0;
+      const int links = one ? 1 : 10, count = one ? 1 : iterations;
+      table.row({one ? "one joint" : "chain, " + std::to_string(iterations) + " iterations"},
                 {beta, predicted_factor(links, count, beta), measured_factor(links, count, beta)});
     }
 }
@@ -89,8 +91,8 @@ void betas(const Choice& choice) {
 // ---- the warm start ----------------------------------------------------------------------------
 
 // Sag of a cold chain that hangs plumb, Eq. 6-12: x = H (x + b) repeated until nothing changes, H
-// being what is left of a right side after some sweeps over n equal masses in a row.
-double predicted_sag(int n, int sweeps, double beta) {
+// being what is left of a right side after some iterations over n equal masses in a row.
+double predicted_sag(int n, int iterations, double beta) {
   std::vector<double> x(std::size_t(n), 0.0);
   for (double change = 1; change > 1e-9;) {
     std::vector<double> r = x, lambda(std::size_t(n), 0.0);
@@ -101,7 +103,7 @@ double predicted_sag(int n, int sweeps, double beta) {
       if (k + 1 < r.size()) sum += lambda[k + 1];
       return sum;
     };
-    for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (int iteration = 0; iteration < iterations; ++iteration)
       for (std::size_t k = 0; k < r.size(); ++k) lambda[k] += left(k) / (k == 0 ? 1 : 2);
     change = 0;
     for (std::size_t k = 0; k < r.size(); ++k) {
@@ -119,14 +121,14 @@ struct Sag {
   double early = 0, late = 0;  // [m]
 };
 
-Sag sag(int links, int sweeps, double beta, bool warm) {
+Sag sag(int links, int iterations, double beta, bool warm) {
   CubeChain chain("hanging", links, 1, vec3(0, -1, 0), real(beta));
-  chain.stage.solver.iterations = sweeps;
-  chain.stage.solver.warm_start = warm;
+  chain.scene.solver.iterations = iterations;
+  chain.scene.solver.warm_start = warm;
   Sag out;
   for (int n = 1; n <= 900; ++n) {
     chain.step();
-    const double size = std::abs(links + double(chain.stage.world.bodies[chain.ids.back()].x.y));
+    const double size = std::abs(links + double(chain.scene.world.bodies[chain.ids.back()].x.y));
     if (n > 120 && n <= 180) out.early = std::max(out.early, size);
     if (n > 840) out.late = std::max(out.late, size);
   }

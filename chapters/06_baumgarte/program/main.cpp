@@ -36,7 +36,7 @@ struct Method {
 
 const vec3 bar_size(1, real(0.1), real(0.1));
 
-// A bar of 1 m and 1 kg, let go level, its end on a ball joint; and its twin in the engine, which
+// A bar of 1 m and 1 kg, let go level, its end on a ball joint; and the same in the engine, which
 // must move in the same way.
 struct Pendulum {
   OwnLoop own;
@@ -144,7 +144,7 @@ void hanging(const Choice& choice) {
 int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 6: errors fed back, started warm, and projected",
-                    {{"iterations", "30", "sweeps a step"},
+                    {{"iterations", "30", "iterations a step"},
                      {"beta", "0.15", "share of the error fed back in a step"},
                      {"seconds", "10", "how long the pendulums swing"}});
     if (!options.read(argc, argv)) return;

@@ -26,30 +26,30 @@ void rods(const Choice& choice) {
                  {"projection", 0, 1}, {"beta 0.2 + projection", real(0.2), 1}};
   for (const auto& method : methods)
     for (const int iterations : {3, 10, 30, 100, 300}) {
-      Stage stage{.name = "bridge of rods"};
-      stage.solver.iterations = iterations;
-      stage.solver.projections = method.projections;
+      Scene scene{.name = "bridge of rods"};
+      scene.solver.iterations = iterations;
+      scene.solver.projections = method.projections;
       BodyId before;
       for (int i = 0; i < 10; ++i) {
-        const BodyId id = stage.box(i == 0 || i == 9 ? 0 : 100, vec3(1),
+        const BodyId id = scene.box(i == 0 || i == 9 ? 0 : 100, vec3(1),
                                     vec3(real(2 * i - 9), 0, 0));
         if (i > 0) {
-          stage.world.add<CentreDistanceJoint>(before, id, CentreDistance{real(2.3)}).beta =
+          scene.world.add<CentreDistanceJoint>(before, id, CentreDistance{real(2.3)}).beta =
               method.beta;
-          stage.strokes.push_back({i - 1, i, {}, {}});
+          scene.segments.push_back({i - 1, i, {}, {}});
         }
         before = id;
       }
       double peak = 0, gap = 0;
       const bool seen = method.beta == real(0.2) && iterations == 100;
-      play(stage, "", 5, seen ? choice.out + "/bridge_of_rods.motion.json" : "", [&](double time) {
-        for (int slot = 0; slot < stage.world.bodies.slots(); ++slot)
-          peak = std::max(peak, double(length(stage.world.bodies.at(slot).v)));
+      play(scene, "", 5, seen ? choice.out + "/bridge_of_rods.motion.json" : "", [&](double time) {
+        for (int slot = 0; slot < scene.world.bodies.slots(); ++slot)
+          peak = std::max(peak, double(length(scene.world.bodies.at(slot).v)));
         if (time < 4) return;
-        for (const auto& joint : stage.world.joints())
+        for (const auto& joint : scene.world.joints())
           gap = std::max(gap, std::abs(double(CentreDistance{real(2.3)}.error(
-                                  stage.world.bodies[joint->body1],
-                                  stage.world.bodies[joint->body2]))));
+                                  scene.world.bodies[joint->body1],
+                                  scene.world.bodies[joint->body2]))));
       });
       table.row({method.name}, {double(iterations), peak, gap});
     }
@@ -58,7 +58,7 @@ void rods(const Choice& choice) {
 // ---- side by side ------------------------------------------------------------------------------
 
 // Twenty cubes of 100 kg let go level: what each method leaves of the gaps and of the energy, and
-// what it costs. Substeps: the step cut into 16, with a few sweeps in each; counted are all.
+// what it costs. Substeps: the step cut into 16, with a few iterations in each; counted are all.
 void side_by_side(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/side_by_side.csv", {"method", "iterations", "gap_rms_m", "gap_max_m",
                                                    "energy_drift", "us_per_step"});
@@ -66,7 +66,7 @@ void side_by_side(const Choice& choice, std::vector<Summary>& lines) {
     std::string name;
     real beta;
     int projections, substeps;
-    std::vector<int> counts;  // sweeps a step
+    std::vector<int> counts;  // iterations a step
   } methods[] = {{"beta 0.2", real(0.2), 0, 1, {5, 10, 30, 100}},
                  {"beta 1", 1, 0, 1, {5, 10, 30, 100}},
                  {"projection", 0, 1, 1, {5, 10, 30, 100}},
@@ -78,11 +78,11 @@ void side_by_side(const Choice& choice, std::vector<Summary>& lines) {
   for (const auto& method : methods)
     for (const int iterations : method.counts) {
       CubeChain chain("side by side", 20, 100, vec3(1, 0, 0), method.beta);
-      chain.stage.h = h / real(method.substeps);
-      chain.stage.solver.iterations = iterations / method.substeps;
-      chain.stage.solver.projections = method.projections;
-      if (&method == methods && iterations == 5) chain.stage.print_plan();
-      Summary line = play(chain.stage, method.name + ", " + std::to_string(iterations), 5);
+      chain.scene.h = h / real(method.substeps);
+      chain.scene.solver.iterations = iterations / method.substeps;
+      chain.scene.solver.projections = method.projections;
+      if (&method == methods && iterations == 5) chain.scene.print_plan();
+      Summary line = play(chain.scene, method.name + ", " + std::to_string(iterations), 5);
       line.us_per_step *= method.substeps;
       table.row({method.name}, {double(iterations), line.gap_rms, line.gap_max, line.energy_drift,
                                 line.us_per_step});

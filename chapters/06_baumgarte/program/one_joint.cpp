@@ -15,33 +15,33 @@ namespace {
 // ---- the thesis' test scene --------------------------------------------------------------------
 
 // A static cube at the origin, a cube of 100 kg two metres beside it, and a joint at the centre of
-// the static one. `Make` adds the joint to the stage and returns it.
+// the static one. `Make` adds the joint to the scene and returns it.
 struct Pair {
-  Stage stage;
+  Scene scene;
   BodyId wall, cube;
 
-  explicit Pair(const std::string& name, int iterations) : stage{.name = name} {
-    stage.solver.iterations = iterations;
-    wall = stage.box(0, vec3(1), vec3(0));
-    cube = stage.box(100, vec3(1), vec3(2, 0, 0));
-    stage.mark(wall, cube, vec3(0));
-    stage.energy_scale = 100 * 9.81 * 2;
+  explicit Pair(const std::string& name, int iterations) : scene{.name = name} {
+    scene.solver.iterations = iterations;
+    wall = scene.box(0, vec3(1), vec3(0));
+    cube = scene.box(100, vec3(1), vec3(2, 0, 0));
+    scene.mark(wall, cube, vec3(0));
+    scene.energy_scale = 100 * 9.81 * 2;
   }
   BallJoint& ball(real beta) {
-    World& world = stage.world;
+    World& world = scene.world;
     auto& joint = world.add<BallJoint>(
         wall, cube, point_at(world.bodies[wall], world.bodies[cube], vec3(0)));
     joint.beta = beta;
     return joint;
   }
   HingeJoint& hinge(const vec3& axis, real beta) {
-    auto& joint = stage.world.add<HingeJoint>(stage.world.bodies, wall, cube, vec3(0), axis);
+    auto& joint = scene.world.add<HingeJoint>(scene.world.bodies, wall, cube, vec3(0), axis);
     joint.beta = beta;
     return joint;
   }
-  Body& body() { return stage.world.bodies[cube]; }
-  const Body& fixed() { return stage.world.bodies[wall]; }
-  void step() { stage.solver.step(stage.world, h); }
+  Body& body() { return scene.world.bodies[cube]; }
+  const Body& fixed() { return scene.world.bodies[wall]; }
+  void step() { scene.solver.step(scene.world, h); }
 };
 
 // ---- drift and decay ---------------------------------------------------------------------------
@@ -52,10 +52,10 @@ struct Pair {
 Summary drift(const Choice& choice) {
   Pair pair("drift", choice.iterations);
   const HingeJoint& joint = pair.hinge(vec3(0, 0, 1), 0);
-  pair.stage.print_plan();
+  pair.scene.print_plan();
   CsvFile table(choice.out + "/drift.csv", {"time_s", "gap_m", "predicted_m"});
   vec3 sum(0);
-  return play(pair.stage, "beta 0", choice.seconds, "", [&](double time) {
+  return play(pair.scene, "beta 0", choice.seconds, "", [&](double time) {
     const Body& cube = pair.body();
     const vec3 r = -to_world(cube, joint.first.anchor2_local);
     sum += dot(cube.w, cube.w) * h * h / real(2) * r;  // Eq. 6-1
@@ -68,7 +68,7 @@ void decay(const Choice& choice) {
   CsvFile table(choice.out + "/decay.csv", {"start_m", "step", "gap_m", "expected_m"});
   for (const double start : {0.001, std::sqrt(2.0)}) {
     Pair pair("decay", choice.iterations);
-    pair.stage.world.gravity = vec3(0);
+    pair.scene.world.gravity = vec3(0);
     const BallJoint& joint = pair.ball(choice.beta);
     pair.body().x += real(start / std::sqrt(2.0)) * vec3(1, 0, -1);
     for (int n = 0; n <= 60; ++n) {
@@ -82,7 +82,7 @@ void decay(const Choice& choice) {
 // Thesis figs. 5.1 and 5.2: a slider and a hinge that start out of place and turned.
 template <class AnyJoint>
 void correction(Pair& pair, const AnyJoint& joint, const std::string& path) {
-  pair.stage.world.gravity = vec3(0);
+  pair.scene.world.gravity = vec3(0);
   pair.body().x += vec3(0, real(0.4), real(-0.3));
   pair.body().q = rotation(vec3(real(0.3), 0, real(0.2))) * pair.body().q;
   CsvFile table(path, {"time_s", "translation_m", "rotation_rad"});
@@ -106,7 +106,7 @@ void energies(const Choice& choice) {
   for (const double beta : {0.05, 0.15, 0.5, 1.0})
     for (const double gap : {0.001, 0.01, 0.1, std::sqrt(2.0)}) {
       Pair pair("energy", choice.iterations);
-      pair.stage.world.gravity = vec3(0);
+      pair.scene.world.gravity = vec3(0);
       const BallJoint& joint = pair.ball(real(beta));
       pair.body().x += real(gap / std::sqrt(2.0)) * vec3(1, 0, -1);
       const vec3 C = joint.part.error(pair.fixed(), pair.body());
@@ -129,7 +129,7 @@ double predicted_spin(const vec3& gap, double beta) {
 // The spin that is left when a gap has been corrected.
 vec3 spin_left(const vec3& gap, real beta, int iterations) {
   Pair pair("spin", iterations);
-  pair.stage.world.gravity = vec3(0);
+  pair.scene.world.gravity = vec3(0);
   pair.hinge(vec3(0, 1, 0), beta);
   pair.body().x += gap;
   for (int n = 0; n < 900; ++n) pair.step();
@@ -195,7 +195,7 @@ void one_joint(const Choice& choice, std::vector<Summary>& lines) {
   lines.push_back(drift(choice));
   decay(choice);
   Pair slider("slider", choice.iterations), hinge("hinge", choice.iterations);
-  auto& along = slider.stage.world.add<SliderJoint>(slider.stage.world.bodies, slider.wall,
+  auto& along = slider.scene.world.add<SliderJoint>(slider.scene.world.bodies, slider.wall,
                                                     slider.cube, vec3(0), vec3(1, 0, 0));
   along.beta = choice.beta;
   correction(slider, along, choice.out + "/slider.csv");

@@ -12,8 +12,8 @@ namespace joints {
 struct Stabilisation {
   real beta = 0;        ///< share of the error fed back in a step [1]
   bool warm = false;    ///< begin with the impulses of the last step
-  int projections = 0;  ///< sweeps of position projection after a step
-  int iterations = 30;  ///< sweeps over the velocities
+  int projections = 0;  ///< iterations of position projection after a step
+  int iterations = 30;  ///< iterations over the velocities
 };
 
 /// A chain, and what it remembers from step to step.
@@ -23,7 +23,7 @@ class OwnLoop {
   Stabilisation settings;  ///< may be changed between steps
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
 
-  /// Forces, rows, warm start, sweeps, places, projection. \param h the step [s]
+  /// Forces, rows, warm start, iterations, places, projection. \param h the step [s]
   void step(real h) {
     std::vector<Body>& bodies = chain.bodies;
     for (Body& body : bodies) integrate_forces(body, gravity, h);
@@ -35,7 +35,7 @@ class OwnLoop {
       else
         impulses_[k] = vec3(0);
     }
-    for (int sweep = 0; sweep < settings.iterations; ++sweep)
+    for (int iteration = 0; iteration < settings.iterations; ++iteration)
       for (std::size_t k = 0; k < rows_.size(); ++k) {
         const Rows& rows = rows_[k];
         const vec3 lambda = block_impulse(rows.J, rows.K, rows.bias, bodies[k], bodies[k + 1]);
@@ -47,7 +47,8 @@ class OwnLoop {
       body.x += h * body.v;
       body.q = turned(body.q, body.w, h);
     }
-    for (int sweep = 0; sweep < settings.projections; ++sweep) projection_sweep(chain);
+    for (int iteration = 0; iteration < settings.projections; ++iteration)
+      projection_iteration(chain);
     h_before_ = h;
   }
 
@@ -57,7 +58,7 @@ class OwnLoop {
   }
 
  private:
-  // One joint, prepared for the sweeps of a step.
+  // One joint, prepared for the iterations of a step.
   struct Rows {
     Jacobian<3> J;
     mat3 K;

@@ -16,7 +16,7 @@ constexpr real h = real(1) / 60;  ///< the step of its scenes [s]
 
 /// What the command line says.
 struct Choice {
-  int iterations = 30;     ///< sweeps a step
+  int iterations = 30;     ///< iterations a step
   real beta = real(0.15);  ///< share of the error fed back in a step [1]
   double seconds = 10;     ///< how long the scenes run [s]
   std::string out;         ///< folder of tables and recordings

@@ -54,9 +54,9 @@ inline Groups a_chain_a_lane(int chains, int length, int width) {
   return groups;
 }
 
-/// Bodies and hinges, and the sweeps over them. Number is `real`, one hinge at a time, or Lanes,
-/// `width` hinges at a time. It needs the four functions of performance.h and no joint or solver of
-/// the engine.
+/// Bodies and hinges, and the iterations over them. Number is `real`, one hinge at a time, or
+/// Lanes, `width` hinges at a time. It needs the four functions of performance.h and no joint or
+/// solver of the engine.
 template <class Number>
 class HingeLoop {
  public:
@@ -67,11 +67,11 @@ class HingeLoop {
   std::vector<Hinge> hinges;       ///< their geometry
   Groups groups;                   ///< who comes with whom, and when; at most `width` in each
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
-  int iterations = 30;             ///< sweeps a step
+  int iterations = 30;             ///< iterations a step
   real relaxation = 1;             ///< over-relaxation: factor of every impulse [1], below 2
   bool once_a_step = true;         ///< false: prepare anew before every solve
 
-  /// Forces, preparation, sweeps, places. \param h the step [s]
+  /// Forces, preparation, iterations, places. \param h the step [s]
   void step(real h) {
     for (Body& body : bodies) integrate_forces(body, gravity, h);
     arrange();
@@ -84,7 +84,7 @@ class HingeLoop {
     numbers_.resize(groups.size());
     ends_.resize(groups.size());
     for (std::size_t k = 0; k < groups.size(); ++k) prepare_group(k, h);
-    for (int sweep = 0; sweep < iterations; ++sweep)
+    for (int iteration = 0; iteration < iterations; ++iteration)
       for (std::size_t k = 0; k < groups.size(); ++k) {
         if (!once_a_step) prepare_group(k, h);
         visit(k);
@@ -104,8 +104,8 @@ class HingeLoop {
     return length(hinges[k].point.error(bodies[links[k].body1], bodies[links[k].body2]));
   }
 
-  /// What the last step's sweeps left: the greatest |bias + J V| of any row of any hinge, with the
-  /// velocities after them [m/s for the point's rows, rad/s for the axis' rows].
+  /// What the last step's iterations left: the greatest |bias + J V| of any row of any hinge, with
+  /// the velocities after them [m/s for the point's rows, rad/s for the axis' rows].
   real largest_error() const {
     real largest = 0;
     for (std::size_t group = 0; group < groups.size(); ++group)
@@ -153,7 +153,7 @@ class HingeLoop {
     }
   }
 
-  // What the sweeps read of a hinge.
+  // What the iterations read of a hinge.
   void prepare(std::size_t k, real h, HingeNumbers<real>& out) const {
     const Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
     hoist(hinges[k], body1, body2, h, out);

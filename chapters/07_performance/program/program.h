@@ -18,7 +18,7 @@ constexpr real h = real(1) / 60;  ///< the step of its scenes [s]
 
 /// What the command line says.
 struct Choice {
-  int iterations = 30;    ///< sweeps a step
+  int iterations = 30;    ///< iterations a step
   real beta = real(0.2);  ///< share of the error fed back in a step [1]
   double seconds = 5;     ///< how long the scenes run [s]
   int chains = 10;        ///< of the performance scene
@@ -27,8 +27,8 @@ struct Choice {
 
 /// The loop in its steps, from prepared in every visit to lanes: steps.csv. (steps.cpp)
 void steps(const Choice& choice, std::vector<Summary>& lines);
-/// What a sweep leaves: the order of the joints, over-relaxation and when it explodes, the rows
-/// inside one step: order.csv, relaxation.csv, inside_a_step.csv. (relaxation.cpp)
+/// What an iteration leaves: the order of the joints, over-relaxation and when it explodes, the
+/// rows inside one step: order.csv, relaxation.csv, inside_a_step.csv. (relaxation.cpp)
 void relaxation(const Choice& choice);
 /// A chain, a bridge and a net in colours: colours.csv. (colours.cpp)
 void colours(const Choice& choice);

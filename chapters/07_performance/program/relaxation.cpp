@@ -1,6 +1,6 @@
-// Chapter 7's program, what a sweep leaves: the order of the joints, over-relaxation, and the rows
-// inside one step. One chain is enough, for the others do the same. Read it; there is nothing to
-// edit here.
+// Chapter 7's program, what an iteration leaves: the order of the joints, over-relaxation, and the
+// rows inside one step. One chain is enough, for the others do the same. Read it; there is nothing
+// to edit here.
 #include <algorithm>
 #include <set>
 
@@ -27,7 +27,7 @@ Watch run(const Chains& chains, HingeLoop<real>& loop, int steps) {
 }
 
 void orders(const Choice& choice, const Chains& chains) {
-  CsvFile table(choice.out + "/order.csv", {"order", "sweeps", "gap_rms_m", "gap_max_m"});
+  CsvFile table(choice.out + "/order.csv", {"order", "iterations", "gap_rms_m", "gap_max_m"});
   std::set<int> counts{5, 10, 20, 30, 60, 120};
   counts.insert(choice.iterations);
   for (const Order& order : {Order{"chain", chain_order(chains)},
@@ -41,7 +41,7 @@ void orders(const Choice& choice, const Chains& chains) {
 }
 
 void omegas(const Choice& choice, const Chains& chains, const std::vector<Order>& list) {
-  CsvFile table(choice.out + "/relaxation.csv", {"order", "status", "omega", "sweeps",
+  CsvFile table(choice.out + "/relaxation.csv", {"order", "status", "omega", "iterations",
                                                  "gap_rms_m", "gap_max_m", "energy_change"});
   const std::set<int> counts{std::max(1, choice.iterations / 3), choice.iterations};
   for (const Order& order : list)
@@ -55,20 +55,20 @@ void omegas(const Choice& choice, const Chains& chains, const std::vector<Order>
       }
 }
 
-// Each order and omega from where it has brought the chain by itself in 1 s. A step with n sweeps
-// shows what sweep n leaves.
+// Each order and omega from where it has brought the chain by itself in 1 s. A step with n
+// iterations shows what iteration n leaves.
 void inside_a_step(const Choice& choice, const Chains& chains, const std::vector<Order>& list) {
-  CsvFile table(choice.out + "/inside_a_step.csv", {"order", "omega", "sweep", "largest_e"});
+  CsvFile table(choice.out + "/inside_a_step.csv", {"order", "omega", "iteration", "largest_e"});
   for (const Order& order : list)
     for (const real omega : {real(1), real(1.5), real(1.9)}) {
       HingeLoop<real> before = loop_over<real>(chains, order.groups, choice.iterations);
       before.relaxation = omega;
       for (int n = 0; n < steps_in(1); ++n) before.step(h);
-      for (int sweep = 0; sweep <= 60; ++sweep) {
+      for (int iteration = 0; iteration <= 60; ++iteration) {
         HingeLoop<real> loop = before;
-        loop.iterations = sweep;
+        loop.iterations = iteration;
         loop.step(h);
-        table.row({order.name}, {double(omega), double(sweep), double(loop.largest_error())});
+        table.row({order.name}, {double(omega), double(iteration), double(loop.largest_error())});
       }
     }
 }

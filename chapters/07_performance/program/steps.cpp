@@ -30,7 +30,7 @@ struct Race {
   const Choice& choice;
   Chains chains;
   int steps;
-  int counts[2];  // sweeps: those of the choice, and a third of them
+  int counts[2];  // iterations: those of the choice, and a third of them
   CsvFile table;
   std::vector<Summary>& lines;
 
@@ -72,7 +72,7 @@ struct Race {
       }
     const double ns = 1000 * (runs[0].clock.median_us() - runs[1].clock.median_us()) /
                       (double(chains.links.size()) * (counts[0] - counts[1]));  // Eq. 7-2
-    std::printf("              %-24s %6.1f ns a hinge and sweep\n", name.c_str(), ns);
+    std::printf("              %-24s %6.1f ns a hinge and iteration\n", name.c_str(), ns);
     if (const double off = std::max(runs[0].off, runs[1].off); off > 1e-3)
       std::printf("              off by %.3g m from one lane in the same order: two neighbours of "
                   "one colour? ./wb test 7.3\n", off);
@@ -92,7 +92,7 @@ void steps(const Choice& choice, std::vector<Summary>& lines) {
   Race race{choice, cube_chains(choice.chains, 100, choice.beta), steps_in(choice.seconds),
             {choice.iterations, choice.iterations / 3},
             CsvFile(choice.out + "/steps.csv",
-                    {"step", "lanes", "sweeps", "us_per_step", "ns_per_hinge_and_sweep",
+                    {"step", "lanes", "iterations", "us_per_step", "ns_per_hinge_and_iteration",
                      "gap_rms_m", "gap_max_m", "off_m"}),
             lines};
   const Chains& chains = race.chains;

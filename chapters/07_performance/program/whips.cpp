@@ -8,7 +8,7 @@
 namespace joints::chapter7 {
 
 void whips(const Choice& choice, std::vector<Summary>& lines) {
-  // Twenty cubes each, let go level with the last three hanging over; a tenth of the sweeps,
+  // Twenty cubes each, let go level with the last three hanging over; a tenth of the iterations,
   // so that one sees what they leave.
   const Chains one = bent_chains(1, 20, 3, choice.beta);
   const int iterations = std::max(1, choice.iterations / 10), steps = steps_in(choice.seconds);
@@ -25,7 +25,7 @@ void whips(const Choice& choice, std::vector<Summary>& lines) {
   all[2].loop.relaxation = real(1.7);
   print_plan("whips", one.bodies, one.links.size());
 
-  Motion motion("whips, " + std::to_string(iterations) + " sweeps a step", double(h));
+  Motion motion("whips, " + std::to_string(iterations) + " iterations a step", double(h));
   for (std::size_t k = 0; k < all.size(); ++k) {
     for (std::size_t i = 0; i < one.bodies.size(); ++i)
       motion.body({"box", {1, 1, 1}, i == 0 ? all[k].name : ""});

@@ -15,22 +15,22 @@ constexpr double g = 9.81;  // [m/s^2]
 
 // One box on the ground, or on a slope: the ground turned about z.
 struct OneBox {
-  Stage stage;
+  Scene scene;
   vec3 size;
   BodyId ground, box;
   GroundContact* contact;
 
   OneBox(const std::string& name, const Choice& choice, const vec3& size, real slope = 0)
-      : stage{.name = name}, size(size) {
-    stage.solver.iterations = choice.iterations;
+      : scene{.name = name}, size(size) {
+    scene.solver.iterations = choice.iterations;
     const quat turn = rotation(vec3(0, 0, slope));
-    ground = stage.box(0, vec3(12, real(0.2), 12), turn * vec3(0, real(-0.1), 0), turn);
-    box = stage.box(10, size, turn * vec3(0, size.y / 2, 0), turn);
-    contact = &stand(stage, ground, box, size, real(0.5));
+    ground = scene.box(0, vec3(12, real(0.2), 12), turn * vec3(0, real(-0.1), 0), turn);
+    box = scene.box(10, size, turn * vec3(0, size.y / 2, 0), turn);
+    contact = &stand(scene, ground, box, size, real(0.5));
     contact->beta = choice.beta;
-    stage.energy_scale = 10 * g;
+    scene.energy_scale = 10 * g;
   }
-  Body& body() { return stage.world.bodies[box]; }
+  Body& body() { return scene.world.bodies[box]; }
   vec3 corner(int k) { return world_point(body(), contact->outline.corners[std::size_t(k)]); }
 };
 
@@ -42,15 +42,15 @@ void rest(const Choice& choice, std::vector<Summary>& lines) {
   for (const bool warm : {false, true})
     for (const int iterations : {1, 4, 10, 30}) {
       OneBox one("rest", choice, vec3(1, real(0.6), real(0.8)));
-      one.stage.solver.iterations = iterations;
-      one.stage.solver.warm_start = warm;
-      if (warm && iterations == 1) one.stage.print_plan();
+      one.scene.solver.iterations = iterations;
+      one.scene.solver.warm_start = warm;
+      if (warm && iterations == 1) one.scene.print_plan();
       std::array<vec3, 8> start;
       for (int k = 0; k < 8; ++k) start[std::size_t(k)] = one.corner(k);
       double farthest = 0, fastest = 0;
       const std::string name = warm ? "warm" : "cold";
       const Summary line = play(
-          one.stage, name + " " + std::to_string(iterations) + " sweeps", 60, "", [&](double) {
+          one.scene, name + " " + std::to_string(iterations) + " iterations", 60, "", [&](double) {
             for (int k = 0; k < 8; ++k) {
               const vec3 p = one.corner(k);
               farthest = std::max(farthest, double(length(p - start[std::size_t(k)])));
@@ -82,18 +82,18 @@ void slide(const Choice& choice, std::vector<Summary>& lines) {
       const real angle = real(direction) * degree;
       const vec3 ahead(std::cos(angle), 0, std::sin(angle)), aside(-ahead.z, 0, ahead.x);
       OneBox both("slide", choice, vec3(1, real(0.2), 1));  // turned, and beside it fixed
-      Stage& stage = both.stage;
-      Bodies& bodies = stage.world.bodies;
-      const BodyId other = stage.box(10, both.size, both.body().x + real(2) * aside);
-      auto& fixed = stand(stage, both.ground, other, both.size, both.contact->friction);
+      Scene& scene = both.scene;
+      Bodies& bodies = scene.world.bodies;
+      const BodyId other = scene.box(10, both.size, both.body().x + real(2) * aside);
+      auto& fixed = stand(scene, both.ground, other, both.size, both.contact->friction);
       fixed.beta = choice.beta;
       fixed.turned_tangents = false;
       const bool seen = direction == 45 && speed == 4;
-      if (seen) stage.print_plan();
+      if (seen) scene.print_plan();
       const BodyId ids[] = {both.box, other};
       const vec3 from[] = {bodies[both.box].x, bodies[other].x};
       for (const BodyId id : ids) bodies[id].v = real(speed) * ahead;
-      const Summary line = play(stage, "both tangents", 2,
+      const Summary line = play(scene, "both tangents", 2,
                                 seen ? choice.out + "/slide.motion.json" : "");
       const double mu = double(fixed.friction);
       for (const int k : {0, 1})
@@ -115,10 +115,10 @@ void tilt(const Choice& choice, std::vector<Summary>& lines) {
          {-5.0, -2.0, -1.0, -0.5, -0.2, -0.1, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0}) {
       const double angle = std::atan(mu) / double(degree) + beyond;  // Eq. 8-8
       OneBox one("slope", choice, vec3(1, real(0.2), 1), real(angle) * degree);
-      one.stage.solver.warm_start = true;
+      one.scene.solver.warm_start = true;
       one.contact->friction = real(mu);
       const vec3 start = one.body().x;
-      const Summary line = play(one.stage, beyond < 0 ? "just holds" : "just slides", 10);
+      const Summary line = play(one.scene, beyond < 0 ? "just holds" : "just slides", 10);
       table.row({mu, angle, double(length(one.body().x - start))});
       if (mu == 0.5 && std::abs(beyond) == 0.1) lines.push_back(line);
     }
@@ -140,28 +140,28 @@ void bounce(const Choice& choice, std::vector<Summary>& lines) {
       bool landed = false, left = false;
       double highest = 0;
     };
-    Stage stage{.name = "bounce"};
-    stage.solver.iterations = choice.iterations;
-    const BodyId ground = add_ground(stage, 6);
+    Scene scene{.name = "bounce"};
+    scene.solver.iterations = choice.iterations;
+    const BodyId ground = add_ground(scene, 6);
     std::vector<Ball> balls;
     for (const double restitution : restitutions) {
       const vec3 x(real(balls.size()) - 2, real(drop) + radius, 0);
-      stage.shapes.push_back({"ball", {2 * double(radius), 2 * double(radius),
+      scene.shapes.push_back({"ball", {2 * double(radius), 2 * double(radius),
                                        2 * double(radius)}});
-      balls.push_back({stage.world.add(ball(1, radius, x))});
-      auto& contact = stage.world.add<GroundContact>(
+      balls.push_back({scene.world.add(ball(1, radius, x))});
+      auto& contact = scene.world.add<GroundContact>(
           ground, balls.back().id, Top{.height = real(0.1)}, ball_outline(radius));
       contact.restitution = real(restitution);
       contact.beta = choice.beta;
-      stage.energy_scale += g * drop;
+      scene.energy_scale += g * drop;
     }
     const bool seen = drop == 1.0;
-    if (seen) stage.print_plan();
+    if (seen) scene.print_plan();
     const Summary line = play(
-        stage, "five restitutions", 5, seen ? choice.out + "/bounce.motion.json" : "",
+        scene, "five restitutions", 5, seen ? choice.out + "/bounce.motion.json" : "",
         [&](double time) {
           for (std::size_t k = 0; k < balls.size(); ++k) {
-            const Body& body = stage.world.bodies[balls[k].id];
+            const Body& body = scene.world.bodies[balls[k].id];
             const double height = double(body.x.y - radius);
             if (seen) path.row({restitutions[k], time, height});
             if (balls[k].landed && balls[k].highest > 0 && body.v.y <= 0) balls[k].left = true;

@@ -7,15 +7,15 @@ namespace {
 
 Summary hang(const Choice& choice, int iterations, bool loaded, double& deepest, CsvFile* table) {
   Bridge bridge(iterations, loaded, 20, choice.beta / 10);  // bridge.h says why
-  if (table) bridge.stage.print_plan();
-  const std::string words = std::to_string(iterations) + " sweeps";
-  return play(bridge.stage, loaded ? words : words + "; no load", choice.seconds,
+  if (table) bridge.scene.print_plan();
+  const std::string words = std::to_string(iterations) + " iterations";
+  return play(bridge.scene, loaded ? words : words + "; no load", choice.seconds,
               table ? choice.out + "/bridge.motion.json" : "", [&](double time) {
-                deepest = std::max(deepest, penetration(bridge.stage.world));
+                deepest = std::max(deepest, penetration(bridge.scene.world));
                 if (!table) return;
-                const Bodies& bodies = bridge.stage.world.bodies;
+                const Bodies& bodies = bridge.scene.world.bodies;
                 table->row({time, double(bodies[bridge.crate].x.y), bridge.sag(),
-                            double(bridge.carried().y), widest(bridge.stage)});
+                            double(bridge.carried().y), widest(bridge.scene)});
               });
 }
 

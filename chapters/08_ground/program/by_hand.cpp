@@ -10,21 +10,21 @@ namespace joints::chapter8 {
 // Four corners are enough for a box that does not tip over: those of its lower face.
 void by_hand(const Choice& choice) {
   const vec3 size(1, real(0.4), real(0.8));
-  Stage stage{.name = "by hand"};
-  stage.solver.iterations = choice.iterations;
-  const BodyId ground = add_ground(stage, 8);
-  const BodyId id = stage.box(10, size, vec3(0, size.y / 2, 0));
-  stage.world.bodies[id].v = vec3(3, 0, 1);
+  Scene scene{.name = "by hand"};
+  scene.solver.iterations = choice.iterations;
+  const BodyId ground = add_ground(scene, 8);
+  const BodyId id = scene.box(10, size, vec3(0, size.y / 2, 0));
+  scene.world.bodies[id].v = vec3(3, 0, 1);
   Outline lower{.count = 4};
   for (std::size_t k = 0; k < 4; ++k)
     lower.corners[k] = real(0.5) * size * vec3(k & 1 ? 1 : -1, -1, k & 2 ? 1 : -1);
-  auto& contact = stage.world.add<GroundContact>(ground, id, Top{.height = real(0.1)}, lower);
+  auto& contact = scene.world.add<GroundContact>(ground, id, Top{.height = real(0.1)}, lower);
   contact.beta = choice.beta;
-  stage.print_plan();
+  scene.print_plan();
 
-  const Body start = stage.world.bodies[id];
+  const Body start = scene.world.bodies[id];
   OwnGround own;
-  own.ground = stage.world.bodies[ground];
+  own.ground = scene.world.bodies[ground];
   own.body = start;
   own.friction = contact.friction;
   own.beta = choice.beta;
@@ -38,12 +38,12 @@ void by_hand(const Choice& choice) {
   for (int n = 0; n <= 90; ++n) {
     if (n > 0) {
       own.step(h);
-      stage.solver.step(stage.world, h);
+      scene.solver.step(scene.world, h);
     }
     double off = 0;
     for (std::size_t k = 0; k < 4; ++k)
       off = std::max(off, double(length(world_point(own.body, lower.corners[k]) -
-                                        world_point(stage.world.bodies[id], lower.corners[k]))));
+                                        world_point(scene.world.bodies[id], lower.corners[k]))));
     table.row({n * double(h), double(length(own.body.x - start.x)), double(length(own.body.v)),
                double(own.normal()), double(length(own.sideways())),
                double(own.friction * own.normal()), off});

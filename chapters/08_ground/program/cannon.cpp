@@ -8,13 +8,13 @@ namespace {
 // Once from loaded to rest. With a table it is the run that is shown.
 Summary shoot(const Choice& choice, int iterations, double& deepest, CsvFile* table) {
   Cannon cannon(iterations, choice.beta);
-  if (table) cannon.stage.print_plan();
+  if (table) cannon.scene.print_plan();
   double sum = 0, worst = 0;
   long count = 0;
   Summary line = play(
-      cannon.stage, std::to_string(iterations) + " sweeps", choice.seconds,
+      cannon.scene, std::to_string(iterations) + " iterations", choice.seconds,
       table ? choice.out + "/cannon.motion.json" : "", [&](double time) {
-        const Body& shot = cannon.stage.world.bodies[cannon.shot];
+        const Body& shot = cannon.scene.world.bodies[cannon.shot];
         if (table)
           table->row({time, double(shot.x.x), double(shot.x.y), double(length(shot.v)),
                       double(cannon.landing->touching())});
@@ -22,7 +22,7 @@ Summary shoot(const Choice& choice, int iterations, double& deepest, CsvFile* ta
         sum += gap * gap;
         ++count;
         worst = std::max(worst, gap);
-        deepest = std::max(deepest, penetration(cannon.stage.world));
+        deepest = std::max(deepest, penetration(cannon.scene.world));
         cannon.look();
       });
   line.gap_rms = std::sqrt(sum / double(count));

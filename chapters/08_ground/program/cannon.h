@@ -12,7 +12,7 @@ namespace joints::chapter8 {
 /// The empty carriage slides back; the shot flies, lands, tumbles and comes to rest. The motor has
 /// 3500 N, not 5000 as in chapter 4, so that this takes ten seconds.
 struct Cannon {
-  Stage stage{.name = "cannon"};  ///< world, solver, what is measured and drawn
+  Scene scene{.name = "cannon"};  ///< world, solver, what is measured and drawn
   BodyId ground{};    ///< where the shot lands
   BodyId barrel{};    ///< static, at 45 degrees
   BodyId carriage{};  ///< slides in it
@@ -22,44 +22,44 @@ struct Cannon {
   GroundContact* landing;    ///< shot and ground
   real shot_edge = real(0.5);  ///< [m]
 
-  /// \param iterations sweeps a step \param beta of the joints [1]
+  /// \param iterations iterations a step \param beta of the joints [1]
   explicit Cannon(int iterations, real beta = real(0.2)) {
     const real diagonal = std::sqrt(real(0.5));
     const vec3 along(diagonal, diagonal, 0), across(diagonal, -diagonal, 0);
     const quat turn = rotation(vec3(0, 0, std::atan2(diagonal, diagonal)));
     const vec3 zero(0, 2, 0);  // where the way of the carriage is zero: so high that it is free
-    stage.solver.iterations = iterations;
-    stage.solver.warm_start = true;
-    stage.energy_scale = 3500 * 11;  // what the motor can give on its way
-    ground = stage.box(0, vec3(160, real(0.2), 8), vec3(72, real(-0.1), 0));
-    barrel = stage.box(0, vec3(11, real(0.1), real(0.6)),
+    scene.solver.iterations = iterations;
+    scene.solver.warm_start = true;
+    scene.energy_scale = 3500 * 11;  // what the motor can give on its way
+    ground = scene.box(0, vec3(160, real(0.2), 8), vec3(72, real(-0.1), 0));
+    barrel = scene.box(0, vec3(11, real(0.1), real(0.6)),
                        zero + real(4.5) * along + real(0.6) * across, turn);
-    stage.box(0, vec3(real(0.3), 1, real(0.6)), vec3(0, real(0.5), 0));  // the legs, to look at
-    stage.box(0, vec3(real(0.3), 6, real(0.6)), vec3(5, 3, 0));
-    carriage = stage.box(50, vec3(1), zero, turn);
-    shot = stage.box(10, vec3(shot_edge), zero + along, turn);
-    stage.shapes.back().label = "shot";
-    rail = &stage.world.add<SliderJoint>(stage.world.bodies, barrel, carriage, zero, along);
-    for (const BodyId id : {carriage, shot}) stage.world.bodies[id].x -= along;  // loaded: at -1 m
-    hold = &stage.world.add<FixedJoint>(stage.world.bodies, carriage, shot,
+    scene.box(0, vec3(real(0.3), 1, real(0.6)), vec3(0, real(0.5), 0));  // the legs, to look at
+    scene.box(0, vec3(real(0.3), 6, real(0.6)), vec3(5, 3, 0));
+    carriage = scene.box(50, vec3(1), zero, turn);
+    shot = scene.box(10, vec3(shot_edge), zero + along, turn);
+    scene.shapes.back().label = "shot";
+    rail = &scene.world.add<SliderJoint>(scene.world.bodies, barrel, carriage, zero, along);
+    for (const BodyId id : {carriage, shot}) scene.world.bodies[id].x -= along;  // loaded: at -1 m
+    hold = &scene.world.add<FixedJoint>(scene.world.bodies, carriage, shot,
                                         zero - real(0.5) * along);
     rail->set_limits(-1, 10);
     rail->set_motor(60, 3500);
     rail->beta = hold->beta = beta;
-    landing = &stand(stage, ground, shot, vec3(shot_edge), real(0.5));
+    landing = &stand(scene, ground, shot, vec3(shot_edge), real(0.5));
     landing->restitution = real(0.3);
   }
   /// After each step: lets the shot go where the limit is reached within the next one.
   void look() {
-    const Bodies& bodies = stage.world.bodies;
+    const Bodies& bodies = scene.world.bodies;
     if (!hold || rail->position(bodies) + h * rail->speed(bodies) < rail->limits().upper) return;
-    stage.world.remove(*hold);
+    scene.world.remove(*hold);
     hold = nullptr;
     rail->set_motor(0, 0);
   }
   /// How far the carriage is off its line or beyond a limit, or the shot off the carriage [m].
   double gap() const {
-    const Bodies& bodies = stage.world.bodies;
+    const Bodies& bodies = scene.world.bodies;
     const Vector<2> C = rail->first.error(bodies[barrel], bodies[carriage]);
     const double x = double(rail->position(bodies));
     const double beyond = std::max({double(rail->limits().lower) - x,

@@ -7,14 +7,14 @@ namespace {
 
 Summary bend(const Choice& choice, int iterations, double& deepest, CsvFile* table) {
   Curl curl(iterations, 8000, choice.beta / 10);  // curl.h says why
-  if (table) curl.stage.print_plan();
-  return play(curl.stage, std::to_string(iterations) + " sweeps", choice.seconds,
+  if (table) curl.scene.print_plan();
+  return play(curl.scene, std::to_string(iterations) + " iterations", choice.seconds,
               table ? choice.out + "/curl.motion.json" : "", [&](double time) {
-                deepest = std::max(deepest, penetration(curl.stage.world));
+                deepest = std::max(deepest, penetration(curl.scene.world));
                 if (!table) return;
                 const vec3 tip = curl.tip();
                 table->row({time, double(tip.x), double(tip.y), double(curl.touching()),
-                            widest(curl.stage)});
+                            widest(curl.scene)});
               });
 }
 

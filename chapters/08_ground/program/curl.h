@@ -13,11 +13,11 @@ namespace joints::chapter8 {
 /// To lift one half of the straight chain its middle hinge would need 11.8 kN m. The motors have 8:
 /// the outer hinges, which have less to lift, bend first, and shorten what the others have to lift.
 /// Joints and contacts start warm with a beta of 0.02, as in bridge.h: with 0.2 the ring never
-/// comes to rest, and with 10 sweeps it bursts.
+/// comes to rest, and with 10 iterations it bursts.
 struct Curl {
   static constexpr int cubes = 8;  ///< how many
   static constexpr double cube_mass = 100;  ///< [kg]
-  Stage stage{.name = "curl"};  ///< world, solver, what is measured and drawn
+  Scene scene{.name = "curl"};  ///< world, solver, what is measured and drawn
   real distance = real(1.5);            ///< of two centres in the straight chain [m]
   real bend = std::numbers::pi_v<real> / 4;  ///< upper limit of each hinge [rad]
   BodyId ground{};                       ///< on which all lie
@@ -25,36 +25,37 @@ struct Curl {
   std::vector<HingeJoint*> hinges;       ///< from end to end
   std::vector<GroundContact*> contacts;  ///< one a cube
 
-  /// \param iterations sweeps a step \param strength of a motor [N m] \param beta of all joints [1]
+  /// \param iterations iterations a step \param strength of a motor [N m] \param beta of all joints
+  /// [1]
   explicit Curl(int iterations, real strength = 8000, real beta = real(0.02)) {
-    stage.solver.iterations = iterations;
-    stage.solver.warm_start = true;
-    stage.energy_scale = cubes * cube_mass * 9.81 * 1.8;  // all lifted to the middle of the ring
-    ground = add_ground(stage, 16);
+    scene.solver.iterations = iterations;
+    scene.solver.warm_start = true;
+    scene.energy_scale = cubes * cube_mass * 9.81 * 1.8;  // all lifted to the middle of the ring
+    ground = add_ground(scene, 16);
     for (int k = 0; k < cubes; ++k) {
       const vec3 place(distance * (real(k) - real(cubes - 1) / 2), real(0.5), 0);
-      cube.push_back(stage.box(real(cube_mass), vec3(1), place));
+      cube.push_back(scene.box(real(cube_mass), vec3(1), place));
       if (k == 0) continue;
       const vec3 anchor = place - vec3(distance / 2, 0, 0);
-      hinges.push_back(&stage.world.add<HingeJoint>(
-          stage.world.bodies, cube[std::size_t(k - 1)], cube.back(), anchor, vec3(0, 0, 1)));
+      hinges.push_back(&scene.world.add<HingeJoint>(
+          scene.world.bodies, cube[std::size_t(k - 1)], cube.back(), anchor, vec3(0, 0, 1)));
       hinges.back()->beta = beta;
       hinges.back()->set_limits(0, bend);
       hinges.back()->set_motor(real(0.4), strength);
-      stage.mark(cube[std::size_t(k - 1)], cube.back(), anchor, vec3(0, 0, 1));
+      scene.mark(cube[std::size_t(k - 1)], cube.back(), anchor, vec3(0, 0, 1));
     }
     for (const BodyId id : cube) {  // contacts behind all joints: they have the last word
-      contacts.push_back(&stand(stage, ground, id, vec3(1), real(0.5)));
+      contacts.push_back(&stand(scene, ground, id, vec3(1), real(0.5)));
       contacts.back()->beta = beta;
     }
   }
   /// Where the free end of the last cube would hold on to the next hinge [m].
   vec3 tip() const {
-    return world_point(stage.world.bodies[cube.back()], vec3(distance / 2, 0, 0));
+    return world_point(scene.world.bodies[cube.back()], vec3(distance / 2, 0, 0));
   }
   /// The same at the other end.
   vec3 tail() const {
-    return world_point(stage.world.bodies[cube.front()], vec3(-distance / 2, 0, 0));
+    return world_point(scene.world.bodies[cube.front()], vec3(-distance / 2, 0, 0));
   }
   /// Corners that have rows in this step.
   int touching() const {

@@ -19,22 +19,22 @@ void drift(const Choice& choice, std::vector<Summary>& lines) {
   } scenes[] = {{"gravity", Turns::no_ground}, {"collision", Turns::interleaved},
                 {"contact last", Turns::joints_first}};
   for (const auto& [name, turns] : scenes) {
-    Stage stage{.name = "drift"};
-    stage.solver.iterations = choice.iterations;
-    stage.energy_scale = 100 * 9.81 * 2;
-    World& world = stage.world;
-    const BodyId wall = stage.box(0, vec3(real(0.4)), vec3(0));
-    const BodyId id = stage.box(100, vec3(1), vec3(2, 0, 0));
-    stage.mark(wall, id, vec3(0));
+    Scene scene{.name = "drift"};
+    scene.solver.iterations = choice.iterations;
+    scene.energy_scale = 100 * 9.81 * 2;
+    World& world = scene.world;
+    const BodyId wall = scene.box(0, vec3(real(0.4)), vec3(0));
+    const BodyId id = scene.box(100, vec3(1), vec3(2, 0, 0));
+    scene.mark(wall, id, vec3(0));
     auto& joint = world.add<HingeJoint>(world.bodies, wall, id, vec3(0), vec3(0, 0, 1));
     joint.beta = 0;
     GroundContact* contact = nullptr;
     if (turns != Turns::no_ground) {
-      const BodyId ground = stage.box(0, vec3(8, real(0.2), 8), vec3(0, real(-2.1), 0));
-      contact = &stand(stage, ground, id, vec3(1), 0);
+      const BodyId ground = scene.box(0, vec3(8, real(0.2), 8), vec3(0, real(-2.1), 0));
+      contact = &stand(scene, ground, id, vec3(1), 0);
       contact->restitution = real(0.9);
     }
-    stage.print_plan();
+    scene.print_plan();
     GapMeter gaps;
     vec3 sum(0);
     const double start = energy(world);
@@ -45,20 +45,20 @@ void drift(const Choice& choice, std::vector<Summary>& lines) {
       if (n > 0) {
         clock.start();
         if (turns == Turns::joints_first)
-          step_in_turns(stage, 1, turns);  // the hinge is one block
+          step_in_turns(scene, 1, turns);  // the hinge is one block
         else
-          stage.solver.step(world, h);
+          scene.solver.step(world, h);
         clock.stop();
         const vec3 r = -to_world(cube, joint.first.anchor2_local);
         sum += dot(cube.w, cube.w) * h * h / real(2) * r;  // Eq. 6-1
       }
-      gaps.look(stage.marks, poses(world.bodies));
+      gaps.look(scene.marks, poses(world.bodies));
       table.row({name},
                 {n * double(h), double(length(joint.first.error(world.bodies[wall], cube))),
                  double(length(sum)), contact ? double(contact->touching()) : 0.0});
     }
-    lines.push_back({stage.name, name, clock.median_us(), gaps.rms(), gaps.maximum(),
-                     (energy(world) - start) / stage.energy_scale});
+    lines.push_back({scene.name, name, clock.median_us(), gaps.rms(), gaps.maximum(),
+                     (energy(world) - start) / scene.energy_scale});
   }
 }
 

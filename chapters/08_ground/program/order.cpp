@@ -17,36 +17,36 @@ void order(const Choice& choice, std::vector<Summary>& lines) {
   for (const auto& [name, turns] : orders)
     for (const int iterations : {5, 10, 30, 100}) {
       LandingChain chain(turns, 8, iterations, choice.beta);
-      Stage& stage = chain.stage;
+      Scene& scene = chain.scene;
       const bool seen = turns == Turns::interleaved && iterations == 30;
-      if (seen) stage.print_plan();
-      Motion motion(stage.name, double(stage.h));
-      for (const Shape& shape : stage.shapes) motion.body(shape);
+      if (seen) scene.print_plan();
+      Motion motion(scene.name, double(scene.h));
+      for (const Shape& shape : scene.shapes) motion.body(shape);
       StepClock clock;
       GapMeter gaps;
       std::vector<Pose> now;
       double deepest = 0;
-      const double start = energy(stage.world);
+      const double start = energy(scene.world);
       for (int n = 0; n <= 360; ++n) {
         if (n > 0) {
           clock.start();
           chain.step(turns);
           clock.stop();
         }
-        poses(stage.world.bodies, now);
-        gaps.look(stage.marks, now);
+        poses(scene.world.bodies, now);
+        gaps.look(scene.marks, now);
         double widest = 0;
-        for (const Mark& mark : stage.marks) widest = std::max(widest, gap(mark, now));
-        const double deep = penetration(stage.world);
+        for (const Mark& mark : scene.marks) widest = std::max(widest, gap(mark, now));
+        const double deep = penetration(scene.world);
         deepest = std::max(deepest, deep);
         table.row({name}, {double(iterations), n * double(h), widest, deep});
-        motion.frame(stage.world.bodies.data());
+        motion.frame(scene.world.bodies.data());
       }
       ends.row({name}, {double(iterations), gaps.rms(), gaps.maximum(), deepest});
       if (seen) motion.write(choice.out + "/order.motion.json");
       if (iterations == 30)
-        lines.push_back({stage.name, name, clock.median_us(), gaps.rms(), gaps.maximum(),
-                         (energy(stage.world) - start) / stage.energy_scale});
+        lines.push_back({scene.name, name, clock.median_us(), gaps.rms(), gaps.maximum(),
+                         (energy(scene.world) - start) / scene.energy_scale});
     }
 }
 

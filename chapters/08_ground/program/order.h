@@ -13,63 +13,63 @@ namespace joints::chapter8 {
 
 /// How the blocks of joints and contacts take turns in a step.
 enum class Turns {
-  interleaved,     ///< all blocks in every sweep
-  joints_first,    ///< all sweeps over the joints, then all sweeps over the contacts
+  interleaved,     ///< all blocks in every iteration
+  joints_first,    ///< all iterations over the joints, then all iterations over the contacts
   contacts_first,  ///< the other way round
   no_ground        ///< there are no contacts
 };
 
-/// One step; whatever the turns, every block is visited in as many sweeps. Without a second look:
-/// a corner that a neighbour drives into the ground gets its rows in the next step.
+/// One step; whatever the turns, every block is visited in as many iterations. Without a look for
+/// late limits: a corner that a neighbour drives into the ground gets its rows in the next step.
 /// \param joint_blocks how many blocks of the list belong to joints; those of contacts follow them
-inline void step_in_turns(Stage& stage, int joint_blocks, Turns turns) {
-  SequentialImpulses& solver = stage.solver;
-  solver.begin(stage.world, stage.h);
+inline void step_in_turns(Scene& scene, int joint_blocks, Turns turns) {
+  SequentialImpulses& solver = scene.solver;
+  solver.begin(scene.world, scene.h);
   const int all = int(solver.blocks().list.size());
-  const auto sweeps = [&](int from, int to) {
-    for (int i = 0; i < solver.iterations; ++i) solver.sweep(stage.world.bodies, from, to);
+  const auto iterations = [&](int from, int to) {
+    for (int i = 0; i < solver.iterations; ++i) solver.iterate(scene.world.bodies, from, to);
   };
   const bool apart = turns == Turns::joints_first || turns == Turns::contacts_first;
-  if (turns == Turns::contacts_first) sweeps(joint_blocks, all);
-  sweeps(0, apart ? joint_blocks : all);
-  if (turns == Turns::joints_first) sweeps(joint_blocks, all);
-  solver.finish(stage.world, stage.h);
+  if (turns == Turns::contacts_first) iterations(joint_blocks, all);
+  iterations(0, apart ? joint_blocks : all);
+  if (turns == Turns::joints_first) iterations(joint_blocks, all);
+  solver.finish(scene.world, scene.h);
 }
 
 /// Cubes on ball joints in a row, the first held high up, let go level. The ground is too near for
 /// them: the far end strikes it and drags over it.
 struct LandingChain {
-  Stage stage;               ///< the scene; joints first, then contacts
+  Scene scene;               ///< the scene; joints first, then contacts
   std::vector<BodyId> ids;   ///< its cubes, the static one first
   int joint_blocks = 0;      ///< one a joint
 
   /// \param links cubes that move
-  LandingChain(Turns turns, int links, int iterations, real beta) : stage{.name = "order"} {
-    stage.solver.iterations = iterations;
-    World& world = stage.world;
+  LandingChain(Turns turns, int links, int iterations, real beta) : scene{.name = "order"} {
+    scene.solver.iterations = iterations;
+    World& world = scene.world;
     const vec3 size(real(0.4));
-    const BodyId ground = add_ground(stage, 12);
+    const BodyId ground = add_ground(scene, 12);
     const real height = real(0.5) * real(links) * real(0.5);
     for (int k = 0; k <= links; ++k) {
       const vec3 x(real(0.5) * real(k), height, 0);
-      ids.push_back(stage.box(k == 0 ? 0 : 10, size, x));
+      ids.push_back(scene.box(k == 0 ? 0 : 10, size, x));
       if (k == 0) continue;
       const BodyId before = ids[std::size_t(k) - 1];
       const vec3 anchor = x - vec3(real(0.25), 0, 0);
       world.add<BallJoint>(before, ids.back(),
                            point_at(world.bodies[before], world.bodies[ids.back()], anchor))
           .beta = beta;
-      stage.mark(before, ids.back(), anchor);
-      stage.energy_scale += 10 * 9.81 * 0.5 * k;
+      scene.mark(before, ids.back(), anchor);
+      scene.energy_scale += 10 * 9.81 * 0.5 * k;
       ++joint_blocks;
     }
     if (turns == Turns::no_ground) return;
     for (std::size_t k = 1; k < ids.size(); ++k)
-      stand(stage, ground, ids[k], size, real(0.5)).beta = beta;
+      stand(scene, ground, ids[k], size, real(0.5)).beta = beta;
   }
 
   /// One step.
-  void step(Turns turns) { step_in_turns(stage, joint_blocks, turns); }
+  void step(Turns turns) { step_in_turns(scene, joint_blocks, turns); }
 };
 
 }  // namespace joints::chapter8

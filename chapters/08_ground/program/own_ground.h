@@ -17,14 +17,14 @@ class OwnGround {
   std::vector<Corner> corners;  ///< of the body, those that can touch
   real friction = real(0.5);    ///< coefficient mu [1]
   real beta = real(0.2);        ///< share of a penetration fed back in a step [1]
-  int iterations = 30;          ///< sweeps a step
+  int iterations = 30;          ///< iterations a step
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
 
-  /// Forces, rows of the corners that touch, sweeps, places. \param h the step [s]
+  /// Forces, rows of the corners that touch, iterations, places. \param h the step [s]
   void step(real h) {
     integrate_forces(body, gravity, h);
     prepare(h);
-    for (int sweep = 0; sweep < iterations; ++sweep)
+    for (int iteration = 0; iteration < iterations; ++iteration)
       for (Rows& rows : touching_) {
         for (std::size_t i = 0; i < 2; ++i) {
           const Row& J = rows.along[i];
@@ -54,7 +54,7 @@ class OwnGround {
   }
 
  private:
-  // A corner that touches, prepared for the sweeps of a step.
+  // A corner that touches, prepared for the iterations of a step.
   struct Rows {
     std::array<Row, 2> along;
     Row up;

@@ -12,7 +12,7 @@ namespace joints::chapter8 {
 
 /// What the command line chose.
 struct Choice {
-  int iterations = 30;      ///< sweeps a step
+  int iterations = 30;      ///< iterations a step
   real beta = real(0.2);    ///< share of the error fed back in a step [1]
   double seconds = 10;      ///< how long the machines run [s]
   std::string machine;      ///< one of them by name, or "all"
@@ -22,13 +22,13 @@ struct Choice {
 const real h = real(1) / 60;  ///< the step [s]
 
 /// A static slab whose top is the plane y = 0. \param width how much of it is drawn [m]
-inline BodyId add_ground(Stage& stage, real width) {
-  return stage.box(0, vec3(width, real(0.2), width), vec3(0, real(-0.1), 0));
+inline BodyId add_ground(Scene& scene, real width) {
+  return scene.box(0, vec3(width, real(0.2), width), vec3(0, real(-0.1), 0));
 }
 /// Lets a box of this size stand on that ground.
-inline GroundContact& stand(Stage& stage, BodyId ground, BodyId body, const vec3& size,
+inline GroundContact& stand(Scene& scene, BodyId ground, BodyId body, const vec3& size,
                             real friction) {
-  auto& contact = stage.world.add<GroundContact>(ground, body, Top{.height = real(0.1)},
+  auto& contact = scene.world.add<GroundContact>(ground, body, Top{.height = real(0.1)},
                                                  box_outline(size));
   contact.friction = friction;
   return contact;
@@ -42,19 +42,19 @@ inline double penetration(const World& world) {
   return deepest;
 }
 
-/// The greatest gap of the stage's joints now [m].
-inline double widest(const Stage& stage) {
+/// The greatest gap of the scene's joints now [m].
+inline double widest(const Scene& scene) {
   GapMeter meter;
-  meter.look(stage.marks, poses(stage.world.bodies));
+  meter.look(scene.marks, poses(scene.world.bodies));
   return meter.maximum();
 }
 /// A row of machines.csv, which holds the rows of all machines that ran: how the machine's joints
-/// held with so many sweeps a step, and how deep a corner was in the ground at the worst [m].
+/// held with so many iterations a step, and how deep a corner was in the ground at the worst [m].
 void machine_row(const Choice& choice, const std::string& machine, int iterations,
                  const Summary& line, double penetration);
 
-/// With how many sweeps each machine runs for that table: 10, 30, and what was chosen.
-inline std::vector<int> sweeps_to_compare(const Choice& choice) {
+/// With how many iterations each machine runs for that table: 10, 30, and what was chosen.
+inline std::vector<int> iterations_to_compare(const Choice& choice) {
   std::vector<int> out{10, 30};
   if (std::find(out.begin(), out.end(), choice.iterations) == out.end())
     out.push_back(choice.iterations);

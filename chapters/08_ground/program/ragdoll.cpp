@@ -1,4 +1,4 @@
-// The ragdoll falls, with 10 and with 30 sweeps a step. Read it; there is nothing to edit here.
+// The ragdoll falls, with 10 and with 30 iterations a step. Read it; there is nothing to edit here.
 #include "chapters/08_ground/program/ragdoll.h"
 
 #include <cstdio>
@@ -8,21 +8,21 @@ namespace joints::chapter8 {
 void ragdoll(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/ragdoll.csv",
                 {"time_s", "fastest_m_s", "fastest_rad_s", "gap_m", "penetration_m"});
-  for (const int iterations : sweeps_to_compare(choice)) {
+  for (const int iterations : iterations_to_compare(choice)) {
     const bool chosen = iterations == choice.iterations;
     Choice here = choice;
     here.iterations = iterations;
     Ragdoll doll(here);
-    if (chosen) doll.stage.print_plan();
+    if (chosen) doll.scene.print_plan();
     double deepest = 0, moved = 0;  // the last time at which it moved [s]
-    Summary line = play(doll.stage, "", choice.seconds,
+    Summary line = play(doll.scene, "", choice.seconds,
                         chosen ? choice.out + "/ragdoll.motion.json" : "", [&](double time) {
-                          const double now = penetration(doll.stage.world);
+                          const double now = penetration(doll.scene.world);
                           deepest = std::max(deepest, now);
                           if (!doll.rests()) moved = time;
                           if (chosen)
                             table.row({time, doll.fastest(), doll.fastest_turn(),
-                                       widest(doll.stage), now});
+                                       widest(doll.scene), now});
                         });
     machine_row(choice, "ragdoll", iterations, line, deepest);
     if (!chosen) continue;

@@ -10,7 +10,7 @@ namespace joints::chapter8 {
 /// head welded on, every box a contact with the ground. Nothing keeps the boxes off each other: an
 /// arm can lie inside the torso.
 struct Ragdoll {
-  Stage stage{.name = "ragdoll"};  ///< world, solver, what is measured and drawn
+  Scene scene{.name = "ragdoll"};  ///< world, solver, what is measured and drawn
   BodyId ground;  ///< on which it falls
   BodyId torso;   ///< holds all others
   BodyId head;    ///< is welded on
@@ -22,26 +22,26 @@ struct Ragdoll {
   explicit Ragdoll(const Choice& choice, real height = 2,
                    const quat& turn = rotation(vec3(0, 0, real(1.1))) *
                                       rotation(vec3(real(0.4), 0, 0))) {
-    stage.solver.iterations = choice.iterations;
-    stage.solver.warm_start = true;
-    ground = add_ground(stage, 5);
+    scene.solver.iterations = choice.iterations;
+    scene.solver.warm_start = true;
+    ground = add_ground(scene, 5);
     const vec3 centre(0, height, 0);
     const auto part = [&](real mass, const vec3& size, const vec3& x) {
-      parts.push_back(stage.box(mass, size, centre + turn * x, turn));
+      parts.push_back(scene.box(mass, size, centre + turn * x, turn));
       return parts.back();
     };
-    World& world = stage.world;
+    World& world = scene.world;
     torso = part(100, torso_size, vec3(0));
     head = part(33, head_size, vec3(0, real(0.7), 0));
     const vec3 neck = centre + turn * vec3(0, real(0.5), 0);
     world.add<FixedJoint>(world.bodies, torso, head, neck).beta = choice.beta;
-    stage.mark(torso, head, neck);
+    scene.mark(torso, head, neck);
     const auto limb = [&](const vec3& size, const vec3& x, const vec3& joint) {
       const BodyId id = part(25, size, x);
       const vec3 anchor = centre + turn * joint;
       world.add<BallJoint>(torso, id, point_at(world.bodies[torso], world.bodies[id], anchor))
           .beta = choice.beta;
-      stage.mark(torso, id, anchor);
+      scene.mark(torso, id, anchor);
     };
     for (const real side : {real(1), real(-1)}) {
       limb(arm_size, vec3(side * real(0.75), real(0.45), 0),
@@ -51,23 +51,23 @@ struct Ragdoll {
     }
     const std::array<vec3, 6> sizes{torso_size, head_size, arm_size, leg_size, arm_size, leg_size};
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      contacts.push_back(&stand(stage, ground, parts[k], sizes[k], real(0.5)));
+      contacts.push_back(&stand(scene, ground, parts[k], sizes[k], real(0.5)));
       contacts.back()->beta = choice.beta;
     }
-    stage.energy_scale = 233 * 9.81 * double(height);
+    scene.energy_scale = 233 * 9.81 * double(height);
   }
   /// The greatest speed of a centre [m/s].
   double fastest() const {
     double most = 0;
     for (const BodyId id : parts)
-      most = std::max(most, double(length(stage.world.bodies[id].v)));
+      most = std::max(most, double(length(scene.world.bodies[id].v)));
     return most;
   }
   /// The greatest angular speed [rad/s].
   double fastest_turn() const {
     double most = 0;
     for (const BodyId id : parts)
-      most = std::max(most, double(length(stage.world.bodies[id].w)));
+      most = std::max(most, double(length(scene.world.bodies[id].w)));
     return most;
   }
   /// Is every box slower than 1 mm/s and 1 mrad/s?

@@ -9,7 +9,7 @@ namespace joints::chapter8 {
 namespace {
 
 struct Drive {
-  int iterations;   // sweeps a step
+  int iterations;   // iterations a step
   real speed;       // of the motors [rad/s]
   real strength;    // of each [N m]
   bool recorded = false, compared = false;  // motion and table; a row of machines.csv
@@ -21,7 +21,7 @@ Summary drive(const Choice& choice, const Drive& how) {
   here.iterations = how.iterations;
   Wheels wheels(here);
   wheels.drive(how.speed, how.strength);
-  if (how.recorded) wheels.stage.print_plan();
+  if (how.recorded) wheels.scene.print_plan();
   std::optional<CsvFile> table;
   if (how.recorded)
     table.emplace(choice.out + "/wheels.csv",
@@ -29,10 +29,10 @@ Summary drive(const Choice& choice, const Drive& how) {
                                                      "motor_nm", "gap_m"});
   double deepest = 0, place = 0, rolled = 0;
   int steps = 0, flying = 0;
-  Summary line = play(wheels.stage, "", 2 * choice.seconds,
+  Summary line = play(wheels.scene, "", 2 * choice.seconds,
                       how.recorded ? choice.out + "/wheels.motion.json" : "", [&](double time) {
                         const double way = wheels.turned() * Wheels::rolling_radius();
-                        deepest = std::max(deepest, penetration(wheels.stage.world));
+                        deepest = std::max(deepest, penetration(wheels.scene.world));
                         ++steps;
                         flying += wheels.flying();
                         if (time < choice.seconds + double(h) / 2) {
@@ -43,7 +43,7 @@ Summary drive(const Choice& choice, const Drive& how) {
                         }
                         if (table)
                           table->row({time, wheels.place(), wheels.turned(), way,
-                                      wheels.torque(), widest(wheels.stage)});
+                                      wheels.torque(), widest(wheels.scene)});
                       });
   char setting[40];
   std::snprintf(setting, sizeof setting, "%g rad/s: %.1f m of %.1f", double(how.speed), place,
@@ -59,9 +59,9 @@ Summary drive(const Choice& choice, const Drive& how) {
 }  // namespace
 
 void wheels(const Choice& choice, std::vector<Summary>& lines) {
-  for (const int iterations : sweeps_to_compare(choice))
+  for (const int iterations : iterations_to_compare(choice))
     drive(choice, {iterations, Wheels::speed, Wheels::strength, false, true});
-  const int enough = std::max(choice.iterations, Wheels::sweeps);
+  const int enough = std::max(choice.iterations, Wheels::iterations);
   lines.push_back(drive(choice, {enough, Wheels::speed, Wheels::strength, true, true}));
   lines.push_back(drive(choice, {enough, 3, 25000}));  // the thesis' speed
 }

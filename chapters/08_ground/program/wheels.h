@@ -47,13 +47,13 @@ struct Wheels {
   /// at 3 rad/s it flies and does not roll.
   static constexpr real speed = 1;
   /// A step. The hubs are light for what they hold (a hub that is ten times as hard to turn would
-  /// let the error of a wheel shrink by 0.86 in a sweep, not by 0.98), and a warm start that is not
-  /// worked off in its step grows: with 60 sweeps the wheels fly apart while they roll, with 80 and
-  /// more they hold. With fewer than `safe_sweeps` they start cold.
-  static constexpr int sweeps = 300;
-  static constexpr int safe_sweeps = 100;  ///< a step, from which on a warm start is safe
+  /// let the error of a wheel shrink by 0.86 in an iteration, not by 0.98), and a warm start that
+  /// is not worked off in its step grows: with 60 iterations the wheels fly apart while they roll,
+  /// with 80 and more they hold. With fewer than `safe_iterations` they start cold.
+  static constexpr int iterations = 300;
+  static constexpr int safe_iterations = 100;  ///< a step, from which on a warm start is safe
 
-  Stage stage{.name = "wheels"};  ///< world, solver, what is measured and drawn
+  Scene scene{.name = "wheels"};  ///< world, solver, what is measured and drawn
   BodyId ground;  ///< under both wheels
   BodyId beam;    ///< from hub to hub
   std::array<BodyId, 2> hubs;            ///< front one first
@@ -62,34 +62,34 @@ struct Wheels {
 
   /// \param friction coefficient of all cubes [1]
   explicit Wheels(const Choice& choice, real friction = 1) {
-    stage.solver.iterations = choice.iterations;
-    stage.solver.warm_start = choice.iterations >= safe_sweeps;
-    ground = stage.box(0, vec3(56, real(0.2), 10), vec3(14, real(-0.1), 0));  // its top: y = 0
-    World& world = stage.world;
+    scene.solver.iterations = choice.iterations;
+    scene.solver.warm_start = choice.iterations >= safe_iterations;
+    ground = scene.box(0, vec3(56, real(0.2), 10), vec3(14, real(-0.1), 0));  // its top: y = 0
+    World& world = scene.world;
     const real height = real(corner_radius() * std::cos(half_gap()));
-    beam = stage.box(beam_mass, vec3(apart, real(0.3), real(0.3)), vec3(0, height, 0));
+    beam = scene.box(beam_mass, vec3(apart, real(0.3), real(0.3)), vec3(0, height, 0));
     std::vector<BodyId> cubes;
     for (const int wheel : {0, 1}) {
       const vec3 x(wheel == 0 ? apart / 2 : -apart / 2, height, 0);
-      const BodyId hub = hubs[std::size_t(wheel)] = stage.box(cube_mass, vec3(edge), x);
+      const BodyId hub = hubs[std::size_t(wheel)] = scene.box(cube_mass, vec3(edge), x);
       for (int k = 0; k < 6; ++k) {
         const quat turn = rotation(vec3(0, 0, real(k * std::numbers::pi / 3)));
         const vec3 out = turn * vec3(1, 0, 0);
-        cubes.push_back(stage.box(cube_mass, vec3(edge), x + spoke * out, turn));
+        cubes.push_back(scene.box(cube_mass, vec3(edge), x + spoke * out, turn));
         const vec3 anchor = x + spoke / 2 * out;
         world.add<FixedJoint>(world.bodies, hub, cubes.back(), anchor).beta = choice.beta;
-        stage.mark(hub, cubes.back(), anchor);
+        scene.mark(hub, cubes.back(), anchor);
       }
       HingeJoint& hinge = world.add<HingeJoint>(world.bodies, beam, hub, x, vec3(0, 0, -1));
       hinge.beta = choice.beta;
       motors[std::size_t(wheel)] = &hinge;
-      stage.mark(beam, hub, x, vec3(0, 0, -1));
+      scene.mark(beam, hub, x, vec3(0, 0, -1));
     }
     for (const BodyId cube : cubes) {
-      contacts.push_back(&stand(stage, ground, cube, vec3(edge), friction));
+      contacts.push_back(&stand(scene, ground, cube, vec3(edge), friction));
       contacts.back()->beta = choice.beta;
     }
-    stage.energy_scale = 2 * weight * double(height);
+    scene.energy_scale = 2 * weight * double(height);
   }
   /// Both motors. \param rate [rad/s], positive drives towards +x
   /// \param most strength of each [N m]
@@ -106,10 +106,10 @@ struct Wheels {
                        [](const GroundContact* contact) { return contact->touching() == 0; });
   }
   /// How far the middle of the beam has come [m].
-  double place() const { return double(stage.world.bodies[beam].x.x); }
+  double place() const { return double(scene.world.bodies[beam].x.x); }
   /// How far the hubs have turned, the mean of both [rad].
   double turned() const {
-    const Bodies& bodies = stage.world.bodies;
+    const Bodies& bodies = scene.world.bodies;
     return double(motors[0]->position(bodies) + motors[1]->position(bodies)) / 2;
   }
 };

@@ -4,7 +4,7 @@
 // expects: Likely mistake: forces after the impulses: the rods cannot answer to gravity any more
   std::vector<LinkRow> rows;
   for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
-  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+  for (int iteration = 0; iteration < settings.iterations; ++iteration)
     for (std::size_t k = 0; k < links.size(); ++k) {
       Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
       real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
@@ -20,7 +20,7 @@
   for (Body& body : bodies) body.v += settings.h * settings.gravity;
   std::vector<LinkRow> rows;
   for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
-  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+  for (int iteration = 0; iteration < settings.iterations; ++iteration)
     for (std::size_t k = 0; k < links.size(); ++k) {
       Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
       real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
@@ -40,7 +40,7 @@
     if (!body.is_static()) body.v += settings.h * settings.gravity;
   std::vector<LinkRow> rows;
   for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
-  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+  for (int iteration = 0; iteration < settings.iterations; ++iteration)
     for (std::size_t k = 0; k < links.size(); ++k) {
       Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
       real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
@@ -76,7 +76,7 @@
     if (!body.is_static()) body.v += settings.h * settings.gravity;
   std::vector<LinkRow> rows;
   for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
-  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+  for (int iteration = 0; iteration < settings.iterations; ++iteration)
     for (std::size_t k = 0; k < links.size(); ++k) {
       Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
       real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
@@ -113,7 +113,7 @@
 // expects: Likely mistake: gravity acts in every iteration
   std::vector<LinkRow> rows;
   for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
-  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+  for (int iteration = 0; iteration < settings.iterations; ++iteration)
     {
   for (Body& body : bodies)
     if (!body.is_static()) body.v += settings.h * settings.gravity;
@@ -150,7 +150,7 @@
   std::vector<LinkRow> rows;
   for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
   for (Body& body : bodies) body.x += settings.h * body.v;
-  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+  for (int iteration = 0; iteration < settings.iterations; ++iteration)
     for (std::size_t k = 0; k < links.size(); ++k) {
       Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
       real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
@@ -167,7 +167,7 @@
 // expects: Likely mistake: places before the forces: the old velocity moves the body. Change v
   std::vector<LinkRow> rows;
   for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
-  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+  for (int iteration = 0; iteration < settings.iterations; ++iteration)
     for (std::size_t k = 0; k < links.size(); ++k) {
       Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
       real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
@@ -192,10 +192,10 @@
 
 // ---- wrong: loops exchanged
 // expects: Likely mistake: only one iteration was done.
-// change: int sweep = 0; sweep < settings.iterations; ++sweep ==> std::size_t k = 0; k <
+// change: int iteration = 0; iteration < settings.iterations; ++iteration ==> std::size_t k = 0; k <
 //         links.size(); ++k
-// change: for (std::size_t k = 0; k < links.size(); ++k) { ==> for (int sweep = 0; sweep <
-//         settings.iterations; ++sweep) {
+// change: for (std::size_t k = 0; k < links.size(); ++k) { ==> for (int iteration = 0; iteration <
+//         settings.iterations; ++iteration) {
 
 // ---- wrong: first link left out
 // expects: Likely mistake: the first link is left out
@@ -338,7 +338,7 @@
     if (!body.is_static()) body.v += settings.h * settings.gravity;
   std::vector<LinkRow> rows;
   for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
-  for (int sweep = 0; sweep < settings.iterations; ++sweep)
+  for (int iteration = 0; iteration < settings.iterations; ++iteration)
     for (std::size_t k = 0; k < links.size(); ++k) {
       Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
       real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2);
@@ -437,7 +437,7 @@
 // ---- right: to and fro
 // tests: 1.5
 // change: for (std::size_t k = 0; k < links.size(); ++k) { ==> for (std::size_t n = 0; n <
-//         links.size(); ++n) { const std::size_t k = sweep % 2 ? links.size() - 1 - n : n;
+//         links.size(); ++n) { const std::size_t k = iteration % 2 ? links.size() - 1 - n : n;
 
 // ---- right: a reference to the row
 // tests: 1.5

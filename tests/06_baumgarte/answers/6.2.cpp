@@ -106,15 +106,15 @@
 
 // ---- wrong: safe at the bound
 // region: 2
-// expects: rho 0.5 sweeps 1 beta 1
+// expects: rho 0.5 iterations 1 beta 1
 // expects: Likely mistake: at the bound nothing dies away
-  return std::pow(rho, real(sweeps)) * (1 + beta) <= 1;
+  return std::pow(rho, real(iterations)) * (1 + beta) <= 1;
 
 // ---- wrong: safe beta in an int
 // region: 2
 // expects: Likely mistake: beta is cut to a whole number: an int has no fraction
   const int share = beta;
-  return std::pow(rho, real(sweeps)) * (1 + share) < 1;
+  return std::pow(rho, real(iterations)) * (1 + share) < 1;
 
 // ---- wrong: safe by a sum
 // region: 2
@@ -123,52 +123,52 @@
 
 // ---- wrong: safe by the rest
 // region: 2
-// expects: Likely mistake: 1 - rho to the power k: rho itself is what a sweep leaves
+// expects: Likely mistake: 1 - rho to the power k: rho itself is what an iteration leaves
 // change: pow(rho ==> pow(1 - rho
 
 // ---- wrong: safe one forgotten
 // region: 2
-// expects: rho 0.975528 sweeps 4 beta 0.15
+// expects: rho 0.975528 iterations 4 beta 0.15
 // expects: Likely mistake: 1 is forgotten
-  return std::pow(rho, real(sweeps)) < 1 / beta;
+  return std::pow(rho, real(iterations)) < 1 / beta;
 
 // ---- wrong: safe one minus beta
 // region: 2
 // expects: Likely mistake: the sign of beta
-  return std::pow(rho, real(sweeps)) * (1 - beta) < 1;
+  return std::pow(rho, real(iterations)) * (1 - beta) < 1;
 
-// ---- wrong: safe one sweep less
+// ---- wrong: safe one iteration less
 // region: 2
-// expects: Likely mistake: one sweep less: k sweeps leave rho to the power k
+// expects: Likely mistake: one iteration less: k iterations leave rho to the power k
   real left = 1;
-  for (int sweep = 1; sweep < sweeps; ++sweep) left *= rho;
+  for (int iteration = 1; iteration < iterations; ++iteration) left *= rho;
   return left * (1 + beta) < 1;
 
 // ---- wrong: safe other side
 // region: 2
 // expects: Likely mistake: the sign of beta, or 1 + beta stands on the other side
-  return std::pow(rho, real(sweeps)) < 1 + beta;
+  return std::pow(rho, real(iterations)) < 1 + beta;
 
 // ---- wrong: safe power of both
 // region: 2
 // expects: Or 1 + beta has the power k, too: only rho has it
-  return std::pow(rho * (1 + beta), real(sweeps)) < 1;
+  return std::pow(rho * (1 + beta), real(iterations)) < 1;
 
 // ---- wrong: safe rho in an int
 // region: 2
 // expects: Likely mistake: beta does not count: it is forgotten, or rho is cut to 0 by an int
   const int share = rho;
-  return std::pow(share, sweeps) * (1 + beta) < 1;
+  return std::pow(share, iterations) * (1 + beta) < 1;
 
-// ---- wrong: safe rho times sweeps
+// ---- wrong: safe rho times iterations
 // region: 2
 // expects: Likely mistake: rho times k
-  return rho * real(sweeps) * (1 + beta) < 1;
+  return rho * real(iterations) * (1 + beta) < 1;
 
-// ---- wrong: safe sweeps forgotten
+// ---- wrong: safe iterations forgotten
 // region: 2
-// expects: rho 0.975528 sweeps 6 beta 0.15
-// expects: Likely mistake: the sweeps are forgotten
+// expects: rho 0.975528 iterations 6 beta 0.15
+// expects: Likely mistake: the iterations are forgotten
   return rho * (1 + beta) < 1;
 
 // ---- wrong: safe with a reserve
@@ -208,19 +208,19 @@
 
 // ---- right: safe by logarithms
 // region: 2
-  return rho <= 0 || real(sweeps) * std::log(rho) + std::log1p(beta) < 0;
+  return rho <= 0 || real(iterations) * std::log(rho) + std::log1p(beta) < 0;
 
 // ---- right: safe in a loop
 // region: 2
-// What k sweeps leave, sweep by sweep.
+// What k iterations leave, iteration by iteration.
   real left = 1;
-  for (int sweep = 0; sweep < sweeps; ++sweep) left *= rho;
+  for (int iteration = 0; iteration < iterations; ++iteration) left *= rho;
   return left < 1 / (1 + beta);
 
 // ---- right: safe with its parts
 // region: 2
 // The product written out: what is left, and what beta adds to it.
-  const real left = std::pow(rho, real(sweeps));
+  const real left = std::pow(rho, real(iterations));
   return !(left + beta * left >= 1);
 
 // ---- right: summed up first

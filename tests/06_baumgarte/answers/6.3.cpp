@@ -136,7 +136,7 @@
 // ---- wrong: point moves left in the velocities
 // expects: change of v2 (on paper)
 // expects: Likely mistake: the velocities hold the moves now: they stay as they are
-// expects: Likely mistake: the sweep is right and its visits are not
+// expects: Likely mistake: the iteration is right and its visits are not
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
   body1.v = body1.w = body2.v = body2.w = vec3(0);
   apply_impulse(point.jacobian(body1, body2), lambda, body1, body2);
@@ -188,7 +188,7 @@
 // ---- wrong: point sign
 // expects: move of 2 (on paper).x
 // expects: Likely mistake: the sign: lambda = -K^-1 C
-// expects: Likely mistake: the sweep is right and its visits are not: look at `project`
+// expects: Likely mistake: the iteration is right and its visits are not: look at `project`
   const vec3 lambda = inverse(point.K(body1, body2)) * point.error(body1, body2);
   Body move1 = body1, move2 = body2;
   move1.v = move1.w = move2.v = move2.w = vec3(0);
@@ -341,19 +341,19 @@
   body1.q = turned(body1.q, move1.w, 1);
   body2.q = turned(body2.q, move2.w, 1);
 
-// ---- wrong: sweep backwards
+// ---- wrong: iteration backwards
 // region: 3
-// expects: Likely mistake: the sweep runs backwards
+// expects: Likely mistake: the iteration runs backwards
   for (std::size_t k = chain.joints.size(); k-- > 0;)
     project(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]);
 
-// ---- wrong: sweep bodies exchanged
+// ---- wrong: iteration bodies exchanged
 // region: 3
 // expects: Likely mistake: the bodies are exchanged: joint k holds body k to body k + 1
   for (std::size_t k = 0; k < chain.joints.size(); ++k)
     project(chain.joints[k], chain.bodies[k + 1], chain.bodies[k]);
 
-// ---- wrong: sweep copy of one body
+// ---- wrong: iteration copy of one body
 // region: 3
 // expects: Likely mistake: body k + 1 is a copy: take it by reference
   for (std::size_t k = 0; k < chain.joints.size(); ++k) {
@@ -361,9 +361,9 @@
     project(chain.joints[k], chain.bodies[k], body);
   }
 
-// ---- wrong: sweep errors first
+// ---- wrong: iteration errors first
 // region: 3
-// expects: Likely mistake: the errors are taken before the sweep
+// expects: Likely mistake: the errors are taken before the iteration
   std::vector<vec3> C;
   for (std::size_t k = 0; k < chain.joints.size(); ++k)
     C.push_back(chain.joints[k].error(chain.bodies[k], chain.bodies[k + 1]));
@@ -379,24 +379,24 @@
     body2.q = turned(body2.q, move2.w, 1);
   }
 
-// ---- wrong: sweep every second joint
+// ---- wrong: iteration every second joint
 // region: 3
 // expects: Likely mistake: every second joint is left out
 // change: ++k ==> k += 2
 
-// ---- wrong: sweep first joint left out
+// ---- wrong: iteration first joint left out
 // region: 3
 // expects: x of body 1
 // expects: Likely mistake: the first joint is left out
   for (std::size_t k = 1; k < chain.joints.size(); ++k)
     project(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]);
 
-// ---- wrong: sweep of a body with itself
+// ---- wrong: iteration of a body with itself
 // region: 3
 // expects: Likely mistake: a joint between a body and itself has no K
 // change: chain.bodies[k + 1] ==> chain.bodies[k]
 
-// ---- wrong: sweep of copies
+// ---- wrong: iteration of copies
 // region: 3
 // expects: Likely mistake: nothing moves: nothing is done yet, or copies move: take the bodies
   for (std::size_t k = 0; k < chain.joints.size(); ++k) {
@@ -404,13 +404,13 @@
     project(chain.joints[k], body1, body2);
   }
 
-// ---- wrong: sweep one joint too many
+// ---- wrong: iteration one joint too many
 // region: 3
 // expects: an index outside a vector
   for (std::size_t k = 0; k < chain.bodies.size(); ++k)
     project(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]);
 
-// ---- wrong: sweep stale poses
+// ---- wrong: iteration stale poses
 // region: 3
 // expects: Likely mistake: the poses are stale
   const std::vector<Body> before = chain.bodies;
@@ -423,14 +423,14 @@
     chain.bodies[k + 1].q = two.q * conjugate(before[k + 1].q) * chain.bodies[k + 1].q;
   }
 
-// ---- wrong: sweep until closed
+// ---- wrong: iteration until closed
 // region: 3
-// expects: Likely mistake: this is 50 sweeps: every joint is visited once
-// change: for (std::size_t k ==> for (int sweep = 0; sweep < 50; ++sweep) for (std::size_t k
+// expects: Likely mistake: this is 50 iterations: every joint is visited once
+// change: for (std::size_t k ==> for (int iteration = 0; iteration < 50; ++iteration) for (std::size_t k
 
-// ---- wrong: sweep velocities to rest
+// ---- wrong: iteration velocities to rest
 // region: 3
-// expects: Likely mistake: the velocities of the bodies change: a sweep moves and turns them
+// expects: Likely mistake: the velocities of the bodies change: an iteration moves and turns them
 // change: for (std::size_t k ==>
 //         for (Body& body : chain.bodies) body.v = vec3(0); for (std::size_t k
 
@@ -492,7 +492,7 @@
     body2.q = turned(body2.q, move2.w, 1);
   }
 
-// ---- right: sweep body by body
+// ---- right: iteration body by body
 // region: 3
 // Counted by the second body of each joint.
   for (std::size_t k = 1; k < chain.bodies.size(); ++k) {

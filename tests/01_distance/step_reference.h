@@ -84,7 +84,8 @@ struct Way {
 };
 
 /// Eq. 1-4, 1-5, 1-7 and 1-11, without the reader's exercises.
-inline LinkRow twin_row(const Link& link, const std::vector<Body>& bodies, const StepSettings& s) {
+inline LinkRow reference_row(const Link& link, const std::vector<Body>& bodies,
+                             const StepSettings& s) {
   const Body &a = bodies[link.body1], &b = bodies[link.body2];
   const real sign = link.rope ? -1 : 1, C = sign * (length(b.x - a.x) - link.length);
   const vec3 n = sign * direction(b.x - a.x);
@@ -142,7 +143,7 @@ class Walk {
     }
     if (piece == 'R')
       for (std::size_t k = 0; k < rows_.size(); ++k)
-        rows_[k] = twin_row(scene_.links[k], bodies_, scene_.settings);
+        rows_[k] = reference_row(scene_.links[k], bodies_, scene_.settings);
   }
   void iterate() {
     real sum_of_all = 0;

@@ -47,7 +47,7 @@ inline const Point& rod_of(const Point& point) { return point; }
 
 /// K lambda = -C and all that belongs to it, with J by differences.
 template <class Part>
-struct VisitTwin {
+struct VisitReference {
   static constexpr int n = Part::rows;
   Part part;
   Pair pair;
@@ -55,7 +55,7 @@ struct VisitTwin {
   Matrix<n> K;
   Vector<n> C;
 
-  VisitTwin(const Part& part, const Pair& pair)
+  VisitReference(const Part& part, const Pair& pair)
       : part(part), pair(pair), J(numeric_jacobian(part, pair.body1, pair.body2)),
         K(dense_K(J, pair.body1, pair.body2)), C(to_vector(part.error(pair.body1, pair.body2))) {}
 
@@ -72,8 +72,8 @@ struct VisitTwin {
   Vector<n> lambda() const { return solved(K, C); }
   Moves moves() const { return response<n>(J, lambda(), pair); }
   /// With the error, K or J of another one, by the bits of `which`, and in words which.
-  VisitTwin with(const VisitTwin& other, int which) const {
-    VisitTwin out = *this;
+  VisitReference with(const VisitReference& other, int which) const {
+    VisitReference out = *this;
     if (which & 1) out.C = other.C;
     if (which & 2) out.K = other.K;
     if (which & 4) out.J = other.J;
@@ -114,9 +114,9 @@ struct VisitTwin {
 
 /// The moves of a visit; none where the part is one-sided and its error is not negative.
 template <class Part>
-Moves twin_moves(const Part& part, const Pair& pair) {
-  const VisitTwin<Part> twin(part, pair);
-  return Part::one_sided && twin.C[0] >= 0 ? Moves{} : twin.moves();
+Moves reference_moves(const Part& part, const Pair& pair) {
+  const VisitReference<Part> reference(part, pair);
+  return Part::one_sided && reference.C[0] >= 0 ? Moves{} : reference.moves();
 }
 inline void move_by(const Moves& a, Body& body1, Body& body2) {
   body1.x += a.way1;

@@ -16,30 +16,30 @@ inline vec3 short_way(const quat& q) {
   return (q.w < 0 ? real(-1) : real(1)) * vec3(q.x, q.y, q.z);
 }
 
-struct LineTwin : Line {
+struct LineReference : Line {
   Vector<2> error(const Body& body1, const Body& body2) const {
     const vec3 u = conjugate(body1.q) * gap(*this, body1, body2);
     return {dot(u, n1_local), dot(u, n2_local)};
   }
 };
-struct LockTwin : RotationLock {
+struct LockReference : RotationLock {
   vec3 error(const Body& body1, const Body& body2) const {
     return real(2) * short_way(body2.q * conjugate(start) * conjugate(body1.q));
   }
 };
-struct SlideTwin : Slide {
+struct SlideReference : Slide {
   real error(const Body& body1, const Body& body2) const {
     return dot(gap(*this, body1, body2), body1.q * a1_local);
   }
 };
 
-template <class Fixture, class Twin>
-struct WithTwin : Fixture {
-  using Part = Twin;
+template <class Fixture, class Reference>
+struct WithReference : Fixture {
+  using Part = Reference;
   static Part make(const Pair& pair) { return {Fixture::make(pair)}; }
 };
-using Lines = WithTwin<LineFixture, LineTwin>;
-using Locks = WithTwin<RotationLockFixture, LockTwin>;
-using Slides = WithTwin<SlideFixture, SlideTwin>;
+using Lines = WithReference<LineFixture, LineReference>;
+using Locks = WithReference<RotationLockFixture, LockReference>;
+using Slides = WithReference<SlideFixture, SlideReference>;
 
 }  // namespace joints::testing

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "engine/simd/records.h"
-#include "engine/preparation.h"
-#include "engine/projection.h"
+#include "engine/solver.h"
 
 /// \addtogroup world
 /// @{
@@ -76,29 +75,18 @@ class PackedBlocks {
   bool columns_ = false;
 };
 
-/// Sequential Impulses over packed blocks: the same rows, the same order within a island or a
+/// Sequential Impulses over packed blocks: the same rows, the same order within an island or a
 /// colour, other blocks first.
-class PackedImpulses {
+class PackedImpulses : public IterativeSolver {
  public:
-  int iterations = 30;      ///< iterations a step
-  bool warm_start = false;  ///< begin with the impulses of the last step
-  int projections = 0;      ///< iterations of position projection after a step
-  real relaxation = 1;      ///< over-relaxation: a factor of every impulse [1], below 2
   Packing packing = Packing::islands;  ///< which blocks come together
-  bool lanes = true;        ///< false: one block at a time
+  bool lanes = true;                   ///< false: one block at a time
 
-  /// Moves the world on by one step. \param h step [s]
-  /// \throws std::invalid_argument unless h, the iterations and the relaxation are positive and the
-  /// projections not negative
-  void step(World& world, real h);
+  void solve(Bodies& bodies) override;
   const PackedBlocks& packed() const { return packed_; }  ///< of the last step
 
  private:
-  Blocks blocks_;
-  Preparation prepared_;
   PackedBlocks packed_;
-  Projection projection_;
-  real last_h_ = 0;
 };
 
 }  // namespace joints

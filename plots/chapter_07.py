@@ -40,7 +40,7 @@ def draw_steps(solution, mine, out):
     good = np.where(np.isfinite(ns) & (ns > 0), ns, np.nan)
     first, least = good[0], int(np.argmin(np.nan_to_num(good, nan=np.inf)))
     figure, ax = style.figure(
-        f"A hinge and iteration, {first:.3g} ns when all is prepared in every visit, takes "
+        f"A hinge and iteration, {first:.3g} ns when all is prepared in every solve, takes "
         f"{good[least]:.3g} ns with {names[least]}" + (": yours" if mine else ""))
     places = np.arange(len(names))[::-1]
     ax.barh(places, good, height=0.62, color=[COLOURS[1 if count == 1 else 2]

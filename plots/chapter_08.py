@@ -143,7 +143,7 @@ def draw_bounce(solution, mine, out):
             theirs = rows(solution[1], restitution=e)
             shown = theirs["time_s"] <= 2.5
             left.plot(theirs["time_s"][shown], theirs["height_m"][shown], label="_", **FORMULA)
-    left.set(xlabel="time  [s]", ylabel="room under the ball  [m]", ylim=(-0.05, 1.1),
+    left.set(xlabel="time  [s]", ylabel="gap under the ball  [m]", ylim=(-0.05, 1.1),
              title="five balls" + (": yours; dashed: the solution's" if mine else ""))
     drops = np.unique(table["drop_m"])
     line = np.linspace(0, 1, 50)

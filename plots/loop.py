@@ -13,7 +13,7 @@ WORDS = ["variant", "real"]
 ORANGE, BLUE, GREEN, PINK, SKY, YELLOW = COLOURS
 # Each variant: in words, its colour, and for the engine's dashes.
 VARIANTS = {
-    "recomputed": ("set up in every visit", PALE, False),
+    "recomputed": ("set up in every solve", PALE, False),
     "textbook": ("set up once a step, virtual calls", INK, False),
     "flat": ("by value in an array, no calls", ORANGE, False),
     "whole-joint": ("one block of five rows", YELLOW, False),

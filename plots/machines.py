@@ -110,7 +110,7 @@ def draw_ragdoll(solution, mine, out):
         f"The ragdoll falls at {np.max(table['fastest_m_s']):.2g} m/s and comes to rest: "
         f"{np.max(table['fastest_m_s'][late]):.2g} m/s in the last second", 2)
     for ax, columns in ((left, (("fastest_m_s", "fastest centre\n[m/s]"),
-                                ("fastest_rad_s", "fastest turn\n[rad/s]"))),
+                                ("fastest_rad_s", "fastest rotation\n[rad/s]"))),
                         (right, (("gap_m", "widest gap"), ("penetration_m", "deepest\ncorner")))):
         ax.set_yscale("log")
         for k, (column, words) in enumerate(columns):

@@ -152,7 +152,7 @@ def draw_energy_and_spin(solution, mine, out):
     inset.tick_params(labelsize=7)
     right.set(xscale="log", yscale="log", xlabel="gap at the start  [m]",
               ylabel="angular velocity that is left  [rad/s]",
-              title="angular velocity at the end; dashed: second order")
+              title="at the end; dashed: second order")
     finish(figure, out / "06_energy_and_spin", left, right)
 
 
@@ -255,7 +255,7 @@ def draw_between(solution, mine, out):
     for bend, rho, rank in zip(*(rate[name][stuck] for name in ("bend_rad", "rho", "rank"))):
         inset.annotate(f"rank\n{rank:g} of {rate['rank'].max():g}", (bend, rho), fontsize=7,
                        xytext=(-2, -28), textcoords="offset points", color=COLOURS[0])
-    inset.set_title("share that an iteration leaves", fontsize=7.5, pad=3)
+    inset.set_title("share left per iteration", fontsize=7.5, pad=3)
     inset.set_xlabel("bend of the links  [rad]", fontsize=7.5, labelpad=1)
     inset.tick_params(labelsize=7)
     finish(figure, out / "06_between", left, right)

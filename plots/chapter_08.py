@@ -180,7 +180,7 @@ def draw_order(solution, mine, out):
         over_time(ax, rows(given, iterations=count), mine and rows(table, iterations=count),
                   column, "order", visible)
         ax.set(yscale="log", ylabel=words, ylim=(1e-6, None),
-               title=f"iterations a step: {count:g}" + whose(mine))
+               title=f"{count:g} iterations a step" + whose(mine))
     for ax, column, words in zip(axes[1], ("gap_rms_m", "penetration_max_m"),
                                  ("gaps, RMS of the whole run  [m]", "deepest of the run  [m]")):
         for name, part, colour, marker in parts(ends, "order"):

@@ -35,13 +35,12 @@ def of(table, variant, chains):
 
 
 def per_iteration(table, variant, chains):
-    """ns a joint and iteration, NaN where a variant is not in the table."""
+    """ns per joint and iteration, NaN where a variant is not in the table."""
     found = of(table, variant, chains)["ns_per_joint_iteration"]
     return found[0] if len(found) else np.nan
 
 
-# ---- what a joint and iteration costs
-# ----------------------------------------------------------------
+# ---- what a joint and iteration costs ----------------------------------------------------------
 
 def draw_bars(ax, table, chains, names, places, most):
     """A bar a variant; behind it, pale, what it saves against the one above it."""
@@ -80,7 +79,7 @@ def per_joint(table, out):
                       if name != "recomputed")
     for ax, chains in zip(axes[0], counts):
         draw_bars(ax, table, chains, names, places, most)
-        ax.set(xlabel="ns a joint and iteration  (x: textbook / this)", xlim=(0, most),
+        ax.set(xlabel="ns per joint and iteration  (x: textbook / this)", xlim=(0, most),
                ylim=(places[-1] + 0.6, -0.6))
         ax.grid(axis="y", visible=False)
         ax.tick_params(axis="y", length=0)

@@ -151,8 +151,7 @@ def draw_energy_and_spin(solution, mine, out):
     inset.set_title("measured / formula", fontsize=7.5, pad=2)
     inset.tick_params(labelsize=7)
     right.set(xscale="log", yscale="log", xlabel="gap at the start  [m]",
-              ylabel="angular velocity that is left  [rad/s]",
-              title="at the end; dashed: second order")
+              ylabel="angular velocity left  [rad/s]", title="at the end; dashed: second order")
     finish(figure, out / "06_energy_and_spin", left, right)
 
 

@@ -79,15 +79,15 @@ def per_joint(table, out):
                       if name != "recomputed")
     for ax, chains in zip(axes[0], counts):
         draw_bars(ax, table, chains, names, places, most)
-        ax.set(xlabel="ns per joint and iteration  (x: textbook / this)", xlim=(0, most),
+        ax.set(xlabel="ns per joint and iteration", xlim=(0, most),
                ylim=(places[-1] + 0.6, -0.6))
         ax.grid(axis="y", visible=False)
         ax.tick_params(axis="y", length=0)
         ax.axhline(len(ours) - 0.05, color=style.GRID, linewidth=0.8)
     axes[0, 0].set_yticks(places, [f"{name}\n{VARIANTS[name][0]}" for name in names],
                           linespacing=1.1, fontsize=7.6)
-    figure.text(0.012, 0.012, "hollow: the engine's,\nfor joints of any kind", color=PALE,
-                fontsize=7.6)
+    figure.text(0.012, 0.012, "x: textbook / this; hollow:\nthe engine's, for any joint",
+                color=PALE, fontsize=7.6)
     style.save(figure, out / "loop")
 
 

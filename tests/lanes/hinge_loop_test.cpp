@@ -26,9 +26,15 @@ HingeLoop<Number> loop_of(const World& world, const Groups& groups) {
     loop.links.push_back({world.bodies.index(hinge.body1), world.bodies.index(hinge.body2)});
     loop.hinges.push_back({hinge.first, hinge.second, hinge.beta});
   }
-  loop.groups = groups;
+  loop.arrange(groups);
   loop.gravity = world.gravity;
   return loop;
+}
+
+// An island a lane.
+Groups chain_a_lane(const World& world, int width) {
+  const auto loop = loop_of<real>(world, {});
+  return interleaved(islands_of(loop.links, moving(loop.bodies)), width);
 }
 
 std::vector<int> list_order(std::size_t count) {
@@ -165,12 +171,12 @@ TEST_CASE("a chain a lane is one hinge at a time to the last bit") {
   for (const World& world : worlds) {
     const auto one = after(
         loop_of<real>(world, one_by_one(list_order(world.joints().size()))), 60);
-    const auto interleaved = after(loop_of<real>(world, a_chain_a_lane(chains, hinges, 1)), 60);
+    const auto interleaved = after(loop_of<real>(world, chain_a_lane(world, 1)), 60);
     const auto lanes =
-        after(loop_of<Lanes>(world, a_chain_a_lane(chains, hinges, lane_count)), 60);
+        after(loop_of<Lanes>(world, chain_a_lane(world, lane_count)), 60);
     CHECK(same(interleaved.bodies, one.bodies));  // chains share no body that moves
     CHECK(same(lanes.bodies, one.bodies));        // and a lane adds and multiplies as one number
-    CHECK(int(lanes.groups.size()) == hinges);    // 3 of 4 or 8 lanes
+    CHECK(int(lanes.groups().size()) == hinges);    // 3 of 4 or 8 lanes
     CHECK(distance(one.bodies, snapshot(world.bodies)) > 1);
   }
 }
@@ -178,14 +184,12 @@ TEST_CASE("a chain a lane is one hinge at a time to the last bit") {
 TEST_CASE("colours on lanes are one hinge at a time in that order to the last bit") {
   const World world = uneven_chains(chains, hinges);
   auto lanes = loop_of<Lanes>(world, {});
-  std::vector<bool> moves;
-  for (const Body& body : lanes.bodies) moves.push_back(!body.is_static());
-  lanes.groups = by_colour(colours_of(lanes.links, moves), lane_count);
+  lanes.arrange(by_colour(colours_of(lanes.links, moving(lanes.bodies)), lane_count));
   std::vector<int> order;
-  for (const std::vector<int>& group : lanes.groups)
+  for (const std::vector<int>& group : lanes.groups())
     order.insert(order.end(), group.begin(), group.end());
   REQUIRE(order.size() == world.joints().size());
-  CHECK(lanes.groups.size() < order.size() / 2);
+  CHECK(lanes.groups().size() < order.size() / 2);
 
   const auto one = after(loop_of<real>(world, one_by_one(order)), 60);
   const auto in_chain_order =
@@ -197,7 +201,7 @@ TEST_CASE("colours on lanes are one hinge at a time in that order to the last bi
 
 TEST_CASE("preparing in every visit changes no bit because no pose changes within a step") {
   const World world = uneven_chains(chains, hinges);
-  auto once = loop_of<Lanes>(world, a_chain_a_lane(chains, hinges, lane_count)), always = once;
+  auto once = loop_of<Lanes>(world, chain_a_lane(world, lane_count)), always = once;
   always.once_a_step = false;
   once = after(once, 30);
   always = after(always, 30);

@@ -75,12 +75,17 @@ Groups colour_order(const Chains& chains, int width) {
   return by_colour(checked_colours(chains.links, chains.bodies), width);
 }
 
+Groups chain_a_lane(const Chains& chains, int width) {
+  return interleaved(islands_of(chains.links, moving(chains.bodies)), width);
+}
+
 std::vector<int> checked_colours(const std::vector<BodyPair>& links,
                                  const std::vector<Body>& bodies) {
-  std::vector<bool> moves;
-  for (const Body& body : bodies) moves.push_back(!body.is_static());
-  std::vector<int> colours = colours_of(links, moves);
+  std::vector<int> colours = colours_of(links, moving(bodies));
   require(colours.size() == links.size(), "colours_of: there must be one colour for each joint");
+  for (const int colour : colours)
+    require(colour >= 0 && colour < int(colours.size()),
+            "colours_of: a colour must be at least 0 and less than there are joints");
   return colours;
 }
 

@@ -38,7 +38,7 @@ HingeLoop<Number> loop_over(const Chains& chains, const Groups& groups, int iter
   loop.bodies = chains.bodies;
   loop.links = chains.links;
   loop.hinges = chains.hinges;
-  loop.groups = groups;
+  loop.arrange(groups);
   loop.iterations = iterations;
   return loop;
 }
@@ -49,6 +49,9 @@ Groups chain_order(const Chains& chains);
 Groups from_the_end(const Chains& chains);
 /// Colour after colour. \param width how many at a time
 Groups colour_order(const Chains& chains, int width);
+
+/// The first hinge of every chain, then the second of every chain. \param width how many at a time
+Groups chain_a_lane(const Chains& chains, int width);
 
 /// The colours of these links, by exercise 7.3. \param bodies a static one takes part in nothing
 /// \throws std::invalid_argument unless there is one for each link

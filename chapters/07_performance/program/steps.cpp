@@ -105,9 +105,9 @@ void steps(const Choice& choice, std::vector<Summary>& lines) {
   constexpr int width = HingeLoop<Lanes>::width;
   race.measure<real>("prepared in every visit", chain, along, false);
   race.measure<real>("prepared once a step", chain, along);
-  race.measure<real>("interleaved", a_chain_a_lane(chains.count, chains.length, 1), along);
+  race.measure<real>("interleaved", chain_a_lane(chains, 1), along);
   race.measure<Lanes>("lanes and colours", colour_order(chains, width), by_colours);
-  race.measure<Lanes>("lanes a chain each", a_chain_a_lane(chains.count, chains.length, width),
+  race.measure<Lanes>("lanes a chain each", chain_a_lane(chains, width),
                       along);
 }
 

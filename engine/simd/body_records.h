@@ -1,0 +1,101 @@
+// Where the velocities stand during the iterations: a record a body or, where every body keeps its
+// lane, in columns.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "engine/body.h"
+#include "engine/simd/arrange.h"
+#include "engine/simd/records.h"
+
+/// \addtogroup world
+/// @{
+namespace joints {
+
+/// The velocities that the iterations change, and which of them each group's bodies have.
+class BodyRecords {
+ public:
+  /// \param groups of at most `width` pairs \param columns columns_of the groups, if there are any
+  /// \param count how many bodies there are
+  void arrange(const Groups& groups, const std::vector<BodyPair>& pairs,
+               std::optional<Columns> columns, int count, int width) {
+    columns_ = columns.has_value();
+    bodies_ = count;
+    width_ = width;
+    ends_.clear();
+    if (columns_) {
+      slots_ = std::move(columns->bodies);
+      for (const BodyPair& end : columns->ends)
+        ends_.insert(ends_.end(), {end.body1, end.body2});
+    } else {
+      slots_.resize(std::size_t(count) + 1);
+      std::iota(slots_.begin(), slots_.end(), 0);
+      slots_.back() = -1;  // belongs to lanes that are not used
+      for (const auto& group : groups)
+        for (int BodyPair::*end : {&BodyPair::body1, &BodyPair::body2})
+          for (int lane = 0; lane < width; ++lane)
+            ends_.push_back(lane < int(group.size()) ? pairs[group[lane]].*end : count);
+    }
+    records_.assign(slots_.size(), {});
+  }
+  /// The bodies' velocities into their records. \param body gives a body by its number
+  template <class F>
+  void take(const F& body) {
+    const auto record_of = [](const Body& from) -> Velocities<real> {
+      return {triple(from.v), from.inverse_mass, triple(from.w), 0};
+    };
+    if (!columns_)
+      for (int k = 0; k < bodies_; ++k) records_[k] = record_of(body(k));
+    else
+      for (std::size_t k = 0; k < slots_.size(); ++k)
+        if (slots_[k] >= 0) scatter(record_of(body(slots_[k])), column(k), int(k % lane_count));
+  }
+  /// And back to those that move.
+  template <class F>
+  void give_back(const F& body) const {
+    const auto give = [](const Velocities<real>& from, Body& to) {
+      if (to.is_static()) return;
+      to.v = vec3(from.v.x, from.v.y, from.v.z);
+      to.w = vec3(from.w.x, from.w.y, from.w.z);
+    };
+    if (!columns_)
+      for (int k = 0; k < bodies_; ++k) give(records_[k], body(k));
+    else
+      for (std::size_t k = 0; k < slots_.size(); ++k)
+        if (slots_[k] >= 0) give(velocities(k), body(slots_[k]));
+  }
+
+  /// The number of a body's record. \param second body 2 of that lane of the group, not body 1
+  int number(std::size_t group, int lane, bool second) const {
+    if (columns_) return ends_[2 * group + second] * width_ + lane;
+    return ends_[(2 * group + second) * std::size_t(width_) + std::size_t(lane)];
+  }
+  /// What stands in a record.
+  Velocities<real> velocities(std::size_t number) const {
+    if (!columns_) return records_[number];
+    return gather<Velocities<real>>(column(number), int(number % lane_count));
+  }
+  /// Which body each record belongs to, -1: to none.
+  const std::vector<int>& slots() const { return slots_; }
+  /// What the iterations work on.
+  BodyView view() { return {records_.data(), ends_.data(), columns_}; }
+
+ private:
+  // The column in which a record stands.
+  const Velocities<LaneNumber>& column(std::size_t number) const {
+    return reinterpret_cast<const Velocities<LaneNumber>*>(records_.data())[number / lane_count];
+  }
+  Velocities<LaneNumber>& column(std::size_t number) {
+    return const_cast<Velocities<LaneNumber>&>(std::as_const(*this).column(number));
+  }
+
+  std::vector<Velocities<real>> records_;
+  std::vector<int> slots_, ends_;
+  int bodies_ = 0, width_ = 1;
+  bool columns_ = false;
+};
+
+}  // namespace joints
+/// @}

@@ -15,6 +15,7 @@
 #include "engine/instruments/plan.h"
 #include "engine/instruments/options.h"
 #include "engine/sequential_impulses.h"
+#include "engine/step.h"
 #include "engine/simd/packed.h"
 
 using namespace joints;
@@ -133,21 +134,14 @@ using MakeRun = std::unique_ptr<Run> (*)(const Case& what, int iterations);
 
 constexpr real h = real(1) / 60;
 
-int rows_of(const SequentialImpulses& solver) { return int(solver.blocks().J.size()); }
-int rows_of(const PackedImpulses& solver) {
-  int rows = 0;
-  for (const LaneGroup& group : solver.packed().groups) rows += group.rows;
-  return rows;
-}
-
-template <class Solver>
+template <class Kind>
 struct EngineRun : Run {
   World world;
-  Solver solver;
+  Kind solver;
 
   explicit EngineRun(World made) : world(std::move(made)) {}
-  void step() override { solver.step(world, h); }
-  int rows() const override { return rows_of(solver); }
+  void step() override { joints::step(world, solver, h); }
+  int rows() const override { return int(world.blocks.J.size()); }
 };
 
 struct OwnRun : Run {
@@ -179,12 +173,12 @@ std::unique_ptr<Run> own_run(const Case& what, int iterations) {
   return run;
 }
 
-struct Solver {
+struct Loop {
   const char* name;
   MakeRun make;
   bool only_plain_hinges;
 };
-const Solver solvers[] = {{"engine rows", rows_run, false},
+const Loop loops[] = {{"engine rows", rows_run, false},
                           {"engine packed", packed_run, false},
                           {"chapter 7", own_run, true}};
 
@@ -196,29 +190,29 @@ struct Size {
   long long bytes = 0;
 };
 
-Size size_of(const Solver& solver, const Case& what) {
+Size size_of(const Loop& loop, const Case& what) {
   const long long before = held;
-  const auto run = solver.make(what, 10);
+  const auto run = loop.make(what, 10);
   for (int n = 0; n < 3; ++n) run->step();
   return {run->rows(), held - before};
 }
 
 // One line and two counts for each case. The memory of a joint: what the heap holds more with the
 // joints than without, through as many.
-void all(const Solver& solver) {
+void all(const Loop& loop) {
   const Counted counted;
   const std::vector<Case> list = cases();
-  const Size none = size_of(solver, list.front());
+  const Size none = size_of(loop, list.front());
   for (const Case& what : list) {
-    if (solver.only_plain_hinges && !what.plain_hinge) continue;
-    const Size size = size_of(solver, what);
+    if (loop.only_plain_hinges && !what.plain_hinge) continue;
+    const Size size = size_of(loop, what);
     std::printf("%s,%g,%.1f,%s,%s,%d,%d,%d,%d\n", what.name, double(size.rows) / joint_count,
-                double(size.bytes - none.bytes) / joint_count, solver.name,
+                double(size.bytes - none.bytes) / joint_count, loop.name,
                 sizeof(real) == 8 ? "double" : "float", joint_count, counted.steps, counted.few,
                 counted.many);
     count(
         [&](int iterations) -> std::function<void()> {
-          const std::shared_ptr<Run> run = solver.make(what, iterations);
+          const std::shared_ptr<Run> run = loop.make(what, iterations);
           return [=] { run->step(); };
         },
         counted);
@@ -232,6 +226,6 @@ int main(int argc, char** argv) {
     Options options("What a joint costs", {});
     if (!options.read(argc, argv)) return;
     std::puts("case,rows,bytes_per_joint,solver,real,joints,steps,few,many");
-    for (const Solver& solver : solvers) all(solver);
+    for (const Loop& loop : loops) all(loop);
   });
 }

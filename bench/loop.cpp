@@ -10,6 +10,7 @@
 #include "engine/simd/records.h"
 #include "engine/instruments/options.h"
 #include "engine/sequential_impulses.h"
+#include "engine/step.h"
 #include "engine/simd/packed.h"
 
 using namespace joints;
@@ -77,11 +78,11 @@ Setting own(int chains, int iterations, Visits visits) {
 }
 
 // The engine's solvers, which take any joints with limits and motors.
-template <class Solver>
-Setting engine(Solver solver, int iterations) {
+template <class Kind>
+Setting engine(Kind solver, int iterations) {
   solver.iterations = iterations;
   return {"", "", iterations, false, [=]() -> Step {
-            return [solver](World& world, real h) mutable { solver.step(world, h); };
+            return [solver](World& world, real h) mutable { step(world, solver, h); };
           }};
 }
 

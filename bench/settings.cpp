@@ -108,21 +108,31 @@ int Way::iterations_of(int a_step) const { return std::max(1, (a_step + substeps
 
 namespace {
 
-template <class Solver>
-Step stepping(const Way& way, int iterations) {
-  Solver solver;
+Stepping stepping_of(const Way& way) {
+  return {.warm_start = way.warm, .substeps = way.substeps, .projections = way.projections,
+          .half_kick = way.half_kick};
+}
+
+template <class Kind>
+Step step_with(Kind solver, const Way& way, int iterations) {
   solver.iterations = iterations;
-  solver.warm_start = way.warm;
-  solver.projections = way.projections;
   solver.relaxation = way.relaxation;
-  if constexpr (std::is_same_v<Solver, SequentialImpulses>) {
+  return [solver, how = stepping_of(way)](World& world, real h) mutable {
+    joints::step(world, solver, h, how);
+  };
+}
+
+Step of_the_engine(const Way& way, int iterations) {
+  if (way.loop == Loop::rows) {
+    OrderedImpulses solver;
     solver.order = way.order;
     solver.row_by_row = way.row_by_row;
-  } else {
-    solver.packing = way.packing;
-    solver.lanes = way.loop == Loop::lanes;
+    return step_with(solver, way, iterations);
   }
-  return [solver](World& world, real h) mutable { solver.step(world, h); };
+  PackedImpulses solver;
+  solver.packing = way.packing;
+  solver.lanes = way.loop == Loop::lanes;
+  return step_with(solver, way, iterations);
 }
 
 Step of_the_textbook(const Way& way, int iterations) {
@@ -145,6 +155,7 @@ Step of_chapter_7(const Way& way, int iterations, std::shared_ptr<std::unique_pt
   loop->reset();
   return [=](World& world, real h) {
     if (!*loop) {
+      if (way.half_kick) take_half_a_kick(world.bodies, world.gravity, h);
       int chains = 0;  // each hangs on a static body of its own
       for (int slot = 0; slot < world.bodies.slots(); ++slot)
         chains += world.bodies.at(slot).is_static();
@@ -155,38 +166,19 @@ Step of_chapter_7(const Way& way, int iterations, std::shared_ptr<std::unique_pt
 }
 
 Step step_of(const Way& way, int iterations) {
-  if (way.loop == Loop::rows) return stepping<SequentialImpulses>(way, iterations);
-  if (way.loop == Loop::packed || way.loop == Loop::lanes)
-    return stepping<PackedImpulses>(way, iterations);
-  return of_the_textbook(way, iterations);
+  const bool engine =
+      way.loop == Loop::rows || way.loop == Loop::packed || way.loop == Loop::lanes;
+  return engine ? of_the_engine(way, iterations) : of_the_textbook(way, iterations);
 }
 
 }  // namespace
-
-Step in_substeps(Step step, int substeps) {
-  return [step = std::move(step), substeps](World& world, real h) mutable {
-    for (int k = 0; k < substeps; ++k) step(world, h / real(substeps));
-  };
-}
-
-Step with_half_a_kick(Step step) {
-  return [step = std::move(step), first = true](World& world, real h) mutable {
-    for (int slot = 0; first && slot < world.bodies.slots(); ++slot)
-      if (Body& body = world.bodies.at(slot); !body.is_static())
-        body.v -= world.gravity * (h / 2);  // Eq. 7-9
-    first = false;
-    step(world, h);
-  };
-}
 
 Setting Way::setting(int iterations_a_step) const {
   Setting setting{solver(), name, iterations_of(iterations_a_step), warm, {}, {}};
   const auto loop = std::make_shared<std::unique_ptr<OwnLoop>>();
   setting.make = [way = *this, iterations = setting.iterations, loop] {
-    Step step =
-        way.loop == Loop::hinges ? of_chapter_7(way, iterations, loop) : step_of(way, iterations);
-    if (way.half_kick) step = with_half_a_kick(std::move(step));
-    return way.substeps > 1 ? in_substeps(std::move(step), way.substeps) : step;
+    return way.loop == Loop::hinges ? of_chapter_7(way, iterations, loop)
+                                    : step_of(way, iterations);
   };
   if (this->loop == Loop::hinges) setting.show = [loop](World& world) { (*loop)->show(world); };
   setting.prepare = [beta = beta, whole = whole](World& world) {

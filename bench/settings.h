@@ -4,8 +4,10 @@
 
 #include <vector>
 
+#include "bench/orders.h"
 #include "bench/runner.h"
 #include "engine/sequential_impulses.h"
+#include "engine/step.h"
 #include "engine/simd/packed.h"
 
 /// \addtogroup bench
@@ -50,12 +52,6 @@ struct Way {
 };
 /// All of them.
 std::vector<Way> ways();
-
-/// Several steps in the place of one. \param step of one substep
-Step in_substeps(Step step, int substeps);
-/// Before its first step every body that moves gets the velocity of half a step earlier,
-/// v -= g h/2. Semi-implicit Euler then falls as far as a body does, and not g h t/2 further.
-Step with_half_a_kick(Step step);
 
 /// What is compared in a front: how long it took, and how far off it was.
 struct Cost {

@@ -6,6 +6,7 @@
 
 #include "bench/runner.h"
 #include "engine/sequential_impulses.h"
+#include "engine/step.h"
 
 /// \addtogroup bench
 /// @{
@@ -93,9 +94,10 @@ void add_criterion(Line& line, const Method& method, const Rates& rates);
 struct Watch {
   World& world;
   SequentialImpulses solver{};
+  Stepping stepping{};
   bool finite = true;
   void step(real h) {
-    solver.step(world, h);
+    joints::step(world, solver, h, stepping);
     finite = finite && all_finite(world);
   }
   /// The number, or NaN where a body was not finite at some time.

@@ -48,7 +48,7 @@ void spinning_hinge(bool quick, const Tell& tell) {
     for (bool warm : {false, true}) {
       Rotor rotor(real(0.5), 1000);
       rotor.hinge->whole = whole;
-      rotor.watch.solver.warm_start = warm;
+      rotor.watch.stepping.warm_start = warm;
       const double before = kinetic_energy(rotor.world.bodies[rotor.body]);
       double most = 0;
       for (int k = 0; k < (quick ? 60 : 600); ++k) {
@@ -139,7 +139,7 @@ void motors_into_limits(bool quick, const Tell& tell) {
         hinge.whole = whole;
         Watch watch{scene.world};
         watch.solver.iterations = iterations;
-        watch.solver.warm_start = warm;
+        watch.stepping.warm_start = warm;
         double speed = 0, low = 1e9, high = -1e9;
         for (int k = 0; k < 3600; ++k) {
           watch.step(h);

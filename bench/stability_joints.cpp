@@ -83,7 +83,7 @@ void coincident_points(bool, const Tell& tell) {
     const BodyId body = world.add(ball(2, real(0.1), vec3(0)));
     world.add<CentreRopeJoint>(wall, body, Rope<CentreDistance>{{0}});
     Watch watch{world};
-    watch.solver.warm_start = warm;
+    watch.stepping.warm_start = warm;
     double lowest = 0;
     for (int k = 0; k < 600; ++k) {
       watch.step(h);
@@ -105,7 +105,7 @@ void static_bodies(bool, const Tell& tell) {
     world.bodies[b].q = rotation(vec3(0, 3, 1));
     const Body start = world.bodies[b];
     Watch watch{world};
-    watch.solver.warm_start = warm;
+    watch.stepping.warm_start = warm;
     for (int k = 0; k < 1000; ++k) watch.step(h);
     const Body& end = world.bodies[b];
     const bool still = end.x == start.x && end.q == start.q && world.bodies[a].x == vec3(0);

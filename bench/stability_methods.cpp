@@ -84,11 +84,9 @@ Setting setting_of(const Method& method) {
   setting.make = [method] {
     SequentialImpulses solver;
     solver.iterations = method.iterations;
-    solver.warm_start = method.warm;
-    solver.projections = method.projections;
-    return [solver, n = method.substeps](World& world, real h) mutable {
-      for (int k = 0; k < n; ++k) solver.step(world, h / real(n));
-    };
+    const Stepping stepping{.warm_start = method.warm, .substeps = method.substeps,
+                            .projections = method.projections};
+    return [=](World& world, real h) mutable { joints::step(world, solver, h, stepping); };
   };
   setting.prepare = [method](World& world) {
     for (const auto& joint : world.joints()) {
@@ -138,11 +136,11 @@ void kick(Scene& scene, bool planar) {
 
 double iteration_rate(World& world, int most) {
   SequentialImpulses solver;
-  solver.begin(world, real(1) / 60);
+  begin_step(world, solver, real(1) / 60);
   std::vector<double> before, sizes;
   while (int(sizes.size()) < most) {
-    solver.iterate(world.bodies, int(sizes.size()));
-    const Change change = change_of(solver.blocks(), before);
+    solver.iterate(world.bodies);
+    const Change change = change_of(world.blocks, before);
     if (change.size <= 200 * double(epsilon) * change.lambda) break;
     sizes.push_back(change.size);
   }

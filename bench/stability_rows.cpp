@@ -12,9 +12,9 @@ namespace joints::bench {
 
 namespace {
 
-double largest_impulse(const SequentialImpulses& solver) {
+double largest_impulse(const Blocks& blocks) {
   double largest = 0;
-  for (const Block& block : solver.blocks().list)
+  for (const Block& block : blocks.list)
     for (int i = 0; i < block.rows; ++i)
       largest = std::max(largest, std::abs(double(block.impulse[i])));
   return largest;
@@ -67,7 +67,7 @@ void four_bar(const Tell& tell) {
   double highest = -1, impulse = 0;
   for (int k = 0; k < 600; ++k) {
     watch.step(h);
-    impulse = std::max(impulse, largest_impulse(watch.solver));
+    impulse = std::max(impulse, largest_impulse(watch.world.blocks));
     highest = std::max(highest, double(world.bodies[coupler].x.y));
   }
   // all its energy, a crank's moment being 1/3 kg m^2, lifts 2 kg by z and 2 kg by z/2
@@ -91,12 +91,12 @@ void between_static_ends(const Tell& tell) {
       if (k > 0) join_by_ball(scene, ids[k - 1], ids[k], vec3(real(k - 1), 0, 0));
     }
     Watch watch{scene.world};
-    watch.solver.warm_start = warm;
+    watch.stepping.warm_start = warm;
     double impulse = 0, speed = 0;
     for (int k = 0; k < 600; ++k) {
       if (k == 60) scene.world.bodies[ids[1]].v = vec3(3, 5, -8);
       watch.step(h);
-      impulse = std::max(impulse, largest_impulse(watch.solver));
+      impulse = std::max(impulse, largest_impulse(watch.world.blocks));
       if (k > 300)
         for (BodyId id : ids)
           speed = std::max(speed, double(length(scene.world.bodies[id].v)));
@@ -163,6 +163,7 @@ void bad_input(bool, const Tell& tell) {
   const BodyId a = world.add(static_body(vec3(0))), b = world.add(box(1, vec3(1), vec3(2, 0, 0)));
   auto& hinge = world.add<HingeJoint>(world.bodies, a, b, vec3(1, 0, 0), vec3(0, 0, 1));
   const real nan = std::numeric_limits<real>::quiet_NaN();
+  SequentialImpulses solver;
   const struct {
     const char *what, *argument;  // the argument that the message has to name
     std::function<void()> call;
@@ -187,13 +188,13 @@ void bad_input(bool, const Tell& tell) {
       {"lower limit above the upper", "lower", [&] { hinge.set_limits(1, -1); }},
       {"a motor of negative strength", "strength", [&] { hinge.set_motor(1, -1); }},
       {"a motor speed of nan", "speed", [&] { hinge.set_motor(nan, 1); }},
-      {"a step of 0", "h", [&] { SequentialImpulses{}.step(world, 0); }},
-      {"a step of nan", "h", [&] { SequentialImpulses{}.step(world, nan); }},
+      {"a step of 0", "h", [&] { joints::step(world, solver, 0); }},
+      {"a step of nan", "h", [&] { joints::step(world, solver, nan); }},
       {"no iterations", "iterations",
        [&] {
-         SequentialImpulses solver;
-         solver.iterations = 0;
-         solver.step(world, h);
+         SequentialImpulses none;
+         none.iterations = 0;
+         step(world, none, h);
        }},
   };
   const std::size_t joints = world.joints().size();

@@ -55,26 +55,22 @@ inline void TextbookHinge::solve_here() {
 void TextbookHinge::solve() { solve_here(); }
 
 void TextbookSolver::step(World& world, real h) {
-  for (int slot = 0; slot < world.bodies.slots(); ++slot)
-    integrate_forces(world.bodies.at(slot), world.gravity, h);
+  integrate_forces(world.bodies, world.gravity, h);
   for (const auto& joint : joints) joint->set_up(h);
   for (int i = 0; i < iterations; ++i)
     for (const auto& joint : joints) {
       if (recompute) joint->set_up(h);
       joint->solve();
     }
-  for (int slot = 0; slot < world.bodies.slots(); ++slot)
-    integrate_pose(world.bodies.at(slot), h);
+  integrate_poses(world.bodies, h);
 }
 
 void FlatSolver::step(World& world, real h) {
-  for (int slot = 0; slot < world.bodies.slots(); ++slot)
-    integrate_forces(world.bodies.at(slot), world.gravity, h);
+  integrate_forces(world.bodies, world.gravity, h);
   for (TextbookHinge& hinge : hinges) hinge.TextbookHinge::set_up(h);
   for (int i = 0; i < iterations; ++i)
     for (TextbookHinge& hinge : hinges) hinge.solve_here();
-  for (int slot = 0; slot < world.bodies.slots(); ++slot)
-    integrate_pose(world.bodies.at(slot), h);
+  integrate_poses(world.bodies, h);
 }
 
 }  // namespace joints::bench

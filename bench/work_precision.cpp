@@ -138,7 +138,7 @@ void only_steps(int iterations, int steps) {
   Scene scene = cubes_on_hinges(1, 100);
   SequentialImpulses solver;
   solver.iterations = iterations;
-  for (int n = 0; n < steps; ++n) solver.step(scene.world, real(1) / 60);
+  for (int n = 0; n < steps; ++n) step(scene.world, solver, real(1) / 60);
 }
 
 }  // namespace

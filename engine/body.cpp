@@ -130,6 +130,19 @@ bool Bodies::alive(BodyId id) const {
          id.generation % 2 == 1;
 }
 
+void integrate_forces(Bodies& bodies, const vec3& gravity, real h) {
+  for (int slot = 0; slot < bodies.slots(); ++slot) integrate_forces(bodies.at(slot), gravity, h);
+}
+
+void integrate_poses(Bodies& bodies, real h) {
+  for (int slot = 0; slot < bodies.slots(); ++slot) integrate_pose(bodies.at(slot), h);
+}
+
+void take_half_a_kick(Bodies& bodies, const vec3& gravity, real h) {
+  for (int slot = 0; slot < bodies.slots(); ++slot)
+    if (Body& body = bodies.at(slot); !body.is_static()) body.v -= h / 2 * gravity;
+}
+
 int Bodies::index(BodyId id) const {
   require(alive(id), "body: this id names no body of this world (removed, or never added)");
   return int(id.slot);

@@ -112,5 +112,13 @@ class Bodies {
   std::vector<std::uint32_t> free_;
 };
 
+/// integrate_forces() for all bodies.
+void integrate_forces(Bodies& bodies, const vec3& gravity, real h);
+/// integrate_pose() for all bodies.
+void integrate_poses(Bodies& bodies, real h);
+/// Before the first step: gives every body that moves the velocity of half a step earlier,
+/// v -= g h/2 (Eq. 7-9). Semi-implicit Euler then falls as far as a body does, not g h t/2 further.
+void take_half_a_kick(Bodies& bodies, const vec3& gravity, real h);
+
 }  // namespace joints
 /// @}

@@ -22,19 +22,23 @@ class Joint {
   }
   virtual ~Joint() = default;
 
-  /// Called once before the blocks are asked for; may change the joint (count turns, choose the
-  /// live rows, zero the impulse of a row that died). Call this one from yours: it remembers h.
-  /// \param h step [s]
-  virtual void begin_step(const Bodies& bodies, real h);
+  /// Called once a step, before the blocks are asked for. \param h step [s]
+  void begin_step(const Bodies& bodies, real h) {
+    h_ = h;
+    can_move_ = !bodies[body1].is_static() || !bodies[body2].is_static();
+    can_move_ ? choose_rows(bodies, h) : drop_rows();
+  }
+  /// Could one of its bodies be moved when the last step began?
+  bool can_move() const { return can_move_; }
   /// Appends the live blocks at the bodies' present poses. Has no side effect, so that it may be
   /// asked again at other poses.
   virtual void append(const Bodies& bodies, Blocks& blocks) const = 0;
   /// Called when the bodies were moved without a velocity (position projection), before the blocks
   /// are asked for at the new poses: a joint that counts turns looks again.
-  virtual void moved(const Bodies& bodies);
-  /// Called after the iterations; appends the blocks of limits that turn out to be needed after
-  /// all.
-  virtual void late_limits(const Bodies& bodies, real h, Blocks& blocks);
+  virtual void moved(const Bodies&) {}
+  /// Called after the solve where a body can move; appends the blocks of limits that the new velocities would pass within
+  /// this step. \param h step [s]
+  virtual void late_limits(const Bodies&, [[maybe_unused]] real h, Blocks&) {}
   /// The most rows that append and late_limits can ever give together.
   virtual int most_rows() const = 0;
   /// What the joint has of limits and motors, for the plan line.
@@ -43,15 +47,23 @@ class Joint {
     int live_limits = 0;  ///< 1 where one of them has a row at present
     int motors = 0;       ///< 1 where a motor runs
   };
-  virtual Extras extras() const;  ///< none, unless a joint says otherwise
+  virtual Extras extras() const { return {}; }  ///< none, unless a joint says otherwise
 
   /// The mean force in the last step of a row with this impulse, impulse / h [N or N m]; 0 before
   /// the first step.
   real in_step(real impulse) const { return h_ > 0 ? impulse / h_ : real(0); }
   real last_h() const { return h_; }  ///< length of the last step [s], 0 before the first
 
+ protected:
+  /// The joint's own part of begin_step(): may change the joint (count turns, choose the live rows,
+  /// zero the impulse of a row that died). \param h step [s]
+  virtual void choose_rows(const Bodies&, [[maybe_unused]] real h) {}
+  /// Called in its place between two static bodies: no row is live.
+  virtual void drop_rows() {}
+
  private:
   real h_ = 0;  // the last step [s]
+  bool can_move_ = true;
 };
 
 }  // namespace joints

@@ -1,4 +1,4 @@
-// The inverse of a small symmetric matrix by the sweep operator (Goodnight 1979).
+// K of a block, and its inverse by the sweep operator (Goodnight 1979).
 #include "engine/matrix.h"
 
 #include <utility>
@@ -59,6 +59,21 @@ void invert(real* K) {
 }
 
 }  // namespace
+
+void form_responses(const Row* J, int n, const Body& body1, const Body& body2, Row* response) {
+  const mat3 I1 = inverse_inertia(body1), I2 = inverse_inertia(body2);
+  for (int i = 0; i < n; ++i)
+    response[i] = {body1.inverse_mass * J[i].v1, I1 * J[i].w1, body2.inverse_mass * J[i].v2,
+                   I2 * J[i].w2};
+}
+
+void form_K(const Row* J, const Row* response, int n, real* K) {
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j <= i; ++j)
+      K[i * n + j] = K[j * n + i] =
+          dot(J[i].v1, response[j].v1) + dot(J[i].w1, response[j].w1) +
+          dot(J[i].v2, response[j].v2) + dot(J[i].w2, response[j].w2);
+}
 
 void invert_symmetric(real* K, int n) {
   switch (n) {

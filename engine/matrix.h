@@ -77,6 +77,13 @@ inline real row_velocity(const Row& row, const Body& body1, const Body& body2) {
          dot(row.w2, body2.w);
 }
 
+/// M^-1 J^T: what an impulse of 1 along each of the n rows does to the velocities of both bodies.
+void form_responses(const Row* J, int n, const Body& body1, const Body& body2, Row* response);
+
+/// K = J (M^-1 J^T), the inverse effective mass of n rows that are solved together, n x n numbers
+/// [1/kg, 1/(kg m) or 1/(kg m^2), by the rows' units].
+void form_K(const Row* J, const Row* response, int n, real* K);
+
 /// Inverts a symmetric positive matrix of n x n numbers (n at most 6) in place.
 /// A pivot at most 4 epsilon(real) times its own original diagonal entry belongs to a row that
 /// depends on the others: its row and column of the inverse become zero, so that it gets no

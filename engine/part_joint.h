@@ -10,7 +10,7 @@ namespace joints {
 /// A joint of a single part. A part brings
 ///  - `static constexpr int rows`, 1 to 6,
 ///  - `static constexpr bool one_sided`: C >= 0 and an impulse that only pushes C up (last row),
-///  - `error`, `jacobian` and `K`, const functions of two bodies,
+///  - `error` and `jacobian`, const functions of two bodies,
 ///  - a free function `check(const Part&)` that refuses geometry without sense.
 template <class Part>
 class PartJoint : public Joint {
@@ -20,10 +20,6 @@ class PartJoint : public Joint {
   /// \throws std::invalid_argument for a joint of a body with itself, or by the part's check
   PartJoint(BodyId body1, BodyId body2, const Part& part) : Joint(body1, body2), part(part) {
     check(part);
-  }
-  void begin_step(const Bodies& bodies, real h) override {
-    Joint::begin_step(bodies, h);
-    if (bodies[body1].is_static() && bodies[body2].is_static()) impulse_ = {};  // no live row
   }
   void append(const Bodies& bodies, Blocks& blocks) const override {
     const real lower = Part::one_sided ? real(0) : -unbounded;

@@ -1,20 +1,17 @@
 // What the inner loop of a solver needs to know of the blocks: worked out once a step.
 #pragma once
 
-#include "engine/world.h"
+#include "engine/block.h"
 
 /// \addtogroup rows
 /// @{
 namespace joints {
 
-/// How every step begins: forces, then the joints are asked for their blocks.
-void collect(World& world, real h, Blocks& blocks);
-
 /// What the inner loop reads of a row beside J: the bias and the angular half of M^-1 J^T.
 struct PreparedRow {
   real bias;          ///< wanted J V, with its sign turned [unit of C per s]
   real answer;        ///< Kinv[i][last] / Kinv[last][last]
-  vec3 turn1, turn2;  ///< I1^-1 J_w1^T, I2^-1 J_w2^T; only where they were asked for
+  vec3 turn1, turn2;  ///< I1^-1 J_w1^T, I2^-1 J_w2^T: the angular half of M^-1 J^T
 };
 
 /// What the inner loop reads of a block.
@@ -42,17 +39,15 @@ class Preparation {
   /// Forgets all, and makes room for so many rows.
   void clear(int most_rows);
   /// Prepares the blocks of the list from number `first` on.
-  /// \param row_by_row every row as a block of its own \param turns PreparedRow::turn1, turn2, too
-  void add(const Bodies& bodies, const Blocks& list, int first, real h, bool row_by_row,
-           bool turns);
-  /// Warm: applies what the joints remember of the last step, times `scale`. Cold: makes them
-  /// forget it. A row that can do nothing now (no direction, or dependent on others) forgets it
-  /// too.
-  void start(Bodies& bodies, const Blocks& list, bool warm, real scale);
+  /// \param row_by_row every row as a block of its own
+  void add(const Bodies& bodies, const Blocks& blocks, int first, real h, bool row_by_row);
+  /// The warm start: applies the impulses of the last step times `ratio`; 0 makes them zero. A row
+  /// that can do nothing now (no direction, or dependent on others) loses its impulse, too.
+  void start(Bodies& bodies, const Blocks& blocks, real ratio);
 
  private:
   void add_rows(const Bodies& bodies, const Blocks& list, const Block& block, int from, int to,
-                real h, bool turns);
+                real h);
   int followed_row(std::size_t k) const;
 };
 

@@ -1,59 +1,67 @@
-// One visit: K^-1 (-C), M^-1 J^T times that, and the bodies are moved.
+// One block at a time: lambda = K^-1 (-C), and the bodies are moved by M^-1 J^T lambda.
 #include "engine/projection.h"
 
 #include <algorithm>
 
 namespace joints {
 
-void Projection::iterate(World& world) {
+namespace {
+
+// The first `rows` rows of a block.
+void project(Bodies& bodies, const Blocks& blocks, const Block& block, int rows) {
+  if (rows == 0) return;
+  Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
+  Row response[6];
+  real K[36], lambda[6];
+  form_responses(&blocks.J[block.first], rows, body1, body2, response);
+  form_K(&blocks.J[block.first], response, rows, K);
+  invert_symmetric(K, rows);
+  for (int i = 0; i < rows; ++i) {
+    lambda[i] = 0;
+    for (int j = 0; j < rows; ++j) lambda[i] -= K[i * rows + j] * blocks.C[block.first + j];
+  }
+  // The rigid rows alone may overshoot the limit; its row is dropped then: it may not pull.
+  const bool one_sided = rows == block.rows && block.target.lower == 0;
+  if (one_sided && lambda[rows - 1] < 0) return project(bodies, blocks, block, rows - 1);
+
+  Row move;  // M^-1 J^T lambda
+  for (int i = 0; i < rows; ++i) {
+    move.v1 += lambda[i] * response[i].v1;
+    move.w1 += lambda[i] * response[i].w1;
+    move.v2 += lambda[i] * response[i].v2;
+    move.w2 += lambda[i] * response[i].w2;
+  }
+  const real share =  // of it, so that no body goes too far
+      std::min({real(1), longest_move / std::max(length(move.v1), longest_move),
+                widest_turn / std::max(length(move.w1), widest_turn),
+                longest_move / std::max(length(move.v2), longest_move),
+                widest_turn / std::max(length(move.w2), widest_turn)});
+  const auto displace = [&](Body& body, const vec3& by, const vec3& turn) {
+    if (body.is_static()) return;
+    body.x += share * by;
+    body.q = normalize(rotation(share * turn) * body.q);
+  };
+  displace(body1, move.v1, move.w1);
+  displace(body2, move.v2, move.w2);
+}
+
+}  // namespace
+
+void project_positions(World& world) {
+  Blocks& blocks = world.blocks;
+  const int known = int(blocks.list.size());  // those of the step stay
   for (const auto& joint : world.joints()) {
     joint->moved(world.bodies);
     if (!joint->projected) continue;
-    blocks_.clear();
-    blocks_.reserve(joint->most_rows());
-    joint->append(world.bodies, blocks_);
-    for (const Block& block : blocks_.list) {
-      if (!block.target.holds_position) continue;  // a motor asks for a speed, not for a place
-      const real C = blocks_.C[block.first + block.rows - 1];
+    joint->append(world.bodies, blocks);
+    for (int k = known; k < int(blocks.list.size()); ++k) {
+      const Block& block = blocks.list[k];
+      if (!block.target.holds_position) continue;  // a motor: a speed, not a place
+      const real C = blocks.C[block.first + block.rows - 1];
       const bool one_sided = block.target.lower == 0 && block.target.upper == unbounded;
-      solve(world.bodies, block, one_sided && C > 0 ? block.rows - 1 : block.rows);
+      project(world.bodies, blocks, block, one_sided && C > 0 ? block.rows - 1 : block.rows);
     }
-  }
-}
-
-// The first `rows` rows of a block.
-void Projection::solve(Bodies& bodies, const Block& block, int rows) {
-  real inverse_K[36], lambda[6];
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < rows; ++j)
-      inverse_K[i * rows + j] = blocks_.K[block.first_K + i * block.rows + j];
-  invert_symmetric(inverse_K, rows);
-  for (int i = 0; i < rows; ++i) {
-    lambda[i] = 0;
-    for (int j = 0; j < rows; ++j)
-      lambda[i] -= inverse_K[i * rows + j] * blocks_.C[block.first + j];
-  }
-  // The rigid rows alone may bring a limit back further than to its end: then it may not pull.
-  const bool one_sided = rows == block.rows && block.target.lower == 0;
-  if (one_sided && lambda[rows - 1] < 0) return solve(bodies, block, rows - 1);
-
-  vec3 move[2], turn[2];  // M^-1 J^T lambda of the two bodies
-  real share = 1;         // of it, so that no body goes too far
-  for (const int k : {0, 1}) {
-    const Body& body = bodies.at(k == 1 ? block.body2 : block.body1);
-    for (int i = 0; i < rows; ++i) {
-      const Row& J = blocks_.J[block.first + i];
-      move[k] += lambda[i] * body.inverse_mass * (k == 1 ? J.v2 : J.v1);
-      turn[k] += lambda[i] * (inverse_inertia(body) * (k == 1 ? J.w2 : J.w1));
-    }
-    share = std::min({share, longest_move / std::max(length(move[k]), longest_move),
-                      widest_turn / std::max(length(turn[k]), widest_turn)});
-  }
-  for (const int k : {0, 1}) {
-    Body& body = bodies.at(k == 1 ? block.body2 : block.body1);
-    if (body.is_static()) continue;
-    body.x += share * move[k];
-    body.q = normalize(rotation(share * turn[k]) * body.q);
+    blocks.keep(known);
   }
 }
 

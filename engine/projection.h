@@ -7,25 +7,17 @@
 /// @{
 namespace joints {
 
-/// Nonlinear Gauss-Seidel on the positions. An iteration visits every projected joint, asks it for
-/// its blocks at the present poses, and moves its two bodies by M^-1 J^T K^-1 (-C), so that C is
-/// zero to first order; velocities stay as they are. A one-sided row moves them only where it is
-/// violated.
-/// Source: the thesis, section 6; Catto, Position Correction Notes (in the source of Box2D 2), who
-/// calls it nonlinear Gauss-Seidel.
-class Projection {
- public:
-  real longest_move = real(0.2);  ///< a block moves a centre no further than this in a visit [m]
-  real widest_turn = real(0.2);   ///< nor does it turn a body by more [rad]
+/// In one projection a block moves the centre of a body no further than this [m].
+constexpr real longest_move = real(0.2);
+/// Nor does it turn a body by more [rad].
+constexpr real widest_turn = real(0.2);
 
-  /// One iteration over all joints whose `projected` is set. Allocates only when the world has
-  /// grown.
-  void iterate(World& world);
-
- private:
-  void solve(Bodies& bodies, const Block& block, int rows);
-  Blocks blocks_;  // of one joint at a time
-};
+/// One iteration of nonlinear Gauss-Seidel on the positions. Every joint whose `projected` is set
+/// is asked for its blocks at the present poses, and its two bodies are moved by M^-1 J^T K^-1 (-C),
+/// so that C is zero to first order; velocities stay as they are. A one-sided row moves them only
+/// where it is violated. Source: the thesis, section 6; Catto, Position Correction Notes (in the
+/// source of Box2D 2), who calls it nonlinear Gauss-Seidel.
+void project_positions(World& world);
 
 }  // namespace joints
 /// @}

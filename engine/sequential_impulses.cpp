@@ -1,69 +1,20 @@
-// Sequential Impulses. Reads like Algorithm 1: step() is the algorithm, solve_block() its heart.
+// Sequential Impulses: solve_block() is the heart of the algorithm.
 #include "engine/sequential_impulses.h"
 
 #include <algorithm>
 
 namespace joints {
 
-void SequentialImpulses::step(World& world, real h) {
-  begin(world, h);
-  for (int i = 0; i < iterations; ++i) iterate(world.bodies, i);
-  for (;;) {  // a limit that lies ahead may have been reached during the iterations
-    const int known = int(blocks_.list.size());
-    for (const auto& joint : world.joints()) joint->late_limits(world.bodies, h, blocks_);
-    if (int(blocks_.list.size()) == known) break;
-    prepared_.add(world.bodies, blocks_, known, h, row_by_row, true);
-    for (int i = 0; i < iterations; ++i) iterate(world.bodies, i);
-  }
-  finish(world, h);
+void SequentialImpulses::solve(Bodies& bodies) {
+  for (int i = 0; i < iterations; ++i) iterate(bodies);
 }
 
-void SequentialImpulses::begin(World& world, real h) {
-  require(finite(h) && h > 0, "h: the step must be positive and finite [s]");
-  require(iterations > 0, "iterations: there must be at least one");
-  require(projections >= 0, "projections: must not be negative");
-  require(finite(relaxation) && relaxation > 0, "relaxation: must be positive and finite");
-  collect(world, h, blocks_);
-  prepared_.clear(world.most_rows());
-  sequence_.reserve(world.most_rows());
-  prepared_.relaxation = relaxation;
-  prepared_.add(world.bodies, blocks_, 0, h, row_by_row, true);
-  prepared_.start(world.bodies, blocks_, warm_start, last_h_ > 0 ? h / last_h_ : 1);
-  last_h_ = h;
-}
-
-void SequentialImpulses::finish(World& world, real h) {
-  for (int slot = 0; slot < world.bodies.slots(); ++slot)
-    integrate_pose(world.bodies.at(slot), h);
-  for (int i = 0; i < projections; ++i) projection_.iterate(world);
-}
-
-void SequentialImpulses::iterate(Bodies& bodies, int number) {
-  Body* array = bodies.data();
-  const int n = int(prepared_.blocks.size());
-  const bool back =
-      order == Order::backward || (order == Order::alternating && number % 2 == 1);
-  if (order == Order::shuffled) {
-    draw_order(n);
-    for (int k : sequence_) solve(array, prepared_.blocks[k]);
-  } else if (back) {
-    for (int k = n - 1; k >= 0; --k) solve(array, prepared_.blocks[k]);
-  } else {
-    for (int k = 0; k < n; ++k) solve(array, prepared_.blocks[k]);
-  }
-}
+void SequentialImpulses::iterate(Bodies& bodies) { iterate(bodies, 0, prepared_count()); }
 
 void SequentialImpulses::iterate(Bodies& bodies, int from, int to) {
+  require_prepared(bodies);
+  require(from >= 0 && to <= prepared_count(), "from, to: there are not so many prepared blocks");
   for (int k = from; k < to; ++k) solve(bodies.data(), prepared_.blocks[k]);
-}
-
-// Fisher and Yates, written out because std::shuffle differs from library to library.
-void SequentialImpulses::draw_order(int n) {
-  if (seeded_with_ != seed) random_.seed(seed);
-  seeded_with_ = seed;
-  sequence_.resize(n);
-  for (int k = 0; k < n; ++k) sequence_[k] = k;
-  for (int k = n - 1; k > 0; --k) std::swap(sequence_[k], sequence_[random_() % (k + 1)]);
 }
 
 // One predictable switch a block; from here on the number of rows is known to the compiler.
@@ -91,7 +42,7 @@ void SequentialImpulses::solve_rows(Body* bodies, const PreparedBlock& block) {
 template <int N, bool linear, bool angular>
 void SequentialImpulses::solve_block(Body* bodies, const PreparedBlock& block) {
   Body &body1 = bodies[block.body1], &body2 = bodies[block.body2];
-  const Row* J = &blocks_.J[block.first];
+  const Row* J = &blocks().J[block.first];
   const PreparedRow* row = &prepared_.rows[block.first];
   const real* inverse_K = &prepared_.inverse_K[block.first_K];
 

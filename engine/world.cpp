@@ -5,17 +5,13 @@
 
 namespace joints {
 
-void Joint::begin_step(const Bodies&, real h) { h_ = h; }
-void Joint::moved(const Bodies&) {}
-void Joint::late_limits(const Bodies&, real, Blocks&) {}
-Joint::Extras Joint::extras() const { return {}; }
-
 void World::keep(std::unique_ptr<Joint> joint) {
   bodies.index(joint->body1);  // refuses ids that name no body
   bodies.index(joint->body2);
   const int rows = joint->most_rows();
   joints_.push_back(std::move(joint));
   most_rows_ += rows;
+  most_rows_of_one_ = std::max(most_rows_of_one_, rows);
 }
 
 void World::remove(const Joint& joint) {

@@ -1,4 +1,5 @@
-// The world: bodies, joints, gravity. It knows no kind of joint and no solver.
+// The world: bodies, joints, gravity, and the blocks of its last step. It knows no kind of joint
+// and no solver.
 #pragma once
 
 #include <memory>
@@ -18,6 +19,8 @@ class World {
  public:
   Bodies bodies;                    ///< all of them, in one array
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
+  Blocks blocks;                    ///< those of the last step, for looking at
+  real last_h = 0;                  ///< length of the last step [s]; 0 before the first
 
   /// Adds a body. \throws std::invalid_argument for a body that is not finite
   BodyId add(const Body& body) { return bodies.add(body); }
@@ -41,11 +44,13 @@ class World {
   const std::vector<std::unique_ptr<Joint>>& joints() const { return joints_; }
   /// The most rows that all joints can have together.
   int most_rows() const { return most_rows_; }
+  /// The most rows that any joint could have that was ever added.
+  int most_rows_of_one() const { return most_rows_of_one_; }
 
  private:
   void keep(std::unique_ptr<Joint> joint);
   std::vector<std::unique_ptr<Joint>> joints_;
-  int most_rows_ = 0;
+  int most_rows_ = 0, most_rows_of_one_ = 0;
 };
 
 }  // namespace joints

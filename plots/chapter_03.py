@@ -68,16 +68,16 @@ def draw_door(solution, mine, out):
 def draw_motor(solution, mine, out):
     ideal = np.array([0, 2.5, 4])
     right_way = pick(solution, "speed_rad_s", clamped="sum", visits=1)
-    title = "A motor of 2 N m on 1 kg m²: clamp the sum, and the number of visits does not matter"
+    title = "A motor of 2 N m on 1 kg m²: clamp the sum, and the number of solves does not matter"
     if mine:
-        title = "A motor of 2 N m on 1 kg m², 100 visits: " + style.verdict(
+        title = "A motor of 2 N m on 1 kg m², 100 solves: " + style.verdict(
             pick(mine, "speed_rad_s", clamped="sum", visits=100), right_way, "rad/s")
     figure, (left, right) = style.figure(title, 2, sharey=True)
     for ax, clamped, words in ((left, "sum", "the sum of a step is clamped"),
-                               (right, "visit", "each visit is clamped for itself")):
+                               (right, "visit", "each solve is clamped by itself")):
         for visits, colour in zip((1, 10, 100), COLOURS):
             t, speed = pick(mine or solution, "speed_rad_s", clamped=clamped, visits=visits)
-            ax.plot(t, speed, color=colour, label=f"{visits} visit" + "s" * (visits > 1),
+            ax.plot(t, speed, color=colour, label=f"{visits} solve" + "s" * (visits > 1),
                     linewidth={1: 5, 10: 3, 100: 1.2}[visits] if clamped == "sum" else 1.8)
         ax.plot(ideal, np.minimum(2 * ideal, 5), color=INK, linewidth=1, dashes=(4, 2),
                 label="2 N m, 5 rad/s" if clamped == "visit" else "_")
@@ -85,7 +85,7 @@ def draw_motor(solution, mine, out):
                title=words + (", yours" if mine else ""))
     left.set_ylabel("speed  [rad/s]")
     if not mine:
-        left.text(0.97, 0.1, "1, 10 and 100 visits", ha="right", fontsize=8.5, color=PALE,
+        left.text(0.97, 0.1, "1, 10 and 100 solves", ha="right", fontsize=8.5, color=PALE,
                   transform=left.transAxes)
     label_ends(right)
     style.save(figure, out / "03_motor")

@@ -106,7 +106,7 @@ def draw_correction(solution, mine, out):
     both = mine or solution
     kept = max(table[column][table["time_s"] < 0.501][-1] / table[column][0]
                for table in both for column in ("translation_m", "rotation_rad"))
-    figure, axes = style.figure("Place and turn come right together: after half a second "
+    figure, axes = style.figure("Position and rotation come right together: after half a second "
                                 f"{100 * kept:.3g} % of the error is left", 2, sharey=True)
     for ax, table, name in zip(axes, both, ("slider", "hinge")):
         ax.plot(table["time_s"], table["translation_m"], color=COLOURS[1], marker="o", markersize=6,
@@ -151,7 +151,7 @@ def draw_energy_and_spin(solution, mine, out):
     inset.set_title("measured / formula", fontsize=7.5, pad=2)
     inset.tick_params(labelsize=7)
     right.set(xscale="log", yscale="log", xlabel="gap at the start  [m]",
-              ylabel="spin that is left  [rad/s]", title="spin at the end; dashed: second order")
+              ylabel="angular velocity left  [rad/s]", title="at the end; dashed: second order")
     finish(figure, out / "06_energy_and_spin", left, right)
 
 
@@ -254,7 +254,7 @@ def draw_between(solution, mine, out):
     for bend, rho, rank in zip(*(rate[name][stuck] for name in ("bend_rad", "rho", "rank"))):
         inset.annotate(f"rank\n{rank:g} of {rate['rank'].max():g}", (bend, rho), fontsize=7,
                        xytext=(-2, -28), textcoords="offset points", color=COLOURS[0])
-    inset.set_title("share that an iteration leaves", fontsize=7.5, pad=3)
+    inset.set_title("share left per iteration", fontsize=7.5, pad=3)
     inset.set_xlabel("bend of the links  [rad]", fontsize=7.5, labelpad=1)
     inset.tick_params(labelsize=7)
     finish(figure, out / "06_between", left, right)

@@ -40,7 +40,7 @@ def draw_steps(solution, mine, out):
     good = np.where(np.isfinite(ns) & (ns > 0), ns, np.nan)
     first, least = good[0], int(np.argmin(np.nan_to_num(good, nan=np.inf)))
     figure, ax = style.figure(
-        f"A hinge and iteration, {first:.3g} ns when all is prepared in every visit, takes "
+        f"A hinge and iteration takes {first:.3g} ns {names[0]}, "
         f"{good[least]:.3g} ns with {names[least]}" + (": yours" if mine else ""))
     places = np.arange(len(names))[::-1]
     ax.barh(places, good, height=0.62, color=[COLOURS[1 if count == 1 else 2]
@@ -67,7 +67,7 @@ def draw_steps(solution, mine, out):
     far = np.max(np.nan_to_num(table["off_m"], nan=np.inf))
     ax.set(xlabel="time of a hinge and iteration, a linear axis  [ns]", xlim=(0, 1.03 * right),
            title=("|: the solution's" if mine
-                  else f"gap: RMS, iterations: {table['iterations'][0]:g}")
+                  else f"gap: RMS, with {table['iterations'][0]:g} iterations")
            + f"; off one lane in the same order by {length(far)}")
     style.save(figure, out / "07_steps")
 
@@ -126,7 +126,7 @@ def draw_relaxation(solution, mine, out):
     gaps = np.where(chain["held"], chain["gap_rms_m"], np.inf)
     best, plain = int(np.argmin(gaps)), gaps[np.argmin(np.abs(chain["omega"] - 1))]
     figure, ax = style.figure(
-        f"Chain order, iterations: {most:g}; omega {chain['omega'][best]:g} leaves "
+        f"Chain order, {most:g} iterations: omega {chain['omega'][best]:g} leaves "
         f"{length(gaps[best])} in place of {length(plain)}"
         + (f"; from {burst:g} on it explodes" if np.isfinite(burst) else "")
         + (" (yours)" if mine else ""))
@@ -171,9 +171,8 @@ def draw_inside(solution, mine, out):
         return rows(table, order=order, omega=omega, iteration=last)["largest_e"][0]
     omegas = np.unique(table["omega"])
     figure, axes = style.figure(
-        f"Chain order: {last:g} iterations leave the worst row {end('chain', omegas[0]):.2g} "
-        f"m/s from "
-        f"true with omega {omegas[0]:g}, {end('chain', omegas[-1]):.2g} with {omegas[-1]:g}",
+        f"Chain order: {last:g} iterations leave the worst row {end('chain', omegas[0]):.2g} m/s "
+        f"from true with omega {omegas[0]:g}, {end('chain', omegas[-1]):.2g} with {omegas[-1]:g}",
         2, sharey=True)
     for ax, order in zip(axes, ("chain", "colours")):
         for k, (omega, part) in enumerate(parts(rows(table, order=order), "omega")):

@@ -143,7 +143,7 @@ def draw_bounce(solution, mine, out):
             theirs = rows(solution[1], restitution=e)
             shown = theirs["time_s"] <= 2.5
             left.plot(theirs["time_s"][shown], theirs["height_m"][shown], label="_", **FORMULA)
-    left.set(xlabel="time  [s]", ylabel="room under the ball  [m]", ylim=(-0.05, 1.1),
+    left.set(xlabel="time  [s]", ylabel="gap under the ball  [m]", ylim=(-0.05, 1.1),
              title="five balls" + (": yours; dashed: the solution's" if mine else ""))
     drops = np.unique(table["drop_m"])
     line = np.linspace(0, 1, 50)
@@ -180,7 +180,7 @@ def draw_order(solution, mine, out):
         over_time(ax, rows(given, iterations=count), mine and rows(table, iterations=count),
                   column, "order", visible)
         ax.set(yscale="log", ylabel=words, ylim=(1e-6, None),
-               title=f"iterations a step: {count:g}" + whose(mine))
+               title=f"{count:g} iterations a step" + whose(mine))
     for ax, column, words in zip(axes[1], ("gap_rms_m", "penetration_max_m"),
                                  ("gaps, RMS of the whole run  [m]", "deepest of the run  [m]")):
         for name, part, colour, marker in parts(ends, "order"):

@@ -33,7 +33,7 @@ def gap(ax):
 
 
 def turning(ax):
-    """Right: the velocity of an anchor is the centre's plus that of the turn."""
+    """Right: the velocity of an anchor is the centre's plus that of the rotation."""
     words(ax, (562, 350), "a point's velocity: $v + \\omega \\times r$", size=12.5, weight="bold")
     x, p = np.array([524.0, 150.0]), np.array([588.0, 184.0])
     v = np.array([62.0, -14.0])
@@ -48,7 +48,7 @@ def turning(ax):
         ax.plot(*zip(start, start + step), color=FAINT, linewidth=1, linestyle=":", zorder=3)
     dot(ax, x, BODY2)
     dot(ax, p, BODY2)
-    # the turn itself: a bent arrow round the centre
+    # the rotation itself: a bent arrow round the centre
     ax.add_patch(Arc(x, 72, 72, theta1=95, theta2=215, color=BODY2, linewidth=2, zorder=4))
     end = np.radians(215)
     tip = x + 36 * np.array([np.cos(end), np.sin(end)])

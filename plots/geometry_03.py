@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Chapter 3's drawing: the shadow of an axis, the arrow of the angle's rate, a door's limits.
+"""Chapter 3's drawing: the shadow of an axis, the vector of the angle's rate, a door's limits.
 
     python3 plots/geometry_03.py OUT.svg
 """
@@ -74,7 +74,7 @@ def rate(ax):
 
 
 def door(ax):
-    """Right: a door from above, with its angle x, its two limits and the room to the nearer one."""
+    """Right: a door from above, with its angle x, its two limits and the gap to the nearer one."""
     words(ax, (698, 350), "limits", size=12.5, weight="bold")
     pin, length, x, upper = np.array([640.0, 118.0]), 132.0, 58.0, 110.0
     ax.add_patch(Wedge(pin, length, 0, upper, facecolor=BODY2 + "12", edgecolor="none", zorder=1))
@@ -98,7 +98,7 @@ def door(ax):
     words(ax, at_angle(pin, length + 30, 58) + (6, 0), "body 2", BODY2, 12)
     words(ax, (762, 100), "lower", INK, 11)
     words(ax, (590, 268), "upper", INK, 11)
-    words(ax, (698, 32), "$C$ is the room that is left", FAINT, 11)
+    words(ax, (698, 32), "$C$ is the gap that is left", FAINT, 11)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Chapter 4's drawing: the line, the way and the lever p2 - x1; the turn that is too much.
+"""Chapter 4's drawing: the line, the way and the lever p2 - x1; the rotation that is too much.
 
     python3 plots/geometry_04.py OUT.svg
 """
@@ -69,7 +69,7 @@ def line(ax):
 
 def lock(ax):
     """Right: body 2 as it should lie, and how far it has turned beyond that."""
-    words(ax, (562, 352), "the turn that is too much", size=12.5, weight="bold")
+    words(ax, (562, 352), "the excess rotation", size=12.5, weight="bold")
     x1, x2 = np.array([540.0, 92.0]), np.array([566.0, 228.0])
     meant, now = TILT + 6, TILT + 38
     size = (136, 66)

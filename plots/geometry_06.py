@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Chapter 6's drawing: a straight step leaves the circle, two cures of a gap, the spin left over.
+"""Chapter 6's drawing: a step off the circle, two cures of a gap, the angular velocity left.
 
     python3 plots/geometry_06.py OUT.svg
 """
@@ -88,7 +88,7 @@ def cures(ax):
     words(ax, (420, 28), "$\\beta$ of it in a step, or all of it", FAINT, 11)
 
 
-def spin(ax):
+def rotation(ax):
     """Right: the answer to a slanted gap turns the body, and some of the turning stays."""
     words(ax, (700, 352), "the free axis", size=12.5, weight="bold")
     r, gap = 112.0, np.array([44.0, 46.0])
@@ -120,9 +120,9 @@ def spin(ax):
     dot(ax, pivot, BODY1)
     dot(ax, x, BODY2)
     words(ax, x + (59, 14), "$\\omega_{\\mathrm{left}}$", BODY2, 14, ha="left")
-    words(ax, (826, 58), "the gap is gone, a spin is left", BODY2, 11, ha="right")
+    words(ax, (826, 58), "the gap is gone, $\\omega$ is left", BODY2, 11, ha="right")
     words(ax, (700, 28), "seen along the axis", FAINT, 11)
 
 
 if __name__ == "__main__":
-    draw(__doc__, "geometry_06", (leave, cures, spin), (280, 560), width=840)
+    draw(__doc__, "geometry_06", (leave, cures, rotation), (280, 560), width=840)

@@ -25,7 +25,7 @@ def measure(ax, x, low, high):
 
 def corner(ax):
     """Left: the lowest corner of a tilted box, its levers and its three directions."""
-    words(ax, (172, 352), "the room under a corner", size=12.5, weight="bold")
+    words(ax, (172, 352), "the gap under a corner", size=12.5, weight="bold")
     top, x1, x2 = 132.0, np.array([112.0, 70.0]), np.array([158.0, 258.0])
     ax.add_patch(Rectangle((24, 48), 300, top - 48, facecolor=BODY1 + "26", linewidth=0))
     ax.plot((24, 324), (top, top), color=BODY1, linewidth=2)
@@ -67,7 +67,7 @@ def corner(ax):
 
 
 def wedge(ax):
-    """Right: normal impulse and friction impulse of a corner, and what a visit does to them."""
+    """Right: normal impulse and friction impulse of a corner, and what a solve does to them."""
     words(ax, (526, 352), "the bound follows the normal row", size=12.5, weight="bold")
     origin, right, slope = np.array([392.0, 188.0]), 262.0, 0.5
     ends = [origin + (right, sign * slope * right) for sign in (1, -1)]

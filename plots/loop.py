@@ -13,7 +13,7 @@ WORDS = ["variant", "real"]
 ORANGE, BLUE, GREEN, PINK, SKY, YELLOW = COLOURS
 # Each variant: in words, its colour, and for the engine's dashes.
 VARIANTS = {
-    "recomputed": ("set up in every visit", PALE, False),
+    "recomputed": ("set up in every solve", PALE, False),
     "textbook": ("set up once a step, virtual calls", INK, False),
     "flat": ("by value in an array, no calls", ORANGE, False),
     "whole-joint": ("one block of five rows", YELLOW, False),
@@ -35,13 +35,12 @@ def of(table, variant, chains):
 
 
 def per_iteration(table, variant, chains):
-    """ns a joint and iteration, NaN where a variant is not in the table."""
+    """ns per joint and iteration, NaN where a variant is not in the table."""
     found = of(table, variant, chains)["ns_per_joint_iteration"]
     return found[0] if len(found) else np.nan
 
 
-# ---- what a joint and iteration costs
-# ----------------------------------------------------------------
+# ---- what a joint and iteration costs ----------------------------------------------------------
 
 def draw_bars(ax, table, chains, names, places, most):
     """A bar a variant; behind it, pale, what it saves against the one above it."""
@@ -80,15 +79,15 @@ def per_joint(table, out):
                       if name != "recomputed")
     for ax, chains in zip(axes[0], counts):
         draw_bars(ax, table, chains, names, places, most)
-        ax.set(xlabel="ns a joint and iteration  (x: textbook / this)", xlim=(0, most),
+        ax.set(xlabel="ns per joint and iteration", xlim=(0, most),
                ylim=(places[-1] + 0.6, -0.6))
         ax.grid(axis="y", visible=False)
         ax.tick_params(axis="y", length=0)
         ax.axhline(len(ours) - 0.05, color=style.GRID, linewidth=0.8)
     axes[0, 0].set_yticks(places, [f"{name}\n{VARIANTS[name][0]}" for name in names],
                           linespacing=1.1, fontsize=7.6)
-    figure.text(0.012, 0.012, "hollow: the engine's,\nfor joints of any kind", color=PALE,
-                fontsize=7.6)
+    figure.text(0.012, 0.012, "x: textbook / this; hollow:\nthe engine's, for any joint",
+                color=PALE, fontsize=7.6)
     style.save(figure, out / "loop")
 
 

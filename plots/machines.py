@@ -47,10 +47,10 @@ def draw_machines(solution, mine, out):
         f"Gaps of the machines, RMS, each with its most iterations: {words}", 2)
 
     def place(name, count):
-        """A line for every machine, and on it one above the other how often it was iterated."""
-        iterated = sorted(parted[name]["iterations"])
-        return -names.index(name) + 0.2 * ((iterated.index(count) if count in iterated else 0)
-                                           - (len(iterated) - 1) / 2)
+        """A line for every machine, and on it one above the other each count of iterations."""
+        own = sorted(parted[name]["iterations"])
+        return -names.index(name) + 0.2 * ((own.index(count) if count in own else 0)
+                                           - (len(own) - 1) / 2)
     for ax, columns in ((left, ("gap_rms_m", "gap_max_m")), (right, ("penetration_max_m",))):
         for n, count in enumerate(counts):
             part = rows(table, iterations=count)
@@ -110,7 +110,7 @@ def draw_ragdoll(solution, mine, out):
         f"The ragdoll falls at {np.max(table['fastest_m_s']):.2g} m/s and comes to rest: "
         f"{np.max(table['fastest_m_s'][late]):.2g} m/s in the last second", 2)
     for ax, columns in ((left, (("fastest_m_s", "fastest centre\n[m/s]"),
-                                ("fastest_rad_s", "fastest turn\n[rad/s]"))),
+                                ("fastest_rad_s", "fastest rotation\n[rad/s]"))),
                         (right, (("gap_m", "widest gap"), ("penetration_m", "deepest\ncorner")))):
         ax.set_yscale("log")
         for k, (column, words) in enumerate(columns):

@@ -14,7 +14,7 @@ LINES = {  # solver, setting: words, colour
     ("textbook", "one at a time"): ("textbook", INK),
     ("engine rows", "one at a time"): ("engine rows", COLOURS[1]),
     ("packed", "one at a time"): ("packed,\none at a time", COLOURS[2]),
-    ("lanes", "islands"): ("lanes,\na island each", COLOURS[0]),
+    ("lanes", "islands"): ("lanes,\nan island each", COLOURS[0]),
     ("lanes", "colours"): ("lanes,\ncoloured", COLOURS[3])}
 SMALL, LARGE = 1e3, 1e5  # between these the growth is told
 

@@ -254,7 +254,8 @@ def headline(rows, measure, factor, unit):
     best = min(good, key=lambda row: row[measure])
     least = f"{number(factor * best[measure])} {unit}"
     if measure == "sideways_m":
-        return f"{scene}: the exact answer is 0; no iterations come below {least} ({called(best)})"
+        return (f"{scene}: the exact answer is 0; no number of iterations comes below {least} "
+                f"({called(best)})")
     if measure == "tip_error_m":
         plain = [row for row in good if "half a kick" not in row["setting"]]
         without = min(factor * row[measure] for row in plain)

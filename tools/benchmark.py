@@ -9,7 +9,7 @@ from pathlib import Path
 
 import figures
 import house
-import show
+from measuring import run_bench
 
 JOINTS, STEPS, FEW, MANY = 99, 20, 10, 30  # of the run whose instructions are counted
 UNITS = {"gap_rms_m": ("gap RMS", 1000, "mm"), "gap_max_m": ("largest gap", 1000, "mm"),
@@ -127,9 +127,9 @@ def main():
           flush=True)
     began = time.time()
     house.must_build(["work_precision", "work_precision_float", "scaling_float"])
-    show.run_bench("work_precision_float", [])
-    show.run_bench("work_precision", ["--append", "1"])
-    show.run_bench("scaling_float", [], figures.SCALING)
+    run_bench("work_precision_float", [])
+    run_bench("work_precision", ["--append", "1"])
+    run_bench("scaling_float", [], figures.SCALING)
     took = time.time() - began
     scenes = scenes_of(read(figures.TABLE))
     print_fastest(scenes)
@@ -138,8 +138,7 @@ def main():
     print_instructions()
     print()
     house.progress("drawing")
-    made = figures.draw("work_precision.py", "--csv", figures.TABLE,
-                     "--peers", house.ROOT / "bench" / "peers.csv")
+    made = figures.draw("work_precision.py", "--csv", figures.TABLE, "--peers", figures.PEERS)
     made += figures.draw("scaling.py", "--csv", figures.SCALING)
     house.progress_done()
     for path in made:

@@ -47,13 +47,13 @@ def print_table(rows):
         block = [row for row in rows if (row["solver"], row["real"]) == key]
         plain = next(row for row in block if row["case"] == "hinge")
         print(f"\n{key[0]}, {key[1]:17} {'rows':>4} {'bytes':>8} {'instructions a step':>20} "
-              f"{'less the hinge':>15} {'an iteration':>9}")
+              f"{'less the hinge':>15} {'an iteration':>12}")
         for row in block:
             a_step, base = row["instructions_per_joint_step"], plain["instructions_per_joint_step"]
             more = f"{float(a_step) - float(base):+.0f}" if a_step and row != plain else ""
             print(f"  {row['case']:26} {float(row['rows']):4.0f} "
                   f"{float(row['bytes_per_joint']):8.0f} {a_step:>20} {more:>15} "
-                  f"{row['instructions_per_joint_iteration']:>9}")
+                  f"{row['instructions_per_joint_iteration']:>12}")
 
 
 def main(keep):

@@ -7,7 +7,7 @@ import house
 
 TABLE, STABILITY = house.OUT / "work_precision.csv", house.OUT / "stability.csv"
 LOOP, SCALING = house.OUT / "loop.csv", house.OUT / "scaling.csv"
-PEERS = house.ROOT / "bench" / "peers.csv"
+PEERS, THESIS = house.ROOT / "bench" / "peers.csv", house.ROOT / "bench" / "thesis_frames.csv"
 FIGURES = house.OUT / "plots"
 
 
@@ -42,3 +42,8 @@ def of_chapter(chapter, solution, mine=None):
     """The job that draws a chapter's figures, of the recorded runs in these folders."""
     return (f"chapter_{chapter.number:02}.py", "--solution", solution,
             *(["--mine", mine] if mine else []))
+
+
+def draw_loop():
+    """The inner loop in its variants; out/ itself holds the figure, as it holds the table."""
+    return draw("loop.py", "--csv", LOOP, "--thesis", THESIS, figures=house.OUT)

@@ -4,9 +4,8 @@ import csv
 import figures
 import house
 import instructions
-import show
+from measuring import run_bench
 
-THESIS = house.ROOT / "bench" / "thesis_frames.csv"
 PER_ITERATION, PER_STEP = "instructions_per_joint_iteration", "instructions_per_joint_step"
 
 
@@ -37,7 +36,7 @@ def add_instructions():
 def print_table():
     """A line a variant; the ratio is against the textbook's in the same run."""
     rows = [row for row in read() if row["iterations"] == "30"]
-    print(f"{'':38}{'30 iterations':>10} {'one joint, one iteration':^34}")
+    print(f"{'':35}{'30 iterations':>13} {'one joint, one iteration':^34}")
     print(f"{'variant':22} {'real':7} {'chains':>6} {'us a step':>10} {'ns':>8} "
           f"{'textbook / this':>16} {'instructions':>13} {'gap RMS mm':>11}")
     for row in rows:
@@ -50,16 +49,12 @@ def print_table():
               f"{row[PER_ITERATION] or '-':>13} {1000 * float(row['gap_rms_m']):11.2f}")
 
 
-def draw():
-    return figures.draw("loop.py", "--csv", figures.LOOP, "--thesis", THESIS, figures=house.OUT)
-
-
 def main():
     print("the inner loop in its variants: about three and a half minutes; leave the machine alone "
           "meanwhile", flush=True)
     house.must_build(["loop", "loop_float"])
-    show.run_bench("loop_float", [], figures.LOOP)
-    show.run_bench("loop", ["--append", "1", "--rounds", "3", "--all-counts", "0"], figures.LOOP)
+    run_bench("loop_float", [], figures.LOOP)
+    run_bench("loop", ["--append", "1", "--rounds", "3", "--all-counts", "0"], figures.LOOP)
     if instructions.there():
         house.progress("counting instructions (float)")
         add_instructions()
@@ -68,7 +63,7 @@ def main():
     if not instructions.there():
         print(f"\n{instructions.MISSING}")
     print()
-    for path in draw():
+    for path in figures.draw_loop():
         print(house.short(path))
     print(f"the table: {house.short(figures.LOOP)}")
     return 0

@@ -1,4 +1,4 @@
-"""The commands that show something: run, plot, see, bench."""
+"""The commands that show something: run, plot, see."""
 import os
 import re
 import signal
@@ -195,8 +195,7 @@ def plot(chapter):
         jobs.append(("stability.py", "--csv", figures.STABILITY))
     made = figures.draw_all(jobs)
     if not chapter and figures.LOOP.exists():
-        import loop
-        made += loop.draw()
+        made += figures.draw_loop()
     house.progress_done()
     for path in made:
         print(house.short(path))
@@ -230,36 +229,3 @@ def see(chapter):
     else:
         print("open it in a browser: it needs no network")
     return 0
-
-
-# ---- measuring -----------------------------------------------------------------------------------
-
-def run_bench(program, options, table=figures.TABLE):
-    """One run of a benchmark program; its progress is shown."""
-    house.OUT.mkdir(exist_ok=True)
-    process = subprocess.Popen([house.BUILD / "bench" / program, "--csv", table, *options],
-                               stderr=subprocess.PIPE, text=True)
-    said = ""
-    for line in process.stderr:
-        said = line.strip()
-        house.progress(f"{program}: {said}")
-    if process.wait() != 0:
-        raise house.Trouble(said)
-    house.progress_done()
-
-
-def bench(options):
-    """Error against run time, and what the options name: a suite or a table of its own each."""
-    if options == ["--stability"]:
-        import stability
-        return stability.main()
-    if options == ["--loop"]:
-        import loop
-        return loop.main()
-    if options in (["--cost"], ["--cost", "--keep"]):
-        import cost
-        return cost.main(keep="--keep" in options)
-    if options:
-        raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --loop or --cost")
-    import benchmark
-    return benchmark.main()

@@ -4,7 +4,7 @@ import subprocess
 
 import figures
 import house
-import show
+from measuring import run_bench
 
 WORDS = ["ok", "soft", "torn", "energy+", "exploded", "nan", "off"]
 BESIDE = "(for comparison)"  # what others would do, shown beside: counted nowhere
@@ -46,8 +46,8 @@ def print_table():
 def main():
     print("the stability suite: about three and a half minutes", flush=True)
     house.must_build(["stability", "stability_float"])
-    show.run_bench("stability", [], figures.STABILITY)
-    show.run_bench("stability_float", ["--append", "1"], figures.STABILITY)
+    run_bench("stability", [], figures.STABILITY)
+    run_bench("stability_float", ["--append", "1"], figures.STABILITY)
     print_table()
     print()
     for path in figures.draw("stability.py", "--csv", figures.STABILITY):

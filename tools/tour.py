@@ -5,6 +5,7 @@ import resource
 import figures
 import house
 import show
+from measuring import run_bench
 from talk import bold
 
 
@@ -19,7 +20,7 @@ def tour():
             show.call_program(f"{chapter.folder}_run", show.SOLUTIONS / chapter.folder, [], True)
             pages.append(show.make_page(chapter, show.SOLUTIONS / chapter.folder, None))
         house.progress("error against run time, the short form")
-        show.run_bench("work_precision", ["--quick", "1"])
+        run_bench("work_precision", ["--quick", "1"])
     made = figures.draw_all(
         [figures.of_chapter(chapter, show.SOLUTIONS / chapter.folder) for chapter in chapters]
         + [("work_precision.py", "--csv", figures.TABLE, "--peers", figures.PEERS)])

@@ -96,6 +96,24 @@ def main(arguments):
     return call(command, words, rest)
 
 
+def bench(options):
+    """Error against run time, or what the options name: a suite or a table of its own each."""
+    match options:
+        case []:
+            import benchmark
+            return benchmark.main()
+        case ["--stability"]:
+            import stability
+            return stability.main()
+        case ["--loop"]:
+            import loop
+            return loop.main()
+        case ["--cost"] | ["--cost", "--keep"]:
+            import cost
+            return cost.main(keep="--keep" in options)
+    raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --loop or --cost")
+
+
 def call(command, words, rest):
     """Each command loads no more than it needs: ./wb is to answer at once."""
     match command:
@@ -121,14 +139,12 @@ def call(command, words, rest):
         case "docs":
             import docs
             return docs.command()
-    import show
-    match command:
         case "bench":
-            return show.bench(rest)
-        case "run":
-            return show.run(house.chapter_of(rest[0]), rest[1:])
-        case _:
-            return getattr(show, command)(house.chapter_of(words[0]) if words else None)
+            return bench(rest)
+    import show
+    if command == "run":
+        return show.run(house.chapter_of(rest[0]), rest[1:])
+    return getattr(show, command)(house.chapter_of(words[0]) if words else None)
 
 
 if __name__ == "__main__":

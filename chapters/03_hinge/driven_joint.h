@@ -66,7 +66,8 @@ class DrivenJoint : public Joint {
   }
 
   /// Counts turns, and chooses the limit that has a row in this step.
-  void begin_step(const Bodies& bodies, real h) override;
+  void choose_rows(const Bodies& bodies, real h) override;
+  void drop_rows() override { limit_ = late_ = {}; }
   /// Keeps the count of turns up to date while projection turns the bodies.
   void moved(const Bodies& bodies) override;
   /// Motor, limit, rigid rows: those that are live.
@@ -116,14 +117,9 @@ class DrivenJoint : public Joint {
 };
 
 template <class First, class Second, class Coordinate>
-void DrivenJoint<First, Second, Coordinate>::begin_step(const Bodies& bodies, real h) {
-  Joint::begin_step(bodies, h);
+void DrivenJoint<First, Second, Coordinate>::choose_rows(const Bodies& bodies, real h) {
   const LimitRow before = limit_;
   limit_ = late_ = {};
-  if (bodies[body1].is_static() && bodies[body2].is_static()) {
-    impulse_ = {};  // no live row
-    return;
-  }
   const Body &a = bodies[body1], &b = bodies[body2];
   measured_ = false;
   if (counted() && !(leeway_.is_slow(a, b, h) && leeway_.still_near(coordinate, a, b))) {
@@ -173,7 +169,7 @@ void DrivenJoint<First, Second, Coordinate>::append(const Bodies& bodies, Blocks
 template <class First, class Second, class Coordinate>
 void DrivenJoint<First, Second, Coordinate>::late_limits(const Bodies& bodies, real h,
                                                          Blocks& blocks) {
-  if (!counted() || (bodies[body1].is_static() && bodies[body2].is_static())) return;
+  if (!counted()) return;
   if (leeway_.is_slow(bodies[body1], bodies[body2], h)) return;
   leeway_.forget();
   if (!measured_) measure(bodies);

@@ -21,10 +21,6 @@ class FixedJoint : public Joint {
                               lock_of(bodies[id1], bodies[id2])} {
     check(weld.point);
   }
-  void begin_step(const Bodies& bodies, real h) override {
-    Joint::begin_step(bodies, h);
-    if (bodies[body1].is_static() && bodies[body2].is_static()) impulse_ = {};  // no live row
-  }
   void append(const Bodies& bodies, Blocks& blocks) const override {
     const RowTarget target{.beta = beta};
     if (whole) {

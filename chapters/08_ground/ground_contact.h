@@ -72,7 +72,8 @@ class GroundContact : public Joint {
 
   /// Chooses the corners that have rows in this step, and their directions of friction.
   /// \throws std::invalid_argument for a friction that is negative or not finite
-  inline void begin_step(const Bodies& bodies, real h) override;
+  inline void choose_rows(const Bodies& bodies, real h) override;
+  void drop_rows() override { points_ = {}, live_ = 0, near_ = false; }
   /// Friction, friction, normal, of each corner that has rows.
   inline void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Adds a corner that a neighbour has driven into the ground after all.
@@ -118,15 +119,13 @@ class GroundContact : public Joint {
 
 // ---- which corners have rows --------------------------------------------------------------------
 
-inline void GroundContact::begin_step(const Bodies& bodies, real h) {
-  Joint::begin_step(bodies, h);
+inline void GroundContact::choose_rows(const Bodies& bodies, real h) {
   require(finite(friction) && friction >= 0, "friction: must be finite and not negative [1]");
   const Body &a = bodies[body1], &b = bodies[body2];
   const bool was_near = near_;
   const real reserve = real(0.1) * h;
   // A rebound has to know the rate of the step before the impact: look three steps ahead.
-  near_ = (!a.is_static() || !b.is_static()) &&
-          least_room(a, b, restitution > 0 ? 3 * h : h) < reserve;
+  near_ = least_room(a, b, restitution > 0 ? 3 * h : h) < reserve;
   live_ = 0;
   if (!near_) {
     if (was_near) points_ = {};
@@ -169,7 +168,7 @@ inline void GroundContact::append(const Bodies& bodies, Blocks& blocks) const {
 inline void GroundContact::late_limits(const Bodies& bodies, real h, Blocks& blocks) {
   const Body &a = bodies[body1], &b = bodies[body2];
   if (!near_) {
-    if ((a.is_static() && b.is_static()) || least_room(a, b, h) >= 0) return;
+    if (least_room(a, b, h) >= 0) return;
     near_ = true;  // a neighbour brings it here
     for (int k = 0; k < outline.count; ++k) points_[std::size_t(k)].C = corner(k).error(a, b);
   }
@@ -256,9 +255,7 @@ inline void GroundContact::append_point(int k, const Bodies& bodies, Blocks& blo
   const Corner part = corner(k);
   for (const int i : {0, 1}) {
     if (friction == 0) break;
-    const Row J = part.along(point.t[std::size_t(i)], a, b);
-    blocks.append(bodies.index(body1), bodies.index(body2), to_jacobian(J), {0},
-                  to_matrix(coupling(J, J, a, b)),
+    blocks.append(bodies, body1, body2, to_jacobian(part.along(point.t[std::size_t(i)], a, b)), {0},
                   {.holds_position = false, .follows = 2 - i, .upper = friction},  // Eq. 8-6
                   &point.impulse[std::size_t(i)]);
   }

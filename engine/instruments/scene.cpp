@@ -22,7 +22,7 @@ void Scene::mark(BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis) {
 
 void Scene::print_plan() {
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
-  std::printf("%s: %s\n", name.c_str(), plan(world, solver.warm_start).line().c_str());
+  std::printf("%s: %s\n", name.c_str(), plan(world, stepping.warm_start).line().c_str());
 }
 
 bool read(Settings& settings, const std::string& program, const std::string& seconds,
@@ -64,7 +64,7 @@ Summary play(Scene& scene, const std::string& setting, double seconds,
   for (int n = 0; n <= steps; ++n) {
     if (n > 0) {
       clock.start();
-      scene.solver.step(scene.world, scene.h);
+      scene.step();
       clock.stop();
     }
     poses(scene.world.bodies, now);

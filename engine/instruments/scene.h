@@ -6,6 +6,7 @@
 #include "engine/instruments/measure.h"
 #include "engine/instruments/record.h"
 #include "engine/sequential_impulses.h"
+#include "engine/step.h"
 #include "engine/instruments/summary.h"
 
 /// \addtogroup measuring
@@ -17,6 +18,7 @@ struct Scene {
   std::string name;               ///< for the plan, the summary and the recording
   World world{};                  ///< bodies and joints
   SequentialImpulses solver{};    ///< with its settings
+  Stepping stepping{};            ///< how a step advances
   std::vector<Mark> marks{};      ///< one a joint: what should stay together
   std::vector<Shape> shapes{};    ///< one a body, in their order
   std::vector<Segment> segments{};  ///< lines of the recording, beside those of the marks
@@ -28,6 +30,8 @@ struct Scene {
   /// Remembers a place and a direction of the world that a joint holds together.
   /// \param axis zero where there is none
   void mark(BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis = vec3(0));
+  /// One step.
+  void step() { joints::step(world, solver, h, stepping); }
   /// Prints what the first step has to do in one line.
   void print_plan();
 };

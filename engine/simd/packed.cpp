@@ -1,4 +1,4 @@
-// The blocks of a step packed, and the step over them.
+// The blocks of a step packed, and the solve over them.
 #include "engine/simd/packed.h"
 
 #include <map>
@@ -79,13 +79,13 @@ void fill_rows(PointRows<N, isotropic, Number>& rows, const Source& from, int la
 
 template <int N, class Number>
 void fill_rows(AnyRows<N, Number>& rows, const Source& from, int lane) {
-  const mat3 I1 = inverse_inertia(from.body1), I2 = inverse_inertia(from.body2);
   for (int i = 0; i < N; ++i) {
     const Row& J = from.J[i];
     put(from.row[i].bias, rows.bias[i], lane);
     put(J.v1, rows.row[i].v1, lane), put(J.w1, rows.row[i].w1, lane);
     put(J.v2, rows.row[i].v2, lane), put(J.w2, rows.row[i].w2, lane);
-    put(I1 * J.w1, rows.row[i].turn1, lane), put(I2 * J.w2, rows.row[i].turn2, lane);
+    put(from.row[i].turn1, rows.row[i].turn1, lane);
+    put(from.row[i].turn2, rows.row[i].turn2, lane);
   }
 }
 
@@ -243,29 +243,11 @@ void PackedBlocks::end(Bodies& bodies, const Preparation& prepared) const {
   }
 }
 
-void PackedImpulses::step(World& world, real h) {
-  require(finite(h) && h > 0, "h: the step must be positive and finite [s]");
-  require(iterations > 0, "iterations: there must be at least one");
-  require(projections >= 0, "projections: must not be negative");
-  require(finite(relaxation) && relaxation > 0, "relaxation: must be positive and finite");
-  collect(world, h, blocks_);
-  prepared_.clear(world.most_rows());
-  prepared_.relaxation = relaxation;
-  prepared_.add(world.bodies, blocks_, 0, h, false, false);
-  prepared_.start(world.bodies, blocks_, warm_start, last_h_ > 0 ? h / last_h_ : 1);
-  last_h_ = h;
-  for (;;) {  // a limit that lies ahead may have been reached during the iterations
-    packed_.pack(world.bodies, blocks_, prepared_, packing, lanes);
-    for (int i = 0; i < iterations; ++i) packed_.iterate();
-    packed_.end(world.bodies, prepared_);
-    const int known = int(blocks_.list.size());
-    for (const auto& joint : world.joints()) joint->late_limits(world.bodies, h, blocks_);
-    if (int(blocks_.list.size()) == known) break;
-    prepared_.add(world.bodies, blocks_, known, h, false, false);
-  }
-  for (int slot = 0; slot < world.bodies.slots(); ++slot)
-    integrate_pose(world.bodies.at(slot), h);
-  for (int i = 0; i < projections; ++i) projection_.iterate(world);
+void PackedImpulses::solve(Bodies& bodies) {
+  require_prepared(bodies);
+  packed_.pack(bodies, blocks(), prepared_, packing, lanes);
+  for (int i = 0; i < iterations; ++i) packed_.iterate();
+  packed_.end(bodies, prepared_);
 }
 
 }  // namespace joints

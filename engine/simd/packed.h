@@ -2,9 +2,8 @@
 // (float) or four (double) that are alike and share no body that moves are solved side by side.
 #pragma once
 
-#include "engine/preparation.h"
-#include "engine/projection.h"
 #include "engine/simd/body_records.h"
+#include "engine/solver.h"
 
 /// \addtogroup world
 /// @{
@@ -65,29 +64,18 @@ class PackedBlocks {
   int width_ = 0, packed_ = 0;
 };
 
-/// Sequential Impulses over packed blocks: the same rows, the same order within a island or a
+/// Sequential Impulses over packed blocks: the same rows, the same order within an island or a
 /// colour, other blocks first.
-class PackedImpulses {
+class PackedImpulses : public IterativeSolver {
  public:
-  int iterations = 30;      ///< iterations a step
-  bool warm_start = false;  ///< begin with the impulses of the last step
-  int projections = 0;      ///< iterations of position projection after a step
-  real relaxation = 1;      ///< over-relaxation: a factor of every impulse [1], below 2
   Packing packing = Packing::islands;  ///< which blocks come together
-  bool lanes = true;        ///< false: one block at a time
+  bool lanes = true;                   ///< false: one block at a time
 
-  /// Moves the world on by one step. \param h step [s]
-  /// \throws std::invalid_argument unless h, the iterations and the relaxation are positive and the
-  /// projections not negative
-  void step(World& world, real h);
+  void solve(Bodies& bodies) override;
   const PackedBlocks& packed() const { return packed_; }  ///< of the last step
 
  private:
-  Blocks blocks_;
-  Preparation prepared_;
   PackedBlocks packed_;
-  Projection projection_;
-  real last_h_ = 0;
 };
 
 }  // namespace joints

@@ -23,11 +23,11 @@ TEST_CASE("6.1 a row that is solved exactly keeps the share 1 - beta of its erro
       const real h = real(1 / rate);
       Bead bead(0.3, 4);
       double C = 0.3;
-      for (int step = 1; step <= 4; ++step) {
+      for (int n = 1; n <= 4; ++n) {
         bead.step(bias(bead.body.x.x, real(beta), h), h, false);
         C *= 1 - beta;
         const double yours = double(bead.body.x.x);
-        expect(table.subject, "C after steps: " + std::to_string(step) + ", beta " +
+        expect(table.subject, "C after steps: " + std::to_string(n) + ", beta " +
                short_number(beta), yours, C, 10 * rounding, table.explain(yours));
       }
     }

@@ -2,6 +2,7 @@
 // block Gauss-Seidel on a hundred cubes.
 #include "bench/runner.h"
 #include "engine/sequential_impulses.h"
+#include "engine/step.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 #include "tests/oracle/shared.h"
@@ -15,7 +16,7 @@ bench::Setting cold(int iterations) {
   return {"sequential impulses", "3x3 blocks", iterations, false, [=] {
             SequentialImpulses solver;
             solver.iterations = iterations;
-            return [solver](World& world, real h) mutable { solver.step(world, h); };
+            return [solver](World& world, real h) mutable { step(world, solver, h); };
           }};
 }
 
@@ -27,9 +28,9 @@ TEST_CASE("the first step of a hundred cubes on balls is block Gauss-Seidel on d
   scene.world.gravity = vec3(3, real(-9.81), 1);
   SequentialImpulses solver;
   const real h = real(1) / 60;
-  solver.begin(scene.world, h);
+  begin_step(scene.world, solver, h);
   const std::vector<Body> bodies = snapshot(scene.world.bodies);
-  const System system = system_of(solver.blocks(), int(bodies.size()));
+  const System system = system_of(scene.world.blocks, int(bodies.size()));
   const Dense W = inverse_masses(bodies);
   const Column V = velocities(bodies);
   const Dense A = system.J * W * system.J.transpose();
@@ -37,14 +38,14 @@ TEST_CASE("the first step of a hundred cubes on balls is block Gauss-Seidel on d
 
   Column lambda(A.rows());
   for (int iteration = 0; iteration < 30; ++iteration) {
-    solver.iterate(scene.world.bodies, iteration);
+    solver.iterate(scene.world.bodies);
     for (long k = 0; k < A.rows(); k += 3) {
       const Column lacking = right.rows_from(k, 3) - A.rows_from(k, 3) * lambda;
       lambda.add(k, 0, solved(A.block(k, k, 3, 3), lacking));
     }
     const double size = lambda.largest();
     INFO("iteration " << iteration);
-    REQUIRE((impulses(solver.blocks()) - lambda).largest() <
+    REQUIRE((impulses(scene.world.blocks) - lambda).largest() <
             tolerance(1e-10, 1e-4) * std::max(1.0, size));
   }
   const Column after = V + W * system.J.transpose() * lambda;

@@ -1,5 +1,6 @@
 // Blocks of one to six rows: solved as an independent dense solver does it, whatever they touch,
 // and unharmed by rows that say the same thing twice.
+#include "bench/orders.h"
 #include "chapters/01_distance/distance_joint.h"
 #include "chapters/02_ball/ball_joint.h"
 #include "tests/checker/catch.h"
@@ -8,6 +9,8 @@
 
 using namespace joints;
 using namespace joints::testing;
+using joints::bench::Order;
+using joints::bench::OrderedImpulses;
 
 namespace {
 
@@ -55,35 +58,36 @@ Touches compare_with_dense(bool linear, bool angular, unsigned seed) {
   for (Row& row : joint.J.row) row = random_row(random, linear, angular);
   for (real& C : joint.C) C = random.uniform(real(-0.1), real(0.1));
   joint.target.beta = real(0.2);
-  SequentialImpulses solver;
-  solver.begin(world, h);
+  OrderedImpulses solver;
+  begin_step(world, solver, h);
   push_at_random(world.bodies, random);
   const std::vector<Body> start = snapshot(world.bodies);
-  const System system = system_of(solver.blocks(), 2);
+  const System system = system_of(world.blocks, 2);
   const Dense W = inverse_masses(start);
   const Dense A = system.J * W * system.J.transpose();
   const Column V1 = velocities(start);
   const Column lambda = solved(A, -(system.J * V1 + 0.2 / double(h) * system.C));
-  solver.iterate(world.bodies, 0);
+  solver.iterate(world.bodies);
   INFO("rows: " << N);
-  CHECK(difference(impulses(solver.blocks()), lambda) < tolerance(1e-10, 2e-3));
+  CHECK(difference(impulses(world.blocks), lambda) < tolerance(1e-10, 2e-3));
   CHECK(difference(velocities(snapshot(world.bodies)), V1 + W * system.J.transpose() * lambda) <
         tolerance(1e-10, 2e-3));
-  return solver.blocks().list[0].touches;
+  return world.blocks.list[0].touches;
 }
 
 // A pendulum box on `count` joints made by add(world, ceiling, box, part).
 template <class Add>
-std::vector<vec3> swing(const Add& add, SequentialImpulses solver, int steps) {
+std::vector<vec3> swing(const Add& add, OrderedImpulses solver, const Stepping& stepping,
+                        int steps) {
   World world;
   const BodyId ceiling = world.add(static_body(vec3(0)));
   const BodyId body = world.add(box(2, vec3(1, real(0.4), real(0.2)), vec3(1, real(-0.2), 0)));
   add(world, ceiling, body, point_at(world.bodies[ceiling], world.bodies[body], vec3(0)));
   std::vector<vec3> path;
-  for (int step = 0; step < steps; ++step) {
-    solver.step(world, h);
+  for (int n = 0; n < steps; ++n) {
+    step(world, solver, h, stepping);
     path.push_back(world.bodies[body].x);
-    for (double lambda : impulses(solver.blocks())) CHECK(std::abs(lambda) < 10);  // [N s]
+    for (double lambda : impulses(world.blocks)) CHECK(std::abs(lambda) < 10);  // [N s]
   }
   return path;
 }
@@ -159,13 +163,14 @@ TEST_CASE("X14 two identical ball joints hold a pendulum as one does") {
   };
   for (bool warm : {false, true})
     for (Order order : {Order::forward, Order::alternating}) {
-      SequentialImpulses solver;
-      solver.warm_start = warm;
+      OrderedImpulses solver;
+      Stepping stepping;
+      stepping.warm_start = warm;
       solver.order = order;
-      const std::vector<vec3> path = swing(one, solver, 300);
+      const std::vector<vec3> path = swing(one, solver, stepping, 300);
       CHECK(length(path.back()) > real(0.9));
-      CHECK(apart(path, swing(two, solver, 300)) < tolerance(1e-10, 1e-2));
-      CHECK(apart(path, swing(both_in_one_block, solver, 300)) < tolerance(1e-10, 1e-2));
+      CHECK(apart(path, swing(two, solver, stepping, 300)) < tolerance(1e-10, 1e-2));
+      CHECK(apart(path, swing(both_in_one_block, solver, stepping, 300)) < tolerance(1e-10, 1e-2));
     }
 }
 
@@ -178,7 +183,7 @@ TEST_CASE("a rod that a ball joint already holds adds nothing and takes nothing 
     const Distance rod{part.anchor1_local + vec3(0, 2, 0), part.anchor2_local, 2};
     world.add<PartJoint<Pile<Point, Distance>>>(a, b, Pile<Point, Distance>{part, rod});
   };
-  SequentialImpulses solver;
-  const std::vector<vec3> path = swing(ball_alone, solver, 120);
-  CHECK(apart(path, swing(ball_and_rod, solver, 120)) < tolerance(1e-4, 1e-2));
+  OrderedImpulses solver;
+  const std::vector<vec3> path = swing(ball_alone, solver, {}, 120);
+  CHECK(apart(path, swing(ball_and_rod, solver, {}, 120)) < tolerance(1e-4, 1e-2));
 }

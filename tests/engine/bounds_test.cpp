@@ -98,12 +98,12 @@ TEST_CASE("I17 accumulated clamped iterations settle at the pull that trying eve
   for (int draw = 0; draw < 40; ++draw) {
     World world = body_on_ropes(random);
     SequentialImpulses solver;
-    solver.begin(world, h);
+    begin_step(world, solver, h);
     push_at_random(world.bodies, random);
     const Column expected =
-        bounded(solver.blocks(), snapshot(world.bodies), h).solution();
-    for (int k = 0; k < 20000; ++k) solver.iterate(world.bodies, k);
-    const Column found = impulses(solver.blocks());
+        bounded(world.blocks, snapshot(world.bodies), h).solution();
+    for (int k = 0; k < 20000; ++k) solver.iterate(world.bodies);
+    const Column found = impulses(world.blocks);
     CHECK(difference(found, expected) < tolerance(1e-9, 1e-2));
     for (double lambda : expected) ++(lambda > 0 ? pulling : idle);
   }
@@ -119,9 +119,9 @@ TEST_CASE("I17 clamping each impulse instead of the sum leaves a rope pulling fo
   for (const vec3& end : {vec3(2, 0, 0), vec3(real(1.6), real(1.2), 0)})
     world.add<CentreRopeJoint>(world.add(static_body(end)), body, Rope<CentreDistance>{{2}});
   SequentialImpulses solver;
-  solver.begin(world, h);
+  begin_step(world, solver, h);
   world.bodies[body].v = vec3(-1, -3, 0);
-  const System system = system_of(solver.blocks(), 3);
+  const System system = system_of(world.blocks, 3);
   const Dense W = inverse_masses(snapshot(world.bodies));
   Column V = velocities(snapshot(world.bodies)), wrong = Column(2);
   for (int k = 0; k < 200; ++k)
@@ -130,8 +130,8 @@ TEST_CASE("I17 clamping each impulse instead of the sum leaves a rope pulling fo
       wrong[i] += dlambda;
       V += dlambda * (W * system.J.rows_from(i, 1).transpose());
     }
-  for (int k = 0; k < 200; ++k) solver.iterate(world.bodies, k);
-  const Column right = impulses(solver.blocks());
+  for (int k = 0; k < 200; ++k) solver.iterate(world.bodies);
+  const Column right = impulses(world.blocks);
   const double near = tolerance(1e-12, 1e-5);
   CHECK(std::abs(wrong[0] - 1) < near);
   CHECK(std::abs(wrong[1] - 1.8) < near);
@@ -156,14 +156,14 @@ TEST_CASE("the last row of a block stays within its bounds while the others hold
     joint.target = {.beta = real(0.2), .rate = random.uniform(-3, 3),
                     .lower = random.uniform(-60, 0), .upper = random.uniform(0, 60)};
     SequentialImpulses solver;
-    solver.begin(world, step);
+    begin_step(world, solver, step);
     push_at_random(world.bodies, random);
-    const Bounded system = bounded(solver.blocks(), snapshot(world.bodies), step);
+    const Bounded system = bounded(world.blocks, snapshot(world.bodies), step);
     const Column expected = system.solution();
-    solver.iterate(world.bodies, 0);
-    CHECK(difference(impulses(solver.blocks()), expected) < tolerance(1e-11, 1e-3));
-    solver.iterate(world.bodies, 1);  // and stays there
-    CHECK(difference(impulses(solver.blocks()), expected) < tolerance(1e-11, 1e-3));
+    solver.iterate(world.bodies);
+    CHECK(difference(impulses(world.blocks), expected) < tolerance(1e-11, 1e-3));
+    solver.iterate(world.bodies);  // and stays there
+    CHECK(difference(impulses(world.blocks), expected) < tolerance(1e-11, 1e-3));
     ++(expected[3] == system.lower[3] ? below : expected[3] == system.upper[3] ? above : inside);
   }
   CHECK(std::min({inside, below, above}) > 20);
@@ -187,10 +187,10 @@ TEST_CASE("blocks with a bounded last row settle together at the one solution") 
       joint.target.upper = draw % 2 ? unbounded : 25;
     }
     SequentialImpulses solver;
-    solver.begin(world, h);
+    begin_step(world, solver, h);
     push_at_random(world.bodies, random);
-    const Column expected = bounded(solver.blocks(), snapshot(world.bodies), h).solution();
-    for (int k = 0; k < 20000; ++k) solver.iterate(world.bodies, k);
-    CHECK(difference(impulses(solver.blocks()), expected) < tolerance(1e-9, 3e-3));
+    const Column expected = bounded(world.blocks, snapshot(world.bodies), h).solution();
+    for (int k = 0; k < 20000; ++k) solver.iterate(world.bodies);
+    CHECK(difference(impulses(world.blocks), expected) < tolerance(1e-9, 3e-3));
   }
 }

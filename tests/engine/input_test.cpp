@@ -154,18 +154,20 @@ TEST_CASE("X16 an anchor must be finite") {
 TEST_CASE("X16 a step without a proper length or without iterations is refused and nothing moves") {
   Small small;
   SequentialImpulses solver;
+  Stepping stepping;
   for (real bad : bad_numbers) {
     CAPTURE(bad);
-    CHECK_THAT(refusal([&] { solver.step(small.world, bad); }), StartsWith("h:"));
+    CHECK_THAT(refusal([&] { step(small.world, solver, bad, stepping); }), StartsWith("h:"));
     CHECK(small.unchanged());
   }
   for (int bad : {0, -1}) {
     solver.iterations = bad;
-    CHECK_THAT(refusal([&] { solver.step(small.world, h); }), StartsWith("iterations:"));
+    CHECK_THAT(refusal([&] { step(small.world, solver, h, stepping); }), StartsWith("iterations:"));
     solver.iterations = 1;
-    solver.projections = std::min(bad, -1);
-    CHECK_THAT(refusal([&] { solver.step(small.world, h); }), StartsWith("projections:"));
-    solver.projections = 0;
+    stepping.projections = std::min(bad, -1);
+    CHECK_THAT(refusal([&] { step(small.world, solver, h, stepping); }),
+               StartsWith("projections:"));
+    stepping.projections = 0;
     CHECK(small.unchanged());
   }
 }

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <numbers>
 
+#include "bench/orders.h"
 #include "chapters/01_distance/distance_joint.h"
 #include "chapters/02_ball/ball_joint.h"
 #include "tests/checker/catch.h"
@@ -10,6 +11,8 @@
 
 using namespace joints;
 using namespace joints::testing;
+using joints::bench::Order;
+using joints::bench::OrderedImpulses;
 
 namespace {
 
@@ -79,17 +82,18 @@ std::vector<Body> after_forces(const World& world) {
   return bodies;
 }
 
-void compare_iteration_by_iteration(SequentialImpulses& solver, World& world, Order order) {
+void compare_iteration_by_iteration(OrderedImpulses& solver, World& world, Order order,
+                                    const Stepping& stepping = {}) {
   solver.order = order;
   const std::vector<Body> forced = after_forces(world);
-  solver.begin(world, h);
-  GaussSeidel reference(world, solver.blocks(), forced);
+  begin_step(world, solver, h, stepping);
+  GaussSeidel reference(world, world.blocks, forced);
   if (solver.row_by_row) reference.one_block_a_row();
-  reference.lambda = impulses(solver.blocks());
+  reference.lambda = impulses(world.blocks);
   for (int k = 0; k < 12; ++k) {
-    solver.iterate(world.bodies, k);
+    solver.iterate_in_order(world.bodies, k);
     reference.iterate(order == Order::backward || (order == Order::alternating && k % 2 == 1));
-    CHECK(difference(impulses(solver.blocks()), reference.lambda) < tolerance(1e-11, 1e-5));
+    CHECK(difference(impulses(world.blocks), reference.lambda) < tolerance(1e-11, 1e-5));
     CHECK(difference(velocities(snapshot(world.bodies)), reference.V()) < tolerance(1e-11, 1e-5));
   }
 }
@@ -102,15 +106,15 @@ double late_ratio(const std::vector<real>& masses, int iterations) {
     ids.push_back(world.add(ball(mass, real(0.1), vec3(0, -real(ids.size()), 0))));
     world.add<CentreDistanceJoint>(ids[ids.size() - 2], ids.back(), CentreDistance{1});
   }
-  SequentialImpulses solver;
-  solver.begin(world, h);
+  OrderedImpulses solver;
+  begin_step(world, solver, h);
   const auto error = [&] {
     const Column V = velocities(snapshot(world.bodies));
-    return (system_of(solver.blocks(), world.bodies.slots()).J * V).norm();
+    return (system_of(world.blocks, world.bodies.slots()).J * V).norm();
   };
-  for (int k = 0; k < iterations; ++k) solver.iterate(world.bodies, k);
+  for (int k = 0; k < iterations; ++k) solver.iterate(world.bodies);
   const double before = error();
-  solver.iterate(world.bodies, iterations);
+  solver.iterate(world.bodies);
   return error() / before;
 }
 
@@ -120,7 +124,7 @@ TEST_CASE("I16 Sequential Impulses is block Gauss-Seidel iteration by iteration"
   for (bool row_by_row : {false, true})
     for (Order order : {Order::forward, Order::backward, Order::alternating}) {
       World world = bent_chain();
-      SequentialImpulses solver;
+      OrderedImpulses solver;
       solver.row_by_row = row_by_row;
       compare_iteration_by_iteration(solver, world, order);
     }
@@ -129,16 +133,18 @@ TEST_CASE("I16 Sequential Impulses is block Gauss-Seidel iteration by iteration"
 TEST_CASE("I16 a warm start is Gauss-Seidel that begins with the last impulses") {
   for (bool row_by_row : {false, true}) {
     World world = bent_chain();
-    SequentialImpulses solver;
+    OrderedImpulses solver;
+    Stepping stepping;
     solver.row_by_row = row_by_row;
-    solver.warm_start = true;
-    solver.step(world, h);
-    const Column last = impulses(solver.blocks());
+    stepping.warm_start = true;
+    step(world, solver, h, stepping);
+    const Column last = impulses(world.blocks);
     CHECK(last.norm() > 1);
-    compare_iteration_by_iteration(solver, world, Order::forward);
-    SequentialImpulses probe = solver;
-    probe.begin(world, h);  // what a step begins with is what the iterations ended with
-    CHECK(impulses(probe.blocks()) == impulses(solver.blocks()));
+    compare_iteration_by_iteration(solver, world, Order::forward, stepping);
+    const Column ended = impulses(world.blocks);
+    OrderedImpulses probe = solver;
+    begin_step(world, probe, h, stepping);  // it begins with what the iterations ended with
+    CHECK(impulses(world.blocks) == ended);
   }
 }
 
@@ -160,24 +166,24 @@ TEST_CASE("I16 every order of the blocks leads to the one solution") {
   for (Order order : {Order::forward, Order::backward, Order::alternating, Order::shuffled}) {
     World world = bent_chain();
     const std::vector<Body> forced = after_forces(world);
-    SequentialImpulses solver;
+    OrderedImpulses solver;
     solver.order = order;
-    solver.begin(world, h);
-    for (int k = 0; k < 2000; ++k) solver.iterate(world.bodies, k);
-    const GaussSeidel reference(world, solver.blocks(), forced);
+    begin_step(world, solver, h);
+    for (int k = 0; k < 2000; ++k) solver.iterate_in_order(world.bodies, k);
+    const GaussSeidel reference(world, world.blocks, forced);
     const Column solution = solved(reference.A, reference.c);
-    CHECK(difference(impulses(solver.blocks()), solution) < tolerance(1e-10, 1e-4));
+    CHECK(difference(impulses(world.blocks), solution) < tolerance(1e-10, 1e-4));
   }
 }
 
 TEST_CASE("a shuffled order is drawn from its seed and from nothing else") {
   const auto run = [](unsigned seed, Order order) {
     World world = bent_chain();
-    SequentialImpulses solver;
+    OrderedImpulses solver;
     solver.order = order;
     solver.seed = seed;
     solver.iterations = 3;
-    for (int step = 0; step < 5; ++step) solver.step(world, h);
+    for (int n = 0; n < 5; ++n) step(world, solver, h);
     return velocities(snapshot(world.bodies));
   };
   const Column seven = run(7, Order::shuffled);
@@ -187,15 +193,15 @@ TEST_CASE("a shuffled order is drawn from its seed and from nothing else") {
   CHECK((run(7, Order::forward) == run(8, Order::forward)));
   // the seed that is set is the seed that counts, whatever was drawn before
   World world = bent_chain();
-  SequentialImpulses solver;
+  OrderedImpulses solver;
   solver.order = Order::shuffled;
   solver.iterations = 3;
-  solver.begin(world, h);
-  solver.iterate(world.bodies, 0);
+  begin_step(world, solver, h);
+  solver.iterate_in_order(world.bodies, 0);
   for (unsigned seed : {7u, 0u}) {
     World again = bent_chain();
     solver.seed = seed;
-    for (int step = 0; step < 5; ++step) solver.step(again, h);
+    for (int n = 0; n < 5; ++n) step(again, solver, h);
     CHECK((velocities(snapshot(again.bodies)) == run(seed, Order::shuffled)));
   }
 }

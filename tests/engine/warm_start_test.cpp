@@ -38,23 +38,17 @@ struct Hanging {
 // The largest sag in each of the last two seconds of a run [m].
 struct Sags {
   double first = 0, second = 0;
-  Sags(Hanging hanging, SequentialImpulses solver, int steps) {
-    for (int step = 0; step < steps; ++step) {
-      solver.step(hanging.world, h);
+  Sags(Hanging hanging, int iterations, const Stepping& stepping, int steps) {
+    SequentialImpulses solver;
+    solver.iterations = iterations;
+    for (int n = 0; n < steps; ++n) {
+      step(hanging.world, solver, h, stepping);
       const double sag = std::abs(hanging.sag());
-      if (step >= steps - 60) second = std::max(second, sag);
-      else if (step >= steps - 120) first = std::max(first, sag);
+      if (n >= steps - 60) second = std::max(second, sag);
+      else if (n >= steps - 120) first = std::max(first, sag);
     }
   }
 };
-
-SequentialImpulses solver_with(bool warm, int iterations, int projections = 0) {
-  SequentialImpulses solver;
-  solver.warm_start = warm;
-  solver.iterations = iterations;
-  solver.projections = projections;
-  return solver;
-}
 
 std::vector<real> ten_links(real tip = 1) {
   std::vector<real> masses(10, real(1));
@@ -75,8 +69,9 @@ double growth_of_a_mode(double eta, double beta) {
 TEST_CASE("I23 a joint that carries 3 kg pulls with 29.43 N after ten warm steps") {
   Hanging hanging({3});
   SequentialImpulses solver;
-  solver.warm_start = true;
-  for (int step = 0; step < 10; ++step) solver.step(hanging.world, h);
+  Stepping stepping;
+  stepping.warm_start = true;
+  for (int n = 0; n < 10; ++n) step(hanging.world, solver, h, stepping);
   CHECK(double(hanging.joints[0]->impulse()[1] / h) ==
         Approx(29.43).epsilon(tolerance(1e-9, 1e-5)));
   CHECK(std::abs(hanging.sag()) < tolerance(1e-12, 1e-6));
@@ -85,9 +80,10 @@ TEST_CASE("I23 a joint that carries 3 kg pulls with 29.43 N after ten warm steps
 TEST_CASE("I23 warm joints of a chain come to pull as much as hangs from them") {
   Hanging hanging({3, 2, 1});
   SequentialImpulses solver;
-  solver.warm_start = true;
+  Stepping stepping;
+  stepping.warm_start = true;
   solver.iterations = 2;
-  for (int step = 0; step < 2000; ++step) solver.step(hanging.world, h);
+  for (int n = 0; n < 2000; ++n) step(hanging.world, solver, h, stepping);
   const double weight[] = {6 * 9.81, 3 * 9.81, 9.81};
   for (std::size_t k = 0; k < 3; ++k) {
     CHECK(double(hanging.joints[k]->impulse()[1] / h) ==
@@ -97,7 +93,7 @@ TEST_CASE("I23 warm joints of a chain come to pull as much as hangs from them") 
   CHECK(std::abs(hanging.sag()) < tolerance(1e-9, 2e-5));
 }
 
-TEST_CASE("I26 a cold chain that is swept too little sags by what the formula says") {
+TEST_CASE("I26 a cold chain that has too few iterations sags by what the formula says") {
   // C = h^2/beta (I - H)^-1 H J g, H = A G^k A^-1, G what an iteration leaves of an error in lambda
   const int iterations = 10;
   const double m1 = 1, m2 = 9, t = double(h), beta = 0.2;
@@ -112,10 +108,11 @@ TEST_CASE("I26 a cold chain that is swept too little sags by what the formula sa
 
   Hanging hanging({real(m1), real(m2)});
   SequentialImpulses solver;
+  Stepping stepping;
   solver.iterations = iterations;
   const auto sag_after_a_minute = [&](bool warm) {
-    solver.warm_start = warm;
-    for (int step = 0; step < 3600; ++step) solver.step(hanging.world, h);
+    stepping.warm_start = warm;
+    for (int n = 0; n < 3600; ++n) step(hanging.world, solver, h, stepping);
     return hanging.sag();
   };
   CHECK(expected == Approx(7.3e-3).epsilon(0.5));
@@ -129,18 +126,19 @@ TEST_CASE("when the step changes the remembered impulses change with it") {
   // would kick the chain with g (h_old - h_new)
   Hanging hanging({3, 2, 1});
   SequentialImpulses solver;
-  solver.warm_start = true;
+  Stepping stepping;
+  stepping.warm_start = true;
   solver.iterations = 2;
-  for (int step = 0; step < 2000; ++step) solver.step(hanging.world, h);
+  for (int n = 0; n < 2000; ++n) step(hanging.world, solver, h, stepping);
   solver.iterations = 1;  // no iterations to mend it with
-  for (real step : {h / 2, h * 2, h / 5, h}) {
-    solver.step(hanging.world, step);
-    const double kick = 9.81 * std::abs(double(h - step)) + 0.01;
+  for (real length : {h / 2, h * 2, h / 5, h}) {
+    step(hanging.world, solver, length, stepping);
+    const double kick = 9.81 * std::abs(double(h - length)) + 0.01;
     for (std::size_t k = 1; k <= 3; ++k)
       CHECK(std::abs(double(hanging.world.bodies[hanging.ids[k]].v.y)) <
             tolerance(1e-8, 1e-3) * kick);
     CHECK(double(hanging.joints[0]->impulse()[1]) ==
-          Approx(6 * 9.81 * double(step)).epsilon(tolerance(1e-8, 1e-3)));
+          Approx(6 * 9.81 * double(length)).epsilon(tolerance(1e-8, 1e-3)));
   }
 }
 
@@ -151,12 +149,13 @@ TEST_CASE("I15 warm starting with feedback is stable where rho^k (1 + beta) is b
     Hanging hanging(std::vector<real>(10, real(1)));
     for (BallJoint* joint : hanging.joints) joint->beta = real(0.15);
     SequentialImpulses solver;
-    solver.warm_start = true;
+    Stepping stepping;
+    stepping.warm_start = true;
     solver.iterations = iterations;
     double largest = 0;
-    for (int step = 0; step < steps; ++step) {
-      solver.step(hanging.world, h);
-      if (step > steps - 60) largest = std::max(largest, std::abs(hanging.sag()));
+    for (int n = 0; n < steps; ++n) {
+      step(hanging.world, solver, h, stepping);
+      if (n > steps - 60) largest = std::max(largest, std::abs(hanging.sag()));
     }
     return largest;
   };
@@ -184,7 +183,7 @@ TEST_CASE("E47 an unstable warm chain grows by as much a step as its slowest mod
   const double growth = growth_of_a_mode(std::pow(hanging.rate(), 4), 0.15);
   CHECK(growth == Approx(1.0175).margin(1e-4));
   hanging.set_beta(real(0.15));
-  const Sags sags(std::move(hanging), solver_with(true, 4), 300);
+  const Sags sags(std::move(hanging), 4, {.warm_start = true}, 300);
   CHECK(std::pow(sags.second / sags.first, 1.0 / 60) == Approx(growth).epsilon(3e-3));
 }
 
@@ -195,7 +194,8 @@ TEST_CASE("I15 and E47 the criterion tells which warm chains hang still", "[E47]
     const double kept = std::pow(hanging.rate(), iterations) * 1.15;
     CHECK(std::abs(kept - 1) > 0.03);  // clear of the edge
     hanging.set_beta(real(0.15));
-    const Sags sags(std::move(hanging), solver_with(true, iterations), tip == 1 ? 600 : 1200);
+    const Sags sags(std::move(hanging), iterations, {.warm_start = true},
+                    tip == 1 ? 600 : 1200);
     if (kept < 1) CHECK(sags.second < (tip == 1 ? tolerance(1e-8, 1e-4) : 1e-3));
     else CHECK(sags.second > 1);
   }
@@ -208,7 +208,8 @@ TEST_CASE("E47 warm without feedback a projected chain is stable on either side"
         CAPTURE(tip, iterations, projections);
         Hanging hanging(ten_links(real(tip)));
         hanging.set_beta(0);
-        const Sags sags(std::move(hanging), solver_with(true, iterations, projections), 1800);
+        const Sags sags(std::move(hanging), iterations,
+                        {.warm_start = true, .projections = projections}, 1800);
         CHECK(sags.second < (tip == 1 ? tolerance(1e-6, 1e-4) : 0.2));
         CHECK(sags.second < 1.01 * sags.first + tolerance(1e-9, 1e-4));
       }
@@ -229,8 +230,9 @@ TEST_CASE("I26 a cold chain of ten sags joint by joint by what the formula says"
     Column g = Column(system.J.columns());
     for (std::size_t k = 1; k < hanging.ids.size(); ++k) g[6 * long(k) + 1] = -9.81;
     const Column C = double(h * h) / beta * (inverse_of(E - H) * (H * (system.J * g)));
-    SequentialImpulses solver = solver_with(false, iterations);
-    for (int step = 0; step < (tip == 1 ? 600 : 2400); ++step) solver.step(hanging.world, h);
+    SequentialImpulses solver;
+    solver.iterations = iterations;
+    for (int n = 0; n < (tip == 1 ? 600 : 2400); ++n) step(hanging.world, solver, h);
     double largest = 0;
     for (std::size_t k = 0; k < 10; ++k) {
       const BallJoint& joint = *hanging.joints[k];
@@ -254,13 +256,14 @@ TEST_CASE("E47 a hinge at its limit in blocks apart does as the criterion says",
     crane.hinge->set_limits(-60 * degree, 60 * degree);
     crane.hinge->set_motor(3, 500);
     crane.hinge->beta = beta;
-    crane.solver = solver_with(true, iterations);
+    crane.solver.iterations = iterations;
+    crane.stepping.warm_start = true;
     double late = 0;
-    for (int step = 0; step < 1200; ++step) {
-      crane.solver.step(crane.world, h);
+    for (int n = 0; n < 1200; ++n) {
+      step(crane.world, crane.solver, h, crane.stepping);
       if (!all_finite(crane.world)) return std::pair{kept, 1e30};
       const double past = std::abs(crane.in_degrees()) - 60;
-      if (step >= 1100) late = std::max(late, past);
+      if (n >= 1100) late = std::max(late, past);
       if (length(crane.world.bodies[crane.cube].v) > 1e4) return std::pair{kept, 1e30};
     }
     return std::pair{kept, late};

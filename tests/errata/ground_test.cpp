@@ -24,8 +24,8 @@ class Ground : public Joint {
             [&](real sign, const RowTarget& target) {
               const Body &a = bodies.at(slot1), &b = bodies.at(slot2);
               const Jacobian<1> J = to_jacobian(corner.along(sign * Corner::up(a), a, b));
-              blocks.append(slot1, slot2, J, {sign * corner.error(a, b)}, dense_K<1>(J, a, b),
-                            target, &impulse_);
+              blocks.append(bodies, body1, body2, J, {sign * corner.error(a, b)}, target,
+                            &impulse_);
             });
   }
   int most_rows() const override { return 1; }
@@ -43,14 +43,14 @@ double speed_after(real room, real speed, Append append) {
   const BodyId body = world.add(ball(2, radius, vec3(0, radius + room, 0)));
   world.bodies[body].v.y = speed;
   world.add<Ground<Append>>(ground, body, append);
-  SequentialImpulses().step(world, h);
+  step_once(world, h);
   return double(world.bodies[body].v.y);
 }
 double speed_on_our_ground(real room, real speed) {
   Grounded falling(ball(2, radius, vec3(0, radius + room, 0)), ball_outline(radius));
   falling.world.gravity = vec3(0);
   falling.it().v.y = speed;
-  falling.solver.step(falling.world, h);
+  step(falling.world, falling.solver, h, falling.stepping);
   return double(falling.it().v.y);
 }
 

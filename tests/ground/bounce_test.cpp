@@ -1,11 +1,14 @@
 // Falling on the ground: how high it comes back, what two free bodies keep when they meet, and that
 // the ground neither pulls nor rubs more than it presses.
+#include "bench/orders.h"
 #include "engine/instruments/measure.h"
 #include "tests/checker/catch.h"
 #include "tests/ground/rigs.h"
 
 using namespace joints;
 using namespace joints::testing;
+using joints::bench::Order;
+using joints::bench::OrderedImpulses;
 
 namespace {
 
@@ -19,7 +22,7 @@ double rebound(double drop, double e, real h, real threshold = real(0.5)) {
   bool up = false;
   double highest = 0;
   for (int n = 0; n < int(4 / double(h)); ++n) {
-    falling.solver.step(falling.world, h);
+    step(falling.world, falling.solver, h, falling.stepping);
     const Body& body = falling.it();
     if (up && body.v.y < 0) break;
     up = up || body.v.y > 0;
@@ -95,12 +98,11 @@ TEST_CASE("two free bodies that meet keep their momentum, with friction and rebo
     SequentialImpulses solver;
     int touched = 0;
     for (int n = 0; n < 60; ++n) {
-      solver.begin(world,
-                   h);  // poses turn the moments: only within the iterations is the spin kept
+      begin_step(world, solver, h);  // poses turn the moments: only the solve keeps the sum
       const dvec3 spin = angular_momentum(world.bodies);
-      for (int k = 0; k < 30; ++k) solver.iterate(world.bodies, k);
+      for (int k = 0; k < 30; ++k) solver.iterate(world.bodies);
       CHECK(length(angular_momentum(world.bodies) - spin) < tolerance(1e-11, 1e-3));
-      solver.finish(world, h);
+      end_step(world, h);
       touched += contact.touching();
     }
     CHECK(touched > 0);
@@ -117,8 +119,8 @@ TEST_CASE("the ground never pulls, and friction is never more than mu times what
     Grounded box = thrown(random);
     box.solver.order = draw % 2 ? Order::backward : Order::forward;
     for (int n = 0; n < 180; ++n) {
-      box.solver.step(box.world, h);
-      for (const Touch& touch : touches(box.solver.blocks())) {
+      step(box.world, box.solver, h, box.stepping);
+      for (const Touch& touch : touches(box.world.blocks)) {
         CHECK(touch.normal >= 0);
         // forward, the normal has the last word: it may sink by what 30 iterations have not settled
         const double leeway = draw % 2 ? 0 : 1e-2 * 10;  // of a mass of 10 kg [N s]
@@ -138,10 +140,10 @@ TEST_CASE("a body that is pulled off the ground leaves as if there were none") {
   Grounded box = standing();
   box.run(0.5, h);
   for (const bool warm : {false, true}) {
-    box.solver.warm_start = warm;
+    box.stepping.warm_start = warm;
     box.it().force = vec3(0, real(10 * (g + 3)), 0);  // 3 m/s^2 upwards
     const double before = double(box.it().v.y);
-    box.solver.step(box.world, h);
+    step(box.world, box.solver, h, box.stepping);
     CHECK(double(box.it().v.y) - before == Approx(3.0 / 60).epsilon(tolerance(1e-6, 1e-3)));
     box.it().force = vec3(0);
     box.run(0.5, h);
@@ -157,11 +159,11 @@ TEST_CASE("friction and ground only take energy from a box that falls without re
     box.contact->beta = 0;
     const auto kinetic = [&] { return double(kinetic_energy(box.it())); };
     for (int n = 0; n < 120; ++n) {
-      box.solver.begin(box.world, h);
+      begin_step(box.world, box.solver, h, box.stepping);
       const double before = kinetic();
-      for (int k = 0; k < 100; ++k) box.solver.iterate(box.world.bodies, k);
+      for (int k = 0; k < 100; ++k) box.solver.iterate(box.world.bodies);
       CHECK(kinetic() <= before * (1 + tolerance(1e-12, 1e-5)) + tolerance(1e-12, 1e-4));
-      box.solver.finish(box.world, h);
+      end_step(box.world, h, box.stepping);
     }
     CHECK(double(length(box.it().v)) < 1);
   }

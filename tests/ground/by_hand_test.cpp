@@ -19,6 +19,7 @@ struct Twins {
   BodyId ground, box_id;
   GroundContact* contact;
   SequentialImpulses solver;
+  Stepping stepping{};
   vec3 size{1, real(0.4), real(0.8)};
 
   explicit Twins(const vec3& v, const vec3& w, const vec3& slope = vec3(0), real drop = 0) {
@@ -41,7 +42,7 @@ struct Twins {
   }
   void step() {
     own.step(h);
-    solver.step(world, h);
+    joints::step(world, solver, h, stepping);
   }
   const Body& body() const { return world.bodies[box_id]; }
   // How far apart the two boxes are, their corners compared [m].

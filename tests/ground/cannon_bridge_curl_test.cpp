@@ -14,7 +14,7 @@ namespace {
 
 constexpr double g = 9.81;
 
-void step(Scene& scene) { scene.solver.step(scene.world, h); }
+void step(Scene& scene) { step(scene.world, scene.solver, h, scene.stepping); }
 void run(Scene& scene, double seconds) {
   for (int n = int(std::lround(seconds * 60)); n > 0; --n) step(scene);
 }

@@ -137,7 +137,8 @@ TEST_CASE("X16 a friction that is negative or no number is refused when the step
   for (const real bad : {real(-0.1), no_number, unbounded}) {
     Grounded box = standing();
     box.contact->friction = bad;
-    CHECK_THAT(refusal([&] { box.solver.step(box.world, h); }), StartsWith("friction:"));
+    CHECK_THAT(refusal([&] { step(box.world, box.solver, h, box.stepping); }),
+               StartsWith("friction:"));
   }
 }
 
@@ -146,17 +147,18 @@ TEST_CASE("two static bodies have no rows, however deep they are") {
   const BodyId a = world.add(static_body(vec3(0))), b = world.add(static_body(vec3(0)));
   auto& contact = world.add<GroundContact>(a, b, Top{}, box_outline(brick));
   SequentialImpulses solver;
-  solver.projections = 1;
-  solver.step(world, h);
+  Stepping stepping;
+  stepping.projections = 1;
+  step(world, solver, h, stepping);
   CHECK(contact.touching() == 0);
-  CHECK(solver.blocks().list.empty());
+  CHECK(world.blocks.list.empty());
   CHECK(world.bodies[b].x == vec3(0));
 }
 
 TEST_CASE("warm, a box at rest needs one iteration; cold, one iteration lets it sink") {
   const auto sunk = [](bool warm) {
     Grounded box = standing();
-    box.solver.warm_start = warm;
+    box.stepping.warm_start = warm;
     box.run(1, h);  // the impulses of the corners find their balance
     box.solver.iterations = 1;
     box.run(10, h);
@@ -168,17 +170,17 @@ TEST_CASE("warm, a box at rest needs one iteration; cold, one iteration lets it 
 
 TEST_CASE("what a corner gave is forgotten when it leaves and comes again") {
   Grounded box = standing();
-  box.solver.warm_start = true;
+  box.stepping.warm_start = true;
   box.run(1, h);
-  REQUIRE(touches(box.solver.blocks()).size() == 4);
+  REQUIRE(touches(box.world.blocks).size() == 4);
   const vec3 rest = box.it().x;
   box.it().x.y += 1;
-  box.solver.step(box.world, h);
+  step(box.world, box.solver, h, box.stepping);
   CHECK(box.contact->touching() == 0);
   box.it().x = rest;
   box.it().v = vec3(0);
-  box.solver.begin(box.world, h);
-  for (const Touch& touch : touches(box.solver.blocks())) {
+  begin_step(box.world, box.solver, h, box.stepping);
+  for (const Touch& touch : touches(box.world.blocks)) {
     CHECK(touch.normal == 0);
     CHECK(touch.friction() == 0);
   }
@@ -199,9 +201,9 @@ TEST_CASE("the arrow of friction stays when the directions turn with the sliding
     return blocks.J[0].v2;
   };
   box.it().v = vec3(3, real(-0.5), 0);
-  box.solver.warm_start = true;
-  box.solver.begin(box.world, h);
-  for (int k = 0; k < 30; ++k) box.solver.iterate(box.world.bodies, k);
+  box.stepping.warm_start = true;
+  begin_step(box.world, box.solver, h, box.stepping);
+  for (int k = 0; k < 30; ++k) box.solver.iterate(box.world.bodies);
   const vec3 before = arrow(), direction = first_direction();
   REQUIRE(double(length(before)) > 0.1);
   box.it().v = vec3(1, real(-0.5), 2);  // slides elsewhere now
@@ -223,12 +225,12 @@ TEST_CASE("the late limits adds a corner that a neighbour drives into the ground
                                point_at(lever.it(), lever.world.bodies[stone], end));
     lever.solver.iterations = 300;
     if (looks) {
-      lever.solver.step(lever.world, h);
+      step(lever.world, lever.solver, h, lever.stepping);
     } else {  // the same without the late limits
-      lever.solver.begin(lever.world, h);
+      begin_step(lever.world, lever.solver, h, lever.stepping);
       CHECK(lever.contact->touching() == 0);  // nothing of it moves yet
-      for (int k = 0; k < 300; ++k) lever.solver.iterate(lever.world.bodies, k);
-      lever.solver.finish(lever.world, h);
+      for (int k = 0; k < 300; ++k) lever.solver.iterate(lever.world.bodies);
+      end_step(lever.world, h, lever.stepping);
     }
     return std::pair{lever.contact->touching(), double(lever.contact->room(lever.world.bodies))};
   };
@@ -244,9 +246,9 @@ TEST_CASE("projection lifts a sunk box to the ground and leaves places along it 
   box.contact->beta = 0;
   box.world.gravity = vec3(0);
   box.it().x += vec3(0, -depth, 0);
-  box.solver.projections = 20;
+  box.stepping.projections = 20;
   const vec3 before = box.it().x;
-  box.solver.step(box.world, h);
+  step(box.world, box.solver, h, box.stepping);
   CHECK(double(box.contact->room(box.world.bodies)) == Approx(0).margin(tolerance(1e-6, 1e-4)));
   CHECK(box.it().x.y > before.y);
   // each corner alone turns the box: what is left of the turns moves the centre by their square
@@ -259,8 +261,8 @@ TEST_CASE("projection leaves a box over the ground where it is") {
   box.world.gravity = vec3(0);
   box.it().x.y += real(1e-4);  // within reach: it has rows
   const Body before = box.it();
-  box.solver.projections = 5;
-  box.solver.step(box.world, h);
+  box.stepping.projections = 5;
+  step(box.world, box.solver, h, box.stepping);
   CHECK(box.contact->touching() == 4);
   CHECK(box.it().x == before.x);
   CHECK(box.it().q == before.q);
@@ -269,7 +271,7 @@ TEST_CASE("projection leaves a box over the ground where it is") {
 TEST_CASE("the reaction of the ground to a box at rest is its weight, on a slope too") {
   for (const real slope : {real(0), real(0.3)}) {
     Grounded box = standing(0, slope);
-    box.solver.warm_start = true;
+    box.stepping.warm_start = true;
     box.run(2, h);
     const Reaction found = reaction(*box.contact, box.world.bodies);
     CHECK(double(length(found.force - vec3(0, real(10 * g), 0))) < tolerance(1e-3, 2e-2));
@@ -294,7 +296,7 @@ TEST_CASE("without its ground a box falls, and without the box nothing is left t
     box.world.remove(take_ground ? box.ground : box.body);
     CHECK(box.world.joints().empty());
     CHECK(box.world.most_rows() == 0);
-    for (int n = 0; n < 30; ++n) box.solver.step(box.world, h);
+    for (int n = 0; n < 30; ++n) step(box.world, box.solver, h, box.stepping);
     if (take_ground) CHECK(double(box.it().x.y) < -0.5);
   }
   Grounded box = standing();
@@ -310,8 +312,8 @@ TEST_CASE("a contact solved row by row is the same: its blocks have one row each
                                                                             box_outline(brick));
   other.solver.row_by_row = true;
   for (int n = 0; n < 120; ++n) {
-    one.solver.step(one.world, h);
-    other.solver.step(other.world, h);
+    step(one.world, one.solver, h, one.stepping);
+    step(other.world, other.solver, h, other.stepping);
   }
   CHECK(one.contact->touching() > 0);
   CHECK(one.it().x == other.it().x);

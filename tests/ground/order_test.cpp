@@ -66,7 +66,7 @@ TEST_CASE("taking turns in one loop is the solver's own step to the last bit") {
   LandingChain plain(Turns::interleaved, 8, 10, real(0.2));
   for (int n = 0; n < 120; ++n) {
     turns.step(Turns::interleaved);
-    plain.scene.solver.step(plain.scene.world, h);
+    step(plain.scene.world, plain.scene.solver, h, plain.scene.stepping);
   }
   CHECK(penetration(turns.scene.world) > 0);  // it has landed
   for (const BodyId id : turns.ids)

@@ -17,7 +17,8 @@ Choice chosen(int iterations) {
 }
 
 void run(Scene& scene, double seconds) {
-  for (int n = 0; n < int(seconds / double(h) + 0.5); ++n) scene.solver.step(scene.world, h);
+  for (int n = 0; n < int(seconds / double(h) + 0.5); ++n)
+    step(scene.world, scene.solver, h, scene.stepping);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "bench/orders.h"
 #include "chapters/08_ground/ground_contact.h"
 #include "tests/oracle/oracle.h"
 
@@ -18,7 +19,8 @@ struct Grounded {
   World world;
   BodyId ground, body;
   GroundContact* contact;
-  SequentialImpulses solver;
+  bench::OrderedImpulses solver;
+  Stepping stepping{};
 
   Grounded(Body made, const Outline& outline, real slope = 0, const Top& top = {}) {
     const quat turn = rotation(vec3(0, 0, slope));
@@ -34,7 +36,8 @@ struct Grounded {
   vec3 place() { return to_local(world.bodies[ground], it().x); }
   vec3 velocity() { return to_local(world.bodies[ground], it().v); }
   void run(double seconds, real h) {
-    for (int n = int(std::lround(seconds / double(h))); n > 0; --n) solver.step(world, h);
+    for (int n = int(std::lround(seconds / double(h))); n > 0; --n)
+      step(world, solver, h, stepping);
   }
 };
 

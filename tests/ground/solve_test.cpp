@@ -110,6 +110,7 @@ struct Thrown {
   World world;
   GroundContact* contact;
   SequentialImpulses solver;
+  Stepping stepping{};
 
   Thrown(Random& random, int corners, bool free_ground, bool on_joint) {
     world.gravity = vec3(0);
@@ -142,9 +143,9 @@ TEST_CASE("I17 iterations settle where trying all of pressing and sticking and s
     const int corners = 1 + draw % 2;
     Thrown thrown(random, corners, draw / 2 % 2, draw / 4 % 2);
     SequentialImpulses& solver = thrown.solver;
-    solver.begin(thrown.world, h);
-    const Problem problem(solver.blocks(), snapshot(thrown.world.bodies));
-    for (int k = 0; k < 20000; ++k) solver.iterate(thrown.world.bodies, k);
+    begin_step(thrown.world, solver, h, thrown.stepping);
+    const Problem problem(thrown.world.blocks, snapshot(thrown.world.bodies));
+    for (int k = 0; k < 20000; ++k) solver.iterate(thrown.world.bodies);
     const Column found = velocities(snapshot(thrown.world.bodies));
     CAPTURE(draw, corners, thrown.contact->touching());
     REQUIRE(problem.normal.size() <= 2);
@@ -160,10 +161,10 @@ TEST_CASE("I17 iterations settle where trying all of pressing and sticking and s
     CHECK(nearest < tolerance(1e-8, 2e-3));
     // of one corner the impulses are unique as well
     if (problem.normal.size() == 1)
-      CHECK(difference(impulses(solver.blocks()), all.front()) < tolerance(1e-8, 1e-2));
+      CHECK(difference(impulses(thrown.world.blocks), all.front()) < tolerance(1e-8, 1e-2));
     several += spread > 1e-6;
     two += problem.normal.size() == 2;
-    for (const Touch& touch : touches(solver.blocks()))
+    for (const Touch& touch : touches(thrown.world.blocks))
       for (const double t : {touch.t1, touch.t2})
         ++(touch.normal == 0 ? off : std::abs(t) < 0.999 * touch.mu * touch.normal ? sticking
                                                                                     : sliding);
@@ -178,15 +179,15 @@ TEST_CASE("bounds that do not follow the normal settle elsewhere than those that
   Thrown thrown(random, 1, false, false);
   thrown.contact->friction = real(0.6);
   SequentialImpulses& solver = thrown.solver;
-  solver.begin(thrown.world, h);
-  const Problem problem(solver.blocks(), snapshot(thrown.world.bodies));
-  solver.iterate(thrown.world.bodies, 0);  // friction comes first: the normal has pressed nothing
-  for (const Touch& touch : touches(solver.blocks())) {
+  begin_step(thrown.world, solver, h, thrown.stepping);
+  const Problem problem(thrown.world.blocks, snapshot(thrown.world.bodies));
+  solver.iterate(thrown.world.bodies);  // friction comes first: the normal has pressed nothing
+  for (const Touch& touch : touches(thrown.world.blocks)) {
     CHECK(touch.normal > 1);
     CHECK(touch.friction() == 0);
   }
-  for (int k = 1; k < 1000; ++k) solver.iterate(thrown.world.bodies, k);
+  for (int k = 1; k < 1000; ++k) solver.iterate(thrown.world.bodies);
   const Column expected = problem.solutions().front();
-  CHECK(difference(impulses(solver.blocks()), expected) < tolerance(1e-8, 1e-2));
-  for (const Touch& touch : touches(solver.blocks())) CHECK(touch.friction() > 0.1);
+  CHECK(difference(impulses(thrown.world.blocks), expected) < tolerance(1e-8, 1e-2));
+  for (const Touch& touch : touches(thrown.world.blocks)) CHECK(touch.friction() > 0.1);
 }

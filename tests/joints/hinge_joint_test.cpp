@@ -18,6 +18,7 @@ struct Bent {
   BodyId one, two;
   HingeJoint* hinge;
   SequentialImpulses solver;
+  Stepping stepping{};
 
   Bent(real angle, bool free, bool beside, bool whole) {
     world.gravity = vec3(0);
@@ -60,12 +61,12 @@ TEST_CASE("X7 a hinge bent by 90 or 180 degrees is back within 3 s and never ups
     Bent bent = make();
     CHECK(bent.misalignment() / double(degree) == Approx(angle).epsilon(tolerance(1e-9, 1e-4)));
     int back = -1;
-    for (int step = 0; step < 180; ++step) {
-      bent.solver.step(bent.world, h);
+    for (int n = 0; n < 180; ++n) {
+      step(bent.world, bent.solver, h, bent.stepping);
       REQUIRE(all_finite(bent.world));
       const double off = bent.misalignment();
       CHECK(off < double(angle) * double(degree) + 1e-3);  // on the way, not further
-      if (off < 1e-3 && back < 0) back = step;
+      if (off < 1e-3 && back < 0) back = n;
       if (back >= 0) CHECK(off < 2e-3);  // and stays
     }
     CHECK(back > 0);
@@ -80,9 +81,9 @@ TEST_CASE("X7 a bent hinge does the same to the last bit with q and with its neg
       Bent here = make(), other = make();
       for (const auto& [bit, id] : {std::pair{1, other.one}, {2, other.two}})
         if (which & bit) other.world.bodies[id].q = -other.world.bodies[id].q;
-      for (int step = 0; step < 60; ++step) {
-        here.solver.step(here.world, h);
-        other.solver.step(other.world, h);
+      for (int n = 0; n < 60; ++n) {
+        step(here.world, here.solver, h, here.stepping);
+        step(other.world, other.solver, h, other.stepping);
       }
       for (int slot = 0; slot < 2; ++slot) {
         const Body &a = here.world.bodies.at(slot), &b = other.world.bodies.at(slot);
@@ -102,11 +103,11 @@ TEST_CASE("X8 a hinge that spins at 1000 rad per s counts its turns") {
         Rotor rotor(lever, speed);
         if (with_motor) rotor.hinge->set_motor(speed, 1);
         else rotor.hinge->set_limits(-2000, 2000);
-        for (int step = 0; step < 60; ++step) {
-          rotor.solver.step(rotor.world, h);
+        for (int n = 0; n < 60; ++n) {
+          step(rotor.world, rotor.solver, h, rotor.stepping);
           REQUIRE(all_finite(rotor.world));
         }
-        rotor.solver.begin(rotor.world, h);  // it counts at the beginning of a step
+        begin_step(rotor.world, rotor.solver, h, rotor.stepping);  // it counts when a step begins
         CHECK(rotor.angle() == Approx(double(speed)).epsilon(lever > 0 ? 1e-3 : 1e-5));
         CHECK(double(rotor.rotor().w.z) == Approx(double(speed)).epsilon(1e-3));
       }
@@ -118,7 +119,7 @@ TEST_CASE("X8 the angle read after a step is the one with which the next step be
     rotor.hinge->set_limits(-2000, 2000);
     rotor.run(60, h);
     const double read = rotor.angle();
-    rotor.solver.begin(rotor.world, h);
+    begin_step(rotor.world, rotor.solver, h, rotor.stepping);
     CHECK(read == Approx(rotor.angle()).epsilon(1e-6));
   }
 }
@@ -128,10 +129,10 @@ TEST_CASE("X8 a lever of 0.5 m on a hinge at 1000 rad per s stays finite and los
     for (bool warm : {false, true}) {
       Rotor rotor(real(0.5), 1000);
       rotor.hinge->whole = whole;
-      rotor.solver.warm_start = warm;
+      rotor.stepping.warm_start = warm;
       const double before = kinetic_energy(rotor.rotor());
-      for (int step = 0; step < 600; ++step) {
-        rotor.solver.step(rotor.world, h);
+      for (int n = 0; n < 600; ++n) {
+        step(rotor.world, rotor.solver, h, rotor.stepping);
         REQUIRE(all_finite(rotor.world));
         REQUIRE(kinetic_energy(rotor.rotor()) < 1.01 * before);
       }
@@ -147,7 +148,7 @@ TEST_CASE("X12 a motor of 2 N m gives 1 kg m^2 exactly 2 rad per s in a second")
           Rotor rotor;
           rotor.hinge->whole = whole;
           rotor.hinge->set_motor(100, 2);
-          rotor.solver.warm_start = warm;
+          rotor.stepping.warm_start = warm;
           rotor.solver.iterations = iterations;
           rotor.run(rate, real(1) / real(rate));
           CHECK(double(rotor.rotor().w.z) == Approx(2).epsilon(tolerance(1e-10, 1e-3)));
@@ -174,7 +175,7 @@ TEST_CASE("a motor stops pushing where its speed is reached and brakes what is f
 TEST_CASE("a motor changed between steps pushes the new way at once") {
   for (bool warm : {false, true}) {
     Rotor rotor;
-    rotor.solver.warm_start = warm;
+    rotor.stepping.warm_start = warm;
     const double steps[][3] = {{3, 6, 0.1}, {-3, 6, 0}, {-3, 12, -0.2}, {0, 600, 0}, {50, 60, 1}};
     for (const auto& [speed, strength, expected] : steps) {
       rotor.hinge->set_motor(real(speed), real(strength));
@@ -190,13 +191,13 @@ TEST_CASE("S4m a motor of 500 N m has the cube at 0.95 of its speed after 1.3775
       Crane crane(vec3(0, 1, 0));
       crane.hinge->whole = whole;
       crane.hinge->set_motor(3, 500);
-      crane.solver.warm_start = warm;
+      crane.stepping.warm_start = warm;
       double before = 0, crossing = 0;
-      for (int step = 0; step < 300; ++step) {
-        crane.solver.step(crane.world, h);
+      for (int n = 0; n < 300; ++n) {
+        step(crane.world, crane.solver, h, crane.stepping);
         const double now = double(crane.hinge->speed(crane.world.bodies));
         if (before < 2.85 && now >= 2.85)
-          crossing = (step + (2.85 - before) / (now - before)) * double(h);
+          crossing = (n + (2.85 - before) / (now - before)) * double(h);
         before = now;
       }
       CHECK(crossing == Approx(1.3775).epsilon(0.02));
@@ -217,9 +218,9 @@ TEST_CASE("X17 a door with limits and a motor is as good after 1e5 steps as in i
     solver.iterations = 10;
     struct { double gap = 0, axis = 0, energy = 0, low = 0, high = 0; } first, now;
     const int minute = 3600, steps = 100800;
-    for (int step = 0; step < steps; ++step) {
-      if (step % 300 == 0) door.set_motor(step % 600 ? -2 : 2, 50);
-      solver.step(world, h);
+    for (int n = 0; n < steps; ++n) {
+      if (n % 300 == 0) door.set_motor(n % 600 ? -2 : 2, 50);
+      step(world, solver, h);
       const Body &a = world.bodies[frame], &b = world.bodies[leaf];
       const double angle = double(door.position(world.bodies) / degree);
       now.gap = std::max(now.gap, double(length(door.first.error(a, b))));
@@ -228,9 +229,9 @@ TEST_CASE("X17 a door with limits and a motor is as good after 1e5 steps as in i
       now.energy = std::max(now.energy, kinetic_energy(b) + 20 * 9.81 * double(b.x.y));
       now.low = std::min(now.low, angle);
       now.high = std::max(now.high, angle);
-      if ((step + 1) % minute != 0) continue;
-      if (step + 1 == minute) first = now;
-      if (step + 1 < steps) now = {};
+      if ((n + 1) % minute != 0) continue;
+      if (n + 1 == minute) first = now;
+      if (n + 1 < steps) now = {};
     }
     CHECK(first.energy > 10);  // it does swing, from one limit to the other
     CHECK(std::abs(first.high - 110) < (whole ? 0.01 : 0.5));
@@ -252,9 +253,10 @@ TEST_CASE("a hinge between two static bodies has no row and no force") {
     world.bodies[b].q = rotation(vec3(0, 3, 0));
     const Body before_a = world.bodies[a], before_b = world.bodies[b];
     SequentialImpulses solver;
-    solver.warm_start = warm;
-    for (int step = 0; step < 100; ++step) solver.step(world, h);
-    CHECK(solver.blocks().list.empty());
+    Stepping stepping;
+    stepping.warm_start = warm;
+    for (int n = 0; n < 100; ++n) step(world, solver, h, stepping);
+    CHECK(world.blocks.list.empty());
     CHECK(same_bits(world.bodies[a], before_a));
     CHECK(same_bits(world.bodies[b], before_b));
     CHECK(double(hinge.motor_force()) == 0);

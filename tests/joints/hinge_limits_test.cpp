@@ -25,8 +25,8 @@ struct Yanked : Rotor {
   // How far beyond its limits it was in the first 5 s [degrees].
   double beyond() {
     double largest = -5;
-    for (int step = 0; step < 300; ++step) {
-      solver.step(world, h);
+    for (int n = 0; n < 300; ++n) {
+      step(world, solver, h, stepping);
       REQUIRE(all_finite(world));
       largest = std::max(largest, std::abs(in_degrees()) - 5);
     }
@@ -38,11 +38,11 @@ struct Yanked : Rotor {
 struct Run {
   double highest = 0, low = 1e9, high = -1e9, speed = 0;
   explicit Run(Crane& crane) {
-    for (int step = 0; step < 3600; ++step) {
-      crane.solver.step(crane.world, h);
+    for (int n = 0; n < 3600; ++n) {
+      step(crane.world, crane.solver, h, crane.stepping);
       const double angle = crane.in_degrees();
       highest = std::max(highest, std::abs(angle));
-      if (step < 600) continue;
+      if (n < 600) continue;
       low = std::min(low, angle);
       high = std::max(high, angle);
       speed = std::max(speed, std::abs(double(crane.hinge->speed(crane.world.bodies))));
@@ -63,11 +63,11 @@ TEST_CASE("X11 a rotor stops at its limit however fast it comes and however far 
               Rotor rotor(lever, real(way * speed));
               rotor.hinge->whole = whole;
               rotor.hinge->set_limits(-real(limit) * degree, real(limit) * degree);
-              rotor.solver.warm_start = warm;
+              rotor.stepping.warm_start = warm;
               double furthest = 0;
               const int steps = int(60 * (limit * double(degree) / speed + 0.5));
-              for (int step = 0; step < steps; ++step) {
-                rotor.solver.step(rotor.world, h);
+              for (int n = 0; n < steps; ++n) {
+                step(rotor.world, rotor.solver, h, rotor.stepping);
                 furthest = std::max(furthest, way * rotor.in_degrees());
               }
               const double near = whole ? 0.01 : 0.5;
@@ -82,13 +82,13 @@ TEST_CASE("X11 a joint at rest beside its limit is held when a neighbour of its 
     for (real way : {real(1), real(-1)}) {
       for (real speed : {real(10), real(100)}) {
         Yanked joint(1, way * speed);
-        joint.solver.warm_start = warm;
+        joint.stepping.warm_start = warm;
         CHECK(joint.beyond() < 0.01);
       }
       for (real speed : {real(10), real(100)}) {
         Yanked apart(1, way * speed);
         apart.hinge->whole = false;
-        apart.solver.warm_start = warm;
+        apart.stepping.warm_start = warm;
         CHECK(apart.beyond() < 0.5);
       }
     }
@@ -117,7 +117,7 @@ TEST_CASE("S4l a cube that falls onto its limit stays there") {
     for (int iterations : {1, 30}) {
       Crane crane(vec3(1, 0, 0));
       crane.hinge->set_limits(-60 * degree, 60 * degree);
-      crane.solver.warm_start = warm;
+      crane.stepping.warm_start = warm;
       crane.solver.iterations = iterations;
       const Run run(crane);
       CHECK(std::abs(run.highest - 60) < 0.01);
@@ -149,7 +149,7 @@ TEST_CASE("X13 and S4ml a motor that pushes into a limit neither drifts nor chat
       Crane crane(vec3(0, 1, 0));
       crane.hinge->set_motor(3, 500);
       crane.hinge->set_limits(-60 * degree, 60 * degree);
-      crane.solver.warm_start = warm;
+      crane.stepping.warm_start = warm;
       crane.solver.iterations = iterations;
       const Run run(crane);
       CHECK(std::abs(run.highest - 60) < 0.01);
@@ -168,7 +168,7 @@ TEST_CASE("X13 and S4ml with blocks apart the motor is held at the limit at 30 i
     crane.hinge->set_motor(3, 500);
     crane.hinge->set_limits(-60 * degree, 60 * degree);
     crane.hinge->whole = false;
-    crane.solver.warm_start = warm;
+    crane.stepping.warm_start = warm;
     const Run run(crane);
     CHECK(run.highest - 60 < 0.5);
     CHECK(std::abs(run.low - 60) < 0.01);
@@ -185,7 +185,7 @@ TEST_CASE("equal limits hold the angle against a motor and against a blow either
         rotor.hinge->whole = whole;
         rotor.hinge->set_limits(20 * degree, 20 * degree);
         rotor.hinge->set_motor(blow, 5);
-        rotor.solver.warm_start = warm;
+        rotor.stepping.warm_start = warm;
         rotor.run(120, h);  // comes up from 0 to 20 degrees by the error fed back
         CHECK(rotor.in_degrees() == Approx(20).epsilon(tolerance(1e-6, 1e-5)));
         rotor.rotor().w = vec3(0, 0, blow);
@@ -230,7 +230,7 @@ TEST_CASE("limits that close in on a rotor push it and limits that open let it g
     for (bool warm : {false, true}) {
       Rotor rotor(0);
       rotor.hinge->whole = whole;
-      rotor.solver.warm_start = warm;
+      rotor.stepping.warm_start = warm;
       rotor.hinge->set_limits(10 * degree, 30 * degree);  // 10 degrees beyond the lower one
       rotor.run(1, h);
       CHECK(rotor.in_degrees() == Approx(2).epsilon(tolerance(1e-9, 1e-4)));  // beta 0.2

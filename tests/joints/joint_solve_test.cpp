@@ -32,16 +32,16 @@ struct Solved {
     const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
     world.add<PartJoint<Part>>(a, b, part).beta = beta;
     SequentialImpulses solver;
-    solver.begin(world, h);  // at rest: no gyroscopic torque
+    begin_step(world, solver, h);  // at rest: no gyroscopic torque
     Random random(71);
     push_at_random(world.bodies, random);
     before = snapshot(world.bodies);
-    solver.iterate(world.bodies, 0);
+    solver.iterate(world.bodies);
     after = snapshot(world.bodies);
-    system = system_of(solver.blocks(), 2);
-    lambda = impulses(solver.blocks());
-    solver.iterate(world.bodies, 1);
-    second = impulses(solver.blocks()) - lambda;
+    system = system_of(world.blocks, 2);
+    lambda = impulses(world.blocks);
+    solver.iterate(world.bodies);
+    second = impulses(world.blocks) - lambda;
     bias = double(beta) / double(h) * system.C;
     V1 = velocities(before);
     V2 = velocities(after);

@@ -111,14 +111,13 @@ void check_nothing_between_statics() {
     }
     CHECK(one.blocks().empty());
     SequentialImpulses solver;
-    solver.step(one.world, h);
-    CHECK(solver.blocks().list.empty());  // no late limits either
-    CHECK(solver.blocks().J.empty());
-    CHECK(solver.blocks().K.empty());
+    step(one.world, solver, h);
+    CHECK(one.world.blocks.list.empty());  // no late limits either
+    CHECK(one.world.blocks.J.empty());
     CHECK(plan(one.world, false).rows == 0);
     if constexpr (!std::is_same_v<J, FixedJoint>) one.joint.set_limits(1, 2);  // 1 away from them
-    solver.step(one.world, h);
-    CHECK(solver.blocks().list.empty());
+    step(one.world, solver, h);
+    CHECK(one.world.blocks.list.empty());
     CHECK(plan(one.world, false).live_limits == 0);
   }
 }
@@ -139,10 +138,10 @@ int late_blocks(real rate, bool limited) {
     joint->append(one.world.bodies, before);
   }
   SequentialImpulses solver;
-  solver.step(one.world, h);
+  step(one.world, solver, h);
   const real next = one.joint.position(one.world.bodies);
   if (limited) CHECK(double(next) < 0.05 + tolerance(1e-4, 1e-4));  // the late row held it
-  return int(solver.blocks().list.size() - before.list.size());
+  return int(one.world.blocks.list.size() - before.list.size());
 }
 
 template <class J>
@@ -252,8 +251,8 @@ TEST_CASE("what only turns leaves out the linear half and keeps the velocity to 
   const vec3 v(real(0.1), real(0.2), real(0.3));
   world.bodies[body].v = v;
   SequentialImpulses solver;
-  solver.step(world, h);
-  CHECK(solver.blocks().list[0].touches == Touches::angular);
+  step(world, solver, h);
+  CHECK(world.blocks.list[0].touches == Touches::angular);
   CHECK(world.bodies[body].v == v);
   CHECK(length(world.bodies[body].w) > 1);
 }
@@ -268,7 +267,7 @@ TEST_CASE("the plan line counts limits that have a row and limits that wait and 
   machine.hinges[2]->set_motor(3, 0);               // off
   machine.sliders[0]->set_motor(real(0.001), 100);  // runs
   machine.world.gravity = vec3(0);
-  SequentialImpulses().step(machine.world, h);
+  step_once(machine.world, h);
   CHECK(plan(machine.world, true).line() ==
         "bodies 9 (1 static), blocks 13, rows 45, limits 2 of 3, motors 1, warm");
 }
@@ -278,16 +277,17 @@ TEST_CASE("driven joints take nothing from the heap in a step after the first") 
     for (bool row_by_row : {false, true}) {
       Machine machine;
       SequentialImpulses solver;
+      Stepping stepping;
       solver.iterations = 5;
-      solver.warm_start = warm;
+      stepping.warm_start = warm;
       solver.row_by_row = row_by_row;
-      solver.step(machine.world, h);  // no limit, no motor so far
+      step(machine.world, solver, h, stepping);  // no limit, no motor so far
       int most_live = 0;
       long taken = 0;
-      for (int step = 0; step < 120; ++step) {
-        if (step % 40 == 0)  // switched on, then turned round
-          taken += allocations_of([&] { machine.set_in_motion(step % 80 == 0 ? 3 : -3); });
-        taken += allocations_of([&] { solver.step(machine.world, h); });
+      for (int n = 0; n < 120; ++n) {
+        if (n % 40 == 0)  // switched on, then turned round
+          taken += allocations_of([&] { machine.set_in_motion(n % 80 == 0 ? 3 : -3); });
+        taken += allocations_of([&] { step(machine.world, solver, h, stepping); });
         most_live = std::max(most_live, plan(machine.world, warm).live_limits);
       }
       CHECK(taken == 0);

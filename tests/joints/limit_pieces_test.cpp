@@ -3,6 +3,7 @@
 
 #include "chapters/03_hinge/hinge_joint.h"
 #include "engine/sequential_impulses.h"
+#include "engine/step.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/numeric.h"
 
@@ -26,8 +27,8 @@ TEST_CASE("a hinge with limits at 60 degrees either way stops there within a hun
       SequentialImpulses solver;
       solver.iterations = 30;
       real furthest = 0;
-      for (int step = 0; step < 180; ++step) {
-        solver.step(world, h);
+      for (int n = 0; n < 180; ++n) {
+        step(world, solver, h);
         furthest = std::max(furthest, std::abs(hinge.position(world.bodies)));
       }
       INFO("speed " << speed << (whole ? ", one block" : ", blocks apart"));

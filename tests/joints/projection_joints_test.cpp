@@ -3,6 +3,7 @@
 #include "chapters/01_distance/distance_joint.h"
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
+#include "engine/projection.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
 #include "tests/oracle/allocations.h"
@@ -58,6 +59,7 @@ struct Bars {
   std::vector<BodyId> ids;
   std::vector<BallJoint*> joints;
   SequentialImpulses solver;
+  Stepping stepping{};
 
   explicit Bars(int links, int twice = 1) {
     ids.push_back(world.add(static_body(vec3(0))));
@@ -78,7 +80,7 @@ struct Bars {
                                                world.bodies[joints[k]->body2])));
   }
   void run(int steps) {
-    for (int step = 0; step < steps; ++step) solver.step(world, h);
+    for (int n = 0; n < steps; ++n) step(world, solver, h, stepping);
   }
 };
 
@@ -95,11 +97,10 @@ TEST_CASE("I20 projection closes a whole hinge or slider or weld with the square
     for (const bool free : {false, true}) {
       CAPTURE(kind, free);
       Apart apart(kind, free, true, 0.3);  // no visit goes as far as it may
-      Projection projection;
       double last = error_of(*apart.joint, apart.world);
       CHECK(last > 0.05);
       for (int n = 0; n < 5; ++n) {
-        projection.iterate(apart.world);
+        project_positions(apart.world);
         const double now = error_of(*apart.joint, apart.world);
         CHECK(now < std::max(0.5 * last * last, tolerance(1e-14, 1e-6)));
         last = now;
@@ -111,15 +112,14 @@ TEST_CASE("I20 projection closes a whole hinge or slider or weld with the square
 TEST_CASE("projection closes joints in blocks apart as their blocks let it") {
   for (const int kind : {0, 1, 2}) {
     Apart apart(kind, true, false, 1);
-    Projection projection;
-    for (int n = 0; n < 100; ++n) projection.iterate(apart.world);
+    for (int n = 0; n < 100; ++n) project_positions(apart.world);
     CHECK(error_of(*apart.joint, apart.world) < tolerance(1e-9, 1e-6));
   }
 }
 
 TEST_CASE("X14 projected two identical ball joints do what one does") {
   Bars one(2, 1), two(2, 2);
-  one.solver.projections = two.solver.projections = 4;
+  one.stepping.projections = two.stepping.projections = 4;
   one.solver.iterations = two.solver.iterations = 200;
   for (int step = 0; step < 120; ++step) {
     one.run(1);
@@ -137,8 +137,7 @@ TEST_CASE("X14 projected two identical welds come together as one does") {
     Apart apart(2, true, whole, 1);
     auto& second = apart.world.add<FixedJoint>(
         static_cast<const FixedJoint&>(*apart.joint));
-    Projection projection;
-    for (int n = 0; n < 60; ++n) projection.iterate(apart.world);
+    for (int n = 0; n < 60; ++n) project_positions(apart.world);
     CHECK(all_finite(apart.world));
     CHECK(error_of(second, apart.world) < tolerance(1e-9, 1e-6));
   }
@@ -154,8 +153,9 @@ TEST_CASE("X6 projection moves no static body and nothing between two of them") 
   hinge.set_limits(1, 2);
   const std::vector<Body> before = snapshot(world.bodies);
   SequentialImpulses solver;
-  solver.projections = 3;
-  for (int step = 0; step < 100; ++step) solver.step(world, h);
+  Stepping stepping;
+  stepping.projections = 3;
+  for (int n = 0; n < 100; ++n) step(world, solver, h, stepping);
   CHECK(same_bits(world.bodies[a], before[0]));
   CHECK(same_bits(world.bodies[b], before[1]));
 }
@@ -166,12 +166,11 @@ TEST_CASE("X5 projection pushes nothing in a direction that is not there") {
   const BodyId a = world.add(box(2, vec3(1), vec3(0))), b = world.add(box(3, vec3(1), vec3(0)));
   world.add<DistanceJoint>(a, b, Distance{vec3(0), vec3(0), 1});
   world.add<RopeJoint>(a, b, Rope<Distance>{{vec3(0), vec3(0), 0}});
-  Projection projection;
-  for (int n = 0; n < 10; ++n) projection.iterate(world);
+  for (int n = 0; n < 10; ++n) project_positions(world);
   CHECK(world.bodies[a].x == vec3(0));
   CHECK(world.bodies[b].x == vec3(0));
   world.bodies[b].x = vec3(real(1e-3), 0, 0);  // now there is one: the rod and the rope disagree
-  for (int n = 0; n < 10; ++n) projection.iterate(world);
+  for (int n = 0; n < 10; ++n) project_positions(world);
   CHECK(all_finite(world));
 }
 
@@ -184,8 +183,7 @@ TEST_CASE("projection leaves a slack rope alone to the last bit and shortens a l
         a, b, Rope<Distance>{{vec3(0), vec3(real(0.1), 0, 0), real(length_of_rope)}});
     const bool slack = rope.part.error(world.bodies[a], world.bodies[b]) > 0;
     const Body before = world.bodies[b];
-    Projection projection;
-    for (int n = 0; n < 20; ++n) projection.iterate(world);
+    for (int n = 0; n < 20; ++n) project_positions(world);
     CHECK(same_bits(world.bodies[b], before) == slack);
     if (slack) continue;
     const double left = double(rope.part.error(world.bodies[a], world.bodies[b]));
@@ -206,8 +204,7 @@ TEST_CASE("X7 projection alone brings a hinge back from 90 and 180 degrees and n
       turn_about(world.bodies[two], vec3(real(0.5), 0, 0),
                  rotation(vec3(real(angle) * degree, 0, 0)));
       world.bodies[two].q = sign * world.bodies[two].q;
-      Projection projection;
-      for (int n = 0; n < 60; ++n) projection.iterate(world);
+      for (int n = 0; n < 60; ++n) project_positions(world);
       const vec3 a1 = to_world(world.bodies[one], hinge.second.a1_local);
       const vec3 a2 = to_world(world.bodies[two],
                                cross(hinge.second.b_local, hinge.second.c_local));
@@ -221,13 +218,13 @@ TEST_CASE("X13 projected without feedback a motor rests at its limit without dri
     crane.hinge->set_motor(3, 500);
     crane.hinge->set_limits(-60 * degree, 60 * degree);
     crane.hinge->beta = 0;
-    crane.solver.warm_start = warm;
-    crane.solver.projections = 1;
+    crane.stepping.warm_start = warm;
+    crane.stepping.projections = 1;
     double low = 1e9, high = -1e9;
-    for (int step = 0; step < 1800; ++step) {
-      crane.solver.step(crane.world, h);
+    for (int n = 0; n < 1800; ++n) {
+      step(crane.world, crane.solver, h, crane.stepping);
       high = std::max(high, std::abs(crane.in_degrees()));
-      if (step > 600) low = std::min(low, std::abs(crane.in_degrees()));
+      if (n > 600) low = std::min(low, std::abs(crane.in_degrees()));
     }
     CHECK(std::abs(high - 60) < 0.01);
     CHECK(std::abs(low - 60) < 0.01);
@@ -239,7 +236,7 @@ TEST_CASE("X11 projection reaches a limit beyond half a turn and its turns are c
     for (const int projections : {1, 4, 20}) {
       Rotor rotor;
       rotor.hinge->set_limits(real(lower), real(upper));
-      rotor.solver.projections = projections;
+      rotor.stepping.projections = projections;
       rotor.run(300, h);
       CAPTURE(lower, upper, projections);
       CHECK(rotor.angle() > lower - tolerance(1e-9, 1e-4));
@@ -252,7 +249,7 @@ TEST_CASE("a joint without projection keeps its gap and its neighbours close the
   Bars all(4), but_one(4);
   but_one.joints[2]->projected = false;
   for (Bars* bars : {&all, &but_one}) {
-    bars->solver.projections = 10;
+    bars->stepping.projections = 10;
     bars->run(120);
   }
   for (const std::size_t k : {0, 1, 2, 3}) CHECK(all.gap(k) < tolerance(1e-4, 1e-4));
@@ -262,7 +259,7 @@ TEST_CASE("a joint without projection keeps its gap and its neighbours close the
 
 TEST_CASE("a removed joint or body is projected no more and the others go on") {
   Bars bars(4);
-  bars.solver.projections = 4;
+  bars.stepping.projections = 4;
   bars.run(30);
   bars.world.remove(*bars.joints[3]);  // the last bar falls
   const real height = bars.world.bodies[bars.ids[4]].x.y;
@@ -278,7 +275,7 @@ TEST_CASE("a removed joint or body is projected no more and the others go on") {
 
 TEST_CASE("projection reaches the floor of its numbers in every joint of a swinging chain") {
   Bars bars(4);
-  bars.solver.projections = 100;
+  bars.stepping.projections = 100;
   for (int step = 0; step < 300; ++step) {
     bars.run(1);
     for (std::size_t k = 0; k < 4; ++k) CHECK(bars.gap(k) < tolerance(1e-9, 3e-6));
@@ -287,7 +284,7 @@ TEST_CASE("projection reaches the floor of its numbers in every joint of a swing
 
 TEST_CASE("projection allocates in no step but the first") {
   Bars bars(6);
-  bars.solver.projections = 3;
+  bars.stepping.projections = 3;
   bars.world.add<FixedJoint>(bars.world.bodies, bars.ids[0], bars.ids[1], vec3(0));
   bars.run(1);
   CHECK(allocations_of([&] { bars.run(50); }) == 0);
@@ -299,14 +296,14 @@ TEST_CASE("projection that is off leaves every bit as a step without it has it")
   for (int step = 0; step < 100; ++step) {
     off.run(1);
     flag.run(1);
-    by_hand.solver.begin(by_hand.world, h);
-    for (int k = 0; k < 30; ++k) by_hand.solver.iterate(by_hand.world.bodies, k);
+    begin_step(by_hand.world, by_hand.solver, h, by_hand.stepping);
+    for (int k = 0; k < 30; ++k) by_hand.solver.iterate(by_hand.world.bodies);
     for (int slot = 0; slot < by_hand.world.bodies.slots(); ++slot)
       integrate_pose(by_hand.world.bodies.at(slot), h);
   }
   CHECK(same_bodies(off.world, by_hand.world));
   CHECK(same_bodies(off.world, flag.world));
-  flag.solver.projections = 5;  // on, with nobody who takes part
+  flag.stepping.projections = 5;  // on, with nobody who takes part
   off.run(10);
   flag.run(10);
   CHECK(same_bodies(off.world, flag.world));

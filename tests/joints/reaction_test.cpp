@@ -79,9 +79,10 @@ TEST_CASE("each joint of a hanging chain carries the weight of all that hangs be
         for (real step_length : {h, h / 4}) {
           Beam chain(frame, vec3(0, -1, 0), kind, {3, 1, 2});
           SequentialImpulses solver;
-          solver.warm_start = warm;
+          Stepping stepping;
+          stepping.warm_start = warm;
           solver.iterations = 300;
-          for (int step = 0; step < 40; ++step) solver.step(chain.world, step_length);
+          for (int n = 0; n < 40; ++n) step(chain.world, solver, step_length, stepping);
           for (std::size_t k = 0; k < 3; ++k) {
             CAPTURE(int(kind), warm, k);
             const Reaction load = reaction(*chain.joints[k], chain.world.bodies);
@@ -99,9 +100,10 @@ TEST_CASE("the wall of a cantilever bears n m g and n^2 m g L over 2") {
         Beam beam(frame, vec3(1, 0, 0), Kind::weld, {2, 2, 2});
         for (Joint* joint : beam.joints) static_cast<FixedJoint*>(joint)->whole = whole;
         SequentialImpulses solver;
-        solver.warm_start = warm;
+        Stepping stepping;
+        stepping.warm_start = warm;
         solver.iterations = 3000;
-        for (int step = 0; step < 5; ++step) solver.step(beam.world, h);
+        for (int n = 0; n < 5; ++n) step(beam.world, solver, h, stepping);
         for (std::size_t k = 0; k < 3; ++k) {
           CAPTURE(whole, warm, k);
           const Reaction load = static_cast<const FixedJoint*>(beam.joints[k])->load();
@@ -116,7 +118,7 @@ TEST_CASE("a weld's load about its anchor and its reaction about the centre are 
   for (const Frame& frame : frames) {
     Beam beam(frame, vec3(1, 0, 0), Kind::weld, {2, 3});
     SequentialImpulses solver;
-    for (int step = 0; step < 10; ++step) solver.step(beam.world, h);
+    for (int n = 0; n < 10; ++n) step(beam.world, solver, h);
     for (std::size_t k = 0; k < 2; ++k) {
       const FixedJoint& weld = static_cast<const FixedJoint&>(*beam.joints[k]);
       const Body& body2 = beam.world.bodies[beam.ids[k + 1]];
@@ -136,7 +138,7 @@ TEST_CASE("a stalled motor pushes with its strength and the limit holds against 
         for (real step_length : {h, h / 4}) {
           Rotor rotor(real(0.5));
           rotor.hinge->whole = whole;
-          rotor.solver.warm_start = warm;
+          rotor.stepping.warm_start = warm;
           rotor.hinge->set_motor(-9, strength);
           rotor.hinge->set_limits(0, 1);  // it stands at the lower one
           rotor.run(200, step_length);
@@ -165,9 +167,10 @@ TEST_CASE("a limit that holds a weight out gives m g r cos of the angle") {
           body.x = frame.at(real(0.5) * std::cos(phi), real(0.5) * std::sin(phi), 0);
           hinge.set_limits(beyond ? -unbounded : phi, beyond ? phi : unbounded);
           SequentialImpulses solver;
-          solver.warm_start = warm;
+          Stepping stepping;
+          stepping.warm_start = warm;
           solver.iterations = 200;
-          for (int step = 0; step < 100; ++step) solver.step(arm.world, h);
+          for (int n = 0; n < 100; ++n) step(arm.world, solver, h, stepping);
           const double torque = 4 * g * 0.5 * std::cos(angle * double(degree));
           CHECK(double(hinge.limit_force()) == Approx(torque).epsilon(tolerance(1e-7, 2e-3)));
           const Reaction load = reaction(hinge, arm.world.bodies);
@@ -190,7 +193,7 @@ TEST_CASE("the rigid rows of a slider carry what it is loaded with and its motor
       one.world.bodies[one.ids[1]].force = frame.at(0, 0, -7);
       SequentialImpulses solver;
       solver.iterations = 200;
-      for (int step = 0; step < 60; ++step) solver.step(one.world, h);
+      for (int n = 0; n < 60; ++n) step(one.world, solver, h);
       CHECK(double(slider.motor_force()) == Approx(7).epsilon(tolerance(1e-7, 1e-3)));
       const Vector<5> rows = slider.forces();  // two of the line [N], three of the lock [N m]
       CHECK(std::hypot(double(rows[0]), double(rows[1])) ==
@@ -207,7 +210,7 @@ TEST_CASE("a frame that is turned as a whole turns all the forces with it") {
   const auto run = [](const Frame& frame, Kind kind) {
     Beam chain(frame, normalize(vec3(1, real(-0.5), real(0.3))), kind, {3, 1, 2});
     SequentialImpulses solver;
-    for (int step = 0; step < 30; ++step) solver.step(chain.world, h);  // swinging
+    for (int n = 0; n < 30; ++n) step(chain.world, solver, h);  // swinging
     std::vector<vec3> out;
     for (const Joint* joint : chain.joints) {
       const Reaction load = reaction(*joint, chain.world.bodies);
@@ -245,8 +248,9 @@ TEST_CASE("what a joint bears does not depend on the length of the step") {
     for (real step_length : {h, h / 2, h / 10}) {
       Beam beam({}, vec3(1, 0, 0), Kind::weld, {5});
       SequentialImpulses solver;
-      solver.warm_start = warm;
-      for (int step = 0; step < 20; ++step) solver.step(beam.world, step_length);
+      Stepping stepping;
+      stepping.warm_start = warm;
+      for (int n = 0; n < 20; ++n) step(beam.world, solver, step_length, stepping);
       torques.push_back(double(static_cast<FixedJoint*>(beam.joints[0])->load().torque.z));
     }
     for (double torque : torques) CHECK(torque == Approx(5 * g * 0.5).epsilon(near));

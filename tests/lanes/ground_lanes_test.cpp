@@ -3,6 +3,7 @@
 #include "chapters/02_ball/ball_joint.h"
 #include "chapters/03_hinge/hinge_joint.h"
 #include "engine/simd/packed.h"
+#include "engine/step.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/allocations.h"
 #include "tests/ground/rigs.h"
@@ -54,17 +55,18 @@ double difference(const World& a, const World& b) {
 }
 
 // A step of the scalar solver whose iterations visit the blocks in the order of the packed ones.
-void step_in_order(SequentialImpulses& solver, World& world, const PackedBlocks& packed) {
-  solver.begin(world, h);
+void step_in_order(SequentialImpulses& solver, World& world, const PackedBlocks& packed,
+                   const Stepping& stepping = {}) {
+  begin_step(world, solver, h, stepping);
   REQUIRE(std::count_if(packed.blocks.begin(), packed.blocks.end(),
-                        [](int k) { return k >= 0; }) == int(solver.blocks().list.size()));
+                        [](int k) { return k >= 0; }) == int(world.blocks.list.size()));
   for (int n = 0; n < solver.iterations; ++n)
     for (const int k : packed.blocks)
       if (k >= 0) solver.iterate(world.bodies, k, k + 1);
   Blocks more;  // late limits goes on from here: it must find nothing
   for (const auto& joint : world.joints()) joint->late_limits(world.bodies, h, more);
   REQUIRE(more.list.empty());
-  solver.finish(world, h);
+  end_step(world, h, stepping);
 }
 
 // Two rows of one joint, a block each; the second is bounded by a multiple of the first's sum.
@@ -76,14 +78,9 @@ class Following : public Joint {
 
   using Joint::Joint;
   void append(const Bodies& bodies, Blocks& blocks) const override {
-    const int slot1 = bodies.index(body1), slot2 = bodies.index(body2);
-    const auto K = [&](const Row& J) {
-      return dense_K<1>(to_jacobian(J), bodies.at(slot1), bodies.at(slot2));
-    };
     if (alive)
-      blocks.append(slot1, slot2, to_jacobian(followed), {0}, K(followed), {.lower = 0},
-                    &impulse[0]);
-    blocks.append(slot1, slot2, to_jacobian(follower), {0}, K(follower),
+      blocks.append(bodies, body1, body2, to_jacobian(followed), {0}, {.lower = 0}, &impulse[0]);
+    blocks.append(bodies, body1, body2, to_jacobian(follower), {0},
                   {.holds_position = false, .follows = -1, .upper = real(0.4)}, &impulse[1]);
   }
   int most_rows() const override { return 2; }
@@ -118,14 +115,15 @@ TEST_CASE("on lanes figures fall on the ground and slide as with the scalar solv
         CAPTURE(limbs, lanes, warm);
         World one = field(9, limbs, true), other = field(9, limbs, true);
         SequentialImpulses scalar;
+        Stepping stepping;
         PackedImpulses wide;
         wide.packing = lanes ? Packing::islands : Packing::list;
         wide.lanes = lanes;
-        scalar.warm_start = wide.warm_start = warm;
+        stepping.warm_start = warm;
         double most = 0;
         for (int n = 0; n < (limbs ? 25 : 60); ++n) {
-          scalar.step(one, h);
-          wide.step(other, h);
+          step(one, scalar, h, stepping);
+          step(other, wide, h, stepping);
           most = std::max(most, difference(one, other));
         }
         CHECK(most < tolerance(1e-10, 2e-2));
@@ -139,13 +137,14 @@ TEST_CASE("in colours contacts and joints give the scalar solver's numbers in th
       CAPTURE(lanes, int(packing));
       World one = field(7, true, false, 0), other = field(7, true, false, 0);
       SequentialImpulses scalar;
+      Stepping stepping;
       PackedImpulses wide;
       wide.packing = packing;
       wide.lanes = lanes;
-      scalar.warm_start = wide.warm_start = true;
+      stepping.warm_start = true;
       for (int n = 0; n < 20; ++n) {
-        wide.step(other, h);
-        step_in_order(scalar, one, wide.packed());
+        step(other, wide, h, stepping);
+        step_in_order(scalar, one, wide.packed(), stepping);
         CHECK(difference(one, other) < tolerance(1e-9, 1e-2));
       }
     }
@@ -160,7 +159,7 @@ TEST_CASE("on lanes a bound that follows is mu times the other sum to the last b
       wide.iterations = 7;
       wide.packing = packing;
       wide.lanes = lanes;
-      wide.step(world, h);
+      step(world, wide, h);
       int at_bound = 0, inside = 0, off = 0;
       for (int k = 0; k < 21; ++k) {  // the follower was visited last
         const real* const sum = following(world, k).impulse;
@@ -178,7 +177,7 @@ TEST_CASE("a row that follows a sum without a row is refused by every solver") {
   Random random(87);
   World world = followings(random, 9);
   auto& orphan = static_cast<Following&>(*world.joints()[4]);
-  const auto refused = [&](auto solver) { return refusal([&] { solver.step(world, h); }); };
+  const auto refused = [&](auto solver) { return refusal([&] { step(world, solver, h); }); };
   for (const bool alive : {true, false}) {
     orphan.alive = alive;
     for (const bool row_by_row : {true, false}) {
@@ -202,18 +201,15 @@ TEST_CASE("a followed sum is known by its place, whichever neighbour in the list
     mutable real impulse[4] = {0, 0, 0, 0};
     using Joint::Joint;
     void append(const Bodies& bodies, Blocks& blocks) const override {
-      const int slot1 = bodies.index(body1), slot2 = bodies.index(body2);
-      const Body &a = bodies.at(slot1), &b = bodies.at(slot2);
       const auto follower = [&](int k, int follows) {
-        const Jacobian<1> row = to_jacobian(J[k]);
-        blocks.append(slot1, slot2, row, {0}, dense_K<1>(row, a, b),
+        blocks.append(bodies, body1, body2, to_jacobian(J[k]), {0},
                       {.holds_position = false, .follows = follows, .upper = real(0.3)},
                       &impulse[k]);
       };
       Jacobian<2> pair;
       pair[0] = J[1], pair[1] = J[2];
       follower(0, 2);
-      blocks.append(slot1, slot2, pair, {0, 0}, dense_K<2>(pair, a, b), {.lower = 0}, &impulse[1]);
+      blocks.append(bodies, body1, body2, pair, {0, 0}, {.lower = 0}, &impulse[1]);
       follower(3, -1);
     }
     int most_rows() const override { return 4; }
@@ -231,14 +227,14 @@ TEST_CASE("a followed sum is known by its place, whichever neighbour in the list
   Blocks blocks;
   Preparation prepared;
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
-  prepared.add(world.bodies, blocks, 0, h, false, false);
+  prepared.add(world.bodies, blocks, 0, h, false);
   for (std::size_t k = 0; k < prepared.blocks.size(); ++k)
     CHECK(prepared.blocks[k].followed == (k % 3 == 1 ? -1 : int(k / 3 * 4 + 2)));
 
   for (const bool lanes : {true, false}) {
     PackedImpulses wide;
     wide.lanes = lanes;
-    wide.step(world, h);
+    step(world, wide, h);
     for (const auto& joint : world.joints()) {
       const real* const sum = static_cast<const Four&>(*joint).impulse;
       CHECK(std::abs(sum[3]) <= real(0.3) * sum[2]);  // it was solved last
@@ -249,16 +245,17 @@ TEST_CASE("a followed sum is known by its place, whichever neighbour in the list
 TEST_CASE("who is solved with whom is kept while no corner comes or goes, without the heap") {
   World world = field(9, true, true);
   PackedImpulses wide;
-  wide.warm_start = true;
-  for (int n = 0; n < 240; ++n) wide.step(world, h);
+  Stepping stepping;
+  stepping.warm_start = true;
+  for (int n = 0; n < 240; ++n) step(world, wide, h, stepping);
   const int fallen = wide.packed().packed();
   CHECK(fallen > 1);  // corners came and went while they fell
   CHECK(allocations_of([&] {
-          for (int n = 0; n < 30; ++n) wide.step(world, h);
+          for (int n = 0; n < 30; ++n) step(world, wide, h, stepping);
         }) == 0);
   CHECK(wide.packed().packed() == fallen);
   world.bodies.at(1).v.y = 2;  // one jumps
-  wide.step(world, h);
+  step(world, wide, h, stepping);
   CHECK(wide.packed().packed() == fallen + 1);
 }
 
@@ -266,14 +263,15 @@ TEST_CASE("corners come and go and the scalar solver takes no memory from the he
   Random random(88);
   World world = field(3, true, true);
   SequentialImpulses solver;
-  solver.projections = 1;
+  Stepping stepping;
+  stepping.projections = 1;
   for (int slot = 1; slot < world.bodies.slots(); ++slot)
     world.bodies.at(slot).v.y = random.uniform(1, 3);
-  solver.step(world, h);
+  step(world, solver, h, stepping);
   std::vector<int> counts(32, 0);
   const long taken = allocations_of([&] {
     for (int n = 0; n < 240; ++n) {
-      solver.step(world, h);
+      step(world, solver, h, stepping);
       for (const auto& joint : world.joints())
         if (const auto* contact = dynamic_cast<const GroundContact*>(joint.get()))
           ++counts[std::size_t(contact->touching())];

@@ -9,6 +9,7 @@
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
 #include "engine/simd/packed.h"
+#include "engine/step.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 
@@ -110,14 +111,13 @@ World chains(const Kind& kind, const RowTarget& target, const std::vector<int>& 
 struct Outcome {
   Column V, lambda;
 };
-template <class Solver>
-Outcome outcome(World world, Solver& solver, const std::vector<int>& order) {
+template <class Kind>
+Outcome outcome(World world, Kind& solver, const std::vector<int>& order) {
   solver.iterations = 10;
-  solver.warm_start = true;
   Random random(92);
   for (int n = 0; n < 2; ++n) {  // each begins with another push
     push_at_random(world.bodies, random, 4);
-    solver.step(world, h);
+    step(world, solver, h, {.warm_start = true});
   }
   Blocks blocks;
   std::vector<std::vector<double>> sums(order.size());
@@ -137,7 +137,7 @@ Outcome outcome(World world, Solver& solver, const std::vector<int>& order) {
 std::map<Kind, int> kinds_of(World& world) {
   PackedImpulses solver;
   solver.packing = Packing::list;
-  solver.step(world, h);
+  step(world, solver, h);
   std::map<Kind, int> out;
   for (const LaneGroup& group : solver.packed().groups) ++out[kind_of(group)];
   return out;

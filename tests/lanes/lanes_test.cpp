@@ -8,6 +8,7 @@
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
 #include "engine/simd/packed.h"
+#include "engine/step.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 
@@ -58,16 +59,17 @@ World zoo(const std::vector<int>& order) {
 
 }  // namespace
 
-TEST_CASE("on lanes a island each keeps its own order: chains move as with the scalar solver") {
+TEST_CASE("on lanes an island each keeps its own order: chains move as with the scalar solver") {
   for (const bool warm : {false, true}) {
     bench::Scene scalar = bench::cubes_on_hinges(10, 12), wide = bench::cubes_on_hinges(10, 12);
     SequentialImpulses one;
     PackedImpulses other;
-    one.warm_start = other.warm_start = warm;
-    one.projections = other.projections = 1;
+    Stepping stepping;
+    stepping.warm_start = warm;
+    stepping.projections = 1;
     for (int n = 0; n < 60; ++n) {
-      one.step(scalar.world, h);
-      other.step(wide.world, h);
+      step(scalar.world, one, h, stepping);
+      step(wide.world, other, h, stepping);
     }
     CHECK(distance(scalar.world, wide.world) < tolerance(1e-11, 1e-3));
     CHECK(other.packed().groups.size() == std::size_t(11 * ((10 + lane_count - 1) / lane_count)));
@@ -80,7 +82,7 @@ TEST_CASE("on lanes in colours the numbers are those of the scalar solver in tha
   PackedImpulses wide;
   wide.packing = Packing::colours;
   World first = zoo(order);
-  wide.step(first, h);
+  step(first, wide, h);
   std::vector<int> coloured;  // of the joints: here each has one block
   for (const int block : wide.packed().blocks)
     if (block >= 0) coloured.push_back(block);
@@ -91,8 +93,8 @@ TEST_CASE("on lanes in colours the numbers are those of the scalar solver in tha
   lanes.packing = Packing::colours;
   SequentialImpulses scalar;
   for (int n = 0; n < 10; ++n) {
-    lanes.step(on_lanes, h);
-    scalar.step(in_order, h);
+    step(on_lanes, lanes, h);
+    step(in_order, scalar, h);
   }
   CHECK(distance(on_lanes, in_order) < tolerance(1e-11, 1e-3));
 }
@@ -103,7 +105,7 @@ TEST_CASE("in a group of lanes no two blocks share a body that moves") {
   World world = zoo(order);
   PackedImpulses wide;
   wide.packing = Packing::colours;
-  wide.step(world, h);
+  step(world, wide, h);
   int blocks = 0;
   const PackedBlocks& packed = wide.packed();
   REQUIRE(packed.width() == lane_count);
@@ -139,7 +141,7 @@ TEST_CASE("on lanes momentum is kept and a static body stays to the last bit") {
   for (const Packing packing : {Packing::islands, Packing::colours}) {
     PackedImpulses wide;
     wide.packing = packing;
-    for (int n = 0; n < 20; ++n) wide.step(world, h);
+    for (int n = 0; n < 20; ++n) step(world, wide, h);
   }
   CHECK(double(length(momentum() - before)) < tolerance(1e-11, 1e-3));
   CHECK(world.bodies.at(0).x == vec3(0));
@@ -162,7 +164,7 @@ TEST_CASE(
     SequentialImpulses scalar;
     PackedImpulses wide;
     scalar.iterations = wide.iterations = 100;
-    lanes ? wide.step(world, h) : scalar.step(world, h);
+    lanes ? step(world, wide, h) : step(world, scalar, h);
     CHECK(double(hinge.position(world.bodies)) == Approx(0.1).margin(tolerance(1e-6, 1e-4)));
   }
 }

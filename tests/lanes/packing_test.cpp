@@ -7,6 +7,7 @@
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
 #include "engine/simd/packed.h"
+#include "engine/step.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/allocations.h"
 #include "tests/oracle/oracle.h"
@@ -95,11 +96,10 @@ bool same(const World& a, const World& b) {
 double apart(const World& a, const World& b) {
   return difference(velocities(snapshot(a.bodies)), velocities(snapshot(b.bodies)));
 }
-PackedImpulses solver_of(Packing packing, bool lanes, bool warm = false) {
+PackedImpulses solver_of(Packing packing, bool lanes) {
   PackedImpulses solver;
   solver.packing = packing;
   solver.lanes = lanes;
-  solver.warm_start = warm;
   return solver;
 }
 
@@ -125,12 +125,13 @@ TEST_CASE("packed in the order of the list every joint moves as with the scalar 
   for (const bool warm : {false, true}) {
     Zoo scalar(2), packed(2);
     SequentialImpulses one;
-    PackedImpulses other = solver_of(Packing::list, false, warm);
-    one.warm_start = warm;
-    one.projections = other.projections = 1;
+    PackedImpulses other = solver_of(Packing::list, false);
+    Stepping stepping;
+    stepping.warm_start = warm;
+    stepping.projections = 1;
     for (int n = 0; n < 20; ++n) {
-      one.step(scalar.world, h);
-      other.step(packed.world, h);
+      step(scalar.world, one, h, stepping);
+      step(packed.world, other, h, stepping);
       CHECK(apart(packed.world, scalar.world) < tolerance(1e-9, 2e-2));
     }
     const std::vector<int>& blocks = other.packed().blocks;
@@ -144,8 +145,8 @@ TEST_CASE("islands one block at a time take turns and change nothing to the last
   PackedImpulses list = solver_of(Packing::list, false),
                  islands = solver_of(Packing::islands, false);
   for (int n = 0; n < 20; ++n) {
-    list.step(in_list.world, h);
-    islands.step(in_turns.world, h);
+    step(in_list.world, list, h);
+    step(in_turns.world, islands, h);
     CHECK(same(in_list.world, in_turns.world));
   }
   const std::vector<int>& turns = islands.packed().blocks;
@@ -161,8 +162,8 @@ TEST_CASE("a static body that ten islands in columns share stays to the last bit
   const Body before = world.bodies.at(0);
   PackedImpulses columns, list = solver_of(Packing::list, false);
   for (int n = 0; n < 60; ++n) {
-    columns.step(world, h);
-    list.step(in_list, h);
+    step(world, columns, h);
+    step(in_list, list, h);
   }
   const PackedBlocks& packed = columns.packed();
   const std::vector<int>& slots = packed.records().slots();
@@ -179,12 +180,12 @@ TEST_CASE("who comes with whom is worked out once and anew only when that change
     for (const bool lanes : {true, false})
       for (const bool warm : {false, true}) {
         World kept = whips(), fresh = whips();
-        PackedImpulses solver = solver_of(packing, lanes, warm);
+        PackedImpulses solver = solver_of(packing, lanes);
         const auto steps = [&](int count) {  // beside it, a solver that knows nothing of before
           for (int n = 0; n < count; ++n) {
-            PackedImpulses another = solver_of(packing, lanes, warm);
-            another.step(fresh, h);
-            solver.step(kept, h);
+            PackedImpulses another = solver_of(packing, lanes);
+            step(fresh, another, h, {.warm_start = warm});
+            step(kept, solver, h, {.warm_start = warm});
             CHECK(same(kept, fresh));
           }
           return solver.packed().packed();
@@ -233,12 +234,13 @@ TEST_CASE("while the structure stays a step takes nothing from the heap in any p
         swinging.set_limits(real(-0.2), real(0.2));  // a limit that comes and goes
         int quiet = 0, arranged = 0;
         for (World* world : {&few, &zoo.world}) {
-          PackedImpulses solver = solver_of(packing, lanes, warm);
-          solver.projections = 1;
-          solver.step(*world, h);
+          PackedImpulses solver = solver_of(packing, lanes);
+          Stepping stepping{.warm_start = warm};
+          stepping.projections = 1;
+          step(*world, solver, h, stepping);
           for (int n = 0; n < 120; ++n) {
             const int before = solver.packed().packed();
-            const long taken = allocations_of([&] { solver.step(*world, h); });
+            const long taken = allocations_of([&] { step(*world, solver, h, stepping); });
             if (solver.packed().packed() != before) {
               ++arranged;  // anew: this may take memory
               continue;
@@ -277,7 +279,7 @@ TEST_CASE("momentum is kept in every packing") {
         for (Body& body : forced) integrate_forces(body, vec3(0), h);
         PackedImpulses solver = solver_of(packing, lanes);
         solver.relaxation = real(relaxation);
-        solver.step(world, h);
+        step(world, solver, h);
         const auto after = momentum(snapshot(world.bodies)), expected = momentum(forced);
         CHECK(length(after[0] - expected[0]) < tolerance(1e-10, 1e-2));
         CHECK(length(after[1] - expected[1]) < tolerance(1e-10, 1e-2));
@@ -291,7 +293,7 @@ TEST_CASE("a refused setting is named and nothing has moved") {
   const real inf = unbounded, nan = std::numeric_limits<real>::quiet_NaN();
   const auto check = [&](auto solver, const std::string& name, auto set) {
     set(solver);
-    const std::string words = refusal([&] { solver.step(zoo.world, h); });
+    const std::string words = refusal([&] { step(zoo.world, solver, h); });
     CHECK(words.starts_with(name + ": "));
     CHECK(same(zoo.world, as_before.world));
   };
@@ -299,13 +301,20 @@ TEST_CASE("a refused setting is named and nothing has moved") {
     for (const real bad : {real(0), real(-1), nan, inf, -inf})
       check(solver, "relaxation", [&](auto& s) { s.relaxation = bad; });
     for (const int bad : {0, -3}) check(solver, "iterations", [&](auto& s) { s.iterations = bad; });
-    check(solver, "projections", [&](auto& s) { s.projections = -1; });
+    CHECK(refusal([&] {
+            step(zoo.world, solver, h, {.projections = -1});
+          }).starts_with("projections: "));
+    CHECK(refusal([&] { step(zoo.world, solver, h, {.substeps = 0}); }).starts_with("substeps: "));
+    for (const real bad : {real(-1), nan, inf})
+      CHECK(refusal([&] {
+              step(zoo.world, solver, h, {.frequency = bad});
+            }).starts_with("frequency: "));
     for (const real bad : {real(0), real(-0.1), nan, inf})
-      CHECK(refusal([&] { solver.step(zoo.world, bad); }).starts_with("h: "));
+      CHECK(refusal([&] { step(zoo.world, solver, bad); }).starts_with("h: "));
     CHECK(same(zoo.world, as_before.world));
     Zoo another(1);
     solver.relaxation = real(1.9);
-    CHECK(refusal([&] { solver.step(another.world, h); }) == "accepted");
+    CHECK(refusal([&] { step(another.world, solver, h); }) == "accepted");
     CHECK_FALSE(same(another.world, as_before.world));
   };
   check_all(SequentialImpulses());

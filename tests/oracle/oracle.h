@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/sequential_impulses.h"
+#include "engine/step.h"
 #include "tests/oracle/dense.h"
 #include "tests/checker/numeric.h"
 
@@ -58,9 +59,7 @@ class AnyJoint : public Joint {
 
   using Joint::Joint;
   void append(const Bodies& bodies, Blocks& blocks) const override {
-    const int slot1 = bodies.index(body1), slot2 = bodies.index(body2);
-    const Matrix<N> K = dense_K(J, bodies.at(slot1), bodies.at(slot2));
-    blocks.append(slot1, slot2, J, C, K, target, impulse.data());
+    blocks.append(bodies, body1, body2, J, C, target, impulse.data());
   }
   int most_rows() const override { return N; }
 };
@@ -70,6 +69,12 @@ inline Row random_row(Random& random, bool linear = true, bool angular = true) {
   if (linear) row.v1 = random.vector(1), row.v2 = random.vector(1);
   if (angular) row.w1 = random.vector(1), row.w2 = random.vector(1);
   return row;
+}
+
+/// A step by a solver as it is when it has just been made.
+inline void step_once(World& world, real h) {
+  SequentialImpulses solver;
+  step(world, solver, h);
 }
 
 /// Velocities for bodies that can move.

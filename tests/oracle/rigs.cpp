@@ -5,15 +5,14 @@
 
 namespace joints::testing {
 
-double largest_impulse(const SequentialImpulses& solver) {
-  return impulses(solver.blocks()).largest();
-}
+double largest_impulse(const World& world) { return impulses(world.blocks).largest(); }
 
-System rows_of(World& world, SequentialImpulses solver) {
+System rows_of(World& world) {
   const Bodies as_it_was = world.bodies;
-  solver.begin(world, real(1) / 60);
+  SequentialImpulses solver;
+  begin_step(world, solver, real(1) / 60);
   world.bodies = as_it_was;
-  return system_of(solver.blocks(), world.bodies.slots());
+  return system_of(world.blocks, world.bodies.slots());
 }
 
 Dense whole_K(const System& system, const World& world) {
@@ -36,12 +35,12 @@ double iteration_rate(const World& world, const System& system) {
 double measured_rate(World& world, int settling, int iterations) {
   const Bodies as_it_was = world.bodies;
   SequentialImpulses solver;
-  solver.begin(world, real(1) / 60);
-  const System system = system_of(solver.blocks(), world.bodies.slots());
+  begin_step(world, solver, real(1) / 60);
+  const System system = system_of(world.blocks, world.bodies.slots());
   const auto left = [&] { return (system.J * velocities(snapshot(world.bodies))).norm(); };
-  for (int k = 0; k < settling; ++k) solver.iterate(world.bodies, k);
+  for (int k = 0; k < settling; ++k) solver.iterate(world.bodies);
   const double before = left();
-  for (int k = 0; k < iterations; ++k) solver.iterate(world.bodies, k);
+  for (int k = 0; k < iterations; ++k) solver.iterate(world.bodies);
   const double rate = std::pow(left() / before, 1.0 / iterations);
   world.bodies = as_it_was;
   return rate;

@@ -27,11 +27,11 @@ inline double angle_between(const vec3& a, const vec3& b) {
   return std::atan2(double(length(cross(a, b))), double(dot(a, b)));
 }
 
-/// The largest impulse in a solver's blocks [N s or N m s].
-double largest_impulse(const SequentialImpulses& solver);
+/// The largest impulse in the blocks of a world's last step [N s or N m s].
+double largest_impulse(const World& world);
 
-/// The rows of a world as it stands, found by beginning a step on a copy of the solver.
-System rows_of(World& world, SequentialImpulses solver = {});
+/// The rows of a world as it stands, found by beginning a step.
+System rows_of(World& world);
 
 /// J M^-1 J^T of all rows together.
 Dense whole_K(const System& system, const World& world);
@@ -53,6 +53,7 @@ struct Rotor {
   BodyId wall, body;
   HingeJoint* hinge;
   SequentialImpulses solver;
+  Stepping stepping{};
 
   explicit Rotor(real lever = 0, real speed = 0) {
     world.gravity = vec3(0);
@@ -66,7 +67,7 @@ struct Rotor {
   double angle() const { return double(hinge->position(world.bodies)); }           // [rad]
   double in_degrees() const { return angle() / double(degree); }
   void run(int steps, real h) {
-    for (int k = 0; k < steps; ++k) solver.step(world, h);
+    for (int k = 0; k < steps; ++k) step(world, solver, h, stepping);
   }
 };
 
@@ -76,6 +77,7 @@ struct Crane {
   BodyId wall, cube;
   HingeJoint* hinge;
   SequentialImpulses solver;
+  Stepping stepping{};
 
   explicit Crane(const vec3& axis) {
     wall = world.add(static_body(vec3(0)));

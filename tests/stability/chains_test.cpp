@@ -53,10 +53,10 @@ Outcome run_heavy_end(double ratio, const Way& way, int substeps) {
   const auto solver = [&]() -> bench::Step {
     SequentialImpulses si;
     si.iterations = way.iterations;
-    si.warm_start = way.warm;
-    si.projections = way.projections;
-    return [&, si](World& world, real step) mutable {
-      for (int k = 0; k < substeps; ++k) si.step(world, step / real(substeps));
+    const Stepping stepping{.warm_start = way.warm, .substeps = substeps,
+                            .projections = way.projections};
+    return [&, si, stepping](World& world, real length) mutable {
+      step(world, si, length, stepping);
       out.finite = out.finite && all_finite(world);
       out.gained = std::max(out.gained, energy(world) / scale);
     };
@@ -73,6 +73,7 @@ struct Cubes {
   std::vector<BodyId> ids;
   std::vector<HingeJoint*> joints;
   SequentialImpulses solver;
+  Stepping stepping{};
 
   Cubes(int links, bool level) {
     for (int k = 0; k <= links; ++k) {
@@ -96,9 +97,9 @@ struct Cubes {
   // RMS of all gaps in the second second.
   double gap_rms(int rate) {
     double sum = 0;
-    for (int step = 0; step < 2 * rate; ++step) {
-      solver.step(world, 1 / real(rate));
-      if (step < rate) continue;
+    for (int n = 0; n < 2 * rate; ++n) {
+      step(world, solver, 1 / real(rate), stepping);
+      if (n < rate) continue;
       for (const HingeJoint* joint : joints) sum += gap(joint) * gap(joint);
     }
     return std::sqrt(sum / (double(rate) * double(joints.size())));
@@ -159,7 +160,7 @@ TEST_CASE("X4 a chain of 300 hinges is finite at 10 and 30 and 200 iterations an
   for (const int iterations : {10, 30, 200}) {
     Cubes chain(300, true);
     chain.solver.iterations = iterations;
-    for (int step = 0; step < 60; ++step) chain.solver.step(chain.world, h);
+    for (int n = 0; n < 60; ++n) step(chain.world, chain.solver, h, chain.stepping);
     CHECK(all_finite(chain.world));
     CHECK(chain.gap() < 0.6 * last);
     last = chain.gap();
@@ -178,16 +179,16 @@ TEST_CASE("X4 a warm chain of hinges hangs still where its measured rate allows 
       if (!is_float) CHECK(measured == Approx(rate).epsilon(1e-3));
 
       const int edge = int(std::log(1.2) / -std::log(rate));
-      chain.solver.warm_start = true;
+      chain.stepping.warm_start = true;
       chain.solver.iterations = std::max(1, int(share * (edge + 1)));
       const double kept = std::pow(rate, chain.solver.iterations) * 1.2;
       CAPTURE(links, rate, measured, chain.solver.iterations, kept);
       CHECK((kept < 1) == (share > 1));
-      for (int step = 0; step < 600; ++step) chain.solver.step(chain.world, h);
+      for (int n = 0; n < 600; ++n) step(chain.world, chain.solver, h, chain.stepping);
       CHECK(all_finite(chain.world));
       double largest = 0;
-      for (int step = 0; step < 60; ++step) {
-        chain.solver.step(chain.world, h);
+      for (int n = 0; n < 60; ++n) {
+        step(chain.world, chain.solver, h, chain.stepping);
         largest = std::max(largest, chain.gap());
       }
       if (kept < 1) CHECK(largest < tolerance(1e-6, 1e-3));

@@ -1,5 +1,6 @@
 // The stability suite, cases X9 and X10 of chapters 1 and 2: levers of a kilometre, worlds a
 // thousand kilometres from the origin, masses from a grain to a mountain, a rod like a needle.
+#include "bench/orders.h"
 #include "chapters/01_distance/distance_joint.h"
 #include "chapters/02_ball/ball_joint.h"
 #include "engine/instruments/measure.h"
@@ -41,8 +42,8 @@ struct Pendulum {
   std::pair<double, double> run(int steps) {
     SequentialImpulses solver;
     double largest = 0, w2 = 0;
-    for (int step = 0; step < steps; ++step) {
-      solver.step(world, h);
+    for (int n = 0; n < steps; ++n) {
+      step(world, solver, h);
       REQUIRE(is_finite());
       largest = std::max(largest, gap());
       w2 = std::max(w2, double(dot(world.bodies[body].w, world.bodies[body].w)));
@@ -102,7 +103,7 @@ TEST_CASE("X10 a ball joint holds a grain and a mountain where it holds a brick"
                                         vec3(0, -real(lever), 0)));
       auto& joint = world.add<BallJoint>(wall, body, Point{vec3(0), vec3(0, real(lever), 0)});
       SequentialImpulses solver;
-      for (int step = 0; step < 60; ++step) solver.step(world, h);
+      for (int n = 0; n < 60; ++n) step(world, solver, h);
       CHECK(std::abs(double(world.bodies[body].x.y) + lever) <
             4 * double(epsilon) * (1 + lever));
       CHECK(double(joint.impulse()[1] / h) / mass == Approx(9.81).epsilon(tolerance(1e-9, 1e-4)));
@@ -118,7 +119,7 @@ TEST_CASE("X10 a rod holds a grain to a mountain and a grain hangs from it") {
     world.add<CentreDistanceJoint>(wall, a, CentreDistance{1});
     auto& joint = world.add<CentreDistanceJoint>(a, b, CentreDistance{1});
     SequentialImpulses solver;
-    for (int step = 0; step < 60; ++step) solver.step(world, h);
+    for (int n = 0; n < 60; ++n) step(world, solver, h);
     CHECK(double(world.bodies[a].x.y) == Approx(-1).epsilon(tolerance(1e-12, 1e-5)));
     CHECK(double(world.bodies[b].x.y) == Approx(-2).epsilon(tolerance(1e-12, 1e-5)));
     CHECK(-double(joint.impulse()[0] / h) / lower == Approx(9.81).epsilon(tolerance(1e-9, 1e-4)));
@@ -128,7 +129,8 @@ TEST_CASE("X10 a rod holds a grain to a mountain and a grain hangs from it") {
 TEST_CASE("X10 a chain with masses from 1e9 down to 1e-6 kg hangs still and swings finitely") {
   for (bool heavy_first : {true, false})
     for (const vec3& along : {vec3(0, -1, 0), vec3(1, 0, 0)})
-      for (Order order : {Order::forward, Order::backward, Order::alternating}) {
+      for (const bench::Order order :
+           {bench::Order::forward, bench::Order::backward, bench::Order::alternating}) {
         World world;
         std::vector<BodyId> ids{world.add(static_body(vec3(0)))};
         for (int k = 0; k < 16; ++k) {
@@ -141,10 +143,10 @@ TEST_CASE("X10 a chain with masses from 1e9 down to 1e-6 kg hangs still and swin
                                         x - real(0.5) * along));
         }
         const std::vector<Body> start = snapshot(world.bodies);
-        SequentialImpulses solver;
+        bench::OrderedImpulses solver;
         solver.order = order;
-        for (int step = 0; step < 600; ++step) {
-          solver.step(world, h);
+        for (int n = 0; n < 600; ++n) {
+          step(world, solver, h);
           for (const Body& b : snapshot(world.bodies))
             REQUIRE((finite(b.x) && finite(b.q) && finite(b.v) && finite(b.w)));
         }
@@ -171,8 +173,8 @@ TEST_CASE("X10 a rod as thin as a needle swings without gaining energy") {
   };
   const double before = energy(), scale = 2 * 9.81 * 0.5;
   double gained = 0, lost = 0, gap = 0;
-  for (int step = 0; step < 600; ++step) {
-    solver.step(world, h);
+  for (int n = 0; n < 600; ++n) {
+    step(world, solver, h);
     REQUIRE(finite(world.bodies[body].w));
     gained = std::max(gained, energy() - before);
     lost = std::max(lost, before - energy());

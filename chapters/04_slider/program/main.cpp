@@ -120,9 +120,7 @@ class CentreMotor : public Joint {
       : Joint(id1, id2), a1_local(a1_local), speed(speed), strength(strength) {}
   void append(const Bodies& bodies, Blocks& blocks) const override {
     const vec3 a = to_world(bodies[body1], a1_local);
-    const real K = bodies[body1].inverse_mass + bodies[body2].inverse_mass;
-    blocks.append(bodies.index(body1), bodies.index(body2),
-                  to_jacobian(Row{-a, vec3(0), a, vec3(0)}), {0}, to_matrix(K),
+    blocks.append(bodies, body1, body2, to_jacobian(Row{-a, vec3(0), a, vec3(0)}), {0},
                   {.rate = speed,
                    .holds_position = false,
                    .lower = -strength,

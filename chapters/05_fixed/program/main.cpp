@@ -23,7 +23,7 @@ struct Beam {
 
   Beam(int n, const Settings& settings, int iterations, bool whole, bool warm) {
     scene.solver.iterations = iterations;
-    scene.solver.warm_start = warm;
+    scene.stepping.warm_start = warm;
     BodyId before = scene.box(0, vec3(1), vec3(real(-0.5), 0, 0));
     for (int k = 0; k < n; ++k) {
       const vec3 anchor(real(k), 0, 0);
@@ -45,10 +45,10 @@ struct Beam {
 double contraction(const Settings& settings, bool whole) {
   Beam beam(10, settings, 1, whole, false);
   World& world = beam.scene.world;
-  beam.scene.solver.begin(world, beam.scene.h);
+  begin_step(world, beam.scene.solver, beam.scene.h, beam.scene.stepping);
   const auto change = [&] {
     const vec3 before = world.bodies[beam.tip].v;
-    beam.scene.solver.iterate(world.bodies, 0);
+    beam.scene.solver.iterate(world.bodies);
     return double(length(world.bodies[beam.tip].v - before));
   };
   for (int n = 0; n < 5000; ++n) change();
@@ -106,10 +106,10 @@ void far_anchor(const std::string& out) {
       weld.whole = whole;
       world.bodies[cube].w = vec3(0, 0, 1);
       SequentialImpulses solver;
-      solver.begin(world, h);
+      begin_step(world, solver, h);
       std::vector<double> left;
       for (int n = 0; n <= 30; ++n) {
-        solver.iterate(world.bodies, n);
+        solver.iterate(world.bodies);
         left.push_back(double(length(world.bodies[cube].v)));
       }
       const double i = 1.0 / 6, lever = double(r);

@@ -107,7 +107,7 @@ Summary kicked(const Choice& choice, const std::string& method, real beta, int p
   const Chain chain = bent_chain(bend);
   Scene scene{.name = "between"};
   scene.solver.iterations = choice.iterations;
-  scene.solver.projections = projections;
+  scene.stepping.projections = projections;
   scene.energy_scale = 200 * 9.81;
   std::vector<BodyId> ids;
   for (const Body& body : chain.bodies)

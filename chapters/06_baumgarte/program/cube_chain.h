@@ -37,7 +37,7 @@ struct CubeChain {
     scene.mark(a, b, anchor);
   }
   /// One step of the scene's length.
-  void step() { scene.solver.step(scene.world, scene.h); }
+  void step() { scene.step(); }
   /// Gap of joint k [m].
   double gap(std::size_t k) const {
     const BallJoint& joint = *joints[k];

@@ -16,10 +16,10 @@ namespace {
 // How much an iteration leaves, in the long run, of what the joints still ask for: rho.
 double contraction(CubeChain& chain, int iterations) {
   Bodies& bodies = chain.scene.world.bodies;
-  chain.scene.solver.begin(chain.scene.world, h);
+  begin_step(chain.scene.world, chain.scene.solver, h, chain.scene.stepping);
   const auto change = [&] {
     const vec3 before = bodies[chain.ids.back()].v;
-    chain.scene.solver.iterate(bodies, 0);
+    chain.scene.solver.iterate(bodies);
     return double(length(bodies[chain.ids.back()].v - before));
   };
   for (int n = 0; n < iterations; ++n) change();
@@ -124,7 +124,7 @@ struct Sag {
 Sag sag(int links, int iterations, double beta, bool warm) {
   CubeChain chain("hanging", links, 1, vec3(0, -1, 0), real(beta));
   chain.scene.solver.iterations = iterations;
-  chain.scene.solver.warm_start = warm;
+  chain.scene.stepping.warm_start = warm;
   Sag out;
   for (int n = 1; n <= 900; ++n) {
     chain.step();

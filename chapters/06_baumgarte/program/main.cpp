@@ -42,6 +42,7 @@ struct Pendulum {
   OwnLoop own;
   World world;
   SequentialImpulses solver;
+  Stepping stepping{};
   BodyId bar;
 
   Pendulum(const Method& method, const vec3& place, int iterations) {
@@ -54,7 +55,7 @@ struct Pendulum {
     bar = world.add(body);
     world.add<BallJoint>(hook, bar, joint).beta = method.beta;
     solver.iterations = iterations;
-    solver.projections = method.projections;
+    stepping.projections = method.projections;
   }
   double gap() const { return double(own.gap(0)); }
   double energy() const {
@@ -92,7 +93,7 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
         clocks[k].start();
         pendulum.own.step(h);
         clocks[k].stop();
-        pendulum.solver.step(pendulum.world, h);
+        step(pendulum.world, pendulum.solver, h, pendulum.stepping);
       }
       const double gap = pendulum.gap(), change = pendulum.energy() / (9.81 * 0.5);
       table.row({methods[k].name}, {n * double(h), gap, change, pendulum.off_engine()});

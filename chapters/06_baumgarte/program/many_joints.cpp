@@ -28,7 +28,7 @@ void rods(const Choice& choice) {
     for (const int iterations : {3, 10, 30, 100, 300}) {
       Scene scene{.name = "bridge of rods"};
       scene.solver.iterations = iterations;
-      scene.solver.projections = method.projections;
+      scene.stepping.projections = method.projections;
       BodyId before;
       for (int i = 0; i < 10; ++i) {
         const BodyId id = scene.box(i == 0 || i == 9 ? 0 : 100, vec3(1),
@@ -80,7 +80,7 @@ void side_by_side(const Choice& choice, std::vector<Summary>& lines) {
       CubeChain chain("side by side", 20, 100, vec3(1, 0, 0), method.beta);
       chain.scene.h = h / real(method.substeps);
       chain.scene.solver.iterations = iterations / method.substeps;
-      chain.scene.solver.projections = method.projections;
+      chain.scene.stepping.projections = method.projections;
       if (&method == methods && iterations == 5) chain.scene.print_plan();
       Summary line = play(chain.scene, method.name + ", " + std::to_string(iterations), 5);
       line.us_per_step *= method.substeps;

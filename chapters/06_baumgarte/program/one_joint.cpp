@@ -41,7 +41,7 @@ struct Pair {
   }
   Body& body() { return scene.world.bodies[cube]; }
   const Body& fixed() { return scene.world.bodies[wall]; }
-  void step() { scene.solver.step(scene.world, h); }
+  void step() { scene.step(); }
 };
 
 // ---- drift and decay ---------------------------------------------------------------------------

@@ -43,7 +43,7 @@ void rest(const Choice& choice, std::vector<Summary>& lines) {
     for (const int iterations : {1, 4, 10, 30}) {
       OneBox one("rest", choice, vec3(1, real(0.6), real(0.8)));
       one.scene.solver.iterations = iterations;
-      one.scene.solver.warm_start = warm;
+      one.scene.stepping.warm_start = warm;
       if (warm && iterations == 1) one.scene.print_plan();
       std::array<vec3, 8> start;
       for (int k = 0; k < 8; ++k) start[std::size_t(k)] = one.corner(k);
@@ -115,7 +115,7 @@ void tilt(const Choice& choice, std::vector<Summary>& lines) {
          {-5.0, -2.0, -1.0, -0.5, -0.2, -0.1, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0}) {
       const double angle = std::atan(mu) / double(degree) + beyond;  // Eq. 8-8
       OneBox one("slope", choice, vec3(1, real(0.2), 1), real(angle) * degree);
-      one.scene.solver.warm_start = true;
+      one.scene.stepping.warm_start = true;
       one.contact->friction = real(mu);
       const vec3 start = one.body().x;
       const Summary line = play(one.scene, beyond < 0 ? "just holds" : "just slides", 10);

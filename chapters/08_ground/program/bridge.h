@@ -30,7 +30,7 @@ struct Bridge {
   /// \param rub greatest torque of a hinge's friction [N m] \param beta of all joints [1]
   explicit Bridge(int iterations, bool loaded = true, real rub = 20, real beta = real(0.02)) {
     scene.solver.iterations = iterations;
-    scene.solver.warm_start = true;
+    scene.stepping.warm_start = true;
     scene.energy_scale = crate_mass * 9.81 * 2;
     ground = add_ground(scene, 14);
     const auto slope = [](int k) { return real(bend) * (real(k) - real(planks - 1) / 2); };

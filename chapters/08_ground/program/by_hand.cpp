@@ -38,7 +38,7 @@ void by_hand(const Choice& choice) {
   for (int n = 0; n <= 90; ++n) {
     if (n > 0) {
       own.step(h);
-      scene.solver.step(scene.world, h);
+      step(scene.world, scene.solver, h, scene.stepping);
     }
     double off = 0;
     for (std::size_t k = 0; k < 4; ++k)

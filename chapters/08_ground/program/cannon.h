@@ -29,7 +29,7 @@ struct Cannon {
     const quat turn = rotation(vec3(0, 0, std::atan2(diagonal, diagonal)));
     const vec3 zero(0, 2, 0);  // where the way of the carriage is zero: so high that it is free
     scene.solver.iterations = iterations;
-    scene.solver.warm_start = true;
+    scene.stepping.warm_start = true;
     scene.energy_scale = 3500 * 11;  // what the motor can give on its way
     ground = scene.box(0, vec3(160, real(0.2), 8), vec3(72, real(-0.1), 0));
     barrel = scene.box(0, vec3(11, real(0.1), real(0.6)),

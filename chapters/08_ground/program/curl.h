@@ -29,7 +29,7 @@ struct Curl {
   /// [1]
   explicit Curl(int iterations, real strength = 8000, real beta = real(0.02)) {
     scene.solver.iterations = iterations;
-    scene.solver.warm_start = true;
+    scene.stepping.warm_start = true;
     scene.energy_scale = cubes * cube_mass * 9.81 * 1.8;  // all lifted to the middle of the ring
     ground = add_ground(scene, 16);
     for (int k = 0; k < cubes; ++k) {

@@ -47,7 +47,7 @@ void drift(const Choice& choice, std::vector<Summary>& lines) {
         if (turns == Turns::joints_first)
           step_in_turns(scene, 1, turns);  // the hinge is one block
         else
-          scene.solver.step(world, h);
+          step(world, scene.solver, h, scene.stepping);
         clock.stop();
         const vec3 r = -to_world(cube, joint.first.anchor2_local);
         sum += dot(cube.w, cube.w) * h * h / real(2) * r;  // Eq. 6-1

@@ -24,8 +24,8 @@ enum class Turns {
 /// \param joint_blocks how many blocks of the list belong to joints; those of contacts follow them
 inline void step_in_turns(Scene& scene, int joint_blocks, Turns turns) {
   SequentialImpulses& solver = scene.solver;
-  solver.begin(scene.world, scene.h);
-  const int all = int(solver.blocks().list.size());
+  begin_step(scene.world, solver, scene.h, scene.stepping);
+  const int all = solver.prepared_count();
   const auto iterations = [&](int from, int to) {
     for (int i = 0; i < solver.iterations; ++i) solver.iterate(scene.world.bodies, from, to);
   };
@@ -33,7 +33,7 @@ inline void step_in_turns(Scene& scene, int joint_blocks, Turns turns) {
   if (turns == Turns::contacts_first) iterations(joint_blocks, all);
   iterations(0, apart ? joint_blocks : all);
   if (turns == Turns::joints_first) iterations(joint_blocks, all);
-  solver.finish(scene.world, scene.h);
+  end_step(scene.world, scene.h, scene.stepping);
 }
 
 /// Cubes on ball joints in a row, the first held high up, let go level. The ground is too near for

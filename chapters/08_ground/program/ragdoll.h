@@ -23,7 +23,7 @@ struct Ragdoll {
                    const quat& turn = rotation(vec3(0, 0, real(1.1))) *
                                       rotation(vec3(real(0.4), 0, 0))) {
     scene.solver.iterations = choice.iterations;
-    scene.solver.warm_start = true;
+    scene.stepping.warm_start = true;
     ground = add_ground(scene, 5);
     const vec3 centre(0, height, 0);
     const auto part = [&](real mass, const vec3& size, const vec3& x) {

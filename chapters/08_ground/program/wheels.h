@@ -63,7 +63,7 @@ struct Wheels {
   /// \param friction coefficient of all cubes [1]
   explicit Wheels(const Choice& choice, real friction = 1) {
     scene.solver.iterations = choice.iterations;
-    scene.solver.warm_start = choice.iterations >= safe_iterations;
+    scene.stepping.warm_start = choice.iterations >= safe_iterations;
     ground = scene.box(0, vec3(56, real(0.2), 10), vec3(14, real(-0.1), 0));  // its top: y = 0
     World& world = scene.world;
     const real height = real(corner_radius() * std::cos(half_gap()));

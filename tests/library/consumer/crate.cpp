@@ -16,8 +16,7 @@ int main() {
 
   SequentialImpulses solver;
   solver.iterations = 30;
-  solver.warm_start = true;
-  for (int step = 0; step < 120; ++step) solver.step(world, real(1) / 60);
+  for (int n = 0; n < 120; ++n) step(world, solver, real(1) / 60, {.warm_start = true});
 
   const real way = world.bodies[crate].x.x, expected = real(4 * 4 / (2 * 0.5 * 9.81));
   std::printf("the crate stops after %.3f m, on %d corners\n", double(way), contact.touching());

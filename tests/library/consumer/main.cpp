@@ -18,7 +18,7 @@ int main() {
 
   SequentialImpulses solver;
   solver.iterations = 30;
-  for (int step = 0; step < 240; ++step) solver.step(world, real(1) / 60);
+  for (int n = 0; n < 240; ++n) step(world, solver, real(1) / 60);
 
   const real angle = hinge.position(world.bodies) / degree;
   std::printf("the door rests at %.4f degrees, the limit bears %.2f N m\n", double(angle),

@@ -1,0 +1,70 @@
+// Algorithm 1 of the thesis: forces, constraints, velocities, places.
+#include "engine/step.h"
+
+#include "engine/projection.h"
+
+namespace joints {
+
+namespace {
+
+// Constraint softness, for the blocks from number `first` on that hold a position.
+void soften(Blocks& blocks, int first, const Stepping& how) {
+  if (how.frequency == 0) return;
+  for (std::size_t k = std::size_t(first); k < blocks.list.size(); ++k)
+    if (RowTarget& target = blocks.list[k].target;
+        target.holds_position && target.frequency == 0) {
+      target.frequency = how.frequency;
+      target.damping = how.damping;
+    }
+}
+
+}  // namespace
+
+void step(World& world, Solver& solver, real h, const Stepping& how) {
+  require(how.substeps > 0, "substeps: there must be at least one");
+  for (int substep = 0; substep < how.substeps; ++substep) {
+    const real part = h / real(how.substeps);
+    begin_step(world, solver, part, how);
+    solver.solve(world.bodies);
+    for (;;) {  // limits found late: the velocities found now would pass them within this step
+      const int known = int(world.blocks.list.size());
+      for (const auto& joint : world.joints())
+        if (joint->can_move()) joint->late_limits(world.bodies, part, world.blocks);
+      if (int(world.blocks.list.size()) == known) break;
+      soften(world.blocks, known, how);
+      solver.prepare(world.bodies, world.blocks, known, part);
+      solver.solve(world.bodies);
+    }
+    end_step(world, part, how);
+  }
+}
+
+void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
+  require(finite(h) && h > 0, "h: the step must be positive and finite [s]");
+  require(how.projections >= 0, "projections: must not be negative");
+  require(finite(how.frequency) && how.frequency >= 0, "frequency: must not be negative [Hz]");
+  require(finite(how.damping) && how.damping >= 0, "damping: must not be negative [1]");
+  solver.check();
+
+  const bool first = world.last_h == 0;
+  const real ratio = !how.warm_start ? real(0) : first ? real(1) : h / world.last_h;
+  Bodies& bodies = world.bodies;
+  if (first && how.half_kick) take_half_a_kick(bodies, world.gravity, h);
+  integrate_forces(bodies, world.gravity, h);
+  world.last_h = h;
+
+  world.blocks.clear();
+  world.blocks.reserve(world.most_rows() + world.most_rows_of_one());  // the latter: projection
+  for (const auto& joint : world.joints()) joint->begin_step(bodies, h);
+  for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
+  soften(world.blocks, 0, how);
+  solver.prepare(bodies, world.blocks, 0, h);
+  solver.warm_start(bodies, ratio);
+}
+
+void end_step(World& world, real h, const Stepping& how) {
+  integrate_poses(world.bodies, h);
+  for (int i = 0; i < how.projections; ++i) project_positions(world);
+}
+
+}  // namespace joints

@@ -1,8 +1,6 @@
 // From the bodies and hinges of a world to chapter 7's loop and back.
 #include "bench/own_loop.h"
 
-#include <numeric>
-
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/07_performance/program/hinge_loop.h"
 
@@ -27,9 +25,7 @@ class Adapted : public OwnLoop {
     constexpr int width = HingeLoop<Number>::width;
     const std::vector<bool> moves = moving(loop_.bodies);
     if (visits == Visits::chain_order) {
-      std::vector<int> order(loop_.links.size());
-      std::iota(order.begin(), order.end(), 0);
-      loop_.arrange(one_by_one(order));
+      loop_.arrange(one_by_one(int(loop_.links.size())));
     } else if (visits == Visits::coloured_lanes) {
       loop_.arrange(by_colour(colours_of(loop_.links, moves), width));
     } else {

@@ -7,7 +7,7 @@
 
 namespace joints {
 
-Groups one_by_one(const std::vector<int>& order) { return interleaved({order}, 1); }
+Groups one_by_one(int count) { return by_colour(std::vector<int>(std::size_t(count), 0), 1); }
 
 // ---- colours -----------------------------------------------------------------------------------
 

@@ -21,8 +21,8 @@ using Groups = std::vector<std::vector<int>>;
 /// Pairs by their numbers, one list for each set of pairs that hangs together.
 using Islands = std::vector<std::vector<int>>;
 
-/// Every pair by itself, in this order.
-Groups one_by_one(const std::vector<int>& order);
+/// So many pairs, every one by itself, in their order.
+Groups one_by_one(int count);
 
 /// A colour for each pair: the least that no earlier pair at one of its moving bodies has.
 /// \param moves of each body: can it move?

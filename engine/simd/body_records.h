@@ -23,7 +23,6 @@ class BodyRecords {
                std::optional<Columns> columns, int count, int width) {
     columns_ = columns.has_value();
     bodies_ = count;
-    width_ = width;
     ends_.clear();
     if (columns_) {
       slots_ = std::move(columns->bodies);
@@ -64,23 +63,15 @@ class BodyRecords {
       for (int k = 0; k < bodies_; ++k) give(records_[k], body(k));
     else
       for (std::size_t k = 0; k < slots_.size(); ++k)
-        if (slots_[k] >= 0) give(velocities(k), body(slots_[k]));
+        if (slots_[k] >= 0)
+          give(gather<Velocities<real>>(column(k), int(k % lane_count)), body(slots_[k]));
   }
 
-  /// The number of a body's record. \param second body 2 of that lane of the group, not body 1
-  int number(std::size_t group, int lane, bool second) const {
-    if (columns_) return ends_[2 * group + second] * width_ + lane;
-    return ends_[(2 * group + second) * std::size_t(width_) + std::size_t(lane)];
-  }
-  /// What stands in a record.
-  Velocities<real> velocities(std::size_t number) const {
-    if (!columns_) return records_[number];
-    return gather<Velocities<real>>(column(number), int(number % lane_count));
-  }
   /// Which body each record belongs to, -1: to none.
   const std::vector<int>& slots() const { return slots_; }
   /// What the iterations work on.
   BodyView view() { return {records_.data(), ends_.data(), columns_}; }
+  const std::vector<int>& ends() const { return ends_; }  ///< BodyView::ends
 
  private:
   // The column in which a record stands.
@@ -93,7 +84,7 @@ class BodyRecords {
 
   std::vector<Velocities<real>> records_;
   std::vector<int> slots_, ends_;
-  int bodies_ = 0, width_ = 1;
+  int bodies_ = 0;
   bool columns_ = false;
 };
 

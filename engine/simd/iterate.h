@@ -96,9 +96,9 @@ inline void solve_record(Record<AnyRows<N, Number>, N, hard, Number>& record,
 template <class Number>
 inline void move_bounds(FollowingRecord<Number>& record, const real* numbers, const int* sums) {
   for (int lane = 0; lane < int(sizeof(Number) / sizeof(real)); ++lane) {
-    const real bound = in_lane(record.factor, lane) * numbers[sums[lane]];
-    in_lane(record.bounds.lower, lane) = -bound;
-    in_lane(record.bounds.upper, lane) = bound;
+    const real bound = gather<real>(record.factor, lane) * numbers[sums[lane]];
+    scatter(-bound, record.bounds.lower, lane);
+    scatter(bound, record.bounds.upper, lane);
   }
 }
 

@@ -1,8 +1,7 @@
 // The blocks of a step packed, and the solve over them.
 #include "engine/simd/packed.h"
 
-#include <map>
-#include <numeric>
+#include <set>
 
 namespace joints {
 
@@ -46,46 +45,31 @@ struct Source {
   const Body &body1, &body2;
 };
 
-// Into one lane of a group's numbers; the only one, where Number is real.
-template <class Number>
-void put(real from, Number& to, int lane) {
-  in_lane(to, lane) = from;
-}
-template <class Number>
-void put(const vec3& from, Triple<Number>& to, int lane) {
-  put(from.x, to.x, lane), put(from.y, to.y, lane), put(from.z, to.z, lane);
-}
-template <class Number>
-void put(const mat3& from, Symmetric<Number>& to, int lane) {
-  put(from[0][0], to.xx, lane), put(from[1][1], to.yy, lane), put(from[2][2], to.zz, lane);
-  put(from[1][0], to.xy, lane), put(from[2][0], to.xz, lane), put(from[2][1], to.yz, lane);
-}
-
+// Each number goes into one lane of the group; the only one, where Number is real.
 template <int N, bool isotropic, class Number>
 void fill_rows(PointRows<N, isotropic, Number>& rows, const Source& from, int lane) {
   const Row* const J = from.J;
-  put(vec3(J[2].w1.y, J[0].w1.z, J[1].w1.x), rows.r1, lane);
-  put(-vec3(J[2].w2.y, J[0].w2.z, J[1].w2.x), rows.r2, lane);
+  scatter(Triple<real>{J[2].w1.y, J[0].w1.z, J[1].w1.x}, rows.r1, lane);
+  scatter(Triple<real>{-J[2].w2.y, -J[0].w2.z, -J[1].w2.x}, rows.r2, lane);
   if constexpr (isotropic) {
-    put(from.body1.inverse_inertia_local.x, rows.I1, lane);
-    put(from.body2.inverse_inertia_local.x, rows.I2, lane);
+    scatter(from.body1.inverse_inertia_local.x, rows.I1, lane);
+    scatter(from.body2.inverse_inertia_local.x, rows.I2, lane);
   } else {
-    put(inverse_inertia(from.body1), rows.I1, lane);
-    put(inverse_inertia(from.body2), rows.I2, lane);
+    scatter(symmetric(inverse_inertia(from.body1)), rows.I1, lane);
+    scatter(symmetric(inverse_inertia(from.body2)), rows.I2, lane);
   }
-  for (int i = 0; i < N; ++i) put(from.row[i].bias, rows.bias[i], lane);
-  for (int i = 3; i < N; ++i) put(J[i].w2, rows.axis[i - 3], lane);
+  for (int i = 0; i < N; ++i) scatter(from.row[i].bias, rows.bias[i], lane);
+  for (int i = 3; i < N; ++i) scatter(triple(J[i].w2), rows.axis[i - 3], lane);
 }
 
 template <int N, class Number>
 void fill_rows(AnyRows<N, Number>& rows, const Source& from, int lane) {
   for (int i = 0; i < N; ++i) {
     const Row& J = from.J[i];
-    put(from.row[i].bias, rows.bias[i], lane);
-    put(J.v1, rows.row[i].v1, lane), put(J.w1, rows.row[i].w1, lane);
-    put(J.v2, rows.row[i].v2, lane), put(J.w2, rows.row[i].w2, lane);
-    put(from.row[i].turn1, rows.row[i].turn1, lane);
-    put(from.row[i].turn2, rows.row[i].turn2, lane);
+    scatter(from.row[i].bias, rows.bias[i], lane);
+    scatter(typename AnyRows<N, real>::Row{triple(J.v1), triple(J.w1), triple(J.v2), triple(J.w2),
+                                           triple(from.row[i].turn1), triple(from.row[i].turn2)},
+            rows.row[i], lane);
   }
 }
 
@@ -94,15 +78,15 @@ void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
   const PreparedBlock& block = from.block;
   fill_rows(record.rows, from, lane);
   Number* inverse_K = record.impulses.inverse_K;
-  for (int i = 0; i < N; ++i) put(block.impulse[i], record.impulses.sum[i], lane);
+  for (int i = 0; i < N; ++i) scatter(block.impulse[i], record.impulses.sum[i], lane);
   for (int i = 0; i < N; ++i)
     for (int j = i; j < N; ++j)
-      put(block.mass_scale * from.inverse_K[i * N + j], *inverse_K++, lane);
+      scatter(block.mass_scale * from.inverse_K[i * N + j], *inverse_K++, lane);
   if constexpr (!hard) {
-    put(block.impulse_scale, record.bounds.impulse_scale, lane);
-    put(block.lower, record.bounds.lower, lane);
-    put(block.upper, record.bounds.upper, lane);
-    for (int i = 0; i < N; ++i) put(from.row[i].answer, record.bounds.answer[i], lane);
+    scatter(block.impulse_scale, record.bounds.impulse_scale, lane);
+    scatter(block.lower, record.bounds.lower, lane);
+    scatter(block.upper, record.bounds.upper, lane);
+    for (int i = 0; i < N; ++i) scatter(from.row[i].answer, record.bounds.answer[i], lane);
   }
 }
 
@@ -110,7 +94,7 @@ void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
 template <class Number>
 void fill(FollowingRecord<Number>& record, const Source& from, int lane) {
   fill<AnyRows<1, Number>, 1, false>(record, from, lane);
-  put(from.block.upper, record.factor, lane);
+  scatter(from.block.upper, record.factor, lane);
 }
 
 }  // namespace
@@ -123,22 +107,20 @@ void PackedBlocks::arrange(const Bodies& bodies, Packing packing) {
   numbers_.clear();
   std::vector<BodyPair> pairs;
   std::vector<bool> moves(std::size_t(bodies.slots()));
-  std::map<Kind, int> kind_numbers;
+  std::set<Kind> met;
   for (const Sign& sign : signs_) {
     pairs.push_back(sign.bodies);
     moves[sign.bodies.body1] = !sign.static1;
     moves[sign.bodies.body2] = !sign.static2;
-    kind_numbers[sign.kind] = 0;
+    met.insert(sign.kind);
   }
-  int next = 0;
-  for (auto& [kind, number] : kind_numbers) number = next++;
-  std::vector<int> kinds, all(signs_.size());
-  for (const Sign& sign : signs_) kinds.push_back(kind_numbers[sign.kind]);
-  std::iota(all.begin(), all.end(), 0);
+  std::vector<int> kinds;  // by their numbers
+  for (const Sign& sign : signs_)
+    kinds.push_back(int(std::distance(met.begin(), met.find(sign.kind))));
 
   Groups found;
   std::optional<Columns> columns;
-  if (packing == Packing::list) found = one_by_one(all);
+  if (packing == Packing::list) found = one_by_one(int(pairs.size()));
   if (packing == Packing::islands) {
     const Islands islands = islands_of(pairs, moves);
     if (width_ == 1) {

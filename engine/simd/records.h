@@ -130,28 +130,22 @@ struct alignas(32) LaneNumber {
   real lane[lane_count];  ///< one of each
 };
 
-/// The number of one lane, and a single number itself.
-template <class Number>
-inline real& in_lane(Number& all, int lane) {
-  return reinterpret_cast<real*>(&all)[lane];
-}
-
-/// Puts a single record into its lane of the record of all.
+/// Puts a single record into its lane of the record of all, which may be of one lane only.
 template <class One, class All>
 inline void scatter(const One& one, All& all, int lane) {
-  static_assert(sizeof all == sizeof one * lane_count);
+  constexpr std::size_t width = sizeof all / sizeof one;
   const real* const from = reinterpret_cast<const real*>(&one);
   real* const to = reinterpret_cast<real*>(&all) + lane;
-  for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n) to[n * lane_count] = from[n];
+  for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n) to[n * width] = from[n];
 }
 /// And takes it out again.
 template <class One, class All>
 inline One gather(const All& all, int lane) {
-  static_assert(sizeof all == sizeof(One) * lane_count);
+  constexpr std::size_t width = sizeof all / sizeof(One);
   One one;
   const real* const from = reinterpret_cast<const real*>(&all) + lane;
   real* const to = reinterpret_cast<real*>(&one);
-  for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n) to[n] = from[n * lane_count];
+  for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n) to[n] = from[n * width];
   return one;
 }
 

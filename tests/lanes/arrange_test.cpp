@@ -30,7 +30,7 @@ TEST_CASE("within a colour pairs of one kind come together, as many as there are
   CHECK(by_colour(colours, 3) == Groups{{0, 2, 3}, {5}, {1, 4}});
   CHECK(by_colour(colours, 1) == Groups{{0}, {2}, {3}, {5}, {1}, {4}});
   CHECK(by_colour(colours, 3, {7, 7, 5, 7, 5, 7}) == Groups{{2}, {0, 3, 5}, {4}, {1}});
-  CHECK(one_by_one({2, 0, 1}) == Groups{{2}, {0}, {1}});
+  CHECK(one_by_one(3) == Groups{{0}, {1}, {2}});
 }
 
 TEST_CASE("islands hang together by bodies that move and take turns") {

@@ -37,12 +37,6 @@ Groups chain_a_lane(const World& world, int width) {
   return interleaved(islands_of(loop.links, moving(loop.bodies)), width);
 }
 
-std::vector<int> list_order(std::size_t count) {
-  std::vector<int> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  return order;
-}
-
 // Chains of turned boxes, no two edges alike, on hinges about axes that are not alike either; the
 // first of each is static if they are held.
 World uneven_chains(int count, int links, bool held = true) {
@@ -141,7 +135,7 @@ TEST_CASE("the hinges' loop in chain order moves the cubes as the engine's solve
   for (const vec3& gravity : {vec3(0, real(-9.81), 0), vec3(3, real(-9.81), 0)}) {
     World world = cubes();
     world.gravity = gravity;
-    auto loop = loop_of<real>(world, one_by_one(list_order(world.joints().size())));
+    auto loop = loop_of<real>(world, one_by_one(int(world.joints().size())));
     SequentialImpulses solver;
     for (int n = 0; n < 60; ++n) {
       step(world, solver, h);
@@ -154,7 +148,7 @@ TEST_CASE("the hinges' loop in chain order moves the cubes as the engine's solve
 
 TEST_CASE("turned boxes on skew hinges move in the hinges' loop as with the engine's solver") {
   World world = uneven_chains(chains, hinges);
-  auto loop = loop_of<real>(world, one_by_one(list_order(world.joints().size())));
+  auto loop = loop_of<real>(world, one_by_one(int(world.joints().size())));
   SequentialImpulses solver;
   for (int n = 0; n < 10; ++n) {
     step(world, solver, h);
@@ -170,7 +164,7 @@ TEST_CASE("a chain a lane is one hinge at a time to the last bit") {
                           uneven_chains(chains, hinges, false)};
   for (const World& world : worlds) {
     const auto one = after(
-        loop_of<real>(world, one_by_one(list_order(world.joints().size()))), 60);
+        loop_of<real>(world, one_by_one(int(world.joints().size()))), 60);
     const auto interleaved = after(loop_of<real>(world, chain_a_lane(world, 1)), 60);
     const auto lanes =
         after(loop_of<Lanes>(world, chain_a_lane(world, lane_count)), 60);
@@ -191,9 +185,9 @@ TEST_CASE("colours on lanes are one hinge at a time in that order to the last bi
   REQUIRE(order.size() == world.joints().size());
   CHECK(lanes.groups().size() < order.size() / 2);
 
-  const auto one = after(loop_of<real>(world, one_by_one(order)), 60);
+  const auto one = after(loop_of<real>(world, interleaved({order}, 1)), 60);
   const auto in_chain_order =
-      after(loop_of<real>(world, one_by_one(list_order(order.size()))), 60);
+      after(loop_of<real>(world, one_by_one(int(order.size()))), 60);
   lanes = after(lanes, 60);
   CHECK(same(lanes.bodies, one.bodies));
   CHECK_FALSE(same(lanes.bodies, in_chain_order.bodies));  // another order, another motion
@@ -227,7 +221,7 @@ TEST_CASE("a relaxed iteration takes omega times the exact impulse of every hing
   World world = uneven_chains(1, 6);
   const Step step(world);
   for (const double omega : {0.5, 1.0, 1.9, 2.1}) {
-    auto loop = loop_of<real>(world, one_by_one(list_order(6)));
+    auto loop = loop_of<real>(world, one_by_one(6));
     loop.relaxation = real(omega);
     loop.iterations = 12;
     loop.step(h);
@@ -270,7 +264,7 @@ TEST_CASE("in a chain that hangs at rest omega 1.9 leaves a smaller gap than 1")
   for (int slot = 1; slot < world.bodies.slots(); ++slot) g[6 * slot + 1] = -9.81;
   std::vector<double> rms;
   for (const double omega : {1.0, 1.9}) {
-    auto loop = loop_of<real>(world, one_by_one(list_order(10)));
+    auto loop = loop_of<real>(world, one_by_one(10));
     loop.relaxation = real(omega);
     loop.iterations = iterations;
     loop = after(loop, 300);
@@ -292,7 +286,7 @@ TEST_CASE("with omega 2.1 a hanging chain explodes") {
   // Two numbers say what a step makes of a mode of the error, and their product is what the
   // iterations leave of it: 1.1^30 in size. So one of them is at least 1.1^15 = 4.2, and 20 steps
   // make 10^12 times what rounding left in such a mode: 10^-16 m or, in float, 10^-7 m.
-  auto loop = loop_of<real>(hanging(10), one_by_one(list_order(10)));
+  auto loop = loop_of<real>(hanging(10), one_by_one(10));
   loop.relaxation = real(2.1);
   double most = 0;
   for (int n = 0; n < 40; ++n) {

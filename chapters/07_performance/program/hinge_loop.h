@@ -74,15 +74,16 @@ class HingeLoop {
     real largest = 0;
     for (std::size_t group = 0; group < groups_.size(); ++group)
       for (std::size_t lane = 0; lane < groups_[group].size(); ++lane) {
-        const auto one = numbers_of(group, int(lane));
-        const auto body1 = records_.velocities(records_.number(group, int(lane), false));
-        const auto body2 = records_.velocities(records_.number(group, int(lane), true));
+        const auto one = gather<HingeNumbers<real>>(numbers_[group], int(lane));
+        const BodyPair& link = links[std::size_t(groups_[group][lane])];
+        const Body &body1 = bodies[link.body1], &body2 = bodies[link.body2];
         const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         for (int i = 0; i < 5; ++i) {  // row after row of J, each with what the bodies do
           const Triple<real> v = i < 3 ? unit[i] : Triple<real>{0, 0, 0};
           const Triple<real> w1 = i < 3 ? cross(one.r1, v) : one.axis_row[i - 3];
           const Triple<real> w2 = i < 3 ? cross(one.r2, v) : one.axis_row[i - 3];
-          const real rate = dot(v, body2.v) + dot(w2, body2.w) - dot(v, body1.v) - dot(w1, body1.w);
+          const real rate = dot(v, triple(body2.v)) + dot(w2, triple(body2.w)) -
+                            dot(v, triple(body1.v)) - dot(w1, triple(body1.w));
           largest = std::max(largest, std::abs(one.bias[i] + rate));
         }
       }
@@ -102,23 +103,11 @@ class HingeLoop {
 
   // The same for a group: each hinge's numbers into its lane, zeros into a lane without a hinge.
   void prepare_group(std::size_t group, real h) {
-    const std::vector<int>& members = groups_[group];
-    if constexpr (width == 1) {
-      prepare(std::size_t(members[0]), h, numbers_[group]);
-    } else {
-      for (int lane = 0; lane < width; ++lane) {
-        HingeNumbers<real> one{};
-        if (lane < int(members.size())) prepare(std::size_t(members[lane]), h, one);
-        scatter(one, numbers_[group], lane);
-      }
+    for (int lane = 0; lane < width; ++lane) {
+      HingeNumbers<real> one{};
+      if (lane < int(groups_[group].size())) prepare(std::size_t(groups_[group][lane]), h, one);
+      scatter(one, numbers_[group], lane);
     }
-  }
-  // The numbers of one hinge out of its lane.
-  HingeNumbers<real> numbers_of(std::size_t group, int lane) const {
-    if constexpr (width == 1)
-      return numbers_[group];
-    else
-      return gather<HingeNumbers<real>>(numbers_[group], lane);
   }
 
   BodyRecords records_;

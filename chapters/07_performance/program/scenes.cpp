@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <numeric>
 
 #include "chapters/07_performance/program/program.h"
 #include "engine/instruments/plan.h"
@@ -27,12 +26,6 @@ double energy_of(const std::vector<Body>& bodies) {
     if (!body.is_static())
       sum += kinetic_energy(body) + 9.81 * double(body.x.y) / double(body.inverse_mass);
   return sum;
-}
-
-std::vector<int> in_a_row(const Chains& chains) {
-  std::vector<int> order(chains.links.size());
-  std::iota(order.begin(), order.end(), 0);
-  return order;
 }
 
 }  // namespace
@@ -63,20 +56,16 @@ Chains cube_chains(int count, int cubes, real beta) { return bent_chains(count, 
 
 // ---- orders ------------------------------------------------------------------------------------
 
-Groups chain_order(const Chains& chains) { return one_by_one(in_a_row(chains)); }
+Groups chain_order(const Chains& chains) { return one_by_one(int(chains.links.size())); }
 
 Groups from_the_end(const Chains& chains) {
-  std::vector<int> order = in_a_row(chains);
-  std::reverse(order.begin(), order.end());
-  return one_by_one(order);
+  Groups groups = chain_order(chains);
+  std::reverse(groups.begin(), groups.end());
+  return groups;
 }
 
 Groups colour_order(const Chains& chains, int width) {
   return by_colour(checked_colours(chains.links, chains.bodies), width);
-}
-
-Groups chain_a_lane(const Chains& chains, int width) {
-  return interleaved(islands_of(chains.links, moving(chains.bodies)), width);
 }
 
 std::vector<int> checked_colours(const std::vector<BodyPair>& links,

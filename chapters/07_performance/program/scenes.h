@@ -50,9 +50,6 @@ Groups from_the_end(const Chains& chains);
 /// Colour after colour. \param width how many at a time
 Groups colour_order(const Chains& chains, int width);
 
-/// The first hinge of every chain, then the second of every chain. \param width how many at a time
-Groups chain_a_lane(const Chains& chains, int width);
-
 /// The colours of these links, by exercise 7.3. \param bodies a static one takes part in nothing
 /// \throws std::invalid_argument unless there is one for each link
 std::vector<int> checked_colours(const std::vector<BodyPair>& links,

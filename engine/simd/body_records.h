@@ -2,8 +2,6 @@
 // lane, in columns.
 #pragma once
 
-#include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "engine/body.h"
@@ -20,24 +18,18 @@ class BodyRecords {
   /// \param groups of at most `width` pairs \param columns columns_of the groups, if there are any
   /// \param count how many bodies there are
   void arrange(const Groups& groups, const std::vector<BodyPair>& pairs,
-               std::optional<Columns> columns, int count, int width) {
-    columns_ = columns.has_value();
-    bodies_ = count;
+               const std::optional<Columns>& columns, int count, int width) {
+    columns_ = columns;
+    bodies_ = count;  // one more record belongs to lanes that are not used
+    records_.assign(columns ? columns->bodies.size() : std::size_t(count) + 1, {});
     ends_.clear();
-    if (columns_) {
-      slots_ = std::move(columns->bodies);
-      for (const BodyPair& end : columns->ends)
-        ends_.insert(ends_.end(), {end.body1, end.body2});
-    } else {
-      slots_.resize(std::size_t(count) + 1);
-      std::iota(slots_.begin(), slots_.end(), 0);
-      slots_.back() = -1;  // belongs to lanes that are not used
-      for (const auto& group : groups)
-        for (int BodyPair::*end : {&BodyPair::body1, &BodyPair::body2})
-          for (int lane = 0; lane < width; ++lane)
-            ends_.push_back(lane < int(group.size()) ? pairs[group[lane]].*end : count);
-    }
-    records_.assign(slots_.size(), {});
+    for (std::size_t k = 0; k < groups.size(); ++k)
+      for (int BodyPair::*end : {&BodyPair::body1, &BodyPair::body2})
+        if (columns)
+          ends_.push_back(columns->ends[k].*end);
+        else
+          for (std::size_t lane = 0; lane < std::size_t(width); ++lane)
+            ends_.push_back(lane < groups[k].size() ? pairs[groups[k][lane]].*end : count);
   }
   /// The bodies' velocities into their records. \param body gives a body by its number
   template <class F>
@@ -48,8 +40,9 @@ class BodyRecords {
     if (!columns_)
       for (int k = 0; k < bodies_; ++k) records_[k] = record_of(body(k));
     else
-      for (std::size_t k = 0; k < slots_.size(); ++k)
-        if (slots_[k] >= 0) scatter(record_of(body(slots_[k])), column(k), int(k % lane_count));
+      for (std::size_t k = 0; k < records_.size(); ++k)
+        if (const int its = columns_->bodies[k]; its >= 0)
+          scatter(record_of(body(its)), column(k), int(k % lane_count));
   }
   /// And back to those that move.
   template <class F>
@@ -62,15 +55,15 @@ class BodyRecords {
     if (!columns_)
       for (int k = 0; k < bodies_; ++k) give(records_[k], body(k));
     else
-      for (std::size_t k = 0; k < slots_.size(); ++k)
-        if (slots_[k] >= 0)
-          give(gather<Velocities<real>>(column(k), int(k % lane_count)), body(slots_[k]));
+      for (std::size_t k = 0; k < records_.size(); ++k)
+        if (const int its = columns_->bodies[k]; its >= 0)
+          give(gather<Velocities<real>>(column(k), int(k % lane_count)), body(its));
   }
 
-  /// Which body each record belongs to, -1: to none.
-  const std::vector<int>& slots() const { return slots_; }
+  /// The columns in which they stand, if they do; else each record has its body's number.
+  const std::optional<Columns>& columns() const { return columns_; }
   /// What the iterations work on.
-  BodyView view() { return {records_.data(), ends_.data(), columns_}; }
+  BodyView view() { return {records_.data(), ends_.data(), columns_.has_value()}; }
   const std::vector<int>& ends() const { return ends_; }  ///< BodyView::ends
 
  private:
@@ -83,9 +76,9 @@ class BodyRecords {
   }
 
   std::vector<Velocities<real>> records_;
-  std::vector<int> slots_, ends_;
+  std::vector<int> ends_;
+  std::optional<Columns> columns_;
   int bodies_ = 0;
-  bool columns_ = false;
 };
 
 }  // namespace joints

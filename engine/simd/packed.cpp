@@ -1,6 +1,7 @@
 // The blocks of a step packed, and the solve over them.
 #include "engine/simd/packed.h"
 
+#include <algorithm>
 #include <set>
 
 namespace joints {

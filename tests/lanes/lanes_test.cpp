@@ -115,8 +115,8 @@ TEST_CASE("in a group of lanes no two blocks share a body that moves") {
       if (packed.blocks[group * lane_count + std::size_t(lane)] < 0) continue;
       ++blocks;
       for (const bool second : {false, true})
-        if (const int body = packed.records().slots()[std::size_t(packed.records().ends()[
-                (2 * group + second) * lane_count + std::size_t(lane)])];
+        if (const int body = packed.records().ends()[(2 * group + second) * lane_count +
+                                                     std::size_t(lane)];
             !world.bodies.at(body).is_static())
           seen.push_back(body);
     }

@@ -158,8 +158,8 @@ struct LaneGroup : Kind {
 /// The velocities of bodies, and which of them a group's have.
 struct BodyView {
   Velocities<real>* records;  ///< a record a body; or, in columns, lane_count bodies' side by side
-  const int* ends;  ///< of each group, in its lanes' order, the records of its bodies 1, then of its
-                    ///< bodies 2; or in columns two numbers, which columns
+  const int* ends;  ///< of each group, the records of its lanes' bodies 1, then of their bodies 2;
+                    ///< or in columns two numbers, which columns
   bool columns;     ///< bodies stand as the lanes want them
 };
 

@@ -34,8 +34,6 @@ double energy_of(const std::vector<Body>& bodies) {
 
 Chains bent_chains(int count, int cubes, int hanging, real beta) {
   Chains chains;
-  chains.count = count;
-  chains.length = cubes - 1;
   for (int c = 0; c < count; ++c)
     for (int i = 0; i < cubes; ++i) {
       const int level = std::min(i, cubes - 1 - hanging);

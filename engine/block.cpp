@@ -1,4 +1,4 @@
-// The flat arrays of the blocks.
+// Appends to and cuts the flat arrays of the blocks.
 #include "engine/block.h"
 
 #include <algorithm>

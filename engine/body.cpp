@@ -8,7 +8,7 @@ namespace joints {
 
 void refuse(const std::string& what) { throw std::invalid_argument(what); }
 
-mat3 turned_inverse_inertia(const Body& body) {
+mat3 rotated_inverse_inertia(const Body& body) {
   const vec3& inverse = body.inverse_inertia_local;
   const mat3 R = mat3_cast(body.q);
   return mat3(R[0] * inverse.x, R[1] * inverse.y, R[2] * inverse.z) * transpose(R);
@@ -49,13 +49,13 @@ Body ball(real mass, real radius, const vec3& x) {
 quat rotation(const vec3& phi) {
   const real angle = length(phi);
   const real half = angle / 2;
-  // sin(a/2)/a; below this angle its series 1/2 - a^2/48 is exact to the last bit
+  // sin(angle/2)/angle; its series 1/2 - angle^2/48 is exact to the last bit below this angle
   const real scale = angle < real(1e-4) ? real(0.5) - angle * angle / 48 : std::sin(half) / angle;
   return quat(std::cos(half), scale * phi.x, scale * phi.y, scale * phi.z);
 }
 
 vec3 gyroscopic_midpoint(const vec3& moments, const vec3& w, real h) {
-  // only the ratios count; of order 1 their determinant neither overflows nor vanishes
+  // Only the ratios count; scaled to order 1, the determinant neither overflows nor vanishes.
   const vec3 inertia = moments / glm::max(moments.x, glm::max(moments.y, moments.z));
   const mat3 I(inertia.x, 0, 0, 0, inertia.y, 0, 0, 0, inertia.z);
   vec3 next = w;
@@ -79,16 +79,15 @@ void integrate_forces(Body& body, const vec3& gravity, real h) {
   }
 }
 
-// Keeps the largest component within what is possible at all.
-void keep_possible(vec3& velocity) {
+void clamp_speed(vec3& velocity) {
   const real top = std::max({std::abs(velocity.x), std::abs(velocity.y), std::abs(velocity.z)});
-  if (top > fastest) velocity *= fastest / top;
+  if (top > max_speed) velocity *= max_speed / top;
 }
 
 void integrate_pose(Body& body, real h) {
   if (body.is_static()) return;
-  keep_possible(body.v);
-  keep_possible(body.w);
+  clamp_speed(body.v);
+  clamp_speed(body.w);
   body.x += h * body.v;
   if (body.w != vec3(0)) body.q = normalize(rotation(h * body.w) * body.q);
 }

@@ -7,7 +7,7 @@
 #include "engine/real.h"
 
 /// \defgroup bodies Bodies
-/// \brief State, mass and free motion of rigid bodies, and the array in which they stand.
+/// \brief State, mass and free motion of rigid bodies, and the array that holds them.
 /// @{
 namespace joints {
 
@@ -20,35 +20,36 @@ struct Body {
   vec3 w{0};                      ///< angular velocity [rad/s], world
   real inverse_mass = 0;          ///< [1/kg]; 0 for a static body
   vec3 inverse_inertia_local{0};  ///< inverse principal moments [1/(kg m^2)], body space
-  vec3 force{0};                  ///< external force at the centre [N], world; stays until changed
-  vec3 torque{0};                 ///< external torque [N m], world; stays until changed
+  vec3 force{0};                  ///< external force at the centre [N], world; no step clears it
+  vec3 torque{0};                 ///< external torque [N m], world; no step clears it
 
-  /// True when nothing can move this body.
+  /// True if nothing can move this body.
   bool is_static() const { return inverse_mass == 0; }
-  /// True when all three principal moments are equal, so that turning the body changes nothing.
+  /// True if all three principal moments are equal: no rotation changes the world inertia.
   bool is_isotropic() const {
     return inverse_inertia_local.x == inverse_inertia_local.y &&
            inverse_inertia_local.y == inverse_inertia_local.z;
   }
 };
 
-/// A direction or lever of the body, turned into world space: R(q) local.
+/// Rotates a direction or lever from body space into world space: R(q) local.
 inline vec3 to_world(const Body& body, const vec3& local) { return body.q * local; }
-/// The same the other way round.
+/// Rotates a direction or lever from world space into body space.
 inline vec3 to_local(const Body& body, const vec3& world) { return conjugate(body.q) * world; }
-/// Where the point with lever `local` of this body stands in the world [m].
+/// World position [m] of the point with lever `local` [m, body space].
 inline vec3 world_point(const Body& body, const vec3& local) { return body.x + body.q * local; }
 /// Velocity [m/s] of the point of the body at lever `r` [m, world] from its centre.
 inline vec3 point_velocity(const Body& body, const vec3& r) { return body.v + cross(body.w, r); }
 
-/// The same for a body that is not isotropic.
-mat3 turned_inverse_inertia(const Body& body);
+/// R I_local^-1 R^T, computed in full: for inverse_inertia().
+mat3 rotated_inverse_inertia(const Body& body);
 /// The inverse inertia in world axes, R I_local^-1 R^T [1/(kg m^2)].
 inline mat3 inverse_inertia(const Body& body) {
-  return body.is_isotropic() ? mat3(body.inverse_inertia_local.x) : turned_inverse_inertia(body);
+  return body.is_isotropic() ? mat3(body.inverse_inertia_local.x) : rotated_inverse_inertia(body);
 }
 
-/// A body that never moves. \param x its place [m] \param q its orientation (normalised here)
+/// A body that never moves. \param x its centre [m] \param q its orientation (normalised here)
+/// \throws std::invalid_argument unless x and q are finite and q is not zero
 Body static_body(const vec3& x, const quat& q = quat(1, 0, 0, 0));
 /// A solid box of uniform density. \param mass [kg] \param size its three edges [m]
 /// \throws std::invalid_argument unless mass and edges are positive and finite, x and q finite
@@ -61,48 +62,52 @@ Body ball(real mass, real radius, const vec3& x);
 Body body_with(real mass, const vec3& inertia_local, const vec3& x,
                const quat& q = quat(1, 0, 0, 0));
 
-/// The rotation by the vector `phi` [rad, world]: the exponential map.
-/// exp(phi) = (cos |phi|/2, sin(|phi|/2) phi/|phi|), good down to |phi| = 0.
+/// The rotation by the vector `phi` [rad, world]: the exponential map
+/// exp(phi) = (cos |phi|/2, sin(|phi|/2) phi/|phi|), accurate down to |phi| = 0.
 quat rotation(const vec3& phi);
 
 /// First half of a step: gravity, external force and torque, and the gyroscopic torque change the
 /// velocities. \param gravity [m/s^2] \param h step [s]
 void integrate_forces(Body& body, const vec3& gravity, real h);
-/// No velocity has a component above this [m/s or rad/s], the speed of light: what explodes by a
-/// setting without sense stays finite, and can be looked at.
-constexpr real fastest = real(3e8);
-/// Last half of a step: the velocities change place and orientation. \param h step [s]
+/// Speed clamp: integrate_pose() scales a velocity down so that no component exceeds this
+/// [m/s or rad/s]. A diverging run stays finite.
+constexpr real max_speed = real(3e8);
+/// Last half of a step: the velocities change position and orientation. \param h step [s]
 void integrate_pose(Body& body, real h);
-/// The angular velocity after a torque-free step of length h: implicit midpoint rule in the
-/// body's axes, which keeps the energy w.(I w)/2 exactly. \return new angular velocity, body space
+/// The angular velocity after a torque-free step of length h: implicit midpoint rule in the body's
+/// axes by three Newton iterations. Once converged it keeps the energy w.(I w)/2 exactly.
 /// \param moments principal moments [kg m^2] \param w angular velocity now [rad/s, body space]
+/// \param h step [s] \return new angular velocity [rad/s, body space]
 vec3 gyroscopic_midpoint(const vec3& moments, const vec3& w, real h);
 
-/// Names a body for as long as it lives: a slot of the array, and which tenant of that slot.
+/// Names a body for as long as it lives: a slot of the array and a generation, which changes
+/// whenever the slot is given away or becomes free.
 struct BodyId {
-  std::uint32_t slot = 0;        ///< place in the array
-  std::uint32_t generation = 0;  ///< 0 names no body
-  bool operator==(const BodyId&) const = default;  ///< the same slot and the same tenant
+  std::uint32_t slot = 0;        ///< index into the array
+  std::uint32_t generation = 0;  ///< odd for a body; 0 names no body
+  bool operator==(const BodyId&) const = default;  ///< the same slot and the same generation
 };
 
-/// All bodies of a world in one contiguous array. A removed slot is given to the next body that is
-/// added; ids that named the old tenant are refused from then on.
+/// All bodies of a world in one contiguous array. The next body that is added takes a removed slot;
+/// ids of the removed body are stale and refused from then on.
 class Bodies {
  public:
-  BodyId add(const Body& body);  ///< \throws std::invalid_argument for a body that is not finite
+  /// \throws std::invalid_argument unless all numbers are finite, q is a unit quaternion, and
+  /// inverse mass and inertia are all zero (static) or all positive
+  BodyId add(const Body& body);
   void remove(BodyId id);        ///< \throws std::invalid_argument for a stale id
-  bool alive(BodyId id) const;   ///< does this id still name a body?
+  bool alive(BodyId id) const;   ///< true if this id still names a body
   int index(BodyId id) const;    ///< the slot; \throws std::invalid_argument for a stale id
 
   /// The body that an id names. \throws std::invalid_argument for a stale id
   Body& operator[](BodyId id) { return bodies_[index(id)]; }
-  /// The same, to look at only.
+  /// The same, read-only.
   const Body& operator[](BodyId id) const { return bodies_[index(id)]; }
 
   int slots() const { return int(bodies_.size()); }  ///< length of the array, empty slots included
-  bool used(int slot) const { return generation_[slot] % 2 == 1; }  ///< does a body live there?
+  bool used(int slot) const { return generation_[slot] % 2 == 1; }  ///< true if a body lives there
   Body& at(int slot) { return bodies_[slot]; }       ///< by slot; an empty slot is a static body
-  const Body& at(int slot) const { return bodies_[slot]; }  ///< the same, to look at only
+  const Body& at(int slot) const { return bodies_[slot]; }  ///< the same, read-only
   Body* data() { return bodies_.data(); }  ///< the array itself, for solvers
   int size() const { return slots() - int(free_.size()); }  ///< how many bodies live
 
@@ -117,7 +122,8 @@ void integrate_forces(Bodies& bodies, const vec3& gravity, real h);
 /// integrate_pose() for all bodies.
 void integrate_poses(Bodies& bodies, real h);
 /// Before the first step: gives every body that moves the velocity of half a step earlier,
-/// v -= g h/2 (Eq. 7-9). Semi-implicit Euler then falls as far as a body does, not g h t/2 further.
+/// v -= g h/2 (Eq. 7-9). Semi-implicit Euler is then leapfrog: free fall is exact, where it would
+/// go g h t/2 too far. \param h step [s]
 void take_half_a_kick(Bodies& bodies, const vec3& gravity, real h);
 
 }  // namespace joints

@@ -1,4 +1,4 @@
-// Several parts as one block: what a whole joint is made of.
+// Two parts as one block: J, C and K of both.
 #pragma once
 
 #include "engine/matrix.h"
@@ -7,8 +7,8 @@
 /// @{
 namespace joints {
 
-/// Two parts as one, with the rows of the first above those of the second, so that they are solved
-/// together. A composite is a part like any other; composites can be composed.
+/// Two parts as one block: the rows of the first above those of the second. A composite is itself a
+/// part, so that composites can be nested.
 template <class First, class Second>
 struct Composite {
   First first;    ///< the upper rows
@@ -16,17 +16,17 @@ struct Composite {
 
   static constexpr int rows = First::rows + Second::rows;  ///< of both
   static constexpr bool one_sided = Second::one_sided;     ///< bounds belong to the last row
-  /// C of both.
+  /// C, first above second.
   Vector<rows> error(const Body& body1, const Body& body2) const {
     return together<Vector<rows>>(to_vector(first.error(body1, body2)),
                                   to_vector(second.error(body1, body2)));
   }
-  /// J of both.
+  /// J, first above second.
   Jacobian<rows> jacobian(const Body& body1, const Body& body2) const {
     return together<Jacobian<rows>>(to_jacobian(first.jacobian(body1, body2)),
                                     to_jacobian(second.jacobian(body1, body2)));
   }
-  /// K of all rows, with what those of the one part do to those of the other.
+  /// K = J M^-1 J^T of all rows, with the cross terms between the two parts.
   Matrix<rows> K(const Body& body1, const Body& body2) const {
     const Jacobian<rows> J = jacobian(body1, body2);
     Row response[rows];

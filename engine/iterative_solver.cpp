@@ -1,4 +1,4 @@
-// Turns what is asked of a block, with the step's h, into what the inner loop reads.
+// Prepares blocks: computes bias, scales, bounds and K^-1 from row targets and h.
 #include "engine/iterative_solver.h"
 
 #include <algorithm>
@@ -27,10 +27,10 @@ void IterativeSolver::prepare(const Bodies& bodies, const Blocks& blocks, int fi
     prepared_.blocks.clear();
     prepared_.rows.clear();
     prepared_.inverse_K.clear();
-    const std::size_t room = blocks.J.capacity();  // for late limits, too
-    prepared_.blocks.reserve(room);
-    prepared_.rows.reserve(room);
-    prepared_.inverse_K.reserve(6 * room);
+    const std::size_t most = blocks.J.capacity();  // late limits included
+    prepared_.blocks.reserve(most);
+    prepared_.rows.reserve(most);
+    prepared_.inverse_K.reserve(6 * most);
   }
   const std::size_t known = prepared_.blocks.size();
   for (std::size_t k = std::size_t(first); k < blocks.list.size(); ++k) {
@@ -42,12 +42,12 @@ void IterativeSolver::prepare(const Bodies& bodies, const Blocks& blocks, int fi
     if (prepared_.blocks[k].follows != 0) prepared_.blocks[k].followed = followed_row(k);
 }
 
-// The row whose impulse bounds block k: one of a neighbour in the list.
+// The row whose impulse bounds block k. The search starts at the nearest blocks of the list.
 int IterativeSolver::followed_row(std::size_t k) const {
   const std::vector<PreparedBlock>& blocks = prepared_.blocks;
   const real* const impulse = blocks[k].impulse + blocks[k].follows;
   for (std::size_t d = 1; d < blocks.size(); ++d)
-    for (const std::size_t other : {k + d, k - d}) {  // before the first: a huge number
+    for (const std::size_t other : {k + d, k - d}) {  // k - d wraps to a huge number below 0
       if (other >= blocks.size()) continue;
       for (int i = 0; i < blocks[other].rows; ++i)
         if (blocks[other].impulse + i == impulse) return blocks[other].first + i;
@@ -55,7 +55,7 @@ int IterativeSolver::followed_row(std::size_t k) const {
   refuse("follows: the impulse that bounds a row must have a row of its own");
 }
 
-// The rows [from, to) of a block.
+// Prepares the rows [from, to) of a block as one block.
 void IterativeSolver::add(const Bodies& bodies, const Block& block, int from, int to, real h) {
   auto& [blocks, rows, inverse_K] = prepared_;
   const RowTarget& target = block.target;
@@ -75,7 +75,7 @@ void IterativeSolver::add(const Bodies& bodies, const Block& block, int from, in
   out.mass_scale *= relaxation;
   out.impulse_scale *= relaxation;
   if (has_last && target.follows != 0) {
-    require(n == 1, "follows: only a block of one row can follow another sum");
+    require(n == 1, "follows: only a block of one row can follow another impulse");
     out.follows = static_cast<signed char>(target.follows);
     out.upper = target.upper;
   } else if (has_last) {
@@ -99,7 +99,7 @@ void IterativeSolver::add(const Bodies& bodies, const Block& block, int from, in
   if (has_last) {
     const real C = blocks_->C[block.first + to - 1];
     const bool one_sided = target.lower == 0 && target.upper == unbounded;
-    if (one_sided && C > 0) rows.back().bias = C / h;  // still a gap: it may be closed, no more
+    if (one_sided && C > 0) rows.back().bias = C / h;  // speculative: the gap may be closed
     rows.back().bias -= target.rate;
   }
   blocks.push_back(out);
@@ -120,9 +120,9 @@ void IterativeSolver::warm_start(Bodies& bodies, real ratio) {
       const Row& J = blocks.J[block.first + i];
       const PreparedRow& row = prepared_.rows[block.first + i];
       body1.v += body1.inverse_mass * lambda * J.v1;
-      body1.w += lambda * row.turn1;
+      body1.w += lambda * row.response_w1;
       body2.v += body2.inverse_mass * lambda * J.v2;
-      body2.w += lambda * row.turn2;
+      body2.w += lambda * row.response_w2;
     }
   }
 }

@@ -1,4 +1,4 @@
-// What every joint is: a recipe that turns two bodies into blocks, once a step.
+// The interface of every joint: it makes blocks from the poses of two bodies, once per step.
 #pragma once
 
 #include "engine/block.h"
@@ -8,13 +8,13 @@
 /// @{
 namespace joints {
 
-/// A recipe for blocks. The solver asks once a step, never in its inner loop.
-/// A new kind of joint is one new class in one new file; nothing else has to know it.
+/// A joint appends its blocks once per step; the solver's inner loop never calls it.
+/// A new kind of joint is one new class in one new file; nothing else changes.
 class Joint {
  public:
-  BodyId body1, body2;    ///< the two bodies it holds
+  BodyId body1, body2;    ///< the two bodies that it holds
   real beta = real(0.2);  ///< share of the error fed back in a step [1] (chapter 6)
-  bool projected = true;  ///< takes part in the solver's position projection, if that is on
+  bool projected = true;  ///< takes part in position projection (Stepping::projections)
 
   /// \throws std::invalid_argument for a joint of a body with itself
   Joint(BodyId body1, BodyId body2) : body1(body1), body2(body2) {
@@ -22,43 +22,43 @@ class Joint {
   }
   virtual ~Joint() = default;
 
-  /// Called once a step, before the blocks are asked for. \param h step [s]
+  /// Called once per step, before append(). \param h step [s]
   void begin_step(const Bodies& bodies, real h) {
     h_ = h;
     can_move_ = !bodies[body1].is_static() || !bodies[body2].is_static();
     can_move_ ? choose_rows(bodies, h) : drop_rows();
   }
-  /// Could one of its bodies be moved when the last step began?
+  /// True if at least one of its bodies was not static when the last step began.
   bool can_move() const { return can_move_; }
-  /// Appends the live blocks at the bodies' present poses. Has no side effect, so that it may be
-  /// asked again at other poses.
+  /// Appends the live blocks at the bodies' present poses. Changes no state of the joint: it may be
+  /// called again at other poses.
   virtual void append(const Bodies& bodies, Blocks& blocks) const = 0;
-  /// Called when the bodies were moved without a velocity (position projection), before the blocks
-  /// are asked for at the new poses: a joint that counts turns looks again.
+  /// Called before append() whenever position projection may have moved the bodies: a joint that
+  /// counts turns measures its angle again.
   virtual void moved(const Bodies&) {}
-  /// Called after the solve, where a body can move: appends the blocks of limits that the new
+  /// Called after each solve if a body can move: appends the blocks of limits that the new
   /// velocities would pass within this step. \param h step [s]
   virtual void late_limits(const Bodies&, [[maybe_unused]] real h, Blocks&) {}
-  /// The most rows that append and late_limits can ever give together.
+  /// The most rows that append() and late_limits() can append together in one step.
   virtual int most_rows() const = 0;
-  /// What the joint has of limits and motors, for the plan line.
+  /// Which limits and motors the joint has, for reports.
   struct Extras {
-    int limits = 0;       ///< 1 where its coordinate has limits, live or not
-    int live_limits = 0;  ///< 1 where one of them has a row at present
-    int motors = 0;       ///< 1 where a motor runs
+    int limits = 0;       ///< 1 if its coordinate has limits, live or not
+    int live_limits = 0;  ///< 1 if one of them has a row in this step
+    int motors = 0;       ///< 1 if a motor runs
   };
-  virtual Extras extras() const { return {}; }  ///< none, unless a joint says otherwise
+  virtual Extras extras() const { return {}; }  ///< none by default
 
-  /// The mean force in the last step of a row with this impulse, impulse / h [N or N m]; 0 before
-  /// the first step.
-  real in_step(real impulse) const { return h_ > 0 ? impulse / h_ : real(0); }
+  /// The mean force of a row over the last step, impulse / h [N or N m]; 0 before the first step.
+  /// \param impulse its accumulated impulse [N s or N m s]
+  real mean_force(real impulse) const { return h_ > 0 ? impulse / h_ : real(0); }
   real last_h() const { return h_; }  ///< length of the last step [s], 0 before the first
 
  protected:
   /// The joint's own part of begin_step(): may change the joint (count turns, choose the live rows,
-  /// zero the impulse of a row that died). \param h step [s]
+  /// zero the impulse of a row that is no longer live). \param h step [s]
   virtual void choose_rows(const Bodies&, [[maybe_unused]] real h) {}
-  /// Called in its place between two static bodies: no row is live.
+  /// Called instead of choose_rows() between two static bodies: no row is live.
   virtual void drop_rows() {}
 
  private:

@@ -1,4 +1,4 @@
-// K of a block, and its inverse by the sweep operator (Goodnight 1979).
+// K of a block, and its inverse by symmetric Gauss-Jordan pivots (Goodnight 1979).
 #include "engine/matrix.h"
 
 #include <utility>
@@ -7,8 +7,8 @@ namespace joints {
 
 namespace {
 
-// f(0), f(1), .. f(n - 1), each with a number that the compiler knows: no loop is left, and every
-// entry below has a register of its own.
+// Calls f(0) to f(n - 1) with compile-time constants: the loop is unrolled, and the entries below
+// can stay in registers.
 template <int n, class F>
 void unrolled(const F& f) {
   [&]<int... k>(std::integer_sequence<int, k...>) {
@@ -16,8 +16,8 @@ void unrolled(const F& f) {
   }(std::make_integer_sequence<int, n>{});
 }
 
-// Sweeping pivot k solves row k for its unknown and puts the result into all the other rows; once
-// every pivot has been swept, the inverse stands in the matrix' place, with its sign turned.
+// Pivot k solves row k for its unknown and substitutes it into all other rows. After every pivot
+// the lower triangle holds minus the inverse.
 template <int N>
 void invert(real* K) {
   real lower[N * (N + 1) / 2], original[N];
@@ -31,8 +31,8 @@ void invert(real* K) {
   });
   unrolled<N>([&](auto k) {
     const real pivot = at(k, k);
-    if (!(pivot > 4 * epsilon * original[k])) {  // a dependent row, or no mass at all: what is
-      dependent[k] = any_dependent = true;       // left of it is the rounding of the sweeps before
+    if (!(pivot > 4 * epsilon * original[k])) {  // a dependent row leaves only rounding errors, a
+      dependent[k] = any_dependent = true;       // row without a direction 0
       return;
     }
     const real over_pivot = 1 / pivot;

@@ -1,4 +1,4 @@
-// Rows of a Jacobian, and the small symmetric matrices that come from them (1 to 6 rows).
+// Rows of a Jacobian, and K = J M^-1 J^T and its inverse, for 1 to 6 rows.
 #pragma once
 
 #include <array>
@@ -10,7 +10,8 @@
 /// @{
 namespace joints {
 
-/// One row of a Jacobian: four 3-vectors, the factors of v1, w1, v2 and w2 in dC/dt.
+/// One row of a Jacobian: four 3-vectors in world space, the factors of v1, w1, v2 and w2 in dC/dt
+/// [1 for v and m for w if C is in m; 1/m and 1 if C is in rad].
 struct Row {
   vec3 v1{0};  ///< factor of the velocity of body 1's centre
   vec3 w1{0};  ///< factor of the angular velocity of body 1
@@ -47,8 +48,8 @@ inline Jacobian<3> jacobian_from_blocks(const mat3& v1, const mat3& w1, const ma
   return J;
 }
 
-/// A part may give its numbers as the type that reads best; to_vector, to_matrix and to_jacobian
-/// make one kind of them.
+/// A part may return a scalar, a GLM type or an array; to_vector, to_matrix and to_jacobian convert
+/// them all to arrays.
 inline Vector<1> to_vector(real a) { return {a}; }
 /// From a 3-vector.
 inline Vector<3> to_vector(const vec3& a) { return {a.x, a.y, a.z}; }
@@ -77,17 +78,17 @@ inline real row_velocity(const Row& row, const Body& body1, const Body& body2) {
          dot(row.w2, body2.w);
 }
 
-/// M^-1 J^T: what an impulse of 1 along each of the n rows does to the velocities of both bodies.
+/// M^-1 J^T: the change of both bodies' velocities by an impulse of 1 along each of the n rows.
 void form_responses(const Row* J, int n, const Body& body1, const Body& body2, Row* response);
 
 /// K = J (M^-1 J^T), the inverse effective mass of n rows that are solved together, n x n numbers
-/// [1/kg, 1/(kg m) or 1/(kg m^2), by the rows' units].
+/// row by row [1/kg, 1/(kg m) or 1/(kg m^2), by the rows' units].
 void form_K(const Row* J, const Row* response, int n, real* K);
 
-/// Inverts a symmetric positive matrix of n x n numbers (n at most 6) in place.
-/// A pivot at most 4 epsilon(real) times its own original diagonal entry belongs to a row that
-/// depends on the others: its row and column of the inverse become zero, so that it gets no
-/// impulse. No other threshold: masses and lengths may have any size.
+/// Inverts a symmetric positive semidefinite matrix of n x n numbers (n from 1 to 6) in place.
+/// A pivot of at most 4 epsilon times its original diagonal entry belongs to a row that depends on
+/// the rows before it: its row and column of the inverse become zero, so that it gets no impulse.
+/// There is no absolute threshold: masses and lengths may have any size.
 void invert_symmetric(real* K, int n);
 
 }  // namespace joints

@@ -1,4 +1,4 @@
-// The shortest joint there is: one part, one block. The recipe for balls, rods and ropes.
+// A joint of a single part and a single block: balls, rods and ropes.
 #pragma once
 
 #include "engine/joint.h"
@@ -11,13 +11,13 @@ namespace joints {
 ///  - `static constexpr int rows`, 1 to 6,
 ///  - `static constexpr bool one_sided`: C >= 0 and an impulse that only pushes C up (last row),
 ///  - `error` and `jacobian`, const functions of two bodies,
-///  - a free function `check(const Part&)` that refuses geometry without sense.
+///  - a free function `check(const Part&)` that refuses impossible geometry.
 template <class Part>
 class PartJoint : public Joint {
  public:
   Part part;  ///< the geometry; may be changed between steps
 
-  /// \throws std::invalid_argument for a joint of a body with itself, or by the part's check
+  /// \throws std::invalid_argument for a joint of a body with itself, or from the part's check
   PartJoint(BodyId body1, BodyId body2, const Part& part) : Joint(body1, body2), part(part) {
     check(part);
   }
@@ -26,12 +26,12 @@ class PartJoint : public Joint {
     blocks.append(bodies, body1, body2, part, {.beta = beta, .lower = lower}, impulse_.data());
   }
   int most_rows() const override { return Part::rows; }
-  /// The impulse of each row in the last step [N s, or N m s for an angular row].
+  /// The accumulated impulse of each row in the last step [N s, or N m s for an angular row].
   const Vector<Part::rows>& impulse() const { return impulse_; }
   /// The mean force of each row in the last step, impulse / h [N or N m].
   Vector<Part::rows> forces() const {
     Vector<Part::rows> out;
-    for (int i = 0; i < Part::rows; ++i) out[i] = in_step(impulse_[i]);
+    for (int i = 0; i < Part::rows; ++i) out[i] = mean_force(impulse_[i]);
     return out;
   }
 

@@ -7,7 +7,7 @@ namespace joints {
 
 namespace {
 
-// The first `rows` rows of a block.
+// Projects the first `rows` rows of a block.
 void project(Bodies& bodies, const Blocks& blocks, const Block& block, int rows) {
   if (rows == 0) return;
   Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
@@ -31,15 +31,15 @@ void project(Bodies& bodies, const Blocks& blocks, const Block& block, int rows)
     move.v2 += lambda[i] * response[i].v2;
     move.w2 += lambda[i] * response[i].w2;
   }
-  const real share =  // of it, so that no body goes too far
-      std::min({real(1), longest_move / std::max(length(move.v1), longest_move),
-                widest_turn / std::max(length(move.w1), widest_turn),
-                longest_move / std::max(length(move.v2), longest_move),
-                widest_turn / std::max(length(move.w2), widest_turn)});
-  const auto displace = [&](Body& body, const vec3& by, const vec3& turn) {
+  const real share =  // at most 1: keeps both displacements and both rotations below their bounds
+      std::min({real(1), max_displacement / std::max(length(move.v1), max_displacement),
+                max_rotation / std::max(length(move.w1), max_rotation),
+                max_displacement / std::max(length(move.v2), max_displacement),
+                max_rotation / std::max(length(move.w2), max_rotation)});
+  const auto displace = [&](Body& body, const vec3& displacement, const vec3& phi) {
     if (body.is_static()) return;
-    body.x += share * by;
-    body.q = normalize(rotation(share * turn) * body.q);
+    body.x += share * displacement;
+    body.q = normalize(rotation(share * phi) * body.q);
   };
   displace(body1, move.v1, move.w1);
   displace(body2, move.v2, move.w2);
@@ -49,14 +49,14 @@ void project(Bodies& bodies, const Blocks& blocks, const Block& block, int rows)
 
 void project_positions(World& world) {
   Blocks& blocks = world.blocks;
-  const int known = int(blocks.list.size());  // those of the step stay
+  const int known = int(blocks.list.size());  // the blocks of the step are kept
   for (const auto& joint : world.joints()) {
     joint->moved(world.bodies);
     if (!joint->projected) continue;
     joint->append(world.bodies, blocks);
     for (int k = known; k < int(blocks.list.size()); ++k) {
       const Block& block = blocks.list[k];
-      if (!block.target.holds_position) continue;  // a motor: a speed, not a place
+      if (!block.target.holds_position) continue;  // a motor or friction
       const real C = blocks.C[block.first + block.rows - 1];
       const bool one_sided = block.target.lower == 0 && block.target.upper == unbounded;
       project(world.bodies, blocks, block, one_sided && C > 0 ? block.rows - 1 : block.rows);

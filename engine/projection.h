@@ -1,4 +1,4 @@
-// Position projection: places and orientations are put right themselves, not by a velocity.
+// Position projection: corrects positions and orientations directly, without changing velocities.
 #pragma once
 
 #include "engine/world.h"
@@ -7,16 +7,16 @@
 /// @{
 namespace joints {
 
-/// In one projection a block moves the centre of a body no further than this [m].
-constexpr real longest_move = real(0.2);
-/// Nor does it turn a body by more [rad].
-constexpr real widest_turn = real(0.2);
+/// The longest displacement of a body's centre by one block in one iteration [m].
+constexpr real max_displacement = real(0.2);
+/// The largest rotation of a body by one block in one iteration [rad].
+constexpr real max_rotation = real(0.2);
 
-/// One iteration of nonlinear Gauss-Seidel on the positions. Every joint whose `projected` is set
-/// is asked for its blocks at the present poses, and its two bodies are moved by M^-1 J^T K^-1 (-C)
-/// so that C is zero to first order; velocities stay as they are. A one-sided row moves them only
-/// where it is violated. Source: the thesis, section 6; Catto, Position Correction Notes (in the
-/// source of Box2D 2), who calls it nonlinear Gauss-Seidel.
+/// One iteration of nonlinear Gauss-Seidel on the positions. Each joint whose `projected` is set
+/// appends its blocks at the present poses, and each block moves its bodies by M^-1 J^T K^-1 (-C):
+/// C is zero then to first order. Velocities do not change. A one-sided row is left out unless it
+/// is violated. Source: the thesis, section 6; Catto, Position Correction Notes (in the source of
+/// Box2D 2), who calls it nonlinear Gauss-Seidel.
 void project_positions(World& world);
 
 }  // namespace joints

@@ -1,4 +1,4 @@
-// J^T lambda / h.
+// The reaction of a joint, J^T lambda / h.
 #include "engine/reaction.h"
 
 namespace joints {
@@ -9,7 +9,7 @@ Reaction reaction(const Joint& joint, const Bodies& bodies) {
   Reaction out;
   for (const Block& block : blocks.list)
     for (int i = 0; i < block.rows; ++i) {
-      const real force = joint.in_step(block.impulse[i]);
+      const real force = joint.mean_force(block.impulse[i]);
       out.force += force * blocks.J[block.first + i].v2;
       out.torque += force * blocks.J[block.first + i].w2;
     }

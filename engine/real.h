@@ -1,5 +1,5 @@
-// The number type, the small vectors and the one function that refuses bad input.
-// Read it; there is nothing to edit here.
+// The scalar type, GLM's small vectors made of it, and the function that refuses bad input.
+// There is nothing to edit here.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 #ifndef REAL
 #define REAL double
 #endif
-#ifdef REAL_HEADER  // where REAL is a type of one's own; before GLM, which collects std::sqrt
+#ifdef REAL_HEADER  // declares a REAL of one's own; before GLM, which imports std::sqrt
 #include REAL_HEADER
 #endif
 #include <glm/glm.hpp>
@@ -19,7 +19,7 @@
 /// \brief The scalar of the whole workbook, and GLM's small vectors made of it.
 /// @{
 
-/// Everything of the workbook lives here.
+/// Engine and chapters share one namespace.
 namespace joints {
 
 /// The scalar type of the whole workbook. Every target is built twice: with `REAL=double` and,
@@ -28,19 +28,19 @@ using real = REAL;
 
 using vec3 = glm::vec<3, real, glm::defaultp>;     ///< a column of three numbers
 using mat3 = glm::mat<3, 3, real, glm::defaultp>;  ///< 3x3, stored by columns: M[column][row]
-using quat = glm::qua<real, glm::defaultp>;        ///< (w, x, y, z), turns body space into world
+using quat = glm::qua<real, glm::defaultp>;        ///< (w, x, y, z), rotates body space into world
 
-/// The gap between 1 and the next number that `real` can hold.
+/// The distance from 1 to the next larger `real`.
 inline constexpr real epsilon = std::numeric_limits<real>::epsilon();
 /// A bound that never binds.
 inline constexpr real unbounded = std::numeric_limits<real>::infinity();
 
-/// The matrix of a cross product: skew(r) x = r x x; its transpose is its negative.
+/// The matrix of a cross product: skew(r) a = r x a; its transpose is its negative.
 inline mat3 skew(const vec3& r) {
   return mat3(0, r.z, -r.y, -r.z, 0, r.x, r.y, -r.x, 0);  // column by column
 }
 
-/// True when every entry is an ordinary number: neither infinite nor NaN.
+/// True if every entry is neither infinite nor NaN.
 inline bool finite(real a) { return std::isfinite(a); }
 /// All three entries.
 inline bool finite(const vec3& a) { return finite(a.x) && finite(a.y) && finite(a.z); }
@@ -49,7 +49,7 @@ inline bool finite(const quat& q) {
   return finite(q.w) && finite(q.x) && finite(q.y) && finite(q.z);
 }
 
-/// Refuses bad input. Everything in the engine and the joints that throws goes through here.
+/// Refuses bad input. Every std::invalid_argument of the engine and the joints is thrown here.
 /// \param what one sentence that names the argument and says what it should be
 /// \throws std::invalid_argument always
 [[noreturn]] void refuse(const std::string& what);

@@ -7,23 +7,23 @@
 /// @{
 namespace joints {
 
-/// Sequential Impulses, projected Gauss-Seidel on the impulses: iterations over all blocks, each
-/// solved exactly while the others wait.
+/// Sequential Impulses, projected block Gauss-Seidel on the impulses: each iteration solves every
+/// block exactly at the present velocities, in the order of the list.
 /// Source: Catto, "Fast and Simple Physics using Sequential Impulses", GDC 2006.
 class SequentialImpulses : public IterativeSolver {
  public:
-  bool row_by_row = false;  ///< solve every row as a block of its own (chapter 2)
+  bool row_by_row = false;  ///< solve each row as a block of its own (chapter 2)
 
   void solve(Bodies& bodies) override;
 
-  // The pieces of a solve, for those who measure between the iterations or choose another order.
+  // Pieces of solve(), to measure between iterations or to choose another order.
 
   /// One iteration over all prepared blocks.
   void iterate(Bodies& bodies);
-  /// Only those with numbers from `from` up to `to`; with row_by_row each row has a number.
+  /// One iteration over the prepared blocks [from, to); with row_by_row each row is one.
   /// \throws std::invalid_argument unless there are so many
   void iterate(Bodies& bodies, int from, int to);
-  /// How many there are: the blocks of the step, or their rows with row_by_row.
+  /// The number of prepared blocks: the blocks of the step, or their rows with row_by_row.
   int prepared_count() const { return int(prepared_.blocks.size()); }
 
  private:

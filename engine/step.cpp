@@ -1,4 +1,4 @@
-// Algorithm 1 of the thesis: forces, constraints, velocities, places.
+// Algorithm 1 of the thesis: forces, blocks, impulses, poses.
 #include "engine/step.h"
 
 #include "engine/projection.h"
@@ -7,7 +7,7 @@ namespace joints {
 
 namespace {
 
-// Constraint softness, for the blocks from number `first` on that hold a position.
+// Constraint softness for the blocks from number `first` on that hold a position.
 void soften(Blocks& blocks, int first, const Stepping& how) {
   if (how.frequency == 0) return;
   for (std::size_t k = std::size_t(first); k < blocks.list.size(); ++k)
@@ -26,7 +26,7 @@ void step(World& world, Solver& solver, real h, const Stepping& how) {
     const real part = h / real(how.substeps);
     begin_step(world, solver, part, how);
     solver.solve(world.bodies);
-    for (;;) {  // limits found late: the velocities found now would pass them within this step
+    for (;;) {  // late limits: the new velocities would pass them within this step
       const int known = int(world.blocks.list.size());
       for (const auto& joint : world.joints())
         if (joint->can_move()) joint->late_limits(world.bodies, part, world.blocks);
@@ -54,7 +54,8 @@ void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
   world.last_h = h;
 
   world.blocks.clear();
-  world.blocks.reserve(world.most_rows() + world.most_rows_of_one());  // the latter: projection
+  // Projection appends the blocks of one joint at a time to those of the step.
+  world.blocks.reserve(world.most_rows() + world.most_rows_of_one());
   for (const auto& joint : world.joints()) joint->begin_step(bodies, h);
   for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
   soften(world.blocks, 0, how);

@@ -1,4 +1,4 @@
-// The step: how a world moves on in time. Algorithm 1 of the thesis, on one screen in step.cpp.
+// The step: advances a world by h. Algorithm 1 of the thesis, on one screen in step.cpp.
 #pragma once
 
 #include "engine/solver.h"
@@ -8,31 +8,31 @@
 /// @{
 namespace joints {
 
-/// How a step advances. An aggregate: name only what you need, as in
+/// Settings of a step. An aggregate: name only what you need, as in
 /// `step(world, solver, h, {.warm_start = true})`.
 struct Stepping {
   bool warm_start = false;  ///< begin with the impulses of the last step
-  int substeps = 1;         ///< the step as so many shorter ones (chapter 6)
-  int projections = 0;      ///< iterations of position projection after each of them (chapter 6)
-  bool half_kick = false;   ///< take half a step of gravity off before the first step (Eq. 7-9)
-  /// Constraint softness: every row that holds a position is a spring of this natural frequency
-  /// [Hz] instead of feeding beta back (Catto 2011); 0: each block keeps its own row target.
+  int substeps = 1;         ///< solve the step as this many substeps of equal length (chapter 6)
+  int projections = 0;      ///< iterations of position projection after each substep (chapter 6)
+  bool half_kick = false;   ///< before the first step v -= g h/2, the leapfrog start (Eq. 7-9)
+  /// Constraint softness: natural frequency [Hz] of the spring that takes the place of beta in each
+  /// block that holds a position and is not soft already (Catto 2011); 0 leaves all blocks alone.
   real frequency = 0;
-  real damping = 1;         ///< ratio of these springs' damping to the critical one [1]
+  real damping = 1;         ///< damping ratio of these springs [1]; 1 is critical
 };
 
-/// Moves the world on by one step of semi-implicit Euler: forces change the velocities, the solver
+/// Advances the world by one step of semi-implicit Euler: forces change the velocities, the solver
 /// finds the impulses of all joints, and the new velocities move the bodies. Allocates only when
-/// the world has grown since the last step.
+/// the world has grown since the last step, or the solver has to regroup its blocks.
 /// \param h step [s] \throws std::invalid_argument unless h is positive and finite and the settings
-/// of solver and step make sense; the world has not moved then
+/// of solver and step are valid; the world has not moved then
 void step(World& world, Solver& solver, real h, const Stepping& how = {});
 
-// The two ends of a step, for those who look between the iterations (chapter 2, tests).
+// The two ends of a step, to measure between the iterations. They ignore Stepping::substeps.
 
-/// Forces, the joints' blocks, their preparation and the warm start.
+/// Integrates the forces, collects the joints' blocks, prepares them and starts warm or cold.
 void begin_step(World& world, Solver& solver, real h, const Stepping& how = {});
-/// The poses from the velocities, and position projection.
+/// Integrates the poses and projects the positions.
 void end_step(World& world, real h, const Stepping& how = {});
 
 }  // namespace joints

@@ -1,4 +1,4 @@
-// What stands in an exercise that has not been written yet.
+// todo(): the placeholder of an exercise that has not been written yet.
 #pragma once
 
 #include <stdexcept>

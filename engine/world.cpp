@@ -1,4 +1,4 @@
-// Adding and removing.
+// Adds and removes joints and bodies.
 #include "engine/world.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The world: bodies, joints, gravity, and the blocks of its last step. It knows no kind of joint
-// and no solver.
+// The world: bodies, joints, gravity, and the blocks of its last step. It depends on no particular
+// joint and on no solver.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 #include "engine/joint.h"
 
 /// \defgroup world World and step
-/// \brief What a simulation consists of, and the solver that moves it on.
+/// \brief What a simulation consists of, the step that advances it, and the solvers.
 /// @{
 namespace joints {
 
@@ -19,16 +19,16 @@ class World {
  public:
   Bodies bodies;                    ///< all of them, in one array
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
-  Blocks blocks;                    ///< those of the last step, for looking at
+  Blocks blocks;                    ///< the blocks of the last step
   real last_h = 0;                  ///< length of the last step [s]; 0 before the first
 
-  /// Adds a body. \throws std::invalid_argument for a body that is not finite
+  /// Adds a body. \throws std::invalid_argument as Bodies::add()
   BodyId add(const Body& body) { return bodies.add(body); }
   /// Removes a body and every joint that holds it.
   void remove(BodyId body);
 
-  /// Makes a joint of kind J from its constructor's arguments, for example
-  /// `world.add<BallJoint>(world.bodies, a, b, anchor)`, and keeps it.
+  /// Constructs a joint of type J from these arguments and adds it, as in
+  /// `world.add<HingeJoint>(world.bodies, a, b, anchor, axis)`.
   /// \return the joint, valid until it or one of its bodies is removed
   template <class J, class... Arguments>
   J& add(Arguments&&... arguments) {
@@ -40,11 +40,11 @@ class World {
   /// Removes one joint. \throws std::invalid_argument if this world does not have it
   void remove(const Joint& joint);
 
-  /// The joints in the order in which they were added, which is the order of their rows.
+  /// The joints in the order in which they were added, which is the order of their blocks.
   const std::vector<std::unique_ptr<Joint>>& joints() const { return joints_; }
   /// The most rows that all joints can have together.
   int most_rows() const { return most_rows_; }
-  /// The most rows that any joint could have that was ever added.
+  /// The most rows that one joint can have, of all that were ever added.
   int most_rows_of_one() const { return most_rows_of_one_; }
 
  private:

@@ -31,7 +31,7 @@ real row_impulse(const Row& J, real K, real bias, const Body& body1, const Body&
 
 void apply_impulse(const Row& J, real lambda, Body& body1, Body& body2) {
   // begin [exercise 1.3]
-  // Change the four velocities v and w of both bodies by M^-1 J^T lambda, Eq. 1-6.
+  // Change v and w of both bodies by M^-1 J^T lambda, Eq. 1-6.
   // inverse_inertia(body) gives the world inverse inertia as a mat3.
   todo("1.3");
   // end [exercise 1.3]
@@ -65,12 +65,12 @@ void step(std::vector<Body>& bodies, const std::vector<Link>& links,
   // end [exercise 1.4]
 }
 
-// ---- a rope: the sum of its impulses must not push ---------------------------------------------
+// ---- a rope: its accumulated impulse must not push ---------------------------------------------
 
 real clamp_sum(real dlambda, real& sum) {
   // begin [exercise 1.5]
-  // Let the sum grow by dlambda, but never below 0; store it in `sum` and return by how much it
-  // really grew (Eq. 1-12).
+  // Add dlambda to the accumulated impulse, but keep it at least 0; store it in `sum` and return
+  // its change (Eq. 1-12).
   todo("1.5");
   // end [exercise 1.5]
 }
@@ -80,7 +80,7 @@ real clamp_sum(real dlambda, real& sum) {
 Row Distance::jacobian(const Body& body1, const Body& body2) const {
   // begin [exercise 1.6]
   // Return the row J of Eq. 1-15. The levers r1, r2 and the points p1, p2 are in world space:
-  // to_world(body1, anchor1_local) turns a lever, world_point adds the centre.
+  // to_world(body1, anchor1_local) rotates a lever, world_point adds the centre.
   todo("1.6");
   // end [exercise 1.6]
 }

@@ -12,7 +12,7 @@
 /// @{
 namespace joints {
 
-/// The unit vector along u, or the zero vector where u has no direction: such a row does nothing.
+/// The unit vector along u, or the zero vector if u is zero: a row made of it does nothing.
 inline vec3 direction(const vec3& u) {
   const real size = length(u);
   return size > 0 ? u / size : vec3(0);
@@ -58,21 +58,20 @@ struct Distance {
   real K(const Body& body1, const Body& body2) const;        ///< exercise 1.6 [1/kg]
 };
 
-/// A rope: a rod that cannot push. C >= 0 is the slack, so it is the rod with its sign turned.
+/// A rope: a rod that cannot push. C >= 0 is the slack: the negative of the rod's C.
 ///
-/// C = length - |u| [m]; J is the rod's with its sign turned, K the rod's; bias C/h while there is
-/// slack, beta C/h otherwise (Eq. 1-11; set_up does it); the sum of its impulses over the
-/// iterations of a step must not become negative (exercise 1.5). Removes one degree of freedom
-/// while taut.
+/// C = length - |u| [m]; J is minus the rod's, K the rod's; bias C/h while there is slack, beta C/h
+/// otherwise (Eq. 1-11; set_up does it); its accumulated impulse must not become negative
+/// (exercise 1.5). Removes one degree of freedom while taut.
 template <class Rod>
 struct Rope {
   Rod rod;  ///< the rod that it is when taut
 
   static constexpr int rows = 1;           ///< at most, while it is taut
   static constexpr bool one_sided = true;  ///< it only pulls
-  /// C, the slack [m]: negative when the rope is too long.
+  /// C, the slack [m]: negative when the rope is overstretched.
   real error(const Body& body1, const Body& body2) const { return -rod.error(body1, body2); }
-  /// The rod's row with its sign turned.
+  /// Minus the rod's row.
   Row jacobian(const Body& body1, const Body& body2) const {
     const Row J = rod.jacobian(body1, body2);
     return {-J.v1, -J.w1, -J.v2, -J.w2};
@@ -83,35 +82,35 @@ struct Rope {
 
 /// Exercise 1.3, first half: the impulse that makes the row true.
 /// \param J the row \param K its J M^-1 J^T [1/kg], not negative
-/// \param bias what must be added to J V to make zero [m/s]
+/// \param bias minus the wanted J V [m/s]
 /// \return lambda [N s] such that J V + bias = 0 after apply_impulse; 0 where K is 0
 real row_impulse(const Row& J, real K, real bias, const Body& body1, const Body& body2);
 
 /// Exercise 1.3, second half: V += M^-1 J^T lambda. \param lambda [N s]
 void apply_impulse(const Row& J, real lambda, Body& body1, Body& body2);
 
-/// Exercise 1.5: how much of `dlambda` a rope may really apply.
-/// \param dlambda what the row asks for in this iteration [N s]
-/// \param sum what the rope has applied in this step so far [N s], brought up to date here
-/// \return the part of dlambda that keeps the sum from becoming negative [N s]
+/// Exercise 1.5: how much of `dlambda` a rope may apply.
+/// \param dlambda the impulse that would make its row true in this iteration [N s]
+/// \param sum the accumulated impulse of the rope in this step [N s], updated here
+/// \return the change of the accumulated impulse, which must not become negative [N s]
 real clamp_sum(real dlambda, real& sum);
 
 /// A rod or a rope between the centres of two bodies of an array.
 struct Link {
-  int body1 = 0, body2 = 1;  ///< places in the array
+  int body1 = 0, body2 = 1;  ///< indices into the array
   real length = 1;           ///< [m]
   bool rope = false;         ///< only pulls
 };
 
-/// What stays the same of a link while the iterations go on.
+/// The row of a link in one step.
 struct LinkRow {
   Row J;          ///< the row
   real K = 0;     ///< J M^-1 J^T [1/kg]
-  real bias = 0;  ///< error fed back [m/s]
-  real sum = 0;   ///< impulse so far in this step [N s]
+  real bias = 0;  ///< minus the wanted J V [m/s]
+  real sum = 0;   ///< accumulated impulse [N s]
 };
 
-/// What step() is told.
+/// Settings of step().
 struct StepSettings {
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
   real h = real(1) / 60;            ///< length of a step [s]
@@ -119,11 +118,11 @@ struct StepSettings {
   real beta = real(0.2);            ///< share of the error fed back in a step [1] (chapter 6)
 };
 
-/// Given: the row of a link at the bodies' present places.
+/// Given: the row of a link at the bodies' present positions.
 LinkRow set_up(const Link& link, const std::vector<Body>& bodies, const StepSettings& settings);
 
 /// Exercise 1.4: one step of the whole simulation, Algorithm 1 of the thesis.
-/// Forces, rows, iterations, places. Orientations are left alone: nothing here turns a body.
+/// Forces, rows, iterations, positions. Orientations do not change: nothing here rotates a body.
 void step(std::vector<Body>& bodies, const std::vector<Link>& links,
           const StepSettings& settings);
 

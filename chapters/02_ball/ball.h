@@ -6,7 +6,7 @@
 #include "engine/todo.h"
 
 /// \defgroup chapter2 Chapter 2: ball
-/// \brief Three rows solved together, and how a body turns.
+/// \brief Three rows solved together, and the rotation of a body in a step.
 /// @{
 namespace joints {
 
@@ -14,14 +14,14 @@ namespace joints {
 ///
 /// u = p2 - p1 = x2 + r2 - x1 - r1, C = u [m]; J = (-E, skew(r1), E, -skew(r2)), exact at every
 /// pose; K = (1/m1 + 1/m2) E + skew(r1) I1^-1 skew(r1)^T + skew(r2) I2^-1 skew(r2)^T [1/kg].
-/// Never singular while one body can move. Source: thesis, section 3.7.2.
+/// K is never singular while one body can move. Source: thesis, section 3.7.2.
 struct Point {
   vec3 anchor1_local{0};  ///< the point on body 1 [m], from its centre, body space
   vec3 anchor2_local{0};  ///< the point on body 2 [m], from its centre, body space
 
   static constexpr int rows = 3;            ///< degrees of freedom that it removes
-  static constexpr bool one_sided = false;  ///< it holds in every direction, both ways
-  /// C, the gap [m, world]: from the point on body 1 to the point on body 2.
+  static constexpr bool one_sided = false;  ///< it pushes and it pulls
+  /// C, the gap [m, world]: the vector from the point on body 1 to the point on body 2.
   vec3 error(const Body& body1, const Body& body2) const {
     return world_point(body2, anchor2_local) - world_point(body1, anchor1_local);  // Eq. 2-1
   }
@@ -29,14 +29,14 @@ struct Point {
   mat3 K(const Body& body1, const Body& body2) const;                ///< exercise 2.2 [1/kg]
 };
 
-/// The part that holds two bodies together at a point of the world, as they stand now.
+/// The part that holds two bodies together at a point of the world [m], at their present poses.
 inline Point point_at(const Body& body1, const Body& body2, const vec3& anchor) {
   return {to_local(body1, anchor - body1.x), to_local(body2, anchor - body2.x)};
 }
 
 /// Exercise 2.3, first half: the impulse that makes three rows true at once.
 /// \param K J M^-1 J^T of the block [1/kg], not singular
-/// \param bias what must be added to J V to make zero [m/s]
+/// \param bias minus the wanted J V [m/s]
 /// \return lambda [N s] such that J V + bias = 0 after apply_impulse
 vec3 block_impulse(const Jacobian<3>& J, const mat3& K, const vec3& bias, const Body& body1,
                    const Body& body2);

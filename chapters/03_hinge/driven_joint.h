@@ -21,7 +21,7 @@ struct Limit {
 
   static constexpr int rows = 1;           ///< one
   static constexpr bool one_sided = true;  ///< it only pushes C up
-  /// What is left to the limit [rad or m].
+  /// C, the gap to the limit [rad or m]; negative beyond it.
   real error(const Body& body1, const Body& body2) const {
     return sign * (coordinate.error(body1, body2) - bound);
   }
@@ -32,35 +32,35 @@ struct Limit {
   }
 };
 
-/// From now on the coordinate is counted to within half a turn of `expected`. Most have no turns.
+/// Tells an angle to count its turns to within half a turn of `expected`. A length has no turns.
 template <class Coordinate>
 void count_from(Coordinate&, [[maybe_unused]] real expected) {}
 
-/// Skips the measuring of a coordinate while its limits are out of reach. In general it skips
-/// nothing: the coordinate is measured in every step.
+/// Says when a step need not measure the coordinate, because its limits are out of reach. This
+/// general one never skips; hinge_joint.h has the one that skips the hinge's atan2.
 template <class Coordinate>
 struct Leeway {
-  /// The coordinate was measured just now. \param slack to the nearer limit [rad or m]
+  /// Called after each measurement. \param slack to the nearer limit [rad or m]
   void measured(const Coordinate&, const Body&, const Body&, [[maybe_unused]] real slack) {}
-  void forget() {}  ///< measure next time in any case
-  /// The bodies' poses are still near those at which it was measured.
+  void forget() {}  ///< the next step measures in any case
+  /// True if the rotation since the measurement cannot have used up half of the slack.
   bool still_near(const Coordinate&, const Body&, const Body&) const { return false; }
-  /// This step cannot use up the slack. \param h step [s]
+  /// True if this step at the present velocities cannot use up half of the slack. \param h step [s]
   bool is_slow(const Body&, const Body&, [[maybe_unused]] real h) const { return false; }
 };
 
 /// Two rigid parts, and the part whose error is the coordinate that they leave free.
-/// Its blocks in order: motor, limit, rigid rows, so that the rigid rows have the last word. As a
-/// `whole` joint the rigid rows are one block, and the limit is that block's last row.
+/// The order of its blocks is motor, limit, rigid rows: what is solved last is most nearly true.
+/// With `whole` the rigid rows are one block, and the limit is that block's last row.
 template <class First, class Second, class Coordinate>
 class DrivenJoint : public Joint {
  public:
   First first;            ///< a rigid part
   Second second;          ///< the other rigid part
-  Coordinate coordinate;  ///< the angle [rad] or way [m] that stays free
+  Coordinate coordinate;  ///< the angle [rad] or displacement [m] that stays free
   bool whole = true;      ///< one block for all rigid rows and the limit, not one for each part
 
-  /// Bounds for the coordinate, of any width; equal ones hold it where it is.
+  /// Limits of the coordinate [rad or m]; equal ones hold it there.
   /// \throws std::invalid_argument unless lower <= upper
   void set_limits(real lower, real upper) {
     require(lower <= upper && lower < unbounded && upper > -unbounded,
@@ -68,7 +68,7 @@ class DrivenJoint : public Joint {
     range_ = {lower, upper};
     leeway_.forget();
   }
-  /// Free again.
+  /// Removes both limits.
   void clear_limits() { range_ = {}, leeway_.forget(); }
   /// Runs the motor. \param speed [rad/s or m/s] \param strength [N m or N], 0 to switch it off
   /// \throws std::invalid_argument unless the speed is finite and the strength not negative
@@ -78,8 +78,8 @@ class DrivenJoint : public Joint {
     motor_ = {speed, strength};
     leeway_.forget();
   }
-  const Range& limits() const { return range_; }  ///< the bounds of the coordinate
-  const Motor& motor() const { return motor_; }   ///< what the motor is set to
+  const Range& limits() const { return range_; }  ///< the limits of the coordinate
+  const Motor& motor() const { return motor_; }   ///< the motor's settings
 
   /// The coordinate [rad or m]. Turns are counted while the joint has a limit or a running motor.
   real position(const Bodies& bodies) const {
@@ -92,26 +92,26 @@ class DrivenJoint : public Joint {
     const Body &a = bodies[body1], &b = bodies[body2];
     return row_velocity(coordinate.jacobian(a, b), a, b);
   }
-  real motor_force() const { return in_step(impulse_[motor_place]); }  ///< last step [N m or N]
-  /// What the limits gave in the last step [N m or N]; positive pushes the coordinate up.
+  real motor_force() const { return mean_force(impulse_[motor_place]); }  ///< last step [N m or N]
+  /// The limits' force in the last step [N m or N]; positive pushes the coordinate up.
   real limit_force() const {
-    return in_step(limit_.sign * impulse_[limit_place] + late_.sign * impulse_[late_place]);
+    return mean_force(limit_.sign * impulse_[limit_place] + late_.sign * impulse_[late_place]);
   }
   /// The forces of the rigid rows in the last step [N or N m], first part, then second.
   Vector<First::rows + Second::rows> forces() const {
     Vector<First::rows + Second::rows> out;
-    for (int i = 0; i < limit_place; ++i) out[i] = in_step(impulse_[i]);
+    for (int i = 0; i < limit_place; ++i) out[i] = mean_force(impulse_[i]);
     return out;
   }
 
   /// Counts turns, and chooses the limit that has a row in this step.
   void choose_rows(const Bodies& bodies, real h) override;
   void drop_rows() override { limit_ = late_ = {}; }
-  /// Keeps the count of turns up to date while projection turns the bodies.
+  /// Measures again, so that no turn is lost, if projection has moved the bodies too far.
   void moved(const Bodies& bodies) override;
-  /// Motor, limit, rigid rows: those that are live.
+  /// Appends motor, limit and rigid rows, as far as they are live.
   void append(const Bodies& bodies, Blocks& blocks) const override;
-  /// Adds a limit that a neighbour has driven the joint past.
+  /// Appends a limit that the new velocities would pass within this step.
   void late_limits(const Bodies& bodies, real h, Blocks& blocks) override;
   int most_rows() const override { return places; }  ///< rigid rows, limit, motor, late limit
   /// A limit if there are bounds, a motor if it has strength.
@@ -125,12 +125,12 @@ class DrivenJoint : public Joint {
       : Joint(body1, body2), first(first), second(second), coordinate(coordinate) {}
 
  private:
-  // Places of the impulses: rigid rows, the limit right behind them, motor, late limit.
+  // Indices of the impulses: rigid rows, the limit right behind them, motor, late limit.
   static constexpr int limit_place = First::rows + Second::rows;
   static constexpr int motor_place = limit_place + 1, late_place = limit_place + 2;
   static constexpr int places = limit_place + 3;
 
-  // Limit or motor: the coordinate, with its turns, has to be known.
+  // With a limit or a motor the coordinate and its turns are measured.
   bool counted() const { return limited() || motor_.strength > 0; }
   void measure(const Bodies& bodies) {
     count_from(coordinate, next_);
@@ -143,15 +143,14 @@ class DrivenJoint : public Joint {
   Limit<Coordinate> limit_part(real sign) const {
     return {coordinate, sign > 0 ? range_.lower : range_.upper, sign};
   }
-  RowTarget limit_demand() const { return {.beta = beta, .lower = held() ? -unbounded : real(0)}; }
+  RowTarget limit_target() const { return {.beta = beta, .lower = held() ? -unbounded : real(0)}; }
 
   Range range_;
   Motor motor_;
-  LimitRow limit_,
-      late_;  // the limit that has a row in this step; one found late
-  real x_ = 0, next_ = 0;  // the coordinate when it was measured, and where it was going
-  bool measured_ = false;    // in this step
-  Leeway<Coordinate> leeway_;  // says when it need not be
+  LimitRow limit_, late_;  // the limit that has a row in this step; one found late
+  real x_ = 0, next_ = 0;  // the coordinate when measured; its expected value after the step
+  bool measured_ = false;  // x_ was measured in this step
+  Leeway<Coordinate> leeway_;
   mutable Vector<places> impulse_{};  // written by the solver through the blocks
 };
 
@@ -193,18 +192,18 @@ void DrivenJoint<First, Second, Coordinate>::append(const Bodies& bodies, Blocks
   const Limit<Coordinate> limit = limit_part(limit_.sign);
   const Composite<First, Second> rigid{first, second};
   if (!whole) {
-    if (limit_.live) add(limit, limit_demand(), limit_place);
+    if (limit_.live) add(limit, limit_target(), limit_place);
     add(first, {.beta = beta}, 0);
     add(second, {.beta = beta}, First::rows);
   } else if (limit_.live) {
-    add(Composite<Composite<First, Second>, Limit<Coordinate>>{rigid, limit}, limit_demand(), 0);
+    add(Composite<Composite<First, Second>, Limit<Coordinate>>{rigid, limit}, limit_target(), 0);
   } else {
     add(rigid, {.beta = beta}, 0);
   }
-  if (late_.live) add(limit_part(late_.sign), limit_demand(), late_place);
+  if (late_.live) add(limit_part(late_.sign), limit_target(), late_place);
 }
 
-// A neighbour may have driven the joint past a limit that looked far enough away.
+// A neighbour's impulse may drive the joint past a limit that had no row at the step's beginning.
 template <class First, class Second, class Coordinate>
 void DrivenJoint<First, Second, Coordinate>::late_limits(const Bodies& bodies, real h,
                                                          Blocks& blocks) {
@@ -219,7 +218,7 @@ void DrivenJoint<First, Second, Coordinate>::late_limits(const Bodies& bodies, r
     const real C = sign * (x_ - limit_part(sign).bound);
     if (C + h * sign * rate >= 0 || (limit_.live && limit_.sign == sign)) continue;
     late_ = {C, sign, true};
-    blocks.append(bodies, body1, body2, limit_part(sign), limit_demand(), &impulse_[late_place]);
+    blocks.append(bodies, body1, body2, limit_part(sign), limit_target(), &impulse_[late_place]);
     return;
   }
 }

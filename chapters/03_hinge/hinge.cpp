@@ -13,7 +13,7 @@ Vector<2> Axis::error(const Body& body1, const Body& body2) const {
   if (far_off(body1, body2)) return far_error(body1, body2);
   // begin [exercise 3.1]
   // Return the two numbers C of Eq. 3-2, as in `return {first, second};`. to_world(body, local)
-  // turns a direction into the world.
+  // rotates a direction into world space.
   todo("3.1");
   // end [exercise 3.1]
 }
@@ -46,12 +46,12 @@ Vector<2> Axis::far_error(const Body& body1, const Body& body2) const {
   const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local), a2 = cross(b, c);
   const vec3 across = cross(a1, a2);
   const real sine = length(across);
-  const vec3 about = sine > 0 ? across / sine : b;  // opposite axes: any way round is as short
+  const vec3 about = sine > 0 ? across / sine : b;  // opposite axes: any axis across is as short
   const vec3 phi = std::atan2(sine, dot(a1, a2)) * about;
   return {-dot(phi, c), dot(phi, b)};  // Eq. 3-7
 }
 
-// A direction of any length, as long as 1: scaled first, because squares overflow.
+// The unit vector along an axis of any length. Scaled first, because squares may overflow.
 static vec3 unit(const vec3& axis) {
   const real size = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
   require(finite(axis) && size > 0, "axis: must be finite and not zero");
@@ -59,20 +59,20 @@ static vec3 unit(const vec3& axis) {
 }
 
 Axis axis_along(const Body& body1, const Body& body2, const vec3& axis) {
-  const vec3 way = unit(axis);
-  const vec3 a = normalize(to_local(body2, way));
+  const vec3 world = unit(axis);
+  const vec3 a = normalize(to_local(body2, world));
   const int least = std::abs(a.x) <= std::abs(a.y) ? (std::abs(a.x) <= std::abs(a.z) ? 0 : 2)
                                                    : (std::abs(a.y) <= std::abs(a.z) ? 1 : 2);
   vec3 other(0);
   other[least] = 1;
   const vec3 b = normalize(cross(a, other));
-  return {normalize(to_local(body1, way)), b, cross(a, b)};
+  return {normalize(to_local(body1, world)), b, cross(a, b)};
 }
 
 real coupling(const Row& a, const Row& b, const Body& body1, const Body& body2) {
   // begin [exercise 3.2]
-  // Return a M^-1 b^T, Eq. 3-8: M^-1 divides the linear blocks by the mass of their body and turns
-  // the angular ones with its inverse inertia. inverse_inertia(body) is the one in world axes.
+  // Return a M^-1 b^T, Eq. 3-8: M^-1 divides the linear vectors by the mass of their body and
+  // multiplies the angular ones by its inverse inertia; inverse_inertia(body) is in world axes.
   todo("3.2");
   // end [exercise 3.2]
 }
@@ -116,7 +116,7 @@ HingeAngle angle_about(const Body& body1, const Body& body2, const vec3& axis) {
 
 LimitRow limit_row(const Range& range, real x, real rate, real h) {
   // begin [exercise 3.4]
-  // Return {C, sign, live} of the limit that has less room at the end of this step, Eq. 3-13:
+  // Return {C, sign, live} of the limit with the smaller gap at the end of this step, Eq. 3-13:
   // C = x - lower grows with x (sign +1), C = upper - x shrinks with it (sign -1). It is live if
   // C < h |rate| + 0.1 h, Eq. 3-14.
   todo("3.4");
@@ -125,9 +125,8 @@ LimitRow limit_row(const Range& range, real x, real rate, real h) {
 
 real motor_impulse(real rate, real K, const Motor& motor, real h, real& sum) {
   // begin [exercise 3.5]
-  // The impulse that would reach motor.speed at once is Eq. 3-15. The sum over all the iterations
-  // of a step may not leave +-h motor.strength, Eq. 3-16. Store the new sum, return how much it
-  // changed.
+  // The impulse that would reach motor.speed at once is Eq. 3-15. The accumulated impulse must stay
+  // within +-h motor.strength, Eq. 3-16. Store it in `sum`, return its change.
   todo("3.5");
   // end [exercise 3.5]
 }

@@ -16,34 +16,35 @@ namespace joints {
 ///
 /// a1 = R1 a1_local; b, c = R2 b_local, R2 c_local, both at right angles to body 2's axis
 /// a2 = b x c. C = (a1.b, a1.c) [1]; J = (0, -(b x a1)^T, 0, (b x a1)^T) and the same with c,
-/// exact because b and c ride on body 2; K = B (I1^-1 + I2^-1) B^T with B = (b x a1, c x a1)
+/// exact because b and c are fixed in body 2; K = B (I1^-1 + I2^-1) B^T with B = (b x a1, c x a1)
 /// [1/(kg m^2)]. At 90 degrees K is singular and at 180 degrees C is zero again: beyond 60 degrees
-/// the part takes the vector of the shortest turn from a1 to a2 instead [rad], whose J is exact
-/// only near alignment. Source: thesis, section 3.7.3; the turn vector is ours.
+/// the part takes the vector of the shortest rotation from a1 to a2 instead [rad], whose J is exact
+/// only near alignment. Source: thesis, section 3.7.3; the rotation vector is ours.
+/// Not the `Axis` of other engines, where it is often a translation axis.
 struct Axis {
   vec3 a1_local{1, 0, 0};  ///< the axis, unit, body space of body 1
   vec3 b_local{0, 1, 0};   ///< unit, at right angles to body 2's axis, body space of body 2
   vec3 c_local{0, 0, 1};   ///< unit, at right angles to the axis and to b
 
   static constexpr int rows = 2;            ///< degrees of freedom that it removes
-  static constexpr bool one_sided = false;  ///< it holds both ways
+  static constexpr bool one_sided = false;  ///< both signs of impulse are allowed
   Vector<2> error(const Body& body1, const Body& body2) const;       ///< exercise 3.1 [1]
   Jacobian<2> jacobian(const Body& body1, const Body& body2) const;  ///< exercise 3.1
   /// K = B (I1^-1 + I2^-1) B^T, Eq. 3-6 [1/(kg m^2)].
   Matrix<2> K(const Body& body1, const Body& body2) const;
 
-  /// More than 60 degrees between the axes: the turn vector takes over.
+  /// True if the axes are more than 60 degrees apart: far_error() is used then.
   bool far_off(const Body& body1, const Body& body2) const;
-  /// C from the vector of the shortest turn from a1 to a2 [rad]: no false zero at 180 degrees.
+  /// C from the vector of the shortest rotation from a1 to a2 [rad]: no false zero at 180 degrees.
   Vector<2> far_error(const Body& body1, const Body& body2) const;
 };
 
-/// The part that keeps a world direction of both bodies together, as they stand now.
+/// The part that keeps this world direction of both bodies aligned, from their present poses.
 /// \throws std::invalid_argument unless the axis is finite and not zero
 Axis axis_along(const Body& body1, const Body& body2, const vec3& axis);
 
-/// Exercise 3.2: one entry of K = J M^-1 J^T, how much rate an impulse of 1 along one row gives to
-/// another row. \return a M^-1 b^T
+/// Exercise 3.2: one entry of K = J M^-1 J^T: the rate of row a by an impulse of 1 along row b.
+/// \return a M^-1 b^T [1/kg, 1/(kg m) or 1/(kg m^2), by the rows' units]
 real coupling(const Row& a, const Row& b, const Body& body1, const Body& body2);
 
 /// K = J M^-1 J^T of any rows, entry by entry with coupling().
@@ -57,18 +58,19 @@ Matrix<N> K_of(const Jacobian<N>& J, const Body& body1, const Body& body2) {
 
 // ---- the angle ------------------------------------------------------------------------------
 
-/// Exercise 3.3, second half: of all the angles that look like `measured` (a whole number of turns
-/// apart) the one nearest to `expected`. \param measured [rad] \param expected [rad]
+/// Exercise 3.3, second half: of all angles that differ from `measured` by whole turns, the one
+/// nearest to `expected`. \param measured [rad] \param expected [rad]
 real unwrapped(real measured, real expected);
 
-/// How far body 2 has turned about the hinge's axis since the start, in body 1's view: the one row
-/// that limit and motor share. Positive by the right hand about the axis.
+/// The angle of body 2 about the hinge's axis relative to body 1, counted from `start`: the one row
+/// that limit and motor share. Positive by the right-hand rule about the axis.
 ///
-/// q_d = q1^-1 q2 start^-1 = (s, v), with its sign turned where s < 0; p = v.a1_local;
+/// q_d = q1^-1 q2 start^-1 = (s, v), negated if s < 0; p = v.a1_local;
 /// C = 2 atan2(p, s), counted over whole turns to within half a turn of `expected` [rad];
 /// J = (0, -g, 0, g), g = (a1 + a2)/(1 + a1.a2), exact at every misalignment below 180 degrees
 /// (close to that g is a1); K = g.(I1^-1 + I2^-1) g [1/(kg m^2)].
-/// Source: thesis, section 3.7.3, corrected: the twist of the relative turn, in body 1's frame.
+/// Source: thesis, section 3.7.3, corrected: the twist of the relative rotation (swing-twist
+/// decomposition), in body 1's frame.
 struct HingeAngle {
   vec3 a1_local{1, 0, 0};   ///< the axis, unit, body space of body 1
   quat start{1, 0, 0, 0};   ///< q1^-1 q2 where the angle is zero
@@ -85,40 +87,41 @@ struct HingeAngle {
   real K(const Body& body1, const Body& body2) const;        ///< Eq. 3-11 [1/(kg m^2)]
 };
 
-/// The angle that is zero as the bodies stand now. \param axis world, of any length
+/// The angle that is zero at the bodies' present poses. \param axis world, of any length
 /// \throws std::invalid_argument unless the axis is finite and not zero
 HingeAngle angle_about(const Body& body1, const Body& body2, const vec3& axis);
 
-// ---- limit and motor, of an angle or of a way -----------------------------------------------
+// ---- limit and motor, of an angle or a displacement -----------------------------------------
 
-/// Where the free coordinate x of a joint may be: an angle [rad] or a way [m].
+/// The limits of the free coordinate x of a joint: an angle [rad] or a displacement [m].
 struct Range {
   real lower = -unbounded;  ///< least value
   real upper = unbounded;   ///< greatest value
 };
 
-/// The limit that matters in this step.
+/// The limit that may need a row in this step.
 struct LimitRow {
-  real C = unbounded;  ///< room left, negative beyond the limit [rad or m]
+  real C = unbounded;  ///< gap to the limit, negative beyond it [rad or m]
   real sign = 1;       ///< dC/dx: +1 at the lower limit, -1 at the upper one
-  bool live = false;   ///< does it need a row in this step?
+  bool live = false;   ///< true if it needs a row in this step
 };
 
-/// Exercise 3.4: which of the two limits will have less room at the end of this step, how much it
-/// has now, and whether it is near enough to be given a row.
-/// \param x the coordinate now [rad or m] \param rate dx/dt [1/s of it] \param h step [s]
+/// Exercise 3.4: the limit with the smaller gap at the end of this step, its gap now, and whether
+/// it is near enough to need a row.
+/// \param x the coordinate now [rad or m] \param rate dx/dt [rad/s or m/s] \param h step [s]
 LimitRow limit_row(const Range& range, real x, real rate, real h);
 
-/// A motor: it wants a speed, and is only so strong.
+/// A motor: a target speed and the force that it can use.
 struct Motor {
-  real speed = 0;     ///< wanted rate of the coordinate [rad/s or m/s]
-  real strength = 0;  ///< greatest torque or force, either way [N m or N]; 0 is off
+  real speed = 0;     ///< target rate of the coordinate [rad/s or m/s]
+  real strength = 0;  ///< greatest torque or force of either sign [N m or N]; 0 is off
 };
 
-/// Exercise 3.5: what one visit of an iteration adds to a motor's impulse.
-/// \param rate J V, the rate of the coordinate now [rad/s or m/s] \param K of its row
-/// \param sum what the iterations of this step have given so far [N m s or N s]; brought up to date
-/// \return the change of the sum
+/// Exercise 3.5: what one solve adds to a motor's impulse.
+/// \param rate J V, the rate of the coordinate now [rad/s or m/s]
+/// \param K of its row [1/(kg m^2) or 1/kg] \param h step [s]
+/// \param sum its accumulated impulse in this step [N m s or N s], updated here
+/// \return the change of the accumulated impulse
 real motor_impulse(real rate, real K, const Motor& motor, real h, real& sum);
 
 }  // namespace joints

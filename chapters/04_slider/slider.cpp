@@ -32,7 +32,7 @@ Matrix<2> Line::K(const Body& body1, const Body& body2) const {
 
 vec3 RotationLock::error(const Body& body1, const Body& body2) const {
   // begin [exercise 4.2]
-  // Return C of Eq. 4-7: twice the vector of the turn that is too much, with the sign rule.
+  // Return C of Eq. 4-7: twice the vector part of the excess rotation, with the sign rule.
   todo("4.2");
   // end [exercise 4.2]
 }
@@ -53,12 +53,12 @@ RotationLock lock_of(const Body& body1, const Body& body2) {
   return {normalize(conjugate(body1.q) * body2.q)};
 }
 
-// ---- one row: the way along the line ---------------------------------------------------------
+// ---- one row: the displacement along the line ------------------------------------------------
 
 real Slide::error(const Body& body1, const Body& body2) const {
   const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
   // begin [exercise 4.3]
-  // Return the way of Eq. 4-10.
+  // Return the displacement of Eq. 4-10.
   todo("4.3");
   // end [exercise 4.3]
 }
@@ -66,7 +66,7 @@ real Slide::error(const Body& body1, const Body& body2) const {
 Row Slide::jacobian(const Body& body1, const Body& body2) const {
   const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
   // begin [exercise 4.3]
-  // Return the row J of Eq. 4-11: how fast the way grows, for a motor and a limit alike.
+  // Return the row J of Eq. 4-11: the rate of the displacement, for a motor and a limit alike.
   todo("4.3");
   // end [exercise 4.3]
 }

@@ -6,7 +6,7 @@
 #include "engine/todo.h"
 
 /// \defgroup chapter4 Chapter 4: slider
-/// \brief Two rows that hold a line, three that hold an orientation, and the way along the line.
+/// \brief Two rows that hold a line, three that hold an orientation, and the displacement along it.
 /// @{
 namespace joints {
 
@@ -30,10 +30,10 @@ struct Line {
 
 /// Keeps the orientation of body 2 relative to body 1. Removes three degrees of freedom.
 ///
-/// q_e = q2 start^-1 q1^-1 = (s, v), with its sign turned where s < 0; C = 2 v [1], close to the
-/// vector of the turn that is too much [rad, world]; J = (0, -E, 0, E), exact where C = 0 and
-/// conserving angular momentum everywhere; K = I1^-1 + I2^-1 [1/(kg m^2)]. At a half turn |C| is
-/// largest and the way back is as long either way round: it takes one of the two.
+/// q_e = q2 start^-1 q1^-1 = (s, v), negated if s < 0; C = 2 v [1], close to the vector of the
+/// excess rotation [rad, world]; J = (0, -E, 0, E), exact where C = 0 and conserving angular
+/// momentum everywhere; K = I1^-1 + I2^-1 [1/(kg m^2)]. At half a turn |C| is largest and both
+/// directions back are equally long: it takes one of the two.
 /// Source: thesis, section 3.7.4, corrected: no differences of angles.
 struct RotationLock {
   quat start{1, 0, 0, 0};  ///< q1^-1 q2 where the error is zero
@@ -45,16 +45,16 @@ struct RotationLock {
   mat3 K(const Body& body1, const Body& body2) const;                ///< Eq. 4-9 [1/(kg m^2)]
 };
 
-/// The lock that keeps the bodies turned towards each other as they are now.
+/// The lock that keeps the present relative orientation of the bodies.
 RotationLock lock_of(const Body& body1, const Body& body2);
 
-/// How far the point of body 2 is along the line: the one row that limit and motor share.
+/// The displacement of body 2's point along the line: the one row that limit and motor share.
 ///
 /// a = R1 a1_local, u = p2 - p1; C = u.a [m]; J = (-a, -(r1 + u) x a, a, r2 x a), exact at every
 /// pose; K = J M^-1 J^T [1/kg]. Source: thesis, section 3.7.4, corrected: the motor's row has
 /// levers, too.
 struct Slide {
-  vec3 anchor1_local{0};    ///< where the way is zero [m], body space of body 1
+  vec3 anchor1_local{0};    ///< where the displacement is zero [m], body space of body 1
   vec3 anchor2_local{0};    ///< the point that slides [m], body space of body 2
   vec3 a1_local{1, 0, 0};   ///< direction of the line, unit, body space of body 1
 

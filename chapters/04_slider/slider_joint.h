@@ -8,13 +8,13 @@
 /// @{
 namespace joints {
 
-/// A slider: a line and the orientation are held (five degrees of freedom), the way along the line
-/// stays free and may have limits [m] and a motor [m/s, N].
+/// A slider: a line and the orientation are held (five degrees of freedom), the displacement along
+/// the line stays free and may have limits [m] and a motor [m/s, N].
 class SliderJoint : public DrivenJoint<Line, RotationLock, Slide> {
  public:
   /// A slider along a direction of the world, between the anchors of both bodies (the same point
-  /// of the world); the way is zero as the bodies stand now. \param anchor [m]
-  /// \param direction of any length
+  /// of the world); the displacement is zero at their present poses. \param anchor [m, world]
+  /// \param direction world, of any length
   /// \throws std::invalid_argument unless both are finite and the direction is not zero
   SliderJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& anchor,
               const vec3& direction)
@@ -25,7 +25,7 @@ class SliderJoint : public DrivenJoint<Line, RotationLock, Slide> {
               const vec3& direction)
       : DrivenJoint(id1, id2, {}, lock_of(body1, body2), {}) {
     require(finite(anchor), "anchor: must be finite [m]");
-    const Axis axis = axis_along(body2, body1, direction);  // b and c ride on body 1 here
+    const Axis axis = axis_along(body2, body1, direction);  // swapped: b and c are of body 1
     const vec3 anchor1 = to_local(body1, anchor - body1.x);
     const vec3 anchor2 = to_local(body2, anchor - body2.x);
     first = {anchor1, anchor2, axis.b_local, axis.c_local};

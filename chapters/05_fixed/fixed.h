@@ -12,23 +12,23 @@
 /// @{
 namespace joints {
 
-/// Exercise 5.1: what the three rows of a lock do to the three rows of a point, J_t M^-1 J_r^T.
+/// Exercise 5.1: the rates of a point's three rows by impulses of a lock's three, J_t M^-1 J_r^T.
 /// \return the upper right 3x3 block of a weld's K [1/(kg m)]
 mat3 cross_K(const Point& point, const Body& body1, const Body& body2);
 
-/// Holds two bodies together altogether: a point (rows 1 to 3) and a lock (rows 4 to 6) in one
-/// block. Removes six degrees of freedom.
+/// Holds two bodies rigidly together: a point (rows 1 to 3) and a lock (rows 4 to 6) in one block.
+/// Removes six degrees of freedom.
 ///
 /// C = (C of Point [m], C of RotationLock [1]); J likewise, exact where C = 0; K = J M^-1 J^T is
 /// never singular while one body can move. Source: thesis, section 3.7.5, which solves the two
-/// threes apart.
+/// parts as two blocks.
 using Weld = Composite<Point, RotationLock>;
 
 /// The same K in closed form: ((K of Point, X), (X^T, K of RotationLock)), X = cross_K, Eq. 5-3.
 Matrix<6> weld_K(const Weld& weld, const Body& body1, const Body& body2);
 
-/// Exercise 5.2, first part: what a weld carried. \param impulse of its six rows [N s, then N m s]
-/// \param h the step in which they were given [s]
+/// Exercise 5.2, first part: the mean load of a weld in a step.
+/// \param impulse accumulated impulses of its six rows [N s, then N m s] \param h that step [s]
 /// \return force on body 2, and torque on it about the anchor
 Reaction carried(const Vector<6>& impulse, real h);
 
@@ -36,13 +36,13 @@ Reaction carried(const Vector<6>& impulse, real h);
 /// \param from the point of `load.torque` [m, world] \param to the point wanted [m, world]
 Reaction about(const Reaction& load, const vec3& from, const vec3& to);
 
-/// What a weld can bear.
+/// The load at which a weld breaks.
 struct Strength {
   real force = unbounded;   ///< [N]
   real torque = unbounded;  ///< [N m], about the anchor
 };
 
-/// Exercise 5.2, third part: is this load more than it can bear?
+/// Exercise 5.2, third part: true if the force or the torque exceeds the strength.
 bool breaks(const Reaction& load, const Strength& strength);
 
 }  // namespace joints

@@ -8,13 +8,13 @@
 /// @{
 namespace joints {
 
-/// A fixed joint, or weld: nothing between the two bodies stays free.
+/// A fixed joint, or weld: no relative motion of the two bodies stays free.
 class FixedJoint : public Joint {
  public:
   Weld weld;          ///< the geometry; may be changed between steps
   bool whole = true;  ///< one block of six rows, not two of three
 
-  /// Holds two bodies as they stand now. \param anchor the point at which they are held [m, world]
+  /// Holds two bodies at their present relative pose. \param anchor the point held [m, world]
   /// \throws std::invalid_argument unless the anchor is finite
   FixedJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& anchor)
       : Joint(id1, id2), weld{point_at(bodies[id1], bodies[id2], anchor),

@@ -13,47 +13,47 @@ namespace joints {
 void hoist(const Hinge& hinge, const Body& body1, const Body& body2, real h,
            HingeNumbers<real>& out) {
   // begin [exercise 7.1]
-  // Fill in r1, r2, axis_row, I1, I2 and bias, Eq. 7-1. to_world(body, lever) turns a lever;
+  // Fill in r1, r2, axis_row, I1, I2 and bias, Eq. 7-1. to_world(body, lever) rotates a lever;
   // hinge.axis.jacobian(body1, body2)[i].w2 is an axis row; inverse_inertia(body) is a mat3;
   // triple() and symmetric() change vec3 and mat3 into what HingeNumbers holds.
   todo("7.1");
   // end [exercise 7.1]
 }
 
-// ---- one block a joint -------------------------------------------------------------------------
+// ---- one block per joint -----------------------------------------------------------------------
 
 Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inverse_mass2) {
   const std::array<Triple<real>, 2>& row = hinge.axis_row;
   Matrix<5> K;
   // begin [exercise 7.2]
   // Fill K with the three parts of Eq. 7-3: the point's 3x3, the axis' 2x2, and between them the
-  // columns -(r1 x I1 a + r2 x I2 a), which stand below the diagonal once more. hinge.I1 * row[i]
-  // is an arrow; cross() and dot() work on those.
+  // columns -(r1 x I1 a + r2 x I2 a) and their transpose. hinge.I1 * row[i] is a Triple; cross()
+  // and dot() work on those.
   todo("7.2");
   // end [exercise 7.2]
   return K;
 }
 
-// ---- who may be solved side by side ------------------------------------------------------------
+// ---- graph colouring ---------------------------------------------------------------------------
 
 std::vector<int> colours_of(const std::vector<BodyPair>& links, const std::vector<bool>& moves) {
   // begin [exercise 7.3]
-  // Keep, for each body, the colours that its joints have taken so far; taken[body][colour] is one
-  // way. Joint after joint takes the least colour that neither of its bodies has; a body that
-  // cannot move takes part in nothing.
+  // For each body keep the colours that its joints have so far, for example as taken[body][colour].
+  // Each joint in turn takes the least colour that is free at both its bodies. A body that cannot
+  // move has no colours.
   todo("7.3");
   // end [exercise 7.3]
 }
 
-// ---- the row solve, on lanes -------------------------------------------------------------------
+// ---- the solve of a block, scalar or on lanes --------------------------------------------------
 
 template <class Number>
 void solve(const HingeNumbers<Number>& hinge, Velocities<Number>& body1,
            Velocities<Number>& body2) {
   // begin [exercise 7.4]
-  // Eq. 7-6 in four steps: how far each row is from what is wanted (e = bias + J V); K^-1 e, by
-  // hinge.inverse_K_times(e, out), whose opposite is lambda; the push and the turn of it; and what
-  // they do to both bodies. Only + - * and the functions of Triple: then lanes work as well.
+  // Eq. 7-6 in four steps: the velocity errors e = bias + J V; K^-1 e by
+  // hinge.inverse_K_times(e, out), which is -lambda; the push and the couple of lambda; and the
+  // changes of the velocities. Use only + - * and the functions of Triple: lanes work then as well.
   todo("7.4");
   // end [exercise 7.4]
 }

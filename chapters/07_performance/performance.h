@@ -23,22 +23,22 @@ struct Hinge {
 };
 
 /// All that the iterations of a step read of a hinge. Number is `real` for one hinge, or a lane
-/// type for several hinges side by side: then each number below is one of every hinge.
+/// type for several hinges side by side, one per lane.
 template <class Number>
 struct HingeNumbers {
   Triple<Number> r1, r2;  ///< levers from the centres to the anchors [m], world
-  /// b x a1 and c x a1, Eq. 3-4: factor of w2, and less of w1 [1].
+  /// b x a1 and c x a1, Eq. 3-4: the factors of w2; those of w1 are their negatives [1].
   std::array<Triple<Number>, 2> axis_row;
   Symmetric<Number> I1, I2;          ///< inverse inertia [1/(kg m^2)], world
   std::array<Number, 5> bias;        ///< beta C / h: of the point [m/s], of the axis [rad/s]
-  std::array<Number, 15> inverse_K;  ///< upper half of K^-1, in the order of place()
+  std::array<Number, 15> inverse_K;  ///< upper triangle of K^-1, indexed by place()
 
-  /// Where the entry of row i and column j stands in inverse_K, 0 to 14.
+  /// The index of row i, column j in inverse_K, 0 to 14.
   static constexpr int place(int i, int j) {
     const int low = i < j ? i : j, high = i < j ? j : i;
     return low * (9 - low) / 2 + high;
   }
-  /// out = K^-1 e, line by line: both halves from the upper one.
+  /// out = K^-1 e, row by row; K^-1 is symmetric.
   void inverse_K_times(const Number* e, Number* out) const {
     const Number* k = inverse_K.data();
     out[0] = k[0] * e[0] + k[1] * e[1] + k[2] * e[2] + k[3] * e[3] + k[4] * e[4];
@@ -49,20 +49,20 @@ struct HingeNumbers {
   }
 };
 
-/// Exercise 7.1: everything a hinge's iterations need that does not depend on the velocities, apart
-/// from inverse_K, which stays as it is. \param h the step [s]
+/// Exercise 7.1: all that a hinge's iterations read and that does not depend on the velocities. It
+/// leaves inverse_K alone. \param h the step [s]
 void hoist(const Hinge& hinge, const Body& body1, const Body& body2, real h,
            HingeNumbers<real>& out);
 
-/// Exercise 7.2: K of the hinge's five rows as one block, in closed form. The first three rows
-/// [1/kg], the last two [1/(kg m^2)], what stands between them [1/(kg m)].
+/// Exercise 7.2: K of the hinge's five rows as one block, in closed form: the upper left 3x3 block
+/// [1/kg], the lower right 2x2 block [1/(kg m^2)] and the cross terms between them [1/(kg m)].
 /// \param hinge its levers, axis rows and inverse inertias \param inverse_mass1 of body 1 [1/kg]
 /// \param inverse_mass2 of body 2 [1/kg]
 Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inverse_mass2);
 
 /// Exercise 7.3: a colour for every joint, such that no two joints of one colour share a body that
 /// moves. Each joint, from the first to the last, takes the least colour that is free at both of
-/// its bodies. \param links which bodies each joint holds \param moves of each body: can it move?
+/// its bodies. \param links the bodies of each joint \param moves for each body, if it can move
 /// \return colours, counted from 0
 std::vector<int> colours_of(const std::vector<BodyPair>& links, const std::vector<bool>& moves);
 

@@ -15,8 +15,8 @@ namespace joints {
 /// y axis of body 1. Removes one degree of freedom while it touches, none otherwise.
 ///
 /// n = R1 e_y; p = x2 + R2 corner_local - radius n, r1 = p - x1, r2 = p - x2;
-/// C = n.r1 - height >= 0, the room left [m]; J = (-n, -(r1 x n), n, r2 x n), exact at every pose:
-/// n rides on body 1, and what C gains by its turning is the term of r1; K = J M^-1 J^T [1/kg].
+/// C = n.r1 - height >= 0, the gap [m]; J = (-n, -(r1 x n), n, r2 x n), exact at every pose: n is
+/// fixed in body 1, and its rotation is in the term of r1; K = J M^-1 J^T [1/kg].
 /// Source: thesis, section 3.2; Catto 2006 for the contact as a row that only pushes.
 struct Corner {
   vec3 corner_local{0};  ///< the corner, or the ball's centre [m], body space of body 2
@@ -31,7 +31,7 @@ struct Corner {
   vec3 point(const Body& body1, const Body& body2) const {
     return world_point(body2, corner_local) - radius * up(body1);
   }
-  real error(const Body& body1, const Body& body2) const;  ///< exercise 8.1: C, the room left [m]
+  real error(const Body& body1, const Body& body2) const;  ///< exercise 8.1: C, the gap [m]
   /// The row of C: the one along n.
   Row jacobian(const Body& body1, const Body& body2) const {
     return along(up(body1), body1, body2);
@@ -48,21 +48,21 @@ struct Corner {
 
 /// Exercise 8.2: the two directions of friction.
 /// \param n unit \param sliding the velocity of the point over the ground [m/s], of any direction
-/// \return t1, t2: unit, at right angles to n and to each other; t1 looks where the point slides,
-/// t2 = n x t1. Where nothing slides (below 1e-4 m/s across n), t1 is any such direction.
+/// \return t1, t2: unit, at right angles to n and to each other; t1 is the direction of sliding,
+/// t2 = n x t1. If nothing slides (below 1e-4 m/s across n), t1 is any such direction.
 std::array<vec3, 2> tangents(const vec3& n, const vec3& sliding);
 
-/// Exercise 8.2: what one visit of an iteration adds to the impulse of a friction row.
+/// Exercise 8.2: what one solve adds to the impulse of a friction row.
 /// \param rate J V, the speed along its direction now [m/s] \param K of its row [1/kg], positive
-/// \param mu coefficient of friction [1] \param normal what the normal row has given in this step
-/// up to now [N s] \param sum what this row has given in this step [N s]; brought up to date
-/// \return the change of the sum
+/// \param mu coefficient of friction [1]
+/// \param normal the accumulated impulse of the normal row in this step [N s]
+/// \param sum the accumulated impulse of this row in this step [N s], updated here
+/// \return the change of the accumulated impulse [N s]
 real friction_impulse(real rate, real K, real mu, real normal, real& sum);
 
-/// Given: how fast a corner really arrives at the ground, Eq. 8-9. Forces have changed `rate` by
-/// `kick` in this step; on the way through the room C they go on pulling.
-/// \param C room left [m] \param rate J V with the forces of this step [m/s], negative
-/// \param kick their share of it [m/s] \param h step [s] \return positive [m/s]
+/// Given: the speed of a corner when it reaches the ground at the constant acceleration kick / h,
+/// Eq. 8-9. \param C gap [m] \param rate J V with the forces of this step [m/s], negative
+/// \param kick the part of it that they added [m/s] \param h step [s] \return positive [m/s]
 real impact_speed(real C, real rate, real kick, real h);
 
 }  // namespace joints

@@ -1,4 +1,4 @@
-// Colours, islands and columns.
+// Groups pairs of bodies by colours or islands, and places bodies in columns.
 #include "engine/simd/arrange.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::vector<int> greedy_colours(const std::vector<BodyPair>& pairs,
 }
 
 Groups by_colour(const std::vector<int>& colours, int width, const std::vector<int>& kinds) {
-  std::map<std::pair<int, int>, std::vector<int>> lists;  // colour and kind -> pairs
+  std::map<std::pair<int, int>, std::vector<int>> lists;  // (colour, kind) -> pairs
   for (std::size_t k = 0; k < colours.size(); ++k)
     lists[{colours[k], kinds.empty() ? 0 : kinds[k]}].push_back(int(k));
   Groups groups;
@@ -55,7 +55,7 @@ Islands islands_of(const std::vector<BodyPair>& pairs, const std::vector<bool>& 
   };
   for (const BodyPair& pair : pairs)
     if (moves[pair.body1] && moves[pair.body2]) root[find(pair.body1)] = find(pair.body2);
-  Islands islands(moves.size());  // by their roots
+  Islands islands(moves.size());  // indexed by root
   for (std::size_t k = 0; k < pairs.size(); ++k)
     islands[find(moves[pairs[k].body1] ? pairs[k].body1 : pairs[k].body2)].push_back(int(k));
   std::erase_if(islands, [](const auto& island) { return island.empty(); });
@@ -76,8 +76,8 @@ Groups interleaved(const Islands& islands, int width) {
   return groups;
 }
 
-// The pairs' bodies, numbered as they appear in island after island. A static body of several
-// islands has a number in each.
+// The pairs with their bodies renumbered in the order in which the islands mention them. A static
+// body gets one number per island.
 static std::vector<BodyPair> copies_of(const Islands& islands, const std::vector<BodyPair>& pairs) {
   int bodies = 0, next = 0;
   for (const BodyPair& pair : pairs) bodies = std::max({bodies, pair.body1 + 1, pair.body2 + 1});
@@ -102,14 +102,14 @@ std::vector<Islands> alike(const Islands& islands, const std::vector<BodyPair>& 
   const std::vector<BodyPair> copies = copies_of(islands, pairs);
   std::map<std::vector<int>, Islands> found;
   for (const auto& island : islands) {
-    std::vector<int> look;  // of each pair its kind and its two bodies
+    std::vector<int> shape;  // the kind and the two renumbered bodies of each pair
     const int first = copies[island[0]].body1;
     for (const int k : island)
-      look.insert(look.end(), {kinds[k], copies[k].body1 - first, copies[k].body2 - first});
-    found[look].push_back(island);
+      shape.insert(shape.end(), {kinds[k], copies[k].body1 - first, copies[k].body2 - first});
+    found[shape].push_back(island);
   }
   std::vector<Islands> out;
-  for (const auto& [look, list] : found) out.push_back(list);
+  for (const auto& [shape, list] : found) out.push_back(list);
   return out;
 }
 
@@ -118,11 +118,11 @@ std::vector<Islands> alike(const Islands& islands, const std::vector<BodyPair>& 
 std::optional<Columns> columns_of(const Groups& groups, const Islands& islands,
                                   const std::vector<BodyPair>& pairs, int width) {
   const std::vector<BodyPair> copies = copies_of(islands, pairs);
-  std::vector<int> place(2 * pairs.size(), -1);  // of each copy, where it stands in Columns::bodies
+  std::vector<int> place(2 * pairs.size(), -1);  // copy -> its index in Columns::bodies
   Columns out;
   for (const auto& group : groups) {
     const auto column_of = [&](int BodyPair::*end) -> std::optional<int> {
-      int column = -1;  // the same in all lanes: one that a body has already, or a new one
+      int column = -1;  // one for all lanes: that of a body which already has one, or a new one
       for (const int pair : group)
         if (const int at = place[copies[pair].*end]; at >= 0) column = at / width;
       if (column < 0) {
@@ -131,10 +131,10 @@ std::optional<Columns> columns_of(const Groups& groups, const Islands& islands,
       }
       for (int lane = 0; lane < int(group.size()); ++lane) {
         const int at = column * width + lane, body = pairs[group[lane]].*end;
-        int &its = place[copies[group[lane]].*end], &tenant = out.bodies[at];
-        if ((its >= 0 && its != at) || (tenant >= 0 && tenant != body)) return {};
-        its = at;
-        tenant = body;
+        int &known = place[copies[group[lane]].*end], &occupant = out.bodies[at];
+        if ((known >= 0 && known != at) || (occupant >= 0 && occupant != body)) return {};
+        known = at;
+        occupant = body;
       }
       return column;
     };

@@ -1,5 +1,5 @@
-// Who is solved side by side, and when: colours, or islands. Pure functions over numbers of bodies,
-// which know nothing of what a joint or a block is.
+// Groups of pairs of bodies that can be solved side by side: by graph colouring or by islands.
+// Pure functions of body indices, independent of joints and blocks.
 #pragma once
 
 #include <optional>
@@ -9,45 +9,46 @@
 /// @{
 namespace joints {
 
-/// Which two bodies a joint or a block holds, by their numbers.
+/// The indices of the two bodies of a joint or block.
 struct BodyPair {
-  int body1 = 0;  ///< one of them
-  int body2 = 0;  ///< the other
+  int body1 = 0;  ///< index of body 1
+  int body2 = 0;  ///< index of body 2
   bool operator==(const BodyPair&) const = default;  ///< the same bodies in the same roles
 };
 
-/// Pairs by their numbers, in groups that come one after the other; a group is solved side by side.
+/// Indices of pairs in groups. Groups are solved in order, the pairs of one group side by side.
 using Groups = std::vector<std::vector<int>>;
-/// Pairs by their numbers, one list for each set of pairs that hangs together.
+/// Indices of pairs, one list per island.
 using Islands = std::vector<std::vector<int>>;
 
-/// So many pairs, every one by itself, in their order.
+/// `count` groups of one pair each, in order.
 Groups one_by_one(int count);
 
-/// A colour for each pair: the least that no earlier pair at one of its moving bodies has.
-/// \param moves of each body: can it move?
+/// First-fit graph colouring: each pair gets the least colour that no earlier pair with one of its
+/// moving bodies has. \param moves for each body, whether it can move
 std::vector<int> greedy_colours(const std::vector<BodyPair>& pairs, const std::vector<bool>& moves);
-/// Colour after colour, at most `width` pairs at a time. \param kinds of each pair: within a colour
-/// only those of one kind come together; empty where all are alike
+/// Groups of at most `width` pairs of one colour and one kind, in the order of the colours.
+/// \param kinds for each pair; empty if all pairs are of one kind
 Groups by_colour(const std::vector<int>& colours, int width, const std::vector<int>& kinds = {});
 
-/// Pairs that hang together by bodies that move, each island in the order of the pairs.
+/// Connected components: pairs connected by bodies that move. Each keeps the order of the pairs.
 Islands islands_of(const std::vector<BodyPair>& pairs, const std::vector<bool>& moves);
-/// The first pair of each island, then the second of each, and so on, an island a lane: `width`
-/// islands at a time. With a width of 1 no pair has to wait for the one before.
+/// The first pair of every island, then the second of every one, and so on, in groups of `width`
+/// islands, one island per lane. At width 1 this order hides latency: while there are several
+/// islands, a pair does not depend on the one before it.
 Groups interleaved(const Islands& islands, int width);
-/// Islands that are alike pair by pair: in their kinds, and in how their bodies hang together.
+/// Sorts islands into sets that agree pair by pair in their kinds and in how bodies are connected.
 std::vector<Islands> alike(const Islands& islands, const std::vector<BodyPair>& pairs,
                            const std::vector<int>& kinds);
 
-/// Where bodies stand if each keeps its lane: `width` of them side by side in a column. A static
-/// body has a copy for every island.
+/// Positions of bodies in columns: `width` bodies side by side, each in one lane of one column for
+/// the whole iteration. A static body has one copy per island.
 struct Columns {
-  std::vector<int> bodies;     ///< of each column, lane by lane; -1 where a lane has none
-  std::vector<BodyPair> ends;  ///< of each group, the columns of its bodies 1 and of its bodies 2
+  std::vector<int> bodies;     ///< the bodies of all columns, lane by lane; -1: unused lane
+  std::vector<BodyPair> ends;  ///< for each group, the columns of its bodies 1 and its bodies 2
 };
 
-/// The columns of some groups, or nothing where a body would have to change its lane.
+/// The columns of these groups; nothing if a body would need two places, or a place two bodies.
 std::optional<Columns> columns_of(const Groups& groups, const Islands& islands,
                                   const std::vector<BodyPair>& pairs, int width);
 

@@ -1,5 +1,5 @@
-// Where the velocities stand during the iterations: a record a body or, where every body keeps its
-// lane, in columns.
+// The velocities during the iterations: one record per body or, if every body keeps its lane,
+// columns.
 #pragma once
 
 #include <utility>
@@ -12,15 +12,15 @@
 /// @{
 namespace joints {
 
-/// The velocities that the iterations change, and which of them each group's bodies have.
+/// The velocities that the iterations change, and where each group finds those of its bodies.
 class BodyRecords {
  public:
-  /// \param groups of at most `width` pairs \param columns columns_of the groups, if there are any
-  /// \param count how many bodies there are
+  /// Allocates the records and computes BodyView::ends. \param groups of at most `width` pairs
+  /// \param columns columns_of() these groups, if any \param count the number of bodies
   void arrange(const Groups& groups, const std::vector<BodyPair>& pairs,
                const std::optional<Columns>& columns, int count, int width) {
     columns_ = columns;
-    bodies_ = count;  // one more record belongs to lanes that are not used
+    bodies_ = count;  // record `count` is a dummy for unused lanes
     records_.assign(columns ? columns->bodies.size() : std::size_t(count) + 1, {});
     ends_.clear();
     for (std::size_t k = 0; k < groups.size(); ++k)
@@ -31,7 +31,7 @@ class BodyRecords {
           for (std::size_t lane = 0; lane < std::size_t(width); ++lane)
             ends_.push_back(lane < groups[k].size() ? pairs[groups[k][lane]].*end : count);
   }
-  /// The bodies' velocities into their records. \param body gives a body by its number
+  /// Copies the bodies' velocities into the records. \param body function from index to body
   template <class F>
   void take(const F& body) {
     const auto record_of = [](const Body& from) -> Velocities<real> {
@@ -41,10 +41,10 @@ class BodyRecords {
       for (int k = 0; k < bodies_; ++k) records_[k] = record_of(body(k));
     else
       for (std::size_t k = 0; k < records_.size(); ++k)
-        if (const int its = columns_->bodies[k]; its >= 0)
-          scatter(record_of(body(its)), column(k), int(k % lane_count));
+        if (const int index = columns_->bodies[k]; index >= 0)
+          scatter(record_of(body(index)), column(k), int(k % lane_count));
   }
-  /// And back to those that move.
+  /// Copies the velocities back to the bodies that are not static.
   template <class F>
   void give_back(const F& body) const {
     const auto give = [](const Velocities<real>& from, Body& to) {
@@ -56,18 +56,18 @@ class BodyRecords {
       for (int k = 0; k < bodies_; ++k) give(records_[k], body(k));
     else
       for (std::size_t k = 0; k < records_.size(); ++k)
-        if (const int its = columns_->bodies[k]; its >= 0)
-          give(gather<Velocities<real>>(column(k), int(k % lane_count)), body(its));
+        if (const int index = columns_->bodies[k]; index >= 0)
+          give(gather<Velocities<real>>(column(k), int(k % lane_count)), body(index));
   }
 
-  /// The columns in which they stand, if they do; else each record has its body's number.
+  /// The columns, if the records are arranged in columns; else record k belongs to body k.
   const std::optional<Columns>& columns() const { return columns_; }
-  /// What the iterations work on.
+  /// Pointers to the records, for an iteration.
   BodyView view() { return {records_.data(), ends_.data(), columns_.has_value()}; }
   const std::vector<int>& ends() const { return ends_; }  ///< BodyView::ends
 
  private:
-  // The column in which a record stands.
+  // The column that contains record `number`.
   const Velocities<LaneNumber>& column(std::size_t number) const {
     return reinterpret_cast<const Velocities<LaneNumber>*>(records_.data())[number / lane_count];
   }

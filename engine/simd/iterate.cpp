@@ -1,10 +1,10 @@
-// The iterations for any processor, and the choice among those that there are.
+// The iterations compiled for any processor, and the choice of the best one at run time.
 #include "engine/simd/iterate.h"
 
 namespace joints {
 
 #if defined(__x86_64__) && defined(JOINTS_AVX2)
-// The same code compiled for processors with 32 byte registers: engine/simd/iterate_avx2.cpp.
+// The same code compiled with 32 byte registers: engine/simd/iterate_avx2.cpp.
 void iterate_lanes_avx2(const LaneIteration& iteration);
 #endif
 

@@ -1,5 +1,5 @@
-// The inner loop, written once for any kind of number: one block at a time, or one a lane. Included
-// once by each file that is compiled for a kind of processor.
+// The inner loop for a scalar or a lane type: one block at a time, or one per lane. Each file that
+// is compiled for an instruction set includes it.
 #pragma once
 
 #include "engine/simd/lanes.h"
@@ -9,7 +9,7 @@
 namespace joints {
 /// \cond
 
-// In each lane the lesser, the greater of the two.
+// Minimum and maximum, lane by lane.
 inline real lesser(real a, real b) { return a < b ? a : b; }
 inline real greater(real a, real b) { return a > b ? a : b; }
 template <int P>
@@ -21,10 +21,11 @@ inline LanesFor<P> greater(const LanesFor<P>& a, const LanesFor<P>& b) {
   return {a.all > b.all ? a.all : b.all};
 }
 
-// From what is wrong with each row to the impulses that take it away: the heart of solve_block.
+// From the velocity errors e of a block to the changes of its impulses, clamping included: the same
+// formulas as in SequentialImpulses::solve_block.
 template <class Rows, int N, bool hard, class Number>
 inline void impulses(Record<Rows, N, hard, Number>& record, const Number* e, Number* dlambda) {
-  Number* const lambda = record.impulses.sum;
+  Number* const lambda = record.impulses.lambda;
   for (int i = 0; i < N; ++i) {
     dlambda[i] = -(record.impulses.entry(i, 0) * e[0]);
     for (int j = 1; j < N; ++j) dlambda[i] = dlambda[i] - record.impulses.entry(i, j) * e[j];
@@ -34,40 +35,40 @@ inline void impulses(Record<Rows, N, hard, Number>& record, const Number* e, Num
     for (int i = 0; i < N; ++i) dlambda[i] = dlambda[i] - bounds.impulse_scale * lambda[i];
     const Number wanted = lambda[N - 1] + dlambda[N - 1];
     const Number kept = lesser(greater(wanted, bounds.lower), bounds.upper), cut = kept - wanted;
-    for (int i = 0; i < N - 1; ++i) dlambda[i] = dlambda[i] + bounds.answer[i] * cut;
+    for (int i = 0; i < N - 1; ++i) dlambda[i] = dlambda[i] + bounds.clamp_response[i] * cut;
     dlambda[N - 1] = kept - lambda[N - 1];
-    lambda[N - 1] = kept;  // at the bound to the last digit
+    lambda[N - 1] = kept;  // exactly at the bound
     for (int i = 0; i < N - 1; ++i) lambda[i] = lambda[i] + dlambda[i];
     return;
   }
   for (int i = 0; i < N; ++i) lambda[i] = lambda[i] + dlambda[i];
 }
 
-// Three rows of a point, and rows that only turn: ball, hinge, weld, with or without a limit.
+// Three rows of a point and N - 3 angular rows: ball, hinge, weld, with or without a limit.
 template <int N, bool isotropic, bool hard, class Number>
 inline void solve_record(Record<PointRows<N, isotropic, Number>, N, hard, Number>& record,
                          Velocities<Number>& body1, Velocities<Number>& body2) {
   const PointRows<N, isotropic, Number>& rows = record.rows;
   const Triple<Number> r1 = rows.r1, r2 = rows.r2;
   Number e[N], dlambda[N];
-  const Triple<Number> gap = body2.v + cross(body2.w, r2) - body1.v - cross(body1.w, r1);
-  const Triple<Number> turning = body2.w - body1.w;
-  e[0] = rows.bias[0] + gap.x, e[1] = rows.bias[1] + gap.y, e[2] = rows.bias[2] + gap.z;
-  for (int i = 3; i < N; ++i) e[i] = rows.bias[i] + dot(rows.axis[i - 3], turning);
+  const Triple<Number> v = body2.v + cross(body2.w, r2) - body1.v - cross(body1.w, r1);
+  const Triple<Number> w = body2.w - body1.w;
+  e[0] = rows.bias[0] + v.x, e[1] = rows.bias[1] + v.y, e[2] = rows.bias[2] + v.z;
+  for (int i = 3; i < N; ++i) e[i] = rows.bias[i] + dot(rows.axis[i - 3], w);
   impulses(record, e, dlambda);
 
-  const Triple<Number> push{dlambda[0], dlambda[1], dlambda[2]};
-  Triple<Number> turn1 = cross(r1, push), turn2 = cross(r2, push);
+  const Triple<Number> P{dlambda[0], dlambda[1], dlambda[2]};
+  Triple<Number> L1 = cross(r1, P), L2 = cross(r2, P);  // angular impulses
   for (int i = 3; i < N; ++i) {
-    const Triple<Number> turn = dlambda[i] * rows.axis[i - 3];
-    turn1 = turn1 + turn;
-    turn2 = turn2 + turn;
+    const Triple<Number> couple = dlambda[i] * rows.axis[i - 3];
+    L1 = L1 + couple;
+    L2 = L2 + couple;
   }
   const auto I1 = rows.I1, I2 = rows.I2;
-  body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - I1 * turn1;
-  body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + I2 * turn2;
+  body1.v = body1.v - body1.inverse_mass * P;
+  body1.w = body1.w - I1 * L1;
+  body2.v = body2.v + body2.inverse_mass * P;
+  body2.w = body2.w + I2 * L2;
 }
 
 // Any rows.
@@ -86,23 +87,23 @@ inline void solve_record(Record<AnyRows<N, Number>, N, hard, Number>& record,
   for (int i = 0; i < N; ++i) {
     body1.v = body1.v + body1.inverse_mass * dlambda[i] * rows.row[i].v1;
     body2.v = body2.v + body2.inverse_mass * dlambda[i] * rows.row[i].v2;
-    body1.w = body1.w + dlambda[i] * rows.row[i].turn1;
-    body2.w = body2.w + dlambda[i] * rows.row[i].turn2;
+    body1.w = body1.w + dlambda[i] * rows.row[i].response_w1;
+    body2.w = body2.w + dlambda[i] * rows.row[i].response_w2;
   }
 }
 
-// The bounds of a row that follows: multiples of other sums, as they are now.
-// \param sums of each lane, which number it follows
+// Sets the bounds of a following row to -+factor times the impulse that it follows.
+// \param followed for each lane, the index of that impulse in `numbers`
 template <class Number>
-inline void move_bounds(FollowingRecord<Number>& record, const real* numbers, const int* sums) {
+inline void move_bounds(FollowingRecord<Number>& record, const real* numbers, const int* followed) {
   for (int lane = 0; lane < int(sizeof(Number) / sizeof(real)); ++lane) {
-    const real bound = gather<real>(record.factor, lane) * numbers[sums[lane]];
+    const real bound = gather<real>(record.factor, lane) * numbers[followed[lane]];
     scatter(-bound, record.bounds.lower, lane);
     scatter(bound, record.bounds.upper, lane);
   }
 }
 
-// Number is real, or the lanes of a file.
+// One iteration over all groups. Number is real or Lanes.
 template <class Number>
 inline void iterate_all(const LaneIteration& all) {
   constexpr int width = int(sizeof(Number) / sizeof(real));
@@ -111,7 +112,7 @@ inline void iterate_all(const LaneIteration& all) {
     with_bodies<Number>(all.bodies, k, [&](auto& body1, auto& body2) JOINTS_INLINED {
       use_record<Number>(group, all.numbers + group.first, [&](auto& record) JOINTS_INLINED {
         if constexpr (requires { record.factor; })
-          move_bounds(record, all.numbers, all.sums + k * width);
+          move_bounds(record, all.numbers, all.followed + k * width);
         solve_record(record, body1, body2);
       });
     });

@@ -1,5 +1,4 @@
-// The iteration on lanes once more, compiled for x86 processors that have AVX2. Called only on
-// those.
+// The iteration on lanes compiled for AVX2. Called only on processors that have it.
 #include "engine/simd/iterate.h"
 
 namespace joints {

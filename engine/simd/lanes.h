@@ -1,6 +1,5 @@
-// Several numbers that are computed with at once: the compiler's own vector type behind a small one
-// of ours, and how records of bodies are turned into columns and back. The same code serves every
-// processor; what it becomes is decided by the options of the file that includes it.
+// The lane type, a thin wrapper around the compiler's vector type, and the transposition of body
+// records to columns and back. The options of the including file choose the instruction set.
 #pragma once
 
 #include "engine/simd/records.h"
@@ -8,7 +7,7 @@
 namespace joints {
 
 /// \cond
-#ifdef __AVX2__  // the kind of processor that this file is compiled for
+#ifdef __AVX2__  // the instruction set that this file is compiled for
 #define JOINTS_PROCESSOR 2
 #else
 #define JOINTS_PROCESSOR 0
@@ -23,13 +22,12 @@ template <>
 struct VectorOf<double> { typedef Doubles type; };
 /// \endcond
 
-/// So many numbers side by side, one of each joint: + - * work on each by itself. What is compiled
-/// for one kind of processor has another type, and so another name, than what is compiled for
-/// another: the linker cannot mix them up.
+/// lane_count numbers side by side, one per block; + - * act lane by lane. Each instruction set has
+/// its own type, so that the linker cannot merge code compiled for different ones.
 template <int processor>
 struct LanesFor {
-  typedef VectorOf<real>::type Vector;  ///< the compiler's
-  Vector all;                           ///< all of them
+  typedef VectorOf<real>::type Vector;  ///< the compiler's vector type
+  Vector all;                           ///< all lanes
 
   friend LanesFor operator+(const LanesFor& a, const LanesFor& b) { return {a.all + b.all}; }
   friend LanesFor operator-(const LanesFor& a, const LanesFor& b) { return {a.all - b.all}; }
@@ -38,13 +36,13 @@ struct LanesFor {
   friend LanesFor& operator+=(LanesFor& a, const LanesFor& b) { return a = a + b; }
   friend LanesFor& operator-=(LanesFor& a, const LanesFor& b) { return a = a - b; }
 };
-/// Those of this file.
+/// The lane type of the including file.
 using Lanes = LanesFor<JOINTS_PROCESSOR>;
 
 /// \cond
 namespace {
 
-// Eight rows of eight become eight columns: pairs, then fours, then halves change places.
+// Transposes 8x8 numbers in three steps: pairs, quadruples, halves.
 inline void transpose(Floats* r) {
   Floats a[8], b[8];
   for (int k = 0; k < 8; k += 2) {
@@ -63,7 +61,7 @@ inline void transpose(Floats* r) {
   }
 }
 
-// Four rows of four become four columns.
+// Transposes 4x4 numbers in two steps: pairs, halves.
 inline void transpose(Doubles* r) {
   Doubles a[4];
   for (int k = 0; k < 4; k += 2) {
@@ -76,10 +74,10 @@ inline void transpose(Doubles* r) {
   }
 }
 
-// Loads the records with these numbers and turns them into columns: v.x of all, v.y of all, and so
-// on. (Not by gather instructions: those take longer.)
+// Gathers the records with these indices and transposes them to columns: v.x of all lanes, v.y of
+// all, and so on. (Gather instructions are slower.)
 inline void load(const Velocities<real>* records, const int* index, Velocities<Lanes>& out) {
-  constexpr int parts = 8 / lane_count;  // of a record
+  constexpr int parts = 8 / lane_count;  // registers per record of eight numbers
   Lanes::Vector* const column = reinterpret_cast<Lanes::Vector*>(&out);
   for (int k = 0; k < lane_count; ++k) {
     const auto* record = reinterpret_cast<const Lanes::Vector*>(&records[index[k]]);
@@ -88,7 +86,7 @@ inline void load(const Velocities<real>* records, const int* index, Velocities<L
   for (int part = 0; part < parts; ++part) transpose(column + part * lane_count);
 }
 
-// The way back.
+// Transposes the columns back and scatters the records.
 inline void store(Velocities<real>* records, const int* index, Velocities<Lanes>& in) {
   constexpr int parts = 8 / lane_count;
   Lanes::Vector* const column = reinterpret_cast<Lanes::Vector*>(&in);
@@ -99,8 +97,7 @@ inline void store(Velocities<real>* records, const int* index, Velocities<Lanes>
   }
 }
 
-// Calls f with the velocities of a group's two bodies, or of two in each lane. Number is real or
-// Lanes.
+// Calls f with the velocities of a group's bodies 1 and bodies 2. Number is real or Lanes.
 template <class Number, class F>
 JOINTS_INLINED inline void with_bodies(const BodyView& view, int group, const F& f) {
   constexpr int width = int(sizeof(Number) / sizeof(real));

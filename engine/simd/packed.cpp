@@ -1,4 +1,4 @@
-// The blocks of a step packed, and the solve over them.
+// Packs the blocks of a step into groups, and solves them.
 #include "engine/simd/packed.h"
 
 #include <algorithm>
@@ -8,15 +8,15 @@ namespace joints {
 
 namespace {
 
-// Whether the first three rows hold two points together and the others only turn: then two levers
-// and the axes say it all. The levers are read off the rows.
+// True if the first three rows hold two points together and the others are angular with w1 = -w2:
+// then J is two levers and N - 3 axes.
 bool holds_a_point(const Row* J, int rows) {
   if (rows < 3) return false;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) {
       const real one = k == i ? real(1) : real(0);
       if (J[i].v1[k] != -one || J[i].v2[k] != one) return false;
-      // skew of the levers: nothing on the diagonal, the opposite across it
+      // w1 and w2 are skew matrices of the levers: antisymmetric
       if (k <= i && (J[i].w1[k] != -J[k].w1[i] || J[i].w2[k] != -J[k].w2[i])) return false;
     }
   for (int i = 3; i < rows; ++i)
@@ -37,7 +37,7 @@ Kind kind_of(const Bodies& bodies, const Blocks& list, const PreparedBlock& bloc
 
 // ---- the numbers of a block ---------------------------------------------------------------------
 
-// What they are made of.
+// What a record is filled from.
 struct Source {
   const PreparedBlock& block;
   const Row* J;
@@ -46,7 +46,7 @@ struct Source {
   const Body &body1, &body2;
 };
 
-// Each number goes into one lane of the group; the only one, where Number is real.
+// Writes the numbers of one block into one lane of its group's record; a scalar record has one.
 template <int N, bool isotropic, class Number>
 void fill_rows(PointRows<N, isotropic, Number>& rows, const Source& from, int lane) {
   const Row* const J = from.J;
@@ -69,7 +69,8 @@ void fill_rows(AnyRows<N, Number>& rows, const Source& from, int lane) {
     const Row& J = from.J[i];
     scatter(from.row[i].bias, rows.bias[i], lane);
     scatter(typename AnyRows<N, real>::Row{triple(J.v1), triple(J.w1), triple(J.v2), triple(J.w2),
-                                           triple(from.row[i].turn1), triple(from.row[i].turn2)},
+                                           triple(from.row[i].response_w1),
+                                           triple(from.row[i].response_w2)},
             rows.row[i], lane);
   }
 }
@@ -79,7 +80,7 @@ void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
   const PreparedBlock& block = from.block;
   fill_rows(record.rows, from, lane);
   Number* inverse_K = record.impulses.inverse_K;
-  for (int i = 0; i < N; ++i) scatter(block.impulse[i], record.impulses.sum[i], lane);
+  for (int i = 0; i < N; ++i) scatter(block.impulse[i], record.impulses.lambda[i], lane);
   for (int i = 0; i < N; ++i)
     for (int j = i; j < N; ++j)
       scatter(block.mass_scale * from.inverse_K[i * N + j], *inverse_K++, lane);
@@ -87,11 +88,12 @@ void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
     scatter(block.impulse_scale, record.bounds.impulse_scale, lane);
     scatter(block.lower, record.bounds.lower, lane);
     scatter(block.upper, record.bounds.upper, lane);
-    for (int i = 0; i < N; ++i) scatter(from.row[i].answer, record.bounds.answer[i], lane);
+    for (int i = 0; i < N; ++i)
+      scatter(from.row[i].clamp_response, record.bounds.clamp_response[i], lane);
   }
 }
 
-// Its bounds are worked out before every solve.
+// move_bounds() sets its bounds before every solve.
 template <class Number>
 void fill(FollowingRecord<Number>& record, const Source& from, int lane) {
   fill<AnyRows<1, Number>, 1, false>(record, from, lane);
@@ -108,16 +110,16 @@ void PackedBlocks::arrange(const Bodies& bodies, Packing packing) {
   numbers_.clear();
   std::vector<BodyPair> pairs;
   std::vector<bool> moves(std::size_t(bodies.slots()));
-  std::set<Kind> met;
-  for (const Sign& sign : signs_) {
-    pairs.push_back(sign.bodies);
-    moves[sign.bodies.body1] = !sign.static1;
-    moves[sign.bodies.body2] = !sign.static2;
-    met.insert(sign.kind);
+  std::set<Kind> present;
+  for (const Signature& one : signatures_) {
+    pairs.push_back(one.bodies);
+    moves[one.bodies.body1] = !one.static1;
+    moves[one.bodies.body2] = !one.static2;
+    present.insert(one.kind);
   }
-  std::vector<int> kinds;  // by their numbers
-  for (const Sign& sign : signs_)
-    kinds.push_back(int(std::distance(met.begin(), met.find(sign.kind))));
+  std::vector<int> kinds;  // for each block, the index of its kind
+  for (const Signature& one : signatures_)
+    kinds.push_back(int(std::distance(present.begin(), present.find(one.kind))));
 
   Groups found;
   std::optional<Columns> columns;
@@ -130,7 +132,7 @@ void PackedBlocks::arrange(const Bodies& bodies, Packing packing) {
       for (const Islands& same : alike(islands, pairs, kinds))
         for (const auto& group : interleaved(same, width_)) found.push_back(group);
       if (2 * pairs.size() < found.size() * std::size_t(width_))
-        found.clear();  // most lanes would be empty
+        found.clear();  // more than half of the lanes would be unused: take colours
       else
         columns = columns_of(found, islands, pairs, width_);
     }
@@ -138,17 +140,17 @@ void PackedBlocks::arrange(const Bodies& bodies, Packing packing) {
   if (found.empty()) found = by_colour(greedy_colours(pairs, moves), width_, kinds);
   records_.arrange(found, pairs, columns, bodies.slots(), width_);
   for (const auto& group : found) add_group(group);
-  place_sums();
+  find_followed();
 }
 
-// Room for the numbers of a group of blocks of one kind.
+// Allocates the record of a group of blocks of one kind.
 void PackedBlocks::add_group(const std::vector<int>& members) {
-  LaneGroup group{signs_[members[0]].kind};
+  LaneGroup group{signatures_[members[0]].kind};
   group.first = int(numbers_.size()) * lane_count;
-  LaneNumber any;  // only the record's type is asked
+  LaneNumber any;  // never read: only the size of the record is used
   use_record<real>(group, any.lane, [&](auto& record) {
     const std::size_t size = sizeof record / sizeof(real) * std::size_t(width_);
-    group.first_sum = group.first + int(sizeof record.rows / sizeof(real)) * width_;
+    group.first_lambda = group.first + int(sizeof record.rows / sizeof(real)) * width_;
     numbers_.resize(numbers_.size() + (size + lane_count - 1) / lane_count, {});
   });
   for (int lane = 0; lane < width_; ++lane)
@@ -156,23 +158,23 @@ void PackedBlocks::add_group(const std::vector<int>& members) {
   groups.push_back(group);
 }
 
-// Where among the numbers each group finds the sums that it follows.
-void PackedBlocks::place_sums() {
-  sums_.clear();
+// Fills followed_: where each following row finds the impulse that it follows.
+void PackedBlocks::find_followed() {
+  followed_.clear();
   if (std::none_of(groups.begin(), groups.end(), [](const Kind& kind) { return kind.follows; }))
     return;
-  std::vector<int> first_row, place;  // of each block; of each row's sum
-  for (const Sign& sign : signs_) {
+  std::vector<int> first_row, place;  // block -> its first row; row -> index of its lambda
+  for (const Signature& one : signatures_) {
     first_row.push_back(int(place.size()));
-    place.resize(place.size() + std::size_t(sign.kind.rows));
+    place.resize(place.size() + std::size_t(one.kind.rows));
   }
   for (std::size_t k = 0; k < blocks.size(); ++k)
     for (int row = 0; blocks[k] >= 0 && row < groups[k / width_].rows; ++row)
-      place[first_row[blocks[k]] + row] = place_of_sum(groups[k / width_], row, int(k) % width_);
-  sums_.assign(blocks.size(), 0);
+      place[first_row[blocks[k]] + row] = lambda_index(groups[k / width_], row, int(k) % width_);
+  followed_.assign(blocks.size(), 0);
   for (std::size_t k = 0; k < blocks.size(); ++k)
-    if (blocks[k] >= 0 && signs_[blocks[k]].kind.follows)
-      sums_[k] = place[signs_[blocks[k]].followed];
+    if (blocks[k] >= 0 && signatures_[blocks[k]].kind.follows)
+      followed_[k] = place[signatures_[blocks[k]].followed];
 }
 
 // ---- a step -------------------------------------------------------------------------------------
@@ -185,11 +187,11 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, const Prepared
     now_.push_back({kind_of(bodies, list, block), bodies.at(block.body1).is_static(),
                     bodies.at(block.body2).is_static(), {block.body1, block.body2},
                     block.followed});
-  if (packing != packing_ || width != width_ || now_ != signs_) {
-    signs_ = now_;
+  if (packing != packing_ || width != width_ || now_ != signatures_) {
+    signatures_ = now_;
     packing_ = packing;
     width_ = width;
-    ++packed_;
+    ++groupings_;
     arrange(bodies, packing);
   }
   records_.take([&](int slot) -> const Body& { return bodies.at(slot); });
@@ -210,26 +212,26 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, const Prepared
 }
 
 void PackedBlocks::iterate() {
-  const LaneIteration all{groups.data(), int(groups.size()), numbers(), sums_.data(),
+  const LaneIteration all{groups.data(), int(groups.size()), numbers(), followed_.data(),
                           records_.view()};
   width_ == 1 ? iterate_single(all) : iterate_lanes(all);
 }
 
-void PackedBlocks::end(Bodies& bodies, const Prepared& prepared) const {
+void PackedBlocks::unpack(Bodies& bodies, const Prepared& prepared) const {
   records_.give_back([&](int slot) -> Body& { return bodies.at(slot); });
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     if (blocks[k] < 0) continue;
     const LaneGroup& group = groups[k / width_];
     for (int row = 0; row < group.rows; ++row)
       prepared.blocks[blocks[k]].impulse[row] =
-          numbers()[place_of_sum(group, row, int(k) % width_)];
+          numbers()[lambda_index(group, row, int(k) % width_)];
   }
 }
 
 void PackedImpulses::solve(Bodies& bodies) {
   packed_.pack(bodies, blocks_of(bodies), prepared_, packing, lanes);
   for (int i = 0; i < iterations; ++i) packed_.iterate();
-  packed_.end(bodies, prepared_);
+  packed_.unpack(bodies, prepared_);
 }
 
 }  // namespace joints

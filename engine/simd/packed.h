@@ -1,5 +1,5 @@
-// The blocks of a step packed for the fastest loop: one after the other, or in lanes, where eight
-// (float) or four (double) that are alike and share no body that moves are solved side by side.
+// The blocks of a step packed for the SIMD loop: eight (float) or four (double) blocks of one kind
+// that share no moving body are solved side by side, one per lane.
 #pragma once
 
 #include "engine/simd/body_records.h"
@@ -9,66 +9,66 @@
 /// @{
 namespace joints {
 
-/// Which blocks come together, and in which order.
+/// How blocks are grouped and ordered.
 enum class Packing {
-  islands,  ///< the first block of every island of joints, then the second of every one; on lanes a
-            ///< island a lane, where so many are alike that most lanes are used, else colours
-  colours,  ///< neighbours get different colours, and one colour comes after the other
-  list      ///< one at a time, in the order of the list: no lanes
+  islands,  ///< the first block of every island, then the second of every one; on lanes one island
+            ///< per lane if at least half the lanes are used, else colours
+  colours,  ///< graph colouring, one colour after the other
+  list      ///< the order of the list, without lanes
 };
 
-/// All blocks of a step in groups that are solved side by side. Who comes with whom is worked out
-/// once and kept for as long as the next steps have blocks of the same kinds between the same
-/// bodies; then a step takes no memory from the heap.
+/// The blocks of a step in groups that are solved side by side. The grouping is cached until the
+/// topology changes (the kinds of the blocks or their bodies); a step with a cached grouping does
+/// not allocate.
 class PackedBlocks {
  public:
   std::vector<LaneGroup> groups;  ///< in the order in which they are solved
-  std::vector<int> blocks;        ///< of each group's lanes, which prepared block; -1: lane unused
+  std::vector<int> blocks;        ///< the prepared block of each group's lanes; -1: unused lane
 
-  /// \param lanes false: every group is one block
+  /// Copies blocks and velocities into the records. \param lanes false: every group is one block
   void pack(const Bodies& bodies, const Blocks& list, const Prepared& prepared,
             Packing packing, bool lanes);
-  /// One iteration over all groups, with the best instructions that this processor has.
+  /// One iteration over all groups, with the best instruction set of this processor.
   void iterate();
-  /// Gives velocities and sums of impulses back. \param prepared whose blocks were packed
-  void end(Bodies& bodies, const Prepared& prepared) const;
+  /// Copies velocities and accumulated impulses back. \param prepared as given to pack()
+  void unpack(Bodies& bodies, const Prepared& prepared) const;
 
   int width() const { return width_; }  ///< lanes of a group: 1 or lane_count
-  const BodyRecords& records() const { return records_; }  ///< of the bodies, by their slots
-  int packed() const { return packed_; }  ///< how often the groups had to be worked out anew
+  const BodyRecords& records() const { return records_; }  ///< body indices are slots
+  int groupings() const { return groupings_; }  ///< how often the grouping was computed
 
  private:
-  // What a block is like, and between which bodies: while these stay, so do the groups.
-  struct Sign {
+  // What the grouping depends on: compared in every step.
+  struct Signature {
     Kind kind;
     bool static1, static2;
     BodyPair bodies;
     int followed;  // PreparedBlock::followed
-    bool operator==(const Sign&) const = default;
+    bool operator==(const Signature&) const = default;
   };
   void arrange(const Bodies& bodies, Packing packing);
   void add_group(const std::vector<int>& members);
-  void place_sums();
-  // Which number is the sum of a row in a lane.
-  int place_of_sum(const LaneGroup& group, int row, int lane) const {
-    return group.first_sum + row * width_ + lane;
+  void find_followed();
+  // The index in numbers() of a row's accumulated impulse.
+  int lambda_index(const LaneGroup& group, int row, int lane) const {
+    return group.first_lambda + row * width_ + lane;
   }
   real* numbers() { return reinterpret_cast<real*>(numbers_.data()); }
   const real* numbers() const { return reinterpret_cast<const real*>(numbers_.data()); }
 
-  std::vector<Sign> signs_, now_;
+  std::vector<Signature> signatures_, now_;
   std::vector<LaneNumber> numbers_;
-  std::vector<int> sums_;
+  std::vector<int> followed_;  // LaneIteration::followed
   BodyRecords records_;
   Packing packing_ = Packing::islands;
-  int width_ = 0, packed_ = 0;
+  int width_ = 0, groupings_ = 0;
 };
 
-/// Sequential Impulses over packed blocks: the same rows, the same order within an island or a
-/// colour, other blocks first.
+/// Sequential Impulses over packed blocks: the same solve of each block, in another order. By
+/// islands each island keeps the order of the list; by colours it does not.
 class PackedImpulses : public IterativeSolver {
  public:
-  Packing packing = Packing::islands;  ///< which blocks come together
+  Packing packing = Packing::islands;  ///< how blocks are grouped and ordered
   bool lanes = true;                   ///< false: one block at a time
 
   void solve(Bodies& bodies) override;

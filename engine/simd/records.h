@@ -1,5 +1,5 @@
-// What the lanes read and write: records of plain numbers, once for a single block (Number is real)
-// and once for a group, where every number is one of each lane.
+// The memory layout of packed blocks: a record of plain numbers for one block (Number is real), or
+// for a group, where each number has lane_count lanes.
 #pragma once
 
 #include <array>
@@ -14,44 +14,44 @@ namespace joints {
 
 constexpr int lane_count = 32 / int(sizeof(real));  ///< 8 in float, 4 in double
 
-/// What a block is like. Only blocks of one kind are solved side by side.
+/// The kind of a block chooses its record. Only blocks of one kind are solved side by side.
 struct Kind {
   signed char rows = 0;  ///< 1 to 6
-  bool point = false;    ///< the first three rows hold two points together, the others only turn
+  bool point = false;    ///< the first three rows hold two points together, the others are angular
   bool hard = false;     ///< neither soft nor bounded: no scales, no bounds
-  bool isotropic = false;  ///< point: no body's inertia has a direction, one number says it
-  bool follows = false;  ///< one row whose bounds are multiples of another sum, not fixed
+  bool isotropic = false;  ///< only for `point`: both inertias are isotropic, one number each
+  bool follows = false;  ///< one row whose bounds are -+factor times another row's impulse
   auto operator<=>(const Kind&) const = default;  ///< the order of groups within a colour
 };
 
 // ---- records of blocks -------------------------------------------------------------------------
 
-/// Three rows that hold two points together, and N - 3 rows that only turn.
+/// Three rows that hold two points together, and N - 3 angular rows.
 template <int N, bool isotropic, class Number>
 struct PointRows {
   using Inertia = std::conditional_t<isotropic, Number, Symmetric<Number>>;
   Triple<Number> r1, r2;  ///< levers [m], world
   Inertia I1, I2;         ///< inverse inertia [1/(kg m^2)], world
   Number bias[N];         ///< PreparedRow::bias
-  [[no_unique_address]] std::array<Triple<Number>, N - 3> axis;  ///< w2 of J, and less w1 [1]
+  [[no_unique_address]] std::array<Triple<Number>, N - 3> axis;  ///< w2 of J, equal to -w1 [1]
 };
 
 /// Rows of any kind.
 template <int N, class Number>
 struct AnyRows {
-  /// J, and what an impulse does to the two angular velocities.
+  /// J and PreparedRow's responses.
   struct Row {
-    Triple<Number> v1, w1, v2, w2, turn1, turn2;
+    Triple<Number> v1, w1, v2, w2, response_w1, response_w2;
   };
   Number bias[N];  ///< PreparedRow::bias
   Row row[N];
 };
 
-/// From errors to impulses.
+/// The accumulated impulses, and K^-1.
 template <int N, class Number>
 struct Impulses {
-  Number sum[N];                      ///< accumulated impulses [N s or N m s]
-  Number inverse_K[N * (N + 1) / 2];  ///< upper half of K^-1 times the mass scale, line by line
+  Number lambda[N];                   ///< accumulated impulses [N s or N m s]
+  Number inverse_K[N * (N + 1) / 2];  ///< upper triangle of mass_scale K^-1, row by row
 
   /// The entry of row i and column j.
   const Number& entry(int i, int j) const {
@@ -60,13 +60,13 @@ struct Impulses {
   }
 };
 
-/// What only a block has that is soft or bounded.
+/// Only for a block that is soft or bounded.
 template <int N, class Number>
 struct Bounds {
   Number impulse_scale, lower, upper;  ///< as in PreparedBlock
-  Number answer[N];                    ///< PreparedRow::answer
+  Number clamp_response[N];            ///< PreparedRow::clamp_response
 };
-/// And one that is neither.
+/// For a hard block.
 struct Unbounded {};
 
 /// All numbers of a block.
@@ -80,10 +80,10 @@ template <int N, bool hard, bool isotropic, class Number>
 using PointRecord = Record<PointRows<N, isotropic, Number>, N, hard, Number>;
 template <int N, bool hard, class Number>
 using AnyRecord = Record<AnyRows<N, Number>, N, hard, Number>;
-/// One row that follows another sum.
+/// One row whose bounds follow another row's impulse.
 template <class Number>
 struct FollowingRecord : AnyRecord<1, false, Number> {
-  Number factor;  ///< its bounds are -+ this times that sum [1]
+  Number factor;  ///< its bounds are -+factor times that impulse [1]
 };
 
 /// \cond
@@ -107,8 +107,8 @@ JOINTS_INLINED inline void use_rows(const Kind& kind, real* numbers, const F& f)
 }
 /// \endcond
 
-/// Calls f with the record of this kind that begins at these numbers: one switch a block, and from
-/// there on the compiler knows how many rows there are.
+/// Calls f with the record of this kind that begins at `numbers`: one switch per group, and its
+/// type tells the compiler the number of rows.
 template <class Number, class F>
 JOINTS_INLINED inline void use_record(const Kind& kind, real* numbers, const F& f) {
   switch (kind.rows) {
@@ -125,12 +125,12 @@ JOINTS_INLINED inline void use_record(const Kind& kind, real* numbers, const F& 
 
 // ---- records and lanes -------------------------------------------------------------------------
 
-/// So many numbers side by side, for what stands in memory: engine/simd/lanes.h computes with them.
+/// lane_count numbers side by side in memory; engine/simd/lanes.h has the type that computes.
 struct alignas(32) LaneNumber {
-  real lane[lane_count];  ///< one of each
+  real lane[lane_count];  ///< one number per lane
 };
 
-/// Puts a single record into its lane of the record of all, which may be of one lane only.
+/// Writes a scalar record into one lane of a group's record. `All` may itself be scalar.
 template <class One, class All>
 inline void scatter(const One& one, All& all, int lane) {
   constexpr std::size_t width = sizeof all / sizeof one;
@@ -138,7 +138,7 @@ inline void scatter(const One& one, All& all, int lane) {
   real* const to = reinterpret_cast<real*>(&all) + lane;
   for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n) to[n * width] = from[n];
 }
-/// And takes it out again.
+/// Reads a scalar record from one lane of a group's record.
 template <class One, class All>
 inline One gather(const All& all, int lane) {
   constexpr std::size_t width = sizeof all / sizeof(One);
@@ -149,32 +149,32 @@ inline One gather(const All& all, int lane) {
   return one;
 }
 
-/// Blocks that are solved side by side, a lane each.
+/// Blocks that are solved side by side, one per lane.
 struct LaneGroup : Kind {
-  int first = 0;      ///< where its record begins, counted in single numbers
-  int first_sum = 0;  ///< where in it the sums of impulses begin, counted likewise
+  int first = 0;         ///< index of its record's first number
+  int first_lambda = 0;  ///< index of the record's first accumulated impulse
 };
 
-/// The velocities of bodies, and which of them a group's have.
+/// The velocities of all bodies, and where each group finds those of its own.
 struct BodyView {
-  Velocities<real>* records;  ///< a record a body; or, in columns, lane_count bodies' side by side
-  const int* ends;  ///< of each group, the records of its lanes' bodies 1, then of their bodies 2;
-                    ///< or in columns two numbers, which columns
-  bool columns;     ///< bodies stand as the lanes want them
+  Velocities<real>* records;  ///< one record per body, or columns of lane_count bodies
+  const int* ends;  ///< for each group the records of the lanes' bodies 1, then of their bodies 2;
+                    ///< with columns only two numbers, the column of each
+  bool columns;     ///< the records are columns: no transposition
 };
 
-/// All that an iteration works on.
+/// All that an iteration reads and writes.
 struct LaneIteration {
   const LaneGroup* groups;   ///< in the order in which they are solved
-  int count;                 ///< how many
-  real* numbers;             ///< of the groups, at an address that 32 divides
-  const int* sums;           ///< of each group's lanes, which of `numbers` its bounds follow
+  int count;                 ///< number of groups
+  real* numbers;             ///< the records of all groups, aligned to 32 bytes
+  const int* followed;       ///< for each lane of a group, the index of the impulse it follows
   BodyView bodies;           ///< their velocities
 };
 
 /// One iteration, one block at a time.
 void iterate_single(const LaneIteration& iteration);
-/// One iteration on lanes, with the best instructions of the processor that runs it.
+/// One iteration on lanes; chooses the instruction set at run time.
 void iterate_lanes(const LaneIteration& iteration);
 
 }  // namespace joints

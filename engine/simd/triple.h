@@ -1,5 +1,5 @@
-// 3-vectors, inertias and velocities of a scalar or of a SIMD lane type. GLM's own know only single
-// numbers. There is nothing to edit here.
+// 3-vectors, inertias and velocities of a scalar or of a SIMD lane type, which GLM's do not allow.
+// There is nothing to edit here.
 #pragma once
 
 #include "engine/real.h"
@@ -8,10 +8,10 @@
 /// @{
 namespace joints {
 
-/// A 3-vector, or in lanes several of them side by side. Written like a vec3.
+/// A 3-vector, or one per lane. Used like a vec3.
 template <class Number>
 struct Triple {
-  Number x, y, z;  ///< its parts
+  Number x, y, z;  ///< its components
 };
 
 /// The sum.
@@ -29,12 +29,12 @@ template <class Number>
 inline Triple<Number>& operator+=(Triple<Number>& a, const Triple<Number>& b) {
   return a = a + b;
 }
-/// Takes away.
+/// Subtracts.
 template <class Number>
 inline Triple<Number>& operator-=(Triple<Number>& a, const Triple<Number>& b) {
   return a = a - b;
 }
-/// The opposite.
+/// The negative.
 template <class Number>
 inline Triple<Number> operator-(const Triple<Number>& a) {
   return {-a.x, -a.y, -a.z};
@@ -60,7 +60,7 @@ inline Triple<real> triple(const vec3& a) { return {a.x, a.y, a.z}; }
 /// A symmetric 3x3 matrix, such as an inverse inertia in world axes: six numbers instead of nine.
 template <class Number>
 struct Symmetric {
-  Number xx, yy, zz, xy, xz, yz;  ///< the diagonal, then what stands on both sides of it
+  Number xx, yy, zz, xy, xz, yz;  ///< the diagonal, then the off-diagonal entries
 };
 
 /// Matrix times vector.
@@ -74,13 +74,13 @@ inline Symmetric<real> symmetric(const mat3& m) {
   return {m[0][0], m[1][1], m[2][2], m[1][0], m[2][0], m[2][1]};
 }
 
-/// What an iteration reads and writes of a body: a record of eight numbers.
+/// What an iteration reads and writes of a body: a record of eight numbers, or one per lane.
 template <class Number>
 struct alignas(32) Velocities {
   Triple<Number> v;     ///< of the centre [m/s], world
   Number inverse_mass;  ///< [1/kg], 0 for a static body
   Triple<Number> w;     ///< angular velocity [rad/s], world
-  Number unused;        ///< fills the record
+  Number unused;        ///< padding
 };
 
 }  // namespace joints

@@ -33,7 +33,7 @@ real row_impulse(const Row& J, real K, real bias, const Body& body1, const Body&
 
 void apply_impulse(const Row& J, real lambda, Body& body1, Body& body2) {
   // begin [exercise 1.3]
-  // Change the four velocities v and w of both bodies by M^-1 J^T lambda, Eq. 1-6.
+  // Change v and w of both bodies by M^-1 J^T lambda, Eq. 1-6.
   // inverse_inertia(body) gives the world inverse inertia as a mat3.
   body1.v += body1.inverse_mass * lambda * J.v1;  // Eq. 1-6
   body1.w += inverse_inertia(body1) * (lambda * J.w1);
@@ -84,12 +84,12 @@ void step(std::vector<Body>& bodies, const std::vector<Link>& links,
   // end [exercise 1.4]
 }
 
-// ---- a rope: the sum of its impulses must not push ---------------------------------------------
+// ---- a rope: its accumulated impulse must not push ---------------------------------------------
 
 real clamp_sum(real dlambda, real& sum) {
   // begin [exercise 1.5]
-  // Let the sum grow by dlambda, but never below 0; store it in `sum` and return by how much it
-  // really grew (Eq. 1-12).
+  // Add dlambda to the accumulated impulse, but keep it at least 0; store it in `sum` and return
+  // its change (Eq. 1-12).
   const real before = sum;
   sum = glm::max(before + dlambda, real(0));  // Eq. 1-12
   return sum - before;
@@ -101,7 +101,7 @@ real clamp_sum(real dlambda, real& sum) {
 Row Distance::jacobian(const Body& body1, const Body& body2) const {
   // begin [exercise 1.6]
   // Return the row J of Eq. 1-15. The levers r1, r2 and the points p1, p2 are in world space:
-  // to_world(body1, anchor1_local) turns a lever, world_point adds the centre.
+  // to_world(body1, anchor1_local) rotates a lever, world_point adds the centre.
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   const vec3 n = direction(body2.x + r2 - body1.x - r1);  // Eq. 1-14
   return {-n, -cross(r1, n), n, cross(r2, n)};            // Eq. 1-15

@@ -50,12 +50,12 @@ void apply_impulse(const Jacobian<3>& J, const vec3& lambda, Body& body1, Body& 
   // end [exercise 2.3]
 }
 
-// ---- how a body turns -------------------------------------------------------------------------
+// ---- the rotation of a body in a step ---------------------------------------------------------
 
 quat turned(const quat& q, const vec3& w, real h) {
   // begin [exercise 2.4]
-  // Return exp(h w) q, normalised, Eq. 2-10. A quaternion is made by quat(w, x, y, z). Where the
-  // angle |h w| is zero the division by it must not happen: nothing turns, return q.
+  // Return exp(h w) q, normalised, Eq. 2-10. A quaternion is made by quat(w, x, y, z). If the angle
+  // |h w| is zero, do not divide by it: return q.
   const real angle = h * length(w);
   if (angle == 0) return q;
   const vec3 axis = w / length(w);

@@ -27,14 +27,14 @@ Matrix<6> weld_K(const Weld& weld, const Body& body1, const Body& body2) {
   return K;
 }
 
-// ---- what it carries ------------------------------------------------------------------------
+// ---- the load of a weld ---------------------------------------------------------------------
 
 Reaction carried(const Vector<6>& impulse, real h) {
   // begin [exercise 5.2]
-  // Return {force, torque} of Eq. 5-4: the first three impulses are of the point, the last three of
-  // the lock. Rows of the lock turn, rows of the point push at the anchor.
-  const vec3 push(impulse[0], impulse[1], impulse[2]), turn(impulse[3], impulse[4], impulse[5]);
-  return {push / h, turn / h};  // Eq. 5-4
+  // Return {force, torque} of Eq. 5-4: the first three impulses are of the point and act at the
+  // anchor, the last three are of the lock and are couples.
+  const vec3 push(impulse[0], impulse[1], impulse[2]), couple(impulse[3], impulse[4], impulse[5]);
+  return {push / h, couple / h};  // Eq. 5-4
   // end [exercise 5.2]
 }
 

@@ -14,7 +14,7 @@ real bias(real C, real beta, real h) {
 
 real limit_bias(real C, real beta, real h) {
   // begin [exercise 6.1]
-  // Return b of Eq. 6-5: one line for a limit that is passed, one for a limit that lies ahead.
+  // Return b of Eq. 6-5: one case for a violated limit, one for a limit that is not yet reached.
   return C < 0 ? beta * C / h : C / h;  // Eq. 6-5
   // end [exercise 6.1]
 }
@@ -44,13 +44,13 @@ bool warm_start_is_safe(real rho, int iterations, real beta) {
   // end [exercise 6.2]
 }
 
-// ---- the places put right themselves -----------------------------------------------------------
+// ---- position projection -----------------------------------------------------------------------
 
 void project(const Point& point, Body& body1, Body& body2) {
   // begin [exercise 6.3]
   // Find lambda of Eq. 6-10 from the error and K of the point, at the present poses. The moves of
   // Eq. 6-11 are M^-1 J^T lambda, which apply_impulse of exercise 2.3 adds to velocities: give it
-  // two copies of the bodies that are at rest. turned(q, w, 1) turns q by the arrow w [rad].
+  // two copies of the bodies that are at rest. turned(q, w, 1) rotates q by the vector w [rad].
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);  // Eq. 6-10
   Body move1 = body1, move2 = body2;
   move1.v = move1.w = move2.v = move2.w = vec3(0);
@@ -64,7 +64,7 @@ void project(const Point& point, Body& body1, Body& body2) {
 
 void project(const Rope<Distance>& rope, Body& body1, Body& body2) {
   // begin [exercise 6.3]
-  // The same with a single row, and only where the rope is too long: else nothing moves.
+  // The same with a single row, and only if the rope is overstretched: else nothing moves.
   const real C = rope.error(body1, body2);
   if (C >= 0) return;
   const real lambda = -C / rope.K(body1, body2);  // Eq. 6-10

@@ -13,7 +13,7 @@ namespace joints {
 void hoist(const Hinge& hinge, const Body& body1, const Body& body2, real h,
            HingeNumbers<real>& out) {
   // begin [exercise 7.1]
-  // Fill in r1, r2, axis_row, I1, I2 and bias, Eq. 7-1. to_world(body, lever) turns a lever;
+  // Fill in r1, r2, axis_row, I1, I2 and bias, Eq. 7-1. to_world(body, lever) rotates a lever;
   // hinge.axis.jacobian(body1, body2)[i].w2 is an axis row; inverse_inertia(body) is a mat3;
   // triple() and symmetric() change vec3 and mat3 into what HingeNumbers holds.
   out.r1 = triple(to_world(body1, hinge.point.anchor1_local));  // Eq. 7-1
@@ -30,41 +30,41 @@ void hoist(const Hinge& hinge, const Body& body1, const Body& body2, real h,
   // end [exercise 7.1]
 }
 
-// ---- one block a joint -------------------------------------------------------------------------
+// ---- one block per joint -----------------------------------------------------------------------
 
 Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inverse_mass2) {
   const std::array<Triple<real>, 2>& row = hinge.axis_row;
   Matrix<5> K;
   // begin [exercise 7.2]
   // Fill K with the three parts of Eq. 7-3: the point's 3x3, the axis' 2x2, and between them the
-  // columns -(r1 x I1 a + r2 x I2 a), which stand below the diagonal once more. hinge.I1 * row[i]
-  // is an arrow; cross() and dot() work on those.
-  for (int j = 0; j < 3; ++j) {  // what an impulse along j does to the gap
+  // columns -(r1 x I1 a + r2 x I2 a) and their transpose. hinge.I1 * row[i] is a Triple; cross()
+  // and dot() work on those.
+  for (int j = 0; j < 3; ++j) {  // the gap's rate by an impulse of 1 along axis j
     const Triple<real> along{real(j == 0), real(j == 1), real(j == 2)};
     const Triple<real> gap = cross(hinge.I1 * cross(hinge.r1, along), hinge.r1) +
                              cross(hinge.I2 * cross(hinge.r2, along), hinge.r2);
     K[0][j] = gap.x, K[1][j] = gap.y, K[2][j] = gap.z;
     K[j][j] += inverse_mass1 + inverse_mass2;  // Eq. 7-3
   }
-  for (int j = 0; j < 2; ++j) {  // and one about axis row j, to the gap and to the tilt
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    const Triple<real> gap = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+  for (int j = 0; j < 2; ++j) {  // the rates of gap and tilt by an impulse of 1 of axis row j
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    const Triple<real> gap = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     K[0][3 + j] = K[3 + j][0] = -gap.x;
     K[1][3 + j] = K[3 + j][1] = -gap.y;
     K[2][3 + j] = K[3 + j][2] = -gap.z;
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
   }
   // end [exercise 7.2]
   return K;
 }
 
-// ---- who may be solved side by side ------------------------------------------------------------
+// ---- graph colouring ---------------------------------------------------------------------------
 
 std::vector<int> colours_of(const std::vector<BodyPair>& links, const std::vector<bool>& moves) {
   // begin [exercise 7.3]
-  // Keep, for each body, the colours that its joints have taken so far; taken[body][colour] is one
-  // way. Joint after joint takes the least colour that neither of its bodies has; a body that
-  // cannot move takes part in nothing.
+  // For each body keep the colours that its joints have so far, for example as taken[body][colour].
+  // Each joint in turn takes the least colour that is free at both its bodies. A body that cannot
+  // move has no colours.
   std::vector<std::vector<bool>> taken(moves.size());
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -84,29 +84,30 @@ std::vector<int> colours_of(const std::vector<BodyPair>& links, const std::vecto
   // end [exercise 7.3]
 }
 
-// ---- the row solve, on lanes -------------------------------------------------------------------
+// ---- the solve of a block, scalar or on lanes --------------------------------------------------
 
 template <class Number>
 void solve(const HingeNumbers<Number>& hinge, Velocities<Number>& body1,
            Velocities<Number>& body2) {
   // begin [exercise 7.4]
-  // Eq. 7-6 in four steps: how far each row is from what is wanted (e = bias + J V); K^-1 e, by
-  // hinge.inverse_K_times(e, out), whose opposite is lambda; the push and the turn of it; and what
-  // they do to both bodies. Only + - * and the functions of Triple: then lanes work as well.
-  const Triple<Number> gap =
+  // Eq. 7-6 in four steps: the velocity errors e = bias + J V; K^-1 e by
+  // hinge.inverse_K_times(e, out), which is -lambda; the push and the couple of lambda; and the
+  // changes of the velocities. Use only + - * and the functions of Triple: lanes work then as well.
+  const Triple<Number> v =
       body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
-  const Triple<Number> turning = body2.w - body1.w;
-  const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
-                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
-                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
-  Number back[5];  // what has to be taken away: -lambda
-  hinge.inverse_K_times(e, back);
-  const Triple<Number> push{-back[0], -back[1], -back[2]};
-  const Triple<Number> turn = -back[3] * hinge.axis_row[0] - back[4] * hinge.axis_row[1];
+  const Triple<Number> w = body2.w - body1.w;
+  const Number e[] = {hinge.bias[0] + v.x, hinge.bias[1] + v.y, hinge.bias[2] + v.z,
+                      hinge.bias[3] + dot(hinge.axis_row[0], w),
+                      hinge.bias[4] + dot(hinge.axis_row[1], w)};
+  Number minus_lambda[5];
+  hinge.inverse_K_times(e, minus_lambda);
+  const Triple<Number> push{-minus_lambda[0], -minus_lambda[1], -minus_lambda[2]};
+  const Triple<Number> couple =
+      -minus_lambda[3] * hinge.axis_row[0] - minus_lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);  // Eq. 7-6
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);  // Eq. 7-6
   // end [exercise 7.4]
 }
 

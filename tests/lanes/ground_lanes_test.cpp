@@ -251,15 +251,15 @@ TEST_CASE("who is solved with whom is kept while no corner comes or goes, withou
   Stepping stepping;
   stepping.warm_start = true;
   for (int n = 0; n < 240; ++n) step(world, wide, h, stepping);
-  const int fallen = wide.packed().packed();
+  const int fallen = wide.packed().groupings();
   CHECK(fallen > 1);  // corners came and went while they fell
   CHECK(allocations_of([&] {
           for (int n = 0; n < 30; ++n) step(world, wide, h, stepping);
         }) == 0);
-  CHECK(wide.packed().packed() == fallen);
+  CHECK(wide.packed().groupings() == fallen);
   world.bodies.at(1).v.y = 2;  // one jumps
   step(world, wide, h, stepping);
-  CHECK(wide.packed().packed() == fallen + 1);
+  CHECK(wide.packed().groupings() == fallen + 1);
 }
 
 TEST_CASE("corners come and go and the scalar solver takes no memory from the heap") {

@@ -38,7 +38,7 @@ inline double penetration(const World& world) {
   double deepest = 0;
   for (const auto& joint : world.joints())
     if (const auto* contact = dynamic_cast<const GroundContact*>(joint.get()))
-      deepest = std::max(deepest, -double(contact->room(world.bodies)));
+      deepest = std::max(deepest, -double(contact->gap(world.bodies)));
   return deepest;
 }
 

@@ -116,19 +116,19 @@ inline Numbers stepped(const Scene& scene) {
   return numbers_of(bodies);
 }
 
-/// A step may visit the links in any order: the one in which yours is right, or else from first to
+/// A step may solve the links in any order: the one in which yours is right, or else from first to
 /// last.
 inline Way order_of_yours() {
-  const auto forward = Way{}.visits;
+  const auto forward = Way{}.order;
   const auto turned = [=](int links, int n, bool back) {
     std::vector<int> out = forward(links, n);
     if (back) std::reverse(out.begin(), out.end());
     return out;
   };
   std::vector<Way> ways(4);
-  ways[1].visits = [=](int links, int n) { return turned(links, n, true); };
-  ways[2].visits = [=](int links, int n) { return turned(links, n, n % 2 == 1); };
-  ways[3].visits = [=](int links, int n) { return turned(links, n, n % 2 == 0); };
+  ways[1].order = [=](int links, int n) { return turned(links, n, true); };
+  ways[2].order = [=](int links, int n) { return turned(links, n, n % 2 == 1); };
+  ways[3].order = [=](int links, int n) { return turned(links, n, n % 2 == 0); };
   for (const Way& way : ways) {
     bool fits = true;
     for (const Scene& s : rod_scenes())
@@ -145,8 +145,8 @@ inline Ways sorted_mistakes(const std::vector<Scene>& all) {
   for (std::size_t k = 0, count = ways.size(); k < count; ++k) {
     ways.push_back(ways[k]);
     Way& way = ways.back().second;
-    way.visits = [visits = way.visits](int links, int n) {
-      std::vector<int> out = visits(links, n);
+    way.order = [order = way.order](int links, int n) {
+      std::vector<int> out = order(links, n);
       std::reverse(out.begin(), out.end());
       return out;
     };

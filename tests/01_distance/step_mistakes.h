@@ -143,14 +143,14 @@ inline Ways fixed_steps() {
   return out;
 }
 
-/// How often, and in which order, the links are visited.
+/// How often, and in which order, the links are solved.
 inline Ways wrong_iterations() {
   Ways out;
   const auto count = [&](const std::string& words, std::function<int(const Scene&)> iterations) {
     out.push_back({words, way_with([&](Way& w) { w.iterations = iterations; })});
   };
-  const auto visits = [&](const char* words, auto which) {
-    out.push_back({words, way_with([&](Way& w) { w.visits = which; })});
+  const auto order = [&](const char* words, auto which) {
+    out.push_back({words, way_with([&](Way& w) { w.order = which; })});
   };
   count("only one iteration was done. The loop over the iterations is outside, the loop over the "
         "links inside", [](const Scene&) { return 1; });
@@ -172,9 +172,9 @@ inline Ways wrong_iterations() {
       return out;
     };
   };
-  visits("the first link is left out: places in a vector run from 0", from_to(1, 0));
-  visits("the last link is left out: places run from 0 to size() - 1", from_to(0, 1));
-  visits("only the first link is solved",
+  order("the first link is left out: places in a vector run from 0", from_to(1, 0));
+  order("the last link is left out: places run from 0 to size() - 1", from_to(0, 1));
+  order("only the first link is solved",
          [](int links, int) { return std::vector<int>(links > 0 ? 1 : 0); });
   out.push_back({"all impulses of an iteration from the same velocities: apply each one before the "
                  "next is computed", way_with([](Way& w) { w.at_once = false; })});

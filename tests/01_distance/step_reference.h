@@ -44,8 +44,8 @@ struct Way {
   std::function<int(const Scene&)> iterations = [](const Scene& s) {
     return s.settings.iterations;
   };
-  /// The places of the links that an iteration visits.
-  std::function<std::vector<int>(int links, int iteration)> visits = [](int links, int) {
+  /// The indices of the links in the order in which an iteration solves them.
+  std::function<std::vector<int>(int links, int iteration)> order = [](int links, int) {
     std::vector<int> out(links);
     std::iota(out.begin(), out.end(), 0);
     return out;
@@ -149,7 +149,7 @@ class Walk {
     real sum_of_all = 0;
     for (int n = 0; n < way_.iterations(scene_); ++n) {
       std::vector<std::function<void()>> later;
-      for (int k : way_.visits(int(rows_.size()), n)) {
+      for (int k : way_.order(int(rows_.size()), n)) {
         const Link link = way_.link(scene_, k);
         LinkRow& row = rows_[way_.row(k)];
         if (way_.sum == Way::Sum::of_iteration) row.sum = 0;

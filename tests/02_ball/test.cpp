@@ -2,7 +2,7 @@
 // stub and with every known wrong and right answer.
 #include "tests/checker/catch.h"
 #include "tests/02_ball/block_cases.h"
-#include "tests/02_ball/turn_cases.h"
+#include "tests/02_ball/rotation_cases.h"
 #include "tests/checker/fixtures.h"
 
 using namespace joints;
@@ -73,12 +73,12 @@ TEST_CASE("2.3 after its impulse a ball joint holds and a second impulse is zero
 // ---- 2.4 ----------------------------------------------------------------------------------------
 
 TEST_CASE("2.4 a third of a turn a second for 0.75 s is a quarter turn", "[2.4]") {
-  const CaseTable<SpinCase> table = spin_table();
+  const CaseTable<RotationCase> table = rotation_table();
   table.check(table.cases[0], {double(half_root), 0, 0, double(half_root)});
 }
 
-TEST_CASE("2.4 a steady spin turns a body by the exponential of h w in the world", "[2.4]") {
-  spin_table().check();
+TEST_CASE("2.4 a constant angular velocity rotates a body by exp(h w) in the world", "[2.4]") {
+  rotation_table().check();
 }
 
 TEST_CASE("2.4 the new orientation has length 1, whatever has become of the old one", "[2.4]") {

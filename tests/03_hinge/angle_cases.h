@@ -47,7 +47,7 @@ inline CaseTable<AngleCase> angle_table() {
   const auto angle_of = [=](const quat& q, const vec3& a) {
     return 2 * std::atan2(dot(vector(up(q)), a), up(q).w);
   };
-  // another turn, another axis, another angle of the right turn
+  // another turn, another axis, another angle of the right rotation
   const auto of = [=](auto other) {
     return [=](const Case& c) { return degrees(angle_of(other(c), c.a1_local)); };
   };
@@ -126,7 +126,7 @@ inline CaseTable<AngleCase> angle_table() {
        angle([](real p, real s, real) { return 4 * std::atan2(p, s); })},
       {"the arguments of atan2 are exchanged: first p, then s",
        angle([](real p, real s, real) { return 2 * std::atan2(s, p); })},
-      {"the sign of the turn: body 2 as body 1 sees it",
+      {"the sign of the rotation: body 2 as body 1 sees it",
        angle([](real p, real s, real) { return -2 * std::atan2(p, s); })},
       {"the sign is lost",
        angle([](real p, real s, real) { return 2 * std::atan2(std::abs(p), s); })},
@@ -170,7 +170,7 @@ inline CaseTable<AngleCase> angle_table() {
        }},
       {"the angle is cut off to a whole number: an int has no fraction",
        angle([](real p, real s, real) { return std::trunc(2 * std::atan2(p, s)); })},
-      {"a difference of quaternions is no turn: q1^-1 q2", [=](const Case& c) {
+      {"a difference of quaternions is no rotation: q1^-1 q2", [=](const Case& c) {
          return degrees(as_it_stands(c.q2 - c.q1, c.a1_local));
        }},
       {"angles about three axes are no rotation: their sum along the axis is not the twist",

@@ -86,7 +86,7 @@ inline CaseTable<AxisCase> axis_table() {
       {"the squares: C holds a1.b and a1.c themselves", [=](const Case& at) {
          return Numbers{right(at)[0] * right(at)[0], right(at)[1] * right(at)[1]};
        }},
-      {"1 minus the cosine: the arrows are at right angles, so a1.b itself is 0",
+      {"1 minus the cosine: the vectors are at right angles, so a1.b itself is 0",
        [=](const Case& at) { return Numbers{1 - right(at)[0], 1 - right(at)[1]}; }},
       {"the angle itself: C holds the cosines a1.b and a1.c as they are", [=](const Case& at) {
          return Numbers{std::asin(right(at)[0]), std::asin(right(at)[1])};

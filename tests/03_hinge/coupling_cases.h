@@ -162,7 +162,7 @@ inline CaseTable<RowsCase> coupling_table() {
       {"the linear blocks v1 and v2 are missing", scaled(0, 1, 0, 1)},
       {"the sign of body 1's share: the shares of both bodies are added", scaled(-1, -1, 1, 1)},
       {"the sign of body 2's share: the shares of both bodies are added", scaled(1, 1, -1, -1)},
-      {"the sign of the turns' share: all four terms are added", scaled(1, -1, 1, -1)},
+      {"the sign of the rotations' share: all four terms are added", scaled(1, -1, 1, -1)},
       {"the sign of the result", scaled(-1, -1, -1, -1)},
       {"the row a with itself: one side belongs to b",
        [=](const Case& c) { return table.right({"", c.a, c.a, c.pair}); }},

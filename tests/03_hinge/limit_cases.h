@@ -32,7 +32,7 @@ inline CaseTable<LimitCase> limit_table() {
   const auto side = [](const Case& c, bool upper) {
     return upper ? Row3{c.upper - c.x, -1, false} : Row3{c.x - c.lower, 1, false};
   };
-  const auto less_room_after = [=](const Case& c) {
+  const auto smaller_gap_after = [=](const Case& c) {
     return c.upper - c.x - h * c.rate <= c.x - c.lower + h * c.rate;
   };
   const auto live = [](const Case& c, const Row3& r) {
@@ -48,21 +48,21 @@ inline CaseTable<LimitCase> limit_table() {
   };
   const auto keep = [](const Case&, Row3&) {};
   const auto choosing = [=](auto upper) { return build(upper, keep, live); };
-  const auto changed = [=](auto change) { return build(less_room_after, change, live); };
-  const auto ruled = [=](auto rule) { return build(less_room_after, keep, rule); };
-  // other rooms for the choice and the rule, too
-  const auto with_rooms = [=](auto room) {
+  const auto changed = [=](auto change) { return build(smaller_gap_after, change, live); };
+  const auto ruled = [=](auto rule) { return build(smaller_gap_after, keep, rule); };
+  // other gaps for the choice and the rule, too
+  const auto with_gaps = [=](auto gap) {
     return [=](const Case& c) {
-      const Row3 lower{room(c, false), 1, false}, upper{room(c, true), -1, false};
+      const Row3 lower{gap(c, false), 1, false}, upper{gap(c, true), -1, false};
       Row3 row = lower.C + h * c.rate < upper.C - h * c.rate ? lower : upper;
       row.live = live(c, row);
       return numbers(row);
     };
   };
-  const auto right_room = [=](const Case& c, bool upper) { return side(c, upper).C; };
+  const auto right_gap = [=](const Case& c, bool upper) { return side(c, upper).C; };
   const auto filled_in_where = [=](auto needed) {
     return [=](const Case& c) {
-      Row3 row = side(c, less_room_after(c));
+      Row3 row = side(c, smaller_gap_after(c));
       row.live = live(c, row);
       return numbers(needed(row) ? row : Row3{std::numeric_limits<double>::infinity(), 1, false});
     };
@@ -74,13 +74,13 @@ inline CaseTable<LimitCase> limit_table() {
   };
   const char* const upper_sign =
       "the sign at the upper limit: C = upper - x shrinks while x grows, so that dC/dx is -1";
-  const char* const upper_room = "C at the upper limit: the room left is upper - x, not x - upper";
+  const char* const upper_gap = "C at the upper limit: the gap is upper - x, not x - upper";
   const char* const beyond = "beyond the limit C is negative: no absolute value";
-  const char* const lower_room = "C at the lower limit: the room left is x - lower, not lower - x";
+  const char* const lower_gap = "C at the lower limit: the gap is x - lower, not lower - x";
   const char* const whole = "the rate is cut off to a whole number: an int has no fraction";
   const char* const way_round =
-      "the limit with less room now: the one with less room at the end of the step counts, where "
-      "the lower room has grown by h rate and the upper one has shrunk by it";
+      "the limit with the smaller gap now: the smaller gap at the end of the step decides, where "
+      "the lower gap has grown by h rate and the upper one has shrunk by it";
   const char* const size = "the size of the rate counts, |rate|: a neighbour may turn x round "
                            "within the step";
   const char* const violated = "live only where the limit is passed already: then it is too late. "
@@ -98,19 +98,19 @@ inline CaseTable<LimitCase> limit_table() {
       {upper_sign, changed([](const Case&, Row3& r) { r.sign = 1; })},
       {"the signs are exchanged: +1 at the lower limit, -1 at the upper one",
        changed([](const Case&, Row3& r) { r.sign = -r.sign; })},
-      {upper_room, changed([](const Case&, Row3& r) { r.C *= r.sign; })},
-      {upper_room, build(less_room_after, [](const Case&, Row3& r) { r.C *= r.sign; },
+      {upper_gap, changed([](const Case&, Row3& r) { r.C *= r.sign; })},
+      {upper_gap, build(smaller_gap_after, [](const Case&, Row3& r) { r.C *= r.sign; },
                          [=](const Case& c, Row3 r) { return live(c, {r.sign * r.C, 1, false}); })},
-      {upper_room, always_upper_negative},
-      {"the sign of C: it is the room left, positive between the limits",
+      {upper_gap, always_upper_negative},
+      {"the sign of C: it is the gap, positive between the limits",
        changed([](const Case&, Row3& r) { r.C = -r.C; })},
       {beyond, changed([](const Case&, Row3& r) { r.C = std::abs(r.C); })},
-      {beyond, build(less_room_after, [](const Case&, Row3& r) { r.C = std::abs(r.C); },
+      {beyond, build(smaller_gap_after, [](const Case&, Row3& r) { r.C = std::abs(r.C); },
                      [=](const Case& c, Row3 r) { return live(c, {std::abs(r.C), 1, false}); })},
-      {"C is the room now: what the rate does to it in the step decides only which limit it is",
+      {"C is the gap now: what the rate does to it in the step decides only which limit it is",
        changed([](const Case& c, Row3& r) { r.C += h * r.sign * c.rate; })},
-      {"C is the room now: what the rate does to it in the step decides only which limit it is",
-       build(less_room_after, [](const Case& c, Row3& r) { r.C += h * r.sign * c.rate; },
+      {"C is the gap now: what the rate does to it in the step decides only which limit it is",
+       build(smaller_gap_after, [](const Case& c, Row3& r) { r.C += h * r.sign * c.rate; },
              [=](const Case& c, Row3 r) {
                return live(c, {r.C + h * r.sign * c.rate, 1, false});
              })},
@@ -136,7 +136,7 @@ inline CaseTable<LimitCase> limit_table() {
        })},
       {whole, [=](Case c) {
          c.rate = std::trunc(c.rate);
-         return build(less_room_after, keep, live)(c);
+         return build(smaller_gap_after, keep, live)(c);
        }},
       {"the 0.1 stands outside the absolute value: |rate| + 0.1, not |rate + 0.1|",
        ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate + 0.1); })},
@@ -154,11 +154,11 @@ inline CaseTable<LimitCase> limit_table() {
        ruled([](const Case& c, const Row3& r) {
          return std::abs(r.C) < h * std::abs(c.rate) + 0.1 * h;
        })},
-      {"C is a room, it is not divided by h: C < h |rate| + 0.1 h",
+      {"C is a gap, it is not divided by h: C < h |rate| + 0.1 h",
        ruled([](const Case& c, const Row3& r) {
          return r.C / h < h * std::abs(c.rate) + 0.1 * h;
        })},
-      {"the room now decides whether the row is live: C, not C + h dC/dt",
+      {"the gap now decides whether the row is live: C, not C + h dC/dt",
        ruled([](const Case& c, const Row3& r) {
          return r.C + h * r.sign * c.rate < h * std::abs(c.rate) + 0.1 * h;
        })},
@@ -207,38 +207,38 @@ inline CaseTable<LimitCase> limit_table() {
        changed([](const Case& c, Row3& r) { r.sign = c.rate < 0 ? 1 : -1; })},
       {"the sign is that of the limit: it does not ask where x is going",
        changed([](const Case& c, Row3& r) { r.sign = c.rate <= 0 ? 1 : -1; })},
-      {lower_room, with_rooms([=](const Case& c, bool upper) {
-         return (upper ? 1 : -1) * right_room(c, upper);
+      {lower_gap, with_gaps([=](const Case& c, bool upper) {
+         return (upper ? 1 : -1) * right_gap(c, upper);
        })},
-      {upper_room, with_rooms([=](const Case& c, bool upper) {
-         return (upper ? -1 : 1) * right_room(c, upper);
+      {upper_gap, with_gaps([=](const Case& c, bool upper) {
+         return (upper ? -1 : 1) * right_gap(c, upper);
        })},
-      {"the signs of both rooms: C is x - lower and upper - x, what is left of the way",
-       with_rooms([=](const Case& c, bool upper) { return -right_room(c, upper); })},
+      {"the signs of both gaps: C is x - lower and upper - x, positive between the limits",
+       with_gaps([=](const Case& c, bool upper) { return -right_gap(c, upper); })},
       {"the limits are exchanged: C is x - lower and upper - x",
-       with_rooms([=](const Case& c, bool upper) { return -right_room(c, !upper); })},
+       with_gaps([=](const Case& c, bool upper) { return -right_gap(c, !upper); })},
       {"beyond the limit C is negative: it does not end at 0",
-       with_rooms([=](const Case& c, bool upper) { return std::max(right_room(c, upper), 0.0); })},
-      {"the rooms are cut off to whole numbers: an int has no fraction",
-       with_rooms([=](const Case& c, bool upper) {
-         const double room = right_room(c, upper);
-         return std::isfinite(room) ? std::trunc(room) : double(std::numeric_limits<int>::min());
+       with_gaps([=](const Case& c, bool upper) { return std::max(right_gap(c, upper), 0.0); })},
+      {"the gaps are cut off to whole numbers: an int has no fraction",
+       with_gaps([=](const Case& c, bool upper) {
+         const double gap = right_gap(c, upper);
+         return std::isfinite(gap) ? std::trunc(gap) : double(std::numeric_limits<int>::min());
        })},
-      {"no absolute value in the choice: beyond a limit the room is negative, that is less",
+      {"no absolute value in the choice: beyond a limit the gap is negative, that is less",
        choosing([=](const Case& c) {
          return !(std::abs(side(c, false).C + h * c.rate) < std::abs(side(c, true).C - h * c.rate));
        })},
       {"h is missing in the choice of the limit: C + h dC/dt", choosing([=](const Case& c) {
          return !(side(c, false).C + c.rate < side(c, true).C - c.rate);
        })},
-      {"the rate counts for both limits: the one room grows by h rate, the other shrinks by it",
+      {"the rate counts for both limits: the one gap grows by h rate, the other shrinks by it",
        choosing([=](const Case& c) { return !(side(c, false).C + h * c.rate < side(c, true).C); })},
-      {"the rate counts for both limits: the one room grows by h rate, the other shrinks by it",
+      {"the rate counts for both limits: the one gap grows by h rate, the other shrinks by it",
        choosing([=](const Case& c) { return !(side(c, false).C < side(c, true).C - h * c.rate); })},
-      {"the lower limit wherever it is live: the one with less room at the end of the step counts",
+      {"the lower limit wherever it is live: the smaller gap at the end of the step decides",
        choosing([=](const Case& c) { return !live(c, side(c, false)); })},
       {size, ruled([](const Case& c, const Row3& r) { return r.C < -h * c.rate + 0.1 * h; })},
-      {"C is a room: it is not divided by h",
+      {"C is a gap: it is not divided by h",
        changed([](const Case&, Row3& r) { r.C /= h; })},
       {"the rule the wrong way round: live where C is small",
        ruled([=](const Case& c, const Row3& r) { return !live(c, r); })},
@@ -246,12 +246,12 @@ inline CaseTable<LimitCase> limit_table() {
       {"always live: a limit that is far away needs no row",
        ruled([](const Case&, const Row3&) { return true; })},
       {way_round, choosing([](const Case& c) { return c.upper - c.x <= c.x - c.lower; })},
-      {"the limit toward which x moves: the one with less room at the end of the step counts",
+      {"the limit toward which x moves: the smaller gap at the end of the step decides",
        choosing([](const Case& c) { return c.rate > 0; })},
-      {"the limit toward which x moves: the one with less room at the end of the step counts",
+      {"the limit toward which x moves: the smaller gap at the end of the step decides",
        choosing([](const Case& c) { return c.rate >= 0; })},
-      {"the limit with more room is taken", choosing([=](const Case& c) {
-         return !less_room_after(c);
+      {"the limit with the larger gap is taken", choosing([=](const Case& c) {
+         return !smaller_gap_after(c);
        })},
       {"the sign of the rate: at the end of the step x is x + h rate", choosing([](const Case& c) {
          return c.upper - c.x + h * c.rate <= c.x - c.lower - h * c.rate;

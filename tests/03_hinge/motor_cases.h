@@ -8,7 +8,7 @@
 
 namespace joints::testing {
 
-/// One visit, in a step of 1/10 s.
+/// One solve, in a step of 1/10 s.
 struct MotorCase {
   std::string words;
   double rate, K, speed, strength, sum;
@@ -32,7 +32,7 @@ inline CaseTable<MotorCase> motor_table() {
   const auto wanted = [=](const Case& c) { return c.sum + lack(c); };
   const auto bounded = [=](auto other) { return motor(wanted, other); };
   const auto right = motor(wanted, bound);
-  const char* const each = "each visit is clamped: it is the sum over all visits of a step that "
+  const char* const each = "each change is clamped: it is the accumulated impulse of a step that "
                            "stays within h strength";
   const char* const no_h =
       "the bound is h strength: an impulse is a torque times a time, and h is missing";
@@ -69,7 +69,7 @@ inline CaseTable<MotorCase> motor_table() {
          const double change = clamped(wanted(c) - c.sum, bound(c));
          return Numbers{change, c.sum};
        }},
-      {"each visit is clamped, and h is missing: it is the sum that stays within h strength",
+      {"each change is clamped, and h is missing: it is the sum that stays within h strength",
        [=](const Case& c) {
          const double change = clamped(lack(c), c.strength);
          return Numbers{change, c.sum + change};
@@ -130,7 +130,7 @@ inline CaseTable<MotorCase> motor_table() {
          const double sum = wanted(c) <= -bound(c) ? c.sum : std::min(wanted(c), bound(c));
          return Numbers{sum - c.sum, sum};
        }},
-      {"the sum so far is thrown away: it grows over all visits of a step", [=](const Case& c) {
+      {"the sum so far is thrown away: it grows over all iterations of a step", [=](const Case& c) {
          const double sum = clamped(lack(c), bound(c));
          return Numbers{sum, sum};
        }},
@@ -226,7 +226,7 @@ inline CaseTable<MotorCase> motor_table() {
                            speed, strength, sum});
   };
   for (const double way : {1, -1}) {
-    add(way * 0, 0.5, way * 3, 10, 0);             // the two visits of the text
+    add(way * 0, 0.5, way * 3, 10, 0);             // the two iterations of the text
     add(way * 0.5, 0.5, way * 3, 10, way * 1);
     add(way * 2.9, 0.5, way * 3, 10, 0);           // within the bound
     add(way * 2.9, 0.5, way * 3, 10, way * 0.5);

@@ -208,7 +208,7 @@ TEST_CASE("3.4 a limit needs a row before it is reached", "[3.4]") {
   table.check(limit_case(-1, 2, -1.05, 0), {-0.05, 1, 1});
 }
 
-TEST_CASE("3.4 of two limits the one with less room AFTER the step counts", "[3.4]") {
+TEST_CASE("3.4 of two limits the one with the smaller gap AFTER the step counts", "[3.4]") {
   limit_table().check();
 }
 
@@ -232,30 +232,30 @@ TEST_CASE("3.4 without limits there is no row", "[3.4]") {
 
 TEST_CASE("3.5 a motor gives no more than its strength in a step", "[3.5]") {
   const CaseTable<MotorCase> table = motor_table();
-  table.check({"visit 1", 0, 0.5, 3, 10, 0}, {1, 1});
-  table.check({"visit 2", 0.5, 0.5, 3, 10, 1}, {0, 1});
+  table.check({"iteration 1", 0, 0.5, 3, 10, 0}, {1, 1});
+  table.check({"iteration 2", 0.5, 0.5, 3, 10, 1}, {0, 1});
   table.check();
 }
 
-TEST_CASE("3.5 a motor gives the same in a step however many visits it gets", "[3.5]") {
+TEST_CASE("3.5 a motor gives the same in a step however many iterations there are", "[3.5]") {
   // a rotor of 2 kg m^2 that only the motor turns; a step is 1/60 s
   const CaseTable<MotorCase> table = motor_table();
   const real h = real(1) / 60, inertia = 2;
   for (const real speed : {real(3), real(-3), real(0.01)})
     for (const real strength : {real(10), real(0), real(1e4)})
-      for (const int visits : {1, 10, 100}) {
+      for (const int iterations : {1, 10, 100}) {
         real w = 0, sum = 0;
-        for (int n = 0; n < visits; ++n)
+        for (int n = 0; n < iterations; ++n)
           w += motor_impulse(w, 1 / inertia, {speed, strength}, h, sum) / inertia;
         const real most = h * strength / inertia;
-        expect(table.subject, "w [rad/s] after visits: " + std::to_string(visits), double(w),
+        expect(table.subject, "w [rad/s], iterations: " + std::to_string(iterations), double(w),
                double(std::clamp(speed, -most, most)), 100 * rounding,
                table.explain(double(w)));
       }
 }
 
 TEST_CASE("3.5 a motor takes back what it gave too much", "[3.5]") {
-  // between two visits something else speeds the rotor up: the sum sinks to its lower bound
+  // between two iterations something else speeds the rotor up: the sum sinks to its lower bound
   const CaseTable<MotorCase> table = motor_table();
   real w = 0, sum = 0;
   w += motor_impulse(w, real(0.5), {3, 10}, real(0.1), sum) / 2;

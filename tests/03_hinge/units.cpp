@@ -25,7 +25,7 @@ TEST_CASE("3.3 a twist is an angle and so is one that counts turns", "[3.3]") {
 }
 
 // The 0.1 of the live rule is a rate. Rates are pure numbers here, as it is: x is in seconds then.
-TEST_CASE("3.4 the room at a limit is compared with a rate times h", "[3.4]") {
+TEST_CASE("3.4 the gap at a limit is compared with a rate times h", "[3.4]") {
   const auto row = [](real x) { return limit_row({-1 * s, 2 * s}, x, real(0.5) * pure, h); };
   const std::string entry = "limit_row (rates as pure numbers and x in s)";
   for (const real x : {real(-0.99) * s, real(1.99) * s}) {

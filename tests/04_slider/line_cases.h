@@ -18,7 +18,7 @@ struct PartCase {
 template <class Fixture>
 std::vector<PartCase<typename Fixture::Part>> part_cases() {
   std::vector<PartCase<typename Fixture::Part>> out;
-  visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
+  for_each_pose<Fixture>([&](int pose, const auto& part, const Pair& pair) {
     out.push_back({pose_names[pose], part, pair});
   });
   for (const bool second : {false, true}) {
@@ -33,7 +33,7 @@ std::vector<PartCase<typename Fixture::Part>> part_cases() {
 
 /// A table whose numbers are u.d for some directions d of body 1. \param name of a direction
 template <class Fixture>
-CaseTable<PartCase<typename Fixture::Part>> way_table(
+CaseTable<PartCase<typename Fixture::Part>> along_table(
     const Subject& subject, const std::vector<std::string>& entries,
     std::vector<vec3> (*locals)(const typename Fixture::Part&), const std::string& name) {
   using Case = PartCase<typename Fixture::Part>;
@@ -130,7 +130,7 @@ CaseTable<PartCase<typename Fixture::Part>> way_table(
 }
 
 inline CaseTable<PartCase<Line>> line_table() {
-  auto table = way_table<LineFixture>({"4.1", "the error C of a line"}, row_names<LineFixture>(),
+  auto table = along_table<LineFixture>({"4.1", "the error C of a line"}, row_names<LineFixture>(),
                                [](const Line& part) {
                                  return std::vector<vec3>{part.n1_local, part.n2_local};
                                },
@@ -147,20 +147,20 @@ inline CaseTable<PartCase<Line>> line_table() {
   with("the second number is missing", [](double a, double) { return Numbers{a, 0}; });
   with("the first number is missing", [](double, double b) { return Numbers{0, b}; });
   table.mistakes.push_back(
-      {"n1 x n2 runs along the line, where the way is free: C holds u.n1 and u.n2",
+      {"n1 x n2 runs along the line, where the displacement is free: C holds u.n1 and u.n2",
        [](const PartCase<Line>& c) {
          const vec3 a = c.pair.body1.q * cross(c.part.n1_local, c.part.n2_local);
-         const double way = double(dot(gap(c.part, c.pair.body1, c.pair.body2), a));
-         return Numbers{way, way};
+         const double along = double(dot(gap(c.part, c.pair.body1, c.pair.body2), a));
+         return Numbers{along, along};
        }});
   return table;
 }
 
 inline CaseTable<PartCase<Slide>> slide_table() {
-  auto table = way_table<SlideFixture>({"4.3", "the way along a line"}, {"way"},
-                                [](const Slide& part) { return std::vector<vec3>{part.a1_local}; },
-                                "a");
-  table.mistakes.push_back({"the way has a sign: it is negative behind the start",
+  auto table = along_table<SlideFixture>(
+      {"4.3", "the displacement along a line"}, {"u.a"},
+      [](const Slide& part) { return std::vector<vec3>{part.a1_local}; }, "a");
+  table.mistakes.push_back({"the displacement has a sign: it is negative behind the start",
                             [right = table.right](const auto& c) {
                               return Numbers{std::abs(right(c)[0])};
                             }});

@@ -37,7 +37,7 @@ inline CaseTable<LockCase> lock_table() {
   const auto numbers = [](const vec3& a) { return Numbers{double(a.x), double(a.y), double(a.z)}; };
   const auto back = [](const quat& q) { return conjugate(q); };
   const auto turn = [=](const Case& c) { return c.q2 * back(c.start) * back(c.q1); };
-  // something else made of the right turn, with its sign as the rule wants it, or as it comes
+  // something else made of the right rotation, with its sign as the rule wants it, or as it comes
   const auto of = [=](auto f) {
     return [=](const Case& c) {
       const quat e = turn(c);
@@ -55,7 +55,7 @@ inline CaseTable<LockCase> lock_table() {
     return [=](const Case& c) { return numbers(three(c)); };
   };
   const char* const three = "differences of angles about three axes: these are no rotation, and "
-                            "their rates are not the spins. C is 2 v";
+                            "their rates are not w. C is 2 v";
   const char* const axis = "the axis alone: C is 2 v, whose length is 2 sin(angle/2)";
   const char* const sine = "the sine of the whole angle: it is zero again at a half turn";
   const char* const tangent = "the tangent of half the angle: it has no bound at a half turn";
@@ -74,11 +74,11 @@ inline CaseTable<LockCase> lock_table() {
       {"the sign rule is forgotten: where s < 0, take -q", as_it_comes(C)},
       {"the sign: body 2 is turned too far, so q2 stands first and q1 is inverted; and -q is "
        "taken where s < 0, not where s > 0", of([=](const quat& e) { return -C(e); })},
-      {"the factor 2 is forgotten: v is only half the turn", of(vector_of)},
+      {"the factor 2 is forgotten: v is only half the rotation", of(vector_of)},
       {"the factor 2 and the sign rule are forgotten", as_it_comes(vector_of)},
       {"x decides which of q and -q is taken: the sign of s does",
        as_it_comes([=](const quat& e) { return C(e.x < 0 ? -e : e); })},
-      {"the vector of the turn itself: C is 2 v, whose length is 2 sin(angle/2)",
+      {"the vector of the rotation itself: C is 2 v, whose length is 2 sin(angle/2)",
        of([](const quat& e) {
          const real size = length(vector_of(e));
          return size > 0 ? 2 * std::atan2(size, e.w) / size * vector_of(e) : vec3(0);
@@ -108,7 +108,7 @@ inline CaseTable<LockCase> lock_table() {
        })},
       {three, of([](const quat& e) { return glm::eulerAngles(e); })},
       {three, as_it_comes([](const quat& e) { return glm::eulerAngles(e); })},
-      {"a difference of quaternions is no turn",
+      {"a difference of quaternions is no rotation",
        [=](const Case& c) { return numbers(C(c.q2 - c.q1)); }},
       {in_1, in_axes_of([=](const Case& c) { return back(c.q1); })},
       {in_2, in_axes_of([=](const Case& c) { return back(c.q2); })},
@@ -117,7 +117,7 @@ inline CaseTable<LockCase> lock_table() {
       {"C is zero, though body 2 is turned too far",
        [=](const Case&) { return numbers(vec3(0)); }}};
   for (const real small : {real(1e-1), real(1e-2), real(1e-4)})
-    table.mistakes.push_back({"a small turn is an error, too: no threshold belongs here",
+    table.mistakes.push_back({"a small rotation is an error, too: no threshold belongs here",
                               of([=](const quat& e) {
                                 return length(C(e)) < small ? vec3(0) : C(e);
                               })});
@@ -126,13 +126,13 @@ inline CaseTable<LockCase> lock_table() {
   using Product = std::function<quat(const Case&)>;
   const char* const order = "the order of the product: q2, then start^-1, then q1^-1";
   const std::pair<const char*, Product> products[] = {
-      {"start is forgotten: the turn that the bodies began with is no error",
+      {"start is forgotten: the rotation that the bodies began with is no error",
        [=](const Case& c) { return c.q2 * back(c.q1); }},
       {"start is forgotten, and the order is q2 q1^-1",
        [=](const Case& c) { return back(c.q1) * c.q2; }},
       {"start is taken away twice",
        [=](const Case& c) { return c.q2 * back(c.start) * back(c.start) * back(c.q1); }},
-      {"body 1 alone: the turn is that of body 2",
+      {"body 1 alone: the rotation is that of body 2",
        [=](const Case& c) { return c.q1 * back(c.start) * back(c.q1); }},
       {"body 2 alone: q1 and start say where it should be", [](const Case& c) { return c.q2; }},
       {"start must be inverted", [=](const Case& c) { return c.q2 * c.start * back(c.q1); }},

@@ -11,7 +11,7 @@ template <class Part>
 vec3 gap(const Part& part, const Body& body1, const Body& body2) {
   return body2.x + body2.q * part.anchor2_local - body1.x - body1.q * part.anchor1_local;
 }
-// The vector of a turn, from the one of q and -q that turns less.
+// The vector of a rotation, from the one of q and -q that turns less.
 inline vec3 short_way(const quat& q) {
   return (q.w < 0 ? real(-1) : real(1)) * vec3(q.x, q.y, q.z);
 }

@@ -64,7 +64,7 @@ TEST_CASE("4.1 the rows of a line are the slopes of its error at every pose", "[
 
 TEST_CASE("4.1 the push on one body and the answer on the other act along one line", "[4.1]") {
   // that is what the lever r1 + u is for: both act at the point p2
-  visit_poses<LineFixture>([](int pose, const Line& line, const Pair& pair) {
+  for_each_pose<LineFixture>([](int pose, const Line& line, const Pair& pair) {
     const Jacobian<2> J = line.jacobian(pair.body1, pair.body2);
     const vec3 n[] = {to_world(pair.body1, line.n1_local), to_world(pair.body1, line.n2_local)};
     for (int i = 0; i < 2; ++i) check_momentum(LineFixture::J, pose, line, pair, J[i], n[i]);
@@ -141,7 +141,7 @@ TEST_CASE("4.2 at a half turn the error is largest and finite", "[4.2]") {
   }
 }
 
-TEST_CASE("4.2 a lock feels how much faster body 2 spins than body 1", "[4.2]") {
+TEST_CASE("4.2 a lock measures how much faster body 2 rotates than body 1", "[4.2]") {
   check_jacobian<Locks>({RotationLock{quarter_z}}, {paper1, turned_by(quarter_z)},
                     jacobian_from_blocks(mat3(0), mat3(-1), mat3(0), mat3(1)));
 }
@@ -188,7 +188,7 @@ TEST_CASE("4.2 away from zero the rows are those of Eq. 4-8 or the exact ones", 
 
 // ---- 4.3 ----------------------------------------------------------------------------------------
 
-TEST_CASE("4.3 the way is the part of the gap along the line", "[4.3]") {
+TEST_CASE("4.3 the displacement is the part of the gap along the line", "[4.3]") {
   const CaseTable<PartCase<Slide>> table = slide_table();
   table.check({pose_names[pencil_and_paper], paper_slide, {paper1, paper2}}, {1.5});
   table.check();
@@ -200,12 +200,12 @@ TEST_CASE("4.3 the row of a motor has levers", "[4.3]") {
                                      vec3(0, real(0.5), 0)}));
 }
 
-TEST_CASE("4.3 the row of the way is its slope at every pose", "[4.3]") {
+TEST_CASE("4.3 the row of the displacement is its slope at every pose", "[4.3]") {
   check_jacobian<Slides>();
 }
 
 TEST_CASE("4.3 a motor gives the pair no angular momentum", "[4.3]") {
-  visit_poses<SlideFixture>([](int pose, const Slide& slide, const Pair& pair) {
+  for_each_pose<SlideFixture>([](int pose, const Slide& slide, const Pair& pair) {
     check_momentum(SlideFixture::J, pose, slide, pair, slide.jacobian(pair.body1, pair.body2),
                    to_world(pair.body1, slide.a1_local));
   });

@@ -26,7 +26,7 @@ inline CrossCase paper_weld() {
 }
 inline std::vector<CrossCase> cross_cases() {
   std::vector<CrossCase> out;
-  visit_poses<PointFixture>([&](int pose, const Point& point, const Pair& pair) {
+  for_each_pose<PointFixture>([&](int pose, const Point& point, const Pair& pair) {
     out.push_back({pose_names[std::size_t(pose)], point, pair});
   });
   for (const char* words : {"1 static", "2 static"}) {

@@ -34,7 +34,7 @@ TEST_CASE("5.1 two static bodies have no X", "[5.1]") {
 TEST_CASE("5.1 K of a weld is J M^-1 J^T of all six rows at every pose", "[5.1]") {
   const CaseTable<CrossCase> table = cross_table();
   std::vector<Sample> samples;
-  visit_poses<WeldFixture>([&](int pose, const Weld& weld, const Pair& pair) {
+  for_each_pose<WeldFixture>([&](int pose, const Weld& weld, const Pair& pair) {
     const Matrix<6> right = dense_K(numeric_jacobian(weld, pair.body1, pair.body2), pair.body1,
                                     pair.body2);
     Seen part = seen<WeldFixture>(weld);
@@ -84,7 +84,7 @@ TEST_CASE("5.2 the impulses row by row and the load about the centre are the sam
   Random random(53);
   const Vector<6> impulse{real(0.3), real(-0.2), real(0.7), real(-0.4), real(0.1), real(0.6)};
   const real h = real(0.25);
-  visit_poses<WeldFixture>([&](int, const Weld& weld, const Pair& pair) {
+  for_each_pose<WeldFixture>([&](int, const Weld& weld, const Pair& pair) {
     const Jacobian<6> J = weld.jacobian(pair.body1, pair.body2);
     vec3 force(0), torque(0);  // J^T lambda / h of body 2
     for (int i = 0; i < 6; ++i) {

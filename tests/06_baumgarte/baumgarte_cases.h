@@ -124,7 +124,7 @@ inline CaseTable<BiasCase> limit_bias_table() {
   table.mistakes = {
       {std::string(is_ahead) + " needs no beta: C/h just reaches it, beta C/h brakes long before",
        rules(behind, behind)},
-      {std::string(is_ahead) + " stops the approach far from it: b = 0 gives up the room C. It "
+      {std::string(is_ahead) + " stops the approach far from it: b = 0 gives up the gap C. It "
                                "may come as near as C/h", rules(behind, none)},
       {"a limit that is passed comes back by the share beta: C/h throws it back in one step",
        rules(all, all)},
@@ -178,7 +178,7 @@ struct Bead {
   Bead(double C, double v) : body(body_with(2, vec3(1), vec3(real(C), 0, 0))) {
     body.v.x = real(v);
   }
-  // A row with this bias; one that only pushes C up is visited once, with its clamp.
+  // A row with this bias; one that only pushes C up is solved once, with its clamp.
   void step(real b, real h, bool one_sided) {
     real lambda = row_impulse(along_x, real(0.5), b, rest, body), sum = 0;
     if (one_sided) lambda = clamp_sum(lambda, sum);

@@ -1,4 +1,4 @@
-// Exercise 6.3 as tables of cases with their usual mistakes: a visit of position projection to a
+// Exercise 6.3 as tables of cases with their usual mistakes: a position projection of a
 // point and to a rope.
 #pragma once
 
@@ -11,12 +11,12 @@ inline constexpr const char* no_sum =
     "a sum of quaternions is no orientation: take turned(q, w, 1), which normalises it";
 
 template <class Part>
-CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
-                                       std::vector<VisitCase<Part>> cases) {
-  using Case = VisitCase<Part>;
-  using Reference = VisitReference<Part>;
+CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
+                                       std::vector<ProjectionCase<Part>> cases) {
+  using Case = ProjectionCase<Part>;
+  using Reference = ProjectionReference<Part>;
   constexpr int n = Part::rows;
-  using Rules = VisitRules<Part>;
+  using Rules = ProjectionRules<Part>;
   const auto of = [](const Moves& a, const Moves& b = {}) { return Rules::of(a, b); };
   const auto changed = [](auto change) { return Rules::changed(change); };
   const auto velocities = [](auto poses, auto change) { return Rules::velocities(poses, change); };
@@ -88,11 +88,11 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
           times(1.0 / 60)},
          {"divided by h: there is no step in it, K lambda = -C", times(60)}};
   if (factor > 0 && factor < 1 - 100 * difference_tolerance)
-    add.push_back({"only a share of the gap is taken: there is no beta here, a visit takes it all",
+    add.push_back({"only a share of the gap is taken: a projection has no beta, it takes it all",
                    times(factor)});
   if (factor > 1 + 100 * difference_tolerance)
     add.push_back({"more than the gap is taken, " + short_number(factor) +
-                       " times: a visit takes it once", times(factor)});
+                       " times: a projection takes it once", times(factor)});
   add.insert(
       add.end(),
       {{"the velocities are changed, and the poses stay: add the moves to x and turn q by them",
@@ -178,7 +178,7 @@ CaseTable<VisitCase<Part>> visit_table(const Subject& subject,
           a.turn2 = turn_between(reference.pair.body2.q, rotation(a.turn2) * q1);
           return a;
         })},
-       {"this is two visits: one closes the gap to first order, the next iteration does the rest",
+       {"this is two projections: one closes the gap to first order, the next does the rest",
         [=](const Case& c) {
           Pair at = c.pair;
           for (int n = 0; n < 2; ++n) move_by(reference_moves(c.part, at), at.body1, at.body2);

@@ -1,4 +1,4 @@
-// Exercise 6.3: mistakes with single moves of a visit of position projection, with the copies that
+// Exercise 6.3: mistakes with single moves of a position projection, with the copies that
 // are given lambda, and with a rope's question.
 #pragma once
 
@@ -6,11 +6,11 @@
 
 namespace joints::testing {
 
-/// How the answer to a visit is written down, and what a mistake does to it.
+/// How the answer to a projection is written down, and what a mistake does to it.
 template <class Part>
-struct VisitRules {
-  using Case = VisitCase<Part>;
-  using Reference = VisitReference<Part>;
+struct ProjectionRules {
+  using Case = ProjectionCase<Part>;
+  using Reference = ProjectionReference<Part>;
   using Mistakes = typename CaseTable<Case>::Mistakes;
 
   static Numbers of(const Moves& poses, const Moves& velocities = {}) {
@@ -41,8 +41,8 @@ struct VisitRules {
 
 /// Each of the four moves alone.
 template <class Part>
-void add_single_moves(typename VisitRules<Part>::Mistakes& add) {
-  using Rules = VisitRules<Part>;
+void add_single_moves(typename ProjectionRules<Part>::Mistakes& add) {
+  using Rules = ProjectionRules<Part>;
   using Reference = typename Rules::Reference;
   const auto changed = [](auto change) { return Rules::changed(change); };
   for (int k = 0; k < 4; ++k) {  // each of the four moves alone
@@ -119,8 +119,8 @@ void add_single_moves(typename VisitRules<Part>::Mistakes& add) {
 
 /// The copies that are given lambda, and the bodies that error, K and J are asked of.
 template <class Part>
-void add_copies(typename VisitRules<Part>::Mistakes& add) {
-  using Rules = VisitRules<Part>;
+void add_copies(typename ProjectionRules<Part>::Mistakes& add) {
+  using Rules = ProjectionRules<Part>;
   using Reference = typename Rules::Reference;
   const auto changed = [](auto change) { return Rules::changed(change); };
   for (int flying = 15; flying > 0; --flying)  // which of the four velocities of the copies
@@ -143,7 +143,7 @@ void add_copies(typename VisitRules<Part>::Mistakes& add) {
       continue;  // what J of a point has of body 2 is the same then
     add.push_back({"taken again after body 1 has moved (" + Reference::words(which) +
                        "): one lambda, "
-                       "from the poses before the visit, moves both",
+                       "from the poses before the projection, moves both",
                    changed([=](const Reference& reference, Moves a) {
                      Pair at = reference.pair;
                      move_by({a.way1, a.turn1, vec3(0), vec3(0)}, at.body1, at.body2);
@@ -180,8 +180,8 @@ void add_copies(typename VisitRules<Part>::Mistakes& add) {
 
 /// What a rope is asked, and what takes its place.
 template <class Part>
-void add_rope(typename VisitRules<Part>::Mistakes& add) {
-  using Rules = VisitRules<Part>;
+void add_rope(typename ProjectionRules<Part>::Mistakes& add) {
+  using Rules = ProjectionRules<Part>;
   using Case = typename Rules::Case;
   using Reference = typename Rules::Reference;
   const auto of = [](const Moves& a) { return Rules::of(a); };
@@ -201,8 +201,8 @@ void add_rope(typename VisitRules<Part>::Mistakes& add) {
   const auto always = [](real) { return true; };
   const auto too_long = [](real C) { return C < 0; };
   const auto slack = [](real C) { return C > 0; };
-  const char* const no_point = "this is the visit of a point, which draws the two anchors into "
-                               "one: a rope is drawn to its length, by its own row";
+  const char* const no_point = "this is the projection of a point, which draws the two anchors "
+                               "into one: a rope is drawn to its length, by its own row";
   const char* const rod = "the error of the rod has the other sign: rope.error is negative "
                           "where the rope is too long";
   add.insert(add.begin(),
@@ -218,14 +218,14 @@ void add_rope(typename VisitRules<Part>::Mistakes& add) {
 
 /// From which error on a rope moves, where that is the only thing that is wrong; "" elsewhere.
 template <class Part>
-std::string threshold_of(const CaseTable<VisitCase<Part>>& table) {
+std::string threshold_of(const CaseTable<ProjectionCase<Part>>& table) {
   real moves = -unbounded, rests = unbounded;  // the greatest C that moves, the least that rests
-  for (const VisitCase<Part>& c : table.cases) {
-    const VisitReference<Part> reference(c.part, c.pair);
+  for (const ProjectionCase<Part>& c : table.cases) {
+    const ProjectionReference<Part> reference(c.part, c.pair);
     const Numbers yours = table.yours(c);
-    if (close(yours, VisitRules<Part>::of({}), table.tolerance))
+    if (close(yours, ProjectionRules<Part>::of({}), table.tolerance))
       rests = std::min(rests, reference.C[0]);
-    else if (close(yours, VisitRules<Part>::of(reference.moves()), table.tolerance))
+    else if (close(yours, ProjectionRules<Part>::of(reference.moves()), table.tolerance))
       moves = std::max(moves, reference.C[0]);
     else return "";
   }

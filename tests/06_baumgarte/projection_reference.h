@@ -1,4 +1,4 @@
-// Exercise 6.3 done once more, with J by differences: what a visit of position projection gives.
+// Exercise 6.3 done once more, with J by differences: what a position projection gives.
 #pragma once
 
 #include "tests/06_baumgarte/warm_cases.h"
@@ -15,7 +15,7 @@ inline vec3 turn_between(const quat& from, const quat& to) {
   return sine > 0 ? 2 * std::atan2(sine, turn.w) / sine * axis : vec3(0);
 }
 
-/// The four moves of a visit, and what reports call them.
+/// The four moves of a projection, and what reports call them.
 struct OneMove {
   vec3 Moves::*of;
   std::string words;
@@ -36,7 +36,7 @@ inline Moves between(const Pair& from, const Pair& to) {
 }
 
 template <class Part>
-struct VisitCase {
+struct ProjectionCase {
   std::string words;
   Part part;
   Pair pair;
@@ -47,7 +47,7 @@ inline const Point& rod_of(const Point& point) { return point; }
 
 /// K lambda = -C and all that belongs to it, with J by differences.
 template <class Part>
-struct VisitReference {
+struct ProjectionReference {
   static constexpr int n = Part::rows;
   Part part;
   Pair pair;
@@ -55,7 +55,7 @@ struct VisitReference {
   Matrix<n> K;
   Vector<n> C;
 
-  VisitReference(const Part& part, const Pair& pair)
+  ProjectionReference(const Part& part, const Pair& pair)
       : part(part), pair(pair), J(numeric_jacobian(part, pair.body1, pair.body2)),
         K(dense_K(J, pair.body1, pair.body2)), C(to_vector(part.error(pair.body1, pair.body2))) {}
 
@@ -72,8 +72,8 @@ struct VisitReference {
   Vector<n> lambda() const { return solved(K, C); }
   Moves moves() const { return response<n>(J, lambda(), pair); }
   /// With the error, K or J of another one, by the bits of `which`, and in words which.
-  VisitReference with(const VisitReference& other, int which) const {
-    VisitReference out = *this;
+  ProjectionReference with(const ProjectionReference& other, int which) const {
+    ProjectionReference out = *this;
     if (which & 1) out.C = other.C;
     if (which & 2) out.K = other.K;
     if (which & 4) out.J = other.J;
@@ -112,10 +112,10 @@ struct VisitReference {
   }
 };
 
-/// The moves of a visit; none where the part is one-sided and its error is not negative.
+/// The moves of a projection; none where the part is one-sided and its error is not negative.
 template <class Part>
 Moves reference_moves(const Part& part, const Pair& pair) {
-  const VisitReference<Part> reference(part, pair);
+  const ProjectionReference<Part> reference(part, pair);
   return Part::one_sided && reference.C[0] >= 0 ? Moves{} : reference.moves();
 }
 inline void move_by(const Moves& a, Body& body1, Body& body2) {

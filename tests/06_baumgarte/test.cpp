@@ -99,7 +99,7 @@ TEST_CASE("6.2 what is kept is what both bodies were given at every pose", "[6.2
   check_vectors(warm_table());
 }
 
-TEST_CASE("6.2 a warm start adds no momentum and no spin to the two bodies", "[6.2]") {
+TEST_CASE("6.2 a warm start adds no linear or angular momentum to the two bodies", "[6.2]") {
   const CaseTable<WarmCase> table = warm_table();
   for (const WarmCase& c : table.cases) {
     if (c.pair.body1.is_static()) continue;
@@ -159,7 +159,7 @@ const Pair paper{static_body(vec3(0)),
                  body_with(2, vec3(real(0.5), real(0.5), real(0.5)), vec3(1, 0, 0))};
 const Point paper_point{vec3(0), vec3(-1, real(0.1), 0)};
 
-// "all of the gap", "a 100th of the gap": how much of it a visit starts with.
+// "all of the gap", "a 100th of the gap": how much of it a projection starts with.
 std::string part_of(int part, const std::string& what) {
   return part == 1 ? "all of " + what
                    : (part == 2 ? "half" : "a " + std::to_string(part) + "th") + " of " + what;
@@ -175,22 +175,22 @@ TEST_CASE("6.3 a gap of ten centimetres is closed by a move and a turn", "[6.3]"
                       vec3(0, 0, 5 / real(63)), none, none, none, none}), 10 * rounding);
 }
 
-TEST_CASE("6.3 a visit moves both bodies by M^-1 J^T lambda at every pose", "[6.3]") {
+TEST_CASE("6.3 a projection moves both bodies by M^-1 J^T lambda at every pose", "[6.3]") {
   check_vectors(point_table());
 }
 
-TEST_CASE("6.3 a visit touches no velocity and no static body", "[6.3]") {
+TEST_CASE("6.3 a projection touches no velocity and no static body", "[6.3]") {
   expect_left_alone(point_table());
 }
 
-TEST_CASE("6.3 a gap that is left after a visit falls with the square of the gap", "[6.3]") {
-  const CaseTable<VisitCase<Point>> table = point_table();
-  for (VisitCase<Point> c : table.cases) {
+TEST_CASE("6.3 a gap that is left after a projection falls with the square of the gap", "[6.3]") {
+  const CaseTable<ProjectionCase<Point>> table = point_table();
+  for (ProjectionCase<Point> c : table.cases) {
     const vec3 gap = c.part.error(c.pair.body1, c.pair.body2);
     for (const int part : {1, 2, 10, 100}) {
-      VisitCase<Point> torn = c;
+      ProjectionCase<Point> torn = c;
       torn.pair.body1.x += (1 - 1 / real(part)) * gap;
-      const Pair after = visited(torn);
+      const Pair after = projected(torn);
       const double left = length(torn.part.error(after.body1, after.body2));
       const double most = bend(torn, after) + rounding / 10;
       expect(table.subject, "gap left, at most (" + c.words + ", " + part_of(part, "the gap") + ")",
@@ -199,25 +199,25 @@ TEST_CASE("6.3 a gap that is left after a visit falls with the square of the gap
   }
 }
 
-TEST_CASE("6.3 visit after visit closes a joint to the last digits", "[6.3]") {
-  const CaseTable<VisitCase<Point>> table = point_table();
-  for (VisitCase<Point> c : table.cases) {
-    for (int n = 0; n < 6; ++n) c.pair = visited(c);
+TEST_CASE("6.3 one projection after another closes a joint to the last digits", "[6.3]") {
+  const CaseTable<ProjectionCase<Point>> table = point_table();
+  for (ProjectionCase<Point> c : table.cases) {
+    for (int n = 0; n < 6; ++n) c.pair = projected(c);
     const vec3 gap = c.part.error(c.pair.body1, c.pair.body2);
-    expect(table.subject, "gap after 6 visits (" + c.words + ")", gap, vec3(0), rounding,
+    expect(table.subject, "gap after 6 projections (" + c.words + ")", gap, vec3(0), rounding,
            why(table, gap));
   }
 }
 
 TEST_CASE("6.3 the common centre of mass stays where it is", "[6.3]") {
-  const CaseTable<VisitCase<Point>> table = point_table();
-  for (const VisitCase<Point>& c : table.cases) {
+  const CaseTable<ProjectionCase<Point>> table = point_table();
+  for (const ProjectionCase<Point>& c : table.cases) {
     if (c.pair.body1.is_static() || c.pair.body2.is_static()) continue;
     const real m1 = 1 / c.pair.body1.inverse_mass, m2 = 1 / c.pair.body2.inverse_mass;
     const auto centre = [&](const Pair& at) {
       return (m1 * at.body1.x + m2 * at.body2.x) / (m1 + m2);
     };
-    const vec3 yours = centre(visited(c));
+    const vec3 yours = centre(projected(c));
     expect(table.subject, "centre of mass (" + c.words + ")", yours, centre(c.pair),
            rounding, why(table, yours));
   }
@@ -241,12 +241,12 @@ TEST_CASE("6.3 a rope moves both bodies where it is too long and none where it i
 }
 
 TEST_CASE("6.3 a slack or taut rope leaves both bodies alone to the last bit", "[6.3]") {
-  const CaseTable<VisitCase<Rope<Distance>>> table = rope_table();
-  std::vector<VisitCase<Rope<Distance>>> cases = table.cases;
+  const CaseTable<ProjectionCase<Rope<Distance>>> table = rope_table();
+  std::vector<ProjectionCase<Rope<Distance>>> cases = table.cases;
   cases.push_back({"taut", {{vec3(0), vec3(real(0.25), 0, 0), real(1.25)}}, paper});
   for (const auto& c : cases) {
     if (c.part.error(c.pair.body1, c.pair.body2) < 0) continue;
-    const Pair after = visited(c);
+    const Pair after = projected(c);
     const auto same = [&](const Body& before, const Body& body, const std::string& number) {
       expect(table.subject, "x" + number + " (" + c.words + ")", body.x, before.x, 0,
              why(table, body.x));
@@ -257,15 +257,15 @@ TEST_CASE("6.3 a slack or taut rope leaves both bodies alone to the last bit", "
   }
 }
 
-TEST_CASE("6.3 what a rope is off its length after a visit falls with the square", "[6.3]") {
-  const CaseTable<VisitCase<Rope<Distance>>> table = rope_table();
-  for (const VisitCase<Rope<Distance>>& c : table.cases) {
+TEST_CASE("6.3 what a rope is off its length after a projection falls with the square", "[6.3]") {
+  const CaseTable<ProjectionCase<Rope<Distance>>> table = rope_table();
+  for (const ProjectionCase<Rope<Distance>>& c : table.cases) {
     const real excess = -c.part.error(c.pair.body1, c.pair.body2);
     for (const int part : {1, 10, 100}) {
       if (excess <= 0) continue;
-      VisitCase<Rope<Distance>> rope = c;
+      ProjectionCase<Rope<Distance>> rope = c;
       rope.part.rod.length += (1 - 1 / real(part)) * excess;
-      const Pair after = visited(rope);
+      const Pair after = projected(rope);
       const double left = std::abs(double(rope.part.error(after.body1, after.body2)));
       const double most = bend(rope, after) + rounding / 10;
       expect(table.subject, "error left, at most (" + c.words + ", " + part_of(part, "C") + ")",
@@ -281,7 +281,7 @@ TEST_CASE("6.3 in an iteration each joint sees the poses that the one before it 
           "[6.3]") {
   const Chain start = torn_chain();
   Chain yours = start, right = start;
-  visit_all(right, {0, 1, 2, 3}, reference_visit);
+  project_all(right, {0, 1, 2, 3}, reference_projection);
   projection_iteration(yours);
   const IterationMistake mistake = explain_iteration(start, yours);
   for (std::size_t k = 0; k < start.bodies.size(); ++k) {

@@ -1,19 +1,19 @@
-// The torn joints of exercise 6.3: points and ropes at every pose, and the chain that is swept.
+// The torn joints of exercise 6.3: points and ropes at every pose, and a chain.
 #pragma once
 
 #include "tests/06_baumgarte/projection_cases.h"
 
 namespace joints::testing {
 
-// ---- visits -------------------------------------------------------------------------------------
+// ---- projections --------------------------------------------------------------------------------
 
 /// A part at every pose, with its joint torn and its bodies flying; then with a static body each.
 template <class Fixture>
-std::vector<VisitCase<typename Fixture::Part>> torn_cases(
+std::vector<ProjectionCase<typename Fixture::Part>> torn_cases(
     const std::function<void(typename Fixture::Part&, Pair&, Random&)>& tear) {
-  std::vector<VisitCase<typename Fixture::Part>> out;
+  std::vector<ProjectionCase<typename Fixture::Part>> out;
   Random random(63);
-  visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
+  for_each_pose<Fixture>([&](int pose, const auto& part, const Pair& pair) {
     out.push_back({pose_names[pose], part, pair});
     auto& c = out.back();
     tear(c.part, c.pair, random);
@@ -31,16 +31,17 @@ std::vector<VisitCase<typename Fixture::Part>> torn_cases(
   return out;
 }
 
-inline constexpr Subject visit{"6.3", "a visit of position projection to a point"};
-inline constexpr Subject rope_visit{"6.3", "a visit of position projection to a rope", 2};
+inline constexpr Subject point_projection{"6.3", "position projection of a point"};
+inline constexpr Subject rope_projection{"6.3", "position projection of a rope", 2};
 
-inline CaseTable<VisitCase<Point>> point_table() {
-  return visit_table(visit, torn_cases<PointFixture>([](Point&, Pair& pair, Random& random) {
-                       pair.body2.x += random.vector(real(0.15));
-                     }));
+inline CaseTable<ProjectionCase<Point>> point_table() {
+  const auto tear = [](Point&, Pair& pair, Random& random) {
+    pair.body2.x += random.vector(real(0.15));
+  };
+  return projection_table(point_projection, torn_cases<PointFixture>(tear));
 }
 // Half of the ropes are too long and half of them are slack, two of them hardly.
-inline CaseTable<VisitCase<Rope<Distance>>> rope_table() {
+inline CaseTable<ProjectionCase<Rope<Distance>>> rope_table() {
   bool slack = true;
   auto cases = torn_cases<RopeFixture>([&](Rope<Distance>& rope, Pair& pair, Random& random) {
     slack = !slack;
@@ -55,20 +56,20 @@ inline CaseTable<VisitCase<Rope<Distance>>> rope_table() {
   }
   for (auto& c : cases)
     if (c.part.error(c.pair.body1, c.pair.body2) > 0) c.words += ", slack";
-  return visit_table(rope_visit, cases);
+  return projection_table(rope_projection, cases);
 }
 
 template <class Part>
-Pair visited(const VisitCase<Part>& c) {
+Pair projected(const ProjectionCase<Part>& c) {
   Pair after = c.pair;
   project(c.part, after.body1, after.body2);
   return after;
 }
 
-// What a visit may leave: the second order. A lever that turns by w ends within |w|^2 |r|/2 of
+// What a projection may leave: the second order. A lever that turns by w ends within |w|^2 |r|/2 of
 // r + w x r, and a distance whose ends move by d across it grows by less than d^2/(2 length).
 template <class Part>
-double bend(const VisitCase<Part>& c, const Pair& after) {
+double bend(const ProjectionCase<Part>& c, const Pair& after) {
   const auto of = [](const Body& before, const Body& body, const vec3& anchor) {
     const double w = length(turn_between(before.q, body.q));
     return w * w * double(length(anchor)) / 2;
@@ -88,21 +89,22 @@ double bend(const VisitCase<Part>& c, const Pair& after) {
 
 // What explains an error that is left, where the table of mistakes does not.
 template <class Part>
-std::vector<Suspect> why_left(const CaseTable<VisitCase<Part>>& table, const VisitCase<Part>& c,
+std::vector<Suspect> why_left(const CaseTable<ProjectionCase<Part>>& table,
+                              const ProjectionCase<Part>& c,
                               const Pair& after, double left) {
   const Moves a = between(c.pair, after);
   const bool rests = a.way1 == vec3(0) && a.way2 == vec3(0);
   return table.explain(left, {{left, rests ? "nothing moves where the error is small: there is no "
-                                             "threshold, a visit closes every gap"
+                                             "threshold, a projection closes every gap"
                                            : "what is left must fall with the square of the error: "
                                              "are the moves right to first order?"}});
 }
 
-// The velocities and the static body of a visit are the same afterwards, to the last bit.
+// The velocities and the static body of a projection are the same afterwards, to the last bit.
 template <class Part>
-void expect_left_alone(const CaseTable<VisitCase<Part>>& table) {
-  for (const VisitCase<Part>& c : table.cases) {
-    const Pair after = visited(c);
+void expect_left_alone(const CaseTable<ProjectionCase<Part>>& table) {
+  for (const ProjectionCase<Part>& c : table.cases) {
+    const Pair after = projected(c);
     const auto same = [&](const char* entry, const vec3& a, const vec3& b) {
       expect(table.subject, entry + (" (" + c.words + ")"), a, b, 0, why(table, a));
     };
@@ -143,20 +145,21 @@ inline Chain torn_chain() {
   return chain;
 }
 
-using Visit = std::function<void(const Point&, Body&, Body&)>;
-inline void visit_all(Chain& chain, const std::vector<std::size_t>& order, const Visit& visit) {
+using Project = std::function<void(const Point&, Body&, Body&)>;
+inline void project_all(Chain& chain, const std::vector<std::size_t>& order,
+                        const Project& project_one) {
   for (const std::size_t k : order)
-    visit(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]);
+    project_one(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]);
 }
-inline void reference_visit(const Point& point, Body& body1, Body& body2) {
+inline void reference_projection(const Point& point, Body& body1, Body& body2) {
   move_by(reference_moves(point, {body1, body2}), body1, body2);
 }
-inline void your_visit(const Point& point, Body& body1, Body& body2) {
+inline void your_projection(const Point& point, Body& body1, Body& body2) {
   project(point, body1, body2);
 }
 
 // Every joint looks at the poses before the iteration.
-inline void stale_visits(Chain& chain, const Visit&) {
+inline void stale_poses(Chain& chain, const Project&) {
   const Chain before = chain;
   for (std::size_t k = 0; k < chain.joints.size(); ++k)
     move_by(reference_moves(before.joints[k], {before.bodies[k], before.bodies[k + 1]}),
@@ -164,31 +167,31 @@ inline void stale_visits(Chain& chain, const Visit&) {
 }
 
 // All errors are taken before the iteration, K and J are fresh.
-inline void stale_errors(Chain& chain, const Visit&) {
+inline void stale_errors(Chain& chain, const Project&) {
   const Chain before = chain;
   for (std::size_t k = 0; k < chain.joints.size(); ++k) {
     Body &a = chain.bodies[k], &b = chain.bodies[k + 1];
-    VisitReference<Point> reference(chain.joints[k], {a, b});
+    ProjectionReference<Point> reference(chain.joints[k], {a, b});
     reference.C = to_vector(chain.joints[k].error(before.bodies[k], before.bodies[k + 1]));
     move_by(reference.moves(), a, b);
   }
 }
 // One of the two bodies of each joint is a copy.
-inline auto visit_copy(int copied) {
-  return [=](Chain& chain, const Visit& visit) {
+inline auto project_copy(int copied) {
+  return [=](Chain& chain, const Project& project_one) {
     for (std::size_t k = 0; k < chain.joints.size(); ++k) {
       Body copy = chain.bodies[k + copied];
-      visit(chain.joints[k], copied == 0 ? copy : chain.bodies[k],
+      project_one(chain.joints[k], copied == 0 ? copy : chain.bodies[k],
             copied == 1 ? copy : chain.bodies[k + 1]);
     }
   };
 }
 // Joint k is given the bodies that stand `by` too far along the chain, where there are such.
-inline auto visit_shifted(int by) {
-  return [=](Chain& chain, const Visit& visit) {
+inline auto project_shifted(int by) {
+  return [=](Chain& chain, const Project& project_one) {
     for (int k = 0; k < int(chain.joints.size()); ++k)
       if (k + by >= 0 && k + by + 1 < int(chain.bodies.size()))
-        visit(chain.joints[k], chain.bodies[k + by], chain.bodies[k + by + 1]);
+        project_one(chain.joints[k], chain.bodies[k + by], chain.bodies[k + by + 1]);
   };
 }
 
@@ -208,27 +211,28 @@ inline bool same_chains(const Chain& a, const Chain& b) {
 }
 
 // The mistake that gives all the bodies of a chain; "" where there is none. The subject is another
-// one where the iteration is right and its visits are not.
+// one where the iteration is right and its projections are not.
 struct IterationMistake {
   Subject subject;
   std::string words;
 };
 inline IterationMistake explain_iteration(const Chain& start, const Chain& yours) {
-  using Iteration = std::function<void(Chain&, const Visit&)>;
+  using Iteration = std::function<void(Chain&, const Project&)>;
   const auto order = [](std::vector<std::size_t> joints) {
-    return [=](Chain& chain, const Visit& visit) { visit_all(chain, joints, visit); };
+    return [=](Chain& chain, const Project& one) { project_all(chain, joints, one); };
   };
   const std::pair<Iteration, const char*> iterations[] = {
-      {order({0, 1, 2, 3}), "the iteration is right and its visits are not: look at `project` of a "
+      {order({0, 1, 2, 3}),
+       "the iteration is right and its projections are not: look at `project` of a "
                             "point, the first part of the exercise"},
-      {stale_visits, "the poses are stale: each joint must see the poses that the one before it "
+      {stale_poses, "the poses are stale: each joint must see the poses that the one before it "
                      "has left, else both move their body for the same gap"},
       {order({3, 2, 1, 0}), "the iteration runs backwards: from the first joint to the last"},
       {order({1, 2, 3}), "the first joint is left out: it holds body 0 to body 1"},
       {order({0, 1, 2}), "the last joint is left out: there is one joint less than bodies"},
-      {order({0}), "only the first joint is visited"},
-      {order({0, 1, 2, 3, 0, 1, 2, 3}), "this is two iterations: every joint is visited once"},
-      {order({0, 1, 2, 3, 3, 2, 1, 0}), "there and back: every joint is visited once"},
+      {order({0}), "only the first joint is projected"},
+      {order({0, 1, 2, 3, 0, 1, 2, 3}), "this is two iterations: every joint is projected once"},
+      {order({0, 1, 2, 3, 3, 2, 1, 0}), "there and back: every joint is projected once"},
       {order({0, 2}), "every second joint is left out"},
       {order({0, 2, 1, 3}),
        "every second joint, then the others: from the first joint to the last"},
@@ -236,24 +240,25 @@ inline IterationMistake explain_iteration(const Chain& start, const Chain& yours
                   "chain by reference, auto& and not auto"},
       {stale_errors, "the errors are taken before the iteration: each joint needs its error at the "
                      "poses that the one before it has left"},
-      {visit_copy(1), "body k + 1 is a copy: take it by reference, auto& and not auto"},
-      {visit_copy(0), "body k is a copy: take it by reference, auto& and not auto"},
-      {visit_shifted(-1), "bodies k - 1 and k: joint k holds body k to body k + 1"},
-      {visit_shifted(1), "bodies k + 1 and k + 2: joint k holds body k to body k + 1"},
-      {[](Chain& chain, const Visit& visit) {
+      {project_copy(1), "body k + 1 is a copy: take it by reference, auto& and not auto"},
+      {project_copy(0), "body k is a copy: take it by reference, auto& and not auto"},
+      {project_shifted(-1), "bodies k - 1 and k: joint k holds body k to body k + 1"},
+      {project_shifted(1), "bodies k + 1 and k + 2: joint k holds body k to body k + 1"},
+      {[](Chain& chain, const Project& project_one) {
          for (std::size_t k = 0; k < chain.joints.size(); ++k)
-           visit(chain.joints[k], chain.bodies[k + 1], chain.bodies[k]);
+           project_one(chain.joints[k], chain.bodies[k + 1], chain.bodies[k]);
        }, "the bodies are exchanged: joint k holds body k to body k + 1"},
-      {[](Chain& chain, const Visit& visit) {
+      {[](Chain& chain, const Project& project_one) {
          for (std::size_t k = 0; k < chain.joints.size(); ++k)
-           visit(chain.joints[k], chain.bodies[0], chain.bodies[k + 1]);
+           project_one(chain.joints[k], chain.bodies[0], chain.bodies[k + 1]);
        }, "every joint holds its body to body 0: joint k holds body k to body k + 1"},
-      {[](Chain& chain, const Visit& visit) {
-         for (const Point& joint : chain.joints) visit(joint, chain.bodies[0], chain.bodies[1]);
+      {[](Chain& chain, const Project& project_one) {
+         for (const Point& joint : chain.joints)
+           project_one(joint, chain.bodies[0], chain.bodies[1]);
        }, "every joint is given bodies 0 and 1: joint k holds body k to body k + 1"},
-      {[](Chain& chain, const Visit& visit) {
+      {[](Chain& chain, const Project& project_one) {
          for (std::size_t k = 0; k < chain.joints.size(); ++k)
-           visit(chain.joints[0], chain.bodies[k], chain.bodies[k + 1]);
+           project_one(chain.joints[0], chain.bodies[k], chain.bodies[k + 1]);
        }, "joint 0 is taken for all of them: joint k holds body k to body k + 1"}};
   for (const Body& body : yours.bodies)
     if (!std::isfinite(double(dot(body.x, body.x) + dot(body.q, body.q))))
@@ -263,19 +268,18 @@ inline IterationMistake explain_iteration(const Chain& start, const Chain& yours
   for (const bool reference : {true, false})
     for (const auto& [iteration, words] : iterations) {
       Chain chain = start;
-      iteration(chain, reference ? reference_visit : your_visit);
+      iteration(chain, reference ? reference_projection : your_projection);
       if (!same_chains(chain, yours)) continue;
       const bool in_order = &words == &iterations[0].second;
-      return {in_order && !reference ? visit : iteration_subject,
+      return {in_order && !reference ? point_projection : iteration_subject,
               in_order && reference ? "" : words};
     }
   Chain often = start, resting = yours;
   for (int n = 2; n < 200; ++n) {
-    visit_all(often, {0, 1, 2, 3}, your_visit);
+    project_all(often, {0, 1, 2, 3}, your_projection);
     if (same_chains(often, yours) && n > 2)
       return {iteration_subject, "this is " + std::to_string(n - 1) +
-                                     " iterations: every joint is visited "
-                                     "once"};
+                                     " iterations: every joint is projected once"};
   }
   for (std::size_t k = 0; k < resting.bodies.size(); ++k) resting.bodies[k].v = start.bodies[k].v;
   if (!same_chains(resting, yours))

@@ -91,7 +91,7 @@ inline HingeCase paper_hinge() {
 inline std::vector<HingeCase> hinge_cases() {
   std::vector<HingeCase> out;
   Random random(71);
-  visit_poses<LoopHingeFixture>([&](int pose, const LoopHinge& hinge, const Pair& pair) {
+  for_each_pose<LoopHingeFixture>([&](int pose, const LoopHinge& hinge, const Pair& pair) {
     out.push_back({pose_names[pose], hinge, pair, 1 / random.uniform(50, 120)});
     out.back().hinge.beta = random.uniform(real(0.1), real(0.9));
     for (Body* body : {&out.back().pair.body1, &out.back().pair.body2}) {

@@ -52,7 +52,7 @@ TEST_CASE("7.1 what is hoisted does not feel the velocities", "[7.1]") {
     const auto compare = [&](const std::string& name, real one, real other) {
       expect({"7.1", "the numbers of a hinge, its bodies at rest and flying"},
              name + " (" + c.words + ")", double(one), double(other), 0,
-             {{double(one), "the velocities are mixed in: they change in every visit, so nothing "
+             {{double(one), "the velocities are mixed in: they change in every solve, so nothing "
                             "of them may be kept"}});
     };
     compare("r1.x", flying.r1.x, resting.r1.x);
@@ -226,7 +226,7 @@ TEST_CASE("7.4 after one solve all five rows are true", "[7.4]") {
   }
 }
 
-TEST_CASE("7.4 a solve adds no momentum and no spin to two bodies that move", "[7.4]") {
+TEST_CASE("7.4 a solve adds no linear or angular momentum to two bodies that move", "[7.4]") {
   for (const SolveCase& c : solve_cases()) {
     if (c.body1.inverse_mass == 0 || c.body2.inverse_mass == 0) continue;
     const Momentum before(c, c), after(solved(c), c);

@@ -1,4 +1,4 @@
-// Exercise 8.2: what a visit adds to the impulse of friction as a table of cases, with the usual
+// Exercise 8.2: what a solve adds to the impulse of friction as a table of cases, with the usual
 // mistakes.
 #pragma once
 
@@ -86,8 +86,8 @@ inline CaseTable<FrictionCase> friction_table() {
   };
   const auto right = bounded(bound);
   const auto no_more = [=](const Case& c) { return std::abs(wanted(c)) > bound(c); };
-  const char* const each = "the change of each visit is clamped: it is the sum over all visits "
-                           "that stays within +-mu normal";
+  const char* const each = "each change is clamped: it is the accumulated impulse that "
+                           "stays within +-mu normal";
   const char* const dropped = "what is too much is cut back to the edge, not dropped: the sum goes "
                               "to -mu normal or +mu normal";
   const char* const always = "the full bound whatever is wanted: friction gives no more than what "
@@ -96,7 +96,7 @@ inline CaseTable<FrictionCase> friction_table() {
                            "have either sign";
   const char* const added = "the new sum is added to the old one: it takes its place";
   const char* const inwards = "the bound moves inwards when the normal impulse becomes less, and "
-                              "the sum goes with it: clamp the sum anew in each visit";
+                              "the sum goes with it: clamp the sum anew in each iteration";
   const char* const either = ": friction is bounded either way, -mu normal and +mu normal";
   const char* const same_bound = "always the same bound: are the ends of clamp exchanged, "
                                  "clamp(a, low, high), or was what is wanted never set?";
@@ -182,7 +182,7 @@ inline CaseTable<FrictionCase> friction_table() {
       {added, [=](const Case& c) { return Numbers{right(c)[1], c.sum + right(c)[1]}; }},
       {added, [=](const Case& c) { return Numbers{right(c)[0], c.sum + right(c)[1]}; }},
       {added, [=](const Case& c) { return Numbers{-c.sum, c.sum + right(c)[1]}; }},
-      {"the sum is not stored: the next visit has to know it",
+      {"the sum is not stored: the next iteration needs it",
        [=](const Case& c) { return Numbers{right(c)[0], c.sum}; }},
       {"the sum that is stored is not clamped",
        [=](const Case& c) { return Numbers{right(c)[0], wanted(c)}; }},

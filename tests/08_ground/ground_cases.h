@@ -10,14 +10,14 @@ namespace joints::testing {
 // ---- what is right ------------------------------------------------------------------------------
 
 /// C, Eq. 8-1, seen from body 1: how high the centre of the ball stands there, less radius, height.
-inline real room(const Corner& corner, const Body& body1, const Body& body2) {
+inline real gap(const Corner& corner, const Body& body1, const Body& body2) {
   const vec3 centre = body2.x + body2.q * corner.corner_local;
   return (conjugate(body1.q) * (centre - body1.x)).y - corner.radius - corner.height;
 }
 
 /// The rows of the exercise beside an error that is right whatever the exercise's own is.
 struct CornerReference : Corner {
-  real error(const Body& body1, const Body& body2) const { return room(*this, body1, body2); }
+  real error(const Body& body1, const Body& body2) const { return gap(*this, body1, body2); }
 };
 
 /// Three rows of the exercise at once, along directions that ride on body 1.
@@ -83,7 +83,7 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_corner_rows(
   const std::string of_1 = ": the lever of body 1 is p - x1, with the same p as the one of body 2";
   for (const real part : {real(1), real(-1)})
     levers("r1 ends on the top, below the corner" + of_1,
-           r1 - part * room(corner, one, two) * n, r2);
+           r1 - part * gap(corner, one, two) * n, r2);
   levers((N == 1 ? "w1 is zero: has body 1 no lever, or does r1 end in the middle of the top"
                  : "r1 ends in the middle of the top") + of_1, corner.height * n, r2);
   levers("height is taken from r1" + of_1, r1 - corner.height * n, r2);
@@ -180,7 +180,7 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_corner_rows(
 /// A sharp corner (radius 0) or a ball about it, on the top of body 1: C = 0.
 inline Corner corner_on_top(const Pair& pair, real radius) {
   Corner corner{vec3(real(-0.4), real(-0.3), real(0.25)), radius, 0};
-  corner.height = room(corner, pair.body1, pair.body2);
+  corner.height = gap(corner, pair.body1, pair.body2);
   return corner;
 }
 

@@ -2,7 +2,7 @@
 // stub and with every known wrong and right answer.
 #include "tests/checker/catch.h"
 #include "tests/08_ground/friction_cases.h"
-#include "tests/08_ground/room_cases.h"
+#include "tests/08_ground/gap_cases.h"
 #include "tests/08_ground/tangent_cases.h"
 
 using namespace joints;
@@ -21,13 +21,13 @@ bool differ(double a, double b, double tolerance) { return !(std::abs(a - b) <= 
 
 }  // namespace
 
-// ---- 8.1 the room -------------------------------------------------------------------------------
+// ---- 8.1 the gap -------------------------------------------------------------------------------
 
 namespace {
 
 // Whatever is wrong with C, the table's mistake explains it.
-void expect_room(const RoomCase& c, const std::string& words, double right) {
-  const CaseTable<RoomCase> table = room_table();
+void expect_gap(const GapCase& c, const std::string& words, double right) {
+  const CaseTable<GapCase> table = gap_table();
   const double yours = table.yours(c)[0];
   expect(table.subject, "C, " + c.words + words, yours, right, table.tolerance,
          differ(yours, right, table.tolerance) ? table.explain(yours) : std::vector<Suspect>{});
@@ -36,39 +36,39 @@ void expect_room(const RoomCase& c, const std::string& words, double right) {
 }  // namespace
 
 TEST_CASE("8.1 the corner of the text has ten centimetres left", "[8.1]") {
-  room_table().check({"by hand", paper_corner, paper}, {0.1});
+  gap_table().check({"by hand", paper_corner, paper}, {0.1});
 }
 
-TEST_CASE("8.1 the room of a corner is measured from the top along its own upright", "[8.1]") {
-  room_table().check();
+TEST_CASE("8.1 the gap of a corner is measured from the top along its own upright", "[8.1]") {
+  gap_table().check();
 }
 
 TEST_CASE("8.1 a corner on the ground stays there while its body slides and turns about it",
           "[8.1]") {
-  for (const RoomCase& c : room_cases())
-    if (!c.words.ends_with(CornerFixture::broken.name)) expect_room(c, "", 0);
+  for (const GapCase& c : gap_cases())
+    if (!c.words.ends_with(CornerFixture::broken.name)) expect_gap(c, "", 0);
 }
 
-TEST_CASE("8.1 what is lifted along n has as much more room and what is pushed down has less",
+TEST_CASE("8.1 what is lifted along n has as much more gap and what is pushed down has less",
           "[8.1]") {
-  for (RoomCase c : room_cases()) {
-    const double before = room(c.corner, c.pair.body1, c.pair.body2);
+  for (GapCase c : gap_cases()) {
+    const double before = gap(c.corner, c.pair.body1, c.pair.body2);
     const vec3 place = c.pair.body2.x, n = to_world(c.pair.body1, y);
     for (const double way : {0.1, -0.1, 2.0, -2.0}) {
       c.pair.body2.x = place + real(way) * n;
-      expect_room(c, ", lifted " + short_number(way), before + way);
+      expect_gap(c, ", lifted " + short_number(way), before + way);
     }
   }
 }
 
-TEST_CASE("8.1 a ball has the same room however it is turned", "[8.1]") {
+TEST_CASE("8.1 a ball has the same gap however it is turned", "[8.1]") {
   Random random(811);
   for (int draw = 0; draw < 8; ++draw) {
-    RoomCase c{"ball", {vec3(0), real(0.3), real(0.5)}, uneven_pair()};
+    GapCase c{"ball", {vec3(0), real(0.3), real(0.5)}, uneven_pair()};
     move_together(c.pair, random);
-    const double before = room(c.corner, c.pair.body1, c.pair.body2);
+    const double before = gap(c.corner, c.pair.body1, c.pair.body2);
     c.pair.body2.q = random.turn();
-    expect_room(c, " turned about its centre", before);
+    expect_gap(c, " turned about its centre", before);
   }
 }
 
@@ -90,7 +90,7 @@ void expect_row(const std::string& entry, real yours, double right) {
 }
 // Calls look(name of the row, row, pair) for each row of corners and balls at every pose.
 template <class Look>
-void visit_rows(const Look& look) {
+void for_each_row(const Look& look) {
   const auto each = [&](const std::string& what) {
     return [&, what](int pose, const Slides3& part, const Pair& pair) {
       const Jacobian<3> J = part.jacobian(pair.body1, pair.body2);
@@ -100,8 +100,8 @@ void visit_rows(const Look& look) {
              J[i], part, pair);
     };
   };
-  visit_poses<CornerSlides>(each("corner, "));
-  visit_poses<BallSlides>(each("ball, "));
+  for_each_pose<CornerSlides>(each("corner, "));
+  for_each_pose<BallSlides>(each("ball, "));
 }
 
 }  // namespace
@@ -121,11 +121,11 @@ TEST_CASE("8.1 the rows of the text's corner along the ground and along n", "[8.
                    Row{-y, vec3(real(0.5), 0, real(-0.5)), y, vec3(real(-0.5), 0, -1)}}});
 }
 
-TEST_CASE("8.1 the row of a corner is the slope of its room at every pose", "[8.1]") {
+TEST_CASE("8.1 the row of a corner is the slope of its gap at every pose", "[8.1]") {
   check_jacobian<CornerFixture>();
 }
 
-TEST_CASE("8.1 the row of a ball is the slope of its room at every pose", "[8.1]") {
+TEST_CASE("8.1 the row of a ball is the slope of its gap at every pose", "[8.1]") {
   check_jacobian<BallOnTopFixture>();
 }
 
@@ -137,7 +137,7 @@ TEST_CASE("8.1 a row along any direction is how fast the corner leaves the matte
 
 TEST_CASE("8.1 a corner neither slides nor leaves where both bodies move as one", "[8.1]") {
   Random random(812);
-  visit_rows([&](const std::string& name, const Row& J, const Slides3&, const Pair& pair) {
+  for_each_row([&](const std::string& name, const Row& J, const Slides3&, const Pair& pair) {
     Body a = pair.body1, b = pair.body2;
     a.v = random.vector(2);
     b.w = a.w = random.vector(2);
@@ -164,13 +164,13 @@ TEST_CASE("8.1 a ball that rolls does not slide", "[8.1]") {
   }
 }
 
-TEST_CASE("8.1 a corner gives no momentum and no spin to two bodies together", "[8.1]") {
-  visit_rows([&](const std::string& name, const Row& J, const Slides3&, const Pair& pair) {
+TEST_CASE("8.1 a corner gives no linear or angular momentum to two bodies together", "[8.1]") {
+  for_each_row([&](const std::string& name, const Row& J, const Slides3&, const Pair& pair) {
     const vec3 push = J.v1 + J.v2;
-    const vec3 spin = cross(pair.body1.x, J.v1) + J.w1 + cross(pair.body2.x, J.v2) + J.w2;
+    const vec3 L = cross(pair.body1.x, J.v1) + J.w1 + cross(pair.body2.x, J.v2) + J.w2;
     for (int k = 0; k < 3; ++k) {
       expect_row(std::string("push.") + "xyz"[k] + " " + name, push[k], 0);
-      expect_row(std::string("spin.") + "xyz"[k] + " " + name, spin[k], 0);
+      expect_row(std::string("L.") + "xyz"[k] + " " + name, L[k], 0);
     }
   });
 }
@@ -256,11 +256,12 @@ TEST_CASE("8.2 the sum of friction stays within mu times the normal impulse", "[
 TEST_CASE("8.2 friction stops what slides slowly and takes its bound from what is fast", "[8.2]") {
   const real mass = 4, mu = real(0.5), normal = real(1.2);
   for (const real v0 : {real(0.1), real(-0.1), real(0.15), real(3), real(-3), real(0)})
-    for (const int visits : {1, 2, 30}) {
+    for (const int iterations : {1, 2, 30}) {
       real v = v0, sum = 0;
-      for (int n = 0; n < visits; ++n) v += friction_impulse(v, 1 / mass, mu, normal, sum) / mass;
+      for (int n = 0; n < iterations; ++n)
+        v += friction_impulse(v, 1 / mass, mu, normal, sum) / mass;
       const real most = mu * normal / mass;
-      expect_friction("speed after visits: " + std::to_string(visits), double(v),
+      expect_friction("speed after iterations: " + std::to_string(iterations), double(v),
                       double(v0 - std::clamp(v0, -most, most)),
                       "Case: 4 kg at " + short_number(double(v0)) +
                           " m/s, K 0.25 1/kg, mu 0.5, normal 1.2 N s, sum 0 N s at first.");
@@ -285,7 +286,7 @@ TEST_CASE("8.2 the sum of friction follows the normal impulse inwards", "[8.2]")
     const FrictionCase c{"", normal == 2 ? 3.0 : 0.0, 0.25, 0.5, double(normal), double(sum)};
     given += friction_impulse(real(c.rate), real(c.K), real(c.mu), normal, sum);
     expect_friction("sum", double(sum), -0.5 * double(normal), friction_given(c));
-    expect_friction("given in all visits", double(given), -0.5 * double(normal),
+    expect_friction("given in all iterations", double(given), -0.5 * double(normal),
                     friction_given(c));
   }
 }

@@ -9,7 +9,7 @@ namespace {
 const Corner corner{lever2, real(0.3) * m, real(0.5) * m};
 }
 
-TEST_CASE("8.1 the room of a corner is a length", "[8.1]") {
+TEST_CASE("8.1 the gap of a corner is a length", "[8.1]") {
   has_unit("C", m, [] { return corner.error(body1, body2); });
 }
 

@@ -170,7 +170,8 @@ Seen seen(const typename Fixture::Part& part) {
 
 /// Calls `look(pose, part, pair)` at every pose of the fixture's part where J is exact.
 template <class Fixture>
-void visit_poses(const std::function<void(int, const typename Fixture::Part&, const Pair&)>& look) {
+void for_each_pose(
+    const std::function<void(int, const typename Fixture::Part&, const Pair&)>& look) {
   for (int pose = 0; pose < (Fixture::exact_when_broken ? 4 : 3); ++pose)
     for (int draw = 0; draw < draws_of_a_pose; ++draw) {
       Random random(unsigned(100 * pose + draw + 1));
@@ -200,7 +201,7 @@ std::vector<std::string> row_names() {
 template <class Fixture>
 std::vector<Sample> jacobian_samples() {
   std::vector<Sample> samples;
-  visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
+  for_each_pose<Fixture>([&](int pose, const auto& part, const Pair& pair) {
     const Seen as_numbers = seen<Fixture>(part);
     samples.push_back(jacobian_sample(pose, as_numbers, pair, as_numbers.slope(pair)));
   });
@@ -228,7 +229,7 @@ void check_jacobian(const typename Fixture::Part& part, const Pair& pair,
 template <class Fixture>
 std::vector<Sample> K_samples() {
   std::vector<Sample> samples;
-  visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
+  for_each_pose<Fixture>([&](int pose, const auto& part, const Pair& pair) {
     const Seen as_numbers = seen<Fixture>(part);
     samples.push_back(
         K_sample(pose, as_numbers, pair, whole_K(as_numbers.slope(pair), pair)));

@@ -9,7 +9,7 @@ namespace joints::testing {
 
 // ---- chapter 3 ----------------------------------------------------------------------------------
 
-// Rows in which only the turns count, body 1's with the minus.
+// Angular rows: w2 - w1.
 inline std::pair<std::string, Jacobian<2>> turning_rows(const char* words, const vec3& first,
                                                         const vec3& second) {
   return {words,
@@ -51,7 +51,7 @@ struct AxisFixture {
             turning_rows("a1 itself: the rows hold b x a1 and c x a1", a1, a1),
             turning_rows("unit vectors: b x a1 becomes shorter as the axes part",
                          direction(p), direction(q)),
-            {"the cross products stand in v1 and v2: they belong to the turns, w1 and w2",
+            {"the cross products stand in v1 and v2: they belong to w1 and w2",
              linear}};
   }
 };
@@ -190,7 +190,7 @@ struct RotationLockFixture {
     const auto turning = [](const mat3& one, const mat3& two) {
       return jacobian_from_blocks(mat3(0), -one, mat3(0), two);
     };
-    const char* const axes = "the rows are in the axes of a body: C and the spins are in the world";
+    const char* const axes = "the rows are in the axes of a body: C, w1 and w2 are in the world";
     return {{axes, turning(transpose(R1), transpose(R1))}, {axes, turning(R1, R1)},
             {axes, turning(transpose(R2), transpose(R2))}, {axes, turning(R2, R2)},
             {axes, turning(transpose(R1), transpose(R2))}, {axes, turning(R1, R2)},
@@ -198,14 +198,14 @@ struct RotationLockFixture {
             {"E has ones on its diagonal alone: mat3(1)", turning(mat3(1), ones)},
             {"a lock turns and does not push: E belongs to w1 and w2, not to v1 and v2",
              jacobian_from_blocks(mat3(-1), mat3(0), mat3(1), mat3(0))},
-            {"both spins with the same sign: C grows with w2 - w1", turning(mat3(-1), mat3(1))}};
+            {"w1 and w2 with the same sign: C grows with w2 - w1", turning(mat3(-1), mat3(1))}};
   }
 };
 
 struct SlideFixture {
   using Part = Slide;
-  static constexpr Subject J{"4.3", "the row J of a way", 2};
-  static constexpr Subject K{"", "K of a way"};
+  static constexpr Subject J{"4.3", "the row J of a displacement", 2};
+  static constexpr Subject K{"", "K of a displacement"};
   static constexpr std::array rows{"C"};
   static constexpr bool exact_when_broken = true;
   static Part make(const Pair& pair) {

@@ -114,7 +114,7 @@ TEST_CASE("a block of one to six rows is solved like a dense system of as many")
   }
 }
 
-TEST_CASE("a block that only pushes or only turns is solved like any other") {
+TEST_CASE("a block of linear or of angular rows alone is solved like any other") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     CHECK(compare_with_dense<1>(true, false, seed) == Touches::linear);
     CHECK(compare_with_dense<2>(true, false, seed) == Touches::linear);

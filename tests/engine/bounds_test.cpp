@@ -65,7 +65,7 @@ Bounded bounded(const Blocks& blocks, const std::vector<Body>& forced, real step
     const RowTarget& target = block.target;
     for (long i = first; i <= last; ++i) {
       const bool ahead = i == last && target.lower == 0 && target.upper == unbounded &&
-                         system.C[i] > 0;  // room that may be used up
+                         system.C[i] > 0;  // gap that may be used up
       out.c[i] -= (ahead ? 1 : double(target.beta)) * system.C[i] / double(step);
     }
     out.c[last] += double(target.rate);
@@ -111,7 +111,7 @@ TEST_CASE("I17 accumulated clamped iterations settle at the pull that trying eve
   CHECK(idle > 20);
 }
 
-TEST_CASE("I17 clamping each impulse instead of the sum leaves a rope pulling for nothing") {
+TEST_CASE("I17 clamping each change instead of the accumulated impulse leaves a rope pulling") {
   // rope 1 would pull along x, rope 2 along (0.8, 0.6); only rope 2 is needed in the end
   World world;
   world.gravity = vec3(0);

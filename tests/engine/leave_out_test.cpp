@@ -64,7 +64,7 @@ struct Net {
 
 }  // namespace
 
-TEST_CASE("after the first step a step takes nothing from the heap") {
+TEST_CASE("after the first step a step does not allocate") {
   CHECK(allocations_of([] { ::operator delete(::operator new(8)); }) == 1);  // the count works
   for (bool warm : {false, true})
     for (bool row_by_row : {false, true})
@@ -99,7 +99,7 @@ TEST_CASE("a rod between centres has no angular half and a ball joint has both")
   CHECK(list[6].touches == Touches::linear);  // rope between centres
   CHECK(list[7].touches == Touches::both);    // rod between anchors
   CHECK(list[8].touches == Touches::linear);  // rod between centres
-  // the block that does not turn leaves the spin alone to the last bit
+  // a block without angular rows leaves w alone to the last bit
   net.world.bodies[net.ids[6]].w = vec3(real(0.1), real(0.2), real(0.3));
   for (int k = 0; k < 10; ++k) solver.iterate(net.world.bodies);
   CHECK(net.world.bodies[net.ids[6]].w == vec3(real(0.1), real(0.2), real(0.3)));

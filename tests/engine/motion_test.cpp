@@ -34,24 +34,24 @@ dvec3 implicit_euler(const dvec3& I, const dvec3& w, double t) {
 
 double energy(const dvec3& I, const dvec3& w) { return 0.5 * dot(w, I * w); }
 
-// The free box of X8 and of D(f): spun about its middle axis, a little off it.
+// The free box of X8 and of D(f): rotating about its middle axis, a little off it.
 Body spinning_box(real speed) {
   Body body = body_with(1, vec3(1, 2, real(2.5)), vec3(0), rotation(vec3(real(0.4), 1, -2)));
   body.w = to_world(body, speed * vec3(real(0.01), 1, 0));
   return body;
 }
 
-dvec3 spin_of(const Body& body) {  // angular momentum, world
+dvec3 angular_momentum_of(const Body& body) {  // world
   return inertia_of(body) * dvec3(body.w);
 }
 
 }  // namespace
 
-TEST_CASE("the exponential map of no turn at all is exactly the unit quaternion") {
+TEST_CASE("the exponential map of a zero rotation is exactly the unit quaternion") {
   CHECK(rotation(vec3(0)) == quat(1, 0, 0, 0));
 }
 
-TEST_CASE("the exponential map is exact for turns of every size") {
+TEST_CASE("the exponential map is exact for rotations of every size") {
   Random random(71);
   for (double size : {1e-30, 1e-12, 1e-8, 0.99e-4, 1.01e-4, 1e-3, 0.1, 1.0, 3.0, 6.0, 50.0}) {
     for (int draw = 0; draw < 10; ++draw) {
@@ -69,7 +69,7 @@ TEST_CASE("the exponential map is exact for turns of every size") {
   }
 }
 
-TEST_CASE("turns about one axis add up and a full turn is minus one") {
+TEST_CASE("rotations about one axis add up and a full turn is minus one") {
   const vec3 axis = normalize(vec3(1, -2, real(0.5)));
   const quat sum = rotation(real(0.7) * axis) * rotation(real(1.9) * axis);
   const quat one = rotation(real(2.6) * axis);
@@ -78,17 +78,17 @@ TEST_CASE("turns about one axis add up and a full turn is minus one") {
   CHECK(double(length(full - quat(-1, 0, 0, 0))) < tolerance(1e-15, 1e-6));
 }
 
-TEST_CASE("I21 of the steps of a free spin only the midpoint keeps the energy") {
+TEST_CASE("I21 of the steps of a free rotation only the midpoint keeps the energy") {
   Random random(72);
   const double t = double(h);
   for (int draw = 0; draw < 100; ++draw) {
-    const vec3 inertia = vec3(1, 2, 3) + random.vector(real(0.9)), spin = random.vector(5);
-    const dvec3 I = dvec3(inertia), w = dvec3(spin);
+    const vec3 inertia = vec3(1, 2, 3) + random.vector(real(0.9)), start = random.vector(5);
+    const dvec3 I = dvec3(inertia), w = dvec3(start);
     const double E = energy(I, w);
     const dvec3 up = explicit_euler(I, w, t), down = implicit_euler(I, w, t);
     CHECK(std::abs(energy(I, up) - E - energy(I, up - w)) < 1e-12 * E);
     CHECK(std::abs(energy(I, down) - E + energy(I, down - w)) < 1e-12 * E);
-    const dvec3 middle = dvec3(gyroscopic_midpoint(inertia, spin, h));
+    const dvec3 middle = dvec3(gyroscopic_midpoint(inertia, start, h));
     CHECK(std::abs(energy(I, middle) - E) < tolerance(1e-12, 1e-5) * E);
     const dvec3 m = (w + middle) / 2.0;  // and it is the midpoint rule, converged
     const dvec3 left = I * (middle - w) + t * cross(m, I * m);
@@ -131,30 +131,30 @@ TEST_CASE("X8 the same box gains without end in explicit steps and loses in impl
   CHECK(kept(50, explicit_euler) > 1e5);
 }
 
-TEST_CASE("a grain of dust and a mountain spin as finitely as a box does") {
-  // the same shape and spin at every size: nothing in the step may depend on the unit of mass
-  const vec3 shape(1, 2, real(2.5)), spin(real(0.05), 5, 0);
-  const vec3 expected = gyroscopic_midpoint(shape, spin, h);
-  CHECK(length(expected - spin) > real(1e-3));
+TEST_CASE("a grain of dust and a mountain rotate as finitely as a box does") {
+  // the same shape and w at every size: nothing in the step may depend on the unit of mass
+  const vec3 shape(1, 2, real(2.5)), start(real(0.05), 5, 0);
+  const vec3 expected = gyroscopic_midpoint(shape, start, h);
+  CHECK(length(expected - start) > real(1e-3));
   for (double size : {1e-30, 1e-20, 1e-15, 1e-12, 1e-6, 1e6, 1e12, 1e15, 1e20, 1e30}) {
-    const vec3 w = gyroscopic_midpoint(real(size) * shape, spin, h);
+    const vec3 w = gyroscopic_midpoint(real(size) * shape, start, h);
     INFO("kg m^2: " << size);
     CHECK(double(length(w - expected)) < tolerance(1e-13, 1e-5));
   }
 }
 
-TEST_CASE("a body that is the same about every axis keeps its spin to the last bit") {
+TEST_CASE("a body of isotropic inertia keeps its angular velocity to the last bit") {
   Body body = body_with(3, vec3(real(0.3)), vec3(0), rotation(vec3(real(0.4), 1, -2)));
   body.w = vec3(real(12.3), real(-45.6), real(7.89));
-  const vec3 spin = body.w;
+  const vec3 start = body.w;
   for (int step = 0; step < 100; ++step) {
     integrate_forces(body, vec3(0), h);
     integrate_pose(body, h);
   }
-  CHECK(body.w == spin);
+  CHECK(body.w == start);
 }
 
-TEST_CASE("force and torque of the world act on a body that is turned") {
+TEST_CASE("world force and torque act on a body that is turned") {
   // a quarter turn about z: the body's x axis points along the world's y
   const quat quarter = rotation(vec3(0, 0, std::numbers::pi_v<real> / 2));
   Body body = body_with(2, vec3(1, 4, 8), vec3(0), quarter);
@@ -175,12 +175,12 @@ TEST_CASE("force and torque of the world act on a body that is turned") {
 TEST_CASE("a free body keeps its angular momentum the better the shorter the step") {
   const auto drift = [](double t) {
     Body body = spinning_box(8);
-    const dvec3 before = spin_of(body);
+    const dvec3 before = angular_momentum_of(body);
     double largest = 0;
     for (double time = 0; time < 2; time += t) {
       integrate_forces(body, vec3(0), real(t));
       integrate_pose(body, real(t));
-      largest = std::max(largest, length(spin_of(body) - before) / length(before));
+      largest = std::max(largest, length(angular_momentum_of(body) - before) / length(before));
     }
     return largest;
   };

@@ -95,7 +95,7 @@ TEST_CASE("projection leaves the common centre of two free bodies where it is") 
   CHECK(double(length(after - before)) < tolerance(1e-13, 1e-5));
 }
 
-TEST_CASE("a visit of projection moves no body further than it is told") {
+TEST_CASE("projection moves no body further than max_displacement in an iteration") {
   Pendulum pendulum(0, 0);
   pendulum.world.bodies[pendulum.bar].x += vec3(10, 3, -7);
   for (int n = 0; n < 20; ++n) {
@@ -109,7 +109,7 @@ TEST_CASE("a visit of projection moves no body further than it is told") {
   }
 }
 
-TEST_CASE("projection brings a passed limit back and leaves a motor and a limit with room alone") {
+TEST_CASE("projection brings a passed limit back and leaves a motor and a limit with a gap alone") {
   for (const double start : {70.0, 30.0}) {
     World world;
     world.gravity = vec3(0);

@@ -88,7 +88,7 @@ TEST_CASE("a relaxed solve of one block is omega times the exact one") {
   }
 }
 
-TEST_CASE("relaxation 1 changes no digit: a solver that never heard of it finds the same") {
+TEST_CASE("relaxation 1 changes no digit of a solver without relaxation") {
   const auto chain = [] {
     World world;
     Random random(63);
@@ -152,7 +152,7 @@ TEST_CASE("relaxation 1 changes no digit: a solver that never heard of it finds 
   CHECK(length(by_hand.bodies.at(5).w) > 0);
 }
 
-TEST_CASE("relaxed sums stay within the strength of a motor and a limit only pushes") {
+TEST_CASE("relaxed impulses stay within the strength of a motor and a limit only pushes") {
   const auto check = [](auto solver, double slack, real speed) {
     for (const real relaxation : {real(0.5), real(1.5), real(1.9)}) {
       Machine machine;

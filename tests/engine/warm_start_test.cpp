@@ -121,7 +121,7 @@ TEST_CASE("I26 a cold chain that has too few iterations sags by what the formula
   CHECK(sag_after_a_minute(false) == Approx(expected).epsilon(tolerance(1e-9, 1e-3)));
 }
 
-TEST_CASE("when the step changes the remembered impulses change with it") {
+TEST_CASE("when the step changes the warm start scales its impulses with it") {
   // at rest every force stays the same, so an impulse is force times step; taken over unchanged it
   // would kick the chain with g (h_old - h_new)
   Hanging hanging({3, 2, 1});

@@ -112,7 +112,7 @@ TEST_CASE("a joint that goes lets its body fall and a new one catches it") {
   CHECK(hanging.world.most_rows() == 3);
 }
 
-TEST_CASE("what a joint is told between two steps counts from the next step on") {
+TEST_CASE("what is set on a joint between two steps counts from the next step on") {
   Hanging hanging;
   SequentialImpulses solver;
   solver.iterations = 500;

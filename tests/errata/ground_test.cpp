@@ -11,7 +11,7 @@ namespace {
 const real h = real(1) / 60;
 const real radius = real(0.5);
 
-// A ball over level ground, at this room, its speed after one step without gravity.
+// A ball over level ground, at this gap, its speed after one step without gravity.
 // `append`: what a joint makes of the corner.
 template <class Append>
 class Ground : public Joint {
@@ -36,18 +36,18 @@ class Ground : public Joint {
 };
 
 template <class Append>
-double speed_after(real room, real speed, Append append) {
+double speed_after(real gap, real speed, Append append) {
   World world;
   world.gravity = vec3(0);
   const BodyId ground = world.add(static_body(vec3(0)));
-  const BodyId body = world.add(ball(2, radius, vec3(0, radius + room, 0)));
+  const BodyId body = world.add(ball(2, radius, vec3(0, radius + gap, 0)));
   world.bodies[body].v.y = speed;
   world.add<Ground<Append>>(ground, body, append);
   step_once(world, h);
   return double(world.bodies[body].v.y);
 }
-double speed_on_our_ground(real room, real speed) {
-  Grounded falling(ball(2, radius, vec3(0, radius + room, 0)), ball_outline(radius));
+double speed_on_our_ground(real gap, real speed) {
+  Grounded falling(ball(2, radius, vec3(0, radius + gap, 0)), ball_outline(radius));
   falling.world.gravity = vec3(0);
   falling.it().v.y = speed;
   step(falling.world, falling.solver, h, falling.stepping);
@@ -82,9 +82,9 @@ TEST_CASE("E5 a contact ignored until it is violated lets a ball into the ground
   const auto printed = [](const Corner& corner, const Body& a, const Body& b, const auto& row) {
     if (corner.error(a, b) < 0) row(1, RowTarget{.beta = real(0.2)});
   };
-  const double room = 0.01, speed = -10;
-  CHECK(room + speed_after(real(room), real(speed), printed) / 60 ==
+  const double gap = 0.01, speed = -10;
+  CHECK(gap + speed_after(real(gap), real(speed), printed) / 60 ==
         Approx(0.01 - 10.0 / 60).epsilon(1e-4));  // 0.157 m deep
-  CHECK(room + speed_on_our_ground(real(room), real(speed)) / 60 ==
+  CHECK(gap + speed_on_our_ground(real(gap), real(speed)) / 60 ==
         Approx(0).margin(tolerance(1e-12, 1e-6)));
 }

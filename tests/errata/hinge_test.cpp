@@ -83,17 +83,17 @@ TEST_CASE("E16 without the gyroscopic term a free body bends its angular momentu
   const auto drift = [&](bool as_printed, int rate) {  // in 2 s
     Body body = body_with(1, vec3(1, 2, 3), vec3(0));
     body.w = vec3(real(0.1), 8, real(0.1));
-    const auto spin = [&] {
+    const auto momentum = [&] {
       const dmat3 R = rotation_matrix(body);
       return R * (I * (transpose(R) * dvec3(body.w)));
     };
-    const dvec3 before = spin();
+    const dvec3 before = momentum();
     double worst = 0;
     for (int step = 0; step < 2 * rate; ++step) {
       const real t = real(1) / real(rate);
       if (!as_printed) integrate_forces(body, vec3(0), t);
       integrate_pose(body, t);  // I dw/dt = 0: nothing else happens to w
-      worst = std::max(worst, length(spin() - before) / length(before));
+      worst = std::max(worst, length(momentum() - before) / length(before));
     }
     return worst;
   };

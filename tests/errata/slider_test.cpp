@@ -66,17 +66,17 @@ struct AngleDifferences {
 // The row of the printed motor: no levers.
 Row printed_motor(const vec3& a) { return {-a, vec3(0), a, vec3(0)}; }
 
-// Two free bodies on a slider along `a`, slid by `way`.
+// Two free bodies on a slider along `a`, slid by `displacement`.
 struct Slid {
   Pair pair = uneven_pair();
   vec3 a = normalize(vec3(2, -1, real(0.5)));
   Line line;
   Slide slide;
-  explicit Slid(real way) {
+  explicit Slid(real displacement) {
     const vec3 anchor(real(0.8), real(0.4), real(-0.6));
     line = line_along(pair, anchor, a);
     slide = {line.anchor1_local, line.anchor2_local, cross(line.n1_local, line.n2_local)};
-    pair.body2.x += way * a;
+    pair.body2.x += displacement * a;
   }
 };
 
@@ -91,10 +91,10 @@ dvec3 angular_momentum(const Pair& pair) {  // about the origin
 
 }  // namespace
 
-TEST_CASE("E33 without u in its lever the row of a line is wrong by the way it has slid",
+TEST_CASE("E33 without u in its lever the row of a line is wrong by the displacement it has slid",
           "[E33]") {
-  for (const auto& [way, at_least] : {std::pair{0.0, 0.0}, {0.5, 0.25}, {2.7, 1.4}}) {
-    const Slid slid{real(way)};
+  for (const auto& [displacement, at_least] : {std::pair{0.0, 0.0}, {0.5, 0.25}, {2.7, 1.4}}) {
+    const Slid slid{real(displacement)};
     const Body &one = slid.pair.body1, &two = slid.pair.body2;
     const Vector<2> C = slid.line.error(one, two);
     CHECK(std::hypot(double(C[0]), double(C[1])) < tolerance(1e-15, 1e-6));  // on the line
@@ -102,13 +102,13 @@ TEST_CASE("E33 without u in its lever the row of a line is wrong by the way it h
     const Jacobian<2> printed = ShortLine{slid.line}.jacobian(one, two);
     for (int i = 0; i < 2; ++i)  // u x n is as long as u
       CHECK(double(length(slope[i].w1 - printed[i].w1)) ==
-            Approx(way).margin(tolerance(1e-8, 1e-3)));
+            Approx(displacement).margin(tolerance(1e-8, 1e-3)));
     CHECK(slope_error(ShortLine{slid.line}, one, two) >= at_least);
     CHECK(slope_error(slid.line, one, two) < difference_tolerance);
   }
 }
 
-TEST_CASE("E33 with directions that body 2 carries the printed levers are wrong by the way too",
+TEST_CASE("E33 with directions that body 2 carries the printed levers are wrong by it too",
           "[E33]") {
   const Slid slid{real(2.7)};
   const Body &one = slid.pair.body1, &two = slid.pair.body2;
@@ -173,7 +173,7 @@ TEST_CASE("E36 the printed row of the motor is the negative of the printed rate"
   const vec3 a(1, 0, 0);
   const Row printed{a, vec3(0), -a, vec3(0)};
   const Slide slide{vec3(0), vec3(0), a};
-  CHECK(double(row_velocity(printed, one, two)) == Approx(-2));  // the way grows by 2 m/s
+  CHECK(double(row_velocity(printed, one, two)) == Approx(-2));  // the displacement grows by 2 m/s
   CHECK(double(row_velocity(slide.jacobian(one, two), one, two)) == Approx(2));
   // with the printed rate's bias the printed row pushes towards + v_motor, its formula says minus
   one.v = two.v = vec3(0);

@@ -99,9 +99,9 @@ TEST_CASE("two free bodies that meet keep their momentum, with friction and rebo
     int touched = 0;
     for (int n = 0; n < 60; ++n) {
       begin_step(world, solver, h);  // poses turn the moments: only the solve keeps the sum
-      const dvec3 spin = angular_momentum(world.bodies);
+      const dvec3 before = angular_momentum(world.bodies);
       for (int k = 0; k < 30; ++k) solver.iterate(world.bodies);
-      CHECK(length(angular_momentum(world.bodies) - spin) < tolerance(1e-11, 1e-3));
+      CHECK(length(angular_momentum(world.bodies) - before) < tolerance(1e-11, 1e-3));
       end_step(world, h);
       touched += contact.touching();
     }

@@ -13,7 +13,7 @@ namespace {
 const real h = real(1) / 60;
 
 // A box on its four lower corners, on a slab that may be turned, in both kinds of loop.
-struct Twins {
+struct BothLoops {
   OwnGround own;
   World world;
   BodyId ground, box_id;
@@ -22,7 +22,7 @@ struct Twins {
   Stepping stepping{};
   vec3 size{1, real(0.4), real(0.8)};
 
-  explicit Twins(const vec3& v, const vec3& w, const vec3& slope = vec3(0), real drop = 0) {
+  explicit BothLoops(const vec3& v, const vec3& w, const vec3& slope = vec3(0), real drop = 0) {
     const quat turn = rotation(slope);
     ground = world.add(static_body(vec3(0), turn));
     Body body = box(10, size, turn * vec3(0, size.y / 2 + drop, 0), turn);
@@ -66,39 +66,39 @@ TEST_CASE("a sliding and turning box moves in the loop by hand as in the engine 
                 {vec3(0), vec3(0), vec3(real(0.3), 0, real(0.5)), 0},
                 {vec3(1, 0, 1), vec3(0, 1, 0), vec3(0), real(0.3)}};
   for (const auto& start : starts) {
-    Twins references(start.v, start.w, start.slope, start.drop);
-    const vec3 from = references.own.body.x;
+    BothLoops both(start.v, start.w, start.slope, start.drop);
+    const vec3 from = both.own.body.x;
     for (int n = 0; n < 60; ++n) {
-      references.step();
-      CHECK(references.off() < tolerance(1e-12, 2e-4));
+      both.step();
+      CHECK(both.off() < tolerance(1e-12, 2e-4));
     }
-    CHECK(double(length(references.own.body.x - from)) > 0.2);  // it did move
+    CHECK(double(length(both.own.body.x - from)) > 0.2);  // it did move
   }
 }
 
 TEST_CASE("while a box slides the friction of all corners is mu times their normal impulses") {
-  Twins references(vec3(3, 0, 1), vec3(0));
+  BothLoops both(vec3(3, 0, 1), vec3(0));
   const double weight = 10 * 9.81 * double(h);  // [N s] a step
   int sliding = 0;
-  while (double(length(references.own.body.v)) > 0.2) {
-    const vec3 before = references.own.body.v;
-    references.own.step(h);
-    const vec3 friction = references.own.sideways();
-    CHECK(double(references.own.normal()) == Approx(weight).epsilon(tolerance(1e-9, 1e-3)));
+  while (double(length(both.own.body.v)) > 0.2) {
+    const vec3 before = both.own.body.v;
+    both.own.step(h);
+    const vec3 friction = both.own.sideways();
+    CHECK(double(both.own.normal()) == Approx(weight).epsilon(tolerance(1e-9, 1e-3)));
     CHECK(double(length(friction)) ==
-          Approx(0.5 * double(references.own.normal())).epsilon(tolerance(1e-6, 1e-3)));
+          Approx(0.5 * double(both.own.normal())).epsilon(tolerance(1e-6, 1e-3)));
     CHECK(double(dot(friction, normalize(before))) ==
           Approx(-double(length(friction))).epsilon(tolerance(1e-9, 1e-4)));
     REQUIRE(++sliding < 60);
   }
   CHECK(sliding > 20);
-  for (int n = 0; n < 10; ++n) references.own.step(h);
-  CHECK(double(length(references.own.sideways())) < tolerance(1e-9, 1e-3) * weight);  // at rest
+  for (int n = 0; n < 10; ++n) both.own.step(h);
+  CHECK(double(length(both.own.sideways())) < tolerance(1e-9, 1e-3) * weight);  // at rest
 }
 
 TEST_CASE("the loop by hand leaves the engine's box as soon as its friction is another one") {
-  Twins references(vec3(3, 0, 1), vec3(0));
-  references.own.friction = real(0.49);
-  for (int n = 0; n < 30; ++n) references.step();
-  CHECK(references.off() > 1e-3);
+  BothLoops both(vec3(3, 0, 1), vec3(0));
+  both.own.friction = real(0.49);
+  for (int n = 0; n < 30; ++n) both.step();
+  CHECK(both.off() > 1e-3);
 }

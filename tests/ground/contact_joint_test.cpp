@@ -25,11 +25,11 @@ std::vector<Block> blocks_now(Grounded& box) {
   return out.list;
 }
 
-// A box that is turned over so that this many corners are lowest, at this room.
-Grounded with_lowest(int corners, real room = 0) {
+// A box that is turned over so that this many corners are lowest, at this gap.
+Grounded with_lowest(int corners, real gap = 0) {
   const real lean = real(0.5);
   const vec3 turns[] = {vec3(0), vec3(lean, 0, lean), vec3(lean, 0, 0), vec3(0), vec3(0)};
-  return {lowered(room, rotation(turns[corners])), box_outline(brick)};
+  return {lowered(gap, rotation(turns[corners])), box_outline(brick)};
 }
 
 }  // namespace
@@ -96,12 +96,12 @@ TEST_CASE("of a sunk box the four deepest corners have the rows") {
 }
 
 TEST_CASE("a corner has rows from the step in which it would come within h times 0.1 m/s") {
-  for (const auto& [room, speed, expected] :
+  for (const auto& [gap, speed, expected] :
        {std::tuple{0.05, 0.0, 0}, {0.05, -2.8, 0}, {0.05, -2.95, 1}, {0.05, -3.1, 1},
         {-0.01, 0.8, 0}, {-0.01, 0.65, 1}}) {
-    Grounded box = with_lowest(1, real(room));
+    Grounded box = with_lowest(1, real(gap));
     box.it().v.y = real(speed);
-    CAPTURE(room, speed);
+    CAPTURE(gap, speed);
     CHECK(int(blocks_now(box).size()) == 3 * expected);
   }
 }
@@ -186,10 +186,10 @@ TEST_CASE("what a corner gave is forgotten when it leaves and comes again") {
   }
 }
 
-TEST_CASE("the arrow of friction stays when the directions turn with the sliding") {
+TEST_CASE("cached friction is projected onto the new tangents when the sliding turns") {
   Grounded box = with_lowest(1);
   box.contact->turned_tangents = true;
-  const auto arrow = [&] {
+  const auto cached = [&] {
     Blocks blocks;
     box.contact->append(box.world.bodies, blocks);
     REQUIRE(blocks.list.size() == 3);
@@ -204,13 +204,13 @@ TEST_CASE("the arrow of friction stays when the directions turn with the sliding
   box.stepping.warm_start = true;
   begin_step(box.world, box.solver, h, box.stepping);
   for (int k = 0; k < 30; ++k) box.solver.iterate(box.world.bodies);
-  const vec3 before = arrow(), direction = first_direction();
+  const vec3 before = cached(), direction = first_direction();
   REQUIRE(double(length(before)) > 0.1);
   box.it().v = vec3(1, real(-0.5), 2);  // slides elsewhere now
   box.it().w = vec3(0);
   box.contact->begin_step(box.world.bodies, h);
   CHECK(double(dot(direction, first_direction())) < 0.9);
-  CHECK(double(length(arrow() - before)) < tolerance(1e-12, 1e-5) * double(length(before)));
+  CHECK(double(length(cached() - before)) < tolerance(1e-12, 1e-5) * double(length(before)));
 }
 
 TEST_CASE("the late limits adds a corner that a neighbour drives into the ground") {
@@ -232,12 +232,12 @@ TEST_CASE("the late limits adds a corner that a neighbour drives into the ground
       for (int k = 0; k < 300; ++k) lever.solver.iterate(lever.world.bodies);
       end_step(lever.world, h, lever.stepping);
     }
-    return std::pair{lever.contact->touching(), double(lever.contact->room(lever.world.bodies))};
+    return std::pair{lever.contact->touching(), double(lever.contact->gap(lever.world.bodies))};
   };
   CHECK(driven(false).second < -0.05);
-  const auto [touching, room] = driven(true);
+  const auto [touching, gap] = driven(true);
   CHECK(touching == 2);
-  CHECK(room > -0.01);  // what the straight step leaves of a turn by 0.1 rad
+  CHECK(gap > -0.01);  // what the straight step leaves of a turn by 0.1 rad
 }
 
 TEST_CASE("projection lifts a sunk box to the ground and leaves places along it and velocities") {
@@ -249,7 +249,7 @@ TEST_CASE("projection lifts a sunk box to the ground and leaves places along it 
   box.stepping.projections = 20;
   const vec3 before = box.it().x;
   step(box.world, box.solver, h, box.stepping);
-  CHECK(double(box.contact->room(box.world.bodies)) == Approx(0).margin(tolerance(1e-6, 1e-4)));
+  CHECK(double(box.contact->gap(box.world.bodies)) == Approx(0).margin(tolerance(1e-6, 1e-4)));
   CHECK(box.it().x.y > before.y);
   // each corner alone turns the box: what is left of the turns moves the centre by their square
   CHECK(double(std::abs(box.it().x.x) + std::abs(box.it().x.z)) < 1e-4);

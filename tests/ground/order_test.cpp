@@ -74,7 +74,7 @@ TEST_CASE("taking turns in one loop is the solver's own step to the last bit") {
 }
 
 TEST_CASE("a hit opens an uncorrected hinge no more than speed does unless contacts come last") {
-  // Eq. 6-1: the steps' arrows of w^2 h^2/2 r, added, are the gap, in a step with a hit as well.
+  // Eq. 6-1: the gap is the sum of the steps' vectors w^2 h^2/2 r, in a step with a hit as well.
   for (const Turns order : {Turns::interleaved, Turns::joints_first}) {
     Scene scene;
     World& world = scene.world;
@@ -93,10 +93,10 @@ TEST_CASE("a hit opens an uncorrected hinge no more than speed does unless conta
       const Body& cube = world.bodies[id];
       const vec3 C = joint.first.error(world.bodies[wall], cube);
       const vec3 r = -to_world(cube, joint.first.anchor2_local);
-      const vec3 arrow = dot(cube.w, cube.w) * h * h / real(2) * r;  // Eq. 6-1
+      const vec3 growth = dot(cube.w, cube.w) * h * h / real(2) * r;  // Eq. 6-1
       if (contact.touching() > 0) {
         ++hits;
-        most = std::max(most, length(C - before - arrow));
+        most = std::max(most, length(C - before - growth));
       }
       before = C;
     }

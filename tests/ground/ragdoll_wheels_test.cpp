@@ -29,16 +29,16 @@ TEST_CASE("a ragdoll that falls lies still after ten seconds and for a minute mo
     Ragdoll doll(chosen(iterations));
     run(doll.scene, 10);
     CHECK(doll.scene.world.bodies[doll.torso].x.y < 0.6);  // it did fall
-    double fastest = 0, spin = 0, gap = 0;
+    double fastest = 0, fastest_turn = 0, gap = 0;
     const vec3 before = doll.scene.world.bodies[doll.torso].x;
     for (int n = 0; n < 3600; ++n) {
       run(doll.scene, double(h));
       fastest = std::max(fastest, doll.fastest());
-      spin = std::max(spin, doll.fastest_turn());
+      fastest_turn = std::max(fastest_turn, doll.fastest_turn());
       gap = std::max(gap, widest(doll.scene));
     }
     CHECK(fastest < 1e-3);
-    CHECK(spin < 1e-3);
+    CHECK(fastest_turn < 1e-3);
     CHECK(gap < 1e-3);
     CHECK(penetration(doll.scene.world) < 1e-3);
     CHECK(double(length(doll.scene.world.bodies[doll.torso].x - before)) < 1e-3);

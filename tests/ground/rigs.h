@@ -46,14 +46,14 @@ inline Grounded standing(real turned = 0, real slope = 0) {
   return {box(10, brick, vec3(0, brick.y / 2, 0), rotation(vec3(0, turned, 0))),
           box_outline(brick), slope};
 }
-/// The same box in any orientation, its lowest corner at this room [m] over a level top through the
+/// The same box in any orientation, its lowest corner at this gap [m] over a level top through the
 /// origin.
-inline Body lowered(real room, const quat& q) {
+inline Body lowered(real gap, const quat& q) {
   Body made = box(10, brick, vec3(0), q);
   real lowest = unbounded;
   for (const vec3& corner : box_outline(brick).corners)
     lowest = std::min(lowest, to_world(made, corner).y);
-  made.x.y = room - lowest;
+  made.x.y = gap - lowest;
   return made;
 }
 

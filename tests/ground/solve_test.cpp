@@ -31,7 +31,7 @@ struct Problem {
       const RowTarget& target = block.target;
       for (int i = block.first; i <= last; ++i) {
         const bool ahead = i == last && target.lower == 0 && target.follows == 0 &&
-                           system.C[i] > 0;  // room that may be used up
+                           system.C[i] > 0;  // gap that may be used up
         c[i] -= (ahead ? 1 : double(target.beta)) * system.C[i] / double(h);
       }
       c[last] += double(target.rate);

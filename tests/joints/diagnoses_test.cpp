@@ -14,7 +14,7 @@ namespace {
 template <class Fixture, class Yours>
 std::string told_of(bool of_K, Yours yours) {
   std::vector<Sample> samples;
-  visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
+  for_each_pose<Fixture>([&](int pose, const auto& part, const Pair& pair) {
     Seen as_numbers = seen<Fixture>(part);
     (of_K ? as_numbers.K : as_numbers.J) = [=](const Pair& at) { return flat(yours(part, at)); };
     const Numbers J = as_numbers.slope(pair);

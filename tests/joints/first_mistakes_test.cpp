@@ -4,7 +4,7 @@
 #include "tests/01_distance/row_cases.h"
 #include "tests/01_distance/step_cases.h"
 #include "tests/02_ball/block_cases.h"
-#include "tests/02_ball/turn_cases.h"
+#include "tests/02_ball/rotation_cases.h"
 #include "tests/checker/fixtures.h"
 #include "tests/checker/named.h"
 
@@ -65,4 +65,6 @@ TEST_CASE("each usual mistake in a step is called by its name") {
   is_sound(table);
 }
 
-TEST_CASE("each usual mistake with a turn is called by its name") { is_sound(spin_table()); }
+TEST_CASE("each usual mistake with a rotation is called by its name") {
+  is_sound(rotation_table());
+}

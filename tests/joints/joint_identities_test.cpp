@@ -1,4 +1,4 @@
-// What is true of the parts of hinge, slider and weld, alone and stacked, at every kind of pose:
+// What is true of the parts of hinge, slider and weld, alone and composed, at every kind of pose:
 // rank, invariance, momentum, and numbers that stay numbers where the geometry degenerates.
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
@@ -39,7 +39,7 @@ struct Broken : Fixture {
 template <class Fixture, class Look>
 void at_every_pose(Look look) {
   INFO("part: " << Fixture::J.words);
-  visit_poses<Broken<Fixture>>([&](int pose, const auto& part, const Pair& pair) {
+  for_each_pose<Broken<Fixture>>([&](int pose, const auto& part, const Pair& pair) {
     INFO("pose: " << pose_names[std::size_t(pose)]);
     look(part, pair);
   });

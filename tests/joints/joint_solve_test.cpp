@@ -64,12 +64,12 @@ void for_every_solve(Look look) {
     const auto at = [&](int, const auto& part, const Pair& pair) {
       look(Solved(part, pair, beta), beta);
     };
-    visit_poses<Broken<AxisFixture>>(at);
-    visit_poses<Broken<LineFixture>>(at);
-    visit_poses<Broken<RotationLockFixture>>(at);
-    visit_poses<Broken<HingeFixture>>(at);
-    visit_poses<Broken<SliderFixture>>(at);
-    visit_poses<Broken<WeldFixture>>(at);
+    for_each_pose<Broken<AxisFixture>>(at);
+    for_each_pose<Broken<LineFixture>>(at);
+    for_each_pose<Broken<RotationLockFixture>>(at);
+    for_each_pose<Broken<HingeFixture>>(at);
+    for_each_pose<Broken<SliderFixture>>(at);
+    for_each_pose<Broken<WeldFixture>>(at);
   }
 }
 
@@ -139,11 +139,11 @@ TEST_CASE("I7 a solve of a whole joint keeps momentum but for the gap of its poi
     const auto with = [&](int, const auto& part, const Pair& pair) {
       look(true, Solved(part, pair, beta));
     };
-    visit_poses<Broken<AxisFixture>>(without);
-    visit_poses<Broken<LineFixture>>(without);
-    visit_poses<Broken<RotationLockFixture>>(without);
-    visit_poses<Broken<SliderFixture>>(without);
-    visit_poses<Broken<HingeFixture>>(with);
-    visit_poses<Broken<WeldFixture>>(with);
+    for_each_pose<Broken<AxisFixture>>(without);
+    for_each_pose<Broken<LineFixture>>(without);
+    for_each_pose<Broken<RotationLockFixture>>(without);
+    for_each_pose<Broken<SliderFixture>>(without);
+    for_each_pose<Broken<HingeFixture>>(with);
+    for_each_pose<Broken<WeldFixture>>(with);
   }
 }

@@ -11,7 +11,7 @@
 #include "tests/07_performance/solve_pieces.h"
 #include "tests/07_performance/whole_K_cases.h"
 #include "tests/08_ground/friction_cases.h"
-#include "tests/08_ground/room_cases.h"
+#include "tests/08_ground/gap_cases.h"
 #include "tests/08_ground/tangent_cases.h"
 #include "tests/06_baumgarte/warm_cases.h"
 #include "tests/checker/named.h"
@@ -77,7 +77,7 @@ TEST_CASE("each usual mistake of chapter 7 is found out and called by its name")
 }
 
 TEST_CASE("each usual mistake of chapter 8 is found out and called by its name") {
-  is_sound(room_table());
+  is_sound(gap_table());
   is_sound(tangent_table());
   is_sound(friction_table());
 }

@@ -1,4 +1,4 @@
-// The angle of a hinge is not measured while the room to its limits cannot have been used up: what
+// The angle of a hinge is not measured while the gap to its limits cannot have been used up: what
 // is left out must not be missed.
 #include <random>
 
@@ -101,7 +101,7 @@ TEST_CASE("two wheels on one axle that spin as one keep their angle and count no
 TEST_CASE("while the angle need not be measured a step cannot reach the limit") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
-  const auto arrow = [&](double size) {
+  const auto any_vector = [&](double size) {
     vec3 a;
     do a = vec3(real(unit(random)), real(unit(random)), real(unit(random)));
     while (length(a) < real(0.1) || length(a) > 1);
@@ -110,20 +110,20 @@ TEST_CASE("while the angle need not be measured a step cannot reach the limit") 
   int left_out = 0, measured = 0;
   for (int k = 0; k < 20000; ++k) {
     Body a = box(1, vec3(1), vec3(0)), b = box(1, vec3(1), vec3(1, 0, 0));
-    a.q = rotation(arrow(3));
-    b.q = rotation(arrow(3));
-    HingeAngle angle = angle_about(a, b, arrow(1) + vec3(0, 0, real(0.01)));
-    b.q = normalize(rotation(arrow(0.6)) * b.q);  // torn open a little
+    a.q = rotation(any_vector(3));
+    b.q = rotation(any_vector(3));
+    HingeAngle angle = angle_about(a, b, any_vector(1) + vec3(0, 0, real(0.01)));
+    b.q = normalize(rotation(any_vector(0.6)) * b.q);  // torn open a little
     const real x = angle.error(a, b);
     angle.expected = x;
-    const real room = real(std::abs(unit(random)) * 2);
+    const real gap = real(std::abs(unit(random)) * 2);
     Leeway<HingeAngle> leeway;
-    leeway.measured(angle, a, b, room);
+    leeway.measured(angle, a, b, gap);
     // The bodies turn for a while, each as it likes; then there is a step.
-    a.q = normalize(rotation(arrow(1)) * a.q);
-    b.q = normalize(rotation(arrow(1)) * b.q);
-    a.w = arrow(30);
-    b.w = arrow(30);
+    a.q = normalize(rotation(any_vector(1)) * a.q);
+    b.q = normalize(rotation(any_vector(1)) * b.q);
+    a.w = any_vector(30);
+    b.w = any_vector(30);
     if (!leeway.still_near(angle, a, b) || !leeway.is_slow(a, b, h)) {
       ++measured;
       continue;
@@ -131,7 +131,7 @@ TEST_CASE("while the angle need not be measured a step cannot reach the limit") 
     ++left_out;
     a.q = normalize(rotation(h * a.w) * a.q);
     b.q = normalize(rotation(h * b.w) * b.q);
-    REQUIRE(double(std::abs(angle.error(a, b) - x)) <= double(room) + 1e-5);
+    REQUIRE(double(std::abs(angle.error(a, b) - x)) <= double(gap) + 1e-5);
   }
   CHECK(left_out > 500);
   CHECK(measured > 500);

@@ -63,9 +63,9 @@ void for_every_solve(Look look) {
     const auto at = [&](int, const auto& part, const Pair& pair) {
       look(Solved(part, pair, beta), beta);
     };
-    visit_poses<CentreDistanceFixture>(at);
-    visit_poses<DistanceFixture>(at);
-    visit_poses<PointFixture>(at);
+    for_each_pose<CentreDistanceFixture>(at);
+    for_each_pose<DistanceFixture>(at);
+    for_each_pose<PointFixture>(at);
   }
 }
 

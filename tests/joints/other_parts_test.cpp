@@ -30,7 +30,7 @@ TEST_CASE("the rows of a lock are the slopes of its error where it is zero and K
   check_K<RotationLockFixture>();
 }
 
-TEST_CASE("the row of a way is its slope and K is J M^-1 J^T") {
+TEST_CASE("the row of a displacement is its slope and K is J M^-1 J^T") {
   check_jacobian<SlideFixture>();
   check_K<SlideFixture>();
 }

@@ -21,7 +21,7 @@ struct CentreRopeFixture : CentreDistanceFixture {
 template <class Fixture, class Look>
 void at_every_pose(Look look) {
   INFO("part: " << Fixture::J.words);
-  visit_poses<Fixture>([&](int pose, const auto& part, const Pair& pair) {
+  for_each_pose<Fixture>([&](int pose, const auto& part, const Pair& pair) {
     INFO("pose: " << pose_names[std::size_t(pose)]);
     look(part, pair);
   });

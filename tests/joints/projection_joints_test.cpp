@@ -96,7 +96,7 @@ TEST_CASE("I20 projection closes a whole hinge or slider or weld with the square
   for (const int kind : {0, 1, 2})
     for (const bool free : {false, true}) {
       CAPTURE(kind, free);
-      Apart apart(kind, free, true, 0.3);  // no visit goes as far as it may
+      Apart apart(kind, free, true, 0.3);  // no projection reaches its bounds
       double last = error_of(*apart.joint, apart.world);
       CHECK(last > 0.05);
       for (int n = 0; n < 5; ++n) {

@@ -33,7 +33,7 @@ struct Piston {
                                      vec3(real(0.5), real(0.3), real(0.6)), along);
   }
   Body& body() { return world.bodies[two]; }
-  double way() const { return double(slider->position(world.bodies)); }
+  double displacement() const { return double(slider->position(world.bodies)); }
   double speed() const { return double(slider->speed(world.bodies)); }
   void run(int steps, real step_length = h) {
     for (int k = 0; k < steps; ++k) step(world, solver, step_length, stepping);
@@ -75,12 +75,12 @@ TEST_CASE("a slider stops at its limits however fast it comes") {
             double furthest = 0;
             for (int step = 0; step < int(60 * (limit / speed + 1)); ++step) {
               piston.run(1);
-              furthest = std::max(furthest, way * piston.way());
+              furthest = std::max(furthest, way * piston.displacement());
             }
             const double size = std::max(1.0, speed);
             CHECK(std::abs(furthest - limit) < size * (whole ? tolerance(1e-11, 3e-6) : 1e-4));
             if (!whole) continue;  // apart, the rows that had not settled throw it back a little
-            CHECK(std::abs(way * piston.way() - limit) < size * tolerance(1e-11, 3e-6));
+            CHECK(std::abs(way * piston.displacement() - limit) < size * tolerance(1e-11, 3e-6));
             CHECK(std::abs(piston.speed()) < size * tolerance(1e-11, 1e-5));
           }
 }
@@ -135,7 +135,7 @@ TEST_CASE("a stalled motor of a slider pushes as hard as the limit pushes back")
               Approx(40 * double(way)).epsilon(tolerance(1e-9, 1e-4)));
         CHECK(double(piston.slider->limit_force()) ==
               Approx(-40 * double(way)).epsilon(tolerance(1e-6, 1e-3)));
-        CHECK(piston.way() == Approx(0.1 * double(way)).epsilon(whole ? 1e-4 : 1e-2));
+        CHECK(piston.displacement() == Approx(0.1 * double(way)).epsilon(whole ? 1e-4 : 1e-2));
         CHECK(double(length(piston.body().w)) < tolerance(1e-6, 1e-3));
       }
 }
@@ -156,8 +156,8 @@ TEST_CASE("a driven slider between two free bodies keeps their momentum about ev
         for (int step = 0; step < 300; ++step) {
           if (step % 60 == 0) piston.slider->set_motor(step % 120 ? -2 : 2, 20);
           piston.run(1);
-          low = std::min(low, piston.way());
-          high = std::max(high, piston.way());
+          low = std::min(low, piston.displacement());
+          high = std::max(high, piston.displacement());
         }
         CHECK(high > 0.6);  // it went to both limits
         CHECK(low < -0.4);
@@ -194,11 +194,11 @@ TEST_CASE("equal limits of a slider hold it against its motor and against a blow
       piston.slider->set_motor(-1, 50);
       piston.stepping.warm_start = warm;
       piston.run(200);
-      CHECK(piston.way() == Approx(0.2).epsilon(whole ? 1e-4 : 1e-2));
+      CHECK(piston.displacement() == Approx(0.2).epsilon(whole ? 1e-4 : 1e-2));
       CHECK(double(piston.slider->limit_force()) == Approx(50).epsilon(tolerance(1e-6, 1e-2)));
       piston.body().v = real(20) * along;
       piston.run(1);
-      CHECK(std::abs(piston.way() - 0.2) < (whole ? 1e-4 : 1e-2));
+      CHECK(std::abs(piston.displacement() - 0.2) < (whole ? 1e-4 : 1e-2));
     }
 }
 
@@ -209,22 +209,23 @@ TEST_CASE("a slider's limits and motor may change between steps") {
     piston.stepping.warm_start = warm;
     piston.slider->set_motor(2, 1000);
     piston.run(30);
-    CHECK(std::abs(piston.way() - 1) < near);
+    CHECK(std::abs(piston.displacement() - 1) < near);
     piston.slider->set_limits(-5, real(1.1));  // closes in ahead of it
     piston.run(30);
-    CHECK(piston.way() == Approx(1.1).epsilon(tolerance(1e-6, 1e-4)));
+    CHECK(piston.displacement() == Approx(1.1).epsilon(tolerance(1e-6, 1e-4)));
     piston.slider->set_motor(-2, 1000);
     piston.run(30);
-    const double start = piston.way();
+    const double start = piston.displacement();
     CHECK(std::abs(start - 0.1) < near);
     CHECK(double(piston.slider->limit_force()) == 0);
     piston.slider->set_limits(1, 5);  // it is 0.9 beyond: comes back by 0.2 of it a step
     piston.slider->set_motor(0, 0);
     piston.run(1);
-    CHECK(piston.way() - start == Approx(0.2 * (1 - start)).epsilon(tolerance(1e-6, 1e-4)));
+    CHECK(piston.displacement() - start ==
+          Approx(0.2 * (1 - start)).epsilon(tolerance(1e-6, 1e-4)));
     piston.slider->clear_limits();
     piston.run(1);  // a limit brakes nothing: it flies on
-    CHECK(piston.way() - start == Approx(0.4 * (1 - start)).epsilon(1e-3));
+    CHECK(piston.displacement() - start == Approx(0.4 * (1 - start)).epsilon(1e-3));
   }
 }
 

@@ -33,7 +33,7 @@ TEST_CASE("within a colour pairs of one kind come together, as many as there are
   CHECK(one_by_one(3) == Groups{{0}, {1}, {2}});
 }
 
-TEST_CASE("islands hang together by bodies that move and take turns") {
+TEST_CASE("islands are connected by bodies that move, and are interleaved") {
   const std::vector<BodyPair> pairs{{0, 1}, {0, 4}, {1, 2}, {4, 5}, {2, 3}};
   CHECK(islands_of(pairs, all_move).size() == 1);
   const Islands two = islands_of(pairs, but({0}));
@@ -43,7 +43,7 @@ TEST_CASE("islands hang together by bodies that move and take turns") {
   CHECK(islands_of({}, all_move).empty());
 }
 
-TEST_CASE("islands are alike in the kinds of their pairs and in how the bodies hang together") {
+TEST_CASE("islands are alike in the kinds of their pairs and in how their bodies are connected") {
   // two chains on one wall, a star on it, and a chain whose second pair is of another kind
   const std::vector<BodyPair> pairs{{0, 1}, {1, 2}, {0, 3}, {3, 4}, {0, 5}, {5, 0}, {0, 6}, {6, 7}};
   const Islands islands = islands_of(pairs, but({0}));
@@ -53,7 +53,7 @@ TEST_CASE("islands are alike in the kinds of their pairs and in how the bodies h
   CHECK(found[1] == Islands{{0, 1}, {2, 3}});
 }
 
-TEST_CASE("columns keep every body in its lane and a static body once an island") {
+TEST_CASE("columns keep every body in one lane and copy a static body once per island") {
   const std::vector<BodyPair> pairs{{0, 1}, {1, 2}, {0, 3}, {3, 4}};
   const Islands islands = islands_of(pairs, but({0}));
   const auto columns = columns_of(interleaved(islands, 2), islands, pairs, 2);

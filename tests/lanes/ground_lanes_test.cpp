@@ -54,7 +54,7 @@ double difference(const World& a, const World& b) {
   return most;
 }
 
-// A step of the scalar solver whose iterations visit the blocks in the order of the packed ones.
+// A step of the scalar solver whose iterations solve the blocks in the order of the packed ones.
 void step_in_order(SequentialImpulses& solver, World& world, const PackedBlocks& packed,
                    const Stepping& stepping = {}) {
   begin_step(world, solver, h, stepping);
@@ -150,7 +150,7 @@ TEST_CASE("in colours contacts and joints give the scalar solver's numbers in th
     }
 }
 
-TEST_CASE("on lanes a bound that follows is mu times the other sum to the last bit") {
+TEST_CASE("on lanes a bound that follows is mu times the followed impulse to the last bit") {
   for (const bool lanes : {true, false})
     for (const Packing packing : {Packing::islands, Packing::colours, Packing::list}) {
       Random random(86);
@@ -161,7 +161,7 @@ TEST_CASE("on lanes a bound that follows is mu times the other sum to the last b
       wide.lanes = lanes;
       step(world, wide, h);
       int at_bound = 0, inside = 0, off = 0;
-      for (int k = 0; k < 21; ++k) {  // the follower was visited last
+      for (int k = 0; k < 21; ++k) {  // the follower was solved last
         const real* const sum = following(world, k).impulse;
         CHECK(sum[0] >= 0);
         CHECK(std::abs(sum[1]) <= real(0.4) * sum[0]);
@@ -172,7 +172,7 @@ TEST_CASE("on lanes a bound that follows is mu times the other sum to the last b
     }
 }
 
-TEST_CASE("a row that follows a sum without a row is refused by every solver") {
+TEST_CASE("a row that follows an impulse without a row is refused by every solver") {
   const std::string words = "follows: the impulse that bounds a row must have a row of its own";
   Random random(87);
   World world = followings(random, 9);
@@ -193,7 +193,7 @@ TEST_CASE("a row that follows a sum without a row is refused by every solver") {
   }
 }
 
-TEST_CASE("a followed sum is known by its place, whichever neighbour in the list has it") {
+TEST_CASE("a followed impulse is found whichever neighbour in the list has it") {
   // A pair of rows in one block, and rows behind and before it that follow the pair's second row.
   class Four : public Joint {
    public:
@@ -245,7 +245,7 @@ TEST_CASE("a followed sum is known by its place, whichever neighbour in the list
   }
 }
 
-TEST_CASE("who is solved with whom is kept while no corner comes or goes, without the heap") {
+TEST_CASE("the grouping is cached and nothing allocated while no corner comes or goes") {
   World world = field(9, true, true);
   PackedImpulses wide;
   Stepping stepping;
@@ -262,7 +262,7 @@ TEST_CASE("who is solved with whom is kept while no corner comes or goes, withou
   CHECK(wide.packed().groupings() == fallen + 1);
 }
 
-TEST_CASE("corners come and go and the scalar solver takes no memory from the heap") {
+TEST_CASE("corners come and go and the scalar solver does not allocate") {
   Random random(88);
   World world = field(3, true, true);
   SequentialImpulses solver;

@@ -159,7 +159,7 @@ TEST_CASE("turned boxes on skew hinges move in the hinges' loop as with the engi
         tolerance(1e-10, 1e-2));
 }
 
-TEST_CASE("a chain a lane is one hinge at a time to the last bit") {
+TEST_CASE("one chain per lane is one hinge at a time to the last bit") {
   const World worlds[] = {cubes(), uneven_chains(chains, hinges),
                           uneven_chains(chains, hinges, false)};
   for (const World& world : worlds) {
@@ -193,7 +193,7 @@ TEST_CASE("colours on lanes are one hinge at a time in that order to the last bi
   CHECK_FALSE(same(lanes.bodies, in_chain_order.bodies));  // another order, another motion
 }
 
-TEST_CASE("preparing in every visit changes no bit because no pose changes within a step") {
+TEST_CASE("preparing in every solve changes no bit because no pose changes within a step") {
   const World world = uneven_chains(chains, hinges);
   auto once = loop_of<Lanes>(world, chain_a_lane(world, lane_count)), always = once;
   always.once_a_step = false;
@@ -282,7 +282,7 @@ TEST_CASE("in a chain that hangs at rest omega 1.9 leaves a smaller gap than 1")
   CHECK(rms[1] < rms[0]);
 }
 
-TEST_CASE("with omega 2.1 a hanging chain explodes") {
+TEST_CASE("with omega 2.1 a hanging chain diverges") {
   // Two numbers say what a step makes of a mode of the error, and their product is what the
   // iterations leave of it: 1.1^30 in size. So one of them is at least 1.1^15 = 4.2, and 20 steps
   // make 10^12 times what rounding left in such a mode: 10^-16 m or, in float, 10^-7 m.

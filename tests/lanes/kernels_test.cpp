@@ -243,7 +243,7 @@ TEST_CASE("which kernels the joints of the workbook take") {
     }
 }
 
-TEST_CASE("an isotropic body is solved by the kernel of one number as by that of six") {
+TEST_CASE("the kernel for isotropic inertia finds what the one for any inertia finds") {
   const Kind isotropic{5, true, true, true}, general{5, true, true, false};
   std::vector<int> order(33);
   std::iota(order.begin(), order.end(), 0);

@@ -59,7 +59,7 @@ World zoo(const std::vector<int>& order) {
 
 }  // namespace
 
-TEST_CASE("on lanes an island each keeps its own order: chains move as with the scalar solver") {
+TEST_CASE("one island per lane keeps its own order: chains move as with the scalar solver") {
   for (const bool warm : {false, true}) {
     bench::Scene scalar = bench::cubes_on_hinges(10, 12), wide = bench::cubes_on_hinges(10, 12);
     SequentialImpulses one;

@@ -140,7 +140,7 @@ TEST_CASE("packed in the order of the list every joint moves as with the scalar 
   }
 }
 
-TEST_CASE("islands one block at a time take turns and change nothing to the last bit") {
+TEST_CASE("islands interleaved one block at a time change nothing to the last bit") {
   Zoo in_list(3), in_turns(3);
   PackedImpulses list = solver_of(Packing::list, false),
                  islands = solver_of(Packing::islands, false);
@@ -176,7 +176,7 @@ TEST_CASE("a static body that ten islands in columns share stays to the last bit
   CHECK(same(world, in_list));
 }
 
-TEST_CASE("who comes with whom is worked out once and anew only when that changes") {
+TEST_CASE("the grouping is cached until the topology changes") {
   for (const Packing packing : packings)
     for (const bool lanes : {true, false})
       for (const bool warm : {false, true}) {
@@ -225,7 +225,7 @@ TEST_CASE("who comes with whom is worked out once and anew only when that change
       }
 }
 
-TEST_CASE("while the structure stays a step takes nothing from the heap in any packing") {
+TEST_CASE("while the topology stays a step does not allocate in any packing") {
   for (const Packing packing : packings)
     for (const bool lanes : {true, false})
       for (const bool warm : {false, true}) {

@@ -431,7 +431,7 @@
 
 // ---- right: from the last link to the first
 // tests: 1.5
-// Gauss-Seidel may visit the links in any order.
+// Gauss-Seidel may solve the links in any order.
 // change: 0; k < links.size(); ++k ==> links.size(); k-- > 0;
 
 // ---- right: to and fro

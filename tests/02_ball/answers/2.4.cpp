@@ -13,7 +13,7 @@
   return normalize(q + quat(0, v.x, v.y, v.z) * q);
 
 // ---- wrong: from the right
-// expects: Likely mistake: the turn is multiplied from the right
+// expects: Likely mistake: the rotation is multiplied from the right
   const real angle = h * length(w);
   if (angle == 0) return q;
   const vec3 v = std::sin(angle / 2) * w / length(w);
@@ -115,7 +115,7 @@
   return normalize(glm::angleAxis(angle, w) * q);
 
 // ---- wrong: sign of the turn
-// expects: Likely mistake: the sign of the turn
+// expects: Likely mistake: the sign of the rotation
   const real angle = h * length(w);
   if (angle == 0) return q;
   const vec3 axis = w / length(w);
@@ -131,7 +131,7 @@
   return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z));
 
 // ---- wrong: w turned by q
-// expects: Likely mistake: the turn is multiplied from the right, or w is turned by q
+// expects: Likely mistake: the rotation is multiplied from the right, or w is turned by q
   const real angle = h * length(w);
   if (angle == 0) return q;
   const vec3 axis = q * (w / length(w));
@@ -170,8 +170,8 @@
   const vec3 v = std::sin(angle * (1 / 2)) * axis;
   return normalize(quat(std::cos(angle * (1 / 2)), v.x, v.y, v.z) * q);
 
-// ---- wrong: turn added
-// expects: Likely mistake: the turn is added to q
+// ---- wrong: rotation added
+// expects: Likely mistake: the rotation is added to q
   const real angle = h * length(w);
   if (angle == 0) return q;
   const vec3 axis = w / length(w);
@@ -200,7 +200,7 @@
   return normalize(quat(h * w) * q);
 
 // ---- wrong: from the right and without h
-// expects: Likely mistake: h is missing: the angle is h |w|; and the turn is multiplied from the
+// expects: Likely mistake: h is missing: the angle is h |w|; and the rotation is multiplied from
 // expects: right
   const real angle = length(w);
   if (angle == 0) return q;
@@ -209,7 +209,7 @@
   return normalize(q * quat(std::cos(angle / 2), v.x, v.y, v.z));
 
 // ---- wrong: sign of the turn and small angles left out
-// expects: Likely mistake: the sign of the turn; and a small angle is left out
+// expects: Likely mistake: the sign of the rotation; and a small angle is left out
   const real angle = h * length(w);
   if (angle < real(1e-3)) return q;
   const vec3 axis = w / length(w);

@@ -1,7 +1,7 @@
 // Known answers of exercise 3.1, each put in the place of the solution's.
 
 // ---- wrong: C 1 - cos
-// expects: Likely mistake: 1 minus the cosine: the arrows are at right angles, so a1.b itself is 0
+// expects: Likely mistake: 1 minus the cosine: the vectors are at right angles, so a1.b itself is 0
   const vec3 a1 = to_world(body1, a1_local);
   const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local);
   return {1 - dot(a1, b), 1 - dot(a1, c)};

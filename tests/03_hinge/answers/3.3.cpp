@@ -38,7 +38,7 @@
   return glm::degrees(2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w));
 
 // ---- wrong: difference
-// expects: Likely mistake: a difference of quaternions is no turn: q1^-1 q2
+// expects: Likely mistake: a difference of quaternions is no rotation: q1^-1 q2
   quat q = body2.q - body1.q;
   return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
 

@@ -31,7 +31,7 @@
   return nearer;
 
 // ---- wrong: C over h
-// expects: Likely mistake: C is a room: it is not divided by h
+// expects: Likely mistake: C is a gap: it is not divided by h
   LimitRow lower{(x - range.lower) / h, 1}, upper{(range.upper - x) / h, -1};
   LimitRow nearer = lower.C + rate < upper.C - rate ? lower : upper;
   nearer.live = nearer.C < std::abs(rate) + real(0.1);
@@ -45,7 +45,7 @@
   return nearer;
 
 // ---- wrong: abs of C in the choice
-// expects: Likely mistake: no absolute value in the choice: beyond a limit the room is negative,
+// expects: Likely mistake: no absolute value in the choice: beyond a limit the gap is negative,
 // expects: that is less
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = std::abs(lower.C + h * rate) < std::abs(upper.C - h * rate) ? lower : upper;
@@ -68,8 +68,8 @@
   return nearer;
 
 // ---- wrong: both + h rate
-// expects: Likely mistake: the limit with less room now: the one with less room at the end of the
-// expects: step counts, where the lower room has grown by h rate and the upper one has shrunk by it
+// expects: Likely mistake: the limit with the smaller gap now: the smaller gap at the end of the
+// expects: step decides, where the lower gap has grown by h rate and the upper one has shrunk by it
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C + h * rate < upper.C + h * rate ? lower : upper;
   nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
@@ -90,8 +90,8 @@
   return row;
 
 // ---- wrong: first live one wins
-// expects: Likely mistake: the lower limit wherever it is live: the one with less room at the end
-// expects: of the step counts
+// expects: Likely mistake: the lower limit wherever it is live: the smaller gap at the end of the
+// expects: step decides
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   lower.live = lower.C < h * std::abs(rate) + real(0.1) * h;
   upper.live = upper.C < h * std::abs(rate) + real(0.1) * h;
@@ -133,19 +133,19 @@
   return row;
 
 // ---- wrong: int C
-// expects: Likely mistake: the rooms are cut off to whole numbers: an int has no fraction
+// expects: Likely mistake: the gaps are cut off to whole numbers: an int has no fraction
   const int below = x - range.lower, above = range.upper - x;
   LimitRow lower{real(below), 1}, upper{real(above), -1};
   LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
   nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
-// ---- wrong: live by room after
-// expects: Likely mistake: the room now decides whether the row is live: C, not C + h dC/dt
+// ---- wrong: live by gap after
+// expects: Likely mistake: the gap now decides whether the row is live: C, not C + h dC/dt
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  const real room = std::min(lower.C + h * rate, upper.C - h * rate);
-  nearer.live = room < h * std::abs(rate) + real(0.1) * h;
+  const real gap = std::min(lower.C + h * rate, upper.C - h * rate);
+  nearer.live = gap < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
 // ---- wrong: live if either is near
@@ -173,16 +173,16 @@
   return nearer;
 
 // ---- wrong: lower C negated
-// expects: Likely mistake: C at the lower limit: the room left is x - lower, not lower - x
+// expects: Likely mistake: C at the lower limit: the gap is x - lower, not lower - x
   LimitRow lower{range.lower - x, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
   nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
 // ---- wrong: min C with sign of the choice
-// expects: Likely mistake: in C and live alone: the limit with less room now: the one with less
-// expects: room at the end of the step counts, where the lower room has grown by h rate and the
-// expects: upper one has shrunk by it
+// expects: Likely mistake: in C and live alone: the limit with the smaller gap now: the smaller gap
+// expects: at the end of the step decides, where the lower gap has grown by h rate and the upper
+// expects: one has shrunk by it
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
   nearer.C = std::min(lower.C, upper.C);
@@ -213,8 +213,8 @@
   return nearer;
 
 // ---- wrong: nearer limit now
-// expects: Likely mistake: the limit with less room now: the one with less room at the end of the
-// expects: step counts
+// expects: Likely mistake: the limit with the smaller gap now: the smaller gap at the end of the
+// expects: step decides
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C < upper.C ? lower : upper;
   nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
@@ -232,9 +232,9 @@
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   return lower.C + h * rate < upper.C - h * rate ? lower : upper;
 
-// ---- wrong: only the way the rate goes
-// expects: Likely mistake: the limit toward which x moves: the one with less room at the end of the
-// expects: step counts
+// ---- wrong: only the direction of the rate
+// expects: Likely mistake: the limit toward which x moves: the smaller gap at the end of the
+// expects: step decides
   LimitRow row = rate > 0 ? LimitRow{range.upper - x, -1} : LimitRow{x - range.lower, 1};
   row.live = row.C < h * std::abs(rate) + real(0.1) * h;
   return row;
@@ -248,7 +248,7 @@
   return nearer;
 
 // ---- wrong: rate on one side
-// expects: Likely mistake: the rate counts for both limits: the one room grows by h rate, the other
+// expects: Likely mistake: the rate counts for both limits: the one gap grows by h rate, the other
 // expects: shrinks by it
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C + h * rate < upper.C ? lower : upper;
@@ -270,16 +270,16 @@
   nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
   return nearer;
 
-// ---- wrong: room above the upper limit
-// expects: Likely mistake: C at the upper limit: the room left is upper - x, not x - upper
+// ---- wrong: gap above the upper limit
+// expects: Likely mistake: C at the upper limit: the gap is upper - x, not x - upper
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
   nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
   if (nearer.sign < 0) nearer.C = x - range.upper;
   return nearer;
 
-// ---- wrong: room at the end
-// expects: C is the room now
+// ---- wrong: gap at the end
+// expects: C is the gap now
   LimitRow lower{x - range.lower + h * rate, 1}, upper{range.upper - x - h * rate, -1};
   LimitRow nearer = lower.C < upper.C ? lower : upper;
   nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
@@ -335,10 +335,10 @@
 // ---- wrong: unset sign
 // expects: Likely mistake: a value that was never set
   LimitRow row;
-  real sign, room;
-  if (x - range.lower + h * rate < range.upper - x - h * rate) { room = x - range.lower; sign = 1; }
-  else room = range.upper - x;
-  row = {room, sign};
+  real sign, gap;
+  if (x - range.lower + h * rate < range.upper - x - h * rate) { gap = x - range.lower; sign = 1; }
+  else gap = range.upper - x;
+  row = {gap, sign};
   row.live = row.C < h * std::abs(rate) + real(0.1) * h;
   return row;
 
@@ -380,7 +380,7 @@
     });
   }();
 
-// ---- wrong units: rate for way
+// ---- wrong units: rate for displacement
 // expects: Units: in limit_row (rates as pure numbers and x in s), adding a pure number to s: h
 // expects: is missing
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};

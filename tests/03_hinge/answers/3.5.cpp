@@ -102,8 +102,8 @@
   sum = wanted;
   return sum - before;
 
-// ---- wrong: each visit clamped
-// expects: Likely mistake: each visit is clamped: it is the sum over all visits of a step that
+// ---- wrong: each change clamped
+// expects: Likely mistake: each change is clamped: it is the accumulated impulse of a step that
 // expects: stays within h strength
   const real bound = h * motor.strength;
   const real change = std::clamp(-(rate - motor.speed) / K, -bound, bound);
@@ -251,7 +251,7 @@
   return std::clamp(sum - (rate - motor.speed) / K, -bound, bound) - sum;
 
 // ---- wrong: sum thrown away
-// expects: Likely mistake: the sum so far is thrown away: it grows over all visits of a step
+// expects: Likely mistake: the sum so far is thrown away: it grows over all iterations of a step
   const real bound = h * motor.strength;
   sum = 0;
   const real before = sum;

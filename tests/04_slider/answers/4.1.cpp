@@ -27,8 +27,8 @@
   return {dot(u, to_world(body1, n1_local)), dot(u, to_world(body1, n1_local))};
 
 // ---- wrong: C n1 x n2
-// expects: Likely mistake: n1 x n2 runs along the line, where the way is free: C holds u.n1 and
-// expects: u.n2
+// expects: Likely mistake: n1 x n2 runs along the line, where the displacement is free: C holds
+// expects: u.n1 and u.n2
   const vec3 a = cross(to_world(body1, n1_local), to_world(body1, n2_local));
   return {dot(u, a), dot(u, a)};
 
@@ -374,7 +374,7 @@
 
 // ---- right: lever to the point of body 2
 // region: 2
-// r1 + u is the arrow from the centre of body 1 to the point of body 2.
+// r1 + u is the vector from the centre of body 1 to the point of body 2.
   const vec3 p2 = world_point(body2, anchor2_local);
   return {{Row{-n[0], cross(n[0], p2 - body1.x), n[0], cross(p2 - body2.x, n[0])},
            Row{-n[1], cross(n[1], p2 - body1.x), n[1], cross(p2 - body2.x, n[1])}}};

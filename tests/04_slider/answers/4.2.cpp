@@ -61,7 +61,7 @@
 
 // ---- wrong: J sign of body 1
 // region: 2
-// expects: Likely mistake: both spins with the same sign: C grows with w2 - w1 (pencil and paper,
+// expects: Likely mistake: w1 and w2 with the same sign: C grows with w2 - w1 (pencil and paper,
 // expects: upright, turned, moved)
   return jacobian_from_blocks(mat3(0), mat3(1), mat3(0), mat3(1));
 
@@ -93,13 +93,13 @@
   return real(2) * abs(vec3(q.x, q.y, q.z));
 
 // ---- wrong: angle vector
-// expects: Likely mistake: the vector of the turn itself: C is 2 v, whose length is 2 sin(angle/2)
+// expects: Likely mistake: the vector of the rotation itself: C is 2 v, whose length is 2 sin(
   quat q = body2.q * conjugate(start) * conjugate(body1.q);
   if (q.w < 0) q = -q;
   return glm::angle(q) * glm::axis(q);
 
 // ---- wrong: difference of q
-// expects: Likely mistake: a difference of quaternions is no turn
+// expects: Likely mistake: a difference of quaternions is no rotation
   const quat q = body2.q - body1.q;
   return real(2) * vec3(q.x, q.y, q.z);
 
@@ -115,8 +115,8 @@
   const mat3 across = skew(vec3(e.x, e.y, e.z)) * (e.w < 0 ? real(-1) : real(1));
   return jacobian_from_blocks(mat3(0), across - mat3(s), mat3(0), across + mat3(s));
 
-// ---- wrong: half the turn
-// expects: Likely mistake: the factor 2 is forgotten: v is only half the turn
+// ---- wrong: half the rotation
+// expects: Likely mistake: the factor 2 is forgotten: v is only half the rotation
   const quat q = body2.q * conjugate(start) * conjugate(body1.q);
   return (q.w < 0 ? real(-1) : real(1)) * vec3(q.x, q.y, q.z);
 
@@ -146,7 +146,7 @@
   return real(2) * vec3(q.x, q.y, q.z);
 
 // ---- wrong: q1 for q2
-// expects: Likely mistake: body 1 alone: the turn is that of body 2
+// expects: Likely mistake: body 1 alone: the rotation is that of body 2
   quat q = body1.q * conjugate(start) * conjugate(body1.q);
   if (q.w < 0) q = -q;
   return real(2) * vec3(q.x, q.y, q.z);
@@ -182,7 +182,7 @@
 
 // ---- wrong: start forgotten
 // expects: C, pencil and paper, start = q2.z
-// expects: Likely mistake: start is forgotten: the turn that the bodies began with is no error
+// expects: Likely mistake: start is forgotten: the rotation that the bodies began with is no error
   quat q = body2.q * conjugate(body1.q);
   if (q.w < 0) q = -q;
   return real(2) * vec3(q.x, q.y, q.z);
@@ -232,7 +232,7 @@
   return real(2) * vec3(q.x, q.z, q.y);
 
 // ---- wrong: zero near
-// expects: Likely mistake: a small turn is an error, too: no threshold belongs here
+// expects: Likely mistake: a small rotation is an error, too: no threshold belongs here
   quat q = body2.q * conjugate(start) * conjugate(body1.q);
   if (q.w < 0) q = -q;
   const vec3 C = real(2) * vec3(q.x, q.y, q.z);
@@ -270,7 +270,7 @@
   return J;
 
 // ---- right: seen from body 1 and turned back
-// The turn in the axes of body 1; its vector is turned into the world.
+// The rotation in the axes of body 1; its vector is turned into the world.
   const quat q = conjugate(body1.q) * body2.q * conjugate(start);
   const real sign = std::copysign(real(2), q.w);
   return to_world(body1, sign * vec3(q.x, q.y, q.z));
@@ -287,7 +287,7 @@
   return real(2) * vec3(q.x, q.y, q.z);
 
 // ---- right: where it belongs
-// The orientation that body 2 should have first, then the turn from there to where it is.
+// The orientation that body 2 should have first, then the rotation from there to where it is.
   const quat wanted = body1.q * start;
   const quat q = body2.q * inverse(wanted);
   return (q.w >= 0 ? real(2) : real(-2)) * vec3(q.x, q.y, q.z);

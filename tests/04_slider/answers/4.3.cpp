@@ -119,53 +119,53 @@
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   return {-a, -cross(r1, a), a, cross(r2, a)};
 
-// ---- wrong: way abs
-// expects: Likely mistake: the way has a sign: it is negative behind the start
+// ---- wrong: displacement abs
+// expects: Likely mistake: the displacement has a sign: it is negative behind the start
   return std::abs(dot(u, to_world(body1, a1_local)));
 
-// ---- wrong: way clamp 0
+// ---- wrong: displacement clamp 0
 // expects: Likely mistake: what is negative has become 0
   return std::max(real(0), dot(u, to_world(body1, a1_local)));
 
-// ---- wrong: way cosine
+// ---- wrong: displacement cosine
 // expects: Likely mistake: u is not made a unit vector: its length counts
   return dot(normalize(u), to_world(body1, a1_local));
 
-// ---- wrong: way from centre to centre
+// ---- wrong: displacement from centre to centre
 // expects: Likely mistake: centres in place of anchors: u is p2 - p1
   return dot(body2.x - body1.x, to_world(body1, a1_local));
 
-// ---- wrong: way from p1 to x2
+// ---- wrong: displacement from p1 to x2
 // expects: Likely mistake: the anchor of body 2 is forgotten: u is p2 - p1
   return dot(body2.x - world_point(body1, anchor1_local), to_world(body1, a1_local));
 
-// ---- wrong: way int
+// ---- wrong: displacement int
 // expects: Likely mistake: the fraction is cut off: an int holds whole numbers only
-  const int way = dot(u, to_world(body1, a1_local));
-  return way;
+  const int displacement = dot(u, to_world(body1, a1_local));
+  return displacement;
 
-// ---- wrong: way length
+// ---- wrong: displacement length
 // expects: Likely mistake: the length of u: only its part along a counts
   return length(u);
 
-// ---- wrong: way squared
+// ---- wrong: displacement squared
 // expects: Likely mistake: the square: the dot product of u and a itself
   const real d = dot(u, to_world(body1, a1_local));
   return d * d;
 
-// ---- wrong: way threshold
+// ---- wrong: displacement threshold
 // expects: Likely mistake: what is small has become 0: no threshold belongs here
-  const real way = dot(u, to_world(body1, a1_local));
-  return std::abs(way) < 0.2 ? 0 : way;
+  const real displacement = dot(u, to_world(body1, a1_local));
+  return std::abs(displacement) < 0.2 ? 0 : displacement;
 
-// ---- wrong: way unset
+// ---- wrong: displacement unset
 // expects: Likely mistake: a value that was never set
-  real way;
+  real displacement;
   const vec3 a = to_world(body1, a1_local);
-  for (int k = 0; k < 3; ++k) way += u[k] * a[k];
-  return way;
+  for (int k = 0; k < 3; ++k) displacement += u[k] * a[k];
+  return displacement;
 
-// ---- wrong: way world_point
+// ---- wrong: displacement world_point
 // expects: Likely mistake: a is a direction, not a point: to_world, not world_point
   return dot(u, world_point(body1, a1_local));
 
@@ -196,6 +196,6 @@
   const vec3 a = to_world(body1, a1_local), p2 = world_point(body2, anchor2_local);
   return {-a, -cross(p2 - body1.x, a), a, cross(p2 - body2.x, a)};
 
-// ---- right: way in axes of body 1
-// The way is the same number, seen from body 1.
+// ---- right: displacement in axes of body 1
+// The displacement is the same number, seen from body 1.
   return dot(to_local(body1, u), a1_local);

@@ -28,7 +28,7 @@
   body2.q = turned(body2.q, move2.w, 1);
 
 // ---- wrong: point applied twice
-// expects: Likely mistake: more than the gap is taken, 2 times: a visit takes it once
+// expects: Likely mistake: more than the gap is taken, 2 times: a projection takes it once
 // change: -inverse ==> real(-2) * inverse
 
 // ---- wrong: point body 1 not turned
@@ -136,7 +136,7 @@
 // ---- wrong: point moves left in the velocities
 // expects: change of v2 (on paper)
 // expects: Likely mistake: the velocities hold the moves now: they stay as they are
-// expects: Likely mistake: the iteration is right and its visits are not
+// expects: Likely mistake: the iteration is right and its projections are not
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
   body1.v = body1.w = body2.v = body2.w = vec3(0);
   apply_impulse(point.jacobian(body1, body2), lambda, body1, body2);
@@ -188,7 +188,7 @@
 // ---- wrong: point sign
 // expects: move of 2 (on paper).x
 // expects: Likely mistake: the sign: lambda = -K^-1 C
-// expects: Likely mistake: the iteration is right and its visits are not: look at `project`
+// expects: Likely mistake: the iteration is right and its projections are not: look at `project`
   const vec3 lambda = inverse(point.K(body1, body2)) * point.error(body1, body2);
   Body move1 = body1, move2 = body2;
   move1.v = move1.w = move2.v = move2.w = vec3(0);
@@ -262,7 +262,7 @@
 
 // ---- wrong: rope as a point
 // region: 2
-// expects: Likely mistake: this is the visit of a point
+// expects: Likely mistake: this is the projection of a point
   if (rope.error(body1, body2) >= 0) return;
   project(Point{rope.rod.anchor1_local, rope.rod.anchor2_local}, body1, body2);
 
@@ -425,7 +425,7 @@
 
 // ---- wrong: iteration until closed
 // region: 3
-// expects: Likely mistake: this is 50 iterations: every joint is visited once
+// expects: Likely mistake: this is 50 iterations: every joint is projected once
 // change: for (std::size_t k ==> for (int iteration = 0; iteration < 50; ++iteration) for (std::size_t k
 
 // ---- wrong: iteration velocities to rest

@@ -152,7 +152,7 @@
   }
   return colours;
 
-// ---- wrong: four colours of room
+// ---- wrong: four spare colours
 // expects: Likely mistake: an index outside a vector: std::vector<bool> does not check it
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(4));
   std::vector<int> colours;

@@ -662,10 +662,10 @@
 // Each of the fifteen numbers is read once and serves both sides of the diagonal.
   const Triple<Number> gap =
       body2.v - body1.v + cross(body2.w, hinge.r2) + cross(hinge.r1, body1.w);
-  const Triple<Number> spin = body1.w - body2.w;
+  const Triple<Number> w = body1.w - body2.w;
   const Number e[] = {gap.x + hinge.bias[0], gap.y + hinge.bias[1], gap.z + hinge.bias[2],
-                      hinge.bias[3] - dot(hinge.axis_row[0], spin),
-                      hinge.bias[4] - dot(hinge.axis_row[1], spin)};
+                      hinge.bias[3] - dot(hinge.axis_row[0], w),
+                      hinge.bias[4] - dot(hinge.axis_row[1], w)};
   Number lambda[5];
   const Number* entry = hinge.inverse_K.data();
   for (int i = 0; i < 5; ++i) {

@@ -47,7 +47,7 @@
   return length(point(body1, body2) - body1.x) - height;
 
 // ---- wrong: C length from the top
-// expects: Likely mistake: the length of the way from the top: only what is along n counts
+// expects: Likely mistake: the distance from the top: only what is along n counts
   return length(point(body1, body2) - body1.x - height * up(body1));
 
 // ---- wrong: C lever of body 2
@@ -180,7 +180,7 @@
 // expects: Likely mistake: entry times entry where the cross product belongs, in w2
 // change: , cross(r2, direction)} ==> , r2 * direction}
 
-// ---- wrong: J foot of the corner
+// ---- wrong: J lever to the point below the corner
 // region: 2
 // expects: Likely mistake: r1 ends on the top, below the corner
 // expects: Fails at pencil and paper and off the top; holds at upright, turned and moved.

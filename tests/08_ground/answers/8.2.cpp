@@ -87,7 +87,7 @@
 
 // ---- wrong: friction copy of the sum
 // region: 2
-// expects: Likely mistake: the sum is not stored: the next visit has to know it
+// expects: Likely mistake: the sum is not stored: the next iteration needs it
 // change: const real before = sum; ==> const real before = sum; real copy = sum;
 // change: sum = std::clamp ==> copy = std::clamp
 // change: return sum ==> return copy
@@ -101,9 +101,9 @@
   sum = wanted;
   return sum - before;
 
-// ---- wrong: friction each visit clamped
+// ---- wrong: friction each change clamped
 // region: 2
-// expects: Likely mistake: the change of each visit is clamped
+// expects: Likely mistake: each change is clamped
   const real bound = mu * normal, change = std::clamp(-rate / K, -bound, bound);
   sum += change;
   return change;

@@ -1,4 +1,4 @@
-// Exercise 2.4: how a body turns, cases and the usual mistakes.
+// Exercise 2.4: the rotation of a body in a step, cases and the usual mistakes.
 #pragma once
 
 #include "chapters/02_ball/ball.h"
@@ -6,7 +6,7 @@
 
 namespace joints::testing {
 
-struct SpinCase {
+struct RotationCase {
   std::string words;
   quat q;
   vec3 w;
@@ -14,13 +14,13 @@ struct SpinCase {
   int steps = 1;
 };
 
-/// How a step turns a body, piece by piece; a mistake changes one of the pieces.
-struct Spin {
+/// The rotation of a body in a step, piece by piece; a mistake changes one of the pieces.
+struct RotationStep {
   using V = const vec3&;
   using Q = const quat&;
-  SpinCase c;
+  RotationCase c;
   bool normal = true;  ///< the product is normalised
-  real limit = 0;      ///< what is not above this does not turn
+  real limit = 0;      ///< no rotation up to this
   std::function<real(V w, real h)> size = [](V w, real h) { return h * length(w); };
   std::function<quat(Q q)> at_rest = [](Q q) { return q; };
   std::function<vec3(Q q, V w)> in_world = [](Q, V w) { return w; };
@@ -43,24 +43,25 @@ struct Spin {
   }
 };
 
-inline Pieces<Spin> spin_mistakes() {
+inline Pieces<RotationStep> rotation_mistakes() {
   using V = const vec3&;
   using Q = const quat&;
-  Pieces<Spin> out;
+  Pieces<RotationStep> out;
   const auto angle = [&](const char* words, auto angle) {
-    out.push_back({words, [=](Spin& s) { s.angle = angle; }});
+    out.push_back({words, [=](RotationStep& s) { s.angle = angle; }});
   };
   const auto axis = [&](auto axis) {
-    out.push_back({"the axis must be a unit vector, w / |w|", [=](Spin& s) { s.axis = axis; }});
+    out.push_back(
+        {"the axis must be a unit vector, w / |w|", [=](RotationStep& s) { s.axis = axis; }});
   };
   const auto together = [&](const char* words, auto how) {
-    out.push_back({words, [=](Spin& s) { s.together = how; }});
+    out.push_back({words, [=](RotationStep& s) { s.together = how; }});
   };
   const auto written = [&](const char* words, auto how) {
-    out.push_back({words, [=](Spin& s) { s.written = how; }});
+    out.push_back({words, [=](RotationStep& s) { s.written = how; }});
   };
   const auto halves = [&](const char* words, real sine, real cosine) {
-    out.push_back({words, [=](Spin& s) {
+    out.push_back({words, [=](RotationStep& s) {
                      s.for_sine = [=](real a) { return sine * a; };
                      s.for_cosine = [=](real a) { return cosine * a; };
                    }});
@@ -83,32 +84,32 @@ inline Pieces<Spin> spin_mistakes() {
   axis([](V w, real) { return w; });
   axis([](V w, real h) { return h * w; });
   axis([](V w, real h) { return w / (h * length(w)); });
-  out.push_back({"the sign of the turn",
-                 [](Spin& s) { s.axis = [](V w, real) { return -w / length(w); }; }});
+  out.push_back({"the sign of the rotation",
+                 [](RotationStep& s) { s.axis = [](V w, real) { return -w / length(w); }; }});
   written("the order of the four numbers: quat(w, x, y, z), the cosine first",
           [](real s, real c, V axis) { return quat(s * axis.x, s * axis.y, s * axis.z, c); });
   written("sine and cosine are exchanged: the cosine comes first",
           [](real s, real c, V axis) { return quat(s, c * axis); });
-  out.push_back({"h w holds no Euler angles: it is an axis times an angle", [](Spin& s) {
+  out.push_back({"h w holds no Euler angles: it is an axis times an angle", [](RotationStep& s) {
                    const vec3 w = s.c.w;
                    const real h = s.c.h;
                    s.written = [=](real, real, V) { return quat(h * w); };
                  }});
-  together("the turn is multiplied from the right, or w is turned by q: w is in world axes, not "
-           "body axes",
+  together("the rotation is multiplied from the right, or w is turned by q: w is in world axes, "
+           "not body axes",
            [](Q turn, Q q) { return q * turn; });
   together("the old orientation is lost: exp(h w) q", [](Q turn, Q) { return turn; });
-  together("q is inverted: the turn stands on the left of q itself",
+  together("q is inverted: the rotation stands on the left of q itself",
            [](Q turn, Q q) { return turn * conjugate(q); });
-  together("q is no vector: the turn stands on its left alone",
+  together("q is no vector: the rotation stands on its left alone",
            [](Q turn, Q q) { return turn * q * conjugate(turn); });
-  together("the turn is added to q: it is multiplied", [](Q turn, Q q) { return turn + q; });
+  together("the rotation is added to q: it is multiplied", [](Q turn, Q q) { return turn + q; });
   out.push_back({"w is in world axes already: it is not turned by q",
-                 [](Spin& s) { s.in_world = [](Q q, V w) { return conjugate(q) * w; }; }});
+                 [](RotationStep& s) { s.in_world = [](Q q, V w) { return conjugate(q) * w; }; }});
   out.push_back({"a body at rest keeps q: it does not go back to (1, 0, 0, 0)",
-                 [](Spin& s) { s.at_rest = [](Q) { return quat(1, 0, 0, 0); }; }});
+                 [](RotationStep& s) { s.at_rest = [](Q) { return quat(1, 0, 0, 0); }; }});
   const auto first_order = [&](const char* words, real factor, bool right) {
-    out.push_back({words, [=](Spin& s) {
+    out.push_back({words, [=](RotationStep& s) {
                      const vec3 a = factor * s.c.h * s.c.w;
                      s.together = [=](Q, Q q) {
                        const quat turn(0, a.x, a.y, a.z);
@@ -123,7 +124,7 @@ inline Pieces<Spin> spin_mistakes() {
               real(0.5), true);
   const auto small = [&](real limit, bool with_h) {
     out.push_back({"a small angle is left out: many small steps add up, and only an angle of 0 is "
-                   "no turn", [=](Spin& s) {
+                   "no rotation", [=](RotationStep& s) {
                      s.limit = limit;
                      s.size = [=](V w, real h) { return (with_h ? h : 1) * length(w); };
                    }});
@@ -134,12 +135,12 @@ inline Pieces<Spin> spin_mistakes() {
   return out;
 }
 
-inline CaseTable<SpinCase> spin_table() {
-  CaseTable<SpinCase> table{{"2.4", "turning a body"},
+inline CaseTable<RotationCase> rotation_table() {
+  CaseTable<RotationCase> table{{"2.4", "turning a body"},
                             {"q.w", "q.x", "q.y", "q.z"}, {}, {}, {}, {}};
   // q and -q are the same orientation, so that the one beside the right one is shown; whether it
   // is normalised is another test's question
-  const auto after = [](const SpinCase& c, const std::function<quat(const quat&)>& step) {
+  const auto after = [](const RotationCase& c, const std::function<quat(const quat&)>& step) {
     quat q = c.q, right = c.q;
     for (int n = 0; n < c.steps; ++n) {
       q = step(q);
@@ -148,15 +149,15 @@ inline CaseTable<SpinCase> spin_table() {
     if (dot(q, right) < 0) q = -q;
     return Numbers{double(q.w), double(q.x), double(q.y), double(q.z)};
   };
-  const auto spun = [=](const Spin& spin) {
-    return after(spin.c, [&](const quat& q) { return spin.step(q); });
+  const auto rotated = [=](const RotationStep& one) {
+    return after(one.c, [&](const quat& q) { return one.step(q); });
   };
   table.whole = true;
   table.tolerance = 10 * rounding;
-  table.yours = [=](const SpinCase& c) {
+  table.yours = [=](const RotationCase& c) {
     return after(c, [&](const quat& q) { return turned(q, c.w, c.h); });
   };
-  table.right = [=](const SpinCase& c) { return spun({c}); };
+  table.right = [=](const RotationCase& c) { return rotated({c}); };
   const real third = real(3.14159265358979323846) * 2 / 3;
   table.cases = {{"Numbers, in the text", quat(1, 0, 0, 0), vec3(0, 0, third), real(0.75)}};
   Random random(4);
@@ -171,14 +172,14 @@ inline CaseTable<SpinCase> spin_table() {
   table.cases.push_back({"1000 steps, together 0.01 rad", q, real(1e-5) * normalize(w), 1, 1000});
   table.cases.push_back({"1000 steps, together 1e-6 rad", q, real(6e-8) * normalize(w),
                          1 / real(60), 1000});
-  Pieces<Spin> pieces = spin_mistakes();
-  for (auto& one : spin_mistakes())  // the same where the product is not normalised
+  Pieces<RotationStep> pieces = rotation_mistakes();
+  for (auto& one : rotation_mistakes())  // the same where the product is not normalised
     if (!one.first.starts_with("a small angle") && !one.first.starts_with("a body at rest"))
-      pieces.push_back({one.first, [change = one.second](Spin& s) {
+      pieces.push_back({one.first, [change = one.second](RotationStep& s) {
                           change(s);
                           s.normal = false;
                         }});
-  add_pieces(table, [](const SpinCase& c) { return Spin{c}; }, spun, pieces);
+  add_pieces(table, [](const RotationCase& c) { return RotationStep{c}; }, rotated, pieces);
   return table;
 }
 

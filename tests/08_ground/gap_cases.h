@@ -1,4 +1,4 @@
-// Exercise 8.1: the room of a corner at every pose as a table, with its usual mistakes.
+// Exercise 8.1: the gap of a corner at every pose as a table, with its usual mistakes.
 #pragma once
 
 #include "tests/08_ground/ground_cases.h"
@@ -6,7 +6,7 @@
 
 namespace joints::testing {
 
-struct RoomCase {
+struct GapCase {
   std::string words;
   Corner corner;
   Pair pair;
@@ -18,15 +18,15 @@ inline std::string corner_pose(int pose) {
 }
 
 /// Sharp corners and balls at every pose, and one of each over a static ground.
-inline std::vector<RoomCase> room_cases() {
-  std::vector<RoomCase> out;
+inline std::vector<GapCase> gap_cases() {
+  std::vector<GapCase> out;
   const auto look = [&](const std::string& what) {
     return [&, what](int pose, const Corner& part, const Pair& pair) {
       out.push_back({what + corner_pose(pose), part, pair});
     };
   };
-  visit_poses<CornerFixture>(look("corner, "));
-  visit_poses<BallOnTopFixture>(look("ball, "));
+  for_each_pose<CornerFixture>(look("corner, "));
+  for_each_pose<BallOnTopFixture>(look("ball, "));
   for (const std::size_t k : {std::size_t(14), out.size() - 1}) {
     out.push_back(out[k]);
     out.back().words = (k == 14 ? "corner, 1 static, " : "ball, 1 static, ") + corner_pose(3);
@@ -37,26 +37,26 @@ inline std::vector<RoomCase> room_cases() {
 }
 
 /// n . (place + arm - rho - origin) - height, each by itself.
-struct RoomReference {
-  RoomCase c;
+struct GapReference {
+  GapCase c;
   vec3 n, place, arm, rho, origin;
   real height;
-  std::function<real(const RoomReference&)> instead;  ///< of the whole
+  std::function<real(const GapReference&)> instead;  ///< of the whole
   std::function<real(real)> after;               ///< what becomes of C
 
-  explicit RoomReference(const RoomCase& c)
+  explicit GapReference(const GapCase& c)
       : c(c), n(to_world(c.pair.body1, vec3(0, 1, 0))), place(c.pair.body2.x),
         arm(to_world(c.pair.body2, c.corner.corner_local)), rho(c.corner.radius * n),
         origin(c.pair.body1.x), height(c.corner.height) {}
   vec3 point() const { return place + arm - rho; }
-  real room() const {
+  real gap() const {
     const real C = instead ? instead(*this) : dot(n, point() - origin) - height;
     return after ? after(C) : C;
   }
 };
 
-inline Pieces<RoomReference> wrong_rooms() {
-  using T = RoomReference;
+inline Pieces<GapReference> wrong_gaps() {
+  using T = GapReference;
   using Change = std::function<void(T&)>;
   const auto up = [](auto of) { return Change([=](T& t) { t.n = of(t); }); };
   const auto radius = [](auto of) { return Change([=](T& t) { t.rho = of(t); }); };
@@ -119,7 +119,7 @@ inline Pieces<RoomReference> wrong_rooms() {
        instead([](const T& t) { return length(t.point() - t.origin) - t.height; })},
       {"the length of a cross product: only what is along n counts, the dot product",
        instead([](const T& t) { return length(cross(t.n, t.point() - t.origin)) - t.height; })},
-      {"the length of the way from the top: only what is along n counts, the dot product",
+      {"the distance from the top: only what is along n counts, the dot product",
        instead([](const T& t) { return length(t.point() - t.origin - t.height * t.n); })},
       {"only x and y count in the dot product: all three do", instead([](const T& t) {
          const vec3 r = t.point() - t.origin;
@@ -138,23 +138,23 @@ inline Pieces<RoomReference> wrong_rooms() {
       {"the size of C: below the top it is negative", after([](real C) { return std::abs(C); })},
       {"nothing below the top: C is negative there, that tells how deep the corner is",
        after([](real C) { return std::max(C, real(0)); })},
-      {"only below the top: while C > 0 it is the room that may be used up",
+      {"only below the top: while C > 0 it is the gap that may be used up",
        after([](real C) { return std::min(C, real(0)); })},
       {"C is 0 everywhere: it is not measured, or cut to a whole number by an int",
        after([](real) { return real(0); })}};
 }
 
-inline CaseTable<RoomCase> room_table() {
-  CaseTable<RoomCase> table{{"8.1", "the error C of a corner"}, {"C"}, {}, {}, {}, room_cases()};
-  table.yours = [](const RoomCase& c) {
+inline CaseTable<GapCase> gap_table() {
+  CaseTable<GapCase> table{{"8.1", "the error C of a corner"}, {"C"}, {}, {}, {}, gap_cases()};
+  table.yours = [](const GapCase& c) {
     return Numbers{double(c.corner.error(c.pair.body1, c.pair.body2))};
   };
-  table.right = [](const RoomCase& c) {
-    return Numbers{double(room(c.corner, c.pair.body1, c.pair.body2))};
+  table.right = [](const GapCase& c) {
+    return Numbers{double(gap(c.corner, c.pair.body1, c.pair.body2))};
   };
   table.tolerance = 10 * rounding;
-  add_pieces(table, [](const RoomCase& c) { return RoomReference(c); },
-             [](const RoomReference& t) { return Numbers{double(t.room())}; }, wrong_rooms());
+  add_pieces(table, [](const GapCase& c) { return GapReference(c); },
+             [](const GapReference& t) { return Numbers{double(t.gap())}; }, wrong_gaps());
   return table;
 }
 

@@ -134,7 +134,7 @@ void motors_into_limits(bool quick, const Tell& tell) {
     for (bool whole : {true, false})
       for (bool warm : {false, true}) {
         if (quick && (!whole || iterations > 1)) continue;
-        Scene scene = motor_into_limit();
+        BenchScene scene = motor_into_limit();
         HingeJoint& hinge = hinge_of(scene);
         hinge.whole = whole;
         Watch watch{scene.world};
@@ -160,7 +160,7 @@ void motors_into_limits(bool quick, const Tell& tell) {
                                  .parameter = "speed at rest [rad/s], limit [deg]", .value = 60},
                                 0, watch.seen(speed), digits(1e-6, 1e-3));
         const Rates rates = rates_of([&] {
-          Scene again = motor_into_limit();
+          BenchScene again = motor_into_limit();
           again.forbidden = glm::dvec3(0);  // hinge and limit, blocks apart: all their modes
           hinge_of(again).whole = whole;
           return again;

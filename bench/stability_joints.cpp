@@ -146,12 +146,12 @@ void far_away(bool quick, const Tell& tell) {
 namespace {
 
 // A rod of moments 1 : 1 : 1e-4 swings from its end and spins about its length.
-Scene needle() {
+BenchScene needle() {
   Body body = body_with(2, vec3(real(1) / 6, real(1.0 / 6e4), real(1) / 6), vec3(0));
   body.q = rotation(vec3(0, 0, real(1.2)));
   body.x = to_world(body, vec3(0, real(-0.5), 0));
   body.w = to_world(body, vec3(0, 3, 0));
-  Scene scene;
+  BenchScene scene;
   scene.energy_scale = 2 * 9.81 * 0.5;
   scene.tip_mask = glm::dvec3(0);
   const BodyId wall = scene.world.add(static_body(vec3(0))), id = scene.world.add(body);
@@ -179,7 +179,7 @@ void masses_apart(bool quick, const Tell& tell) {
     up.push_back(std::pow(10, k - 6));
     down.insert(down.begin(), up.back());
   }
-  Scene light = chain_of_masses(down, vec3(0, -1, 0));
+  BenchScene light = chain_of_masses(down, vec3(0, -1, 0));
   Watch watch{light.world};
   for (int k = 0; k < (quick ? 60 : 600); ++k) watch.step(h);
   double shift = 0;

@@ -1,8 +1,6 @@
 // From the bodies and hinges of a world to chapter 7's loop and back.
 #include "bench/own_loop.h"
 
-#include <numeric>
-
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/07_performance/program/hinge_loop.h"
 
@@ -13,13 +11,10 @@ namespace {
 template <class Number>
 class Adapted : public OwnLoop {
  public:
-  Adapted(const World& world, int chains, int iterations, Visits visits, real relaxation) {
+  Adapted(const World& world, int iterations, Visits visits, real relaxation) {
     loop_.relaxation = relaxation;
-    std::vector<bool> moves;
-    for (int slot = 0; slot < world.bodies.slots(); ++slot) {
+    for (int slot = 0; slot < world.bodies.slots(); ++slot)
       loop_.bodies.push_back(world.bodies.at(slot));
-      moves.push_back(!world.bodies.at(slot).is_static());
-    }
     for (const auto& joint : world.joints()) {
       const HingeJoint& hinge = static_cast<const HingeJoint&>(*joint);
       loop_.links.push_back({world.bodies.index(hinge.body1), world.bodies.index(hinge.body2)});
@@ -27,15 +22,14 @@ class Adapted : public OwnLoop {
     }
     loop_.gravity = world.gravity;
     loop_.iterations = iterations;
-    const int links = int(loop_.links.size()), width = HingeLoop<Number>::width;
+    constexpr int width = HingeLoop<Number>::width;
+    const std::vector<bool> moves = moving(loop_.bodies);
     if (visits == Visits::chain_order) {
-      std::vector<int> order(std::size_t(links), 0);
-      std::iota(order.begin(), order.end(), 0);
-      loop_.groups = one_by_one(order);
+      loop_.arrange(one_by_one(int(loop_.links.size())));
     } else if (visits == Visits::coloured_lanes) {
-      loop_.groups = by_colour(colours_of(loop_.links, moves), width);
+      loop_.arrange(by_colour(colours_of(loop_.links, moves), width));
     } else {
-      loop_.groups = a_chain_a_lane(chains, links / chains, width);
+      loop_.arrange(interleaved(islands_of(loop_.links, moves), width));
     }
   }
   void step(real h) override { loop_.step(h); }
@@ -50,11 +44,11 @@ class Adapted : public OwnLoop {
 
 }  // namespace
 
-std::unique_ptr<OwnLoop> own_loop(const World& world, int chains, int iterations, Visits visits,
-                                  real relaxation) {
+std::unique_ptr<OwnLoop> own_loop(const World& world, int /*chains*/, int iterations,
+                                  Visits visits, real relaxation) {
   if (visits == Visits::chain_order || visits == Visits::interleaved)
-    return std::make_unique<Adapted<real>>(world, chains, iterations, visits, relaxation);
-  return std::make_unique<Adapted<Lanes>>(world, chains, iterations, visits, relaxation);
+    return std::make_unique<Adapted<real>>(world, iterations, visits, relaxation);
+  return std::make_unique<Adapted<Lanes>>(world, iterations, visits, relaxation);
 }
 
 std::string own_instructions() {

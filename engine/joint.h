@@ -36,8 +36,8 @@ class Joint {
   /// Called when the bodies were moved without a velocity (position projection), before the blocks
   /// are asked for at the new poses: a joint that counts turns looks again.
   virtual void moved(const Bodies&) {}
-  /// Called after the solve where a body can move; appends the blocks of limits that the new velocities would pass within
-  /// this step. \param h step [s]
+  /// Called after the solve, where a body can move: appends the blocks of limits that the new
+  /// velocities would pass within this step. \param h step [s]
   virtual void late_limits(const Bodies&, [[maybe_unused]] real h, Blocks&) {}
   /// The most rows that append and late_limits can ever give together.
   virtual int most_rows() const = 0;

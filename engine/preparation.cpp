@@ -17,12 +17,27 @@ void Preparation::clear(int most_rows) {
 
 void Preparation::add(const Bodies& bodies, const Blocks& list, int first, real h,
                       bool row_by_row) {
+  const std::size_t known = blocks.size();
   for (std::size_t k = std::size_t(first); k < list.list.size(); ++k) {
     const Block& block = list.list[k];
     const int together = row_by_row ? 1 : block.rows;
     for (int i = 0; i < block.rows; i += together)
       add_rows(bodies, list, block, i, i + together, h);
   }
+  for (std::size_t k = known; k < blocks.size(); ++k)
+    if (blocks[k].follows != 0) blocks[k].followed = followed_row(k);
+}
+
+// The row whose sum block k follows: one of a neighbour in the list.
+int Preparation::followed_row(std::size_t k) const {
+  const real* const sum = blocks[k].impulse + blocks[k].follows;
+  for (std::size_t d = 1; d < blocks.size(); ++d)
+    for (const std::size_t other : {k + d, k - d}) {  // before the first: a huge number
+      if (other >= blocks.size()) continue;
+      for (int i = 0; i < blocks[other].rows; ++i)
+        if (blocks[other].impulse + i == sum) return blocks[other].first + i;
+    }
+  refuse("follows: the sum that bounds a row must have a row of its own");
 }
 
 // The rows [from, to) of a block.

@@ -24,6 +24,7 @@ struct PreparedBlock {
   real mass_scale, impulse_scale;  ///< soft rows; 1 and 0 for hard ones
   real lower, upper;       ///< bounds of the last row's sum, as impulses [N s or N m s]
   real* impulse;           ///< its sums, in the joint
+  int followed = -1;       ///< follows: the number of the row that has the other sum
 };
 
 /// The blocks of a step, prepared: each target turned, with this h, into bias, scales, bounds and
@@ -47,6 +48,7 @@ class Preparation {
  private:
   void add_rows(const Bodies& bodies, const Blocks& list, const Block& block, int from, int to,
                 real h);
+  int followed_row(std::size_t k) const;
 };
 
 }  // namespace joints

@@ -13,7 +13,7 @@ constexpr real longest_move = real(0.2);
 constexpr real widest_turn = real(0.2);
 
 /// One iteration of nonlinear Gauss-Seidel on the positions. Every joint whose `projected` is set
-/// is asked for its blocks at the present poses, and its two bodies are moved by M^-1 J^T K^-1 (-C),
+/// is asked for its blocks at the present poses, and its two bodies are moved by M^-1 J^T K^-1 (-C)
 /// so that C is zero to first order; velocities stay as they are. A one-sided row moves them only
 /// where it is violated. Source: the thesis, section 6; Catto, Position Correction Notes (in the
 /// source of Box2D 2), who calls it nonlinear Gauss-Seidel.

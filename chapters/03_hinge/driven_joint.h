@@ -2,13 +2,52 @@
 // Given, there is nothing to edit here.
 #pragma once
 
-#include "chapters/03_hinge/stack.h"
-#include "chapters/03_hinge/leeway.h"
+#include <algorithm>
+
+#include "chapters/03_hinge/hinge.h"
+#include "engine/composite.h"
 #include "engine/reaction.h"
 
 /// \addtogroup chapter3
 /// @{
 namespace joints {
+
+/// One limit of a coordinate as a part: C = sign (x - bound) >= 0.
+template <class Coordinate>
+struct Limit {
+  Coordinate coordinate;  ///< the part whose error is x
+  real bound = 0;         ///< the value of x at the limit [rad or m]
+  real sign = 1;          ///< +1 for a lower limit, -1 for an upper one
+
+  static constexpr int rows = 1;           ///< one
+  static constexpr bool one_sided = true;  ///< it only pushes C up
+  /// What is left to the limit [rad or m].
+  real error(const Body& body1, const Body& body2) const {
+    return sign * (coordinate.error(body1, body2) - bound);
+  }
+  /// The coordinate's row with the limit's sign.
+  Row jacobian(const Body& body1, const Body& body2) const {
+    const Row J = coordinate.jacobian(body1, body2);
+    return {sign * J.v1, sign * J.w1, sign * J.v2, sign * J.w2};
+  }
+};
+
+/// From now on the coordinate is counted to within half a turn of `expected`. Most have no turns.
+template <class Coordinate>
+void count_from(Coordinate&, [[maybe_unused]] real expected) {}
+
+/// Skips the measuring of a coordinate while its limits are out of reach. In general it skips
+/// nothing: the coordinate is measured in every step.
+template <class Coordinate>
+struct Leeway {
+  /// The coordinate was measured just now. \param slack to the nearer limit [rad or m]
+  void measured(const Coordinate&, const Body&, const Body&, [[maybe_unused]] real slack) {}
+  void forget() {}  ///< measure next time in any case
+  /// The bodies' poses are still near those at which it was measured.
+  bool still_near(const Coordinate&, const Body&, const Body&) const { return false; }
+  /// This step cannot use up the slack. \param h step [s]
+  bool is_slow(const Body&, const Body&, [[maybe_unused]] real h) const { return false; }
+};
 
 /// Two rigid parts, and the part whose error is the coordinate that they leave free.
 /// Its blocks in order: motor, limit, rigid rows, so that the rigid rows have the last word. As a
@@ -45,7 +84,7 @@ class DrivenJoint : public Joint {
   /// The coordinate [rad or m]. Turns are counted while the joint has a limit or a running motor.
   real position(const Bodies& bodies) const {
     Coordinate now = coordinate;
-    now.expected = next_;
+    count_from(now, next_);
     return now.error(bodies[body1], bodies[body2]);
   }
   /// Its rate [rad/s or m/s].
@@ -94,11 +133,11 @@ class DrivenJoint : public Joint {
   // Limit or motor: the coordinate, with its turns, has to be known.
   bool counted() const { return limited() || motor_.strength > 0; }
   void measure(const Bodies& bodies) {
-    coordinate.expected = next_;
+    count_from(coordinate, next_);
     next_ = x_ = position(bodies);
     measured_ = true;
   }
-  real room() const { return std::min(x_ - range_.lower, range_.upper - x_); }
+  real slack() const { return std::min(x_ - range_.lower, range_.upper - x_); }
   bool limited() const { return range_.lower > -unbounded || range_.upper < unbounded; }
   bool held() const { return range_.lower == range_.upper; }
   Limit<Coordinate> limit_part(real sign) const {
@@ -124,7 +163,7 @@ void DrivenJoint<First, Second, Coordinate>::choose_rows(const Bodies& bodies, r
   measured_ = false;
   if (counted() && !(leeway_.is_slow(a, b, h) && leeway_.still_near(coordinate, a, b))) {
     measure(bodies);
-    leeway_.measured(coordinate, a, b, room());
+    leeway_.measured(coordinate, a, b, slack());
     if (limited()) limit_ = limit_row(range_, x_, speed(bodies), h);
   }
   if (!limit_.live || !before.live || limit_.sign != before.sign) impulse_[limit_place] = 0;

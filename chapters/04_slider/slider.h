@@ -57,7 +57,6 @@ struct Slide {
   vec3 anchor1_local{0};    ///< where the way is zero [m], body space of body 1
   vec3 anchor2_local{0};    ///< the point that slides [m], body space of body 2
   vec3 a1_local{1, 0, 0};   ///< direction of the line, unit, body space of body 1
-  real expected = 0;        ///< not used: a way has no turns to count
 
   static constexpr int rows = 1;            ///< the one row of limit and motor
   static constexpr bool one_sided = false;  ///< a limit makes it so

@@ -4,6 +4,7 @@
 
 #include "chapters/02_ball/ball.h"
 #include "chapters/04_slider/slider.h"
+#include "engine/composite.h"
 #include "engine/reaction.h"
 
 /// \defgroup chapter5 Chapter 5: fixed joint
@@ -15,22 +16,16 @@ namespace joints {
 /// \return the upper right 3x3 block of a weld's K [1/(kg m)]
 mat3 cross_K(const Point& point, const Body& body1, const Body& body2);
 
-/// Holds two bodies together altogether: a point and a lock in one block. Removes six degrees of
-/// freedom.
+/// Holds two bodies together altogether: a point (rows 1 to 3) and a lock (rows 4 to 6) in one
+/// block. Removes six degrees of freedom.
 ///
-/// C = (C of Point, C of RotationLock); J likewise, exact where C = 0;
-/// K = ((K of Point, X), (X^T, K of RotationLock)), X = cross_K. Never singular while one body can
-/// move. Source: thesis, section 3.7.5, which solves the two threes apart.
-struct Weld {
-  Point point;        ///< rows 1 to 3
-  RotationLock lock;  ///< rows 4 to 6
+/// C = (C of Point [m], C of RotationLock [1]); J likewise, exact where C = 0; K = J M^-1 J^T. Never
+/// singular while one body can move. Source: thesis, section 3.7.5, which solves the two threes
+/// apart.
+using Weld = Composite<Point, RotationLock>;
 
-  static constexpr int rows = 6;            ///< degrees of freedom that it removes
-  static constexpr bool one_sided = false;  ///< it holds both ways
-  Vector<6> error(const Body& body1, const Body& body2) const;       ///< C [m, then 1]
-  Jacobian<6> jacobian(const Body& body1, const Body& body2) const;  ///< of both parts
-  Matrix<6> K(const Body& body1, const Body& body2) const;           ///< Eq. 5-3
-};
+/// The same K in closed form: ((K of Point, X), (X^T, K of RotationLock)), X = cross_K, Eq. 5-3.
+Matrix<6> weld_K(const Weld& weld, const Body& body1, const Body& body2);
 
 /// Exercise 5.2, first part: what a weld carried. \param impulse of its six rows [N s, then N m s]
 /// \param h the step in which they were given [s]

@@ -19,15 +19,15 @@ class FixedJoint : public Joint {
   FixedJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& anchor)
       : Joint(id1, id2), weld{point_at(bodies[id1], bodies[id2], anchor),
                               lock_of(bodies[id1], bodies[id2])} {
-    check(weld.point);
+    check(weld.first);
   }
   void append(const Bodies& bodies, Blocks& blocks) const override {
     const RowTarget target{.beta = beta};
     if (whole) {
       blocks.append(bodies, body1, body2, weld, target, impulse_.data());
     } else {
-      blocks.append(bodies, body1, body2, weld.point, target, impulse_.data());
-      blocks.append(bodies, body1, body2, weld.lock, target, impulse_.data() + 3);
+      blocks.append(bodies, body1, body2, weld.first, target, impulse_.data());
+      blocks.append(bodies, body1, body2, weld.second, target, impulse_.data() + 3);
     }
   }
   int most_rows() const override { return 6; }

@@ -7,6 +7,7 @@
 
 #include "chapters/02_ball/ball.h"
 #include "chapters/03_hinge/hinge.h"
+#include "engine/simd/arrange.h"  // BodyPair
 #include "engine/simd/triple.h"
 
 /// \defgroup chapter7 Chapter 7: the performance loop
@@ -19,12 +20,6 @@ struct Hinge {
   Point point;            ///< three rows
   Axis axis;              ///< two rows
   real beta = real(0.2);  ///< share of the error fed back in a step [1]
-};
-
-/// Which two bodies a joint holds, by their numbers.
-struct BodyPair {
-  int body1 = 0;  ///< one of them
-  int body2 = 0;  ///< the other
 };
 
 /// All that the iterations of a step read of a hinge. Number is `real` for one hinge, or a lane

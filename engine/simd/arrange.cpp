@@ -1,169 +1,148 @@
-// Who is solved side by side, and when: islands of joints that are alike, or colours.
+// Colours, islands and columns.
+#include "engine/simd/arrange.h"
+
 #include <algorithm>
 #include <map>
 #include <numeric>
 
-#include "engine/simd/packed.h"
-
 namespace joints {
 
-namespace {
+Groups one_by_one(int count) { return by_colour(std::vector<int>(std::size_t(count), 0), 1); }
 
-bool still1(int kind) { return kind & 2; }
-bool still2(int kind) { return kind & 1; }
+// ---- colours -----------------------------------------------------------------------------------
 
-}  // namespace
-
-void PackedBlocks::arrange(const Bodies& bodies, Packing packing) {
-  groups.clear();
-  blocks.clear();
-  ends.clear();
-  numbers_.clear();
-  columns_ = false;
-  slots_.resize(std::size_t(bodies.slots()) + 1);
-  std::iota(slots_.begin(), slots_.end(), 0);
-  slots_.back() = -1;  // belongs to lanes that are not used
-  records_.assign(slots_.size(), {});
-  if (packing == Packing::list)
-    for (int k = 0; k < int(signs_.size()); ++k) add_group(&k, 1);
-  else if (packing == Packing::colours)
-    arrange_colours(bodies);
-  else if (const Islands islands = find_islands(bodies); width_ == 1)
-    interleave(islands);
-  else if (!arrange_islands(bodies, islands))
-    arrange_colours(bodies);
-  place_sums();
-}
-
-// Neighbours get different colours: each block takes the first one that none of its two moving
-// bodies has yet. Within a colour, like blocks come together.
-void PackedBlocks::arrange_colours(const Bodies& bodies) {
-  std::vector<std::vector<bool>> taken(std::size_t(bodies.slots()));
-  std::vector<std::map<int, std::vector<int>>> colours;  // of each colour: kind -> blocks
-  for (int k = 0; k < int(signs_.size()); ++k) {
-    const Sign& sign = signs_[k];
-    std::vector<int> moving;
-    if (!still1(sign.kind)) moving.push_back(sign.body1);
-    if (!still2(sign.kind)) moving.push_back(sign.body2);
+std::vector<int> greedy_colours(const std::vector<BodyPair>& pairs,
+                                const std::vector<bool>& moves) {
+  std::vector<std::vector<bool>> taken(moves.size());
+  std::vector<int> colours;
+  for (const BodyPair& pair : pairs) {
     std::size_t colour = 0;
     const auto is_taken = [&](int body) {
       return colour < taken[body].size() && taken[body][colour];
     };
-    while (std::any_of(moving.begin(), moving.end(), is_taken)) ++colour;
-    for (const int body : moving) {
-      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
+    while (is_taken(pair.body1) || is_taken(pair.body2)) ++colour;
+    for (const int body : {pair.body1, pair.body2}) {
+      if (!moves[body]) continue;
+      taken[body].resize(std::max(taken[body].size(), colour + 1));
       taken[body][colour] = true;
     }
-    if (colours.size() <= colour) colours.resize(colour + 1);
-    colours[colour][sign.kind / 4].push_back(k);
+    colours.push_back(int(colour));
   }
-  for (const auto& colour : colours)
-    for (const auto& [kind, list] : colour)
-      for (std::size_t at = 0; at < list.size(); at += std::size_t(width_))
-        add_group(&list[at], std::min(width_, int(list.size() - at)));
+  return colours;
 }
 
-// Islands that hang together by bodies that move, each in the order of the list.
-PackedBlocks::Islands PackedBlocks::find_islands(const Bodies& bodies) const {
-  std::vector<int> root(std::size_t(bodies.slots()));
+Groups by_colour(const std::vector<int>& colours, int width, const std::vector<int>& kinds) {
+  std::map<std::pair<int, int>, std::vector<int>> lists;  // colour and kind -> pairs
+  for (std::size_t k = 0; k < colours.size(); ++k)
+    lists[{colours[k], kinds.empty() ? 0 : kinds[k]}].push_back(int(k));
+  Groups groups;
+  for (const auto& [key, list] : lists)
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (k % std::size_t(width) == 0) groups.emplace_back();
+      groups.back().push_back(list[k]);
+    }
+  return groups;
+}
+
+// ---- islands -----------------------------------------------------------------------------------
+
+Islands islands_of(const std::vector<BodyPair>& pairs, const std::vector<bool>& moves) {
+  std::vector<int> root(moves.size());
   std::iota(root.begin(), root.end(), 0);
   const auto find = [&](int body) {
     while (root[body] != body) body = root[body] = root[root[body]];
     return body;
   };
-  for (const Sign& sign : signs_)
-    if (!still1(sign.kind) && !still2(sign.kind)) root[find(sign.body1)] = find(sign.body2);
-  std::map<int, std::vector<int>> islands;  // root -> its blocks
-  for (int k = 0; k < int(signs_.size()); ++k)
-    islands[find(still1(signs_[k].kind) ? signs_[k].body2 : signs_[k].body1)].push_back(k);
-  Islands out;
-  for (const auto& [body, list] : islands) out.push_back(list);
+  for (const BodyPair& pair : pairs)
+    if (moves[pair.body1] && moves[pair.body2]) root[find(pair.body1)] = find(pair.body2);
+  Islands islands(moves.size());  // by their roots
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    islands[find(moves[pairs[k].body1] ? pairs[k].body1 : pairs[k].body2)].push_back(int(k));
+  std::erase_if(islands, [](const auto& island) { return island.empty(); });
+  return islands;
+}
+
+Groups interleaved(const Islands& islands, int width) {
+  std::size_t longest = 0;
+  for (const auto& island : islands) longest = std::max(longest, island.size());
+  Groups groups;
+  for (std::size_t k = 0; k < longest; ++k)
+    for (std::size_t first = 0; first < islands.size(); first += std::size_t(width)) {
+      std::vector<int> group;
+      for (std::size_t at = first; at < std::min(islands.size(), first + width); ++at)
+        if (k < islands[at].size()) group.push_back(islands[at][k]);
+      if (!group.empty()) groups.push_back(group);
+    }
+  return groups;
+}
+
+// The pairs' bodies, numbered as they appear in island after island. A static body of several
+// islands has a number in each.
+static std::vector<BodyPair> copies_of(const Islands& islands, const std::vector<BodyPair>& pairs) {
+  int bodies = 0, next = 0;
+  for (const BodyPair& pair : pairs) bodies = std::max({bodies, pair.body1 + 1, pair.body2 + 1});
+  std::vector<int> number(std::size_t(bodies), -1);
+  std::vector<BodyPair> copies(pairs.size());
+  for (const auto& island : islands) {
+    const int first = next;
+    const auto copy = [&](int body) {
+      if (number[body] < first) number[body] = next++;
+      return number[body];
+    };
+    for (const int k : island) {
+      copies[k].body1 = copy(pairs[k].body1);
+      copies[k].body2 = copy(pairs[k].body2);
+    }
+  }
+  return copies;
+}
+
+std::vector<Islands> alike(const Islands& islands, const std::vector<BodyPair>& pairs,
+                           const std::vector<int>& kinds) {
+  const std::vector<BodyPair> copies = copies_of(islands, pairs);
+  std::map<std::vector<int>, Islands> found;
+  for (const auto& island : islands) {
+    std::vector<int> look;  // of each pair its kind and its two bodies
+    const int first = copies[island[0]].body1;
+    for (const int k : island)
+      look.insert(look.end(), {kinds[k], copies[k].body1 - first, copies[k].body2 - first});
+    found[look].push_back(island);
+  }
+  std::vector<Islands> out;
+  for (const auto& [look, list] : found) out.push_back(list);
   return out;
 }
 
-// The first block of every island, then the second of every one: none has to wait for the one
-// before.
-void PackedBlocks::interleave(const Islands& islands) {
-  std::size_t longest = 0;
-  for (const auto& island : islands) longest = std::max(longest, island.size());
-  for (std::size_t k = 0; k < longest; ++k)
-    for (const auto& island : islands)
-      if (k < island.size()) add_group(&island[k], 1);
-}
+// ---- columns -----------------------------------------------------------------------------------
 
-// Islands that are alike, block by block, a lane each: then no body is in two lanes, and its record
-// can stand as the lanes want it, in a column. Returns false where fewer than half of the lanes
-// would be used.
-bool PackedBlocks::arrange_islands(const Bodies& bodies, const Islands& islands) {
-  // What a island looks like: of each block its kind and its two bodies, counted as they appear.
-  struct Island {
-    const std::vector<int>* list;
-    std::vector<int> slots;  // in the order in which they appear
-  };
-  std::map<std::vector<int>, std::vector<Island>> alike;
-  std::vector<int> place(std::size_t(bodies.slots()), -1);
-  for (const auto& list : islands) {
-    Island island{&list, {}};
-    std::vector<int> look;
-    const auto place_of = [&](int slot) {
-      if (place[slot] < 0) {
-        place[slot] = int(island.slots.size());
-        island.slots.push_back(slot);
+std::optional<Columns> columns_of(const Groups& groups, const Islands& islands,
+                                  const std::vector<BodyPair>& pairs, int width) {
+  const std::vector<BodyPair> copies = copies_of(islands, pairs);
+  std::vector<int> place(2 * pairs.size(), -1);  // of each copy, where it stands in Columns::bodies
+  Columns out;
+  for (const auto& group : groups) {
+    const auto column_of = [&](int BodyPair::*end) -> std::optional<int> {
+      int column = -1;  // the same in all lanes: one that a body has already, or a new one
+      for (const int pair : group)
+        if (const int at = place[copies[pair].*end]; at >= 0) column = at / width;
+      if (column < 0) {
+        column = int(out.bodies.size()) / width;
+        out.bodies.resize(out.bodies.size() + std::size_t(width), -1);
       }
-      return place[slot];
+      for (int lane = 0; lane < int(group.size()); ++lane) {
+        const int at = column * width + lane, body = pairs[group[lane]].*end;
+        int &its = place[copies[group[lane]].*end], &tenant = out.bodies[at];
+        if ((its >= 0 && its != at) || (tenant >= 0 && tenant != body)) return {};
+        its = at;
+        tenant = body;
+      }
+      return column;
     };
-    for (const int k : list) {
-      const Sign& sign = signs_[k];
-      look.insert(look.end(), {sign.kind, place_of(sign.body1), place_of(sign.body2)});
-    }
-    for (const int slot : island.slots) place[slot] = -1;
-    alike[look].push_back(island);
+    const auto end1 = column_of(&BodyPair::body1), end2 = column_of(&BodyPair::body2);
+    if (!end1 || !end2) return {};
+    out.ends.push_back({*end1, *end2});
   }
-  const std::size_t width = std::size_t(width_);
-  std::size_t used = 0, lanes = 0;
-  for (const auto& [look, list] : alike) {
-    used += look.size() * list.size();
-    lanes += look.size() * ((list.size() + width - 1) / width * width);
-  }
-  if (2 * used < lanes) return false;
-
-  columns_ = true;
-  slots_.clear();
-  for (const auto& [look, list] : alike) {
-    const std::size_t bodies_each = list[0].slots.size(), before = slots_.size() / width;
-    for (std::size_t at = 0; at < list.size(); at += width)
-      for (std::size_t body = 0; body < bodies_each; ++body)
-        for (std::size_t lane = 0; lane < width; ++lane)
-          slots_.push_back(at + lane < list.size() ? list[at + lane].slots[body] : -1);
-    for (std::size_t k = 0; k < look.size() / 3; ++k)
-      for (std::size_t at = 0; at < list.size(); at += width) {
-        std::vector<int> same;
-        for (std::size_t island = at; island < std::min(list.size(), at + width); ++island)
-          same.push_back((*list[island].list)[k]);
-        const int column = int(before + at / width * bodies_each);
-        add_group(same.data(), int(same.size()));
-        ends.resize(ends.size() - 2 * width);
-        ends.insert(ends.end(), {column + look[3 * k + 1], column + look[3 * k + 2]});
-      }
-  }
-  records_.assign(slots_.size(), {});
-  return true;
-}
-
-// A group of blocks of one kind; `list` names them.
-void PackedBlocks::add_group(const int* list, int count) {
-  const int kind = signs_[list[0]].kind / 4;
-  LaneGroup group{kind / 8 % 8, bool(kind & 4), bool(kind & 2), bool(kind & 1), bool(kind & 64),
-                  int(numbers_.size()) * lane_count, int(ends.size())};
-  const int size = size_of(group) * width_;
-  numbers_.resize(numbers_.size() + std::size_t(size + lane_count - 1) / lane_count, {});
-  for (int lane = 0; lane < width_; ++lane) blocks.push_back(lane < count ? list[lane] : -1);
-  const int nobody = int(slots_.size()) - 1;
-  for (int lane = 0; lane < width_; ++lane)
-    ends.push_back(lane < count ? signs_[list[lane]].body1 : nobody);
-  for (int lane = 0; lane < width_; ++lane)
-    ends.push_back(lane < count ? signs_[list[lane]].body2 : nobody);
-  groups.push_back(group);
+  return out;
 }
 
 }  // namespace joints

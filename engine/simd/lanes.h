@@ -99,6 +99,28 @@ inline void store(Velocities<real>* records, const int* index, Velocities<Lanes>
   }
 }
 
+// Calls f with the velocities of a group's two bodies, or of two in each lane. Number is real or
+// Lanes.
+template <class Number, class F>
+JOINTS_INLINED inline void with_bodies(const BodyView& view, int group, const F& f) {
+  constexpr int width = int(sizeof(Number) / sizeof(real));
+  const int* const ends = view.ends + group * (width == 1 || view.columns ? 2 : 2 * width);
+  Velocities<real>* const records = view.records;
+  if constexpr (width == 1) {
+    f(records[ends[0]], records[ends[1]]);
+  } else if (view.columns) {
+    auto* const all = reinterpret_cast<Velocities<Number>*>(records);
+    f(all[ends[0]], all[ends[1]]);
+  } else {
+    Velocities<Number> body1, body2;
+    load(records, ends, body1);
+    load(records, ends + lane_count, body2);
+    f(body1, body2);
+    store(records, ends, body1);
+    store(records, ends + lane_count, body2);
+  }
+}
+
 }  // namespace
 /// \endcond
 }  // namespace joints

@@ -1,7 +1,8 @@
-// The step over packed blocks, and the numbers of a group.
+// The blocks of a step packed, and the solve over them.
 #include "engine/simd/packed.h"
 
 #include <algorithm>
+#include <set>
 
 namespace joints {
 
@@ -24,78 +25,166 @@ bool holds_a_point(const Row* J, int rows) {
   return true;
 }
 
-// A kind as one number. Only blocks of one kind are solved side by side.
-int kind_of(const Bodies& bodies, const Blocks& list, const PreparedBlock& block, bool follows) {
+Kind kind_of(const Bodies& bodies, const Blocks& list, const PreparedBlock& block) {
+  const bool follows = block.followed >= 0;
   const bool point = !follows && holds_a_point(&list.J[block.first], block.rows);
-  const bool hard = block.follows == 0 && block.impulse_scale == 0 &&
-                    block.lower == -unbounded && block.upper == unbounded;
+  const bool hard = !follows && block.impulse_scale == 0 && block.lower == -unbounded &&
+                    block.upper == unbounded;
   const bool isotropic = point && bodies.at(block.body1).is_isotropic() &&
-                     bodies.at(block.body2).is_isotropic();
-  return 64 * follows + 8 * block.rows + 4 * point + 2 * hard + isotropic;
+                         bodies.at(block.body2).is_isotropic();
+  return {static_cast<signed char>(block.rows), point, hard, isotropic, follows};
 }
-// After how many numbers of a block its sums begin.
-int sums_at(const LaneGroup& group) {
-  const int n = group.rows;
-  return group.point ? 6 + (group.isotropic ? 2 : 12) + n + 3 * (n - 3) : 19 * n;
+
+// ---- the numbers of a block ---------------------------------------------------------------------
+
+// What they are made of.
+struct Source {
+  const PreparedBlock& block;
+  const Row* J;
+  const PreparedRow* row;
+  const real* inverse_K;
+  const Body &body1, &body2;
+};
+
+// Each number goes into one lane of the group; the only one, where Number is real.
+template <int N, bool isotropic, class Number>
+void fill_rows(PointRows<N, isotropic, Number>& rows, const Source& from, int lane) {
+  const Row* const J = from.J;
+  scatter(Triple<real>{J[2].w1.y, J[0].w1.z, J[1].w1.x}, rows.r1, lane);
+  scatter(Triple<real>{-J[2].w2.y, -J[0].w2.z, -J[1].w2.x}, rows.r2, lane);
+  if constexpr (isotropic) {
+    scatter(from.body1.inverse_inertia_local.x, rows.I1, lane);
+    scatter(from.body2.inverse_inertia_local.x, rows.I2, lane);
+  } else {
+    scatter(symmetric(inverse_inertia(from.body1)), rows.I1, lane);
+    scatter(symmetric(inverse_inertia(from.body2)), rows.I2, lane);
+  }
+  for (int i = 0; i < N; ++i) scatter(from.row[i].bias, rows.bias[i], lane);
+  for (int i = 3; i < N; ++i) scatter(triple(J[i].w2), rows.axis[i - 3], lane);
+}
+
+template <int N, class Number>
+void fill_rows(AnyRows<N, Number>& rows, const Source& from, int lane) {
+  for (int i = 0; i < N; ++i) {
+    const Row& J = from.J[i];
+    scatter(from.row[i].bias, rows.bias[i], lane);
+    scatter(typename AnyRows<N, real>::Row{triple(J.v1), triple(J.w1), triple(J.v2), triple(J.w2),
+                                           triple(from.row[i].turn1), triple(from.row[i].turn2)},
+            rows.row[i], lane);
+  }
+}
+
+template <class Rows, int N, bool hard, class Number>
+void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
+  const PreparedBlock& block = from.block;
+  fill_rows(record.rows, from, lane);
+  Number* inverse_K = record.impulses.inverse_K;
+  for (int i = 0; i < N; ++i) scatter(block.impulse[i], record.impulses.sum[i], lane);
+  for (int i = 0; i < N; ++i)
+    for (int j = i; j < N; ++j)
+      scatter(block.mass_scale * from.inverse_K[i * N + j], *inverse_K++, lane);
+  if constexpr (!hard) {
+    scatter(block.impulse_scale, record.bounds.impulse_scale, lane);
+    scatter(block.lower, record.bounds.lower, lane);
+    scatter(block.upper, record.bounds.upper, lane);
+    for (int i = 0; i < N; ++i) scatter(from.row[i].answer, record.bounds.answer[i], lane);
+  }
+}
+
+// Its bounds are worked out before every solve.
+template <class Number>
+void fill(FollowingRecord<Number>& record, const Source& from, int lane) {
+  fill<AnyRows<1, Number>, 1, false>(record, from, lane);
+  scatter(from.block.upper, record.factor, lane);
 }
 
 }  // namespace
 
-// The sum that block k follows, as 8 * block + row; a neighbour in the list has it, or nobody.
-int PackedBlocks::find_sum(const Preparation& prepared, int k) {
-  const auto& all = prepared.blocks;
-  const PreparedBlock& block = all[std::size_t(k)];
-  const real* const sum = block.impulse + block.follows;
-  for (int d = 1; d < int(all.size()); ++d)
-    for (const int other : {k + d, k - d})
-      if (other >= 0 && other < int(all.size()) && sum >= all[other].impulse &&
-          sum < all[other].impulse + all[other].rows)
-        return 8 * other + int(sum - all[std::size_t(other)].impulse);
-  return -1;
+// ---- the groups ---------------------------------------------------------------------------------
+
+void PackedBlocks::arrange(const Bodies& bodies, Packing packing) {
+  groups.clear();
+  blocks.clear();
+  numbers_.clear();
+  std::vector<BodyPair> pairs;
+  std::vector<bool> moves(std::size_t(bodies.slots()));
+  std::set<Kind> met;
+  for (const Sign& sign : signs_) {
+    pairs.push_back(sign.bodies);
+    moves[sign.bodies.body1] = !sign.static1;
+    moves[sign.bodies.body2] = !sign.static2;
+    met.insert(sign.kind);
+  }
+  std::vector<int> kinds;  // by their numbers
+  for (const Sign& sign : signs_)
+    kinds.push_back(int(std::distance(met.begin(), met.find(sign.kind))));
+
+  Groups found;
+  std::optional<Columns> columns;
+  if (packing == Packing::list) found = one_by_one(int(pairs.size()));
+  if (packing == Packing::islands) {
+    const Islands islands = islands_of(pairs, moves);
+    if (width_ == 1) {
+      found = interleaved(islands, 1);
+    } else {
+      for (const Islands& same : alike(islands, pairs, kinds))
+        for (const auto& group : interleaved(same, width_)) found.push_back(group);
+      if (2 * pairs.size() < found.size() * std::size_t(width_))
+        found.clear();  // most lanes would be empty
+      else
+        columns = columns_of(found, islands, pairs, width_);
+    }
+  }
+  if (found.empty()) found = by_colour(greedy_colours(pairs, moves), width_, kinds);
+  records_.arrange(found, pairs, columns, bodies.slots(), width_);
+  for (const auto& group : found) add_group(group);
+  place_sums();
 }
 
-int PackedBlocks::size_of(const LaneGroup& group) {
-  const int n = group.rows;
-  return sums_at(group) + n + n * (n + 1) / 2 + (group.hard ? 0 : 3 + n) + group.follows;
+// Room for the numbers of a group of blocks of one kind.
+void PackedBlocks::add_group(const std::vector<int>& members) {
+  LaneGroup group{signs_[members[0]].kind};
+  group.first = int(numbers_.size()) * lane_count;
+  LaneNumber any;  // only the record's type is asked
+  use_record<real>(group, any.lane, [&](auto& record) {
+    const std::size_t size = sizeof record / sizeof(real) * std::size_t(width_);
+    group.first_sum = group.first + int(sizeof record.rows / sizeof(real)) * width_;
+    numbers_.resize(numbers_.size() + (size + lane_count - 1) / lane_count, {});
+  });
+  for (int lane = 0; lane < width_; ++lane)
+    blocks.push_back(lane < int(members.size()) ? members[lane] : -1);
+  groups.push_back(group);
 }
 
 // Where among the numbers each group finds the sums that it follows.
 void PackedBlocks::place_sums() {
   sums_.clear();
-  if (std::none_of(groups.begin(), groups.end(), [](const LaneGroup& g) { return g.follows; }))
+  if (std::none_of(groups.begin(), groups.end(), [](const Kind& kind) { return kind.follows; }))
     return;
-  std::vector<int> place(signs_.size());  // of each block's first sum
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const LaneGroup& group = groups[k / width_];
-    if (blocks[k] >= 0) place[blocks[k]] = group.first + int(k) % width_ + sums_at(group) * width_;
+  std::vector<int> first_row, place;  // of each block; of each row's sum
+  for (const Sign& sign : signs_) {
+    first_row.push_back(int(place.size()));
+    place.resize(place.size() + std::size_t(sign.kind.rows));
   }
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+    for (int row = 0; blocks[k] >= 0 && row < groups[k / width_].rows; ++row)
+      place[first_row[blocks[k]] + row] = place_of_sum(groups[k / width_], row, int(k) % width_);
   sums_.assign(blocks.size(), 0);
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    if (blocks[k] < 0 || !groups[k / width_].follows) continue;
-    const int followed = signs_[blocks[k]].followed;
-    sums_[k] = place[followed / 8] + followed % 8 * width_;
-  }
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+    if (blocks[k] >= 0 && signs_[blocks[k]].kind.follows)
+      sums_[k] = place[signs_[blocks[k]].followed];
 }
 
-// A record's first number: in columns the others stand lane_count apart.
-real* PackedBlocks::record(int number) {
-  real* const all = reinterpret_cast<real*>(records_.data());
-  return columns_ ? all + number / width_ * 8 * width_ + number % width_ : all + 8 * number;
-}
-const real* PackedBlocks::record(int number) const {
-  return const_cast<PackedBlocks*>(this)->record(number);
-}
+// ---- a step -------------------------------------------------------------------------------------
 
 void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
-                      Packing packing, bool lanes) {
+                        Packing packing, bool lanes) {
   const int width = lanes && packing != Packing::list ? lane_count : 1;
   now_.clear();
-  for (const PreparedBlock& block : prepared.blocks) {
-    const int still = 2 * bodies.at(block.body1).is_static() + bodies.at(block.body2).is_static();
-    const int followed = block.follows != 0 ? find_sum(prepared, int(now_.size())) : -1;
-    now_.push_back({4 * kind_of(bodies, list, block, followed >= 0) + still, block.body1,
-                    block.body2, followed});
-  }
+  for (const PreparedBlock& block : prepared.blocks)
+    now_.push_back({kind_of(bodies, list, block), bodies.at(block.body1).is_static(),
+                    bodies.at(block.body2).is_static(), {block.body1, block.body2},
+                    block.followed});
   if (packing != packing_ || width != width_ || now_ != signs_) {
     signs_ = now_;
     packing_ = packing;
@@ -103,100 +192,38 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, const Preparat
     ++packed_;
     arrange(bodies, packing);
   }
-
-  const int step = columns_ ? width_ : 1;
-  for (std::size_t k = 0; k < slots_.size(); ++k) {
-    if (slots_[k] < 0) continue;
-    const Body& body = bodies.at(slots_[k]);
-    real* const to = record(int(k));
-    const real from[] = {body.v.x, body.v.y, body.v.z, body.inverse_mass,
-                         body.w.x, body.w.y, body.w.z};
-    for (int i = 0; i < 7; ++i) to[i * step] = from[i];
-  }
-  for (std::size_t k = 0; k < groups.size(); ++k)
-    fill(bodies, list, prepared, groups[k], int(k) * width_);
-}
-
-// The numbers of a group, each block into its lane.
-void PackedBlocks::fill(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
-                      const LaneGroup& group, int first) {
-  const int n = group.rows;
-  for (int lane = 0; lane < width_; ++lane) {
-    if (blocks[first + lane] < 0) continue;
-    const PreparedBlock& block = prepared.blocks[blocks[first + lane]];
-    const Row* const J = &list.J[block.first];
-    const PreparedRow* const row = &prepared.rows[block.first];
-    real* to = reinterpret_cast<real*>(numbers_.data()) + group.first + lane;
-    const auto put = [&](real number) {
-      *to = number;
-      to += width_;
-    };
-    const auto put_vector = [&](const vec3& a) { put(a.x), put(a.y), put(a.z); };
-    if (group.point) {
-      put_vector(vec3(J[2].w1.y, J[0].w1.z, J[1].w1.x));
-      put_vector(-vec3(J[2].w2.y, J[0].w2.z, J[1].w2.x));
-      for (const int slot : {block.body1, block.body2}) {
-        const Body& body = bodies.at(slot);
-        if (group.isotropic) {
-          put(body.inverse_inertia_local.x);
-          continue;
-        }
-        const mat3 I = inverse_inertia(body);
-        put_vector(vec3(I[0][0], I[1][1], I[2][2]));
-        put_vector(vec3(I[1][0], I[2][0], I[2][1]));
-      }
-      for (int i = 0; i < n; ++i) put(row[i].bias);
-      for (int i = 3; i < n; ++i) put_vector(J[i].w2);
-    } else {
-      for (int i = 0; i < n; ++i) put(row[i].bias);
-      const mat3 I1 = inverse_inertia(bodies.at(block.body1));
-      const mat3 I2 = inverse_inertia(bodies.at(block.body2));
-      for (int i = 0; i < n; ++i)
-        for (const vec3& a : {J[i].v1, J[i].w1, J[i].v2, J[i].w2, I1 * J[i].w1, I2 * J[i].w2})
-          put_vector(a);
-    }
-    for (int i = 0; i < n; ++i) put(block.impulse[i]);
-    const real* const inverse_K = &prepared.inverse_K[block.first_K];
-    for (int i = 0; i < n; ++i)
-      for (int j = i; j < n; ++j) put(block.mass_scale * inverse_K[i * n + j]);
-    if (group.hard) continue;
-    put(block.impulse_scale);
-    if (block.follows != 0) {
-      const real bound = block.upper * block.impulse[block.follows];
-      put(-bound), put(bound);
-    } else {
-      put(block.lower), put(block.upper);
-    }
-    for (int i = 0; i < n; ++i) put(row[i].answer);
-    if (group.follows) put(block.upper);
+  records_.take([&](int slot) -> const Body& { return bodies.at(slot); });
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    if (blocks[k] < 0) continue;
+    const PreparedBlock& block = prepared.blocks[blocks[k]];
+    const LaneGroup& group = groups[k / width_];
+    const Source from{block, &list.J[block.first], &prepared.rows[block.first],
+                      &prepared.inverse_K[block.first_K], bodies.at(block.body1),
+                      bodies.at(block.body2)};
+    const int lane = int(k) % width_;
+    const auto fill_lane = [&](auto& record) { fill(record, from, lane); };
+    if (width_ == 1)
+      use_record<real>(group, numbers() + group.first, fill_lane);
+    else
+      use_record<LaneNumber>(group, numbers() + group.first, fill_lane);
   }
 }
 
 void PackedBlocks::iterate() {
-  const LaneIteration all{groups.data(), int(groups.size()),
-                      reinterpret_cast<real*>(numbers_.data()), ends.data(), sums_.data(),
-                      records_.data(), columns_};
+  const LaneIteration all{groups.data(), int(groups.size()), numbers(), sums_.data(),
+                          records_.view()};
   width_ == 1 ? iterate_single(all) : iterate_lanes(all);
 }
 
 void PackedBlocks::end(Bodies& bodies, const Preparation& prepared) const {
-  const int step = columns_ ? width_ : 1;
-  for (std::size_t k = 0; k < slots_.size(); ++k) {
-    if (slots_[k] < 0 || bodies.at(slots_[k]).is_static()) continue;
-    Body& body = bodies.at(slots_[k]);
-    const real* const from = record(int(k));
-    body.v = vec3(from[0], from[step], from[2 * step]);
-    body.w = vec3(from[4 * step], from[5 * step], from[6 * step]);
+  records_.give_back([&](int slot) -> Body& { return bodies.at(slot); });
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    if (blocks[k] < 0) continue;
+    const LaneGroup& group = groups[k / width_];
+    for (int row = 0; row < group.rows; ++row)
+      prepared.blocks[blocks[k]].impulse[row] =
+          numbers()[place_of_sum(group, row, int(k) % width_)];
   }
-  for (std::size_t k = 0; k < groups.size(); ++k)
-    for (int lane = 0; lane < width_; ++lane) {
-      const int block = blocks[k * width_ + lane];
-      if (block < 0) continue;
-      const real* from = reinterpret_cast<const real*>(numbers_.data()) + groups[k].first + lane +
-                         sums_at(groups[k]) * width_;
-      for (int i = 0; i < groups[k].rows; ++i, from += width_)
-        prepared.blocks[block].impulse[i] = *from;
-    }
 }
 
 void PackedImpulses::solve(Bodies& bodies) {

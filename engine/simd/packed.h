@@ -2,7 +2,7 @@
 // (float) or four (double) that are alike and share no body that moves are solved side by side.
 #pragma once
 
-#include "engine/simd/records.h"
+#include "engine/simd/body_records.h"
 #include "engine/solver.h"
 
 /// \addtogroup world
@@ -24,7 +24,6 @@ class PackedBlocks {
  public:
   std::vector<LaneGroup> groups;  ///< in the order in which they are solved
   std::vector<int> blocks;        ///< of each group's lanes, which prepared block; -1: lane unused
-  std::vector<int> ends;          ///< of each group, its bodies: LaneGroup::first_end
 
   /// \param lanes false: every group is one block
   void pack(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
@@ -35,44 +34,34 @@ class PackedBlocks {
   void end(Bodies& bodies, const Preparation& prepared) const;
 
   int width() const { return width_; }  ///< lanes of a group: 1 or lane_count
-  /// The slots of bodies that the records belong to, -1: to none.
-  const std::vector<int>& slots() const { return slots_; }
+  const BodyRecords& records() const { return records_; }  ///< of the bodies, by their slots
   int packed() const { return packed_; }  ///< how often the groups had to be worked out anew
 
  private:
   // What a block is like, and between which bodies: while these stay, so do the groups.
   struct Sign {
-    int kind, body1, body2;
-    int followed;  // 8 * block + row of the sum that its bounds follow, or -1
+    Kind kind;
+    bool static1, static2;
+    BodyPair bodies;
+    int followed;  // PreparedBlock::followed
     bool operator==(const Sign&) const = default;
   };
-  // So many numbers begin where 32 bytes begin.
-  struct alignas(32) LaneNumber {
-    real lane[lane_count];
-  };
-
   void arrange(const Bodies& bodies, Packing packing);
-  using Islands = std::vector<std::vector<int>>;  // of each, its blocks
-  Islands find_islands(const Bodies& bodies) const;
-  void interleave(const Islands& islands);
-  bool arrange_islands(const Bodies& bodies, const Islands& islands);
-  void arrange_colours(const Bodies& bodies);
-  void add_group(const int* list, int count);
-  static int find_sum(const Preparation& prepared, int k);
+  void add_group(const std::vector<int>& members);
   void place_sums();
-  static int size_of(const LaneGroup& group);
-  real* record(int number);
-  const real* record(int number) const;
-  void fill(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
-            const LaneGroup& group, int first);
+  // Which number is the sum of a row in a lane.
+  int place_of_sum(const LaneGroup& group, int row, int lane) const {
+    return group.first_sum + row * width_ + lane;
+  }
+  real* numbers() { return reinterpret_cast<real*>(numbers_.data()); }
+  const real* numbers() const { return reinterpret_cast<const real*>(numbers_.data()); }
 
   std::vector<Sign> signs_, now_;
   std::vector<LaneNumber> numbers_;
-  std::vector<Velocities<real>> records_;
-  std::vector<int> slots_, sums_;
+  std::vector<int> sums_;
+  BodyRecords records_;
   Packing packing_ = Packing::islands;
   int width_ = 0, packed_ = 0;
-  bool columns_ = false;
 };
 
 /// Sequential Impulses over packed blocks: the same rows, the same order within an island or a

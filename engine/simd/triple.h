@@ -1,5 +1,5 @@
-// Arrows, inertias and velocities of any kind of number: of one, or of several side by side. GLM's
-// own know only single numbers. There is nothing to edit here.
+// 3-vectors, inertias and velocities of a scalar or of a SIMD lane type. GLM's own know only single
+// numbers. There is nothing to edit here.
 #pragma once
 
 #include "engine/real.h"
@@ -8,7 +8,7 @@
 /// @{
 namespace joints {
 
-/// Three numbers: an arrow, or in lanes several arrows side by side. Written like a vec3.
+/// A 3-vector, or in lanes several of them side by side. Written like a vec3.
 template <class Number>
 struct Triple {
   Number x, y, z;  ///< its parts
@@ -39,7 +39,7 @@ template <class Number>
 inline Triple<Number> operator-(const Triple<Number>& a) {
   return {-a.x, -a.y, -a.z};
 }
-/// A number times an arrow.
+/// A number times a vector.
 template <class Number>
 inline Triple<Number> operator*(const Number& factor, const Triple<Number>& a) {
   return {factor * a.x, factor * a.y, factor * a.z};
@@ -63,7 +63,7 @@ struct Symmetric {
   Number xx, yy, zz, xy, xz, yz;  ///< the diagonal, then what stands on both sides of it
 };
 
-/// Matrix times arrow.
+/// Matrix times vector.
 template <class Number>
 inline Triple<Number> operator*(const Symmetric<Number>& m, const Triple<Number>& a) {
   return {m.xx * a.x + m.xy * a.y + m.xz * a.z, m.xy * a.x + m.yy * a.y + m.yz * a.z,

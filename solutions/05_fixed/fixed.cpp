@@ -14,19 +14,9 @@ mat3 cross_K(const Point& point, const Body& body1, const Body& body2) {
   // end [exercise 5.1]
 }
 
-Vector<6> Weld::error(const Body& body1, const Body& body2) const {
-  const vec3 gap = point.error(body1, body2), turn = lock.error(body1, body2);
-  return {gap.x, gap.y, gap.z, turn.x, turn.y, turn.z};
-}
-
-Jacobian<6> Weld::jacobian(const Body& body1, const Body& body2) const {
-  const Jacobian<3> upper = point.jacobian(body1, body2), lower = lock.jacobian(body1, body2);
-  return {{upper[0], upper[1], upper[2], lower[0], lower[1], lower[2]}};
-}
-
-Matrix<6> Weld::K(const Body& body1, const Body& body2) const {
-  const mat3 upper = point.K(body1, body2), lower = lock.K(body1, body2);
-  const mat3 X = cross_K(point, body1, body2);
+Matrix<6> weld_K(const Weld& weld, const Body& body1, const Body& body2) {
+  const mat3 upper = weld.first.K(body1, body2), lower = weld.second.K(body1, body2);
+  const mat3 X = cross_K(weld.first, body1, body2);
   Matrix<6> K;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {  // GLM counts columns first: A[column][row]

@@ -37,10 +37,12 @@ TEST_CASE("5.1 K of a weld is J M^-1 J^T of all six rows at every pose", "[5.1]"
   visit_poses<WeldFixture>([&](int pose, const Weld& weld, const Pair& pair) {
     const Matrix<6> right = dense_K(numeric_jacobian(weld, pair.body1, pair.body2), pair.body1,
                                     pair.body2);
-    Sample sample = K_sample(pose, seen<WeldFixture>(weld), pair, flat(right));
+    Seen part = seen<WeldFixture>(weld);
+    part.K = [weld](const Pair& at) { return flat(weld_K(weld, at.body1, at.body2)); };
+    Sample sample = K_sample(pose, part, pair, flat(right));
     if (!close(sample.yours, sample.right, K_tolerance))
       for (const auto& [words, answer] : table.mistakes) {
-        const Numbers X = answer({"", weld.point, pair});
+        const Numbers X = answer({"", weld.first, pair});
         Matrix<6> wrong = right;
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
@@ -89,7 +91,7 @@ TEST_CASE("5.2 the impulses row by row and the load about the centre are the sam
       force += impulse[i] / h * J[i].v2;
       torque += impulse[i] / h * J[i].w2;
     }
-    const vec3 anchor = world_point(pair.body2, weld.point.anchor2_local);
+    const vec3 anchor = world_point(pair.body2, weld.first.anchor2_local);
     const Reaction load = about(carried(impulse, h), anchor, pair.body2.x);
     const auto compare = [](const Subject& subject, const std::string& entry, const vec3& yours,
                             const vec3& right) {

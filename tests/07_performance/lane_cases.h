@@ -49,21 +49,6 @@ struct LaneCase {
   HingeNumbers<Lanes> hinge;
   Velocities<Lanes> body1, body2;
 };
-/// The numbers of one lane of anything that is made of lanes, and back.
-template <class One, class All>
-void put(const One& one, int lane, All& all) {
-  const real* const from = reinterpret_cast<const real*>(&one);
-  real* const to = reinterpret_cast<real*>(&all);
-  for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n) to[n * lane_count + lane] = from[n];
-}
-template <class One, class All>
-One lane_of(const All& all, int lane) {
-  One one;
-  const real* const from = reinterpret_cast<const real*>(&all);
-  real* const to = reinterpret_cast<real*>(&one);
-  for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n) to[n] = from[n * lane_count + lane];
-  return one;
-}
 /// As many hinges as there are lanes, from the one with this number on, but for no_lane.
 inline LaneCase on_lanes(std::size_t first, int no_lane = -1) {
   const std::vector<SolveCase> cases = solve_cases();
@@ -71,15 +56,15 @@ inline LaneCase on_lanes(std::size_t first, int no_lane = -1) {
   for (int lane = 0; lane < lane_count; ++lane) {
     if (lane == no_lane) continue;
     const SolveCase& c = cases[(first + std::size_t(lane)) % cases.size()];
-    put(c.hinge, lane, all.hinge);
-    put(c.body1, lane, all.body1);
-    put(c.body2, lane, all.body2);
+    scatter(c.hinge, all.hinge, lane);
+    scatter(c.body1, all.body1, lane);
+    scatter(c.body2, all.body2, lane);
   }
   return all;
 }
 inline FourVelocities lane_velocities(const LaneCase& all, int lane) {
-  const auto body1 = lane_of<Velocities<real>>(all.body1, lane);
-  const auto body2 = lane_of<Velocities<real>>(all.body2, lane);
+  const auto body1 = gather<Velocities<real>>(all.body1, lane);
+  const auto body2 = gather<Velocities<real>>(all.body2, lane);
   return {to_vec3(body1.v), to_vec3(body1.w), to_vec3(body2.v), to_vec3(body2.w)};
 }
 inline void solve_lanes(LaneCase& all) { solve(all.hinge, all.body1, all.body2); }

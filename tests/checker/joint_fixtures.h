@@ -1,7 +1,7 @@
 // The parts of chapters 3 to 5 and whole joints, as the numeric checker wants them.
 #pragma once
 
-#include "chapters/03_hinge/stack.h"
+#include "chapters/03_hinge/driven_joint.h"
 #include "chapters/05_fixed/fixed.h"
 #include "tests/checker/fixtures.h"
 

@@ -183,8 +183,8 @@ TEST_CASE("a weld broken by any turn up to 180 degrees comes back with q as with
           step(world, solver, h);
           REQUIRE(all_finite(world));
         }
-        CHECK(double(length(weld.weld.lock.error(world.bodies[wall], body))) < 1e-3);
-        CHECK(double(length(weld.weld.point.error(world.bodies[wall], body))) < 1e-3);
+        CHECK(double(length(weld.weld.second.error(world.bodies[wall], body))) < 1e-3);
+        CHECK(double(length(weld.weld.first.error(world.bodies[wall], body))) < 1e-3);
         ends.push_back(body);
       }
       if (angle == 180) continue;  // either way round is as short, and rounding may choose

@@ -122,7 +122,7 @@ TEST_CASE("a weld's load about its anchor and its reaction about the centre are 
     for (std::size_t k = 0; k < 2; ++k) {
       const FixedJoint& weld = static_cast<const FixedJoint&>(*beam.joints[k]);
       const Body& body2 = beam.world.bodies[beam.ids[k + 1]];
-      const vec3 anchor = world_point(body2, weld.weld.point.anchor2_local);
+      const vec3 anchor = world_point(body2, weld.weld.first.anchor2_local);
       const Reaction mine = about(weld.load(), anchor, body2.x);
       const Reaction seen = reaction(weld, beam.world.bodies);
       CHECK(off(mine.force, seen.force, 50) < tolerance(1e-12, 1e-5));

@@ -26,15 +26,15 @@ HingeLoop<Number> loop_of(const World& world, const Groups& groups) {
     loop.links.push_back({world.bodies.index(hinge.body1), world.bodies.index(hinge.body2)});
     loop.hinges.push_back({hinge.first, hinge.second, hinge.beta});
   }
-  loop.groups = groups;
+  loop.arrange(groups);
   loop.gravity = world.gravity;
   return loop;
 }
 
-std::vector<int> list_order(std::size_t count) {
-  std::vector<int> order(count);
-  std::iota(order.begin(), order.end(), 0);
-  return order;
+// An island a lane.
+Groups chain_a_lane(const World& world, int width) {
+  const auto loop = loop_of<real>(world, {});
+  return interleaved(islands_of(loop.links, moving(loop.bodies)), width);
 }
 
 // Chains of turned boxes, no two edges alike, on hinges about axes that are not alike either; the
@@ -135,7 +135,7 @@ TEST_CASE("the hinges' loop in chain order moves the cubes as the engine's solve
   for (const vec3& gravity : {vec3(0, real(-9.81), 0), vec3(3, real(-9.81), 0)}) {
     World world = cubes();
     world.gravity = gravity;
-    auto loop = loop_of<real>(world, one_by_one(list_order(world.joints().size())));
+    auto loop = loop_of<real>(world, one_by_one(int(world.joints().size())));
     SequentialImpulses solver;
     for (int n = 0; n < 60; ++n) {
       step(world, solver, h);
@@ -148,7 +148,7 @@ TEST_CASE("the hinges' loop in chain order moves the cubes as the engine's solve
 
 TEST_CASE("turned boxes on skew hinges move in the hinges' loop as with the engine's solver") {
   World world = uneven_chains(chains, hinges);
-  auto loop = loop_of<real>(world, one_by_one(list_order(world.joints().size())));
+  auto loop = loop_of<real>(world, one_by_one(int(world.joints().size())));
   SequentialImpulses solver;
   for (int n = 0; n < 10; ++n) {
     step(world, solver, h);
@@ -164,13 +164,13 @@ TEST_CASE("a chain a lane is one hinge at a time to the last bit") {
                           uneven_chains(chains, hinges, false)};
   for (const World& world : worlds) {
     const auto one = after(
-        loop_of<real>(world, one_by_one(list_order(world.joints().size()))), 60);
-    const auto interleaved = after(loop_of<real>(world, a_chain_a_lane(chains, hinges, 1)), 60);
+        loop_of<real>(world, one_by_one(int(world.joints().size()))), 60);
+    const auto interleaved = after(loop_of<real>(world, chain_a_lane(world, 1)), 60);
     const auto lanes =
-        after(loop_of<Lanes>(world, a_chain_a_lane(chains, hinges, lane_count)), 60);
+        after(loop_of<Lanes>(world, chain_a_lane(world, lane_count)), 60);
     CHECK(same(interleaved.bodies, one.bodies));  // chains share no body that moves
     CHECK(same(lanes.bodies, one.bodies));        // and a lane adds and multiplies as one number
-    CHECK(int(lanes.groups.size()) == hinges);    // 3 of 4 or 8 lanes
+    CHECK(int(lanes.groups().size()) == hinges);    // 3 of 4 or 8 lanes
     CHECK(distance(one.bodies, snapshot(world.bodies)) > 1);
   }
 }
@@ -178,18 +178,16 @@ TEST_CASE("a chain a lane is one hinge at a time to the last bit") {
 TEST_CASE("colours on lanes are one hinge at a time in that order to the last bit") {
   const World world = uneven_chains(chains, hinges);
   auto lanes = loop_of<Lanes>(world, {});
-  std::vector<bool> moves;
-  for (const Body& body : lanes.bodies) moves.push_back(!body.is_static());
-  lanes.groups = by_colour(colours_of(lanes.links, moves), lane_count);
+  lanes.arrange(by_colour(colours_of(lanes.links, moving(lanes.bodies)), lane_count));
   std::vector<int> order;
-  for (const std::vector<int>& group : lanes.groups)
+  for (const std::vector<int>& group : lanes.groups())
     order.insert(order.end(), group.begin(), group.end());
   REQUIRE(order.size() == world.joints().size());
-  CHECK(lanes.groups.size() < order.size() / 2);
+  CHECK(lanes.groups().size() < order.size() / 2);
 
-  const auto one = after(loop_of<real>(world, one_by_one(order)), 60);
+  const auto one = after(loop_of<real>(world, interleaved({order}, 1)), 60);
   const auto in_chain_order =
-      after(loop_of<real>(world, one_by_one(list_order(order.size()))), 60);
+      after(loop_of<real>(world, one_by_one(int(order.size()))), 60);
   lanes = after(lanes, 60);
   CHECK(same(lanes.bodies, one.bodies));
   CHECK_FALSE(same(lanes.bodies, in_chain_order.bodies));  // another order, another motion
@@ -197,7 +195,7 @@ TEST_CASE("colours on lanes are one hinge at a time in that order to the last bi
 
 TEST_CASE("preparing in every visit changes no bit because no pose changes within a step") {
   const World world = uneven_chains(chains, hinges);
-  auto once = loop_of<Lanes>(world, a_chain_a_lane(chains, hinges, lane_count)), always = once;
+  auto once = loop_of<Lanes>(world, chain_a_lane(world, lane_count)), always = once;
   always.once_a_step = false;
   once = after(once, 30);
   always = after(always, 30);
@@ -223,7 +221,7 @@ TEST_CASE("a relaxed iteration takes omega times the exact impulse of every hing
   World world = uneven_chains(1, 6);
   const Step step(world);
   for (const double omega : {0.5, 1.0, 1.9, 2.1}) {
-    auto loop = loop_of<real>(world, one_by_one(list_order(6)));
+    auto loop = loop_of<real>(world, one_by_one(6));
     loop.relaxation = real(omega);
     loop.iterations = 12;
     loop.step(h);
@@ -266,7 +264,7 @@ TEST_CASE("in a chain that hangs at rest omega 1.9 leaves a smaller gap than 1")
   for (int slot = 1; slot < world.bodies.slots(); ++slot) g[6 * slot + 1] = -9.81;
   std::vector<double> rms;
   for (const double omega : {1.0, 1.9}) {
-    auto loop = loop_of<real>(world, one_by_one(list_order(10)));
+    auto loop = loop_of<real>(world, one_by_one(10));
     loop.relaxation = real(omega);
     loop.iterations = iterations;
     loop = after(loop, 300);
@@ -288,7 +286,7 @@ TEST_CASE("with omega 2.1 a hanging chain explodes") {
   // Two numbers say what a step makes of a mode of the error, and their product is what the
   // iterations leave of it: 1.1^30 in size. So one of them is at least 1.1^15 = 4.2, and 20 steps
   // make 10^12 times what rounding left in such a mode: 10^-16 m or, in float, 10^-7 m.
-  auto loop = loop_of<real>(hanging(10), one_by_one(list_order(10)));
+  auto loop = loop_of<real>(hanging(10), one_by_one(10));
   loop.relaxation = real(2.1);
   double most = 0;
   for (int n = 0; n < 40; ++n) {

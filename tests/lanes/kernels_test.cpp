@@ -20,24 +20,16 @@ namespace {
 
 const real h = real(1) / 60;
 
-// What a block is like: what the iteration's switch looks at.
-struct Kind {
-  int rows = 0;
-  bool point = false, hard = false, isotropic = false;
-  auto operator<=>(const Kind&) const = default;
-};
 std::string words(const Kind& kind) {
   return std::to_string(kind.rows) + " rows" + (kind.point ? " of a point" : "") +
          (kind.hard ? ", hard" : "") + (kind.isotropic ? ", isotropic" : "");
 }
-Kind kind_of(const LaneGroup& group) {
-  return {group.rows, group.point, group.hard, group.isotropic};
-}
+const Kind& kind_of(const LaneGroup& group) { return group; }
 
 // All that the switch can tell apart.
 std::vector<Kind> all_kinds() {
   std::vector<Kind> kinds;
-  for (int rows = 1; rows <= 6; ++rows)
+  for (const signed char rows : {1, 2, 3, 4, 5, 6})
     for (const bool hard : {true, false}) {
       kinds.push_back({rows, false, hard, false});
       for (const bool isotropic : {true, false})

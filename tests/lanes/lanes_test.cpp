@@ -115,9 +115,9 @@ TEST_CASE("in a group of lanes no two blocks share a body that moves") {
     for (int lane = 0; lane < lane_count; ++lane) {
       if (packed.blocks[group * lane_count + std::size_t(lane)] < 0) continue;
       ++blocks;
-      const int* ends = &packed.ends[std::size_t(packed.groups[group].first_end)];
-      for (const int record : {ends[lane], ends[lane_count + lane]})
-        if (const int body = packed.slots()[std::size_t(record)];
+      for (const bool second : {false, true})
+        if (const int body = packed.records().ends()[(2 * group + second) * lane_count +
+                                                     std::size_t(lane)];
             !world.bodies.at(body).is_static())
           seen.push_back(body);
     }

@@ -18,7 +18,7 @@ OWN_LOOP = r"SequentialImpulses|\w*Joint"
 LATER = {3: r"Axis::|HingeAngle|HingeJoint|Limit<", 4: r"Line::|Slide::|RotationLock|SliderJoint",
          5: r"Weld|FixedJoint|cross_K|carried",
          6: r"limit_bias|beta_for|warm_start\(|projection_iteration|project\(",
-         7: r"colours_of|whole_K|hoist|LanesFor|WideImpulses",
+         7: r"colours_of|whole_K|hoist|LanesFor|PackedImpulses",
          8: r"GroundContact|Corner::|friction_impulse|impact_speed"}
 ALL = "|".join(LATER.values())
 PROGRAMS = {
@@ -26,7 +26,7 @@ PROGRAMS = {
     "02_ball_run": ("block_impulse", f"{OWN_LOOP}|{ALL}"),
     "03_hinge_run": ("Axis::", "|".join(LATER[k] for k in range(4, 9))),
     "04_slider_run": ("Line::", rf"{LATER[5]}|{LATER[6]}|{LATER[8]}|HingeJoint|HingeAngle"),
-    "05_fixed_run": ("Weld::", rf"{LATER[6]}|{LATER[7]}|{LATER[8]}"),
+    "05_fixed_run": ("FixedJoint::", rf"{LATER[6]}|{LATER[7]}|{LATER[8]}"),
     "06_baumgarte_run": ("projection_iteration", rf"{LATER[5]}|{LATER[7]}|{LATER[8]}"),
     "07_performance_run": ("colours_of", "|".join([OWN_LOOP, *(LATER[k] for k in (4, 5, 6, 8))])),
     "08_ground_run": ("GroundContact", rf"{LATER[6].replace('limit_bias|', '')}|{LATER[7]}")}
@@ -50,9 +50,12 @@ def programs_carry_what_they_use(root, build):
 def lanes_stay_at_home(root, build):
     """what is compiled for one kind of processor shares no function with the rest"""
     for kind in ("simd", "simd_float"):
-        for path in (build / "CMakeFiles" / f"{kind}.dir" / "engine").glob("*avx2*.o"):
+        folder = build / "engine" / "CMakeFiles" / f"{kind}.dir"
+        if not folder.is_dir():
+            yield f"{folder} is not there"
+        for path in folder.rglob("*avx2*.o"):
             lines = run("nm", "-C", str(path)).stdout.splitlines()
-            if not any("iteration_lanes_avx2" in line for line in lines):
+            if not any("lanes_avx2(" in line for line in lines):
                 yield f"{path.name}: nm shows no symbols"
             for line in lines:  # W, V, u: one definition of several, whichever the linker takes
                 if re.match(r"[0-9a-f]* ?[WVu] ", line.strip()) and "LanesFor<2>" not in line:

@@ -3,28 +3,15 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <numeric>
 
 #include "engine/instruments/plan.h"
 
 namespace joints::chapter7 {
 
-namespace {
-
-std::vector<int> in_a_row(const Chains& chains) {
-  std::vector<int> order(chains.links.size());
-  std::iota(order.begin(), order.end(), 0);
-  return order;
-}
-
-}  // namespace
-
 // ---- chains ------------------------------------------------------------------------------------
 
 Chains bent_chains(int count, int cubes, int hanging, real beta) {
   Chains chains;
-  chains.count = count;
-  chains.length = cubes - 1;
   for (int c = 0; c < count; ++c)
     for (int i = 0; i < cubes; ++i) {
       const int level = std::min(i, cubes - 1 - hanging);
@@ -45,12 +32,12 @@ Chains cube_chains(int count, int cubes, real beta) { return bent_chains(count, 
 
 // ---- orders ------------------------------------------------------------------------------------
 
-Groups chain_order(const Chains& chains) { return one_by_one(in_a_row(chains)); }
+Groups chain_order(const Chains& chains) { return one_by_one(int(chains.links.size())); }
 
 Groups from_the_end(const Chains& chains) {
-  std::vector<int> order = in_a_row(chains);
-  std::reverse(order.begin(), order.end());
-  return one_by_one(order);
+  Groups groups = chain_order(chains);
+  std::reverse(groups.begin(), groups.end());
+  return groups;
 }
 
 Groups colour_order(const Chains& chains, int width) {
@@ -59,10 +46,11 @@ Groups colour_order(const Chains& chains, int width) {
 
 std::vector<int> checked_colours(const std::vector<BodyPair>& links,
                                  const std::vector<Body>& bodies) {
-  std::vector<bool> moves;
-  for (const Body& body : bodies) moves.push_back(!body.is_static());
-  std::vector<int> colours = colours_of(links, moves);
+  std::vector<int> colours = colours_of(links, moving(bodies));
   require(colours.size() == links.size(), "colours_of: there must be one colour for each joint");
+  for (const int colour : colours)
+    require(colour >= 0 && colour < int(colours.size()),
+            "colours_of: a colour must be at least 0 and less than there are joints");
   return colours;
 }
 

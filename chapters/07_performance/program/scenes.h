@@ -15,8 +15,6 @@ constexpr real spacing = real(1.5);  ///< from a cube to the next of its chain [
 
 /// Chains of cubes on hinges: what a HingeLoop needs, apart from the order of the solves.
 struct Chains {
-  int count = 0;               ///< how many chains
-  int length = 0;              ///< hinges of each
   std::vector<Body> bodies;    ///< chain after chain, each from its static cube on
   std::vector<BodyPair> links;     ///< in the same order
   std::vector<Hinge> hinges;   ///< one a link
@@ -38,7 +36,7 @@ HingeLoop<Number> loop_over(const Chains& chains, const Groups& groups, int iter
   loop.bodies = chains.bodies;
   loop.links = chains.links;
   loop.hinges = chains.hinges;
-  loop.groups = groups;
+  loop.arrange(groups);
   loop.iterations = iterations;
   return loop;
 }

@@ -66,7 +66,7 @@ struct Cannon {
                                     x - double(rail->limits().upper), 0.0});
     const double off = std::hypot(double(C[0]), double(C[1]), beyond);
     if (!hold) return off;
-    return std::max(off, double(length(hold->weld.point.error(bodies[carriage], bodies[shot]))));
+    return std::max(off, double(length(hold->weld.first.error(bodies[carriage], bodies[shot]))));
   }
 };
 

@@ -2,6 +2,7 @@
 // function that tells its lines one by one. `./wb bench --stability` runs them all.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "bench/runner.h"
@@ -97,6 +98,15 @@ struct Watch {
   }
   /// The number, or NaN where a body was not finite at some time.
   double seen(double number) const { return finite ? number : none; }
+  /// The largest that a value which is never negative is after any of so many steps, or NaN.
+  double largest(int steps, real h, const std::function<double()>& value) {
+    double most = 0;
+    for (int k = 0; k < steps; ++k) {
+      step(h);
+      most = std::max(most, value());
+    }
+    return seen(most);
+  }
 };
 
 // ---- the cases ----------------------------------------------------------------------------------

@@ -32,12 +32,7 @@ struct Rotor {
   double in_degrees() const { return double(hinge->position(world.bodies) / degree); }
   // The furthest that it came in so many steps [degrees].
   double furthest(int steps) {
-    double most = -1e9;
-    for (int k = 0; k < steps; ++k) {
-      watch.step(h);
-      most = std::max(most, std::abs(in_degrees()));
-    }
-    return watch.seen(most);
+    return watch.largest(steps, h, [&] { return std::abs(in_degrees()); });
   }
 };
 
@@ -50,16 +45,14 @@ void spinning_hinge(bool quick, const Tell& tell) {
       rotor.hinge->whole = whole;
       rotor.watch.stepping.warm_start = warm;
       const double before = kinetic_energy(rotor.world.bodies[rotor.body]);
-      double most = 0;
-      for (int k = 0; k < (quick ? 60 : 600); ++k) {
-        rotor.watch.step(h);
-        most = std::max(most, kinetic_energy(rotor.world.bodies[rotor.body]) / before);
-      }
+      const double most = rotor.watch.largest(quick ? 60 : 600, h, [&] {
+        return kinetic_energy(rotor.world.bodies[rotor.body]) / before;
+      });
       tell(judged({.id = "X8", .method = std::string(whole ? "whole" : "apart") +
                                          (warm ? ", warm 30" : ", cold 30"),
                    .parameter = "most energy / start, hinge 0.5 m beside, spin [rad/s]",
                    .value = 1000},
-                  rotor.watch.seen(most), most < 1.02));
+                  most, most < 1.02));
     }
 }
 

@@ -12,37 +12,37 @@ void SequentialImpulses::solve(Bodies& bodies) {
 void SequentialImpulses::iterate(Bodies& bodies) { iterate(bodies, 0, prepared_count()); }
 
 void SequentialImpulses::iterate(Bodies& bodies, int from, int to) {
-  require_prepared(bodies);
+  const Blocks& blocks = blocks_of(bodies);
   require(from >= 0 && to <= prepared_count(), "from, to: there are not so many prepared blocks");
-  for (int k = from; k < to; ++k) solve(bodies.data(), prepared_.blocks[k]);
-}
-
-// One predictable switch a block; from here on the number of rows is known to the compiler.
-void SequentialImpulses::solve(Body* bodies, const PreparedBlock& block) {
-  switch (block.rows) {
-    case 1: return solve_rows<1>(bodies, block);
-    case 2: return solve_rows<2>(bodies, block);
-    case 3: return solve_rows<3>(bodies, block);
-    case 4: return solve_rows<4>(bodies, block);
-    case 5: return solve_rows<5>(bodies, block);
-    case 6: return solve_rows<6>(bodies, block);
+  Body* const array = bodies.data();
+  const Row* const J = blocks.J.data();
+  for (int k = from; k < to; ++k) {  // one predictable switch a block
+    const PreparedBlock& block = prepared_.blocks[k];
+    switch (block.rows) {
+      case 1: solve_rows<1>(array, J, block); break;
+      case 2: solve_rows<2>(array, J, block); break;
+      case 3: solve_rows<3>(array, J, block); break;
+      case 4: solve_rows<4>(array, J, block); break;
+      case 5: solve_rows<5>(array, J, block); break;
+      case 6: solve_rows<6>(array, J, block); break;
+    }
   }
 }
 
 template <int N>
-void SequentialImpulses::solve_rows(Body* bodies, const PreparedBlock& block) {
+void SequentialImpulses::solve_rows(Body* bodies, const Row* J, const PreparedBlock& block) {
   switch (block.touches) {
-    case Touches::linear: return solve_block<N, true, false>(bodies, block);
-    case Touches::angular: return solve_block<N, false, true>(bodies, block);
-    case Touches::both: return solve_block<N, true, true>(bodies, block);
+    case Touches::linear: return solve_block<N, true, false>(bodies, J, block);
+    case Touches::angular: return solve_block<N, false, true>(bodies, J, block);
+    case Touches::both: return solve_block<N, true, true>(bodies, J, block);
   }
 }
 
 // The whole inner step, for hard, Baumgarte, soft, one-sided and motor rows alike.
 template <int N, bool linear, bool angular>
-void SequentialImpulses::solve_block(Body* bodies, const PreparedBlock& block) {
+void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedBlock& block) {
   Body &body1 = bodies[block.body1], &body2 = bodies[block.body2];
-  const Row* J = &blocks().J[block.first];
+  J += block.first;
   const PreparedRow* row = &prepared_.rows[block.first];
   const real* inverse_K = &prepared_.inverse_K[block.first_K];
 

@@ -1,7 +1,7 @@
 // Sequential Impulses (Catto 2006; Algorithm 1 of the thesis): the engine's own solver.
 #pragma once
 
-#include "engine/solver.h"
+#include "engine/iterative_solver.h"
 
 /// \addtogroup world
 /// @{
@@ -28,11 +28,10 @@ class SequentialImpulses : public IterativeSolver {
 
  private:
   bool rows_apart() const override { return row_by_row; }
-  void solve(Body* bodies, const PreparedBlock& block);
   template <int N>
-  void solve_rows(Body* bodies, const PreparedBlock& block);
+  void solve_rows(Body* bodies, const Row* J, const PreparedBlock& block);
   template <int N, bool linear, bool angular>
-  void solve_block(Body* bodies, const PreparedBlock& block);
+  void solve_block(Body* bodies, const Row* J, const PreparedBlock& block);
 };
 
 }  // namespace joints

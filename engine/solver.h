@@ -1,7 +1,7 @@
 // What a solver is: it finds the impulses of a step's blocks. It sees bodies and blocks, no joint.
 #pragma once
 
-#include "engine/preparation.h"
+#include "engine/block.h"
 
 /// \addtogroup world
 /// @{
@@ -23,29 +23,6 @@ class Solver {
   virtual void warm_start(Bodies& bodies, real ratio) = 0;
   /// Changes velocities and impulses until the rows hold, as well as this solver can.
   virtual void solve(Bodies& bodies) = 0;
-};
-
-/// What solvers share that go over the blocks again and again, each solved while the others wait.
-class IterativeSolver : public Solver {
- public:
-  int iterations = 30;  ///< over all blocks, in a solve
-  real relaxation = 1;  ///< over-relaxation: a factor of every impulse [1], below 2
-
-  void check() const override;
-  void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
-  void warm_start(Bodies& bodies, real ratio) override;
-
- protected:
-  /// Refuses bodies that are not those of the last prepare(), and blocks that came after it.
-  /// \throws std::logic_error in either case
-  void require_prepared(const Bodies& bodies) const;
-  const Blocks& blocks() const { return *blocks_; }  ///< those of the last prepare()
-  Preparation prepared_;                             ///< of all of them
-
- private:
-  virtual bool rows_apart() const { return false; }  // every row as a block of its own
-  const Bodies* bodies_ = nullptr;
-  const Blocks* blocks_ = nullptr;
 };
 
 }  // namespace joints

@@ -19,9 +19,9 @@ mat3 cross_K(const Point& point, const Body& body1, const Body& body2);
 /// Holds two bodies together altogether: a point (rows 1 to 3) and a lock (rows 4 to 6) in one
 /// block. Removes six degrees of freedom.
 ///
-/// C = (C of Point [m], C of RotationLock [1]); J likewise, exact where C = 0; K = J M^-1 J^T. Never
-/// singular while one body can move. Source: thesis, section 3.7.5, which solves the two threes
-/// apart.
+/// C = (C of Point [m], C of RotationLock [1]); J likewise, exact where C = 0; K = J M^-1 J^T is
+/// never singular while one body can move. Source: thesis, section 3.7.5, which solves the two
+/// threes apart.
 using Weld = Composite<Point, RotationLock>;
 
 /// The same K in closed form: ((K of Point, X), (X^T, K of RotationLock)), X = cross_K, Eq. 5-3.

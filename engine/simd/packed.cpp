@@ -177,7 +177,7 @@ void PackedBlocks::place_sums() {
 
 // ---- a step -------------------------------------------------------------------------------------
 
-void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
+void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, const Prepared& prepared,
                         Packing packing, bool lanes) {
   const int width = lanes && packing != Packing::list ? lane_count : 1;
   now_.clear();
@@ -215,7 +215,7 @@ void PackedBlocks::iterate() {
   width_ == 1 ? iterate_single(all) : iterate_lanes(all);
 }
 
-void PackedBlocks::end(Bodies& bodies, const Preparation& prepared) const {
+void PackedBlocks::end(Bodies& bodies, const Prepared& prepared) const {
   records_.give_back([&](int slot) -> Body& { return bodies.at(slot); });
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     if (blocks[k] < 0) continue;
@@ -227,8 +227,7 @@ void PackedBlocks::end(Bodies& bodies, const Preparation& prepared) const {
 }
 
 void PackedImpulses::solve(Bodies& bodies) {
-  require_prepared(bodies);
-  packed_.pack(bodies, blocks(), prepared_, packing, lanes);
+  packed_.pack(bodies, blocks_of(bodies), prepared_, packing, lanes);
   for (int i = 0; i < iterations; ++i) packed_.iterate();
   packed_.end(bodies, prepared_);
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/simd/body_records.h"
-#include "engine/solver.h"
+#include "engine/iterative_solver.h"
 
 /// \addtogroup world
 /// @{
@@ -26,12 +26,12 @@ class PackedBlocks {
   std::vector<int> blocks;        ///< of each group's lanes, which prepared block; -1: lane unused
 
   /// \param lanes false: every group is one block
-  void pack(const Bodies& bodies, const Blocks& list, const Preparation& prepared,
+  void pack(const Bodies& bodies, const Blocks& list, const Prepared& prepared,
             Packing packing, bool lanes);
   /// One iteration over all groups, with the best instructions that this processor has.
   void iterate();
   /// Gives velocities and sums of impulses back. \param prepared whose blocks were packed
-  void end(Bodies& bodies, const Preparation& prepared) const;
+  void end(Bodies& bodies, const Prepared& prepared) const;
 
   int width() const { return width_; }  ///< lanes of a group: 1 or lane_count
   const BodyRecords& records() const { return records_; }  ///< of the bodies, by their slots

@@ -173,7 +173,7 @@ TEST_CASE("on lanes a bound that follows is mu times the other sum to the last b
 }
 
 TEST_CASE("a row that follows a sum without a row is refused by every solver") {
-  const std::string words = "follows: the sum that bounds a row must have a row of its own";
+  const std::string words = "follows: the impulse that bounds a row must have a row of its own";
   Random random(87);
   World world = followings(random, 9);
   auto& orphan = static_cast<Following&>(*world.joints()[4]);
@@ -225,11 +225,14 @@ TEST_CASE("a followed sum is known by its place, whichever neighbour in the list
   }
   push_at_random(world.bodies, random);
   Blocks blocks;
-  Preparation prepared;
+  struct : SequentialImpulses {
+    using SequentialImpulses::prepared_;
+  } scalar;
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
-  prepared.add(world.bodies, blocks, 0, h, false);
-  for (std::size_t k = 0; k < prepared.blocks.size(); ++k)
-    CHECK(prepared.blocks[k].followed == (k % 3 == 1 ? -1 : int(k / 3 * 4 + 2)));
+  scalar.prepare(world.bodies, blocks, 0, h);
+  REQUIRE(scalar.prepared_count() == 30);
+  for (std::size_t k = 0; k < 30; ++k)
+    CHECK(scalar.prepared_.blocks[k].followed == (k % 3 == 1 ? -1 : int(k / 3 * 4 + 2)));
 
   for (const bool lanes : {true, false}) {
     PackedImpulses wide;

@@ -1,48 +1,63 @@
 // Turns what is asked of a block, with the step's h, into what the inner loop reads.
-#include "engine/preparation.h"
+#include "engine/iterative_solver.h"
 
 #include <algorithm>
 #include <numbers>
+#include <stdexcept>
 
 namespace joints {
 
-void Preparation::clear(int most_rows) {
-  blocks.clear();
-  rows.clear();
-  inverse_K.clear();
-  blocks.reserve(most_rows);
-  rows.reserve(most_rows);
-  inverse_K.reserve(6 * most_rows);
+void IterativeSolver::check() const {
+  require(iterations > 0, "iterations: there must be at least one");
+  require(finite(relaxation) && relaxation > 0, "relaxation: must be positive and finite");
 }
 
-void Preparation::add(const Bodies& bodies, const Blocks& list, int first, real h,
-                      bool row_by_row) {
-  const std::size_t known = blocks.size();
-  for (std::size_t k = std::size_t(first); k < list.list.size(); ++k) {
-    const Block& block = list.list[k];
-    const int together = row_by_row ? 1 : block.rows;
-    for (int i = 0; i < block.rows; i += together)
-      add_rows(bodies, list, block, i, i + together, h);
+const Blocks& IterativeSolver::blocks_of(const Bodies& bodies) const {
+  if (bodies_ != &bodies)
+    throw std::logic_error("solver: was prepared for the blocks of another world");
+  if (prepared_.rows.size() != blocks_->J.size())
+    throw std::logic_error("solver: blocks have come or gone since they were prepared");
+  return *blocks_;
+}
+
+void IterativeSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {
+  bodies_ = &bodies;
+  blocks_ = &blocks;
+  if (first == 0) {
+    prepared_.blocks.clear();
+    prepared_.rows.clear();
+    prepared_.inverse_K.clear();
+    const std::size_t room = blocks.J.capacity();  // for late limits, too
+    prepared_.blocks.reserve(room);
+    prepared_.rows.reserve(room);
+    prepared_.inverse_K.reserve(6 * room);
   }
-  for (std::size_t k = known; k < blocks.size(); ++k)
-    if (blocks[k].follows != 0) blocks[k].followed = followed_row(k);
+  const std::size_t known = prepared_.blocks.size();
+  for (std::size_t k = std::size_t(first); k < blocks.list.size(); ++k) {
+    const Block& block = blocks.list[k];
+    const int together = rows_apart() ? 1 : block.rows;
+    for (int i = 0; i < block.rows; i += together) add(bodies, block, i, i + together, h);
+  }
+  for (std::size_t k = known; k < prepared_.blocks.size(); ++k)
+    if (prepared_.blocks[k].follows != 0) prepared_.blocks[k].followed = followed_row(k);
 }
 
-// The row whose sum block k follows: one of a neighbour in the list.
-int Preparation::followed_row(std::size_t k) const {
-  const real* const sum = blocks[k].impulse + blocks[k].follows;
+// The row whose impulse bounds block k: one of a neighbour in the list.
+int IterativeSolver::followed_row(std::size_t k) const {
+  const std::vector<PreparedBlock>& blocks = prepared_.blocks;
+  const real* const impulse = blocks[k].impulse + blocks[k].follows;
   for (std::size_t d = 1; d < blocks.size(); ++d)
     for (const std::size_t other : {k + d, k - d}) {  // before the first: a huge number
       if (other >= blocks.size()) continue;
       for (int i = 0; i < blocks[other].rows; ++i)
-        if (blocks[other].impulse + i == sum) return blocks[other].first + i;
+        if (blocks[other].impulse + i == impulse) return blocks[other].first + i;
     }
-  refuse("follows: the sum that bounds a row must have a row of its own");
+  refuse("follows: the impulse that bounds a row must have a row of its own");
 }
 
 // The rows [from, to) of a block.
-void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block& block, int from,
-                           int to, real h) {
+void IterativeSolver::add(const Bodies& bodies, const Block& block, int from, int to, real h) {
+  auto& [blocks, rows, inverse_K] = prepared_;
   const RowTarget& target = block.target;
   const int n = to - from;
   const bool has_last = to == block.rows;  // the row to which target and bounds belong
@@ -68,7 +83,7 @@ void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block
     out.upper = h * target.upper;
   }
 
-  const Row* const J = &list.J[out.first];
+  const Row* const J = &blocks_->J[out.first];
   Row response[6];
   form_responses(J, n, bodies.at(block.body1), bodies.at(block.body2), response);
   inverse_K.resize(inverse_K.size() + std::size_t(n * n));
@@ -79,10 +94,10 @@ void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block
   const real last = inverse[n * n - 1];
   const real over_last = last > 0 ? 1 / last : real(0);
   for (int i = 0; i < n; ++i)
-    rows.push_back({rate * list.C[out.first + i], inverse[i * n + n - 1] * over_last,
+    rows.push_back({rate * blocks_->C[out.first + i], inverse[i * n + n - 1] * over_last,
                     response[i].w1, response[i].w2});
   if (has_last) {
-    const real C = list.C[block.first + to - 1];
+    const real C = blocks_->C[block.first + to - 1];
     const bool one_sided = target.lower == 0 && target.upper == unbounded;
     if (one_sided && C > 0) rows.back().bias = C / h;  // still a gap: it may be closed, no more
     rows.back().bias -= target.rate;
@@ -90,8 +105,9 @@ void Preparation::add_rows(const Bodies& bodies, const Blocks& list, const Block
   blocks.push_back(out);
 }
 
-void Preparation::start(Bodies& bodies, const Blocks& list, real ratio) {
-  for (const PreparedBlock& block : blocks) {
+void IterativeSolver::warm_start(Bodies& bodies, real ratio) {
+  const Blocks& blocks = blocks_of(bodies);
+  for (const PreparedBlock& block : prepared_.blocks) {
     if (ratio == 0) {
       std::fill_n(block.impulse, block.rows, real(0));
       continue;
@@ -99,10 +115,10 @@ void Preparation::start(Bodies& bodies, const Blocks& list, real ratio) {
     Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
     for (int i = 0; i < block.rows; ++i) {
       real& lambda = block.impulse[i];
-      const bool live = inverse_K[block.first_K + i * block.rows + i] > 0;
+      const bool live = prepared_.inverse_K[block.first_K + i * block.rows + i] > 0;
       lambda = live ? ratio * lambda : 0;
-      const Row& J = list.J[block.first + i];
-      const PreparedRow& row = rows[block.first + i];
+      const Row& J = blocks.J[block.first + i];
+      const PreparedRow& row = prepared_.rows[block.first + i];
       body1.v += body1.inverse_mass * lambda * J.v1;
       body1.w += lambda * row.turn1;
       body2.v += body2.inverse_mass * lambda * J.v2;

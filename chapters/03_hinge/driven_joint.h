@@ -106,7 +106,7 @@ class DrivenJoint : public Joint {
 
   /// Counts turns, and chooses the limit that has a row in this step.
   void choose_rows(const Bodies& bodies, real h) override;
-  void drop_rows() override { limit_ = late_ = {}; }
+  void drop_rows() override { limit_ = late_ = {}; }  ///< between two static bodies
   /// Keeps the count of turns up to date while projection turns the bodies.
   void moved(const Bodies& bodies) override;
   /// Motor, limit, rigid rows: those that are live.

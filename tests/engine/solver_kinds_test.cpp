@@ -62,6 +62,10 @@ std::vector<std::pair<std::string, std::unique_ptr<IterativeSolver>>> kinds() {
   return out;
 }
 
+double apart(const World& one, const World& other) {
+  return difference(velocities(snapshot(one.bodies)), velocities(snapshot(other.bodies)));
+}
+
 }  // namespace
 
 TEST_CASE("every kind of solver finds the same impulses in the same world") {
@@ -89,8 +93,7 @@ TEST_CASE("a world may be handed from solver to solver between its steps") {
     step(world, *solvers[n].second, h, {.warm_start = true});
     step(alone, one, h, {.warm_start = true});
   }
-  CHECK(difference(velocities(snapshot(world.bodies)), velocities(snapshot(alone.bodies))) <
-        tolerance(1e-7, 1e-2));
+  CHECK(apart(world, alone) < tolerance(1e-7, 1e-2));
 }
 
 TEST_CASE("a solver that was prepared for one world refuses the bodies of another") {
@@ -136,7 +139,7 @@ TEST_CASE("substeps are shorter steps and half a kick is taken once") {
   step(in_one, one, h, {.substeps = 4, .half_kick = true});
   take_half_a_kick(by_hand.bodies, by_hand.gravity, h / 4);
   for (int n = 0; n < 8; ++n) step(by_hand, other, h / 4);
-  CHECK(difference(velocities(snapshot(in_one.bodies)), velocities(snapshot(by_hand.bodies))) == 0);
+  CHECK(apart(in_one, by_hand) == 0);
 }
 
 TEST_CASE("a soft step is the step of blocks that are soft themselves, motors left as they are") {
@@ -151,8 +154,8 @@ TEST_CASE("a soft step is the step of blocks that are soft themselves, motors le
   other.solve(by_hand.bodies);
   end_step(by_hand, h);
   CHECK(soft == int(by_hand.blocks.list.size()) - 1);
-  CHECK(difference(velocities(snapshot(by_step.bodies)), velocities(snapshot(by_hand.bodies))) == 0);
+  CHECK(apart(by_step, by_hand) == 0);
   World hard = machine();
   step_once(hard, h);
-  CHECK(difference(velocities(snapshot(by_step.bodies)), velocities(snapshot(hard.bodies))) > 1e-4);
+  CHECK(apart(by_step, hard) > 1e-4);
 }

@@ -1,5 +1,5 @@
-// The joint of one's own that docs/library.md shows: its rows are held against differences, as those
-// of the chapters' parts are.
+// The joint that docs/library.md makes: its rows are held against differences, as those of the
+// chapters' parts are.
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
 #include "tests/library/consumer/universal_joint.h"

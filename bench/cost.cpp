@@ -7,16 +7,13 @@
 #include <new>
 
 #include "bench/counted.h"
-#include "bench/own_loop.h"
+#include "bench/settings.h"
 #include "chapters/08_ground/ground_contact.h"
 #include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/03_hinge/hinge_joint.h"
 #include "engine/instruments/plan.h"
 #include "engine/instruments/options.h"
-#include "engine/sequential_impulses.h"
-#include "engine/step.h"
-#include "engine/simd/packed.h"
 
 using namespace joints;
 using namespace joints::bench;
@@ -124,63 +121,17 @@ World chain(const Case& what) {
 
 // ---- the solvers --------------------------------------------------------------------------------
 
-// Everything that one run of a case holds in memory, and its step.
-struct Run {
-  virtual ~Run() = default;
-  virtual void step() = 0;
-  virtual int rows() const = 0;  // of the last step
-};
-using MakeRun = std::unique_ptr<Run> (*)(const Case& what, int iterations);
-
 constexpr real h = real(1) / 60;
 
-template <class Kind>
-struct EngineRun : Run {
-  World world;
-  Kind solver;
-
-  explicit EngineRun(World made) : world(std::move(made)) {}
-  void step() override { joints::step(world, solver, h); }
-  int rows() const override { return int(world.blocks.J.size()); }
-};
-
-struct OwnRun : Run {
-  std::unique_ptr<OwnLoop> loop;
-  int hinges = 0;
-
-  void step() override { loop->step(h); }
-  int rows() const override { return 5 * hinges; }
-};
-
-std::unique_ptr<Run> rows_run(const Case& what, int iterations) {
-  auto run = std::make_unique<EngineRun<SequentialImpulses>>(chain(what));
-  run->solver.iterations = iterations;
-  return run;
-}
-
-std::unique_ptr<Run> packed_run(const Case& what, int iterations) {
-  auto run = std::make_unique<EngineRun<PackedImpulses>>(chain(what));
-  run->solver.iterations = iterations;
-  run->solver.lanes = false;
-  return run;
-}
-
-std::unique_ptr<Run> own_run(const Case& what, int iterations) {
-  const World world = chain(what);
-  auto run = std::make_unique<OwnRun>();
-  run->hinges = int(world.joints().size());
-  run->loop = own_loop(world, 1, iterations, Visits::chain_order);
-  return run;
-}
-
-struct Loop {
+struct Candidate {
   const char* name;
-  MakeRun make;
-  bool only_plain_hinges;
+  Way way;
+  bool only_plain_hinges = false;
 };
-const Loop loops[] = {{"engine rows", rows_run, false},
-                          {"engine packed", packed_run, false},
-                          {"chapter 7", own_run, true}};
+const Candidate candidates[] = {
+    {"engine rows", {.loop = Loop::rows}},
+    {"engine packed", {.loop = Loop::packed}},
+    {"chapter 7", {.loop = Loop::hinges, .visits = Visits::chain_order}, true}};
 
 // ---- rows and memory ----------------------------------------------------------------------------
 
@@ -190,30 +141,36 @@ struct Size {
   long long bytes = 0;
 };
 
-Size size_of(const Loop& loop, const Case& what) {
+Size size_of(const Candidate& candidate, const Case& what) {
   const long long before = held;
-  const auto run = loop.make(what, 10);
-  for (int n = 0; n < 3; ++n) run->step();
-  return {run->rows(), held - before};
+  World world = chain(what);
+  const Step step = candidate.way.setting(10).make();
+  for (int n = 0; n < 3; ++n) step(world, h);
+  int rows = int(world.blocks.J.size());
+  if (candidate.only_plain_hinges) {  // its bodies and hinges are its own
+    rows = 5 * int(world.joints().size());
+    world = World();
+  }
+  return {rows, held - before};
 }
 
 // One line and two counts for each case. The memory of a joint: what the heap holds more with the
 // joints than without, through as many.
-void all(const Loop& loop) {
+void all(const Candidate& candidate) {
   const Counted counted;
   const std::vector<Case> list = cases();
-  const Size none = size_of(loop, list.front());
+  const Size none = size_of(candidate, list.front());
   for (const Case& what : list) {
-    if (loop.only_plain_hinges && !what.plain_hinge) continue;
-    const Size size = size_of(loop, what);
+    if (candidate.only_plain_hinges && !what.plain_hinge) continue;
+    const Size size = size_of(candidate, what);
     std::printf("%s,%g,%.1f,%s,%s,%d,%d,%d,%d\n", what.name, double(size.rows) / joint_count,
-                double(size.bytes - none.bytes) / joint_count, loop.name,
+                double(size.bytes - none.bytes) / joint_count, candidate.name,
                 sizeof(real) == 8 ? "double" : "float", joint_count, counted.steps, counted.few,
                 counted.many);
     count(
         [&](int iterations) -> std::function<void()> {
-          const std::shared_ptr<Run> run = loop.make(what, iterations);
-          return [=] { run->step(); };
+          const auto world = std::make_shared<World>(chain(what));
+          return [world, step = candidate.way.setting(iterations).make()] { step(*world, h); };
         },
         counted);
   }
@@ -226,6 +183,6 @@ int main(int argc, char** argv) {
     Options options("What a joint costs", {});
     if (!options.read(argc, argv)) return;
     std::puts("case,rows,bytes_per_joint,solver,real,joints,steps,few,many");
-    for (const Loop& loop : loops) all(loop);
+    for (const Candidate& candidate : candidates) all(candidate);
   });
 }

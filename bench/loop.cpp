@@ -4,14 +4,9 @@
 #include <cstdio>
 
 #include "bench/counted.h"
-#include "bench/own_loop.h"
-#include "bench/runner.h"
-#include "bench/textbook.h"
-#include "engine/simd/records.h"
+#include "bench/settings.h"
 #include "engine/instruments/options.h"
-#include "engine/sequential_impulses.h"
-#include "engine/step.h"
-#include "engine/simd/packed.h"
+#include "engine/simd/records.h"
 
 using namespace joints;
 using namespace joints::bench;
@@ -20,97 +15,26 @@ namespace {
 
 // ---- the variants -------------------------------------------------------------------------------
 
-// A variant: how its solver is made, and up to how many iterations it is worth the time.
+// A variant, and up to how many iterations it is worth the time.
 struct Variant {
   std::string name;
-  std::function<Setting(int chains, int iterations)> setting;
+  Way way;
   int most = 1000;
 };
 
-std::vector<TextbookHinge> textbook_hinges(World& world) {
-  std::vector<TextbookHinge> hinges;
-  for (const auto& joint : world.joints()) {
-    Body &a = world.bodies[joint->body1], &b = world.bodies[joint->body2];
-    hinges.emplace_back(a, b, a.x, vec3(1, 0, 0), joint->beta);
-  }
-  return hinges;
-}
-
-Setting textbook(int iterations, bool recompute) {
-  const auto make = [=]() -> Step {
-    auto solver = std::make_shared<TextbookSolver>();
-    solver->iterations = iterations;
-    solver->recompute = recompute;
-    return [solver](World& world, real h) {
-      if (solver->joints.empty())
-        for (const TextbookHinge& hinge : textbook_hinges(world))
-          solver->joints.push_back(std::make_unique<TextbookHinge>(hinge));
-      solver->step(world, h);
-    };
-  };
-  return {"", "", iterations, false, make};
-}
-
-Setting flat(int iterations) {
-  const auto make = [=]() -> Step {
-    auto solver = std::make_shared<FlatSolver>();
-    solver->iterations = iterations;
-    return [solver](World& world, real h) {
-      if (solver->hinges.empty()) solver->hinges = textbook_hinges(world);
-      solver->step(world, h);
-    };
-  };
-  return {"", "", iterations, false, make};
-}
-
-// Chapter 7's loop has bodies of its own: `show` gives them back to the scene.
-Setting own(int chains, int iterations, Visits visits) {
-  const auto loop = std::make_shared<std::unique_ptr<OwnLoop>>();
-  Setting setting{"", "", iterations, false, [=]() -> Step {
-                    loop->reset();
-                    return [=](World& world, real h) {
-                      if (!*loop) *loop = own_loop(world, chains, iterations, visits);
-                      (*loop)->step(h);
-                    };
-                  }};
-  setting.show = [=](World& world) { (*loop)->show(world); };
-  return setting;
-}
-
-// The engine's solvers, which take any joints with limits and motors.
-template <class Kind>
-Setting engine(Kind solver, int iterations) {
-  solver.iterations = iterations;
-  return {"", "", iterations, false, [=]() -> Step {
-            return [solver](World& world, real h) mutable { step(world, solver, h); };
-          }};
-}
-
-PackedImpulses wide(Packing packing, bool lanes) {
-  PackedImpulses solver;
-  solver.packing = packing;
-  solver.lanes = lanes;
-  return solver;
-}
-
 std::vector<Variant> variants() {
-  const auto ours = [](Visits visits) {
-    return [=](int chains, int n) { return own(chains, n, visits); };
-  };
-  const auto general = [](const auto& solver) {
-    return [=](int, int n) { return engine(solver, n); };
-  };
-  return {{"recomputed", [](int, int n) { return textbook(n, true); }, 30},
-          {"textbook", [](int, int n) { return textbook(n, false); }},
-          {"flat", [](int, int n) { return flat(n); }},
-          {"whole-joint", ours(Visits::chain_order)},
-          {"interleaved", ours(Visits::interleaved)},
-          {"lanes", ours(Visits::chain_a_lane)},
-          {"lanes coloured", ours(Visits::coloured_lanes)},
-          {"engine rows", general(SequentialImpulses{})},
-          {"engine packed", general(wide(Packing::islands, false))},
-          {"engine lanes", general(wide(Packing::islands, true))},
-          {"engine lanes coloured", general(wide(Packing::colours, true))}};
+  const auto hinges = [](Visits visits) { return Way{.loop = Loop::hinges, .visits = visits}; };
+  return {{"recomputed", {.loop = Loop::recomputed}, 30},
+          {"textbook", {.loop = Loop::textbook}},
+          {"flat", {.loop = Loop::flat}},
+          {"whole-joint", hinges(Visits::chain_order)},
+          {"interleaved", hinges(Visits::interleaved)},
+          {"lanes", hinges(Visits::chain_a_lane)},
+          {"lanes coloured", hinges(Visits::coloured_lanes)},
+          {"engine rows", {.loop = Loop::rows}},
+          {"engine packed", {.loop = Loop::packed}},
+          {"engine lanes", {.loop = Loop::lanes}},
+          {"engine lanes coloured", {.loop = Loop::lanes, .packing = Packing::colours}}};
 }
 
 // ---- measuring ----------------------------------------------------------------------------------
@@ -141,7 +65,7 @@ double median(std::vector<double> values) {
 
 // One more timing of a count of iterations.
 void time_again(const Row& row, Row::Point& point) {
-  const Setting setting = row.variant.setting(row.chains, point.iterations);
+  const Setting setting = row.variant.way.setting(point.iterations);
   const bool takes_long = point.iterations * row.chains > 1500 || row.variant.most < 100;
   const Span span{.steps = takes_long ? 40 : 90};
   point.us.push_back(time_of_step(row.scene, setting, span));
@@ -149,7 +73,7 @@ void time_again(const Row& row, Row::Point& point) {
 
 // The first look at a count of iterations: what gap it leaves, and how long a step takes.
 void look(Row& row, int iterations) {
-  const Result result = run(row.scene, row.variant.setting(row.chains, iterations), 1);
+  const Result result = run(row.scene, row.variant.way.setting(iterations), 1);
   row.points.push_back({iterations, {}, result.gap_rms});
   time_again(row, row.points.back());
 }
@@ -209,8 +133,8 @@ void count_all() {
                   counted.steps, counted.few, counted.many);
       count(
           [&](int iterations) -> std::function<void()> {
-            const auto scene = std::make_shared<Scene>(cubes_on_hinges(chains, length));
-            const Step step = variant.setting(chains, iterations).make();
+            const auto scene = std::make_shared<BenchScene>(cubes_on_hinges(chains, length));
+            const Step step = variant.way.setting(iterations).make();
             return [=] { step(scene->world, real(1) / 60); };
           },
           counted);

@@ -12,8 +12,8 @@ const real sixty_degrees = std::numbers::pi_v<real> / 3;
 
 }  // namespace
 
-Scene hanging_bridge(bool hinges) {
-  Scene scene;
+BenchScene hanging_bridge(bool hinges) {
+  BenchScene scene;
   scene.name = hinges ? "S3" : "S3b";
   scene.energy_scale = 0;
   const double step = std::numbers::pi / 2 / 41, radius = 0.5 / std::sin(step / 2);
@@ -39,8 +39,8 @@ Scene hanging_bridge(bool hinges) {
   return scene;
 }
 
-Scene crane(const vec3& axis) {
-  Scene scene;
+BenchScene crane(const vec3& axis) {
+  BenchScene scene;
   scene.name = "S4";
   scene.energy_scale = 100 * 9.81 * 1.5;
   const BodyId wall = scene.world.add(static_body(vec3(0)));
@@ -55,22 +55,22 @@ HingeJoint& hinge_of(Scene& scene) {
   return static_cast<HingeJoint&>(*scene.world.joints().front());
 }
 
-Scene motor() {
-  Scene scene = crane(vec3(0, 1, 0));
+BenchScene motor() {
+  BenchScene scene = crane(vec3(0, 1, 0));
   scene.name = "S4m";
   hinge_of(scene).set_motor(3, 500);
   return scene;
 }
 
-Scene limit() {
-  Scene scene = crane(vec3(1, 0, 0));
+BenchScene limit() {
+  BenchScene scene = crane(vec3(1, 0, 0));
   scene.name = "S4l";
   hinge_of(scene).set_limits(-sixty_degrees, sixty_degrees);
   return scene;
 }
 
-Scene motor_into_limit() {
-  Scene scene = motor();
+BenchScene motor_into_limit() {
+  BenchScene scene = motor();
   scene.name = "S4ml";
   hinge_of(scene).set_limits(-sixty_degrees, sixty_degrees);
   return scene;

@@ -8,7 +8,6 @@
 
 #include "bench/settings.h"
 #include "engine/instruments/options.h"
-#include "engine/instruments/summary.h"
 
 using namespace joints;
 using namespace joints::bench;
@@ -18,13 +17,13 @@ namespace {
 constexpr int length = 100;  // bodies of a chain
 
 // A solver; `least` is how many chains it needs to be what its name says.
-struct Solver {
+struct Candidate {
   std::string name, setting;
   Way way;
   int least = 1;
 };
 
-std::vector<Solver> solvers() {
+std::vector<Candidate> candidates() {
   return {
       {"textbook", "one at a time", {.loop = Loop::textbook}},
       {"engine rows", "one at a time", {.loop = Loop::rows}},
@@ -50,12 +49,12 @@ struct Seen {
 };
 
 // Bodies, joints and what the solver keeps for itself: made, run, and counted while they are there.
-Seen look(const Solver& solver, int chains, int iterations, int repetitions) {
+Seen look(const Candidate& candidate, int chains, int iterations, int repetitions) {
   const double before = bytes_in_use();
   Seen seen;
-  Scene scene = cubes_on_hinges(chains, length);
+  BenchScene scene = cubes_on_hinges(chains, length);
   scene.marks = {};  // they are the measure's
-  const Setting setting = solver.way.setting(iterations);
+  const Setting setting = candidate.way.setting(iterations);
   setting.prepare(scene.world);
   const Step step = setting.make();
   const real h = real(1) / 60;
@@ -64,25 +63,21 @@ Seen look(const Solver& solver, int chains, int iterations, int repetitions) {
   for (int k = 0; k < 3; ++k) step(scene.world, h);
   seen.bytes = std::max(0.0, bytes_in_use() - before);
   StepClock clock;
-  for (int k = 0; k < steps; ++k) {
-    clock.start();
-    step(scene.world, h);
-    clock.stop();
-  }
+  for (int k = 0; k < steps; ++k) clock.time([&] { step(scene.world, h); });
   seen.us = clock.median_us();
   return seen;
 }
 
-void measure(FILE* file, const Solver& solver, int chains, int repetitions) {
+void measure(FILE* file, const Candidate& candidate, int chains, int repetitions) {
   const double joints = double(chains) * (length - 1);
-  std::fprintf(stderr, "%.0f joints, %s, %s\n", joints, solver.name.c_str(),
-               solver.setting.c_str());
-  const Seen few = look(solver, chains, 10, repetitions),
-             many = look(solver, chains, 30, repetitions);
+  std::fprintf(stderr, "%.0f joints, %s, %s\n", joints, candidate.name.c_str(),
+               candidate.setting.c_str());
+  const Seen few = look(candidate, chains, 10, repetitions),
+             many = look(candidate, chains, 30, repetitions);
   const double slope = 1000 * (many.us - few.us) / (joints * 20);
   for (const auto& [iterations, seen] : {std::pair{10, few}, std::pair{30, many}}) {
-    std::fprintf(file, "%.0f,%s,%s,%s,%.4f,%.3f,%.3f,", joints, solver.name.c_str(),
-                 solver.setting.c_str(), sizeof(real) == 8 ? "double" : "float", seen.us, slope,
+    std::fprintf(file, "%.0f,%s,%s,%s,%.4f,%.3f,%.3f,", joints, candidate.name.c_str(),
+                 candidate.setting.c_str(), sizeof(real) == 8 ? "double" : "float", seen.us, slope,
                  1000 * seen.us / joints);
     if (seen.bytes > 0) std::fprintf(file, "%.1f", seen.bytes / joints);
     std::fprintf(file, ",%d,%d\n", iterations, chains);
@@ -103,8 +98,9 @@ int main(int argc, char** argv) {
     std::fputs("joints,solver,setting,real,us_per_step,ns_per_joint_iteration,ns_per_joint_step,"
                "bytes_per_joint,iterations,chains\n", file);
     for (const int chains : {1, 10, 101, 1010})
-      for (const Solver& solver : solvers())
-        if (chains >= solver.least) measure(file, solver, chains, options.count("repetitions", 1));
+      for (const Candidate& candidate : candidates())
+        if (chains >= candidate.least)
+          measure(file, candidate, chains, options.count("repetitions", 1));
     std::fclose(file);
   });
 }

@@ -7,20 +7,10 @@ namespace joints::bench {
 
 namespace {
 
-Mark mark(const Scene& scene, BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis) {
-  const Body &body1 = scene.world.bodies[id1], &body2 = scene.world.bodies[id2];
-  return {int(id1.slot),
-          int(id2.slot),
-          glm::dvec3(to_local(body1, anchor - body1.x)),
-          glm::dvec3(to_local(body2, anchor - body2.x)),
-          glm::dvec3(to_local(body1, axis)),
-          glm::dvec3(to_local(body2, axis))};
-}
-
 // The cubes of S1 and S1b; `join` holds two of them together at a place.
 template <class Join>
-Scene cubes(const std::string& name, int chains, int length, Join join) {
-  Scene scene;
+BenchScene cubes(const std::string& name, int chains, int length, Join join) {
+  BenchScene scene;
   scene.name = name;
   scene.chains = chains;
   scene.energy_scale = 0;
@@ -48,21 +38,21 @@ Scene cubes(const std::string& name, int chains, int length, Join join) {
 void join_by_ball(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor) {
   const Body &body1 = scene.world.bodies[id1], &body2 = scene.world.bodies[id2];
   scene.world.add<BallJoint>(id1, id2, point_at(body1, body2, anchor));
-  scene.marks.push_back(mark(scene, id1, id2, anchor, vec3(0)));
+  scene.mark(id1, id2, anchor);
 }
 
 HingeJoint& join_by_hinge(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor,
                           const vec3& axis) {
-  scene.marks.push_back(mark(scene, id1, id2, anchor, axis));
+  scene.mark(id1, id2, anchor, axis);
   return scene.world.add<HingeJoint>(scene.world.bodies, id1, id2, anchor, axis);
 }
 
-Scene cubes_on_balls(int chains, int length) {
+BenchScene cubes_on_balls(int chains, int length) {
   return cubes("S1b", chains, length, join_by_ball);
 }
 
-Scene cubes_on_hinges(int chains, int length) {
-  Scene scene = cubes(length == 4 ? "S5" : "S1", chains, length,
+BenchScene cubes_on_hinges(int chains, int length) {
+  BenchScene scene = cubes(length == 4 ? "S5" : "S1", chains, length,
                       [](Scene& s, BodyId id1, BodyId id2, const vec3& anchor) {
                         join_by_hinge(s, id1, id2, anchor, vec3(1, 0, 0));
                       });
@@ -70,22 +60,22 @@ Scene cubes_on_hinges(int chains, int length) {
   return scene;
 }
 
-Scene loaded_axes() {
-  Scene scene = cubes_on_hinges(1, 11);
+BenchScene loaded_axes() {
+  BenchScene scene = cubes_on_hinges(1, 11);
   scene.name = "S6";
   scene.world.gravity = vec3(1, real(-9.7587), 0);
   return scene;
 }
 
-Scene sideways_gravity() {
-  Scene scene = cubes_on_hinges(10, 100);
+BenchScene sideways_gravity() {
+  BenchScene scene = cubes_on_hinges(10, 100);
   scene.name = "S7";
   scene.world.gravity = vec3(3, real(-9.81), 0);
   return scene;
 }
 
-Scene heavy_end_unreferenced(double ratio) {
-  Scene scene;
+BenchScene heavy_end_unreferenced(double ratio) {
+  BenchScene scene;
   char number[32];
   std::snprintf(number, sizeof number, "%g", ratio);
   scene.name = std::string("S2 R=") + (ratio < 1e5 ? std::to_string(int(ratio)) : number);
@@ -108,8 +98,8 @@ Scene heavy_end_unreferenced(double ratio) {
   return scene;
 }
 
-Scene heavy_end(double ratio) {
-  Scene scene = heavy_end_unreferenced(ratio);
+BenchScene heavy_end(double ratio) {
+  BenchScene scene = heavy_end_unreferenced(ratio);
   scene.tip_mask = {1, 1, 0};
   const struct {
     double ratio, x, y;
@@ -124,8 +114,8 @@ Scene heavy_end(double ratio) {
   refuse("ratio: no reference is known for this mass; take 1, 10, 100, 1000 or 10000");
 }
 
-Scene chain_of_masses(const std::vector<double>& masses, const vec3& along) {
-  Scene scene;
+BenchScene chain_of_masses(const std::vector<double>& masses, const vec3& along) {
+  BenchScene scene;
   scene.name = "chain of masses";
   scene.energy_scale = 0;
   BodyId before = scene.world.add(static_body(vec3(0)));

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "bench/own_loop.h"
 #include "bench/textbook.h"
 
 namespace joints::bench {
@@ -135,17 +134,32 @@ Step of_the_engine(const Way& way, int iterations) {
   return step_with(solver, way, iterations);
 }
 
+std::vector<TextbookHinge> textbook_hinges(World& world) {
+  std::vector<TextbookHinge> hinges;
+  for (const auto& joint : world.joints()) {
+    Body &a = world.bodies[joint->body1], &b = world.bodies[joint->body2];
+    hinges.emplace_back(a, b, a.x, vec3(1, 0, 0), joint->beta);
+  }
+  return hinges;
+}
+
 Step of_the_textbook(const Way& way, int iterations) {
   const auto solver = std::make_shared<TextbookSolver>();
   solver->iterations = iterations;
   solver->recompute = way.loop == Loop::recomputed;
   return [solver](World& world, real h) {
     if (solver->joints.empty())
-      for (const auto& joint : world.joints()) {
-        Body &a = world.bodies[joint->body1], &b = world.bodies[joint->body2];
-        solver->joints.push_back(
-            std::make_unique<TextbookHinge>(a, b, a.x, vec3(1, 0, 0), joint->beta));
-      }
+      for (const TextbookHinge& hinge : textbook_hinges(world))
+        solver->joints.push_back(std::make_unique<TextbookHinge>(hinge));
+    solver->step(world, h);
+  };
+}
+
+Step of_the_flat_textbook(int iterations) {
+  const auto solver = std::make_shared<FlatSolver>();
+  solver->iterations = iterations;
+  return [solver](World& world, real h) {
+    if (solver->hinges.empty()) solver->hinges = textbook_hinges(world);
     solver->step(world, h);
   };
 }
@@ -159,16 +173,19 @@ Step of_chapter_7(const Way& way, int iterations, std::shared_ptr<std::unique_pt
       int chains = 0;  // each hangs on a static body of its own
       for (int slot = 0; slot < world.bodies.slots(); ++slot)
         chains += world.bodies.at(slot).is_static();
-      *loop = own_loop(world, chains, iterations, Visits::chain_a_lane, way.relaxation);
+      *loop = own_loop(world, chains, iterations, way.visits, way.relaxation);
     }
     (*loop)->step(h);
   };
 }
 
 Step step_of(const Way& way, int iterations) {
-  const bool engine =
-      way.loop == Loop::rows || way.loop == Loop::packed || way.loop == Loop::lanes;
-  return engine ? of_the_engine(way, iterations) : of_the_textbook(way, iterations);
+  switch (way.loop) {
+    case Loop::textbook:
+    case Loop::recomputed: return of_the_textbook(way, iterations);
+    case Loop::flat: return of_the_flat_textbook(iterations);
+    default: return of_the_engine(way, iterations);
+  }
 }
 
 }  // namespace
@@ -180,7 +197,9 @@ Setting Way::setting(int iterations_a_step) const {
     return way.loop == Loop::hinges ? of_chapter_7(way, iterations, loop)
                                     : step_of(way, iterations);
   };
-  if (this->loop == Loop::hinges) setting.show = [loop](World& world) { (*loop)->show(world); };
+  setting.show = [loop](World& world) {
+    if (*loop) (*loop)->show(world);
+  };
   setting.prepare = [beta = beta, whole = whole](World& world) {
     for (const auto& joint : world.joints()) {
       joint->beta = beta;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/orders.h"
+#include "bench/own_loop.h"
 #include "bench/runner.h"
 #include "engine/sequential_impulses.h"
 #include "engine/step.h"
@@ -21,7 +22,8 @@ enum class Loop {
   lanes,      ///< packed blocks, eight (float) or four (double) at a time
   hinges,     ///< chapter 7's: hinges alone, a chain a lane; its bodies start anew in every run
   textbook,   ///< a class a joint, set up once a step
-  recomputed  ///< the same, set up anew in every iteration
+  recomputed,  ///< the same, set up anew in every iteration
+  flat        ///< the textbook's hinges in one array, without the virtual call
 };
 
 /// A line of the figures: a solver, and all that is set in it and in the joints.
@@ -30,6 +32,7 @@ struct Way {
   std::string scenes{};  ///< keys of the scenes on which it is tried, with blanks between
   Loop loop = Loop::rows;
   Packing packing = Packing::islands;  ///< packed and lanes only
+  Visits visits = Visits::chain_a_lane;  ///< hinges only
   Order order = Order::forward;      ///< rows only
   bool warm = false;        ///< begin with the impulses of the last step
   bool row_by_row = false;  ///< rows only

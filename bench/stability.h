@@ -2,6 +2,7 @@
 // function that tells its lines one by one. `./wb bench --stability` runs them all.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "bench/runner.h"
@@ -46,8 +47,7 @@ std::vector<Case> cases();
 Line compared(Line line, double expected, double measured, double tolerance);
 /// The line of a rule: ok where it holds, else off, nan where the measured number is none.
 Line judged(Line line, double measured, bool holds);
-/// The line of a scene that was run. Energy that was gained on the way counts, too, even where it
-/// is lost again at the end.
+/// The line of a scene that was run.
 Line of_run(Line line, const Result& result);
 /// A tolerance that depends on the kind of number.
 inline double digits(double in_double, double in_float) {
@@ -72,13 +72,9 @@ std::vector<Method> methods();
 /// As a setting of the runner.
 Setting setting_of(const Method& method);
 
-/// What an iteration leaves of the error in the long run [1]: the blocks of the first step are
-/// swept until what an iteration changes is rounding. Where that takes more than `most` iterations
-/// it is a lower bound.
-double iteration_rate(World& world, int most);
 /// Gives all bodies of a scene velocities, so that no mode of the iterations is missing.
 /// \param planar only those that its forbidden direction leaves: a plane chain stays plane
-void kick(Scene& scene, bool planar);
+void kick(BenchScene& scene, bool planar);
 
 /// The rates of a scene's iterations, each a lower bound where it is very close to 1.
 struct Rates {
@@ -98,10 +94,19 @@ struct Watch {
   bool finite = true;
   void step(real h) {
     joints::step(world, solver, h, stepping);
-    finite = finite && all_finite(world);
+    finite = finite && all_finite(all_of(world.bodies));
   }
   /// The number, or NaN where a body was not finite at some time.
   double seen(double number) const { return finite ? number : none; }
+  /// The largest that a value which is never negative is after any of so many steps, or NaN.
+  double largest(int steps, real h, const std::function<double()>& value) {
+    double most = 0;
+    for (int k = 0; k < steps; ++k) {
+      step(h);
+      most = std::max(most, value());
+    }
+    return seen(most);
+  }
 };
 
 // ---- the cases ----------------------------------------------------------------------------------

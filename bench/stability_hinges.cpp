@@ -32,12 +32,7 @@ struct Rotor {
   double in_degrees() const { return double(hinge->position(world.bodies) / degree); }
   // The furthest that it came in so many steps [degrees].
   double furthest(int steps) {
-    double most = -1e9;
-    for (int k = 0; k < steps; ++k) {
-      watch.step(h);
-      most = std::max(most, std::abs(in_degrees()));
-    }
-    return watch.seen(most);
+    return watch.largest(steps, h, [&] { return std::abs(in_degrees()); });
   }
 };
 
@@ -50,16 +45,14 @@ void spinning_hinge(bool quick, const Tell& tell) {
       rotor.hinge->whole = whole;
       rotor.watch.stepping.warm_start = warm;
       const double before = kinetic_energy(rotor.world.bodies[rotor.body]);
-      double most = 0;
-      for (int k = 0; k < (quick ? 60 : 600); ++k) {
-        rotor.watch.step(h);
-        most = std::max(most, kinetic_energy(rotor.world.bodies[rotor.body]) / before);
-      }
+      const double most = rotor.watch.largest(quick ? 60 : 600, h, [&] {
+        return kinetic_energy(rotor.world.bodies[rotor.body]) / before;
+      });
       tell(judged({.id = "X8", .method = std::string(whole ? "whole" : "apart") +
                                          (warm ? ", warm 30" : ", cold 30"),
                    .parameter = "most energy / start, hinge 0.5 m beside, spin [rad/s]",
                    .value = 1000},
-                  rotor.watch.seen(most), most < 1.02));
+                  most, most < 1.02));
     }
 }
 
@@ -134,7 +127,7 @@ void motors_into_limits(bool quick, const Tell& tell) {
     for (bool whole : {true, false})
       for (bool warm : {false, true}) {
         if (quick && (!whole || iterations > 1)) continue;
-        Scene scene = motor_into_limit();
+        BenchScene scene = motor_into_limit();
         HingeJoint& hinge = hinge_of(scene);
         hinge.whole = whole;
         Watch watch{scene.world};
@@ -160,7 +153,7 @@ void motors_into_limits(bool quick, const Tell& tell) {
                                  .parameter = "speed at rest [rad/s], limit [deg]", .value = 60},
                                 0, watch.seen(speed), digits(1e-6, 1e-3));
         const Rates rates = rates_of([&] {
-          Scene again = motor_into_limit();
+          BenchScene again = motor_into_limit();
           again.forbidden = glm::dvec3(0);  // hinge and limit, blocks apart: all their modes
           hinge_of(again).whole = whole;
           return again;

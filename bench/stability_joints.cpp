@@ -25,13 +25,7 @@ struct Hanging : Scene {
   }
   double gap() const { return joints::gap(marks.front(), poses(world.bodies)); }
   double largest_gap(int steps) {
-    Watch watch{world};
-    double largest = 0;
-    for (int k = 0; k < steps; ++k) {
-      watch.step(h);
-      largest = std::max(largest, gap());
-    }
-    return watch.seen(largest);
+    return Watch{world}.largest(steps, h, [&] { return gap(); });
   }
 };
 
@@ -67,15 +61,11 @@ void coincident_points(bool, const Tell& tell) {
     const BodyId b = world.add(ball(2, real(0.1), vec3(1, 2, 3)));
     world.gravity = vec3(0);
     auto& rod = world.add<DistanceJoint>(a, b, Distance{vec3(0), vec3(0), 1});
-    Watch watch{world};
-    double impulse = 0;
-    for (int k = 0; k < 60; ++k) {
-      watch.step(h);
-      impulse = std::max(impulse, std::abs(double(rod.impulse()[0])));
-    }
+    const double impulse =
+        Watch{world}.largest(60, h, [&] { return std::abs(double(rod.impulse()[0])); });
     tell(compared({.id = "X5", .method = "rod, ends in one point",
                    .parameter = "impulse, rod of [m]", .value = 1},
-                  0, watch.seen(impulse), 0));
+                  0, impulse, 0));
   }
   for (bool warm : {false, true}) {
     World world;  // falls g h^2 in the first step, in which it has no direction, and comes back
@@ -84,15 +74,12 @@ void coincident_points(bool, const Tell& tell) {
     world.add<CentreRopeJoint>(wall, body, Rope<CentreDistance>{{0}});
     Watch watch{world};
     watch.stepping.warm_start = warm;
-    double lowest = 0;
-    for (int k = 0; k < 600; ++k) {
-      watch.step(h);
-      lowest = std::max(lowest, double(length(world.bodies[body].x)));
-    }
+    const double lowest =
+        watch.largest(600, h, [&] { return double(length(world.bodies[body].x)); });
     const double expected = 9.81 / 3600;
     tell(compared({.id = "X5", .method = warm ? "rope of 0 m, warm" : "rope of 0 m, cold",
                    .parameter = "lowest point, rope of [m]", .value = 0},
-                  expected, watch.seen(lowest), 1e-3 * expected));
+                  expected, lowest, 1e-3 * expected));
   }
 }
 
@@ -146,12 +133,12 @@ void far_away(bool quick, const Tell& tell) {
 namespace {
 
 // A rod of moments 1 : 1 : 1e-4 swings from its end and spins about its length.
-Scene needle() {
+BenchScene needle() {
   Body body = body_with(2, vec3(real(1) / 6, real(1.0 / 6e4), real(1) / 6), vec3(0));
   body.q = rotation(vec3(0, 0, real(1.2)));
   body.x = to_world(body, vec3(0, real(-0.5), 0));
   body.w = to_world(body, vec3(0, 3, 0));
-  Scene scene;
+  BenchScene scene;
   scene.energy_scale = 2 * 9.81 * 0.5;
   scene.tip_mask = glm::dvec3(0);
   const BodyId wall = scene.world.add(static_body(vec3(0))), id = scene.world.add(body);
@@ -179,7 +166,7 @@ void masses_apart(bool quick, const Tell& tell) {
     up.push_back(std::pow(10, k - 6));
     down.insert(down.begin(), up.back());
   }
-  Scene light = chain_of_masses(down, vec3(0, -1, 0));
+  BenchScene light = chain_of_masses(down, vec3(0, -1, 0));
   Watch watch{light.world};
   for (int k = 0; k < (quick ? 60 : 600); ++k) watch.step(h);
   double shift = 0;

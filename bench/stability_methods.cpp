@@ -1,10 +1,9 @@
-// What all cases of the stability suite share: the list of them, lines, methods, the iteration
-// rate.
-#include <algorithm>
+// What all cases of the stability suite share: the list of them, lines, methods, rates.
 #include <cmath>
 #include <random>
 
 #include "bench/stability.h"
+#include "engine/instruments/rate.h"
 
 namespace joints::bench {
 
@@ -46,9 +45,6 @@ Line judged(Line line, double measured, bool holds) {
 
 Line of_run(Line line, const Result& result) {
   line.status = result.status;
-  const bool calm = line.status == "ok" || line.status == "soft" || line.status == "torn";
-  if ((calm || line.status == "energy+") && result.energy_peak > 1) line.status = "exploded";
-  else if (calm && result.energy_peak > 0.02) line.status = "energy+";
   line.measured = line.gap_max = result.gap_max;
   line.gap_rms = result.gap_rms;
   line.energy_drift = result.energy_drift;
@@ -97,31 +93,7 @@ Setting setting_of(const Method& method) {
   return setting;
 }
 
-namespace {
-
-struct Change {
-  double size;    // of what an iteration changed
-  double lambda;  // the largest impulse
-};
-
-// Compares the impulses with those before, and remembers them.
-Change change_of(const Blocks& blocks, std::vector<double>& before) {
-  double sum = 0, largest = 0;
-  std::size_t at = 0;
-  for (const Block& block : blocks.list)
-    for (int i = 0; i < block.rows; ++i, ++at) {
-      const double now = double(block.impulse[i]);
-      if (at == before.size()) before.push_back(0);
-      sum += (now - before[at]) * (now - before[at]);
-      largest = std::max(largest, std::abs(now));
-      before[at] = now;
-    }
-  return {std::sqrt(sum), largest};
-}
-
-}  // namespace
-
-void kick(Scene& scene, bool planar) {
+void kick(BenchScene& scene, bool planar) {
   std::mt19937 random(1);
   const auto number = [&] { return real(double(random()) / 4294967296.0 - 0.5); };
   const vec3 f(scene.forbidden);
@@ -134,27 +106,11 @@ void kick(Scene& scene, bool planar) {
   }
 }
 
-double iteration_rate(World& world, int most) {
-  SequentialImpulses solver;
-  begin_step(world, solver, real(1) / 60);
-  std::vector<double> before, sizes;
-  while (int(sizes.size()) < most) {
-    solver.iterate(world.bodies);
-    const Change change = change_of(world.blocks, before);
-    if (change.size <= 200 * double(epsilon) * change.lambda) break;
-    sizes.push_back(change.size);
-  }
-  const std::size_t last = sizes.size();
-  if (last < 2) return 0;  // solved at once
-  const std::size_t first = std::min(last - 2, last - 1 - last / 10);
-  return std::pow(sizes[last - 1] / sizes[first], 1.0 / double(last - 1 - first));
-}
-
 Rates rates_of(const MakeScene& make) {
   const auto rate = [&](bool planar) {
-    Scene scene = make();
+    BenchScene scene = make();
     kick(scene, planar);
-    return iteration_rate(scene.world, 3000);
+    return contraction_rate(scene.world, 3000);
   };
   return {rate(true), rate(false)};
 }

@@ -143,7 +143,7 @@ void a_long_time(bool quick, const Tell& tell) {
     for (int k = 0; k < minutes * minute; ++k) {
       if (k % 300 == 0) door.set_motor(k % 600 != 0 ? -2 : 2, 50);
       watch.step(h);
-      poses(scene.world.bodies, at);
+      poses(all_of(scene.world.bodies), at);
       now.gap = std::max(now.gap, gap(scene.marks.front(), at));
       now.energy = std::max(now.energy, kinetic_energy(scene.world.bodies[leaf]) +
                                             20 * 9.81 * at[leaf.slot].x.y);

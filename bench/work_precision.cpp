@@ -63,7 +63,7 @@ const char* const columns =
     "gap_rms_m,gap_max_m,axis_error_rad,energy_drift,tip_error_m,status,sideways_m,measures,"
     "fronts\n";
 
-void write(FILE* file, const Scene& scene, const std::string& measures, const Point& point) {
+void write(FILE* file, const BenchScene& scene, const std::string& measures, const Point& point) {
   const Result& r = point.result;
   std::fprintf(file, "%s,%d,%s,%s,%s,%d,%d,%d,%.4f,%.3f,%.8g,%.8g,%.8g,%.8g,%.8g,%s,%.8g,%s,%s\n",
                scene.name.c_str(), scene.chains, point.way.solver().c_str(),
@@ -87,7 +87,7 @@ double slope(const Point& a, const Point& b, std::size_t joints) {
 }
 
 // One setting on one scene, over the counts of iterations.
-std::vector<Point> series(const Entry& entry, const Scene& scene, const Way& way,
+std::vector<Point> series(const Entry& entry, const BenchScene& scene, const Way& way,
                           const std::vector<int>& counts, int repetitions) {
   std::vector<Point> points;
   for (const int count : counts) {
@@ -114,7 +114,7 @@ bool counts(const Result& r) {
 }
 
 void measure(FILE* file, const Entry& entry, const std::vector<int>& counted, bool quick) {
-  const Scene scene = entry.make();
+  const BenchScene scene = entry.make();
   std::vector<Point> points;
   for (const Way& way : ways()) {
     if (!way.means_something_on(entry.key) || (quick && !way.quick)) continue;
@@ -135,7 +135,7 @@ void measure(FILE* file, const Entry& entry, const std::vector<int>& counted, bo
 
 // Nothing but steps, for counting instructions: the difference of two calls is what is sought.
 void only_steps(int iterations, int steps) {
-  Scene scene = cubes_on_hinges(1, 100);
+  BenchScene scene = cubes_on_hinges(1, 100);
   SequentialImpulses solver;
   solver.iterations = iterations;
   for (int n = 0; n < steps; ++n) step(scene.world, solver, real(1) / 60);

@@ -106,7 +106,7 @@ class DrivenJoint : public Joint {
 
   /// Counts turns, and chooses the limit that has a row in this step.
   void choose_rows(const Bodies& bodies, real h) override;
-  void drop_rows() override { limit_ = late_ = {}; }
+  void drop_rows() override { limit_ = late_ = {}; }  ///< between two static bodies
   /// Measures again, so that no turn is lost, if projection has moved the bodies too far.
   void moved(const Bodies& bodies) override;
   /// Appends motor, limit and rigid rows, as far as they are live.

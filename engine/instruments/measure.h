@@ -1,7 +1,8 @@
-// Measuring: gaps, axis errors, energy and momentum, from poses and marks alone and in double, so
-// that any engine can be measured by the same code. The engine does not include this file.
+// Measuring: gaps and axis errors from poses and marks, energy from the bodies' state, all in
+// double. The engine does not include this file.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/body.h"
@@ -17,18 +18,12 @@ struct Pose {
   glm::dquat q{1, 0, 0, 0};  ///< body space to world
 };
 
-/// What a body weighs; all zero for a static one, which then counts nowhere.
-struct MassProperties {
-  double mass = 0;       ///< [kg]
-  glm::dvec3 inertia{0};  ///< principal moments [kg m^2]
-};
-
 /// The poses of all slots of the array.
 std::vector<Pose> poses(const Bodies& bodies);
-/// The same into a vector that exists, without allocation once it is long enough.
-void poses(const Bodies& bodies, std::vector<Pose>& out);
-/// The masses of all slots of the array.
-std::vector<MassProperties> masses(const Bodies& bodies);
+/// The same of any bodies, into a vector that exists, without allocation once it is long enough.
+void poses(std::span<const Body> bodies, std::vector<Pose>& out);
+/// The whole array, empty slots included.
+std::span<const Body> all_of(const Bodies& bodies);
 
 /// A place that ought to stay together: a point, and where wanted an axis, of each of two bodies.
 struct Mark {
@@ -47,6 +42,7 @@ class GapMeter {
  public:
   /// Looks at every mark once.
   void look(const std::vector<Mark>& marks, const std::vector<Pose>& poses);
+  void add(double gap);                   ///< one more gap, measured in another way [m]
   double rms() const;                     ///< [m]
   double maximum() const { return max_; }  ///< [m]
   double axis_maximum() const { return axis_max_; }  ///< [rad]
@@ -56,26 +52,12 @@ class GapMeter {
   long count_ = 0;
 };
 
-/// Three poses of every body, one step apart: velocities are their central differences.
-struct Moment {
-  const std::vector<Pose>& before;  ///< one step earlier
-  const std::vector<Pose>& now;     ///< the moment itself
-  const std::vector<Pose>& after;   ///< one step later
-  double h;                         ///< the step between two of them [s]
-};
-
-/// Energy of position [J], zero at the origin.
-double potential_energy(const std::vector<Pose>& poses, const std::vector<MassProperties>& masses,
-                        const glm::dvec3& gravity);
-/// Energy of motion [J].
-double kinetic_energy(const Moment& moment, const std::vector<MassProperties>& masses);
-/// Linear momentum [kg m/s].
-glm::dvec3 momentum(const Moment& moment, const std::vector<MassProperties>& masses);
-/// Angular momentum about the origin [kg m^2/s].
-glm::dvec3 angular_momentum(const Moment& moment, const std::vector<MassProperties>& masses);
-
-/// Energy of motion [J] of one body from its own velocities, 0 for a static one.
+/// Energy of motion [J] of one body, 0 for a static one.
 double kinetic_energy(const Body& body);
+/// Energy of motion and of position of all bodies [J], zero at rest in the origin.
+double energy(std::span<const Body> bodies, const vec3& gravity);
+/// True while every place, orientation and velocity of every body is an ordinary number.
+bool all_finite(std::span<const Body> bodies);
 
 }  // namespace joints
 /// @}

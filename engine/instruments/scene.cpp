@@ -38,43 +38,44 @@ bool read(Settings& settings, const std::string& program, const std::string& sec
   return true;
 }
 
-double energy(const World& world) {
-  double sum = potential_energy(poses(world.bodies), masses(world.bodies),
-                                glm::dvec3(world.gravity));
-  for (int slot = 0; slot < world.bodies.slots(); ++slot)
-    sum += kinetic_energy(world.bodies.at(slot));
-  return sum;
+Experiment experiment_of(Scene& scene, int steps) {
+  return {.step = [&scene] { scene.step(); },
+          .bodies = [&scene] { return all_of(scene.world.bodies); },
+          .gaps =
+              [&scene, now = std::vector<Pose>()](GapMeter& meter) mutable {
+                if (scene.gaps) return scene.gaps(meter);
+                poses(all_of(scene.world.bodies), now);
+                meter.look(scene.marks, now);
+              },
+          .steps = steps,
+          .gravity = scene.world.gravity,
+          .energy_scale = scene.energy_scale};
+}
+
+void draw(Motion& motion, const std::vector<Mark>& marks, int first) {
+  for (const Mark& mark : marks) {
+    const glm::dvec3 &a = mark.anchor1_local, &b = mark.anchor2_local;
+    const int body1 = first + mark.body1, body2 = first + mark.body2;
+    motion.line({body1, body1, {0, 0, 0}, {a.x, a.y, a.z}});
+    motion.line({body2, body2, {0, 0, 0}, {b.x, b.y, b.z}});
+  }
 }
 
 Summary play(Scene& scene, const std::string& setting, double seconds,
-             const std::string& motion_path, const std::function<void(double)>& look) {
+             const std::string& motion_path, const std::function<void(double)>& look,
+             const std::function<void()>& step) {
   Motion motion(scene.name, double(scene.h));
   for (const Shape& shape : scene.shapes) motion.body(shape);
-  for (const Mark& mark : scene.marks) {
-    const glm::dvec3 &a = mark.anchor1_local, &b = mark.anchor2_local;
-    motion.line({mark.body1, mark.body1, {0, 0, 0}, {a.x, a.y, a.z}});
-    motion.line({mark.body2, mark.body2, {0, 0, 0}, {b.x, b.y, b.z}});
-  }
+  draw(motion, scene.marks);
   for (const Segment& segment : scene.segments) motion.line(segment);
-  StepClock clock;
-  GapMeter gaps;
-  std::vector<Pose> now;
-  const double start = energy(scene.world);
-  const int steps = int(std::lround(seconds / double(scene.h)));
-  for (int n = 0; n <= steps; ++n) {
-    if (n > 0) {
-      clock.start();
-      scene.step();
-      clock.stop();
-    }
-    poses(scene.world.bodies, now);
-    gaps.look(scene.marks, now);
+  Experiment experiment = experiment_of(scene, steps_in(seconds, scene.h));
+  if (step) experiment.step = step;
+  const Measures measures = run(experiment, [&](int n) {
     motion.frame(scene.world.bodies.data());
     look(n * double(scene.h));
-  }
+  });
   if (!motion_path.empty()) motion.write(motion_path);
-  return {scene.name, setting, clock.median_us(), gaps.rms(), gaps.maximum(),
-          (energy(scene.world) - start) / scene.energy_scale};
+  return {measures, scene.name, setting};
 }
 
 }  // namespace joints

@@ -1,9 +1,6 @@
 // A scene that a chapter's program runs, watches and records. The engine does not include it.
 #pragma once
 
-#include <functional>
-
-#include "engine/instruments/measure.h"
 #include "engine/instruments/record.h"
 #include "engine/sequential_impulses.h"
 #include "engine/step.h"
@@ -22,6 +19,7 @@ struct Scene {
   std::vector<Mark> marks{};      ///< one a joint: what should stay together
   std::vector<Shape> shapes{};    ///< one a body, in their order
   std::vector<Segment> segments{};  ///< lines of the recording, beside those of the marks
+  std::function<void(GapMeter&)> gaps{};  ///< in place of the marks': adds every gap as it is
   double energy_scale = 1;        ///< what the change of the energy is divided by [J]
   real h = real(1) / 60;          ///< the step [s]
 
@@ -50,14 +48,19 @@ struct Settings {
 bool read(Settings& settings, const std::string& program, const std::string& seconds,
           const std::string& what_runs, int argc, const char* const* argv);
 
-/// Kinetic energy and energy of position of all bodies [J].
-double energy(const World& world);
+/// A scene as an experiment: its step, the gaps of its marks, its energy.
+Experiment experiment_of(Scene& scene, int steps);
+/// Draws the lines of some marks, from the centre of each body to its anchor.
+/// \param first number of the body that slot 0 of the marks is in the recording
+void draw(Motion& motion, const std::vector<Mark>& marks, int first = 0);
 
 /// Runs a scene and measures it. \param look called with the time [s] before the first step and
 /// after each one \param motion_path where the recording goes; "" for none
+/// \param step in place of the scene's own
 Summary play(Scene& scene, const std::string& setting, double seconds,
              const std::string& motion_path = "",
-             const std::function<void(double)>& look = [](double) {});
+             const std::function<void(double)>& look = [](double) {},
+             const std::function<void()>& step = {});
 
 }  // namespace joints
 /// @}

@@ -1,30 +1,11 @@
 // The summary of a program.
 #include "engine/instruments/summary.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 #include "engine/instruments/record.h"
 
 namespace joints {
-
-namespace {
-long long now_ns() {
-  return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
-}
-}  // namespace
-
-void StepClock::start() { started_ = now_ns(); }
-void StepClock::stop() { times_.push_back(double(now_ns() - started_) / 1000); }
-
-double StepClock::median_us() const {
-  if (times_.empty()) return 0;
-  std::vector<double> sorted = times_;
-  const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return *middle;
-}
 
 void report(const std::vector<Summary>& lines, const std::string& folder) {
   CsvFile file(folder + "/summary.csv", {"scene", "setting", "us_per_step", "gap_rms_m",

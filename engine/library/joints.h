@@ -11,5 +11,5 @@
 #include "chapters/08_ground/ground_contact.h"
 #include "engine/reaction.h"
 #include "engine/sequential_impulses.h"
-#include "engine/step.h"
 #include "engine/simd/packed.h"
+#include "engine/step.h"

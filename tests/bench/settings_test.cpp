@@ -83,7 +83,7 @@ TEST_CASE("half a kick moves no static body") {
 
 TEST_CASE("packed one at a time in the order of the list a chain moves as with the engine's rows") {
   const auto list = bench::ways();
-  bench::Scene one = bench::cubes_on_hinges(2, 12), other = bench::cubes_on_hinges(2, 12);
+  bench::BenchScene one = bench::cubes_on_hinges(2, 12), other = bench::cubes_on_hinges(2, 12);
   bench::Step rows = way("sequential impulses", "cold", list).setting(30).make();
   bench::Step packed = way("packed", "list", list).setting(30).make();
   for (int n = 0; n < 60; ++n) {

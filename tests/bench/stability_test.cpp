@@ -47,20 +47,6 @@ TEST_CASE("a number that is known is ok within its tolerance and off outside and
   CHECK(status(lost, 1) == "nan");
 }
 
-TEST_CASE("energy that is gained on the way is flagged though it is lost again at the end") {
-  Result result;
-  result.status = "soft";
-  result.energy_drift = -0.1;
-  result.energy_peak = 0.01;
-  CHECK(of_run({}, result).status == "soft");
-  result.energy_peak = 0.03;
-  CHECK(of_run({}, result).status == "energy+");
-  result.energy_peak = 1.9;
-  CHECK(of_run({}, result).status == "exploded");
-  result.status = "nan";
-  CHECK(of_run({}, result).status == "nan");
-}
-
 TEST_CASE("the cases whose outcome is known come out as they should") {
   for (const char* id : {"X2", "X5", "X6", "X7", "X9", "X10", "X11", "X12", "X13", "X14", "X15",
                          "X16", "X17"}) {
@@ -131,7 +117,7 @@ TEST_CASE("S1 in its plane stays there and S7 goes out of it for want of iterati
   const auto plane = [] { return cubes_on_hinges(1, 21); };
   CHECK(after(plane, {.name = "cold 10", .iterations = 10}, 120).sideways < tolerance(1e-9, 1e-3));
   const auto side = [] {
-    Scene scene = cubes_on_hinges(1, 5);
+    BenchScene scene = cubes_on_hinges(1, 5);
     scene.world.gravity = sideways_gravity().world.gravity;
     return scene;
   };
@@ -146,7 +132,7 @@ TEST_CASE("S1 in its plane stays there and S7 goes out of it for want of iterati
 
 TEST_CASE("S3 begins as a quarter of a circle with chords of 1 m between its static ends") {
   for (bool hinges : {true, false}) {
-    Scene scene = hanging_bridge(hinges);
+    BenchScene scene = hanging_bridge(hinges);
     const auto start = poses(scene.world.bodies);
     REQUIRE(start.size() == 42);
     CHECK(scene.marks.size() == 41);
@@ -165,7 +151,7 @@ TEST_CASE("S3 begins as a quarter of a circle with chords of 1 m between its sta
 }
 
 TEST_CASE("S4 the motor comes to 3 rad per s and with limits rests at 60 degrees") {
-  Scene free = motor(), stopped = motor_into_limit(), falling = limit();
+  BenchScene free = motor(), stopped = motor_into_limit(), falling = limit();
   Watch a{free.world}, b{stopped.world}, c{falling.world};
   for (int k = 0; k < 300; ++k)
     for (Watch* watch : {&a, &b, &c}) watch->step(real(1) / 60);

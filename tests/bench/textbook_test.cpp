@@ -13,7 +13,7 @@ using namespace joints::testing;
 TEST_CASE("the textbook's hinges hold a chain as the engine's do, recomputed or not") {
   const real h = real(1) / 60;
   for (const bool recompute : {false, true}) {
-    bench::Scene ours = bench::cubes_on_hinges(2, 8), theirs = bench::cubes_on_hinges(2, 8);
+    bench::BenchScene ours = bench::cubes_on_hinges(2, 8), theirs = bench::cubes_on_hinges(2, 8);
     SequentialImpulses solver;
     bench::TextbookSolver textbook;
     textbook.recompute = recompute;
@@ -36,7 +36,7 @@ TEST_CASE("the textbook's hinges hold a chain as the engine's do, recomputed or 
 
 TEST_CASE("the textbook's hinges do the same to the last digit without virtual calls") {
   const real h = real(1) / 60;
-  bench::Scene ours = bench::cubes_on_hinges(2, 8), theirs = bench::cubes_on_hinges(2, 8);
+  bench::BenchScene ours = bench::cubes_on_hinges(2, 8), theirs = bench::cubes_on_hinges(2, 8);
   bench::TextbookSolver textbook;
   bench::FlatSolver flat;
   textbook.iterations = flat.iterations = 10;

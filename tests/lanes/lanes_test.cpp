@@ -61,7 +61,8 @@ World zoo(const std::vector<int>& order) {
 
 TEST_CASE("one island per lane keeps its own order: chains move as with the scalar solver") {
   for (const bool warm : {false, true}) {
-    bench::Scene scalar = bench::cubes_on_hinges(10, 12), wide = bench::cubes_on_hinges(10, 12);
+    bench::BenchScene scalar = bench::cubes_on_hinges(10, 12);
+    bench::BenchScene wide = bench::cubes_on_hinges(10, 12);
     SequentialImpulses one;
     PackedImpulses other;
     Stepping stepping;

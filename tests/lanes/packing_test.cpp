@@ -189,7 +189,7 @@ TEST_CASE("the grouping is cached until the topology changes") {
             step(kept, solver, h, {.warm_start = warm});
             CHECK(same(kept, fresh));
           }
-          return solver.packed().packed();
+          return solver.packed().groupings();
         };
         const auto both = [&](auto change) { change(kept), change(fresh); };
         const auto hinge = [](World& world) -> HingeJoint& {
@@ -240,9 +240,9 @@ TEST_CASE("while the topology stays a step does not allocate in any packing") {
           stepping.projections = 1;
           step(*world, solver, h, stepping);
           for (int n = 0; n < 120; ++n) {
-            const int before = solver.packed().packed();
+            const int before = solver.packed().groupings();
             const long taken = allocations_of([&] { step(*world, solver, h, stepping); });
-            if (solver.packed().packed() != before) {
+            if (solver.packed().groupings() != before) {
               ++arranged;  // anew: this may take memory
               continue;
             }

@@ -3,8 +3,9 @@
 Installs BUILD into a folder of its own, copies the consumer beside this file next to it, builds the
 copy against the installed files and runs it, once in double and once in float. Nothing that is
 compiled may come from ROOT, nothing that is installed may name it, and the program of a hinge may
-carry no slider, no weld and no ground, that of a crate on the ground no hinge joint. Exit status 0
-when all of that holds, 1 otherwise, 2 for a bad command line.
+carry no slider, no weld and no ground, that of a crate on the ground no hinge joint, that of two
+shafts no slider either. Exit status 0 when all of that holds, 1 otherwise, 2 for a bad command
+line.
 """
 import json
 import re
@@ -16,7 +17,8 @@ from pathlib import Path
 # Of each program: what it must carry, and what it must not.
 OTHERS = r"Line|Slide|RotationLock|Weld|SliderJoint|FixedJoint"
 PROGRAMS = {"door": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
-            "crate": ("Corner::error", rf"{OTHERS}|HingeJoint")}
+            "crate": ("Corner::error", rf"{OTHERS}|HingeJoint"),
+            "shafts": ("Axis::error", rf"{OTHERS}|Corner|GroundContact")}
 
 
 class Wrong(Exception):

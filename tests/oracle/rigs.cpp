@@ -32,18 +32,4 @@ double iteration_rate(const World& world, const System& system) {
   return spectral_radius(G);
 }
 
-double measured_rate(World& world, int settling, int iterations) {
-  const Bodies as_it_was = world.bodies;
-  SequentialImpulses solver;
-  begin_step(world, solver, real(1) / 60);
-  const System system = system_of(world.blocks, world.bodies.slots());
-  const auto left = [&] { return (system.J * velocities(snapshot(world.bodies))).norm(); };
-  for (int k = 0; k < settling; ++k) solver.iterate(world.bodies);
-  const double before = left();
-  for (int k = 0; k < iterations; ++k) solver.iterate(world.bodies);
-  const double rate = std::pow(left() / before, 1.0 / iterations);
-  world.bodies = as_it_was;
-  return rate;
-}
-
 }  // namespace joints::testing

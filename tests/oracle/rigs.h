@@ -42,10 +42,6 @@ Dense iteration_matrix(const Dense& A, const std::vector<int>& block);
 /// The share of an error that an iteration leaves in the long run.
 double iteration_rate(const World& world, const System& system);
 
-/// The same, measured: what an iteration leaves of J V on average, once others have settled the
-/// rest.
-double measured_rate(World& world, int settling, int iterations);
-
 /// A rotor of 1 kg and 1 kg m^2 on a hinge about z through the origin, its centre `lever` beside
 /// it, no gravity, turning at `speed` [rad/s].
 struct Rotor {

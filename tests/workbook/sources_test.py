@@ -4,6 +4,8 @@ import sys
 
 from proofs import files, main, notes, read
 
+import layers
+
 
 LONG_FILES = {"tests/01_distance/test.cpp": "the tests of six exercises"}
 MOST_LINES, MOST_COLUMNS = 330, 100
@@ -33,6 +35,8 @@ def layers_hold(root, build):
     """everybody includes only what lies below: engine, chapters in their order, bench, tests"""
     for path in files(root, ".cpp", ".h"):
         name = path.relative_to(root)
+        if "consumer" in name.parts:  # programs outside
+            continue
         allowed = may_include(name)
         for header in re.findall(r'^\s*#include "([^"]+)"', read(path), re.M):
             if header.endswith(".cpp") or not allowed(header.rpartition("/")[0]):
@@ -54,7 +58,15 @@ def sources_are_short(root, build):
             yield f"{name} has {len(lines)} lines"
 
 
-PROOFS = [layers_hold, sources_are_short]
+def drawing_is_true(root, build):
+    """the drawing of docs/architecture.md shows who includes whom"""
+    drawn = set(re.findall(r'id="(\w+ includes \w+)"', read(root / "docs/architecture.svg")))
+    for arrow in sorted(drawn ^ layers.arrows(root)):
+        yield (f"{arrow}: " + ("drawn, but not so" if arrow in drawn else "not drawn")
+               + "; see plots/architecture.py")
+
+
+PROOFS = [layers_hold, drawing_is_true, sources_are_short]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

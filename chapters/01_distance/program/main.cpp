@@ -44,15 +44,6 @@ Scene bridge() {
   return scene;
 }
 
-double energy(const Scene& scene) {
-  double sum = 0;
-  for (const Body& body : scene.bodies)
-    if (!body.is_static())
-      sum += (double(dot(body.v, body.v)) / 2 + 9.81 * double(body.x.y)) /
-             double(body.inverse_mass);
-  return sum;
-}
-
 // How far a link is from what it allows [m]: a slack rope is not in error.
 double gap(const Scene& scene, const Link& link) {
   const double stretch =
@@ -66,31 +57,25 @@ Summary run(Scene scene, const StepSettings& settings, double seconds, CsvFile& 
   Motion motion(scene.name, settings.h);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) motion.body(scene.shape);
   for (const Link& link : scene.links) motion.line({link.body1, link.body2, {}, {}});
-  StepClock clock;
-  const double start = energy(scene);
-  const int steps = int(std::lround(seconds / double(settings.h)));
-  double squares = 0, worst = 0;
-  for (int n = 0; n <= steps; ++n) {
-    double step_squares = 0, step_worst = 0;
-    for (const Link& link : scene.links) {
-      const double size = gap(scene, link);
-      step_squares += size * size;
-      step_worst = std::max(step_worst, size);
-    }
-    const double links = double(scene.links.size());
-    table.row({double(settings.iterations), n * double(settings.h),
-               std::sqrt(step_squares / links), step_worst, energy(scene) - start});
+  const auto gaps = [&](GapMeter& meter) {
+    for (const Link& link : scene.links) meter.add(gap(scene, link));
+  };
+  const Experiment experiment{.step = [&] { step(scene.bodies, scene.links, settings); },
+                              .bodies = [&] { return std::span<const Body>(scene.bodies); },
+                              .gaps = gaps,
+                              .steps = steps_in(seconds, settings.h),
+                              .gravity = settings.gravity,
+                              .energy_scale = scene.energy_scale};
+  const double start = energy(scene.bodies, settings.gravity);
+  const Measures measures = joints::run(experiment, [&](int n) {
+    GapMeter now;
+    gaps(now);
+    table.row({double(settings.iterations), n * double(settings.h), now.rms(), now.maximum(),
+               energy(scene.bodies, settings.gravity) - start});
     motion.frame(scene.bodies.data());
-    squares += step_squares / links;
-    worst = std::max(worst, step_worst);
-    if (n == steps) break;
-    clock.start();
-    step(scene.bodies, scene.links, settings);
-    clock.stop();
-  }
+  });
   if (!motion_path.empty()) motion.write(motion_path);
-  return {scene.name, std::to_string(settings.iterations) + " iterations", clock.median_us(),
-          std::sqrt(squares / (steps + 1)), worst, (energy(scene) - start) / scene.energy_scale};
+  return {measures, scene.name, std::to_string(settings.iterations) + " iterations"};
 }
 
 void print_plan(const Scene& scene) {

@@ -28,7 +28,7 @@ struct Prepared {
   vec3 bias;
 };
 
-const vec3 rod_size(1, real(0.1), real(0.1));
+const vec3 rod_size(1, real(0.1), real(0.1)), gravity(0, real(-9.81), 0);
 
 // `links` thin rods of 1 m and 1 kg end to end, each in the direction that `bend` gives for it.
 template <class Bend>
@@ -147,21 +147,10 @@ void blow(const std::string& out) {
   }
 }
 
-double energy(const Chain& chain) {
-  double sum = 0;
-  for (const Body& body : chain.bodies) {
-    if (body.is_static()) continue;
-    const vec3 w = to_local(body, body.w);
-    sum += (double(dot(body.v, body.v)) / 2 + 9.81 * double(body.x.y)) / body.inverse_mass +
-           double(dot(w, w / body.inverse_inertia_local)) / 2;
-  }
-  return sum;
-}
-
 // Forces, joints, iterations, places: chapter 1's step, with a block for every joint and bodies
 // that turn.
 void step(Chain& chain, int iterations, real beta, real h) {
-  for (Body& body : chain.bodies) integrate_forces(body, vec3(0, real(-9.81), 0), h);
+  for (Body& body : chain.bodies) integrate_forces(body, gravity, h);
   const std::vector<Prepared> joints = prepare(chain, beta / h);
   for (int iteration = 0; iteration < iterations; ++iteration)
     for (std::size_t k = 0; k < joints.size(); ++k) solve_block(chain, joints, k);
@@ -180,31 +169,27 @@ Summary swing(int links, int iterations, real beta, double seconds, CsvFile& tab
   Motion motion("chain", double(h));
   motion.body({"ball", {0.2, 0.2, 0.2}});
   for (int k = 0; k < links; ++k) motion.body({"box", {rod_size.x, rod_size.y, rod_size.z}});
-  StepClock clock;
-  const double start = energy(chain), scale = 9.81 * 0.5 * links * links;
-  const int steps = int(std::lround(seconds / double(h)));
-  double squares = 0, worst = 0;
-  for (int n = 0; n <= steps; ++n) {
-    double sum = 0, step_worst = 0;
-    for (int k = 0; k < links; ++k) {
-      const double gap = double(length(chain.parts[k].error(chain.bodies[k], chain.bodies[k + 1])));
-      sum += gap * gap;
-      step_worst = std::max(step_worst, gap);
-    }
-    table.row({double(iterations), n * double(h), std::sqrt(sum / links), step_worst,
-               energy(chain) - start});
+  const auto gaps = [&](GapMeter& meter) {
+    for (std::size_t k = 0; k < chain.parts.size(); ++k)
+      meter.add(double(length(chain.parts[k].error(chain.bodies[k], chain.bodies[k + 1]))));
+  };
+  const Experiment experiment{.step = [&] { step(chain, iterations, beta, h); },
+                              .bodies = [&] { return std::span<const Body>(chain.bodies); },
+                              .gaps = gaps,
+                              .steps = steps_in(seconds, h),
+                              .gravity = gravity,
+                              .energy_scale = 9.81 * 0.5 * links * links};
+  const double start = energy(chain.bodies, gravity);
+  const Measures measures = run(experiment, [&](int n) {
+    GapMeter now;
+    gaps(now);
+    table.row({double(iterations), n * double(h), now.rms(), now.maximum(),
+               energy(chain.bodies, gravity) - start});
     motion.frame(chain.bodies.data());
-    squares += sum / links;
-    worst = std::max(worst, step_worst);
-    if (n == steps) break;
-    clock.start();
-    step(chain, iterations, beta, h);
-    clock.stop();
-  }
+  });
   if (!motion_path.empty()) motion.write(motion_path);
-  return {"chain", std::to_string(links) + " links, " + std::to_string(iterations) + " iterations",
-          clock.median_us(), std::sqrt(squares / (steps + 1)), worst,
-          (energy(chain) - start) / scale};
+  return {measures, "chain",
+          std::to_string(links) + " links, " + std::to_string(iterations) + " iterations"};
 }
 
 }  // namespace

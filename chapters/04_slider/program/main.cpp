@@ -18,26 +18,14 @@ SliderJoint& slider(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor,
   return joint;
 }
 
-// How far the anchor of body 2 is off the line, or beyond a limit [m], for all sliders of a scene.
-struct LineGap {
-  double sum = 0, worst = 0;
-  long count = 0;
-  void look(const SliderJoint& joint, const Bodies& bodies) {
-    const Vector<2> C = joint.first.error(bodies[joint.body1], bodies[joint.body2]);
-    const double x = double(joint.position(bodies));
-    const double beyond = std::max({double(joint.limits().lower) - x,
-                                    x - double(joint.limits().upper), 0.0});
-    const double gap = std::hypot(double(C[0]), double(C[1]), beyond);
-    sum += gap * gap;
-    worst = std::max(worst, gap);
-    ++count;
-  }
-  Summary into(Summary line) const {
-    line.gap_rms = std::sqrt(sum / double(count));
-    line.gap_max = worst;
-    return line;
-  }
-};
+// How far the anchor of body 2 is off the line, or beyond a limit [m].
+double gap(const SliderJoint& joint, const Bodies& bodies) {
+  const Vector<2> C = joint.first.error(bodies[joint.body1], bodies[joint.body2]);
+  const double x = double(joint.position(bodies));
+  const double beyond = std::max({double(joint.limits().lower) - x,
+                                  x - double(joint.limits().upper), 0.0});
+  return std::hypot(double(C[0]), double(C[1]), beyond);
+}
 
 // ---- the piston ---------------------------------------------------------------------------------
 
@@ -54,15 +42,14 @@ Summary piston(const Settings& settings, bool whole, CsvFile& table) {
   joint.set_limits(0, real(0.4));
   joint.set_motor(1, 80);
   if (whole) scene.print_plan();
-  LineGap gap;
+  scene.gaps = [&](GapMeter& meter) { meter.add(gap(joint, scene.world.bodies)); };
   const std::string motion = whole == settings.whole ? settings.out + "/piston.motion.json" : "";
-  return gap.into(play(scene, words, settings.seconds, motion, [&](double time) {
+  return play(scene, words, settings.seconds, motion, [&](double time) {
     table.row({words}, {time, double(joint.position(scene.world.bodies)),
                         double(joint.speed(scene.world.bodies)), double(joint.motor_force()),
                         double(joint.limit_force())});
-    gap.look(joint, scene.world.bodies);
     joint.set_motor(int(time / 1.5) % 2 == 0 ? 1 : -1, 80);
-  }));
+  });
 }
 
 // ---- the cannon ---------------------------------------------------------------------------------
@@ -91,21 +78,22 @@ Summary cannon(const Settings& settings, bool whole, CsvFile& table) {
   push.set_limits(0, unbounded);
   if (whole) scene.print_plan();
   bool flying = false;
-  LineGap gap;
+  scene.gaps = [&](GapMeter& meter) {
+    meter.add(gap(rail, scene.world.bodies));
+    if (!flying) meter.add(gap(push, scene.world.bodies));
+  };
   const std::string motion = whole == settings.whole ? settings.out + "/cannon.motion.json" : "";
   const double seconds = std::min(settings.seconds, 2.0);
-  return gap.into(play(scene, words, seconds, motion, [&](double time) {
+  return play(scene, words, seconds, motion, [&](double time) {
     const Bodies& bodies = scene.world.bodies;
     const vec3 x = bodies[shot].x;
     table.row({words}, {time, double(rail.position(bodies)), double(rail.speed(bodies)),
                         double(x.x), double(x.y), double(length(bodies[shot].v)),
                         flying ? 1.0 : 0.0});
-    gap.look(rail, bodies);
     if (flying) return;
-    gap.look(push, bodies);
     flying = push.position(bodies) > real(0.5);
     if (flying) scene.world.remove(push);
-  }));
+  });
 }
 
 // ---- a motor without levers ---------------------------------------------------------------------
@@ -147,13 +135,12 @@ void momentum(const Settings& settings, bool levers, CsvFile& table) {
     joint.set_motor(100, 5);  // a speed that it does not reach: 5 N all the while
   else
     scene.world.add<CentreMotor>(id1, id2, joint.coordinate.a1_local, real(100), real(5));
-  const auto masses = joints::masses(scene.world.bodies);
   play(scene, "", 1, "", [&](double time) {
     double L = 0;
     for (const BodyId id : {id1, id2}) {
       const Body& body = scene.world.bodies[id];
       const vec3 w = to_local(body, body.w);
-      const glm::dvec3 spin = masses[id.slot].inertia * glm::dvec3(w);
+      const glm::dvec3 spin = glm::dvec3(w) / glm::dvec3(body.inverse_inertia_local);
       L += double(cross(body.x, body.v).z) / double(body.inverse_mass) +
            double(to_world(body, vec3(spin)).z);
     }

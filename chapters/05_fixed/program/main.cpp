@@ -5,6 +5,7 @@
 
 #include "chapters/05_fixed/fixed_joint.h"
 #include "engine/instruments/options.h"
+#include "engine/instruments/rate.h"
 #include "engine/instruments/scene.h"
 
 using namespace joints;
@@ -39,23 +40,6 @@ struct Beam {
   }
   double sag() const { return -double(scene.world.bodies[tip].x.y); }
 };
-
-// By how much one iteration shrinks what is still to be done, in the long run: the rate at which
-// the tip's velocity goes on changing in the first step.
-double contraction(const Settings& settings, bool whole) {
-  Beam beam(10, settings, 1, whole, false);
-  World& world = beam.scene.world;
-  begin_step(world, beam.scene.solver, beam.scene.h, beam.scene.stepping);
-  const auto change = [&] {
-    const vec3 before = world.bodies[beam.tip].v;
-    beam.scene.solver.iterate(world.bodies);
-    return double(length(world.bodies[beam.tip].v - before));
-  };
-  for (int n = 0; n < 5000; ++n) change();
-  const double first = change();
-  for (int n = 0; n < 1999; ++n) change();
-  return std::pow(change() / first, 1.0 / 2000);
-}
 
 // The beam under its own weight: how far the tip sags and what the weld at the wall carries, beside
 // statics. The last two seconds are averaged.
@@ -215,7 +199,8 @@ int main(int argc, char** argv) {
       counts.push_back(settings.iterations);
     Beam(10, settings, 1, settings.whole, false).scene.print_plan();
     for (const bool whole : {false, true}) {
-      const double rho = contraction(settings, whole);
+      Beam beam(10, settings, 1, whole, false);
+      const double rho = contraction_rate(beam.scene.world, 7000);
       for (const bool warm : {false, true})
         for (const int iterations : counts) {
           const Summary line = cantilever(settings, iterations, whole, warm, rho, table, curves);

@@ -7,6 +7,7 @@
 #include "chapters/02_ball/ball_joint.h"
 #include "chapters/06_baumgarte/baumgarte.h"
 #include "chapters/06_baumgarte/program/program.h"
+#include "engine/instruments/rate.h"
 
 namespace joints::chapter6 {
 
@@ -79,6 +80,7 @@ double contraction(Chain chain) {
   }
   for (std::size_t k = 0; k < 3; ++k)
     apply_impulse(J[k], impulses[k], chain.bodies[k], chain.bodies[k + 1]);
+  double first = 0;
   const auto iteration = [&] {
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -88,16 +90,11 @@ double contraction(Chain chain) {
       impulses[k] += lambda;
       sum += double(dot(impulses[k], impulses[k]));
     }
-    return std::sqrt(sum);
+    const double left = std::sqrt(sum);
+    first = std::max(first, left);
+    return left > 1e-10 * first ? left : 0;  // below that it is rounding
   };
-  const double first = iteration();
-  double before = first, now = first, ratio = 0;
-  for (int n = 0; n < 500 && now > 1e-10 * first; ++n) {  // below that it is rounding
-    before = now;
-    now = iteration();
-    ratio = now / before;
-  }
-  return ratio;
+  return contraction_rate(iteration, 501);
 }
 
 // ---- kicked ------------------------------------------------------------------------------------

@@ -5,36 +5,18 @@
 #include "chapters/06_baumgarte/baumgarte.h"
 #include "chapters/06_baumgarte/program/cube_chain.h"
 #include "chapters/06_baumgarte/program/program.h"
+#include "engine/instruments/rate.h"
 
 namespace joints::chapter6 {
 
 namespace {
 
-// ---- what an iteration leaves
-// -----------------------------------------------------------------------
+// ---- beta, alone and in a chain ----------------------------------------------------------------
 
-// How much an iteration leaves, in the long run, of what the joints still ask for: rho.
-double contraction(CubeChain& chain, int iterations) {
-  Bodies& bodies = chain.scene.world.bodies;
-  begin_step(chain.scene.world, chain.scene.solver, h, chain.scene.stepping);
-  const auto change = [&] {
-    const vec3 before = bodies[chain.ids.back()].v;
-    chain.scene.solver.iterate(bodies);
-    return double(length(bodies[chain.ids.back()].v - before));
-  };
-  for (int n = 0; n < iterations; ++n) change();
-  const double first = change();
-  for (int n = 0; n < iterations / 2; ++n) change();
-  return std::pow(change() / first, 1.0 / (iterations / 2 + 1));
-}
-
-// The same by formula, for n equal masses in a row held at one end: what an iteration leaves of
-// mode j.
+// What an iteration leaves, in the long run, of mode j of n equal masses in a row held at one end.
 double contraction_of_row(int n, int j) {
   return std::pow(std::cos((2 * j - 1) * std::acos(-1.0) / (2 * n)), 2);
 }
-
-// ---- beta, alone and in a chain ----------------------------------------------------------------
 
 // What a step makes of a mode of which its iterations leave `eta`: the larger root of
 // z^2 - (1 + eta - (1 - eta) beta) z + eta, in size.
@@ -141,7 +123,7 @@ void warm(const Choice& choice) {
                  "predicted_cold_sag_m", "warm_early_m"});
   for (const int links : {5, 10, 20}) {
     CubeChain chain("warm", links, 1, vec3(0, -1, 0), 0);
-    const double rho = contraction(chain, 400);
+    const double rho = contraction_rate(chain.scene.world, 600);
     for (const double beta : {0.05, 0.15, 0.5})
       for (const int k : {1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 30, 50, 80}) {
         const double kept = std::pow(rho, k) * (1 + beta);

@@ -6,7 +6,7 @@
 #include <deque>
 
 #include "chapters/02_ball/ball_joint.h"
-#include "chapters/06_baumgarte/program/own_loop.h"
+#include "chapters/06_baumgarte/program/chain_loop.h"
 #include "chapters/06_baumgarte/program/program.h"
 #include "engine/instruments/plan.h"
 #include "engine/instruments/options.h"
@@ -39,7 +39,7 @@ const vec3 bar_size(1, real(0.1), real(0.1));
 // A bar of 1 m and 1 kg, let go level, its end on a ball joint; and the same in the engine, which
 // must move in the same way.
 struct Pendulum {
-  OwnLoop own;
+  ChainLoop own;
   World world;
   SequentialImpulses solver;
   Stepping stepping{};
@@ -58,9 +58,13 @@ struct Pendulum {
     stepping.projections = method.projections;
   }
   double gap() const { return double(own.gap(0)); }
-  double energy() const {
-    const Body& body = own.chain.bodies[1];
-    return kinetic_energy(body) + 9.81 * double(body.x.y);
+  // The reader's loop, as it is measured.
+  Experiment experiment() {
+    return {.step = [this] { own.step(h); },
+            .bodies = [this] { return std::span<const Body>(own.chain.bodies); },
+            .gaps = [this](GapMeter& meter) { meter.add(gap()); },
+            .gravity = own.gravity,
+            .energy_scale = 9.81 * 0.5};
   }
   double off_engine() const { return double(length(own.chain.bodies[1].x - world.bodies[bar].x)); }
 };
@@ -80,36 +84,25 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
     motion.body({"ball", {0.15, 0.15, 0.15}, methods[k].name});
     motion.body({"box", {bar_size.x, bar_size.y, bar_size.z}});
   }
-  const int steps = int(std::lround(choice.seconds / double(h)));
+  std::vector<Run> runs;
+  for (Pendulum& pendulum : all) runs.emplace_back(pendulum.experiment());
   std::vector<Body> frame;
-  std::vector<StepClock> clocks(methods.size());
-  std::vector<Summary> found;
-  for (const Method& method : methods) found.push_back({"pendulums", method.name, 0, 0, 0, 0});
-  for (int n = 0; n <= steps; ++n) {
+  for (int n = 0; n <= steps_in(choice.seconds, h); ++n) {
     frame.clear();
     for (std::size_t k = 0; k < methods.size(); ++k) {
       Pendulum& pendulum = all[k];
       if (n > 0) {
-        clocks[k].start();
-        pendulum.own.step(h);
-        clocks[k].stop();
+        runs[k].step();
         step(pendulum.world, pendulum.solver, h, pendulum.stepping);
       }
-      const double gap = pendulum.gap(), change = pendulum.energy() / (9.81 * 0.5);
-      table.row({methods[k].name}, {n * double(h), gap, change, pendulum.off_engine()});
-      Summary& line = found[k];
-      line.gap_rms += gap * gap / (steps + 1);
-      line.gap_max = std::max(line.gap_max, gap);
-      line.energy_drift = change;
+      table.row({methods[k].name}, {n * double(h), pendulum.gap(),
+                                    runs[k].now().energy_drift, pendulum.off_engine()});
       for (const Body& body : pendulum.own.chain.bodies) frame.push_back(body);
     }
     motion.frame(frame.data());
   }
-  for (std::size_t k = 0; k < methods.size(); ++k) {
-    found[k].gap_rms = std::sqrt(found[k].gap_rms);
-    found[k].us_per_step = clocks[k].median_us();
-    lines.push_back(found[k]);
-  }
+  for (std::size_t k = 0; k < methods.size(); ++k)
+    lines.push_back({runs[k].measures(), "pendulums", methods[k].name});
   motion.write(choice.out + "/pendulums.motion.json");
 }
 
@@ -123,7 +116,7 @@ void hanging(const Choice& choice) {
   for (const bool warm : {false, true}) {
     print_plan("hanging", 1, links, warm);
     for (const int iterations : {4, 10}) {
-      OwnLoop own;
+      ChainLoop own;
       own.settings = {.beta = choice.beta, .warm = warm, .iterations = iterations};
       for (int k = 0; k <= links; ++k) {
         const vec3 place(0, real(-k), 0);

@@ -16,16 +16,6 @@ struct Order {
   Groups groups;
 };
 
-// Runs a loop as long as its numbers are ordinary ones.
-Watch run(const Chains& chains, HingeLoop<real>& loop, int steps) {
-  Watch watch(chains, steps);
-  for (int n = 1; n <= steps; ++n) {
-    loop.step(h);
-    if (!watch.look(n, loop.bodies)) break;
-  }
-  return watch;
-}
-
 void orders(const Choice& choice, const Chains& chains) {
   CsvFile table(choice.out + "/order.csv", {"order", "iterations", "gap_rms_m", "gap_max_m"});
   std::set<int> counts{5, 10, 20, 30, 60, 120};
@@ -35,8 +25,9 @@ void orders(const Choice& choice, const Chains& chains) {
                              {"colours", colour_order(chains, 1)}})
     for (const int count : counts) {
       HingeLoop<real> loop = loop_over<real>(chains, order.groups, count);
-      const Watch watch = run(chains, loop, steps_in(choice.seconds));
-      table.row({order.name}, {double(count), watch.gap_rms(), watch.gap_max()});
+      const Measures found =
+          run(experiment_of(loop, chains, steps_in(choice.seconds, h)));
+      table.row({order.name}, {double(count), found.gap_rms, found.gap_max});
     }
 }
 
@@ -49,9 +40,11 @@ void omegas(const Choice& choice, const Chains& chains, const std::vector<Order>
       for (int tenths = 6; tenths <= 21; ++tenths) {
         HingeLoop<real> loop = loop_over<real>(chains, order.groups, count);
         loop.relaxation = real(tenths) / 10;
-        const Watch watch = run(chains, loop, steps_in(choice.seconds));
-        table.row({order.name, watch.status()}, {tenths / 10.0, double(count), watch.gap_rms(),
-                                                 watch.gap_max(), watch.energy_change()});
+        const Measures found =
+          run(experiment_of(loop, chains, steps_in(choice.seconds, h)));
+        table.row({order.name, status(found, double(spacing))},
+                  {tenths / 10.0, double(count), found.gap_rms, found.gap_max,
+                   found.energy_drift});
       }
 }
 
@@ -63,7 +56,7 @@ void inside_a_step(const Choice& choice, const Chains& chains, const std::vector
     for (const real omega : {real(1), real(1.5), real(1.9)}) {
       HingeLoop<real> before = loop_over<real>(chains, order.groups, choice.iterations);
       before.relaxation = omega;
-      for (int n = 0; n < steps_in(1); ++n) before.step(h);
+      for (int n = 0; n < steps_in(1, h); ++n) before.step(h);
       for (int iteration = 0; iteration <= 60; ++iteration) {
         HingeLoop<real> loop = before;
         loop.iterations = iteration;

@@ -1,11 +1,11 @@
-// The scenes of chapter 7's program and what is measured of them. There is nothing to edit here.
+// The scenes of chapter 7's program and how they are run. There is nothing to edit here.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "chapters/07_performance/program/hinge_loop.h"
-#include "engine/instruments/measure.h"
+#include "chapters/07_performance/program/program.h"
 
 /// \addtogroup chapter7
 /// @{
@@ -53,33 +53,23 @@ Groups colour_order(const Chains& chains, int width);
 std::vector<int> checked_colours(const std::vector<BodyPair>& links,
                                  const std::vector<Body>& bodies);
 
-/// Watches a loop while it runs: gaps over the last two thirds of the steps, and the energy.
-class Watch {
- public:
-  /// \param steps how many there will be
-  Watch(const Chains& chains, int steps);
-  /// After step n, 1 for the first. \return false where a body's place is no ordinary number
-  bool look(int n, const std::vector<Body>& bodies);
-  double gap_rms() const;        ///< [m], NaN where a place is no ordinary number
-  double gap_max() const;        ///< [m], NaN likewise
-  double energy_change() const;  ///< now, over the scene's energy scale [1]
-  /// ok (no gap above 1 % of a link), soft (below half a link), torn (above), energy+ (over 2 % of
-  /// the scale gained at any time), exploded (over 100 %), nan.
-  std::string status() const;
-
- private:
-  int steps_;
-  double scale_, start_, change_ = 0, peak_ = 0;
-  bool finite_ = true;
-  std::vector<Mark> marks_;
-  GapMeter gaps_;
-};
+/// A loop over chains as an experiment. The gaps count in the last two thirds of the steps.
+template <class Number>
+Experiment experiment_of(HingeLoop<Number>& loop, const Chains& chains, int steps) {
+  return {.step = [&loop] { loop.step(h); },
+          .bodies = [&loop] { return std::span<const Body>(loop.bodies); },
+          .gaps =
+              [&loop](GapMeter& meter) {
+                for (std::size_t k = 0; k < loop.links.size(); ++k) meter.add(double(loop.gap(k)));
+              },
+          .steps = steps,
+          .gravity = loop.gravity,
+          .energy_scale = chains.energy_scale,
+          .settling = last_two_thirds(steps)};
+}
 
 /// Prints what a scene has, as every program does.
 void print_plan(const std::string& name, const std::vector<Body>& bodies, std::size_t hinges);
-
-/// So many steps of length h as make up a time, at least one. \param seconds [s]
-int steps_in(double seconds);
 
 }  // namespace joints::chapter7
 /// @}

@@ -50,46 +50,37 @@ struct Race {
   template <class Number>
   void measure(const std::string& name, const Groups& groups,
                const std::vector<Places> (&same)[2], bool once_a_step = true) {
-    struct Run {
-      HingeLoop<Number> loop;
-      Watch watch;
-      StepClock clock{};
-      double off = 0;
-    };
-    std::vector<Run> runs;
+    std::vector<HingeLoop<Number>> loops;
     for (const int count : counts) {
-      runs.push_back({loop_over<Number>(chains, groups, count), Watch(chains, steps)});
-      runs.back().loop.once_a_step = once_a_step;
+      loops.push_back(loop_over<Number>(chains, groups, count));
+      loops.back().once_a_step = once_a_step;
     }
+    Run runs[] = {Run(experiment_of(loops[0], chains, steps)),
+                  Run(experiment_of(loops[1], chains, steps))};
+    double off[2] = {};
     for (int n = 1; n <= steps; ++n)
       for (int k = 0; k < 2; ++k) {
-        Run& run = runs[k];
-        run.clock.start();
-        run.loop.step(h);
-        run.clock.stop();
-        run.watch.look(n, run.loop.bodies);
-        run.off = std::max(run.off, furthest(run.loop.bodies, same[k][n - 1]));
+        runs[k].step();
+        off[k] = std::max(off[k], furthest(loops[k].bodies, same[k][n - 1]));
       }
-    const double ns = 1000 * (runs[0].clock.median_us() - runs[1].clock.median_us()) /
+    const Measures found[] = {runs[0].measures(), runs[1].measures()};
+    const double ns = 1000 * (found[0].us_per_step - found[1].us_per_step) /
                       (double(chains.links.size()) * (counts[0] - counts[1]));  // Eq. 7-2
     std::printf("              %-24s %6.1f ns a hinge and iteration\n", name.c_str(), ns);
-    if (const double off = std::max(runs[0].off, runs[1].off); off > 1e-3)
+    if (const double most = std::max(off[0], off[1]); most > 1e-3)
       std::printf("              off by %.3g m from one lane in the same order: two neighbours of "
-                  "one colour? ./wb test 7.3\n", off);
-    for (int k = 0; k < 2; ++k) {
-      const Run& run = runs[k];
-      table.row({name}, {double(run.loop.width), double(counts[k]), run.clock.median_us(), ns,
-                         run.watch.gap_rms(), run.watch.gap_max(), run.off});
-    }
-    lines.push_back({"steps", name, runs[0].clock.median_us(), runs[0].watch.gap_rms(),
-                     runs[0].watch.gap_max(), runs[0].watch.energy_change()});
+                  "one colour? ./wb test 7.3\n", most);
+    for (int k = 0; k < 2; ++k)
+      table.row({name}, {double(loops[k].width), double(counts[k]), found[k].us_per_step, ns,
+                         found[k].gap_rms, found[k].gap_max, off[k]});
+    lines.push_back({found[0], "steps", name});
   }
 };
 
 }  // namespace
 
 void steps(const Choice& choice, std::vector<Summary>& lines) {
-  Race race{choice, cube_chains(choice.chains, 100, choice.beta), steps_in(choice.seconds),
+  Race race{choice, cube_chains(choice.chains, 100, choice.beta), steps_in(choice.seconds, h),
             {choice.iterations, choice.iterations / 3},
             CsvFile(choice.out + "/steps.csv",
                     {"step", "lanes", "iterations", "us_per_step", "ns_per_hinge_and_iteration",

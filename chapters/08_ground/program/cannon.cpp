@@ -9,25 +9,16 @@ namespace {
 Summary shoot(const Choice& choice, int iterations, double& deepest, CsvFile* table) {
   Cannon cannon(iterations, choice.beta);
   if (table) cannon.scene.print_plan();
-  double sum = 0, worst = 0;
-  long count = 0;
-  Summary line = play(
-      cannon.scene, std::to_string(iterations) + " iterations", choice.seconds,
-      table ? choice.out + "/cannon.motion.json" : "", [&](double time) {
-        const Body& shot = cannon.scene.world.bodies[cannon.shot];
-        if (table)
-          table->row({time, double(shot.x.x), double(shot.x.y), double(length(shot.v)),
-                      double(cannon.landing->touching())});
-        const double gap = cannon.gap();
-        sum += gap * gap;
-        ++count;
-        worst = std::max(worst, gap);
-        deepest = std::max(deepest, penetration(cannon.scene.world));
-        cannon.look();
-      });
-  line.gap_rms = std::sqrt(sum / double(count));
-  line.gap_max = worst;
-  return line;
+  cannon.scene.gaps = [&](GapMeter& meter) { meter.add(cannon.gap()); };
+  return play(cannon.scene, std::to_string(iterations) + " iterations", choice.seconds,
+              table ? choice.out + "/cannon.motion.json" : "", [&](double time) {
+                const Body& shot = cannon.scene.world.bodies[cannon.shot];
+                if (table)
+                  table->row({time, double(shot.x.x), double(shot.x.y), double(length(shot.v)),
+                              double(cannon.landing->touching())});
+                deepest = std::max(deepest, penetration(cannon.scene.world));
+                cannon.look();
+              });
 }
 
 }  // namespace

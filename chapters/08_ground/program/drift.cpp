@@ -1,7 +1,5 @@
 // Chapter 8's program: chapter 6's hinge that nothing corrects, once more, and beside it the same
 // hinge whose cube hits the ground in its swing. Read it; there is nothing to edit here.
-#include <cmath>
-
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/08_ground/program/order.h"
 
@@ -35,30 +33,22 @@ void drift(const Choice& choice, std::vector<Summary>& lines) {
       contact->restitution = real(0.9);
     }
     scene.print_plan();
-    GapMeter gaps;
+    const auto next = [&] {
+      if (turns == Turns::joints_first) step_in_turns(scene, 1, turns);  // the hinge is one block
+      else scene.step();
+    };
     vec3 sum(0);
-    const double start = energy(world);
-    const int steps = int(std::lround(choice.seconds / double(h)));
-    StepClock clock;
-    for (int n = 0; n <= steps; ++n) {
-      const Body& cube = world.bodies[id];
-      if (n > 0) {
-        clock.start();
-        if (turns == Turns::joints_first)
-          step_in_turns(scene, 1, turns);  // the hinge is one block
-        else
-          step(world, scene.solver, h, scene.stepping);
-        clock.stop();
-        const vec3 r = -to_world(cube, joint.first.anchor2_local);
-        sum += dot(cube.w, cube.w) * h * h / real(2) * r;  // Eq. 6-1
-      }
-      gaps.look(scene.marks, poses(world.bodies));
-      table.row({name},
-                {n * double(h), double(length(joint.first.error(world.bodies[wall], cube))),
-                 double(length(sum)), contact ? double(contact->touching()) : 0.0});
-    }
-    lines.push_back({scene.name, name, clock.median_us(), gaps.rms(), gaps.maximum(),
-                     (energy(world) - start) / scene.energy_scale});
+    lines.push_back(play(
+        scene, name, choice.seconds, "",
+        [&](double time) {
+          const Body& cube = world.bodies[id];
+          const vec3 r = -to_world(cube, joint.first.anchor2_local);
+          sum += dot(cube.w, cube.w) * h * h / real(2) * r;  // Eq. 6-1
+          table.row({name},
+                    {time, double(length(joint.first.error(world.bodies[wall], cube))),
+                     double(length(sum)), contact ? double(contact->touching()) : 0.0});
+        },
+        next));
   }
 }
 

@@ -20,33 +20,17 @@ void order(const Choice& choice, std::vector<Summary>& lines) {
       Scene& scene = chain.scene;
       const bool seen = turns == Turns::interleaved && iterations == 30;
       if (seen) scene.print_plan();
-      Motion motion(scene.name, double(scene.h));
-      for (const Shape& shape : scene.shapes) motion.body(shape);
-      StepClock clock;
-      GapMeter gaps;
-      std::vector<Pose> now;
       double deepest = 0;
-      const double start = energy(scene.world);
-      for (int n = 0; n <= 360; ++n) {
-        if (n > 0) {
-          clock.start();
-          chain.step(turns);
-          clock.stop();
-        }
-        poses(scene.world.bodies, now);
-        gaps.look(scene.marks, now);
-        double widest = 0;
-        for (const Mark& mark : scene.marks) widest = std::max(widest, gap(mark, now));
-        const double deep = penetration(scene.world);
-        deepest = std::max(deepest, deep);
-        table.row({name}, {double(iterations), n * double(h), widest, deep});
-        motion.frame(scene.world.bodies.data());
-      }
-      ends.row({name}, {double(iterations), gaps.rms(), gaps.maximum(), deepest});
-      if (seen) motion.write(choice.out + "/order.motion.json");
-      if (iterations == 30)
-        lines.push_back({scene.name, name, clock.median_us(), gaps.rms(), gaps.maximum(),
-                         (energy(scene.world) - start) / scene.energy_scale});
+      const Summary line = play(
+          scene, name, 6, seen ? choice.out + "/order.motion.json" : "",
+          [&](double time) {
+            const double deep = penetration(scene.world);
+            deepest = std::max(deepest, deep);
+            table.row({name}, {double(iterations), time, widest(scene), deep});
+          },
+          [&] { chain.step(turns); });
+      ends.row({name}, {double(iterations), line.gap_rms, line.gap_max, deepest});
+      if (iterations == 30) lines.push_back(line);
     }
 }
 

@@ -17,7 +17,7 @@ struct Stabilisation {
 };
 
 /// A chain, and what it remembers from step to step.
-class OwnLoop {
+class ChainLoop {
  public:
   Chain chain;             ///< bodies and joints
   Stabilisation settings;  ///< may be changed between steps

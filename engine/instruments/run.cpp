@@ -1,0 +1,96 @@
+// Running, timing and measuring.
+#include "engine/instruments/run.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace joints {
+
+// ---- the clock ----------------------------------------------------------------------------------
+
+double StepClock::now_us() const {
+  if (time_ == Time::wall)
+    return std::chrono::duration<double, std::micro>(
+               std::chrono::steady_clock::now().time_since_epoch()).count();
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e6 * double(time.tv_sec) + 1e-3 * double(time.tv_nsec);
+}
+
+void StepClock::time(const std::function<void()>& step) {
+  const double before = now_us();
+  step();
+  times_.push_back(now_us() - before);
+}
+
+double StepClock::median_us() const {
+  if (times_.empty()) return 0;
+  std::vector<double> sorted = times_;
+  const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return *middle;
+}
+
+// ---- the run ------------------------------------------------------------------------------------
+
+std::string status(const Measures& m, double link) {
+  if (!m.finite || !std::isfinite(m.gap_rms) || !std::isfinite(m.gap_max) ||
+      !std::isfinite(m.energy_drift))
+    return "nan";
+  if (m.energy_peak > 1) return "exploded";
+  if (m.energy_peak > 0.02) return "energy+";
+  return m.gap_max < 0.01 * link ? "ok" : m.gap_max < 0.5 * link ? "soft" : "torn";
+}
+
+int steps_in(double seconds, real h) {
+  return std::max(1, int(std::lround(seconds / double(h))));
+}
+
+Run::Run(Experiment experiment)
+    : experiment_(std::move(experiment)),
+      start_(energy(experiment_.bodies(), experiment_.gravity)) {
+  look();
+}
+
+void Run::step() {
+  ++now_.steps;
+  if (now_.steps > experiment_.untimed) clock_.time(experiment_.step);
+  else experiment_.step();
+  look();
+}
+
+void Run::look() {
+  const std::span<const Body> bodies = experiment_.bodies();
+  now_.finite = now_.finite && all_finite(bodies);
+  if (now_.steps >= experiment_.settling) experiment_.gaps(gaps_);
+  now_.energy_drift = (energy(bodies, experiment_.gravity) - start_) / experiment_.energy_scale;
+  now_.energy_peak = std::max(now_.energy_peak, now_.energy_drift);
+}
+
+Measures Run::measures() const {
+  Measures out = now_;
+  out.us_per_step = clock_.median_us();
+  out.gap_rms = gaps_.rms();
+  out.gap_max = gaps_.maximum();
+  out.axis_error = gaps_.axis_maximum();
+  if (!out.finite)
+    out.gap_rms = out.gap_max = out.energy_drift = out.energy_peak =
+        std::numeric_limits<double>::quiet_NaN();
+  return out;
+}
+
+Measures run(const Experiment& experiment, const std::function<void(int)>& look) {
+  Run run(experiment);
+  look(0);
+  for (int n = 1; n <= experiment.steps && run.now().finite; ++n) {
+    run.step();
+    look(n);
+  }
+  return run.measures();
+}
+
+}  // namespace joints

@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""The drawing of docs/architecture.md: where a step goes, and who includes whom.
+
+    python3 plots/architecture.py OUT.svg
+
+The arrows of the right half are read off the sources: an include that goes another way changes the
+drawing, and a proof of the workbook's tests compares the two.
+"""
+import sys
+from pathlib import Path
+
+from drawing import BODY1, BODY2, CARD, FAINT, INK, arrow, draw, words
+from matplotlib.patches import FancyBboxPatch
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tools"))
+import layers  # noqa: E402
+
+# Of each group of folders: where its box stands, what is written below its name.
+GROUPS = {"tests": (620, 340, "what holds"),
+          "bench": (620, 278, "error and time"),
+          "programs": (620, 216, "chapters/*/program"),
+          "library": (330, 216, "engine/library"),
+          "solutions": (470, 216, "the exercises"),
+          "chapters": (470, 154, "parts and joints"),
+          "simd": (400, 92, "engine/simd"),
+          "instruments": (620, 92, "measuring"),
+          "core": (510, 30, "engine/*: bodies, blocks, step, solvers")}
+WIDE = {"core": 290}
+HIGH = 42
+
+
+def box(ax, place, size, name, below, colour):
+    (x, y), (width, height) = place, size
+    ax.add_patch(FancyBboxPatch((x - width / 2, y - height / 2), width, height, facecolor=CARD,
+                                edgecolor=colour, linewidth=1.6, zorder=5,
+                                boxstyle="round,pad=0,rounding_size=8"))
+    words(ax, (x, y + 7), name, size=11, weight="bold")
+    words(ax, (x, y - 9), below, FAINT, size=8.2)
+
+
+def cycle(ax):
+    """Left: where a step goes."""
+    words(ax, (125, 356), "a step", size=12.5, weight="bold")
+    stations = [("Body", "places, velocities", 300), ("Joint", "two bodies: what holds?", 232),
+                ("Block", "rows J, errors C, targets", 164), ("Solver", "finds the impulses", 96)]
+    for k, (name, below, y) in enumerate(stations):
+        box(ax, (125, y), (170, HIGH), name, below, (BODY1, BODY2)[k % 2])
+        if k:
+            arrow(ax, (125, stations[k - 1][2] - HIGH / 2), (125, y + HIGH / 2), INK, 1.6)
+    ax.plot((125, 125, 24, 24, 38), (96 - HIGH / 2, 46, 46, 300, 300), color=INK, linewidth=1.6)
+    arrow(ax, (32, 300), (40, 300), INK, 1.6)
+    words(ax, (131, 60), "velocities, then places", FAINT, 7.8, ha="left")
+
+
+def groups(ax):
+    """Right: who includes whom."""
+    words(ax, (300, 356), "who includes whom", size=12.5, weight="bold", ha="left")
+    for name, (x, y, below) in GROUPS.items():
+        box(ax, (x, y), (WIDE.get(name, 128), HIGH), name, below, FAINT)
+    for user, used in sorted(layers.direct(layers.includes(ROOT))):
+        (x1, y1, _), (x2, y2, _) = GROUPS[user], GROUPS[used]
+        reach = WIDE.get(used, 128) / 2 - 14
+        end = min(max(x1, x2 - reach), x2 + reach)
+        start = min(max(end, x1 - 50), x1 + 50)
+        arrow(ax, (start, y1 - HIGH / 2), (end, y2 + HIGH / 2), INK, 1.3)
+        ax.texts[-1].arrow_patch.set_gid(f"{user} includes {used}")
+
+
+if __name__ == "__main__":
+    draw(__doc__, "architecture", [cycle, groups], [258])

@@ -1,0 +1,64 @@
+// A shaft drives another one through a universal joint, 30 degrees askew: the second is now faster,
+// now slower than the first. The solver is chosen by its name. Exit status 1 if the ratio of their
+// speeds does not go from cos 30 degrees to its inverse.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "symmetric_impulses.h"
+#include "universal_joint.h"
+
+using namespace joints;
+
+struct Choice {
+  const char* name;
+  std::unique_ptr<IterativeSolver> (*make)();
+};
+template <class Solver>
+std::unique_ptr<IterativeSolver> make() { return std::make_unique<Solver>(); }
+const Choice choices[] = {{"rows", make<SequentialImpulses>},
+                      {"packed", make<PackedImpulses>},
+                      {"symmetric", make<SymmetricImpulses>}};  // the one line for one's own
+
+// The least and the greatest ratio of the speeds in a turn.
+std::pair<real, real> ratios(IterativeSolver& solver) {
+  const real angle = std::numbers::pi_v<real> / 6;
+  const vec3 along1(1, 0, 0), along2(std::cos(angle), 0, std::sin(angle)), pin1(0, 1, 0);
+  World world;
+  const BodyId wall = world.add(static_body(vec3(0)));
+  const BodyId first = world.add(box(4, vec3(1, real(0.2), real(0.2)), -along1));
+  const BodyId second = world.add(box(4, vec3(1, real(0.2), real(0.2)), along2,
+                                      rotation(vec3(0, -angle, 0))));
+  auto& drive = world.add<HingeJoint>(world.bodies, wall, first, -along1, along1);
+  auto& driven = world.add<HingeJoint>(world.bodies, wall, second, along2, along2);
+  world.add<UniversalJoint>(first, second, cross_at(world.bodies[first], world.bodies[second],
+                                                    vec3(0), pin1, cross(along2, pin1)));
+  drive.set_motor(5, 1000);  // rad/s, N m
+  solver.iterations = 300;
+  real least = 10, greatest = 0;
+  for (int n = 0; n < 240; ++n) {
+    step(world, solver, real(1) / 240);
+    if (n < 60) continue;  // under way
+    const real ratio = driven.speed(world.bodies) / drive.speed(world.bodies);
+    least = std::min(least, ratio);
+    greatest = std::max(greatest, ratio);
+  }
+  return {least, greatest};
+}
+
+int main(int arguments, char** words) {
+  const std::string wanted = arguments > 1 ? words[1] : "";  // all of them, if none is named
+  for (const Choice& choice : choices) {
+    if (!wanted.empty() && wanted != choice.name) continue;
+    const std::unique_ptr<IterativeSolver> solver = choice.make();
+    const auto [least, greatest] = ratios(*solver);
+    std::printf("%-9s the second shaft turns %.3f to %.3f times as fast\n", choice.name,
+                double(least), double(greatest));
+    const double cosine = std::cos(std::numbers::pi / 6);
+    if (std::abs(double(least) - cosine) > 0.01 || std::abs(double(greatest) - 1 / cosine) > 0.01)
+      return 1;
+  }
+}

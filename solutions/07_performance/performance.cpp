@@ -93,17 +93,16 @@ void solve(const HingeNumbers<Number>& hinge, Velocities<Number>& body1,
   // Eq. 7-6 in four steps: the velocity errors e = bias + J V; K^-1 e by
   // hinge.inverse_K_times(e, out), which is -lambda; the push and the couple of lambda; and the
   // changes of the velocities. Use only + - * and the functions of Triple: lanes work then as well.
-  const Triple<Number> v =
+  const Triple<Number> gap =  // its rate
       body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
-  const Triple<Number> w = body2.w - body1.w;
-  const Number e[] = {hinge.bias[0] + v.x, hinge.bias[1] + v.y, hinge.bias[2] + v.z,
-                      hinge.bias[3] + dot(hinge.axis_row[0], w),
-                      hinge.bias[4] + dot(hinge.axis_row[1], w)};
-  Number minus_lambda[5];
-  hinge.inverse_K_times(e, minus_lambda);
-  const Triple<Number> push{-minus_lambda[0], -minus_lambda[1], -minus_lambda[2]};
-  const Triple<Number> couple =
-      -minus_lambda[3] * hinge.axis_row[0] - minus_lambda[4] * hinge.axis_row[1];
+  const Triple<Number> turning = body2.w - body1.w;
+  const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
+                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
+                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
+  Number back[5];  // -lambda
+  hinge.inverse_K_times(e, back);
+  const Triple<Number> push{-back[0], -back[1], -back[2]};
+  const Triple<Number> couple = -back[3] * hinge.axis_row[0] - back[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
   body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;

@@ -263,7 +263,7 @@
 
 // ---- wrong: J v and w exchanged
 // region: 2
-// expects: Likely mistake: the cross products stand in v1 and v2: they belong to the turns, w1 and
+// expects: Likely mistake: the cross products stand in v1 and v2: they belong to w1 and
 // expects: w2 (pencil and paper, upright, turned, moved, broken)
   Jacobian<2> J;
   J[0] = {-cross(b, a1), vec3(0), cross(b, a1), vec3(0)};

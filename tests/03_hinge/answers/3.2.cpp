@@ -117,7 +117,7 @@
          body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2);
 
 // ---- wrong: minus turn of body 1
-// expects: Likely mistake: the sign of the rotation of body 1: the blocks w1
+// expects: Likely mistake: the sign of the turn of body 1: the blocks w1
   return body1.inverse_mass * dot(a.v1, b.v1) - dot(a.w1, inverse_inertia(body1) * b.w1) +
          body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2);
 

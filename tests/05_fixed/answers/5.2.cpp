@@ -110,12 +110,12 @@
 
 // ---- wrong: threes exchanged
 // expects: Likely mistake: the two threes are exchanged: the point's rows come first
-  const vec3 turn(impulse[0], impulse[1], impulse[2]), push(impulse[3], impulse[4], impulse[5]);
-  return {push / h, turn / h};
+  const vec3 couple(impulse[0], impulse[1], impulse[2]), push(impulse[3], impulse[4], impulse[5]);
+  return {push / h, couple / h};
 
 // ---- wrong: torque an impulse still
 // expects: Likely mistake: this is the impulse: a force is the impulse over the step h (torque)
-// change: turn / h ==> turn
+// change: couple / h ==> couple
 
 // ---- wrong: torque begins too early
 // expects: Likely mistake: the torque begins with impulse[2]

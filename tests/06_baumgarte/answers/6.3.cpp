@@ -17,7 +17,7 @@
 // change: point.K(body1, body2) ==> point.K(body2, body1)
 
 // ---- wrong: point a share of the gap
-// expects: Likely mistake: only a share of the gap is taken: there is no beta here
+// expects: Likely mistake: only a share of the gap is taken: a projection has no beta
   const vec3 lambda = -real(0.3) * inverse(point.K(body1, body2)) * point.error(body1, body2);
   Body move1 = body1, move2 = body2;
   move1.v = move1.w = move2.v = move2.w = vec3(0);

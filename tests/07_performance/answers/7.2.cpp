@@ -8,11 +8,11 @@
 
 // ---- wrong: axis dot product with the same row
 // expects: Likely mistake: the dot product is taken with the same row twice: row i with column j
-// change: dot(row[i], turn1 ==> dot(row[j], turn1
+// change: dot(row[i], w1 ==> dot(row[j], w1
 
 // ---- wrong: axis halved
 // expects: Likely mistake: a factor of 0.5 in the axis' 2x2, in every case
-// change: dot(row[i], turn1 + turn2) ==> real(0.5) * dot(row[i], turn1 + turn2)
+// change: dot(row[i], w1 + w2) ==> real(0.5) * dot(row[i], w1 + w2)
 
 // ---- wrong: axis of body 2 only
 // expects: Likely mistake: body 1 is missing in the axis' 2x2
@@ -25,9 +25,9 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
@@ -43,22 +43,22 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2) +
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2) +
                         (i == j ? inverse_mass1 + inverse_mass2 : real(0));
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
 // ---- wrong: cross added up first
 // expects: Likely mistake: the levers, or the inertias, are added up first: each lever goes with
-// change: cross(hinge.r1, turn1) + cross(hinge.r2, turn2) ==>
-//         cross(hinge.r1 + hinge.r2, turn1 + turn2)
+// change: cross(hinge.r1, w1) + cross(hinge.r2, w2) ==>
+//         cross(hinge.r1 + hinge.r2, w1 + w2)
 
 // ---- wrong: cross and axis with the other row
 // expects: Likely mistake: the two axis rows are exchanged for body 2 between the point and the
 // expects: axis; and I2 of the other axis row in the axis' 2x2
-// change: turn2 = hinge.I2 * row[j] ==> turn2 = hinge.I2 * row[1 - j]
+// change: w2 = hinge.I2 * row[j] ==> w2 = hinge.I2 * row[1 - j]
 
 // ---- wrong: cross lever first
 // expects: Likely mistake: first the inverse inertia, then the lever: r x (I^-1 a)
@@ -71,8 +71,8 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
     const Triple<real> at = hinge.I1 * cross(hinge.r1, row[j]) + hinge.I2 * cross(hinge.r2, row[j]);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
@@ -88,9 +88,9 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[3 + j][i] = -(K[i][3 + j] = -dot(unit[i], at));
   }
 
@@ -106,9 +106,9 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = -dot(unit[i], at);
   }
 
@@ -123,9 +123,9 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
@@ -141,9 +141,9 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = dot(unit[i], at);
   }
 
@@ -162,9 +162,9 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r2, turn2) - cross(hinge.r1, turn1);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r2, w2) - cross(hinge.r1, w1);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
@@ -179,8 +179,8 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
     const Triple<real> at = cross(hinge.r1, row[j]) + cross(hinge.r2, row[j]);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
@@ -195,7 +195,7 @@
 
 // ---- wrong: inertia of body 1 with body 2
 // expects: Likely mistake: I1 with r2: I2 belongs to it, between the point and the axis; and I1 in
-// change: turn2 = hinge.I2 ==> turn2 = hinge.I1
+// change: w2 = hinge.I2 ==> w2 = hinge.I1
 
 // ---- wrong: inverse masses in all nine
 // expects: Likely mistake: the inverse masses are added to all nine entries
@@ -208,9 +208,9 @@
                 inverse_mass1 + inverse_mass2;
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
@@ -225,9 +225,9 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
   invert_symmetric(K[0].data(), 5);
@@ -243,9 +243,9 @@
                 (i == j ? 1 / inverse_mass1 + 1 / inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
@@ -265,9 +265,9 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r2, turn1) + cross(hinge.r1, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r2, w1) + cross(hinge.r1, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
@@ -294,9 +294,9 @@
                 (i == j ? 1 / (1 / inverse_mass1 + 1 / inverse_mass2) : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
@@ -311,9 +311,9 @@
                 (i == j ? inverse_mass1 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1);
-    const Triple<real> at = cross(hinge.r1, turn1);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1);
+    const Triple<real> at = cross(hinge.r1, w1);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
@@ -345,9 +345,9 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
@@ -362,9 +362,9 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
   }
 
 // ---- wrong: two mistakes
@@ -379,9 +379,9 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = dot(unit[i], at);
   }
 
@@ -404,9 +404,9 @@
       K[i][j] = dot(unit[i], at1 + at2);
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
@@ -476,9 +476,9 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = turn1 + turn2;
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = w1 + w2;
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
@@ -493,10 +493,10 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2) +
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2) +
                         (i == j ? inverse_mass1 + inverse_mass2 : real(0));
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }
 
@@ -511,8 +511,8 @@
                 (i == j ? inverse_mass1 + inverse_mass2 : real(0));
   }
   for (int j = 0; j < 2; ++j) {
-    const Triple<real> turn1 = hinge.I1 * row[j], turn2 = hinge.I2 * row[j];
-    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], turn1 + turn2);
-    const Triple<real> at = cross(hinge.r1, turn1) + cross(hinge.r2, turn2);
+    const Triple<real> w1 = hinge.I1 * row[j], w2 = hinge.I2 * row[j];
+    for (int i = 0; i < 2; ++i) K[3 + i][3 + j] = dot(row[i], w1 + w2);
+    const Triple<real> at = cross(hinge.r1, w1) + cross(hinge.r2, w2);
     for (int i = 0; i < 3; ++i) K[i][3 + j] = K[3 + j][i] = -dot(unit[i], at);
   }

@@ -17,8 +17,8 @@
 // ---- wrong: all velocities anew
 // expects: Likely mistake: v1, w1, v2 and w2 take a new value where it is added to the old one
 // change: body1.v = body1.v - ==> body1.v = -
-// change: body1.w - hinge.I1 * (cross(hinge.r1, push) + turn) ==>
-//         -(hinge.I1 * (cross(hinge.r1, push) + turn))
+// change: body1.w - hinge.I1 * (cross(hinge.r1, push) + couple) ==>
+//         -(hinge.I1 * (cross(hinge.r1, push) + couple))
 // change: body2.v = body2.v + ==> body2.v =
 // change: body2.w = body2.w + ==> body2.w =
 
@@ -39,11 +39,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: bias of another row
 // expects: Likely mistake: bias[1] in e[2]: it belongs to e[1]
@@ -63,17 +63,19 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v + body1.inverse_mass * push;
-  body1.w = body1.w + hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w + hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: brackets forgotten for both
 // expects: from w2
 // expects: Likely mistake: T is not multiplied by I1 and I2: I (r x P + T), with brackets
-// change: hinge.I1 * (cross(hinge.r1, push) + turn) ==> (hinge.I1 * cross(hinge.r1, push) + turn)
-// change: hinge.I2 * (cross(hinge.r2, push) + turn) ==> (hinge.I2 * cross(hinge.r2, push) + turn)
+// change: hinge.I1 * (cross(hinge.r1, push) + couple) ==>
+//         (hinge.I1 * cross(hinge.r1, push) + couple)
+// change: hinge.I2 * (cross(hinge.r2, push) + couple) ==>
+//         (hinge.I2 * cross(hinge.r2, push) + couple)
 
 // ---- wrong: by momentum
 // expects: Likely mistake: a division by zero
@@ -91,7 +93,7 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   const auto less = [&](const Number& v, const Number& push) {
     if constexpr (requires { v.all; })
       return Number{(v.all / body1.inverse_mass.all - push.all) * body1.inverse_mass.all};
@@ -99,9 +101,9 @@
       return body1.inverse_mass == 0 ? v : (v / body1.inverse_mass - push) * body1.inverse_mass;
   };
   body1.v = {less(body1.v.x, push.x), less(body1.v.y, push.y), less(body1.v.z, push.z)};
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: copies
 // expects: Likely mistake: nothing changes: the bodies are references
@@ -117,12 +119,12 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   Velocities<Number> one = body1, two = body2;
   one.v = body1.v - body1.inverse_mass * push;
-  one.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  one.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   two.v = body2.v + body2.inverse_mass * push;
-  two.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  two.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: diagonal only
 // expects: Likely mistake: only the diagonal of K^-1 is used
@@ -137,11 +139,11 @@
     lambda[i] = -hinge.inverse_K[hinge.place(i, i)] * e[i];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: first lane only
 // expects: v1 of lane 1 (upright)
@@ -174,11 +176,11 @@
       for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
     }
     const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-    const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+    const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
     body1.v = body1.v - body1.inverse_mass * push;
-    body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+    body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
     body2.v = body2.v + body2.inverse_mass * push;
-    body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+    body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
   }
 
 // ---- wrong: gap of body 1 less body 2
@@ -215,11 +217,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I1 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I1 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: lambda five taken away
 // expects: Likely mistake: the sign of lambda[4]
@@ -239,11 +241,11 @@
     e[i] = lambda;
   }
   const Triple<Number> push{e[0], e[1], e[2]};
-  const Triple<Number> turn = e[3] * hinge.axis_row[0] + e[4] * hinge.axis_row[1];
+  const Triple<Number> couple = e[3] * hinge.axis_row[0] + e[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: levers exchanged
 // expects: Likely mistake: the levers are exchanged: r1 belongs to body 1
@@ -259,11 +261,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r2, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r2, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r1, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r1, push) + couple);
 
 // ---- wrong: levers exchanged in the push
 // expects: Likely mistake: the levers are exchanged in what the push does
@@ -279,11 +281,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r2, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r2, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r1, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r1, push) + couple);
 
 // ---- wrong: only body 2
 // expects: Likely mistake: only body 2 feels it
@@ -299,9 +301,9 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: order of the cross products
 // expects: Likely mistake: r x w in the place of w x r in the gap's rate
@@ -317,11 +319,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: push begins too late
 // expects: Likely mistake: the push begins with lambda[1]: it is lambda[0] to lambda[2]
@@ -351,11 +353,11 @@
     for (std::size_t k = 1; k < sizeof each / sizeof(real); ++k) lane[k] = lane[0];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: push on w only
 // expects: v2.z
@@ -372,9 +374,9 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: push with two exchanged
 // expects: Likely mistake: lambda[1] and lambda[2] are exchanged
@@ -395,11 +397,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: records made anew
 // expects: inverse mass of body 1
@@ -416,12 +418,12 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   const Triple<Number> v1 = body1.v - body1.inverse_mass * push;
-  const Triple<Number> w1 = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  const Triple<Number> w1 = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body1 = {v1, Number{}, w1, Number{}};
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: sign
 // expects: v1.x
@@ -439,11 +441,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] + hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: turn only
 // expects: Likely mistake: the push changes v only: w gets r x P, too
@@ -460,11 +462,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * turn;
+  body1.w = body1.w - hinge.I1 * couple;
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * turn;
+  body2.w = body2.w + hinge.I2 * couple;
 
 // ---- wrong: two blocks
 // expects: Likely mistake: what K^-1 holds between the point and the axis is not used
@@ -481,11 +483,11 @@
       if ((i < 3) == (j < 3)) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: unknown in the bias
 // expects: None of the usual mistakes explains it
@@ -508,11 +510,11 @@
       lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: v in the axis rows
 // expects: Likely mistake: v in the place of w in the axis rows: a_j . (w2 - w1)
@@ -536,11 +538,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: w of body 1 with the lever of body 2
 // expects: from w1     -0.1684    0.0736    0.1667  x
@@ -569,11 +571,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong: without inverse inertia
 // expects: Likely mistake: the inverse inertias are missing
@@ -589,11 +591,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + (cross(hinge.r2, push) + couple);
 
 // ---- wrong: without the turn
 // expects: Likely mistake: the turn T is missing: w gets r x P + T
@@ -609,7 +611,7 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
   body1.w = body1.w - hinge.I1 * cross(hinge.r1, push);
   body2.v = body2.v + body2.inverse_mass * push;
@@ -629,11 +631,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- right: J transposed
 // Row by row: M^-1 J^T lambda, all sums in another order.
@@ -652,11 +654,11 @@
   };
   const Triple<Number> push{minus_lambda(0), minus_lambda(1), minus_lambda(2)};
   const Number a = minus_lambda(3), b = minus_lambda(4);
-  const Triple<Number> turn = a * hinge.axis_row[0] + b * hinge.axis_row[1];
+  const Triple<Number> couple = a * hinge.axis_row[0] + b * hinge.axis_row[1];
   body1.v = body1.v + body1.inverse_mass * push;
   body2.v = body2.v - body2.inverse_mass * push;
-  body1.w = body1.w + hinge.I1 * cross(hinge.r1, push) + hinge.I1 * turn;
-  body2.w = body2.w - hinge.I2 * cross(hinge.r2, push) - hinge.I2 * turn;
+  body1.w = body1.w + hinge.I1 * cross(hinge.r1, push) + hinge.I1 * couple;
+  body2.w = body2.w - hinge.I2 * cross(hinge.r2, push) - hinge.I2 * couple;
 
 // ---- right: K read once
 // Each of the fifteen numbers is read once and serves both sides of the diagonal.
@@ -677,11 +679,11 @@
     }
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
   body2.v = body2.v + body2.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- right: added in place
 // The sums with += and -=.
@@ -709,9 +711,9 @@
   body1.w = body1.w - hinge.I1 * cross(hinge.r1, push);
   body2.v = body2.v + body2.inverse_mass * push;
   body2.w = body2.w + hinge.I2 * cross(hinge.r2, push);
-  const Triple<Number> turn = lambda(3) * hinge.axis_row[0] + lambda(4) * hinge.axis_row[1];
-  body1.w = body1.w - hinge.I1 * turn;
-  body2.w = body2.w + hinge.I2 * turn;
+  const Triple<Number> couple = lambda(3) * hinge.axis_row[0] + lambda(4) * hinge.axis_row[1];
+  body1.w = body1.w - hinge.I1 * couple;
+  body2.w = body2.w + hinge.I2 * couple;
 
 // ---- right: component by component
 // No function of Triple at all for the gap and the push.
@@ -759,11 +761,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (push + turn);
+  body2.w = body2.w + hinge.I2 * (push + couple);
 
 // ---- wrong units: v for w in the axis rows
 // expects: Units: in the solve, adding m/s to 1/s
@@ -779,11 +781,11 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 
 // ---- wrong units: without inverse mass
 // expects: Units: in the solve, taking kg m/s from m/s: the inverse mass is missing
@@ -799,8 +801,8 @@
     for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
   }
   const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> turn = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
   body1.v = body1.v - push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + turn);
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + turn);
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);

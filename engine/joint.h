@@ -25,7 +25,7 @@ class Joint {
   /// Called once a step, before the blocks are asked for. \param h step [s]
   void begin_step(const Bodies& bodies, real h) {
     h_ = h;
-    can_move_ = !bodies[body1].is_static() || !bodies[body2].is_static();
+    can_move_ = !bodies.at(int(body1.slot)).is_static() || !bodies.at(int(body2.slot)).is_static();
     can_move_ ? choose_rows(bodies, h) : drop_rows();
   }
   /// Could one of its bodies be moved when the last step began?

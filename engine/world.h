@@ -19,7 +19,7 @@ class World {
  public:
   Bodies bodies;                    ///< all of them, in one array
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
-  Blocks blocks;                    ///< those of the last step, for looking at
+  Blocks blocks;  ///< those of the last step, for looking at; none after anything was removed
   real last_h = 0;                  ///< length of the last step [s]; 0 before the first
 
   /// Adds a body. \throws std::invalid_argument for a body that is not finite

@@ -44,8 +44,8 @@ class Adapted : public OwnLoop {
 
 }  // namespace
 
-std::unique_ptr<OwnLoop> own_loop(const World& world, int /*chains*/, int iterations,
-                                  Visits visits, real relaxation) {
+std::unique_ptr<OwnLoop> own_loop(const World& world, int iterations, Visits visits,
+                                  real relaxation) {
   if (visits == Visits::chain_order || visits == Visits::interleaved)
     return std::make_unique<Adapted<real>>(world, iterations, visits, relaxation);
   return std::make_unique<Adapted<Lanes>>(world, iterations, visits, relaxation);

@@ -27,10 +27,9 @@ class OwnLoop {
   virtual void show(World& world) const = 0;    ///< gives the bodies back
 };
 
-/// \param world chains of as many hinges each, one chain after the other, and nothing else
-/// \param chains how many there are \param iterations iterations a step
+/// \param world hinges and nothing else \param iterations of a step
 /// \param relaxation factor of every impulse [1]
-std::unique_ptr<OwnLoop> own_loop(const World& world, int chains, int iterations, Visits visits,
+std::unique_ptr<OwnLoop> own_loop(const World& world, int iterations, Visits visits,
                                   real relaxation = 1);
 
 /// For which processors the loop was compiled, and how many lanes it has: "AVX2, 8 lanes".

@@ -170,10 +170,7 @@ Step of_chapter_7(const Way& way, int iterations, std::shared_ptr<std::unique_pt
   return [=](World& world, real h) {
     if (!*loop) {
       if (way.half_kick) take_half_a_kick(world.bodies, world.gravity, h);
-      int chains = 0;  // each hangs on a static body of its own
-      for (int slot = 0; slot < world.bodies.slots(); ++slot)
-        chains += world.bodies.at(slot).is_static();
-      *loop = own_loop(world, chains, iterations, way.visits, way.relaxation);
+      *loop = own_loop(world, iterations, way.visits, way.relaxation);
     }
     (*loop)->step(h);
   };

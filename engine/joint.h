@@ -25,7 +25,7 @@ class Joint {
   /// Called once per step, before append(). \param h step [s]
   void begin_step(const Bodies& bodies, real h) {
     h_ = h;
-    can_move_ = !bodies[body1].is_static() || !bodies[body2].is_static();
+    can_move_ = !bodies.at(int(body1.slot)).is_static() || !bodies.at(int(body2.slot)).is_static();
     can_move_ ? choose_rows(bodies, h) : drop_rows();
   }
   /// True if at least one of its bodies was not static when the last step began.

@@ -20,6 +20,7 @@ void World::remove(const Joint& joint) {
   require(place != joints_.end(), "joint: this world has no such joint");
   most_rows_ -= (*place)->most_rows();
   joints_.erase(place);
+  blocks.clear();  // some may have been its own
 }
 
 void World::remove(BodyId body) {
@@ -30,6 +31,7 @@ void World::remove(BodyId body) {
     return held;
   });
   bodies.remove(body);
+  blocks.clear();
 }
 
 }  // namespace joints

@@ -19,7 +19,7 @@ class World {
  public:
   Bodies bodies;                    ///< all of them, in one array
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
-  Blocks blocks;                    ///< the blocks of the last step
+  Blocks blocks;  ///< the blocks of the last step; empty after anything was removed
   real last_h = 0;                  ///< length of the last step [s]; 0 before the first
 
   /// Adds a body. \throws std::invalid_argument as Bodies::add()

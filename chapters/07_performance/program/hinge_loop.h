@@ -104,9 +104,15 @@ class HingeLoop {
   // The same for a group: each hinge's numbers into its lane, zeros into a lane without a hinge.
   void prepare_group(std::size_t group, real h) {
     for (int lane = 0; lane < width; ++lane) {
-      HingeNumbers<real> one{};
-      if (lane < int(groups_[group].size())) prepare(std::size_t(groups_[group][lane]), h, one);
-      scatter(one, numbers_[group], lane);
+      const bool used = lane < int(groups_[group].size());
+      const std::size_t k = used ? std::size_t(groups_[group][lane]) : 0;
+      if constexpr (width == 1) {
+        prepare(k, h, numbers_[group]);
+      } else {
+        HingeNumbers<real> one{};
+        if (used) prepare(k, h, one);
+        scatter(one, numbers_[group], lane);
+      }
     }
   }
 

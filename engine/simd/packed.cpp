@@ -25,7 +25,7 @@ bool holds_a_point(const Row* J, int rows) {
   return true;
 }
 
-Kind kind_of(const Bodies& bodies, const Blocks& list, const PreparedBlock& block) {
+BlockKind kind_of(const Bodies& bodies, const Blocks& list, const PreparedBlock& block) {
   const bool follows = block.followed >= 0;
   const bool point = !follows && holds_a_point(&list.J[block.first], block.rows);
   const bool hard = !follows && block.impulse_scale == 0 && block.lower == -unbounded &&
@@ -110,7 +110,7 @@ void PackedBlocks::arrange(const Bodies& bodies, Packing packing) {
   numbers_.clear();
   std::vector<BodyPair> pairs;
   std::vector<bool> moves(std::size_t(bodies.slots()));
-  std::set<Kind> present;
+  std::set<BlockKind> present;
   for (const Signature& one : signatures_) {
     pairs.push_back(one.bodies);
     moves[one.bodies.body1] = !one.static1;
@@ -161,7 +161,7 @@ void PackedBlocks::add_group(const std::vector<int>& members) {
 // Fills followed_: where each following row finds the impulse that it follows.
 void PackedBlocks::find_followed() {
   followed_.clear();
-  if (std::none_of(groups.begin(), groups.end(), [](const Kind& kind) { return kind.follows; }))
+  if (std::none_of(groups.begin(), groups.end(), [](const BlockKind& kind) { return kind.follows; }))
     return;
   std::vector<int> first_row, place;  // block -> its first row; row -> index of its lambda
   for (const Signature& one : signatures_) {

@@ -40,7 +40,7 @@ class PackedBlocks {
  private:
   // What the grouping depends on: compared in every step.
   struct Signature {
-    Kind kind;
+    BlockKind kind;
     bool static1, static2;
     BodyPair bodies;
     int followed;  // PreparedBlock::followed

@@ -15,13 +15,13 @@ namespace joints {
 constexpr int lane_count = 32 / int(sizeof(real));  ///< 8 in float, 4 in double
 
 /// The kind of a block chooses its record. Only blocks of one kind are solved side by side.
-struct Kind {
+struct BlockKind {
   signed char rows = 0;  ///< 1 to 6
   bool point = false;    ///< the first three rows hold two points together, the others are angular
   bool hard = false;     ///< neither soft nor bounded: no scales, no bounds
   bool isotropic = false;  ///< only for `point`: both inertias are isotropic, one number each
   bool follows = false;  ///< one row whose bounds are -+factor times another row's impulse
-  auto operator<=>(const Kind&) const = default;  ///< the order of groups within a colour
+  auto operator<=>(const BlockKind&) const = default;  ///< the order of groups within a colour
 };
 
 // ---- records of blocks -------------------------------------------------------------------------
@@ -29,6 +29,7 @@ struct Kind {
 /// Three rows that hold two points together, and N - 3 angular rows.
 template <int N, bool isotropic, class Number>
 struct PointRows {
+  /// Of an isotropic body one number will do.
   using Inertia = std::conditional_t<isotropic, Number, Symmetric<Number>>;
   Triple<Number> r1, r2;  ///< levers [m], world
   Inertia I1, I2;         ///< inverse inertia [1/(kg m^2)], world
@@ -41,10 +42,10 @@ template <int N, class Number>
 struct AnyRows {
   /// J and PreparedRow's responses.
   struct Row {
-    Triple<Number> v1, w1, v2, w2, response_w1, response_w2;
+    Triple<Number> v1, w1, v2, w2, response_w1, response_w2;  ///< factors of the velocities
   };
   Number bias[N];  ///< PreparedRow::bias
-  Row row[N];
+  Row row[N];      ///< the rows, from the first
 };
 
 /// The accumulated impulses, and K^-1.
@@ -72,12 +73,15 @@ struct Unbounded {};
 /// All numbers of a block.
 template <class Rows, int N, bool hard, class Number>
 struct Record {
-  Rows rows;
-  Impulses<N, Number> impulses;
+  Rows rows;                     ///< geometry and bias
+  Impulses<N, Number> impulses;  ///< what they have given, and K^-1
+  /// Scales and bounds, if there are any.
   [[no_unique_address]] std::conditional_t<hard, Unbounded, Bounds<N, Number>> bounds;
 };
+/// Of a block whose first three rows hold two points together.
 template <int N, bool hard, bool isotropic, class Number>
 using PointRecord = Record<PointRows<N, isotropic, Number>, N, hard, Number>;
+/// Of any other block.
 template <int N, bool hard, class Number>
 using AnyRecord = Record<AnyRows<N, Number>, N, hard, Number>;
 /// One row whose bounds follow another row's impulse.
@@ -93,7 +97,7 @@ JOINTS_INLINED inline void use(real* numbers, const F& f) {
   f(*reinterpret_cast<Record*>(numbers));
 }
 template <int N, class Number, class F>
-JOINTS_INLINED inline void use_rows(const Kind& kind, real* numbers, const F& f) {
+JOINTS_INLINED inline void use_rows(const BlockKind& kind, real* numbers, const F& f) {
   if constexpr (N >= 3) {
     if (kind.point) {
       if (kind.hard && kind.isotropic) return use<PointRecord<N, true, true, Number>>(numbers, f);
@@ -110,7 +114,7 @@ JOINTS_INLINED inline void use_rows(const Kind& kind, real* numbers, const F& f)
 /// Calls f with the record of this kind that begins at `numbers`: one switch per group, and its
 /// type tells the compiler the number of rows.
 template <class Number, class F>
-JOINTS_INLINED inline void use_record(const Kind& kind, real* numbers, const F& f) {
+JOINTS_INLINED inline void use_record(const BlockKind& kind, real* numbers, const F& f) {
   switch (kind.rows) {
     case 1:
       if (kind.follows) return use<FollowingRecord<Number>>(numbers, f);
@@ -150,7 +154,7 @@ inline One gather(const All& all, int lane) {
 }
 
 /// Blocks that are solved side by side, one per lane.
-struct LaneGroup : Kind {
+struct LaneGroup : BlockKind {
   int first = 0;         ///< index of its record's first number
   int first_lambda = 0;  ///< index of the record's first accumulated impulse
 };

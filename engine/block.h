@@ -18,7 +18,7 @@ struct RowTarget {
   real frequency = 0;  ///< not 0: a spring of this natural frequency [Hz] takes the place of beta
   real damping = 1;    ///< damping ratio of that spring [1]
   real rate = 0;       ///< target rate of the last row [unit of C per s]: the speed of a motor
-  bool holds_position = true;  ///< C is an error to be removed; false for motors and friction
+  bool holds_position = true;  ///< C is an error to be removed; false where only a rate is wanted
   /// Not 0, only for a block of one row: the bounds are -+upper * impulse[follows], where `impulse`
   /// is the block's own pointer; `upper` is then a factor [1], and `lower` is not read.
   int follows = 0;

@@ -56,7 +56,7 @@ void project_positions(World& world) {
     joint->append(world.bodies, blocks);
     for (int k = known; k < int(blocks.list.size()); ++k) {
       const Block& block = blocks.list[k];
-      if (!block.target.holds_position) continue;  // a motor or friction
+      if (!block.target.holds_position) continue;  // only a rate is wanted
       const real C = blocks.C[block.first + block.rows - 1];
       const bool one_sided = block.target.lower == 0 && block.target.upper == unbounded;
       project(world.bodies, blocks, block, one_sided && C > 0 ? block.rows - 1 : block.rows);

@@ -38,7 +38,7 @@ void SequentialImpulses::solve_rows(Body* bodies, const Row* J, const PreparedBl
   }
 }
 
-// One solve of a block, for hard, soft, one-sided, motor and friction rows alike.
+// One solve of a block, for hard, soft, one-sided and bounded rows alike.
 template <int N, bool linear, bool angular>
 void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedBlock& block) {
   Body &body1 = bodies[block.body1], &body2 = bodies[block.body2];

@@ -161,7 +161,8 @@ void PackedBlocks::add_group(const std::vector<int>& members) {
 // Fills followed_: where each following row finds the impulse that it follows.
 void PackedBlocks::find_followed() {
   followed_.clear();
-  if (std::none_of(groups.begin(), groups.end(), [](const BlockKind& kind) { return kind.follows; }))
+  if (std::none_of(groups.begin(), groups.end(),
+                   [](const BlockKind& kind) { return kind.follows; }))
     return;
   std::vector<int> first_row, place;  // block -> its first row; row -> index of its lambda
   for (const Signature& one : signatures_) {

@@ -20,15 +20,15 @@ namespace {
 
 const real h = real(1) / 60;
 
-std::string words(const Kind& kind) {
+std::string words(const BlockKind& kind) {
   return std::to_string(kind.rows) + " rows" + (kind.point ? " of a point" : "") +
          (kind.hard ? ", hard" : "") + (kind.isotropic ? ", isotropic" : "");
 }
-const Kind& kind_of(const LaneGroup& group) { return group; }
+const BlockKind& kind_of(const LaneGroup& group) { return group; }
 
 // All that the switch can tell apart.
-std::vector<Kind> all_kinds() {
-  std::vector<Kind> kinds;
+std::vector<BlockKind> all_kinds() {
+  std::vector<BlockKind> kinds;
   for (const signed char rows : {1, 2, 3, 4, 5, 6})
     for (const bool hard : {true, false}) {
       kinds.push_back({rows, false, hard, false});
@@ -58,7 +58,7 @@ vec3 vector_of(const Dense& Q, long row, long first) {
 
 // A joint of random rows, or of a point's rows and random ones that turn.
 template <int N>
-void join(World& world, BodyId a, BodyId b, const Kind& kind, const RowTarget& target,
+void join(World& world, BodyId a, BodyId b, const BlockKind& kind, const RowTarget& target,
           Random& random) {
   auto& joint = world.add<AnyJoint<N>>(a, b);
   const Dense of1 = directions(random, 6), of2 = directions(random, 6);
@@ -79,7 +79,7 @@ void join(World& world, BodyId a, BodyId b, const Kind& kind, const RowTarget& t
 }
 
 // Eleven chains of three joints of one kind, in any order of the joints.
-World chains(const Kind& kind, const RowTarget& target, const std::vector<int>& order) {
+World chains(const BlockKind& kind, const RowTarget& target, const std::vector<int>& order) {
   World world;
   Random random(91);
   std::vector<BodyId> ids;
@@ -111,8 +111,8 @@ World chains(const Kind& kind, const RowTarget& target, const std::vector<int>& 
 struct Outcome {
   Column V, lambda;
 };
-template <class Kind>
-Outcome outcome(World world, Kind& solver, const std::vector<int>& order) {
+template <class BlockKind>
+Outcome outcome(World world, BlockKind& solver, const std::vector<int>& order) {
   solver.iterations = 10;
   Random random(92);
   for (int n = 0; n < 2; ++n) {  // each begins with another push
@@ -134,11 +134,11 @@ Outcome outcome(World world, Kind& solver, const std::vector<int>& order) {
 }
 
 // The kinds that a world's blocks are of, and how many groups of each.
-std::map<Kind, int> kinds_of(World& world) {
+std::map<BlockKind, int> kinds_of(World& world) {
   PackedImpulses solver;
   solver.packing = Packing::list;
   step(world, solver, h);
-  std::map<Kind, int> out;
+  std::map<BlockKind, int> out;
   for (const LaneGroup& group : solver.packed().groups) ++out[kind_of(group)];
   return out;
 }
@@ -148,8 +148,8 @@ std::map<Kind, int> kinds_of(World& world) {
 TEST_CASE("every kernel of the packed iteration finds what the scalar solver finds") {
   std::vector<int> in_list(33);
   std::iota(in_list.begin(), in_list.end(), 0);
-  std::map<Kind, std::map<int, int>> met;  // kind -> numbers at a time -> groups
-  for (const Kind& kind : all_kinds())
+  std::map<BlockKind, std::map<int, int>> met;  // kind -> numbers at a time -> groups
+  for (const BlockKind& kind : all_kinds())
     for (const RowTarget& target : targets(kind.hard))
       for (const Packing packing : {Packing::islands, Packing::colours, Packing::list})
         for (const bool lanes : {true, false}) {
@@ -175,7 +175,7 @@ TEST_CASE("every kernel of the packed iteration finds what the scalar solver fin
           CHECK(difference(packed.lambda, scalar.lambda) < near);
         }
   REQUIRE(all_kinds().size() == 28);  // 12 of any rows, 16 of a point
-  for (const Kind& kind : all_kinds()) {
+  for (const BlockKind& kind : all_kinds()) {
     INFO(words(kind));
     CHECK(met[kind][1] > 0);
     CHECK(met[kind][lane_count] > 0);
@@ -186,7 +186,7 @@ TEST_CASE("every kernel of the packed iteration finds what the scalar solver fin
 TEST_CASE("which kernels the joints of the workbook take") {
   struct Line {
     std::string joint;
-    std::vector<Kind> kinds;
+    std::vector<BlockKind> kinds;
     std::function<void(World&, BodyId, BodyId)> join;
   };
   const vec3 middle(real(0.5), 0, 0), axis(1, 2, 2);
@@ -234,8 +234,8 @@ TEST_CASE("which kernels the joints of the workbook take") {
       const BodyId b = world.add(isotropic ? box(1, vec3(1), vec3(1, 0, 0))
                                        : box(1, vec3(1, 2, 3), vec3(1, 0, 0)));
       line.join(world, a, b);
-      std::map<Kind, int> expected;
-      for (Kind kind : line.kinds) {
+      std::map<BlockKind, int> expected;
+      for (BlockKind kind : line.kinds) {
         kind.isotropic = kind.point && isotropic;
         ++expected[kind];
       }
@@ -244,7 +244,7 @@ TEST_CASE("which kernels the joints of the workbook take") {
 }
 
 TEST_CASE("the kernel for isotropic inertia finds what the one for any inertia finds") {
-  const Kind isotropic{5, true, true, true}, general{5, true, true, false};
+  const BlockKind isotropic{5, true, true, true}, general{5, true, true, false};
   std::vector<int> order(33);
   std::iota(order.begin(), order.end(), 0);
   for (const Packing packing : {Packing::islands, Packing::colours})

@@ -120,6 +120,7 @@ class DrivenJoint : public Joint {
   }
 
  protected:
+  /// From the parts as they stand now.
   DrivenJoint(BodyId body1, BodyId body2, const First& first, const Second& second,
               const Coordinate& coordinate)
       : Joint(body1, body2), first(first), second(second), coordinate(coordinate) {}

@@ -163,7 +163,6 @@ TEST_CASE("a box that slides over the edge of the ground falls, one that stops b
 }
 
 TEST_CASE("a corner beside the ground is not lifted onto its top") {
-  const vec3 size(4, 1, 4);
   Grounded beside(lowered(real(-1.2), quat(1, 0, 0, 0)), box_outline(brick), 0,
                   {real(0), 2, 2, real(0.5)});
   beside.run(0.1, h);

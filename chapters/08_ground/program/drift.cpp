@@ -16,7 +16,9 @@ void drift(const Choice& choice, std::vector<Summary>& lines) {
     Turns turns;
   } scenes[] = {{"gravity", Turns::no_ground}, {"collision", Turns::interleaved},
                 {"contact last", Turns::joints_first}};
-  for (const auto& [name, turns] : scenes) {
+  for (const auto& each : scenes) {
+    const std::string& name = each.name;
+    const Turns turns = each.turns;
     Scene scene{.name = "drift"};
     scene.solver.iterations = choice.iterations;
     scene.energy_scale = 100 * 9.81 * 2;

@@ -14,8 +14,10 @@ void order(const Choice& choice, std::vector<Summary>& lines) {
     Turns turns;
   } orders[] = {{"interleaved", Turns::interleaved}, {"joints first", Turns::joints_first},
                 {"contacts first", Turns::contacts_first}, {"no ground", Turns::no_ground}};
-  for (const auto& [name, turns] : orders)
+  for (const auto& order : orders)
     for (const int iterations : {5, 10, 30, 100}) {
+      const std::string& name = order.name;
+      const Turns turns = order.turns;
       LandingChain chain(turns, 8, iterations, choice.beta);
       Scene& scene = chain.scene;
       const bool seen = turns == Turns::interleaved && iterations == 30;

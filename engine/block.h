@@ -11,19 +11,24 @@
 /// @{
 namespace joints {
 
-/// Feedback, target rate and bounds of a block's rows.
+/// Feedback, target rate and bounds of a block's rows: beta, frequency and damping are for all of
+/// them, the rate and the bounds for the last.
 /// An aggregate: name only what you need, as in `RowTarget{.beta = real(0.2), .lower = 0}`.
 struct RowTarget {
   real beta = 0;       ///< share of the error C that is removed in one step [1]
-  real frequency = 0;  ///< not 0: a spring of this natural frequency [Hz] takes the place of beta
+  real frequency = 0;  ///< above 0: a spring of this natural frequency [Hz] takes the place of beta
   real damping = 1;    ///< damping ratio of that spring [1]
   real rate = 0;       ///< target rate of the last row [unit of C per s]: the speed of a motor
   bool holds_position = true;  ///< C is an error to be removed; false where only a rate is wanted
   /// Not 0, only for a block of one row: the bounds are -+upper * impulse[follows], where `impulse`
-  /// is the block's own pointer; `upper` is then a factor [1], and `lower` is not read.
+  /// is the block's own pointer; `upper` is then a factor [1], and `lower` is not read. The other
+  /// row must be one-sided: its impulse must not become negative.
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]
+
+  /// The last row keeps C >= 0 and only pushes: it is speculative while there is a gap.
+  bool one_sided() const { return holds_position && follows == 0 && lower == 0; }
 };
 
 /// Which of the bodies' velocities a block reads and changes.

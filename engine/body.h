@@ -66,13 +66,13 @@ Body body_with(real mass, const vec3& inertia_local, const vec3& x,
 /// exp(phi) = (cos |phi|/2, sin(|phi|/2) phi/|phi|), accurate down to |phi| = 0.
 quat rotation(const vec3& phi);
 
-/// First half of a step: gravity, external force and torque, and the gyroscopic torque change the
-/// velocities. \param gravity [m/s^2] \param h step [s]
+/// The beginning of a step: gravity, external force and torque, and the gyroscopic torque change
+/// the velocities. \param gravity [m/s^2] \param h step [s]
 void integrate_forces(Body& body, const vec3& gravity, real h);
 /// Speed clamp: integrate_pose() scales a velocity down so that no component exceeds this
 /// [m/s or rad/s]. A diverging run stays finite.
 constexpr real max_speed = real(3e8);
-/// Last half of a step: the velocities change position and orientation. \param h step [s]
+/// The end of a step: the velocities change position and orientation. \param h step [s]
 void integrate_pose(Body& body, real h);
 /// The angular velocity after a torque-free step of length h: implicit midpoint rule in the body's
 /// axes by three Newton iterations. Once converged it keeps the energy w.(I w)/2 exactly.

@@ -11,6 +11,7 @@ namespace joints {
 /// part, so that composites can be nested.
 template <class First, class Second>
 struct Composite {
+  static_assert(!First::one_sided, "bounds belong to the last row: only the lower part has them");
   First first;    ///< the upper rows
   Second second;  ///< the lower rows
 

@@ -76,6 +76,7 @@ void IterativeSolver::add(const Bodies& bodies, const Block& block, int from, in
   out.impulse_scale *= relaxation;
   if (has_last && target.follows != 0) {
     require(n == 1, "follows: only a block of one row can follow another impulse");
+    require(std::abs(target.follows) < 128, "follows: must be within 127 places");
     out.follows = static_cast<signed char>(target.follows);
     out.upper = target.upper;
   } else if (has_last) {
@@ -98,8 +99,8 @@ void IterativeSolver::add(const Bodies& bodies, const Block& block, int from, in
                     response[i].w1, response[i].w2});
   if (has_last) {
     const real C = blocks_->C[block.first + to - 1];
-    const bool one_sided = target.lower == 0 && target.upper == unbounded;
-    if (one_sided && C > 0) rows.back().bias = C / h;  // speculative: the gap may be closed
+    // speculative: the gap may be closed, no more
+    if (target.one_sided() && C > 0) rows.back().bias = C / h;
     rows.back().bias -= target.rate;
   }
   blocks.push_back(out);

@@ -41,7 +41,11 @@ struct Prepared {
 /// @{
 
 /// A solver that solves one block after the other, in several iterations. solve() of the derived
-/// class chooses the order of the blocks and the form in which their numbers are stored.
+/// class chooses the order of the blocks and the form in which their numbers are stored. For every
+/// block it adds dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda to the accumulated
+/// impulses, clamps the last one to its bounds (-+upper times impulse[follows], if follows is not
+/// 0), changes the other rows by clamp_response for each unit that was cut, and changes the
+/// velocities: SequentialImpulses::solve_block is the reference. Both scales hold the relaxation.
 class IterativeSolver : public Solver {
  public:
   int iterations = 30;  ///< over all blocks, per solve()
@@ -50,7 +54,7 @@ class IterativeSolver : public Solver {
   void check() const override;
   /// \throws std::invalid_argument if a bound follows an impulse that no row has
   void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
-  /// Zeroes the impulse of a row with no direction, or one that depends on others of its block.
+  /// Zeroes the impulse of a row whose Jacobian is zero or that depends on others of its block.
   void warm_start(Bodies& bodies, real ratio) override;
 
  protected:

@@ -1,4 +1,4 @@
-// The interface of every joint: it makes blocks from the poses of two bodies, once per step.
+// The interface of every joint: it makes blocks from the poses of two bodies.
 #pragma once
 
 #include "engine/block.h"
@@ -8,8 +8,10 @@
 /// @{
 namespace joints {
 
-/// A joint appends its blocks once per step; the solver's inner loop never calls it.
-/// A new kind of joint is one new class in one new file; nothing else changes.
+/// The step asks a joint for its blocks once for the solver, and once in each iteration of position
+/// projection; the solver's inner loop never calls it. With Stepping::substeps "step" means substep
+/// here, and what is told of the last step is of the last substep. A new kind of joint is one new
+/// class in one new file; nothing else changes.
 class Joint {
  public:
   BodyId body1, body2;    ///< the two bodies that it holds
@@ -37,9 +39,10 @@ class Joint {
   /// counts turns measures its angle again.
   virtual void moved(const Bodies&) {}
   /// Called after each solve if a body can move: appends the blocks of limits that the new
-  /// velocities would pass within this step. \param h step [s]
+  /// velocities would pass within this step, each at most once: the step solves again until no
+  /// joint appends any. Their impulses must be zero, for they get no warm start. \param h step [s]
   virtual void late_limits(const Bodies&, [[maybe_unused]] real h, Blocks&) {}
-  /// The most rows that append() and late_limits() can append together in one step.
+  /// The most rows that append() and late_limits() can append together in one step. Never changes.
   virtual int most_rows() const = 0;
   /// Which limits and motors the joint has, for reports.
   struct Extras {

@@ -16,7 +16,7 @@ void unrolled(const F& f) {
   }(std::make_integer_sequence<int, n>{});
 }
 
-// Pivot k solves row k for its unknown and substitutes it into all other rows. After every pivot
+// Pivot k solves row k for its unknown and substitutes it into all other rows. After the last pivot
 // the lower triangle holds minus the inverse.
 template <int N>
 void invert(real* K) {
@@ -31,8 +31,9 @@ void invert(real* K) {
   });
   unrolled<N>([&](auto k) {
     const real pivot = at(k, k);
-    if (!(pivot > 4 * epsilon * original[k])) {  // a dependent row leaves only rounding errors, a
-      dependent[k] = any_dependent = true;       // row without a direction 0
+    // What is left of a dependent row is rounding error; of a row that is zero, 0.
+    if (!(pivot > 4 * epsilon * original[k])) {
+      dependent[k] = any_dependent = true;
       return;
     }
     const real over_pivot = 1 / pivot;

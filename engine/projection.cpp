@@ -20,9 +20,9 @@ void project(Bodies& bodies, const Blocks& blocks, const Block& block, int rows)
     lambda[i] = 0;
     for (int j = 0; j < rows; ++j) lambda[i] -= K[i * rows + j] * blocks.C[block.first + j];
   }
-  // The rigid rows alone may overshoot the limit; its row is dropped then: it may not pull.
-  const bool one_sided = rows == block.rows && block.target.lower == 0;
-  if (one_sided && lambda[rows - 1] < 0) return project(bodies, blocks, block, rows - 1);
+  // lambda < 0: all rows together would need the limit to pull. Solve again without its row.
+  const bool may_pull = rows < block.rows || !block.target.one_sided();
+  if (!may_pull && lambda[rows - 1] < 0) return project(bodies, blocks, block, rows - 1);
 
   Row move;  // M^-1 J^T lambda
   for (int i = 0; i < rows; ++i) {
@@ -58,8 +58,8 @@ void project_positions(World& world) {
       const Block& block = blocks.list[k];
       if (!block.target.holds_position) continue;  // only a rate is wanted
       const real C = blocks.C[block.first + block.rows - 1];
-      const bool one_sided = block.target.lower == 0 && block.target.upper == unbounded;
-      project(world.bodies, blocks, block, one_sided && C > 0 ? block.rows - 1 : block.rows);
+      const bool leave_out_last = block.target.one_sided() && C > 0;
+      project(world.bodies, blocks, block, leave_out_last ? block.rows - 1 : block.rows);
     }
     blocks.keep(known);
   }

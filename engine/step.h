@@ -25,10 +25,12 @@ struct Stepping {
 /// finds the impulses of all joints, and the new velocities move the bodies. Allocates only when
 /// the world has grown since the last step, or the solver has to regroup its blocks.
 /// \param h step [s] \throws std::invalid_argument unless h is positive and finite and the settings
-/// of solver and step are valid; the world has not moved then
+/// of solver and step are valid; the world has not moved then. A bound that follows a missing row
+/// is refused only when the blocks are prepared, after the forces.
 void step(World& world, Solver& solver, real h, const Stepping& how = {});
 
-// The two ends of a step, to measure between the iterations. They ignore Stepping::substeps.
+// The two ends of a step, to measure between the iterations. They do neither substeps nor late
+// limits: call solve() or iterate() between them.
 
 /// Integrates the forces, collects the joints' blocks, prepares them and starts warm or cold.
 void begin_step(World& world, Solver& solver, real h, const Stepping& how = {});

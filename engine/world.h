@@ -17,10 +17,10 @@ namespace joints {
 /// between two steps.
 class World {
  public:
-  Bodies bodies;                    ///< all of them, in one array
+  Bodies bodies;  ///< all of them, in one array; World::remove() takes their joints away as well
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
   Blocks blocks;  ///< the blocks of the last step; empty after anything was removed
-  real last_h = 0;                  ///< length of the last step [s]; 0 before the first
+  real last_h = 0;                  ///< length of the last (sub)step [s]; 0 before the first
 
   /// Adds a body. \throws std::invalid_argument as Bodies::add()
   BodyId add(const Body& body) { return bodies.add(body); }

@@ -6,7 +6,7 @@
 
 #include "chapters/03_hinge/hinge.h"
 #include "engine/composite.h"
-#include "engine/reaction.h"
+#include "engine/joint.h"
 
 /// \addtogroup chapter3
 /// @{
@@ -104,9 +104,6 @@ class DrivenJoint : public Joint {
     return out;
   }
 
-  /// Counts turns, and chooses the limit that has a row in this step.
-  void choose_rows(const Bodies& bodies, real h) override;
-  void drop_rows() override { limit_ = late_ = {}; }  ///< between two static bodies
   /// Measures again, so that no turn is lost, if projection has moved the bodies too far.
   void moved(const Bodies& bodies) override;
   /// Appends motor, limit and rigid rows, as far as they are live.
@@ -120,6 +117,9 @@ class DrivenJoint : public Joint {
   }
 
  protected:
+  /// Counts turns, and chooses the limit that has a row in this step.
+  void choose_rows(const Bodies& bodies, real h) override;
+  void drop_rows() override { limit_ = late_ = {}, impulse_ = {}; }  ///< between static bodies
   /// From the parts as they stand now.
   DrivenJoint(BodyId body1, BodyId body2, const First& first, const Second& second,
               const Coordinate& coordinate)
@@ -135,7 +135,7 @@ class DrivenJoint : public Joint {
   bool counted() const { return limited() || motor_.strength > 0; }
   void measure(const Bodies& bodies) {
     count_from(coordinate, next_);
-    next_ = x_ = position(bodies);
+    next_ = x_ = coordinate.error(bodies[body1], bodies[body2]);
     measured_ = true;
   }
   real slack() const { return std::min(x_ - range_.lower, range_.upper - x_); }

@@ -14,7 +14,8 @@ inline void count_from(HingeAngle& angle, real expected) { angle.expected = expe
 /// Skips atan2 while the limits of a hinge are out of reach. The angle's rate is g.(w2 - w1) with
 /// |g| = 1/cos(s/2), where s is the angle between the two axes (Eq. 3-10): while s stays below 83
 /// degrees, |g| is below 1.34, and the angle changes by less than 1.34 times the relative rotation
-/// of the bodies. Half of the slack is for the rotation since the measurement, half for this step.
+/// of the bodies. Half of the slack is for the rotation since the measurement, half for this step;
+/// the two allowances together keep s below 26 + 2 x 28 = 82 degrees.
 template <>
 struct Leeway<HingeAngle> {
   /// Stores the relative orientation and the allowed rotation.
@@ -23,7 +24,7 @@ struct Leeway<HingeAngle> {
     relative_ = conjugate(body1.q) * body2.q;
     const vec3 a2_local = relative_ * (conjugate(angle.start) * angle.a1_local);
     const bool aligned = dot(angle.a1_local, a2_local) > real(0.9);  // s below 26 degrees
-    allowed_ = aligned ? std::min(slack / real(2.7), real(0.9)) : real(0);
+    allowed_ = aligned ? std::min(slack / real(2.7), real(0.49)) : real(0);
     // In float the cosine of a small angle is too inexact: every step measures then.
     least_cosine_ = allowed_ > real(0.01) ? std::cos(allowed_ / 2) : real(2);
   }
@@ -31,13 +32,9 @@ struct Leeway<HingeAngle> {
   /// True if the relative rotation since the measurement is below the allowed one.
   bool still_near(const HingeAngle& angle, const Body& body1, const Body& body2) const {
     const quat was = body1.q * relative_;  // body 2's orientation if nothing had rotated since
-    const real cosine = was.w * body2.q.w + was.x * body2.q.x + was.y * body2.q.y +
-                        was.z * body2.q.z;  // of half the rotation from `was` to body2.q
-    const quat& start = angle.start;
-    const vec3& axis = angle.a1_local;
-    return std::abs(cosine) > least_cosine_ && axis.x == then_.axis.x &&
-           axis.y == then_.axis.y && axis.z == then_.axis.z && start.w == then_.start.w &&
-           start.x == then_.start.x && start.y == then_.start.y && start.z == then_.start.z;
+    const real cosine = dot(was, body2.q);  // of half the rotation from `was` to body2.q
+    return std::abs(cosine) > least_cosine_ && angle.a1_local == then_.axis &&
+           angle.start == then_.start;
   }
   /// True if this step's relative rotation is below the allowed one. \param h step [s]
   bool is_slow(const Body& body1, const Body& body2, real h) const {

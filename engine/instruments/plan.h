@@ -12,11 +12,12 @@ struct Plan {
   int bodies = 0, static_bodies = 0;             ///< all of them, and those that never move
   int blocks = 0, rows = 0;                      ///< live ones
   int limits = 0, live_limits = 0, motors = 0;   ///< of all joints
-  bool warm_start = false;                       ///< as the solver is set
-  std::string line() const;  ///< "bodies 12 (2 static)  blocks 19  rows 34  ..."
+  bool warm_start = false;                       ///< as Stepping says
+  std::string line() const;  ///< "bodies 12 (2 static), blocks 19, rows 34, ..."
 };
 
-/// Counts the blocks that the joints append at the present poses.
+/// Counts the blocks that the joints append at the present poses, with the rows that their last
+/// begin_step() chose.
 Plan plan(const World& world, bool warm_start);
 
 }  // namespace joints

@@ -16,7 +16,7 @@ namespace joints {
 double contraction_rate(const std::function<double()>& iterate, int most);
 
 /// The same of the first step of a world, by what Sequential Impulses change of the impulses. The
-/// bodies are left as they stand.
+/// bodies are left as they stand; impulses, blocks and last_h are not.
 double contraction_rate(World& world, int most, real h = real(1) / 60);
 
 }  // namespace joints

@@ -26,8 +26,12 @@ struct RightAngle {
 /// A point is held and two axes stay at right angles: four rows in one block.
 using UniversalJoint = PartJoint<Composite<Point, RightAngle>>;
 
-/// \throws std::invalid_argument unless the anchors are finite
-inline void check(const Composite<Point, RightAngle>& part) { check(part.first); }
+/// \throws std::invalid_argument unless the anchors are finite and both axes have the length 1
+inline void check(const Composite<Point, RightAngle>& part) {
+  check(part.first);
+  for (const vec3& axis : {part.second.a1_local, part.second.a2_local})
+    require(std::abs(length(axis) - 1) < real(1e-3), "axis1, axis2: must be unit vectors");
+}
 
 /// Joins two shafts as they stand. \param anchor where the shafts' axes meet [m, world]
 /// \param axis1 the pin of the cross in body 1, unit, world \param axis2 that in body 2

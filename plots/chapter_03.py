@@ -67,20 +67,20 @@ def draw_door(solution, mine, out):
 
 def draw_motor(solution, mine, out):
     ideal = np.array([0, 2.5, 4])
-    right_way = pick(solution, "speed_rad_s", clamped="sum", visits=1)
+    right_way = pick(solution, "speed_rad_s", clamped="sum", solves=1)
     title = "A motor of 2 N m on 1 kg m²: clamp the sum, and the number of solves does not matter"
     if mine:
         title = "A motor of 2 N m on 1 kg m², 100 solves: " + style.verdict(
-            pick(mine, "speed_rad_s", clamped="sum", visits=100), right_way, "rad/s")
+            pick(mine, "speed_rad_s", clamped="sum", solves=100), right_way, "rad/s")
     figure, (left, right) = style.figure(title, 2, sharey=True)
     for ax, clamped, words in ((left, "sum", "the sum of a step is clamped"),
-                               (right, "visit", "each solve is clamped by itself")):
-        for visits, colour in zip((1, 10, 100), COLOURS):
-            t, speed = pick(mine or solution, "speed_rad_s", clamped=clamped, visits=visits)
-            ax.plot(t, speed, color=colour, label=f"{visits} solve" + "s" * (visits > 1),
-                    linewidth={1: 5, 10: 3, 100: 1.2}[visits] if clamped == "sum" else 1.8)
+                               (right, "solve", "each solve is clamped by itself")):
+        for solves, colour in zip((1, 10, 100), COLOURS):
+            t, speed = pick(mine or solution, "speed_rad_s", clamped=clamped, solves=solves)
+            ax.plot(t, speed, color=colour, label=f"{solves} solve" + "s" * (solves > 1),
+                    linewidth={1: 5, 10: 3, 100: 1.2}[solves] if clamped == "sum" else 1.8)
         ax.plot(ideal, np.minimum(2 * ideal, 5), color=INK, linewidth=1, dashes=(4, 2),
-                label="2 N m, 5 rad/s" if clamped == "visit" else "_")
+                label="2 N m, 5 rad/s" if clamped == "solve" else "_")
         ax.set(xlabel="time  [s]", xlim=(0, 4), ylim=(-0.3, 5.6),
                title=words + (", yours" if mine else ""))
     left.set_ylabel("speed  [rad/s]")
@@ -148,7 +148,7 @@ def tables(folder, command):
     return ((door(folder, command),
              style.read_csv(folder / "driven.csv", ["iterations", "overshoot_deg"],
                             ["scene", "blocks"], command)),
-            style.read_csv(folder / "motor.csv", ["visits", "time_s", "speed_rad_s"], ["clamped"],
+            style.read_csv(folder / "motor.csv", ["solves", "time_s", "speed_rad_s"], ["clamped"],
                            command),
             style.read_csv(folder / "curl.csv", ["time_s", "joint", "angle_deg", "motor_nm"], (),
                            command),

@@ -57,19 +57,19 @@ Summary doors(const Settings& settings, bool whole, CsvFile& table) {
 // ---- a motor, by hand ---------------------------------------------------------------------------
 
 // A rotor of 1 kg m^2 about its axis and a motor of 2 N m that wants 5 rad/s, with the impulse of
-// exercise 3.5; and what would happen if every visit of a step had a bound of its own.
+// exercise 3.5; and what would happen if every solve of a step had a bound of its own.
 void motor_by_hand(const std::string& out) {
-  CsvFile table(out + "/motor.csv", {"clamped", "visits", "time_s", "speed_rad_s"});
+  CsvFile table(out + "/motor.csv", {"clamped", "solves", "time_s", "speed_rad_s"});
   const Motor motor{5, 2};
   const real h = real(1) / 60, K = 1;
-  for (const std::string clamped : {"sum", "visit"})
-    for (int visits : {1, 10, 100}) {
+  for (const std::string clamped : {"sum", "solve"})
+    for (int solves : {1, 10, 100}) {
       real speed = 0;
       for (int n = 0; n <= 240; ++n) {
-        table.row({clamped}, {double(visits), n * double(h), double(speed)});
+        table.row({clamped}, {double(solves), n * double(h), double(speed)});
         real sum = 0;
-        for (int visit = 0; visit < visits; ++visit) {
-          if (clamped == "visit") sum = 0;
+        for (int solve = 0; solve < solves; ++solve) {
+          if (clamped == "solve") sum = 0;
           speed += K * motor_impulse(speed, K, motor, h, sum);
         }
       }

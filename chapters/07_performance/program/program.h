@@ -25,7 +25,7 @@ struct Choice {
   std::string out;        ///< folder of tables and recordings
 };
 
-/// The loop in its steps, from prepared in every visit to lanes: steps.csv. (steps.cpp)
+/// The loop in its steps, from prepared in every solve to lanes: steps.csv. (steps.cpp)
 void steps(const Choice& choice, std::vector<Summary>& lines);
 /// What an iteration leaves: the order of the joints, over-relaxation and when it explodes, the
 /// rows inside one step: order.csv, relaxation.csv, inside_a_step.csv. (relaxation.cpp)

@@ -95,7 +95,7 @@ void steps(const Choice& choice, std::vector<Summary>& lines) {
                                             race.run(colours, race.counts[1])};
   constexpr int width = HingeLoop<Lanes>::width;
   const Islands islands = islands_of(chains.links, moving(chains.bodies));
-  race.measure<real>("prepared in every visit", chain, along, false);
+  race.measure<real>("prepared in every solve", chain, along, false);
   race.measure<real>("prepared once a step", chain, along);
   race.measure<real>("interleaved", interleaved(islands, 1), along);
   race.measure<Lanes>("lanes and colours", colour_order(chains, width), by_colours);

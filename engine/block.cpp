@@ -5,7 +5,7 @@
 
 namespace joints {
 
-void Blocks::keep(int count) {
+void Blocks::truncate(int count) {
   if (count >= int(list.size())) return;
   const std::size_t rows = std::size_t(list[count].first);
   list.resize(std::size_t(count));

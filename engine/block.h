@@ -52,9 +52,9 @@ class Blocks {
   std::vector<Row> J;       ///< the rows of all blocks
   std::vector<real> C;      ///< their errors, one per row [m, rad, or 1 for a small sine]
 
-  void clear() { keep(0); }  ///< removes all blocks, keeps the memory
-  void keep(int count);      ///< removes all blocks but the first `count`
-  void reserve(int rows);    ///< reserves memory: appending up to so many rows does not allocate
+  void clear() { truncate(0); }  ///< removes all blocks, keeps the memory
+  void truncate(int count);      ///< removes all blocks but the first `count`
+  void reserve(int rows);        ///< reserves memory: appending up to so many rows does not allocate
 
   /// Appends the rows of a part between two bodies at their present poses. Between two static
   /// bodies it appends nothing and sets the impulses to zero.

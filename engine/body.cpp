@@ -79,7 +79,7 @@ void integrate_forces(Body& body, const vec3& gravity, real h) {
   }
 }
 
-void clamp_speed(vec3& velocity) {
+static void clamp_speed(vec3& velocity) {
   const real top = std::max({std::abs(velocity.x), std::abs(velocity.y), std::abs(velocity.z)});
   if (top > max_speed) velocity *= max_speed / top;
 }

@@ -61,7 +61,7 @@ void project_positions(World& world) {
       const bool leave_out_last = block.target.one_sided() && C > 0;
       project(world.bodies, blocks, block, leave_out_last ? block.rows - 1 : block.rows);
     }
-    blocks.keep(known);
+    blocks.truncate(known);
   }
 }
 

@@ -1,5 +1,4 @@
 // The scalar type, GLM's small vectors made of it, and the function that refuses bad input.
-// There is nothing to edit here.
 #pragma once
 
 #include <cmath>

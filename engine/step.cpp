@@ -23,19 +23,19 @@ void soften(Blocks& blocks, int first, const Stepping& how) {
 void step(World& world, Solver& solver, real h, const Stepping& how) {
   require(how.substeps > 0, "substeps: there must be at least one");
   for (int substep = 0; substep < how.substeps; ++substep) {
-    const real part = h / real(how.substeps);
-    begin_step(world, solver, part, how);
+    const real h_sub = h / real(how.substeps);
+    begin_step(world, solver, h_sub, how);
     solver.solve(world.bodies);
     for (;;) {  // late limits: the new velocities would pass them within this step
       const int known = int(world.blocks.list.size());
       for (const auto& joint : world.joints())
-        if (joint->can_move()) joint->late_limits(world.bodies, part, world.blocks);
+        if (joint->can_move()) joint->late_limits(world.bodies, h_sub, world.blocks);
       if (int(world.blocks.list.size()) == known) break;
       soften(world.blocks, known, how);
-      solver.prepare(world.bodies, world.blocks, known, part);
+      solver.prepare(world.bodies, world.blocks, known, h_sub);
       solver.solve(world.bodies);
     }
-    end_step(world, part, how);
+    end_step(world, h_sub, how);
   }
 }
 

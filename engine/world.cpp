@@ -5,7 +5,7 @@
 
 namespace joints {
 
-void World::keep(std::unique_ptr<Joint> joint) {
+void World::adopt(std::unique_ptr<Joint> joint) {
   bodies.index(joint->body1);  // refuses ids that name no body
   bodies.index(joint->body2);
   const int rows = joint->most_rows();

@@ -34,7 +34,7 @@ class World {
   J& add(Arguments&&... arguments) {
     auto joint = std::make_unique<J>(std::forward<Arguments>(arguments)...);
     J& reference = *joint;
-    keep(std::move(joint));
+    adopt(std::move(joint));
     return reference;
   }
   /// Removes one joint. \throws std::invalid_argument if this world does not have it
@@ -48,7 +48,7 @@ class World {
   int most_rows_of_one() const { return most_rows_of_one_; }
 
  private:
-  void keep(std::unique_ptr<Joint> joint);
+  void adopt(std::unique_ptr<Joint> joint);
   std::vector<std::unique_ptr<Joint>> joints_;
   int most_rows_ = 0, most_rows_of_one_ = 0;
 };

@@ -1,5 +1,4 @@
 // 3-vectors, inertias and velocities of a scalar or of a SIMD lane type, which GLM's do not allow.
-// There is nothing to edit here.
 #pragma once
 
 #include "engine/real.h"

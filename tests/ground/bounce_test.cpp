@@ -8,7 +8,6 @@
 using namespace joints;
 using namespace joints::testing;
 using joints::bench::Order;
-using joints::bench::OrderedImpulses;
 
 namespace {
 

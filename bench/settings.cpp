@@ -35,7 +35,7 @@ std::vector<Way> ways() {
       {.name = "projection 1", .scenes = alone, .projections = 1},
       {.name = "beta 1", .scenes = alone, .beta = 1},
       {.name = "4 substeps", .scenes = alone, .substeps = 4},
-      {.name = "half a kick", .scenes = "S2 S5", .half_kick = true},
+      {.name = "half a kick", .scenes = "S2 S5", .leapfrog = true},
 
       {.name = "list", .scenes = "S1", .loop = Loop::packed, .packing = list, .most = 30},
       {.name = "list", .scenes = "S2 S3 S3b S5 S6", .loop = Loop::packed, .packing = list},
@@ -48,9 +48,9 @@ std::vector<Way> ways() {
       {.name = "omega 1.5 beta 1", .scenes = alone, .loop = Loop::packed, .beta = 1,
        .relaxation = real(1.5)},
       {.name = "omega 1.5 half a kick", .scenes = "S2 S5", .loop = Loop::packed,
-       .relaxation = real(1.5), .half_kick = true, .quick = true},
+       .relaxation = real(1.5), .leapfrog = true, .quick = true},
       {.name = "omega 1.5 4 substeps half a kick", .scenes = "S2 S5", .loop = Loop::packed,
-       .relaxation = real(1.5), .substeps = 4, .half_kick = true},
+       .relaxation = real(1.5), .substeps = 4, .leapfrog = true},
       {.name = "omega 1.5 4 substeps", .scenes = alone, .loop = Loop::packed,
        .relaxation = real(1.5), .substeps = 4},
       {.name = "16 substeps", .scenes = alone, .loop = Loop::packed, .substeps = 16},
@@ -72,7 +72,7 @@ std::vector<Way> ways() {
       {.name = "islands projection 1", .scenes = islands, .loop = Loop::lanes, .projections = 1},
       {.name = "islands 4 substeps", .scenes = islands, .loop = Loop::lanes, .substeps = 4},
       {.name = "islands omega 1.9 half a kick", .scenes = "S1", .loop = Loop::lanes,
-       .relaxation = real(1.9), .half_kick = true, .quick = true},
+       .relaxation = real(1.9), .leapfrog = true, .quick = true},
 
       {.name = "hinges alone", .scenes = "S1 S1x", .loop = Loop::hinges},
       {.name = "hinges alone omega 1.9", .scenes = "S1 S1x", .loop = Loop::hinges,
@@ -80,7 +80,7 @@ std::vector<Way> ways() {
       {.name = "hinges alone omega 1.9 beta 1", .scenes = "S1 S1x", .loop = Loop::hinges,
        .beta = 1, .relaxation = real(1.9)},
       {.name = "hinges alone omega 1.9 half a kick", .scenes = "S1", .loop = Loop::hinges,
-       .relaxation = real(1.9), .half_kick = true},
+       .relaxation = real(1.9), .leapfrog = true},
 
       {.name = "set up once a step", .scenes = "S1 S1x", .loop = Loop::textbook},
       {.name = "recomputed", .scenes = "S1", .loop = Loop::recomputed, .most = 30},
@@ -109,7 +109,7 @@ namespace {
 
 Stepping stepping_of(const Way& way) {
   return {.warm_start = way.warm, .substeps = way.substeps, .projections = way.projections,
-          .half_kick = way.half_kick};
+          .leapfrog = way.leapfrog};
 }
 
 template <class Kind>
@@ -169,7 +169,7 @@ Step of_chapter_7(const Way& way, int iterations, std::shared_ptr<std::unique_pt
   loop->reset();
   return [=](World& world, real h) {
     if (!*loop) {
-      if (way.half_kick) take_half_a_kick(world.bodies, world.gravity, h);
+      if (way.leapfrog) kick(world.bodies, world.gravity, -h / 2);
       *loop = own_loop(world, iterations, way.visits, way.relaxation);
     }
     (*loop)->step(h);

@@ -41,7 +41,7 @@ struct Way {
   real beta = real(0.2);    ///< of every joint [1]
   real relaxation = 1;      ///< over-relaxation [1]; not the textbook's
   int substeps = 1;         ///< they share the iterations of a step
-  bool half_kick = false;   ///< begin with the velocities of half a step earlier
+  bool leapfrog = false;    ///< half a kick in the first step
   int most = 200;           ///< no more iterations than this: further ones say nothing new
   bool quick = false;       ///< also in the short form
 

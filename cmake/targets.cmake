@@ -87,19 +87,21 @@ function(make_stub out solution)
     DEPENDS ${PROJECT_SOURCE_DIR}/tools/exercises.py ${solution} COMMENT "" VERBATIM)
 endfunction()
 
-# add_exercise_file(TARGET SOURCE libraries...): one version of an exercise file of a reader's.
-function(add_exercise_file target source)
-  add_library(${target} STATIC EXCLUDE_FROM_ALL ${source})
+# add_exercise_file(TARGET SOURCE libraries...): one version of an exercise file of a reader's, with
+# the given sources that call it.
+function(add_exercise_file target source given)
+  add_library(${target} STATIC EXCLUDE_FROM_ALL ${source} ${given})
   target_link_libraries(${target} PUBLIC workbook_options ${ARGN} PRIVATE workbook_lenient)
 endfunction()
 
-# add_chapter(NN_name name [USES earlier chapters...]) makes
+# add_chapter(NN_name name [GIVEN sources...] [USES earlier chapters...]) makes
 #   NN_name, NN_name_float   the solution          NN_name_mine   the reader's file
 #   NN_name_run              program/*.cpp on the solution, NN_name_run_mine on the reader's file,
 #                            its unwritten exercises filled in from the solution
+# GIVEN sources stand beside the exercise file and call it.
 # Later chapters use the solutions of earlier ones, so that an unfinished one blocks nothing.
 function(add_chapter chapter name)
-  cmake_parse_arguments(arg "" "" "USES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "GIVEN;USES" ${ARGN})
   file(GLOB program CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/${chapter}/program/*.cpp)
   set(solution ${PROJECT_SOURCE_DIR}/solutions/${chapter}/${name}.cpp)
   set(mine ${PROJECT_SOURCE_DIR}/chapters/${chapter}/${name}.cpp)
@@ -111,14 +113,22 @@ function(add_chapter chapter name)
   set(earlier_mine ${arg_USES})
   list(TRANSFORM earlier_mine APPEND "${own_suffix}")
 
-  add_twice(${chapter} STATIC ${solution})
+  list(TRANSFORM arg_GIVEN PREPEND ${PROJECT_SOURCE_DIR}/chapters/${chapter}/)
+  add_twice(${chapter} STATIC ${solution} ${arg_GIVEN})
   link_twice(${chapter} PUBLIC engine ${arg_USES})
-  add_exercise_file(${chapter}_mine ${mine} engine ${earlier_mine})
+  set(given "")
+  if(arg_GIVEN)  # of the reader's versions
+    add_library(${chapter}_given OBJECT EXCLUDE_FROM_ALL ${arg_GIVEN})
+    target_link_libraries(${chapter}_given PRIVATE engine ${arg_USES} workbook_strict)
+    set(given $<TARGET_OBJECTS:${chapter}_given>)
+  endif()
+  set_property(GLOBAL PROPERTY WORKBOOK_GIVEN_${chapter} ${given})
+  add_exercise_file(${chapter}_mine ${mine} "${given}" engine ${earlier_mine})
 
   if(NOT EXISTS ${mixed})
     configure_file(${solution} ${mixed} COPYONLY)
   endif()
-  add_exercise_file(${chapter}_mixed ${mixed} engine ${arg_USES})
+  add_exercise_file(${chapter}_mixed ${mixed} "${given}" engine ${arg_USES})
 
   foreach(kind "" "_mixed")
     set(run ${chapter}_run)

@@ -2,14 +2,28 @@
 #include "engine/block.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace joints {
+
+Feedback feedback(const RowTarget& target, real h) {
+  if (target.frequency == 0) return {target.beta / h, 0};
+  const real omega = 2 * std::numbers::pi_v<real> * target.frequency;
+  const real a1 = 2 * target.damping + h * omega;
+  return {omega / a1, 1 / (h * omega * a1)};
+}
+
+real bias(const Block& block, int i, real C, real rate, real h) {
+  if (i < block.rows - 1) return rate * C;
+  // speculative: the gap may be closed, no more
+  return (block.target.one_sided() && C > 0 ? C / h : rate * C) - block.target.rate;
+}
 
 void Blocks::truncate(int count) {
   if (count >= int(list.size())) return;
   const std::size_t rows = std::size_t(list[count].first);
   list.resize(std::size_t(count));
-  J.resize(rows);
+  if (!errors_only) J.resize(rows);
   C.resize(rows);
 }
 
@@ -21,13 +35,17 @@ void Blocks::reserve(int rows) {
 
 void Blocks::append(const Bodies& bodies, BodyId id1, BodyId id2, int rows, const Row* rows_J,
                     const real* rows_C, const RowTarget& target, real* impulse) {
-  const int slot1 = bodies.index(id1), slot2 = bodies.index(id2), first = int(J.size());
+  const int slot1 = bodies.index(id1), slot2 = bodies.index(id2), first = int(C.size());
   if (bodies.at(slot1).is_static() && bodies.at(slot2).is_static()) {
     std::fill_n(impulse, rows, real(0));
     return;
   }
-  J.insert(J.end(), rows_J, rows_J + rows);
   C.insert(C.end(), rows_C, rows_C + rows);
+  if (errors_only) {
+    list.push_back({slot1, slot2, rows, first, Touches::both, target, impulse});
+    return;
+  }
+  J.insert(J.end(), rows_J, rows_J + rows);
   bool linear = false, angular = false;
   for (int i = 0; i < rows; ++i) {
     linear = linear || rows_J[i].v1 != vec3(0) || rows_J[i].v2 != vec3(0);

@@ -31,6 +31,15 @@ struct RowTarget {
   bool one_sided() const { return holds_position && follows == 0 && lower == 0; }
 };
 
+/// What a target asks of the rows' rates in a step of one length.
+struct Feedback {
+  real rate;      ///< share of C that is removed each second [1/s]
+  real softness;  ///< K lambda is added to J V + bias with this factor [1]; 0 for hard rows
+};
+/// From beta, or from frequency and damping: a spring and damper, implicit in time. \param h [s]
+/// Source: Catto, "Soft Constraints", GDC 2011.
+Feedback feedback(const RowTarget& target, real h);
+
 /// Which of the bodies' velocities a block reads and changes.
 enum class Touches : signed char { linear, angular, both };
 
@@ -45,12 +54,16 @@ struct Block {
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint
 };
 
+/// Minus the wanted J V of row `i` of a block, by its error. \param rate Feedback::rate \param h [s]
+real bias(const Block& block, int i, real C, real rate, real h);
+
 /// The blocks of one step: a list of headers and two flat arrays.
 class Blocks {
  public:
   std::vector<Block> list;  ///< the headers, in the order in which they are solved
   std::vector<Row> J;       ///< the rows of all blocks
   std::vector<real> C;      ///< their errors, one per row [m, rad, or 1 for a small sine]
+  bool errors_only = false;  ///< append no rows of J: to ask how far off other poses are
 
   void clear() { truncate(0); }  ///< removes all blocks, keeps the memory
   void truncate(int count);      ///< removes all blocks but the first `count`
@@ -64,8 +77,11 @@ class Blocks {
   void append(const Bodies& bodies, BodyId id1, BodyId id2, const Part& part,
               const RowTarget& target, real* impulse) {
     const Body &body1 = bodies[id1], &body2 = bodies[id2];
-    append(bodies, id1, id2, to_jacobian(part.jacobian(body1, body2)),
-           to_vector(part.error(body1, body2)), target, impulse);
+    const Vector<Part::rows> rows_C = to_vector(part.error(body1, body2));
+    if (errors_only)
+      append(bodies, id1, id2, Part::rows, nullptr, rows_C.data(), target, impulse);
+    else
+      append(bodies, id1, id2, to_jacobian(part.jacobian(body1, body2)), rows_C, target, impulse);
   }
 
   /// The same from J and C.

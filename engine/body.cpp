@@ -69,14 +69,21 @@ vec3 gyroscopic_midpoint(const vec3& moments, const vec3& w, real h) {
   return next;
 }
 
-void integrate_forces(Body& body, const vec3& gravity, real h) {
+void kick(Body& body, const vec3& gravity, real h) {
   if (body.is_static()) return;
   body.v += h * (gravity + body.inverse_mass * body.force);
   if (body.torque != vec3(0)) body.w += h * (inverse_inertia(body) * body.torque);
-  if (!body.is_isotropic() && body.w != vec3(0)) {
-    const vec3 inertia = real(1) / body.inverse_inertia_local;
-    body.w = to_world(body, gyroscopic_midpoint(inertia, to_local(body, body.w), h));
-  }
+}
+
+void turn(Body& body, real h) {
+  if (body.is_static() || body.is_isotropic() || body.w == vec3(0)) return;
+  const vec3 inertia = real(1) / body.inverse_inertia_local;
+  body.w = to_world(body, gyroscopic_midpoint(inertia, to_local(body, body.w), h));
+}
+
+void integrate_forces(Body& body, const vec3& gravity, real h) {
+  kick(body, gravity, h);
+  turn(body, h);
 }
 
 static void clamp_speed(vec3& velocity) {
@@ -137,9 +144,12 @@ void integrate_poses(Bodies& bodies, real h) {
   for (int slot = 0; slot < bodies.slots(); ++slot) integrate_pose(bodies.at(slot), h);
 }
 
-void take_half_a_kick(Bodies& bodies, const vec3& gravity, real h) {
-  for (int slot = 0; slot < bodies.slots(); ++slot)
-    if (Body& body = bodies.at(slot); !body.is_static()) body.v -= h / 2 * gravity;
+void kick(Bodies& bodies, const vec3& gravity, real h) {
+  for (int slot = 0; slot < bodies.slots(); ++slot) kick(bodies.at(slot), gravity, h);
+}
+
+void turn(Bodies& bodies, real h) {
+  for (int slot = 0; slot < bodies.slots(); ++slot) turn(bodies.at(slot), h);
 }
 
 int Bodies::index(BodyId id) const {

@@ -66,8 +66,11 @@ Body body_with(real mass, const vec3& inertia_local, const vec3& x,
 /// exp(phi) = (cos |phi|/2, sin(|phi|/2) phi/|phi|), accurate down to |phi| = 0.
 quat rotation(const vec3& phi);
 
-/// The beginning of a step: gravity, external force and torque, and the gyroscopic torque change
-/// the velocities. \param gravity [m/s^2] \param h step [s]
+/// Gravity, external force and torque change the velocities. \param gravity [m/s^2] \param h [s]
+void kick(Body& body, const vec3& gravity, real h);
+/// The gyroscopic torque changes the angular velocity, as if the body were free. \param h [s]
+void turn(Body& body, real h);
+/// The beginning of a step: kick() and turn(). \param gravity [m/s^2] \param h step [s]
 void integrate_forces(Body& body, const vec3& gravity, real h);
 /// Speed clamp: integrate_pose() scales a velocity down so that no component exceeds this
 /// [m/s or rad/s]. A diverging run stays finite.
@@ -121,10 +124,10 @@ class Bodies {
 void integrate_forces(Bodies& bodies, const vec3& gravity, real h);
 /// integrate_pose() for all bodies.
 void integrate_poses(Bodies& bodies, real h);
-/// Before the first step: gives every body that moves the velocity of half a step earlier,
-/// v -= g h/2 (Eq. 7-9). Semi-implicit Euler is then leapfrog: free fall is exact, where it would
-/// go g h t/2 too far. \param h step [s]
-void take_half_a_kick(Bodies& bodies, const vec3& gravity, real h);
+/// kick() for all bodies.
+void kick(Bodies& bodies, const vec3& gravity, real h);
+/// turn() for all bodies.
+void turn(Bodies& bodies, real h);
 
 }  // namespace joints
 /// @}

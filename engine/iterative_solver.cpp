@@ -2,7 +2,6 @@
 #include "engine/iterative_solver.h"
 
 #include <algorithm>
-#include <numbers>
 #include <stdexcept>
 
 namespace joints {
@@ -64,16 +63,9 @@ void IterativeSolver::add(const Bodies& bodies, const Block& block, int from, in
   PreparedBlock out{block.body1, block.body2, n, int(rows.size()), int(inverse_K.size()),
                     block.touches, 0, 1, 0, -unbounded, unbounded, block.impulse + from};
 
-  real rate = target.beta / h;  // share of C that is removed each second
-  if (target.frequency > 0) {   // a spring and damper, implicit in time (Catto 2011)
-    const real omega = 2 * std::numbers::pi_v<real> * target.frequency;
-    const real a1 = 2 * target.damping + h * omega, a2 = h * omega * a1;
-    rate = omega / a1;
-    out.mass_scale = a2 / (1 + a2);
-    out.impulse_scale = 1 / (1 + a2);
-  }
-  out.mass_scale *= relaxation;
-  out.impulse_scale *= relaxation;
+  const auto [rate, softness] = feedback(target, h);
+  out.mass_scale = relaxation / (1 + softness);
+  out.impulse_scale = relaxation * softness / (1 + softness);
   if (has_last && target.follows != 0) {
     require(n == 1, "follows: only a block of one row can follow another impulse");
     require(std::abs(target.follows) < 128, "follows: must be within 127 places");
@@ -95,14 +87,8 @@ void IterativeSolver::add(const Bodies& bodies, const Block& block, int from, in
   const real last = inverse[n * n - 1];
   const real over_last = last > 0 ? 1 / last : real(0);
   for (int i = 0; i < n; ++i)
-    rows.push_back({rate * blocks_->C[out.first + i], inverse[i * n + n - 1] * over_last,
-                    response[i].w1, response[i].w2});
-  if (has_last) {
-    const real C = blocks_->C[block.first + to - 1];
-    // speculative: the gap may be closed, no more
-    if (target.one_sided() && C > 0) rows.back().bias = C / h;
-    rows.back().bias -= target.rate;
-  }
+    rows.push_back({bias(block, from + i, blocks_->C[out.first + i], rate, h),
+                    inverse[i * n + n - 1] * over_last, response[i].w1, response[i].w2});
   blocks.push_back(out);
 }
 

@@ -1,6 +1,8 @@
 // The interface of every solver: it finds the impulses of a step's blocks. It sees no joints.
 #pragma once
 
+#include <functional>
+
 #include "engine/block.h"
 
 /// \addtogroup world
@@ -23,6 +25,13 @@ class Solver {
   virtual void warm_start(Bodies& bodies, real ratio) = 0;
   /// Changes velocities and accumulated impulses towards the solution.
   virtual void solve(Bodies& bodies) = 0;
+  /// Appends the blocks of the step once more, at the bodies' present poses.
+  using Append = std::function<void(Blocks&)>;
+  /// Moves the bodies by their velocities. A solver that can make the errors at the new poses zero
+  /// may do so here, by changing the velocities first. \param h step [s]
+  virtual void advance(Bodies& bodies, real h, [[maybe_unused]] const Append& append) {
+    integrate_poses(bodies, h);
+  }
 };
 
 }  // namespace joints

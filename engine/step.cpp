@@ -35,7 +35,7 @@ void step(World& world, Solver& solver, real h, const Stepping& how) {
       solver.prepare(world.bodies, world.blocks, known, h_sub);
       solver.solve(world.bodies);
     }
-    end_step(world, h_sub, how);
+    end_step(world, solver, h_sub, how);
   }
 }
 
@@ -49,8 +49,10 @@ void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
   const bool first = world.last_h == 0;
   const real ratio = !how.warm_start ? real(0) : first ? real(1) : h / world.last_h;
   Bodies& bodies = world.bodies;
-  if (first && how.half_kick) take_half_a_kick(bodies, world.gravity, h);
-  integrate_forces(bodies, world.gravity, h);
+  if (how.leapfrog)
+    kick(bodies, world.gravity, (world.last_h + h) / 2);  // Eq. 9-9
+  else
+    integrate_forces(bodies, world.gravity, h);
   world.last_h = h;
 
   world.blocks.clear();
@@ -63,8 +65,12 @@ void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
   solver.warm_start(bodies, ratio);
 }
 
-void end_step(World& world, real h, const Stepping& how) {
-  integrate_poses(world.bodies, h);
+void end_step(World& world, Solver& solver, real h, const Stepping& how) {
+  if (how.leapfrog) turn(world.bodies, h / 2);
+  solver.advance(world.bodies, h, [&world](Blocks& blocks) {
+    for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
+  });
+  if (how.leapfrog) turn(world.bodies, h / 2);
   for (int i = 0; i < how.projections; ++i) project_positions(world);
 }
 

@@ -14,7 +14,9 @@ struct Stepping {
   bool warm_start = false;  ///< begin with the impulses of the last step
   int substeps = 1;         ///< solve the step as this many substeps of equal length (chapter 6)
   int projections = 0;      ///< iterations of position projection after each substep (chapter 6)
-  bool half_kick = false;   ///< before the first step v -= g h/2, the leapfrog start (Eq. 7-9)
+  /// Second order in time (Eq. 9-9): forces act for the mean of the last step and this one, so for
+  /// h/2 in the first, and bodies turn by their gyroscopic torque half before they move, half after.
+  bool leapfrog = false;
   /// Constraint softness: natural frequency [Hz] of the spring that takes the place of beta in each
   /// block that holds a position and is not soft already (Catto 2011); 0 leaves all blocks alone.
   real frequency = 0;
@@ -34,8 +36,8 @@ void step(World& world, Solver& solver, real h, const Stepping& how = {});
 
 /// Integrates the forces, collects the joints' blocks, prepares them and starts warm or cold.
 void begin_step(World& world, Solver& solver, real h, const Stepping& how = {});
-/// Integrates the poses and projects the positions.
-void end_step(World& world, real h, const Stepping& how = {});
+/// Moves the bodies and projects the positions.
+void end_step(World& world, Solver& solver, real h, const Stepping& how = {});
 
 }  // namespace joints
 /// @}

@@ -132,14 +132,22 @@ TEST_CASE("a range of blocks is one of those that were prepared, rows apart or n
   }
 }
 
-TEST_CASE("substeps are shorter steps and half a kick is taken once") {
+TEST_CASE("substeps are shorter steps, and leapfrog begins with half a kick") {
   World in_one = machine(), by_hand = machine();
   SequentialImpulses one, other;
-  step(in_one, one, h, {.substeps = 4, .half_kick = true});
-  step(in_one, one, h, {.substeps = 4, .half_kick = true});
-  take_half_a_kick(by_hand.bodies, by_hand.gravity, h / 4);
-  for (int n = 0; n < 8; ++n) step(by_hand, other, h / 4);
+  step(in_one, one, h, {.substeps = 4, .leapfrog = true});
+  step(in_one, one, h, {.substeps = 4, .leapfrog = true});
+  for (int n = 0; n < 8; ++n) step(by_hand, other, h / 4, {.leapfrog = true});
   CHECK(apart(in_one, by_hand) == 0);
+
+  World free_fall;
+  const BodyId id = free_fall.add(box(1, vec3(1), vec3(0)));
+  step(free_fall, one, h, {.leapfrog = true});
+  CHECK(double(free_fall.bodies[id].v.y) == Approx(-9.81 / 120));
+  step(free_fall, one, h, {.leapfrog = true});
+  CHECK(double(free_fall.bodies[id].v.y) == Approx(-9.81 * 3 / 120));
+  step(free_fall, one, h / 3, {.leapfrog = true});  // the mean of h and h/3
+  CHECK(double(free_fall.bodies[id].v.y) == Approx(-9.81 * (3 + 4.0 / 3) / 120));
 }
 
 TEST_CASE("a soft step is the step of blocks that are soft themselves, motors left as they are") {
@@ -152,7 +160,7 @@ TEST_CASE("a soft step is the step of blocks that are soft themselves, motors le
     if (block.target.holds_position) block.target.frequency = 8, block.target.damping = 2, ++soft;
   other.prepare(by_hand.bodies, by_hand.blocks, 0, h);
   other.solve(by_hand.bodies);
-  end_step(by_hand, h);
+  end_step(by_hand, other, h);
   CHECK(soft == int(by_hand.blocks.list.size()) - 1);
   CHECK(apart(by_step, by_hand) == 0);
   World hard = machine();

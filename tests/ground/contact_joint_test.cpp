@@ -230,7 +230,7 @@ TEST_CASE("the late limits adds a corner that a neighbour drives into the ground
       begin_step(lever.world, lever.solver, h, lever.stepping);
       CHECK(lever.contact->touching() == 0);  // nothing of it moves yet
       for (int k = 0; k < 300; ++k) lever.solver.iterate(lever.world.bodies);
-      end_step(lever.world, h, lever.stepping);
+      end_step(lever.world, lever.solver, h, lever.stepping);
     }
     return std::pair{lever.contact->touching(), double(lever.contact->gap(lever.world.bodies))};
   };

@@ -66,7 +66,7 @@ void step_in_order(SequentialImpulses& solver, World& world, const PackedBlocks&
   Blocks more;  // late limits goes on from here: it must find nothing
   for (const auto& joint : world.joints()) joint->late_limits(world.bodies, h, more);
   REQUIRE(more.list.empty());
-  end_step(world, h, stepping);
+  end_step(world, solver, h, stepping);
 }
 
 // Two rows of one joint, a block each; the second is bounded by a multiple of the first's sum.

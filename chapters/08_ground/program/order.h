@@ -33,7 +33,7 @@ inline void step_in_turns(Scene& scene, int joint_blocks, Turns turns) {
   if (turns == Turns::contacts_first) iterations(joint_blocks, all);
   iterations(0, apart ? joint_blocks : all);
   if (turns == Turns::joints_first) iterations(joint_blocks, all);
-  end_step(scene.world, scene.h, scene.stepping);
+  end_step(scene.world, solver, scene.h, scene.stepping);
 }
 
 /// Cubes on ball joints in a row, the first held high up, let go level. The ground is too near for

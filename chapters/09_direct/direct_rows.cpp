@@ -1,0 +1,175 @@
+// The direct solver, once a step: what the blocks become, and which of them have a place in A.
+#include <algorithm>
+#include <cmath>
+
+#include "chapters/09_direct/direct_solver.h"
+
+namespace joints {
+
+void DirectSolver::check() const {
+  require(newton >= 0, "newton: must not be negative");
+  require(finite(stiffness) && stiffness >= 0, "stiffness: must be finite and not negative");
+  require(alternations > 0, "alternations: there must be at least one");
+  require(passes > 0, "passes: there must be at least one");
+  require(most_work >= 0, "most_work: must not be negative");
+  instead.check();
+}
+
+void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {
+  blocks_ = &blocks;
+  if (first == 0) {
+    report_ = {};
+    collect_masses(bodies, h);
+  }
+  collect_blocks(bodies, h);
+  factored_ = false;
+  report_.iterated = is_hub();
+  if (!report_.iterated) {
+    maker_.follow(pattern_, int(blocks.C.size()));
+    report_.multiplications = maker_.multiplications();
+    report_.fill = maker_.fill();
+    report_.iterated = report_.multiplications > most_work * double(blocks.C.size());
+  }
+  if (report_.iterated) return instead.prepare(bodies, blocks, first, h);
+  contacts_.iterations = 1;
+  contacts_.prepare(bodies, outside_, 0, h);
+}
+
+// True if the blocks at one body alone, which are all neighbours of each other, make the factor
+// dearer than it may be. Then not even its order is looked for.
+bool DirectSolver::is_hub() const {
+  std::vector<double> rows_at(masses_.size(), 0);
+  for (const BlockPattern& block : pattern_)
+    for (const int body : {block.body1, block.body2})
+      if (body >= 0) rows_at[body] += block.rows;
+  const double most = rows_at.empty() ? 0 : *std::max_element(rows_at.begin(), rows_at.end());
+  return most * most * most / 6 > most_work * double(bias_.size());
+}
+
+void DirectSolver::warm_start(Bodies& bodies, real ratio) {
+  if (report_.iterated) return instead.warm_start(bodies, ratio);
+  for (int slot = 0; slot < bodies.slots(); ++slot)
+    if (masses_[slot].force_lever > 0) bodies.at(slot).w = masses_[slot].w;
+  contacts_.warm_start(bodies, ratio);
+  for (const Inside& one : inside_) {
+    const Block& block = *one.block;
+    double start[6];
+    for (int i = 0; i < block.rows; ++i) start[i] = double(ratio) * double(block.impulse[i]);
+    std::fill_n(block.impulse, block.rows, real(0));
+    if (ratio != 0) change_impulses(bodies, block, start);
+  }
+}
+
+// ---- bodies -------------------------------------------------------------------------------------
+
+void DirectSolver::collect_masses(const Bodies& bodies, real h) {
+  masses_.assign(std::size_t(bodies.slots()), Mass{});
+  if (stiffness > 0) find_force_levers(h);
+  for (int slot = 0; slot < bodies.slots(); ++slot) {
+    if (bodies.at(slot).is_static()) {
+      masses_[slot].force_lever = 0;
+      continue;
+    }
+    Body body = bodies.at(slot);
+    Mass& mass = masses_[slot];
+    if (mass.force_lever > 0) {
+      const Stiffened more = stiffened(body, mass.force_lever, stiffness, h);
+      body.inverse_inertia_local = more.inverse_inertia_local;
+      mass.w = more.w;
+    }
+    const mat3 I = inverse_inertia(body);
+    mass.linear = body.inverse_mass;
+    mass.angular = {I[0][0], I[1][1], I[2][2], I[1][0], I[2][0], I[2][1]};
+  }
+}
+
+// |F||r| of each body, by the impulses of the last step. The length of a lever is read off its
+// block's rows: the three of a point hold twice its square.
+void DirectSolver::find_force_levers(real h) {
+  for (const Block& block : blocks_->list) {
+    vec3 F(0);
+    real square1 = 0, square2 = 0;
+    for (int i = 0; i < block.rows; ++i) {
+      const Row& J = blocks_->J[block.first + i];
+      if (J.v2 == vec3(0)) continue;
+      F += block.impulse[i] / h * J.v2;
+      square1 += dot(J.w1, J.w1) / 2;
+      square2 += dot(J.w2, J.w2) / 2;
+    }
+    masses_[block.body1].force_lever += length(F) * std::sqrt(square1);
+    masses_[block.body2].force_lever += length(F) * std::sqrt(square2);
+  }
+}
+
+// ---- blocks -------------------------------------------------------------------------------------
+
+void DirectSolver::collect_blocks(const Bodies& bodies, real h) {
+  const std::size_t rows = blocks_->C.size();
+  J_.assign(2 * rows, HalfRow{});
+  response_.assign(2 * rows, HalfRow{});
+  bias_.assign(rows, 0);
+  x_.resize(rows);
+  inside_.clear();
+  pattern_.clear();
+  bounded_.clear();
+  outside_.clear();
+  followed_.clear();
+  for (const Block& block : blocks_->list)
+    if (block.target.follows != 0) followed_.push_back(block.impulse + block.target.follows);
+  std::sort(followed_.begin(), followed_.end());
+  for (const Block& block : blocks_->list) collect_block(bodies, block, h);
+}
+
+void DirectSolver::collect_block(const Bodies& bodies, const Block& block, real h) {
+  if (is_outside(block)) {
+    outside_.list.push_back(block);
+    outside_.list.back().first = int(outside_.C.size());
+    for (int r = block.first; r < block.first + block.rows; ++r) {
+      outside_.J.push_back(blocks_->J[r]);
+      outside_.C.push_back(blocks_->C[r]);
+    }
+    return;
+  }
+  const auto [rate, softness] = feedback(block.target, h);
+  const auto moving = [&](int slot) { return bodies.at(slot).is_static() ? -1 : slot; };
+  inside_.push_back({&block, double(softness)});
+  pattern_.push_back({block.rows, block.first, moving(block.body1), moving(block.body2)});
+  for (int i = 0; i < block.rows; ++i)
+    bias_[block.first + i] = bias(block, i, blocks_->C[block.first + i], rate, h);
+  bool live = true;
+  if (block.target.lower > -unbounded || block.target.upper < unbounded) {
+    BoundedRow row{int(inside_.size()) - 1, double(h * block.target.lower),
+                   double(h * block.target.upper)};
+    const double impulse = double(block.impulse[block.rows - 1]);  // of the last step
+    row.side = impulse <= row.lower ? Side::lower : impulse >= row.upper ? Side::upper : Side::free;
+    live = row.side == Side::free;
+    bounded_.push_back(row);
+  }
+  for (int i = 0; i < block.rows; ++i) place_row(block, i, live || i + 1 < block.rows);
+}
+
+// Rows whose bound follows another impulse, and those that they follow.
+bool DirectSolver::is_outside(const Block& block) const {
+  if (block.target.follows != 0) return true;
+  const auto next = std::lower_bound(followed_.begin(), followed_.end(), block.impulse);
+  return next != followed_.end() && *next < block.impulse + block.rows;
+}
+
+// Row i of a block in the matrix; of one that is not live, zeros.
+void DirectSolver::place_row(const Block& block, int i, bool live) {
+  const Row& J = blocks_->J[block.first + i];
+  const auto place = [&](int half, int slot, const vec3& v, const vec3& w) {
+    const std::size_t at = std::size_t(2 * block.first + half + i);
+    const Mass& mass = masses_[slot];
+    if (!live || mass.linear == 0) {
+      J_[at] = response_[at] = {};
+      return;
+    }
+    J_[at] = {{double(v.x), double(v.y), double(v.z)}, {double(w.x), double(w.y), double(w.z)}};
+    response_[at] = {mass.linear * J_[at].v, mass.angular * J_[at].w};
+  };
+  place(0, block.body1, J.v1, J.w1);
+  place(block.rows, block.body2, J.v2, J.w2);
+}
+
+}  // namespace joints

@@ -1,0 +1,231 @@
+// The direct solver: factors, corrects, and keeps bounds by an active set.
+#include "chapters/09_direct/direct_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace joints {
+
+namespace {
+
+// A share of K that makes bounded rows solvable that depend on others, as motor and limit do.
+constexpr double bound_softness = 1e-9;
+// After so many passes in which no fewer rows were wrong, only the last wrong one changes sides.
+constexpr int patience = 3;
+
+}  // namespace
+
+// ---- the factor ---------------------------------------------------------------------------------
+
+void DirectSolver::factor_now() {
+  maker_.assemble(J_, response_);
+  JointMatrix& A = maker_.A;
+  const auto diagonal = [&](int k, int i) -> double& {
+    return A.numbers[maker_.diagonal(k) + i * (inside_[k].block->rows + 1)];
+  };
+  for (BoundedRow& row : bounded_) {
+    double& entry = diagonal(row.inside, inside_[row.inside].block->rows - 1);
+    row.softness = bound_softness * entry;
+    entry += row.softness;
+  }
+  for (int k = 0; k < int(inside_.size()); ++k) {
+    const int n = inside_[k].block->rows;
+    if (inside_[k].spring > 0)
+      for (int i = 0; i < n * n; ++i) A.numbers[maker_.diagonal(k) + i] *= 1 + inside_[k].spring;
+    for (int i = 0; i < n; ++i) A.original[inside_[k].block->first + i] = diagonal(k, i);
+  }
+  factor(A, inverse_pivot);
+  factored_ = true;
+}
+
+int DirectSolver::dropped() const {
+  int count = 0;
+  for (int k = 0; k < int(inside_.size()); ++k)
+    for (int i = 0; i < inside_[k].block->rows; ++i)
+      count += maker_.A.numbers[maker_.diagonal(k) + i * (inside_[k].block->rows + 1)] == 0;
+  for (const BoundedRow& row : bounded_) count -= row.side != Side::free;
+  return count;
+}
+
+// ---- corrections --------------------------------------------------------------------------------
+
+void DirectSolver::change_impulses(Bodies& bodies, const Block& block,
+                                   const double* change) const {
+  Triple<double> v1{}, w1{}, v2{}, w2{};
+  const auto add = [](Triple<double>& sum, double factor, const vec3& a) {
+    sum.x += factor * a.x, sum.y += factor * a.y, sum.z += factor * a.z;
+  };
+  for (int i = 0; i < block.rows; ++i) {
+    const Row& J = blocks_->J[block.first + i];
+    block.impulse[i] += real(change[i]);
+    add(v1, change[i], J.v1), add(w1, change[i], J.w1);
+    add(v2, change[i], J.v2), add(w2, change[i], J.w2);
+  }
+  const auto push = [&](int slot, const Triple<double>& P, const Triple<double>& L) {
+    const Mass& mass = masses_[slot];
+    if (mass.linear == 0) return;
+    Body& body = bodies.at(slot);
+    const Triple<double> w = mass.angular * L;
+    body.v += vec3(real(mass.linear * P.x), real(mass.linear * P.y), real(mass.linear * P.z));
+    body.w += vec3(real(w.x), real(w.y), real(w.z));
+  };
+  push(block.body1, v1, w1);
+  push(block.body2, v2, w2);
+}
+
+void DirectSolver::change_rates(Bodies& bodies, std::vector<double>& rates) {
+  joints::solve(maker_.A, rates.data());
+  for (const Inside& one : inside_)
+    change_impulses(bodies, *one.block, &rates[one.block->first]);
+}
+
+// J V + bias of a row.
+double DirectSolver::rate_left(const Bodies& bodies, const Block& block, int i) const {
+  const Row& J = blocks_->J[block.first + i];
+  return double(row_velocity(J, bodies.at(block.body1), bodies.at(block.body2))) +
+         bias_[block.first + i];
+}
+
+// What is left of all free rows becomes zero.
+void DirectSolver::correct_velocities(Bodies& bodies) {
+  std::fill(x_.begin(), x_.end(), 0.0);
+  for (const Inside& one : inside_) {
+    const Block& block = *one.block;
+    for (int i = 0; i < block.rows; ++i) x_[block.first + i] = -rate_left(bodies, block, i);
+    if (one.spring == 0) continue;
+    for (int i = 0; i < block.rows; ++i)  // K lambda of a spring
+      for (int j = 0; j < block.rows; ++j)
+        for (const int half : {0, block.rows}) {
+          const HalfRow& a = J_[2 * block.first + half + i];
+          const HalfRow& b = response_[2 * block.first + half + j];
+          x_[block.first + i] -=
+              one.spring * (dot(a.v, b.v) + dot(a.w, b.w)) * double(block.impulse[j]);
+        }
+  }
+  for (const BoundedRow& row : bounded_) {
+    const Block& block = *inside_[row.inside].block;
+    double& x = x_[block.first + block.rows - 1];
+    x = row.side == Side::free ? x - row.softness * double(block.impulse[block.rows - 1]) : 0;
+  }
+  change_rates(bodies, x_);
+}
+
+// ---- bounds -------------------------------------------------------------------------------------
+
+// An impulse that is not free is exactly at its bound.
+void DirectSolver::go_to_bounds(Bodies& bodies) {
+  for (const BoundedRow& row : bounded_) {
+    if (row.side == Side::free) continue;
+    const Block& block = *inside_[row.inside].block;
+    double change[6] = {};
+    real& impulse = block.impulse[block.rows - 1];
+    const double bound = row.side == Side::lower ? row.lower : row.upper;
+    change[block.rows - 1] = bound - double(impulse);
+    if (change[block.rows - 1] == 0) continue;
+    change_impulses(bodies, block, change);
+    impulse = real(bound);
+  }
+}
+
+// Rows on the wrong side change it; all of them, or only the last. Returns how many were wrong.
+int DirectSolver::flip_wrong_ones(Bodies& bodies, bool only_last) {
+  int wrong = 0;
+  for (auto row = bounded_.rbegin(); row != bounded_.rend(); ++row) {
+    const Block& block = *inside_[row->inside].block;
+    const int last = block.rows - 1;
+    const double impulse = double(block.impulse[last]);
+    const Side next = next_side(row->side, impulse, row->lower, row->upper,
+                                rate_left(bodies, block, last) + row->softness * impulse);
+    if (next == row->side) continue;
+    if (++wrong > 1 && only_last) continue;
+    row->side = next;
+    place_row(block, last, next == Side::free);
+  }
+  if (wrong > 0) factored_ = false;
+  return wrong;
+}
+
+void DirectSolver::solve_joints(Bodies& bodies) {
+  int fewest = int(bounded_.size()) + 1, in_vain = 0;
+  for (int pass = 0; pass < passes; ++pass) {
+    if (!factored_) {
+      factor_now();
+      ++report_.passes;
+    }
+    go_to_bounds(bodies);
+    correct_velocities(bodies);
+    if (bounded_.empty()) return;
+    correct_velocities(bodies);  // refinement: bounded rows are nearly dependent
+    report_.wrong = flip_wrong_ones(bodies, in_vain >= patience);
+    if (report_.wrong == 0) return;
+    in_vain = report_.wrong < fewest ? 0 : in_vain + 1;
+    fewest = std::min(fewest, report_.wrong);
+  }
+}
+
+void DirectSolver::solve(Bodies& bodies) {
+  if (report_.iterated) return instead.solve(bodies);
+  if (outside_.list.empty()) return solve_joints(bodies);
+  for (int n = 0; n < alternations; ++n) {
+    contacts_.solve(bodies);
+    solve_joints(bodies);
+  }
+}
+
+// ---- positions ----------------------------------------------------------------------------------
+
+class DirectSolver::Poses : public Corrector {
+ public:
+  Poses(DirectSolver& solver, Bodies& bodies, const Append& append)
+      : solver_(solver), bodies_(bodies), append_(append) {}
+
+  std::vector<double>& errors() override {
+    Blocks& poses = solver_.poses_;
+    poses.clear();
+    append_(poses);
+    std::vector<double>& x = solver_.x_;
+    std::fill(x.begin(), x.end(), 0.0);
+    std::size_t k = 0;
+    for (const Inside& one : solver_.inside_) {
+      const Block& block = *one.block;
+      if (!block.target.holds_position || one.spring > 0) continue;
+      const std::size_t begin = k;  // nearly always the next one
+      while (poses.list[k].impulse != block.impulse)
+        if (k = (k + 1) % poses.list.size(); k == begin) break;
+      if (poses.list[k].impulse != block.impulse) continue;
+      for (int i = 0; i < block.rows; ++i)
+        x[block.first + i] = double(poses.C[poses.list[k].first + i]);
+    }
+    for (const BoundedRow& row : solver_.bounded_) {
+      const Block& block = *solver_.inside_[row.inside].block;
+      if (row.side != Side::free) x[block.first + block.rows - 1] = 0;
+    }
+    return x;
+  }
+  void change_rates(std::vector<double>& rates) override { solver_.change_rates(bodies_, rates); }
+
+ private:
+  DirectSolver& solver_;
+  Bodies& bodies_;
+  const Append& append_;
+};
+
+void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
+  report_.moved_exactly = false;
+  if (newton == 0 || report_.iterated) return integrate_poses(bodies, h);
+  impulses_.clear();
+  for (const Inside& one : inside_)
+    impulses_.insert(impulses_.end(), one.block->impulse, one.block->impulse + one.block->rows);
+  Poses poses(*this, bodies, append);
+  report_.moved_exactly = move_onto_constraints(bodies, h, newton, poses, start_);
+  if (report_.moved_exactly) return;
+  std::copy(start_.begin(), start_.end(), bodies.data());
+  const real* impulse = impulses_.data();
+  for (const Inside& one : inside_) {
+    std::copy(impulse, impulse + one.block->rows, one.block->impulse);
+    impulse += one.block->rows;
+  }
+  integrate_poses(bodies, h);
+}
+
+}  // namespace joints

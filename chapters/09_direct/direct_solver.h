@@ -1,0 +1,106 @@
+// The direct solver: finds the impulses of all joints at once. Given, there is nothing to edit here.
+#pragma once
+
+#include "chapters/09_direct/joint_matrix.h"
+#include "engine/sequential_impulses.h"
+
+/// \addtogroup chapter9
+/// @{
+namespace joints {
+
+/// Solves A lambda = -(J V + bias) by factoring A = J M^-1 J^T. Everything is a correction: the same
+/// factor serves the velocities, their refinement and the positions. Bounds are kept by an active
+/// set. Rows whose bound follows another impulse (friction), and those that they follow, stay
+/// outside of A: iterations over them and corrections of all others alternate.
+/// It works on numbers of type double, whatever `real` is. Best with beta = 1 in every joint.
+/// Source: Baraff 1996 for the idea; Davis 2006 for sparse factors; Judice and Pires 1994 for the
+/// passes of the active set.
+class DirectSolver : public Solver {
+ public:
+  int newton = 0;      ///< iterations on the positions in a step (SHAKE); 0: velocities alone
+  real stiffness = 0;  ///< above 0, about 16: more inertia where a great force pulls (Eq. 9-14)
+  int alternations = 4;  ///< how often the rows outside of A and those in it take turns
+  int passes = 10;     ///< of the active set, at most
+  /// If a factorisation takes more multiplications a row than this, `instead` solves.
+  double most_work = 5000;
+  SequentialImpulses instead;  ///< what solves then
+
+  /// What the last step did.
+  struct Report {
+    int passes = 0;              ///< factorisations for the active set
+    int wrong = 0;               ///< bounded rows that were still on the wrong side
+    double multiplications = 0;  ///< of a factorisation, about
+    int fill = 0;                ///< numbers that elimination filled in
+    bool moved_exactly = false;  ///< Newton's method on the positions converged
+    bool iterated = false;       ///< `instead` solved
+  };
+  const Report& report() const { return report_; }  ///< of the last step
+  int dropped() const;  ///< how many rows of the last factor depend on others
+
+  void check() const override;
+  void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
+  void warm_start(Bodies& bodies, real ratio) override;
+  void solve(Bodies& bodies) override;
+  /// With `newton`, the errors at the new poses become zero as well (move_onto_constraints).
+  void advance(Bodies& bodies, real h, const Append& append) override;
+
+  /// Factors A of the blocks that were prepared.
+  void factor_now();
+  /// Changes the velocities so that J V changes by `rates`, as far as rows are free, and the
+  /// impulses with them. Accelerations are found in the same way. \param rates one for each row of
+  /// the blocks; used up
+  void change_rates(Bodies& bodies, std::vector<double>& rates);
+
+ private:
+  struct Mass {  // of a body
+    double linear = 0;            // inverse mass
+    Symmetric<double> angular{};  // inverse inertia, world
+    real force_lever = 0;         // |F||r| of the last step [N m]
+    vec3 w{0};                    // the angular velocity that it has with more inertia
+  };
+  struct Inside {  // a block that has a place in A
+    const Block* block;
+    double spring = 0;  // Feedback::softness
+  };
+  struct BoundedRow {
+    int inside = 0;  // number of its block; it is the last row
+    double lower = 0, upper = 0, softness = 0;
+    Side side = Side::free;
+  };
+  class Poses;  // the corrector of positions
+
+  void collect_masses(const Bodies& bodies, real h);
+  void find_force_levers(real h);
+  void collect_blocks(const Bodies& bodies, real h);
+  void collect_block(const Bodies& bodies, const Block& block, real h);
+  bool is_outside(const Block& block) const;
+  bool is_hub() const;
+  void place_row(const Block& block, int i, bool live);
+  void solve_joints(Bodies& bodies);
+  void correct_velocities(Bodies& bodies);
+  int flip_wrong_ones(Bodies& bodies, bool only_last);
+  void go_to_bounds(Bodies& bodies);
+  double rate_left(const Bodies& bodies, const Block& block, int i) const;
+  void change_impulses(Bodies& bodies, const Block& block, const double* change) const;
+
+  const Blocks* blocks_ = nullptr;
+  std::vector<Mass> masses_;
+  std::vector<HalfRow> J_, response_;  // as JointMatrixMaker::assemble() wants them
+  std::vector<double> bias_;           // minus the wanted J V, by rows
+  std::vector<Inside> inside_;
+  std::vector<BlockPattern> pattern_;  // of those
+  std::vector<BoundedRow> bounded_;
+  std::vector<const real*> followed_;  // impulses that bounds follow
+  Blocks outside_;                     // the other blocks
+  SequentialImpulses contacts_;        // solves them
+  JointMatrixMaker maker_;
+  bool factored_ = false;
+  std::vector<double> x_;              // the right-hand side, then the change of the impulses
+  Blocks poses_;                       // errors at the new poses
+  std::vector<Body> start_;
+  std::vector<real> impulses_;
+  Report report_;
+};
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,193 @@
+// Chapter 9: the direct solver. Replace each todo(...) by your own code; the text is in README.md.
+#include "chapters/09_direct/direct.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "chapters/09_direct/block_kernels.h"
+#include "engine/todo.h"
+
+namespace joints {
+
+// ---- the matrix of the joints -------------------------------------------------------------------
+
+void add_coupling(const HalfRow* J, int n, const HalfRow* response, int m, double* A) {
+  // begin [exercise 9.1]
+  // Eq. 9-2: entry (i, j) grows by dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w). Entry
+  // (i, j) stands at A[i * m + j].
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j)
+      A[i * m + j] += dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w);  // Eq. 9-2
+  // end [exercise 9.1]
+}
+
+void factor(JointMatrix& A, PivotInverse inverse) {
+  double* const number = A.numbers.data();
+  const int* target = A.targets.data();
+  // begin [exercise 9.2]
+  // For each node k but the one behind the last: factor_block() its diagonal block. Then, for each
+  // of its edges j in turn: L = divide_rows() of the edge's block; subtract_product() of the block
+  // of every edge i, from j on, and of L, at number[*target++] (Eq. 9-4); at last the edge's block
+  // becomes L. Where each target lies has been worked out before, in just this order.
+  double L[36];
+  for (std::size_t k = 0; k + 1 < A.nodes.size(); ++k) {
+    const Node& node = A.nodes[k];
+    const int n = node.rows, end = A.nodes[k + 1].first_edge;
+    double* const D = number + node.diagonal;
+    factor_block(D, n, &A.original[std::size_t(node.row)], inverse);
+    for (int j = node.first_edge; j < end; ++j) {
+      const int m = A.nodes[std::size_t(A.edges[j].to)].rows;
+      double* const block = number + A.edges[j].at;
+      divide_rows(block, m, D, n, L);
+      for (int i = j; i < end; ++i)
+        subtract_product(number + A.edges[i].at, A.nodes[A.edges[i].to].rows, L, m, n,
+                         number + *target++);  // Eq. 9-4
+      std::copy(L, L + m * n, block);
+    }
+  }
+  // end [exercise 9.2]
+}
+
+void solve(const JointMatrix& A, double* x) {
+  const double* const number = A.numbers.data();
+  // begin [exercise 9.2]
+  // Forward, for each node k: subtract_times() of its edges' blocks and of its own numbers from the
+  // numbers of the edge's other node; then divide() its own by the diagonal block. Back, from the
+  // last node to the first: subtract_transposed_times() of its edges' blocks and of the other
+  // node's numbers from its own. Eq. 9-5.
+  const int count = int(A.nodes.size()) - 1;
+  for (int k = 0; k < count; ++k) {
+    const Node& node = A.nodes[k];
+    for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
+      const Node& to = A.nodes[A.edges[j].to];
+      subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);
+    }
+    divide(number + node.diagonal, node.rows, x + node.row);
+  }
+  for (int k = count - 1; k >= 0; --k) {
+    const Node& node = A.nodes[k];
+    for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
+      const Node& to = A.nodes[A.edges[j].to];
+      subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + to.row,
+                                x + node.row);  // Eq. 9-5
+    }
+  }
+  // end [exercise 9.2]
+}
+
+std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours) {
+  std::vector<int> order;
+  // begin [exercise 9.3]
+  // Keep the neighbours that are left of each node in a std::set<int>, and the nodes themselves in
+  // a std::set of pairs (number of neighbours, node), whose first one is next. Who is eliminated
+  // leaves the sets of its neighbours, and these become neighbours of each other: the fill.
+  std::vector<std::set<int>> left;
+  std::set<std::pair<std::size_t, int>> queue;
+  for (const std::vector<int>& of_one : neighbours) {
+    left.emplace_back(of_one.begin(), of_one.end());
+    queue.insert({left.back().size(), int(left.size()) - 1});
+  }
+  while (!queue.empty()) {
+    const int node = queue.begin()->second;
+    queue.erase(queue.begin());
+    order.push_back(node);
+    for (const int a : left[node]) {
+      queue.erase({left[a].size(), a});
+      left[a].erase(node);
+      for (const int b : left[node])
+        if (b != a) left[a].insert(b);
+      queue.insert({left[a].size(), a});
+    }
+  }
+  // end [exercise 9.3]
+  return order;
+}
+
+double inverse_pivot(double pivot, double original) {
+  // begin [exercise 9.4]
+  // Compare the pivot with dependent_share of its original entry. Both may be zero.
+  return pivot > dependent_share * original ? 1 / pivot : 0;
+  // end [exercise 9.4]
+}
+
+// ---- time ---------------------------------------------------------------------------------------
+
+void second_order_step(World& world, Solver& solver, real h) {
+  // begin [exercise 9.5]
+  // kick() the bodies for the mean of world.last_h and h, which is then the new world.last_h. Clear
+  // world.blocks; let each joint begin_step() and append() its blocks; prepare(), warm_start() with
+  // 0 and solve(). Then turn() the bodies for h/2, integrate_poses(), and turn() again: Eq. 9-9.
+  kick(world.bodies, world.gravity, (world.last_h + h) / 2);
+  world.last_h = h;
+  world.blocks.clear();
+  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
+  for (const auto& joint : world.joints()) joint->append(world.bodies, world.blocks);
+  solver.prepare(world.bodies, world.blocks, 0, h);
+  solver.warm_start(world.bodies, 0);
+  solver.solve(world.bodies);
+  turn(world.bodies, h / 2);
+  integrate_poses(world.bodies, h);
+  turn(world.bodies, h / 2);  // Eq. 9-9
+  // end [exercise 9.5]
+}
+
+bool move_onto_constraints(Bodies& bodies, real h, int iterations, Corrector& corrector,
+                           std::vector<Body>& start) {
+  // begin [exercise 9.6]
+  // Keep the bodies in `start`. In each iteration: integrate_poses(); ask for the errors() there;
+  // the largest must be at most poor_contraction of what it was in the iteration before;
+  // change_rates() by -C/h (Eq. 9-10); and put x and q of every body back to the start. After the
+  // last, integrate_poses() for good.
+  start.assign(bodies.data(), bodies.data() + bodies.slots());
+  double last = std::numeric_limits<double>::infinity();
+  for (int n = 0; n < iterations; ++n) {
+    integrate_poses(bodies, h);
+    std::vector<double>& rates = corrector.errors();
+    double largest = 0;
+    for (double& C : rates) {
+      largest = std::max(largest, std::abs(C));
+      C /= -double(h);  // Eq. 9-10
+    }
+    if (largest > poor_contraction * last) return false;
+    last = largest;
+    corrector.change_rates(rates);
+    for (int slot = 0; slot < bodies.slots(); ++slot)
+      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
+  }
+  integrate_poses(bodies, h);
+  return true;
+  // end [exercise 9.6]
+}
+
+// ---- bounds -------------------------------------------------------------------------------------
+
+Side next_side(Side now, double impulse, double lower, double upper, double rate) {
+  // begin [exercise 9.7]
+  // A free impulse must be between its bounds. At the lower bound the rate must not be negative, or
+  // a larger impulse would help; at the upper bound it must not be positive. Eq. 9-12.
+  if (now == Side::free)
+    return impulse < lower ? Side::lower : impulse > upper ? Side::upper : Side::free;
+  if (now == Side::lower) return rate < 0 ? Side::free : now;
+  return rate > 0 ? Side::free : now;  // Eq. 9-12
+  // end [exercise 9.7]
+}
+
+// ---- stiffness ----------------------------------------------------------------------------------
+
+Stiffened stiffened(const Body& body, real force_lever, real factor, real h) {
+  Stiffened out;
+  // begin [exercise 9.8]
+  // In the body's own axes: each moment grows by factor h^2 |F||r| (Eq. 9-14), and the angular
+  // velocity becomes smaller in the same ratio. to_local() and to_world() turn it; products and
+  // quotients of two vec3 go component by component.
+  const vec3 moments = real(1) / body.inverse_inertia_local;
+  const vec3 more = moments + factor * h * h * force_lever;  // Eq. 9-14
+  out.inverse_inertia_local = real(1) / more;
+  out.w = to_world(body, moments / more * to_local(body, body.w));
+  // end [exercise 9.8]
+  return out;
+}
+
+}  // namespace joints

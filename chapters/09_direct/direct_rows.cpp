@@ -38,11 +38,8 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
 // True if the blocks at one body alone, which are all neighbours of each other, make the factor
 // dearer than it may be. Then not even its order is looked for.
 bool DirectSolver::is_hub() const {
-  std::vector<double> rows_at(masses_.size(), 0);
-  for (const BlockPattern& block : pattern_)
-    for (const int body : {block.body1, block.body2})
-      if (body >= 0) rows_at[body] += block.rows;
-  const double most = rows_at.empty() ? 0 : *std::max_element(rows_at.begin(), rows_at.end());
+  double most = 0;  // rows
+  for (const Mass& mass : masses_) most = std::max(most, double(mass.rows));
   return most * most * most / 6 > most_work * double(bias_.size());
 }
 
@@ -105,10 +102,11 @@ void DirectSolver::find_force_levers(real h) {
 
 void DirectSolver::collect_blocks(const Bodies& bodies, real h) {
   const std::size_t rows = blocks_->C.size();
-  J_.assign(2 * rows, HalfRow{});
-  response_.assign(2 * rows, HalfRow{});
-  bias_.assign(rows, 0);
+  J_.resize(2 * rows);
+  response_.resize(2 * rows);
+  bias_.resize(rows);
   x_.resize(rows);
+  for (Mass& mass : masses_) mass.rows = 0;
   inside_.clear();
   pattern_.clear();
   bounded_.clear();
@@ -134,6 +132,8 @@ void DirectSolver::collect_block(const Bodies& bodies, const Block& block, real 
   const auto moving = [&](int slot) { return bodies.at(slot).is_static() ? -1 : slot; };
   inside_.push_back({&block, double(softness)});
   pattern_.push_back({block.rows, block.first, moving(block.body1), moving(block.body2)});
+  for (const int body : {pattern_.back().body1, pattern_.back().body2})
+    if (body >= 0) masses_[body].rows += block.rows;
   for (int i = 0; i < block.rows; ++i)
     bias_[block.first + i] = bias(block, i, blocks_->C[block.first + i], rate, h);
   bool live = true;

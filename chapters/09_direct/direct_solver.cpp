@@ -202,7 +202,10 @@ class DirectSolver::Poses : public Corrector {
     }
     return x;
   }
-  void change_rates(std::vector<double>& rates) override { solver_.change_rates(bodies_, rates); }
+  void change_rates(std::vector<double>& rates) override {
+    solver_.change_rates(bodies_, rates);
+    ++solver_.report_.corrections;
+  }
 
  private:
   DirectSolver& solver_;
@@ -212,6 +215,7 @@ class DirectSolver::Poses : public Corrector {
 
 void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   report_.moved_exactly = false;
+  report_.corrections = 0;
   if (newton == 0 || report_.iterated) return integrate_poses(bodies, h);
   impulses_.clear();
   for (const Inside& one : inside_)

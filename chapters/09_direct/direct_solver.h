@@ -17,7 +17,7 @@ namespace joints {
 /// passes of the active set.
 class DirectSolver : public Solver {
  public:
-  int newton = 0;      ///< iterations on the positions in a step (SHAKE); 0: velocities alone
+  int newton = 0;      ///< iterations on the positions at most (SHAKE); 0: velocities alone
   real stiffness = 0;  ///< above 0, about 16: more inertia where a great force pulls (Eq. 9-14)
   int alternations = 4;  ///< how often the rows outside of A and those in it take turns
   int passes = 10;     ///< of the active set, at most
@@ -31,6 +31,7 @@ class DirectSolver : public Solver {
     int wrong = 0;               ///< bounded rows that were still on the wrong side
     double multiplications = 0;  ///< of a factorisation, about
     int fill = 0;                ///< numbers that elimination filled in
+    int corrections = 0;         ///< of the positions
     bool moved_exactly = false;  ///< Newton's method on the positions converged
     bool iterated = false;       ///< `instead` solved
   };
@@ -57,6 +58,7 @@ class DirectSolver : public Solver {
     Symmetric<double> angular{};  // inverse inertia, world
     real force_lever = 0;         // |F||r| of the last step [N m]
     vec3 w{0};                    // the angular velocity that it has with more inertia
+    int rows = 0;                 // of all blocks that hold it
   };
   struct Inside {  // a block that has a place in A
     const Block* block;

@@ -133,30 +133,31 @@ void second_order_step(World& world, Solver& solver, real h) {
   // end [exercise 9.5]
 }
 
-bool move_onto_constraints(Bodies& bodies, real h, int iterations, Corrector& corrector,
+bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& corrector,
                            std::vector<Body>& start) {
   // begin [exercise 9.6]
-  // Keep the bodies in `start`. In each iteration: integrate_poses(); ask for the errors() there;
-  // the largest must be at most poor_contraction of what it was in the iteration before;
-  // change_rates() by -C/h (Eq. 9-10); and put x and q of every body back to the start. After the
-  // last, integrate_poses() for good.
+  // Keep the bodies in `start`. In each iteration: integrate_poses() for real(h); ask for the
+  // errors() there. If the largest is near_enough, all is done; it must be at most poor_contraction
+  // of what it was in the iteration before. change_rates() by -C/h (Eq. 9-10), and put x and q of
+  // every body back to the start. After the last iteration, integrate_poses() for good.
   start.assign(bodies.data(), bodies.data() + bodies.slots());
   double last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
-    integrate_poses(bodies, h);
+    integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
     double largest = 0;
     for (double& C : rates) {
       largest = std::max(largest, std::abs(C));
-      C /= -double(h);  // Eq. 9-10
+      C /= -h;  // Eq. 9-10
     }
-    if (largest > poor_contraction * last) return false;
+    if (largest <= near_enough) return true;
+    if (!(largest <= poor_contraction * last)) return false;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
   }
-  integrate_poses(bodies, h);
+  integrate_poses(bodies, real(h));
   return true;
   // end [exercise 9.6]
 }

@@ -89,7 +89,7 @@ std::vector<Way> ways() {
        .newton = 8, .quick = true},
       {.name = "SHAKE stiffness 16", .scenes = alone, .loop = Loop::direct, .beta = 1,
        .leapfrog = true, .newton = 8, .stiffness = 16},
-      {.name = "order 4", .scenes = all, .loop = Loop::runge_kutta, .quick = true},
+      {.name = "Runge-Kutta", .scenes = all, .loop = Loop::runge_kutta, .quick = true},
 
       {.name = "set up once a step", .scenes = "S1 S1x", .loop = Loop::textbook},
       {.name = "recomputed", .scenes = "S1", .loop = Loop::recomputed, .most = 30},
@@ -106,8 +106,8 @@ std::string Way::solver() const {
     case Loop::packed: return "packed";
     case Loop::lanes: return "lanes";
     case Loop::hinges: return "chapter 7";
-    case Loop::direct: return "direct";
-    case Loop::runge_kutta: return "Runge-Kutta";
+    case Loop::direct:
+    case Loop::runge_kutta: return "direct";
     default: return "textbook";
   }
 }

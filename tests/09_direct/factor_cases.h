@@ -346,4 +346,39 @@ inline CaseTable<MatrixCase> solve_table() {
   return table;
 }
 
+// ---- both together ------------------------------------------------------------------------------
+
+inline constexpr Subject whole_subject{"9.2", "the solution x with your own factor", 1};
+
+/// The original entries that came with the pivots, in the order of elimination.
+inline Numbers pivots_seen;
+
+inline void check_originals(const MatrixCase& c, const Numbers& seen) {
+  std::size_t n = 0;
+  for (int k = 0; k < c.count(); ++k)
+    for (int i = 0; i < c.rows[std::size_t(k)]; ++i, ++n) {
+      const int row = c.first(k) + i;
+      const double yours = n < seen.size() ? seen[n] : 0;
+      expect({"9.2", "what comes with a pivot"},
+             "original entry of row " + std::to_string(row) + ", node " + std::to_string(k) +
+                 ", " + c.words,
+             yours, c.A(row, row), 0,
+             {{yours, n >= seen.size()
+                          ? "`inverse` is not asked for this pivot: hand it to factor_block()"
+                          : "&A.original[node.row]: by rows of the right-hand side, each node has "
+                            "its own"}});
+    }
+}
+
+/// The solution where the dropped row's x is 0 and its equation is left out.
+inline Numbers without_dropped(const MatrixCase& c, const Numbers& b) {
+  const int gone = c.dropped[0];
+  Dense A = c.A;
+  Numbers right = b;
+  for (int i = 0; i < c.size(); ++i) A(gone, i) = A(i, gone) = 0;
+  A(gone, gone) = 1;
+  right[std::size_t(gone)] = 0;
+  return gauss(A, right);
+}
+
 }  // namespace joints::testing

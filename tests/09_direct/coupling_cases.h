@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chapters/09_direct/direct.h"
+#include "tests/checker/arguments.h"
 #include "tests/checker/padded.h"
 
 namespace joints::testing {
@@ -9,7 +10,7 @@ namespace joints::testing {
 struct CouplingCase {
   std::string words;
   int n, m;
-  std::vector<HalfRow> J, response;  ///< six each: what stands behind the block's own is another's
+  std::vector<HalfRow> J, response;  ///< seven each: what stands behind the block's own is another's
   Numbers before;                    ///< n x m
 };
 
@@ -19,7 +20,7 @@ inline HalfRow half_row(const vec3& v, const vec3& w) {
 
 /// Half-rows of a case, filled up with those of the next block.
 inline std::vector<HalfRow> with_next(std::vector<HalfRow> own) {
-  for (int k = 0; own.size() < 6; ++k) own.push_back(half_row(vec3(real(7 + k)), vec3(real(-5))));
+  for (int k = 0; own.size() < 7; ++k) own.push_back(half_row(vec3(real(7 + k)), vec3(real(-5))));
   return own;
 }
 
@@ -57,6 +58,39 @@ Numbers coupled(const CouplingCase& c, const Add& add) {
   add(A.data());
   A.resize(numbers_of_coupling);
   return A;
+}
+
+/// One of the two products has other half-rows.
+inline CaseTable<CouplingCase>::Mistakes other_halves() {
+  CaseTable<CouplingCase>::Mistakes out;
+  const char* const names[] = {"J[i]", "J[j]", "J[0]", "response[i]", "response[j]",
+                               "response[0]"};
+  const auto half_of = [](const CouplingCase& c, int which, int i, int j) {
+    const int at = which % 3 == 0 ? i : which % 3 == 1 ? j : 0;
+    return (which < 3 ? c.J : c.response)[std::size_t(at)];
+  };
+  for (const bool linear : {true, false})
+    for (int one = 0; one < 6; ++one)
+      for (int other = 0; other < 6; ++other) {
+        if (one == 0 && other == 4) continue;
+        const std::string v = linear ? ".v" : ".w";
+        const auto product = [=](const HalfRow& a, const HalfRow& b, bool of_v) {
+          return of_v ? dot(a.v, b.v) : dot(a.w, b.w);
+        };
+        out.push_back({std::string(linear ? "the linear" : "the angular") + " product is of " +
+                           names[one] + v + " and " + names[other] + v + ": of J[i]" + v +
+                           " and response[j]" + v,
+                       [=](const CouplingCase& c) {
+                         return coupled(c, [&](double* A) {
+                           for (int i = 0; i < c.n; ++i)
+                             for (int j = 0; j < c.m; ++j)
+                               A[i * c.m + j] +=
+                                   product(half_of(c, one, i, j), half_of(c, other, i, j), linear) +
+                                   product(half_of(c, 0, i, j), half_of(c, 4, i, j), !linear);
+                         });
+                       }});
+      }
+  return out;
 }
 
 inline CaseTable<CouplingCase> coupling_table() {
@@ -180,6 +214,12 @@ inline CaseTable<CouplingCase> coupling_table() {
        place([](const Case& c, double* A, int i, int j, double a) {
          if (j >= i) A[i * c.m + j] += a;
        })},
+      {"nothing is added: A[i * m + j] += the product",
+       product([](const HalfRow&, const HalfRow&) { return 0.0; })},
+      {"half of the product: all of it",
+       product([=](const HalfRow& a, const HalfRow& b) { return both(a, b) / 2; })},
+      {"A[i, j] is A[j] in C++: A[i * m + j]",
+       place([](const Case&, double* A, int, int j, double a) { A[j] += a; })},
       {"twice the product, or the loops run twice: once",
        product([=](const HalfRow& a, const HalfRow& b) { return 2 * both(a, b); })},
       {"the size of the product: it may have either sign",
@@ -209,7 +249,8 @@ inline CaseTable<CouplingCase> coupling_table() {
        place([](const Case& c, double* A, int i, int j, double a) {
          if (j > 0) A[i * c.m + j] += a;
        })},
-      {"one row too many: i < n", loops([](const Case& c) { return std::min(c.n + 1, 6); }, m)},
+      {"one row too many: i < n", loops([](const Case& c) { return c.n + 1; }, m)},
+      {"one column too many: j < m", loops(n, [](const Case& c, int) { return c.m + 1; })},
       {"a sum goes on from entry to entry: begin with 0 for each",
        [=](const Case& c) {
          double sum = 0;
@@ -221,7 +262,16 @@ inline CaseTable<CouplingCase> coupling_table() {
        }},
       {"cut to a whole number: an int has no fraction",
        product([=](const HalfRow& a, const HalfRow& b) { return std::trunc(both(a, b)); })}};
+  for (const auto& mistake : other_halves()) table.mistakes.push_back(mistake);
   table.cases = coupling_cases();
+  read_off(table, {[yours = table.yours, cases = table.cases] {
+    const bool behind = std::any_of(cases.begin(), cases.end(), [&](const Case& c) {
+      const Numbers A = yours(c);
+      return std::any_of(A.begin() + c.n * c.m, A.end(), [](double a) { return a != 0; });
+    });
+    return std::string(behind ? "something is written behind the n x m numbers of A: do the loops "
+                                "end, and is a row m numbers long?" : "");
+  }});
   tell_where_it_holds(table);
   return table;
 }

@@ -193,7 +193,7 @@ inline std::vector<OrderMistake> order_mistakes() {
   };
   const char* const most = "the node with the most neighbours comes first: the fewest make little "
                            "fill";
-  std::vector<OrderMistake> out{
+  return {
       {most, with([](R& r) { r.by = R::By::most; })},
       {std::string(most) + ", and of equals the least number",
        with([](R& r) { r.by = R::By::most, r.greatest = true; })},
@@ -204,10 +204,17 @@ inline std::vector<OrderMistake> order_mistakes() {
        with([](R& r) { r.by = R::By::number; })},
       {"the nodes in their own order, backwards: the one with the fewest neighbours left comes "
        "first",
-       with([](R& r) { r.by = R::By::number, r.greatest = true; r.by = R::By::number; })},
+       [](const Graph& graph) {
+         std::vector<int> order(graph.size());
+         std::iota(order.rbegin(), order.rend(), 0);
+         return order;
+       }},
       {"the neighbours at first are counted: those that are left count, the filled ones too. Is a "
        "node taken out of the queue and put in again where its number changes?",
        with([](R& r) { r.by = R::By::first_lists; })},
+      {"the neighbours at first are counted, and of equals the greatest number comes first: those "
+       "that are left count, and the least number comes first",
+       with([](R& r) { r.by = R::By::first_lists, r.greatest = true; })},
       {"nothing is filled in: who is eliminated makes its neighbours neighbours of each other",
        with([](R& r) { r.fills = false; })},
       {"who is eliminated stays in the sets of its neighbours: only those that are left count",
@@ -235,12 +242,6 @@ inline std::vector<OrderMistake> order_mistakes() {
          for (std::size_t k = 0; k < order.size(); ++k) place[std::size_t(order[k])] = int(k);
          return place;
        }}};
-  out[5].of = [](const Graph& graph) {
-    std::vector<int> order(graph.size());
-    std::iota(order.rbegin(), order.rend(), 0);
-    return order;
-  };
-  return out;
 }
 
 // ---- the report ---------------------------------------------------------------------------------
@@ -263,6 +264,8 @@ inline std::string explain_nodes(const Graph& graph, const std::vector<int>& you
   if (yours.size() > graph.size())
     return std::to_string(yours.size()) + " nodes where there are " +
            std::to_string(graph.size()) + ": who is eliminated must not come back into the queue";
+  if (std::find(yours.begin(), yours.end(), int(graph.size())) != yours.end())
+    return "there is no node " + std::to_string(graph.size()) + ": they are counted from 0";
   return "a node stands there twice, or is none: who is eliminated must not come back";
 }
 

@@ -74,6 +74,22 @@ inline CaseTable<PivotCase> pivot_table() {
        unless([=](const Case& c) { return c.pivot > share * c.original; })},
       {"the comparison is turned round: what is at most the share gets 0",
        unless([=](const Case& c) { return c.pivot >= share * c.original; })},
+      {"the comparison is turned round: what is at most the share gets 0",
+       unless([=](const Case& c) { return !(c.pivot < share * c.original); })},
+      {"the comparison is turned round: what is at most the share gets 0",
+       unless([=](const Case& c) { return !(c.pivot <= share * c.original); })},
+      {"a dependent row gets an infinite inverse: it gets 0, no impulse",
+       scaled([=](const Case& c) {
+         return c.pivot > share * c.original ? 1 / c.pivot
+                                             : std::numeric_limits<double>::infinity();
+       })},
+      {"a share of the entry is added to every pivot: that changes all impulses. Compare, and "
+       "return 0",
+       scaled([=](const Case& c) { return 1 / (c.pivot + share * c.original); })},
+      {"a pivot is at least its share of the entry: what is not more gets 0, no impulse",
+       scaled([=](const Case& c) { return 1 / std::max(c.pivot, share * c.original); })},
+      {"a bound that does not become smaller with the entry: a share of the entry, however small",
+       unless([=](const Case& c) { return !(c.pivot > share * std::max(c.original, 1.0)); })},
       {"at exactly the share there is no inverse: at most this share is rounding error, so > and "
        "not >=",
        unless([=](const Case& c) { return !(c.pivot >= share * c.original); })},
@@ -124,14 +140,17 @@ inline CaseTable<PivotCase> pivot_table() {
        })},
       {"1 / pivot is cut to a whole number: an int has no fraction",
        scaled([=](const Case& c) {
-         return c.pivot > share * c.original ? std::trunc(1 / c.pivot) : 0;
+         const double inverse = c.pivot > share * c.original ? std::trunc(1 / c.pivot) : 0;
+         return std::abs(inverse) < 2147483648.0 ? inverse : -2147483648.0;  // what an int holds
        })}};
   for (const double bound : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15,
                              1e-16, 2.220446049250313e-16, 1e-20}) {
-    table.mistakes.push_back({"a bound of its own, " + short_number(bound) +
-                                  ", for masses of any size: a share of the original entry",
+    table.mistakes.push_back({"a fixed bound for masses of any size: a share of the original "
+                              "entry",
                               unless([=](const Case& c) { return !(c.pivot > bound); })});
-    table.mistakes.push_back({"another share, " + short_number(bound) + ": dependent_share",
+    table.mistakes.push_back({std::string("another share, ") +
+                                  (bound < share ? "smaller" : "larger") +
+                                  " than dependent_share",
                               unless([=](const Case& c) {
                                 return !(c.pivot > bound * c.original);
                               })});
@@ -139,7 +158,6 @@ inline CaseTable<PivotCase> pivot_table() {
   std::erase_if(table.mistakes, [&](const auto& m) { return table.is_right(m.second); });
   table.given = [](const Case& c) { return "Case: " + arguments_of(c, pivot_arguments) + "."; };
   add_formulas(table, pivot_arguments);
-  const auto formula = table.pairs;
   table.given = [copy = table](const Case& c) { return copy.given(c) + " " + copy.holds_in(); };
   return table;
 }

@@ -18,7 +18,9 @@ struct FactorReference {
   enum class Original { own, by_node, first } original = Original::own;
   int skip_nodes = 0, skip_edges = 0, from = 0;  ///< from: the inner loop begins at j + from
   bool from_first = false, only_diagonal = false, divides = true, plain = false, exchanged = false;
-  bool plain_times_plain = false, reads_targets_of_all = false;
+  bool plain_times_plain = false, divides_exchanged = false, rows_of_j = false, block_of_j = false;
+  bool only_own = false, only_first = false, stores_a_row = false, advances_before = false;
+  int skip_inner = 0;
 
   explicit FactorReference(const MatrixCase& c) : c(c) {}
 
@@ -40,30 +42,34 @@ struct FactorReference {
       };
       if (diagonal == When::right) factor_diagonal();
       if (targets == Targets::again) target = A.targets.data();
-      for (int j = node.first_edge; j < end; ++j) {
+      for (int j = node.first_edge; j < (only_first ? std::min(node.first_edge + 1, end) : end);
+           ++j) {
         const Edge& edge = A.edges[std::size_t(j)];
         const int m = A.nodes[std::size_t(edge.to)].rows;
         double* const block = number + edge.at;
-        if (divides) divide_rows(block, m, D, n, L);
+        if (divides_exchanged) divide_rows(block, n, D, m, L);
+        else if (divides) divide_rows(block, m, D, n, L);
         else std::copy(block, block + m * n, L);
         std::copy(block, block + m * n, kept);
         if (store == Store::early) std::copy(L, L + m * n, block);
-        for (int i = from_first ? node.first_edge : j + from; i < end; ++i) {
+        for (int i = from_first ? node.first_edge : j + from; i < end - skip_inner; ++i) {
           const Edge& other = A.edges[std::size_t(i)];
+          if (only_own && i != j) continue;
           if (only_diagonal && i != j) {
             ++target;
             continue;
           }
-          const int rows = A.nodes[std::size_t(other.to)].rows;
+          const int rows = rows_of_j ? m : A.nodes[std::size_t(other.to)].rows;
+          if (advances_before) ++target;
           const int place = targets == Targets::own_edge ? other.at : *target;
-          if (targets != Targets::stuck) ++target;
+          if (targets != Targets::stuck && !advances_before) ++target;
           if (exchanged)
             subtract_product(L, m, number + other.at, rows, n, number + place);
           else
-            subtract_product(number + other.at, rows, plain_times_plain ? kept : L, m, n,
+            subtract_product(number + (block_of_j ? edge : other).at, rows, plain_times_plain ? kept : L, m, n,
                              number + place);
         }
-        if (store == Store::right) std::copy(L, L + m * n, block);
+        if (store == Store::right) std::copy(L, L + (stores_a_row ? n : m * n), block);
       }
       if (store == Store::edge_once && end > node.first_edge) {
         const Edge& edge = A.edges[std::size_t(end) - 1];
@@ -171,6 +177,8 @@ inline Pieces<FactorReference> wrong_factors() {
        [](T& t) { t.store = T::Store::edge_once; }},
       {"the target is always the first one: *target++ goes on to the next",
        [](T& t) { t.targets = T::Targets::stuck; }},
+      {"the first target is left out: *target++ and not *++target",
+       [](T& t) { t.advances_before = true; }},
       {"the targets begin anew with each node: they go on to the end",
        [](T& t) { t.targets = T::Targets::again; }},
       {"it is subtracted from the edge itself: from number[*target++]",
@@ -181,6 +189,20 @@ inline Pieces<FactorReference> wrong_factors() {
        [](T& t) { t.from = 1; }},
       {"only the products of an edge with itself: with every edge from j on",
        [](T& t) { t.only_diagonal = true; }},
+      {"only the products of an edge with itself: with every edge from j on, each has its target",
+       [](T& t) { t.only_own = true; }},
+      {"only the first edge of each node: all of them", [](T& t) { t.only_first = true; }},
+      {"the inner loop leaves the last edge out: up to the end, as the outer one",
+       [](T& t) { t.skip_inner = 1; }},
+      {"rows and columns of the edge's block are exchanged in divide_rows(): it is m x n, the "
+       "diagonal block n x n",
+       [](T& t) { t.divides_exchanged = true; }},
+      {"the rows of edge j in the place of those of edge i: the block of edge i has its own number",
+       [](T& t) { t.rows_of_j = true; }},
+      {"the block of edge j twice: the one of edge i, and L",
+       [](T& t) { t.block_of_j = true; }},
+      {"only a part of L is stored: m * n numbers", [](T& t) { t.stores_a_row = true; }},
+      {"nothing is done", [](T& t) { t.skip_nodes = 1000; }},
       {"A is not divided by the diagonal block: L = divide_rows() of it",
        [](T& t) { t.divides = false; }},
       {"the product of two blocks of A: one of them is L, A_ik L_jk^T",
@@ -229,11 +251,14 @@ inline std::vector<Numbers> right_sides(const MatrixCase& c) {
 /// The steps of solving, each of which a mistake may change.
 struct SolveReference {
   MatrixCase c;
-  bool forward = true, back = true, back_in_order = false, back_at_own = false;
-  bool forward_transposed = false, back_plain = false, wrong_divide = false;
+  bool forward = true, back = true, back_in_order = false;
+  bool forward_transposed = false, back_plain = false;
   int divides = 1, skip_nodes = 0, skip_edges = 0;
   enum class Divide { after, before, at_last } divide_when = Divide::after;
   bool by_node = false;  ///< x is asked by node's number
+  bool forward_from_last = false, back_exchanged = false, first_edge = false, by_edge = false;
+  bool all_edges = false, forward_by_node = false, rows_exchanged = false;
+  int back_to = 0;
 
   explicit SolveReference(const MatrixCase& c) : c(c) {}
 
@@ -243,11 +268,12 @@ struct SolveReference {
     double* const x = b.data();
     const double* const number = A.numbers.data();
     const auto at = [&](int k) { return x + (by_node ? k : A.nodes[std::size_t(k)].row); };
-    const auto each_edge = [&](int k, auto what) {
+    const auto each_edge = [&](int k, bool forwards, auto what) {
       const Node& node = A.nodes[std::size_t(k)];
-      for (int e = node.first_edge; e < A.nodes[std::size_t(k) + 1].first_edge - skip_edges; ++e) {
+      const int end = A.nodes[std::size_t(k) + 1].first_edge - skip_edges;
+      for (int e = all_edges && forwards ? 0 : node.first_edge; e < end; ++e) {
         const Edge& edge = A.edges[std::size_t(e)];
-        what(node, A.nodes[std::size_t(edge.to)], number + edge.at, at(edge.to));
+        what(node, A.nodes[std::size_t(edge.to)], number + edge.at, at(edge.to), edge.to);
       }
     };
     const auto divide_own = [&](int k) {
@@ -255,18 +281,31 @@ struct SolveReference {
       for (int n = 0; n < divides; ++n) divide(number + node.diagonal, node.rows, at(k));
     };
     const int count = c.count() - skip_nodes;
-    for (int k = 0; k < count; ++k) {
+    for (int n = 0; n < count; ++n) {
+      const int k = forward_from_last ? count - 1 - n : n;
+      bool first = true;
       if (divide_when == Divide::before) divide_own(k);
-      each_edge(k, [&](const Node& node, const Node& to, const double* L, double* other) {
-        if (forward) subtract_times(L, to.rows, node.rows, at(k), other);
+      each_edge(k, true, [&](const Node& node, const Node& to, const double* L, double* other,
+                             int number_of) {
+        double* const own = forward_by_node ? x + k : at(k);
+        if (forward_by_node) other = x + number_of;
+        if (forward && (first || !first_edge)) {
+          if (forward_transposed) subtract_transposed_times(L, to.rows, node.rows, other, at(k));
+          else if (rows_exchanged) subtract_times(L, node.rows, to.rows, own, other);
+          else subtract_times(L, to.rows, node.rows, own, other);
+        }
+        first = false;
+        if (by_edge) divide_own(k);
       });
-      if (divide_when == Divide::after) divide_own(k);
+      if (divide_when == Divide::after && !by_edge) divide_own(k);
     }
     for (int n = 0; n < count; ++n) {
       const int k = back_in_order ? n : count - 1 - n;
-      each_edge(k, [&](const Node& node, const Node& to, const double* L, double* other) {
-        if (!back) return;
-        if (back_plain) subtract_times(L, to.rows, node.rows, at(k), other);
+      each_edge(k, false, [&](const Node& node, const Node& to, const double* L, double* other,
+                              int) {
+        if (!back || k < back_to) return;
+        if (back_exchanged) subtract_transposed_times(L, to.rows, node.rows, at(k), other);
+        else if (back_plain) subtract_times(L, to.rows, node.rows, at(k), other);
         else subtract_transposed_times(L, to.rows, node.rows, other, at(k));
       });
       if (divide_when == Divide::at_last) divide_own(k);
@@ -296,12 +335,35 @@ inline Pieces<SolveReference> wrong_solves() {
       {"the way back goes like the way forward: there the other node's numbers are multiplied by "
        "L^T and taken from the node's own",
        [](T& t) { t.back_plain = true; }},
+      {"the way forward begins with the last node: forward in the order of elimination",
+       [](T& t) { t.forward_from_last = true; }},
+      {"the way forward goes like the way back: there L of the node's own numbers is taken from "
+       "the other node's",
+       [](T& t) { t.forward_transposed = true; }},
+      {"x and y are exchanged on the way back: L^T of the other node's numbers is taken from the "
+       "node's own",
+       [](T& t) { t.back_exchanged = true; }},
+      {"the way back leaves the first node out: k >= 0",
+       [](T& t) { t.back_to = 1; }},
+      {"only the first edge of each node on the way forward: all of them",
+       [](T& t) { t.first_edge = true; }},
+      {"divided once for each edge: once for each node, after its edges",
+       [](T& t) { t.by_edge = true; }},
+      {"the edges of other nodes, too: from the node's first_edge on",
+       [](T& t) { t.all_edges = true; }},
+      {"nothing is done", [](T& t) { t.forward = t.back = false, t.divides = 0; }},
       {"the last node is left out: it has no edges, but it must be divided",
        [](T& t) { t.skip_nodes = 1; }},
       {"the last edge of each node is left out: up to first_edge of the next node",
        [](T& t) { t.skip_edges = 1; }},
       {"the node's number in the place of its row: its numbers begin at x + node.row",
-       [](T& t) { t.by_node = true; }}};
+       [](T& t) { t.by_node = true; }},
+      {"the node's number in the place of its row on the way forward: its numbers begin at x + "
+       "node.row",
+       [](T& t) { t.forward_by_node = true; }},
+      {"rows and columns of the edge's block are exchanged on the way forward: it has the rows of "
+       "the other node",
+       [](T& t) { t.rows_exchanged = true; }}};
 }
 
 inline constexpr std::size_t numbers_of_solve = 72;

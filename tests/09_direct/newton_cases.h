@@ -119,14 +119,16 @@ struct NewtonCase {
   MakeCorrector corrector;
 };
 
-/// A static body, the one that the corrector holds, and one that flies by and turns.
+/// The one that the corrector holds is body 1, body 2 is static, the others fly by and turn.
 inline Bodies newton_bodies(const NewtonCase& c) {
   Bodies bodies;
-  bodies.add(static_body(vec3(7)));
-  bodies.add(c.body);
   Body other = body_with(3, vec3(1), vec3(-2, 1, 4));
   other.v = vec3(1, 2, -3);
   other.w = vec3(real(0.5), 3, 1);
+  bodies.add(other);
+  bodies.add(c.body);
+  bodies.add(static_body(vec3(7)));
+  other.x = vec3(3, 3, 3);
   bodies.add(other);
   return bodies;
 }
@@ -185,6 +187,7 @@ inline std::vector<NewtonCase> newton_cases() {
   add("two rows, the first of which is better", {{0.1, -1}, {0.05, -0.9}, {0, 0}});
   add("two rows, the last of which is better", {{-1, 0.1}, {-0.9, 0.05}, {0, 0}});
   add("two rows, one becomes worse and the greater one better", {{1, 0.1}, {0.5, 0.4}, {0, 0}});
+  add("two rows, the second of which comes up", {{1, 0}, {0.65, 0.65}, {0, 0}});
   add("two rows of opposite signs", {{1, -1}, {0.4, -0.4}, {0, 0}});
   add("a negative error", {{-1}, {-0.3}, {0}});
   add("three rows that become better by degrees", {{0.5, 0.5, 0.5}, {0.3, 0.1, 0}, {0.1, 0, 0},
@@ -194,7 +197,7 @@ inline std::vector<NewtonCase> newton_cases() {
   return out;
 }
 
-inline constexpr std::size_t asked_at_most = 8, numbers_of_newton = 110;
+inline constexpr std::size_t asked_at_most = 8, numbers_of_newton = 120;
 
 inline void append_body(Numbers& out, const Body& b) {
   for (const vec3& a : {b.x, b.v, b.w})
@@ -220,10 +223,10 @@ Numbers newton_numbers(const NewtonCase& c, const Move& move) {
   };
   append(cut(corrector->seen, 4 * asked_at_most));
   append(cut(corrector->rates, 3 * asked_at_most));
-  const bool whole = start.size() == std::size_t(bodies.slots());
-  append(whole ? flat(std::vector<vec3>{start[1].x, start[1].v}) : Numbers(6, 999));
+  append({double(start.size())});
+  append(start.size() > 1 ? flat(std::vector<vec3>{start[1].x, start[1].v}) : Numbers(6, 0));
   Numbers at_end;
-  for (int k = 0; k < 3; ++k) append_body(at_end, bodies.at(k));
+  for (int k = 0; k < 4; ++k) append_body(at_end, bodies.at(k));
   append(result ? at_end : Numbers(at_end.size(), 0));
   return padded(out, numbers_of_newton);
 }

@@ -18,29 +18,41 @@ struct NewtonReference {
   std::function<double(double C, double h)> rate = [](double C, double h) { return -C / h; };
   double near = near_enough, poor = poor_contraction;
   bool strictly_near = false, strictly_poor = false, asks_near = true, asks_poor = true;
-  bool poor_first = false, keeps_last = true, moves_first = true, moves_at_end = true;
+  bool poor_first = false, moves_first = true, moves_at_end = true;
   bool moves_again = false, start_each_time = false, changes = true, keeps_start = true;
-  bool changes_moved = false, back_early = false, asks_at_end = false, last_by_first = false;
+  bool asks_at_end = false, last_by_first = false;
   enum class Back { none, x, q, pose, all } back = Back::pose;
   enum class Result { right, poor_is_true, end_is_false, near_is_false, always_false } result =
       Result::right;
-  int more = 0;
-  double move_h = 1;
+  int more = 0, asks = 1, first_back = 0;
+  double move_h = 1, last_h = 1;  ///< of the moves in the iterations, and of the last one
+  double first_last = std::numeric_limits<double>::infinity();
+  bool asks_before = false, poor_breaks = false, poor_late = false, changes_twice = false;
+  bool zero_does_nothing = false, keeps_largest = false, w_back = false, start_moved = false;
+  bool adds_to_start = false;
 
   bool move(Bodies& bodies, double h, int iterations, Corrector& corrector,
             std::vector<Body>& start) const {
-    const auto keep = [&] { start.assign(bodies.data(), bodies.data() + bodies.slots()); };
+    const auto keep = [&] {
+      if (!adds_to_start) start.clear();
+      start.insert(start.end(), bodies.data(), bodies.data() + bodies.slots());
+    };
+    if (zero_does_nothing && iterations == 0) return true;
     std::vector<Body> own(bodies.data(), bodies.data() + bodies.slots());
     if (keeps_start) keep();
     const auto answer = [&](bool right) {
       return result == Result::right ? right : result != Result::always_false && right;
     };
-    double last = std::numeric_limits<double>::infinity();
+    double last = first_last, before = 0;
     for (int n = 0; n < iterations + more; ++n) {
       if (start_each_time && n > 0) keep(), own = start;
       if (moves_first) integrate_poses(bodies, real(move_h * h));
+      if (start_moved && n == 0) keep(), own = start;
+      for (int again = 1; again < asks; ++again) corrector.errors();
       std::vector<double>& rates = corrector.errors();
-      const double largest = norm(rates);
+      if (asks_before) integrate_poses(bodies, real(h));
+      const double largest = keeps_largest ? std::max(before, norm(rates)) : norm(rates);
+      before = largest;
       for (double& C : rates) C = rate(C, h);
       const bool is_poor = strictly_poor ? !(largest < poor * last) : !(largest <= poor * last);
       if (asks_poor && poor_first && is_poor) return result == Result::poor_is_true;
@@ -48,17 +60,23 @@ struct NewtonReference {
         if (moves_again) integrate_poses(bodies, real(h));
         return answer(result != Result::near_is_false);
       }
-      if (asks_poor && !poor_first && is_poor) return result == Result::poor_is_true;
-      if (keeps_last && !(last_by_first && n > 0)) last = largest;
+      if (asks_poor && !poor_first && is_poor) {
+        if (poor_breaks) break;
+        if (poor_late) corrector.change_rates(rates);
+        return result == Result::poor_is_true;
+      }
+      if (!(last_by_first && n > 0)) last = largest;
       if (changes) corrector.change_rates(rates);
-      for (int k = 0; k < bodies.slots(); ++k) {
+      if (changes_twice) corrector.change_rates(rates);
+      for (int k = first_back; k < bodies.slots(); ++k) {
         Body& body = bodies.at(k);
         if (back == Back::all) body = own[std::size_t(k)];
         if (back == Back::x || back == Back::pose) body.x = own[std::size_t(k)].x;
         if (back == Back::q || back == Back::pose) body.q = own[std::size_t(k)].q;
+        if (w_back) body.w = own[std::size_t(k)].w;
       }
     }
-    if (moves_at_end) integrate_poses(bodies, real(move_h * h));
+    if (moves_at_end) integrate_poses(bodies, real(last_h * h));
     if (asks_at_end) return norm(corrector.errors()) <= near;
     return answer(result != Result::end_is_false);
   }
@@ -102,22 +120,56 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.moves_at_end = false; }},
       {"where the error is near enough the bodies move once more: they are there already, return",
        [](T& t) { t.moves_again = true; }},
-      {"the bodies move for half of h: for all of it", [](T& t) { t.move_h = 0.5; }},
+      {"the bodies move for half of h: for all of it",
+       [](T& t) { t.move_h = t.last_h = 0.5; }},
+      {"the bodies move for half of h in each iteration: for all of it",
+       [](T& t) { t.move_h = 0.5; }},
+      {"the errors are asked before the bodies move: C is that at the new poses",
+       [](T& t) { t.moves_first = false, t.asks_before = true; }},
+      {"the errors are asked more than once in an iteration: they are yours to keep",
+       [](T& t) { t.asks = 2; }},
+      {"change_rates() is called twice in an iteration: once", [](T& t) { t.changes_twice = true; }},
+      {"with no iterations the bodies do not move: they do, by the velocities that they have",
+       [](T& t) { t.zero_does_nothing = true; }},
+      {"the last error is 0 at first: in the first iteration any error will do",
+       [](T& t) { t.first_last = 0; }},
+      {"the first error is compared with a number: in the first iteration any error will do, "
+       "infinity",
+       [](T& t) { t.first_last = 0.5; }},
+      {"the first error is compared with a number: in the first iteration any error will do, "
+       "infinity",
+       [](T& t) { t.first_last = 1; }},
+      {"the velocities are changed before poor_contraction is asked: then they do not come back",
+       [](T& t) { t.poor_late = true; }},
+      {"where the error hardly becomes less the bodies move on, and it is true: return false",
+       [](T& t) { t.poor_breaks = true; }},
+      {"the largest error is not begun anew in each iteration: from 0",
+       [](T& t) { t.keeps_largest = true; }},
+      {"the angular velocity is put back, too: its change is lost, only x and q are put back",
+       [](T& t) { t.w_back = true; }},
+      {"the first body is not put back: all slots from 0", [](T& t) { t.first_back = 1; }},
+      {"the first bodies are not put back: all slots from 0", [](T& t) { t.first_back = 2; }},
+      {"`start` is written after the bodies have moved: before, as they were",
+       [](T& t) { t.start_moved = true; }},
+      {"`start` keeps what it held before: that is no matter, assign() it",
+       [](T& t) { t.adds_to_start = true; }},
+      {"`start` is written again in each iteration: the velocities in it are changed ones then",
+       [](T& t) { t.start_each_time = true; }},
       {"one iteration too many: n < iterations", [](T& t) { t.more = 1; }},
       {"one iteration too few: from 0 while n < iterations", [](T& t) { t.more = -1; }},
       {"near_enough is not asked: nothing more is to be done then",
        [](T& t) { t.asks_near = false; }},
       {"at exactly near_enough it is enough: <=", [](T& t) { t.strictly_near = true; }},
-      {"poor_contraction is not asked: an iteration that leaves more of the error ends with false",
+      {"an iteration that leaves more than poor_contraction of the error does not end with false: "
+       "is `last` kept, and is it asked?",
        [](T& t) { t.asks_poor = false; }},
       {"at exactly poor_contraction it goes on: <=", [](T& t) { t.strictly_poor = true; }},
       {"only an error that grows ends it: at most poor_contraction of the last one may be left",
        [](T& t) { t.poor = 1; }},
+      {"divided by poor_contraction: at most that share of the last error may be left",
+       [](T& t) { t.poor = 1 / poor_contraction; }},
       {"poor_contraction is asked before near_enough: what is near enough is good in any case",
        [](T& t) { t.poor_first = true; }},
-      {"the last error is never kept: the next iteration is compared with it. Keep it before "
-       "change_rates()",
-       [](T& t) { t.keeps_last = false; }},
       {"the first error is kept for ever: compare with that of the iteration before",
        [](T& t) { t.last_by_first = true; }},
       {std::string(largest) + ". The sign is not taken away",
@@ -188,9 +240,10 @@ inline std::vector<std::string> newton_names(const NewtonCase&) {
   for (std::size_t n = 0; n < asked_at_most; ++n)
     for (int i = 0; i < 3; ++i)
       out.push_back("rates[" + std::to_string(i) + "] of change_rates()" + call(n));
+  out.push_back("bodies in start");
   for (const char* what : {"x.x", "x.y", "x.z", "v.x", "v.y", "v.z"})
     out.push_back(std::string("start[1].") + what);
-  for (int k = 0; k < 3; ++k)
+  for (int k = 0; k < 4; ++k)
     for (const char* what : {"x.x", "x.y", "x.z", "v.x", "v.y", "v.z", "w.x", "w.y", "w.z", "q.w",
                              "q.x", "q.y", "q.z"})
       out.push_back(std::string(what) + " of body " + std::to_string(k) + " at the end");

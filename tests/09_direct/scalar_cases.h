@@ -195,9 +195,8 @@ inline std::vector<SideCase> side_cases() {
     for (const Side side : {Side::lower, Side::upper}) {
       const double impulse = side == Side::lower ? lower : upper;
       if (!std::isfinite(impulse)) continue;
-      for (const double off : {0.0, small, -small})  // the impulse is not looked at there
-        for (const double rate : {-2.0, -small, 0.0, small, 2.0})
-          out.push_back({"", side, impulse + off, lower, upper, rate});
+      for (const double rate : {-2.0, -small, 0.0, small, 2.0})
+        out.push_back({"", side, impulse, lower, upper, rate});
     }
   }
   return out;
@@ -272,6 +271,30 @@ inline CaseTable<SideCase> side_table() {
          return std::abs(c.impulse) > std::abs(c.upper) ? Side::upper
                 : c.impulse < c.lower                   ? Side::lower : Side::free;
        })},
+      {"the sizes are compared: impulse and bounds have signs",
+       free([](const C& c) {
+         return c.impulse < c.lower                           ? Side::lower
+                : std::abs(c.impulse) > std::abs(c.upper) ? Side::upper : Side::free;
+       })},
+      {"a small impulse beyond a bound is let pass: there is no threshold",
+       free([](const C& c) {
+         return c.impulse < c.lower - 1e-7   ? Side::lower
+                : c.impulse > c.upper + 1e-7 ? Side::upper : Side::free;
+       })},
+      {"a small impulse below the lower bound is let pass: there is no threshold",
+       free([](const C& c) {
+         return c.impulse < c.lower - 1e-7 ? Side::lower
+                : c.impulse > c.upper      ? Side::upper : Side::free;
+       })},
+      {"a small impulse above the upper bound is let pass: there is no threshold",
+       free([](const C& c) {
+         return c.impulse < c.lower          ? Side::lower
+                : c.impulse > c.upper + 1e-7 ? Side::upper : Side::free;
+       })},
+      {"a small rate is let pass at the lower bound: there is no threshold",
+       lower([](const C& c) { return c.rate < -1e-7 ? Side::free : Side::lower; })},
+      {"a small rate is let pass at the upper bound: there is no threshold",
+       upper([](const C& c) { return c.rate > 1e-7 ? Side::free : Side::upper; })},
       {"a free row is asked for its rate: only its impulse counts, its rate is zero already",
        free([](const C& c) {
          return c.rate < 0 ? Side::lower : c.rate > 0 ? Side::upper : Side::free;
@@ -340,6 +363,19 @@ inline CaseTable<SideCase> side_table() {
        whole([](const C& c) {
          return c.impulse <= c.lower ? Side::lower : c.impulse >= c.upper ? Side::upper
                                                                         : Side::free;
+       })},
+      {"the rate decides whatever the side: a free row is asked for its impulse",
+       whole([](const C& c) {
+         return c.rate < 0 ? Side::lower : c.rate > 0 ? Side::upper : Side::free;
+       })},
+      {"the rate decides whatever the side: a free row is asked for its impulse",
+       whole([](const C& c) {
+         return c.rate > 0 ? Side::lower : c.rate < 0 ? Side::upper : Side::free;
+       })},
+      {"impulse and rate are added: the one is asked of a free row, the other of a bounded one",
+       whole([](const C& c) {
+         const double sum = c.impulse - c.rate;
+         return sum < c.lower ? Side::lower : sum > c.upper ? Side::upper : Side::free;
        })},
       {"nothing ever flips: `now` is returned", whole(stays)},
       {"always free: beyond its bounds an impulse must not be", whole([](const C&) {

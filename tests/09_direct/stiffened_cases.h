@@ -132,9 +132,11 @@ inline CaseTable<StiffenedCase> stiffened_table() {
        adds([](const T& t) {
          return vec3((t.moments.x + t.moments.y + t.moments.z) / 3) - t.moments + t.added;
        })},
-      {"only the first moment grows: all three", adds([](const T& t) {
-         return vec3(t.added.x, 0, 0);
-       })},
+      {"only one moment grows: all three", adds([](const T& t) { return vec3(t.added.x, 0, 0); })},
+      {"only one moment grows: all three", adds([](const T& t) { return vec3(0, t.added.x, 0); })},
+      {"only one moment grows: all three", adds([](const T& t) { return vec3(0, 0, t.added.x); })},
+      {"the greater one of moment and factor h^2 |F||r|: their sum",
+       adds([](const T& t) { return max(t.moments, t.added) - t.moments; })},
       {"the mass is added, too: only factor h^2 |F||r|",
        adds([](const T& t) { return t.added + vec3(1 / t.c.body.inverse_mass); })},
       {"it is divided by the mass: |F||r| is a torque already",
@@ -176,6 +178,16 @@ inline CaseTable<StiffenedCase> stiffened_table() {
        w([](const T& t) {
          return (t.factors.x + t.factors.y + t.factors.z) / 3 * t.c.body.w;
        })},
+      {"one ratio for all three: each axis has its own",
+       w([](const T& t) {
+         const vec3 more = t.moments + t.added;
+         return (t.moments.x + t.moments.y + t.moments.z) / (more.x + more.y + more.z) *
+                t.c.body.w;
+       })},
+      {"the ratio is squared: moments / more, once",
+       w([](const T& t) { return to_world(t.c.body, t.factors * t.factors * t.local); })},
+      {"the linear velocity: w is the angular one",
+       w([](const T& t) { return to_world(t.c.body, t.factors * to_local(t.c.body, t.c.body.v)); })},
       {"the angular momentum is returned: divide it by the new moments",
        w([](const T& t) { return to_world(t.c.body, t.moments * t.local); })},
       {"only divided by the new moments: the momentum is the old moments times w",

@@ -123,17 +123,25 @@ struct TimeReference {
   int solves = 1, poses = 1;
   real before_solve = 0, before = real(0.5), after = real(0.5);  ///< turns, as shares of h
   int turns = 1;  ///< how often each
+  real kick_at_end = 0;  ///< share of h
+  bool keeps_mean = false, gravity_alone = false, earth = false, poses_at_once = false;
+  bool poses_before_solve = false, poses_around = false;
 
   void step(World& world, Solver& solver, real h) const {
     Bodies& bodies = world.bodies;
     const real length = kick_length(world.last_h, h);
+    if (poses_at_once) integrate_poses(bodies, h);
+    const vec3 gravity = earth ? vec3(0, real(-9.81), 0) : world.gravity;
     const auto turned = [&](real share) {
       if (share > 0)
         for (int n = 0; n < turns; ++n) turn(bodies, share * h);
     };
-    if (euler) integrate_forces(bodies, world.gravity, length);
-    else if (kicks && !kick_last) kick(bodies, world.gravity, length);
-    if (keeps_h) world.last_h = h;
+    if (euler) integrate_forces(bodies, gravity, length);
+    else if (gravity_alone)
+      for (int k = 0; k < bodies.slots(); ++k)
+        bodies.at(k).v += (bodies.at(k).is_static() ? 0 : length) * gravity;
+    else if (kicks && !kick_last) kick(bodies, gravity, length);
+    if (keeps_h) world.last_h = keeps_mean ? length : h;
     if (poses_first) integrate_poses(bodies, h);
     turned(before_solve);
     if (clears) world.blocks.clear();
@@ -143,12 +151,16 @@ struct TimeReference {
       for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
     solver.prepare(bodies, world.blocks, 0, prepare_h * h);
     if (warms) solver.warm_start(bodies, ratio);
+    if (poses_before_solve) integrate_poses(bodies, h);
     for (int n = 0; n < solves; ++n) solver.solve(bodies);
     if (kick_last) kick(bodies, world.gravity, length);
+    if (poses_around) integrate_poses(bodies, h / 2);
     turned(before);
-    if (!poses_first)
+    if (!poses_first && !poses_at_once && !poses_before_solve && !poses_around)
       for (int n = 0; n < poses; ++n) integrate_poses(bodies, pose_h * h);
     turned(after);
+    if (poses_around) integrate_poses(bodies, h / 2);
+    if (kick_at_end > 0) kick(bodies, gravity, kick_at_end * h);
   }
 };
 
@@ -184,6 +196,18 @@ inline Pieces<TimeReference> wrong_times() {
        }},
       {"kick() comes behind solve(): the impulses of the joints must see the forces",
        [](T& t) { t.kick_last = true; }},
+      {"the mean is kept in world.last_h: h, the length of this step",
+       [](T& t) { t.keeps_mean = true; }},
+      {"a second kick() at the end: forces act once, for the mean of the last step and this one",
+       [](T& t) { t.kick_at_end = real(0.5); }},
+      {"two kicks of half of h: forces act once, for the mean of the last step and this one",
+       [](T& t) {
+         t.kick_at_end = real(0.5);
+         t.kick_length = [](real, real h) { return h / 2; };
+       }},
+      {"force and torque of the bodies are forgotten: kick() has all of it",
+       [](T& t) { t.gravity_alone = true; }},
+      {"gravity is another one: world.gravity", [](T& t) { t.earth = true; }},
       {"h is not kept in world.last_h: the next step's mean needs it",
        [](T& t) { t.keeps_h = false; }},
       {"the blocks of the last step are still there: world.blocks.clear()",
@@ -231,6 +255,13 @@ inline Pieces<TimeReference> wrong_times() {
       {"the bodies move twice: integrate_poses() once", [](T& t) { t.poses = 2; }},
       {"the bodies move for half of h: only the turns are halves",
        [](T& t) { t.pose_h = real(0.5); }},
+      {"the bodies move half before the turns and half after: it is the turns that are halves, "
+       "around integrate_poses()",
+       [](T& t) { t.poses_around = true; }},
+      {"the bodies move before solve(): by the new velocities, behind it",
+       [](T& t) { t.poses_before_solve = true; }},
+      {"the bodies move at first: by the new velocities, behind solve()",
+       [](T& t) { t.poses_at_once = true; }},
       {"the bodies move before solve(): by the new velocities, behind it",
        [](T& t) { t.poses_first = true; }}};
 }

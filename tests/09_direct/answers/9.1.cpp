@@ -142,7 +142,7 @@
 // change: response[j].w); ==> response[j].w));
 
 // ---- wrong: x and y alone
-// expects: ~ Exercise 9.1: the coupling of two blocks Holds in 3 of 10 cases, such as two rows
+// expects: Case: blocks of 1 and 3 rows
 // change: dot(J[i].v, response[j].v) ==> (J[i].v.x * response[j].v.x + J[i].v.y * response[j].v.y)
 
 // ---- wrong: nothing done

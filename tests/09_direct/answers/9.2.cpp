@@ -42,7 +42,7 @@
 // change: *target++ ==> *target
 
 // ---- wrong: targets advanced before
-// expects: ~ Exercise 9.2: the factor L D L^T Holds in 1 of 10 cases, such as one node of three
+// expects: Likely mistake: the first target is left out: *target++ and not *++target
 // change: *target++ ==> *++target
 
 // ---- wrong: targets per node again
@@ -62,7 +62,7 @@
 // change: int i = j; ==> int i = j + 1;
 
 // ---- wrong: inner loop to j alone
-// expects: ~ Exercise 9.2: the factor L D L^T Holds in 6 of 10 cases, such as two chains that
+// expects: Likely mistake: only the products of an edge with itself: with every edge from j on
 // change: i < end; ++i) ==> i <= j; ++i)
 
 // ---- wrong: L not stored
@@ -98,7 +98,7 @@
 // change: divide_rows(block, m, D, n, L); ==> std::copy(block, block + m * n, L);
 
 // ---- wrong: m and n exchanged in the division
-// expects: ~ Exercise 9.2: the factor L D L^T Holds in 4 of 10 cases, such as a chain of four
+// expects: Likely mistake: rows and columns of the edge's block are exchanged in divide_rows()
 // change: divide_rows(block, m, D, n, L) ==> divide_rows(block, n, D, m, L)
 
 // ---- wrong: A times A
@@ -116,31 +116,31 @@
 // change: k + 1 < A.nodes.size() ==> k + 2 < A.nodes.size()
 
 // ---- wrong: node behind the last too
-// expects: ~ an index outside a vector or an array: places run from 0 to size() - 1 Where
+// expects: an index outside a vector or an array: places run from 0 to size() - 1
 // change: k + 1 < A.nodes.size() ==> k < A.nodes.size()
 
 // ---- wrong: last edge left out
-// expects: ~ Exercise 9.2: the factor L D L^T Holds in 1 of 10 cases, such as one node of three
+// expects: Likely mistake: the inner loop leaves the last edge out: up to the end, as the outer
 // change: int i = j; i < end ==> int i = j; i < end - 1
 
 // ---- wrong: only the first edge
-// expects: ~ Exercise 9.2: the factor L D L^T Holds in 6 of 10 cases, such as two chains that
+// expects: Likely mistake: only the first edge of each node: all of them
 // change: j < end; ++j ==> j < end && j == node.first_edge; ++j
 
 // ---- wrong: rows of the node for the edge
-// expects: ~ Exercise 9.2: the factor L D L^T Holds in 4 of 10 cases, such as a chain of four
+// expects: Case: a triangle
 // change: const int m = A.nodes[std::size_t(A.edges[j].to)].rows ==> const int m = n
 
 // ---- wrong: rows of j for i
-// expects: ~ Exercise 9.2: the factor L D L^T Holds in 6 of 10 cases, such as two chains that
+// expects: Likely mistake: the rows of edge j in the place of those of edge i: the block of edge
 // change: A.nodes[A.edges[i].to].rows, L ==> m, L
 
 // ---- wrong: edges numbered as nodes
-// expects: ~ an index outside a vector or an array: places run from 0 to size() - 1 Where
+// expects: an index outside a vector or an array: places run from 0 to size() - 1
 // change: A.nodes[std::size_t(A.edges[j].to)].rows ==> A.nodes[std::size_t(j)].rows
 
 // ---- wrong: block of the wrong edge
-// expects: ~ Exercise 9.2: the factor L D L^T Holds in 6 of 10 cases, such as two chains that
+// expects: Likely mistake: the block of edge j twice: the one of edge i, and L
 // change: subtract_product(number + A.edges[i].at ==> subtract_product(number + A.edges[j].at
 
 // ---- wrong: only the last edge stored
@@ -162,7 +162,7 @@
   }
 
 // ---- wrong: half of L stored
-// expects: ~ Exercise 9.2: the factor L D L^T Holds in 3 of 10 cases, such as two nodes, one row
+// expects: Likely mistake: only a part of L is stored: m * n numbers
 // change: std::copy(L, L + m * n, block) ==> std::copy(L, L + n, block)
 
 // ---- wrong: nothing subtracted
@@ -170,7 +170,7 @@
 // change: subtract_product( ==> if (false) subtract_product(
 
 // ---- wrong: factor does nothing
-// expects: ~ Exercise 9.2: the factor L D L^T Holds in 0 of 10 cases. Case: three scalar rows of
+// expects: Likely mistake: nothing is done
   (void)number, (void)target, (void)inverse;
 
 // ---- wrong: forward without division
@@ -239,7 +239,7 @@
 
 // ---- wrong: forward from the last
 // region: 2
-// expects: ~ Exercise 9.2: the solution x with the factor Holds in 1 of 10 cases, such as one
+// expects: Likely mistake: the way forward begins with the last node: forward in the order of
 // change: int k = 0; k < count; ++k ==> int k = count - 1; k >= 0; --k
 
 // ---- wrong: no way back
@@ -274,14 +274,14 @@
 
 // ---- wrong: forward transposed
 // region: 2
-// expects: ~ Exercise 9.2: the solution x with the factor Holds in 1 of 10 cases, such as one
+// expects: Likely mistake: the way forward goes like the way back: there L of the node's own
 // change: subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row) ==>
 //         subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + to.row, x +
 //         node.row)
 
 // ---- wrong: back with the ends exchanged
 // region: 2
-// expects: ~ Exercise 9.2: the solution x with the factor Holds in 1 of 10 cases, such as one
+// expects: Likely mistake: x and y are exchanged on the way back: L^T of the other node's numbers
   const int count = int(A.nodes.size()) - 1;
   for (int k = 0; k < count; ++k) {
     const Node& node = A.nodes[k];
@@ -301,46 +301,46 @@
 
 // ---- wrong: rows exchanged on the way forward
 // region: 2
-// expects: ~ Exercise 9.2: the solution x with the factor Holds in 4 of 10 cases, such as a chain
+// expects: Likely mistake: rows and columns of the edge's block are exchanged on the way forward
 // change: to.rows, node.rows, x + node.row, x + to.row ==>
 //         node.rows, to.rows, x + node.row, x + to.row
 
 // ---- wrong: number of the node for its row
 // region: 2
-// expects: ~ Exercise 9.2: the solution x with the factor Holds in 2 of 10 cases, such as one
+// expects: Likely mistake: the node's number in the place of its row on the way forward: its
 // change: x + node.row, x + to.row ==> x + k, x + A.edges[j].to
 
-// ---- wrong: last node left out
+// ---- wrong: last node left out of the solution
 // region: 2
-// expects: Likely mistake: the last node is left out: all nodes but the one behind the last
+// expects: Likely mistake: the last node is left out: it has no edges, but it must be divided
 // change: int count = int(A.nodes.size()) - 1 ==> int count = int(A.nodes.size()) - 2
 
 // ---- wrong: first node left out on the way back
 // region: 2
-// expects: ~ Exercise 9.2: the solution x with the factor Holds in 1 of 10 cases, such as one
+// expects: Likely mistake: the way back leaves the first node out: k >= 0
 // change: k >= 0 ==> k > 0
 
 // ---- wrong: divided by the place of the row
 // region: 2
-// expects: ~ Exercise 9.2: the solution x with the factor Holds in 1 of 10 cases, such as one
+// expects: Case: three scalar rows of a chain
 // change: number + node.diagonal, ==> number + node.row,
 
 // ---- wrong: only the first edge forward
 // region: 2
-// expects: ~ Exercise 9.2: the solution x with the factor Holds in 6 of 10 cases, such as two
+// expects: Likely mistake: only the first edge of each node on the way forward: all of them
 // change: for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) { ==>
 //         for (int j = node.first_edge; j < A.nodes[k + 1].first_edge && j == node.first_edge; ++j)
 //         {
 
 // ---- wrong: edges of all nodes
 // region: 2
-// expects: ~ Exercise 9.2: the solution x with the factor Holds in 1 of 10 cases, such as one
+// expects: Likely mistake: the edges of other nodes, too: from the node's first_edge on
 // change: for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) { ==>
 //         for (int j = 0; j < A.nodes[k + 1].first_edge; ++j) {
 
 // ---- wrong: divided once for each edge
 // region: 2
-// expects: ~ Exercise 9.2: the solution x with the factor Holds in 0 of 10 cases. Case: three
+// expects: Likely mistake: divided once for each edge: once for each node, after its edges
   const int count = int(A.nodes.size()) - 1;
   for (int k = 0; k < count; ++k) {
     const Node& node = A.nodes[k];
@@ -359,7 +359,7 @@
 
 // ---- wrong: solve does nothing
 // region: 2
-// expects: ~ Exercise 9.2: the solution x with the factor Holds in 0 of 10 cases. Case: three
+// expects: Likely mistake: nothing is done
   (void)A, (void)x, (void)number;
 
 // ---- right: lower edges found by hand

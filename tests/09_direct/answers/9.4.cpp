@@ -75,7 +75,7 @@
 // change: : 0 ==> : 1
 
 // ---- wrong: a huge number for a dependent row
-// expects: ~ Exercise 9.4: 1 / pivot, and 0 for a dependent row Case: pivot 1e-14, original 2.
+// expects: Case: pivot 1e-14, original 2
 // change: : 0 ==> : 1e30
 
 // ---- wrong: infinite for a dependent row
@@ -111,7 +111,7 @@
   return 1 / std::max(pivot, dependent_share * original);
 
 // ---- wrong: zero for small masses
-// expects: ~ Exercise 9.4: 1 / pivot, and 0 for a dependent row Case: pivot 3.03e-11, original 3.
+// expects: Case: pivot 3
 // change: pivot > dependent_share * original ==> pivot > dependent_share * original && pivot > 1e-8
 
 // ---- wrong: root of the share

@@ -94,11 +94,11 @@
 // change: moments / more * ==> moments.x / more.x *
 
 // ---- wrong: mean ratio
-// expects: ~ Exercise 9.8: a body with more inertia Case: force_lever 1 N m, factor 16, h 0.5 s.
+// expects: Likely mistake: one ratio for all three: each axis has its own
 // change: moments / more * ==> (moments.x + moments.y + moments.z) / (more.x + more.y + more.z) *
 
 // ---- wrong: only one moment grows
-// expects: ~ Exercise 9.8: a body with more inertia Case: force_lever 1 N m, factor 16, h 0.5 s.
+// expects: Likely mistake: only one moment grows: all three
 // change: moments + factor * h * h * force_lever ==>
 //         moments + vec3(0, factor * h * h * force_lever, 0)
 
@@ -115,7 +115,7 @@
 // change: * force_lever ==> * force_lever * force_lever
 
 // ---- wrong: linear velocity
-// expects: ~ Exercise 9.8: a body with more inertia Case: force_lever 1 N m, factor 16, h 0.5 s.
+// expects: Likely mistake: the linear velocity: w is the angular one
 // change: body.w) ==> body.v)
 
 // ---- wrong: w not set
@@ -135,55 +135,55 @@
 // change: factor * h * h ==> real(float(factor * h * h))
 
 // ---- wrong: at most twice the inertia
-// expects: ~ Exercise 9.8: a body with more inertia Case: force_lever 1 N m, factor 16, h 0.5 s.
+// expects: Exercise 9.8: a body with more inertia Case: force_lever 1 N m, factor
 // change: moments + factor * h * h * force_lever ==>
 //         glm::min(moments + factor * h * h * force_lever, real(2) * moments)
 
 // ---- wrong: the larger of both
-// expects: ~ Exercise 9.8: a body with more inertia Case: force_lever 1 N m, factor 16, h 0.5 s.
+// expects: Likely mistake: the greater one of moment and factor h^2 |F||r|: their sum
 // change: moments + factor * h * h * force_lever ==>
 //         glm::max(moments, vec3(factor * h * h * force_lever))
 
 // ---- wrong: isotropic bodies left out
-// expects: ~ Exercise 9.8: a body with more inertia Case: force_lever 30 N m, factor 16, h 0.02
+// expects: Exercise 9.8: a body with more inertia Case: force_lever 30 N m, facto
 // change: moments + factor * h * h * force_lever ==>
 //         moments + (body.is_isotropic() ? real(0) : factor * h * h * force_lever)
 
 // ---- wrong: squared ratio
-// expects: ~ Exercise 9.8: a body with more inertia Case: force_lever 1 N m, factor 16, h 0.5 s.
+// expects: Likely mistake: the ratio is squared: moments / more, once
 // change: moments / more * ==> moments / more * moments / more *
 
 // ---- wrong units: h not squared
-// expects: ?
+// expects: Units: in stiffened, adding kg m^2/s to kg m^2: h is missing (an impulse is h times a
 // change: factor * h * h * force_lever ==> factor * h * force_lever
 
 // ---- wrong units: h missing
-// expects: ?
+// expects: Units: in stiffened, adding kg m^2/s^2 to kg m^2
 // change: factor * h * h * force_lever ==> factor * force_lever
 
 // ---- wrong units: force missing
-// expects: ?
+// expects: Units: in stiffened, adding s^2 to kg m^2
 // change: factor * h * h * force_lever ==> factor * h * h
 
 // ---- wrong units: inverse moments taken for moments
-// expects: ?
+// expects: Units: in stiffened, adding kg m^2 to 1/(kg m^2): inertia where its inverse belongs
 // change: const vec3 moments = real(1) / body.inverse_inertia_local ==>
 //         const vec3 moments = body.inverse_inertia_local
 
 // ---- wrong units: moments returned
-// expects: ?
+// expects: Units: the inverse inertia is in kg m^2 and should be in 1/(kg m^2): inertia where its
 // change: out.inverse_inertia_local = real(1) / more ==> out.inverse_inertia_local = more
 
 // ---- wrong units: momentum returned
-// expects: ?
+// expects: Units: the angular velocity w is in kg m^2/s and should be in 1/s: the inverse inertia
 // change: moments / more * ==> moments *
 
 // ---- wrong units: only divided
-// expects: ?
+// expects: Units: the angular velocity w is in 1/(kg m^2 s) and should be in 1/s: an inverse
 // change: moments / more * ==> real(1) / more *
 
 // ---- wrong units: linear velocity
-// expects: ?
+// expects: Units: the angular velocity w is in m/s and should be in 1/s: a length too many: an
 // change: body.w) ==> body.v)
 
 // ---- right: in the world's axes with a matrix

@@ -9,6 +9,7 @@ namespace joints::chapter9 {
 namespace {
 
 Triple<double> triple_of(const vec3& a) { return {double(a.x), double(a.y), double(a.z)}; }
+vec3 vec3_of(const Triple<double>& a) { return vec3(real(a.x), real(a.y), real(a.z)); }
 
 }  // namespace
 
@@ -49,18 +50,20 @@ void PlainDirect::prepare(const Bodies& bodies, const Blocks& blocks, int, real 
   factor(maker_.A, inverse);
 }
 
-// A lambda = rates, and V += M^-1 J^T lambda.
+// A lambda = rates, and V += M^-1 J^T lambda: with M^-1 J^T as it was when the step began, since
+// Newton's method calls this while the bodies are at their new poses.
 void PlainDirect::change_rates(Bodies& bodies, std::vector<double>& rates) const {
   joints::solve(maker_.A, rates.data());
+  const auto push = [&](int slot, const HalfRow& response, double lambda) {
+    bodies.at(slot).v += vec3_of(lambda * response.v);
+    bodies.at(slot).w += vec3_of(lambda * response.w);
+  };
   for (const Block& block : blocks_->list)
     for (int i = 0; i < block.rows; ++i) {
-      const real lambda = real(rates[block.first + i]);
-      const Row& J = blocks_->J[block.first + i];
-      Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
-      body1.v += lambda * body1.inverse_mass * J.v1, body2.v += lambda * body2.inverse_mass * J.v2;
-      body1.w += lambda * (inverse_inertia(body1) * J.w1);
-      body2.w += lambda * (inverse_inertia(body2) * J.w2);
-      block.impulse[i] += lambda;
+      const double lambda = rates[block.first + i];
+      push(block.body1, response_[2 * block.first + i], lambda);
+      push(block.body2, response_[2 * block.first + block.rows + i], lambda);
+      block.impulse[i] += real(lambda);
     }
 }
 

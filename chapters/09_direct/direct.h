@@ -97,15 +97,16 @@ class Corrector {
 
 /// The largest share of the error that a Newton iteration may leave.
 constexpr double poor_contraction = 0.7;
-/// An error that needs no further iteration [m or rad].
-constexpr double near_enough = sizeof(real) == 4 ? 1e-4 : 5e-9;
+/// Errors of at most this times h^2 need no further iteration [m/s^2 or rad/s^2]: what they change
+/// is an acceleration of this size.
+constexpr double negligible = sizeof(real) == 4 ? 0.3 : 2e-6;
 
 /// Exercise 9.6: moves the bodies from where they are by their velocities, and changes the
-/// velocities until C is near_enough to zero at the new poses, Eq. 9-10.
+/// velocities until C is negligible at the new poses, Eq. 9-10.
 /// \param iterations how often the velocities are changed at most
 /// \param start memory for the bodies as they were; what it holds is no matter
-/// \return false if an iteration left more than poor_contraction of the error: there is no such
-/// pose near by
+/// \return false if it ended, by an iteration that left more than poor_contraction of the error, with
+/// more than that share of the first error: there is no such pose near by
 bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& corrector,
                            std::vector<Body>& start);
 

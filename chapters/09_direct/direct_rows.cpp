@@ -25,7 +25,7 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   factored_ = false;
   report_.iterated = is_hub();
   if (!report_.iterated) {
-    maker_.follow(pattern_, int(blocks.C.size()));
+    if (maker_.follow(pattern_, int(blocks.C.size()))) expected_.assign(blocks.C.size(), 0);
     report_.multiplications = maker_.multiplications();
     report_.fill = maker_.fill();
     report_.iterated = report_.multiplications > most_work * double(blocks.C.size());

@@ -99,6 +99,7 @@ class DirectSolver : public Solver {
   bool factored_ = false;
   std::vector<double> x_;              // the right-hand side, then the change of the impulses
   Blocks poses_;                       // errors at the new poses
+  std::vector<double> expected_;       // the rates by which the last step's poses were corrected
   std::vector<Body> start_;
   std::vector<real> impulses_;
   Report report_;

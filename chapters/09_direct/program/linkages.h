@@ -105,20 +105,20 @@ inline Scene beam(int cubes) {
 // ---- loops --------------------------------------------------------------------------------------
 
 /// A net: rows x rows cubes of 1 kg and 0.4 m, 1 m apart, on ball joints midway between neighbours;
-/// the corners of its upper edge are static.
+/// one corner is static.
 inline Scene net(int rows) {
   Scene scene{.name = "net"};
   std::vector<BodyId> ids;
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < rows; ++j) {
-      const bool fixed = i == 0 && (j == 0 || j == rows - 1);
+      const bool fixed = i == 0 && j == 0;
       const vec3 x(real(j), 0, real(i));
       ids.push_back(scene.box(fixed ? real(0) : real(1), vec3(real(0.4)), x));
       if (j > 0) on_ball(scene, ids[ids.size() - 2], ids.back(), x - vec3(real(0.5), 0, 0));
       if (i > 0)
         on_ball(scene, ids[ids.size() - 1 - std::size_t(rows)], ids.back(),
                 x - vec3(0, 0, real(0.5)));
-      scene.energy_scale += 9.81 * i;
+      scene.energy_scale += 9.81 * (i + j);
     }
   return scene;
 }

@@ -137,9 +137,8 @@ def draw_time(solution, mine, out):
                 d.plot(part["iteration"], visible(part["error"]), **(looks or {
                     "color": COLOURS[n % 6], "marker": "os^D"[n % 4], "markersize": 5}),
                     label="_" if looks else f"h = 1/{1 / h:.0f} s")
-    d.axhline(5e-9, color=PALE, linewidth=0.8, linestyle=":")
     d.set(yscale="log", xlabel="iteration on the positions", ylabel="largest |C|  [m or rad]",
-          title="one step; dotted: near enough")
+          title="the slabs, one step")
     for ax in (a, b, c, d):
         style.label_ends(ax)
     style.save(figure, out / "09_time")

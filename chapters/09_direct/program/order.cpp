@@ -32,9 +32,15 @@ struct Graph {
   }
 };
 
-Graph chain(int count) {
-  Graph out{"chain", 5, {}};
-  for (int k = 0; k < count; ++k) out.joints.push_back({k - 1, k});
+// The joints of a scene, all of the same kind.
+Graph joints_of(Scene&& scene) {
+  World& world = scene.world;
+  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, scene.h);
+  for (const auto& joint : world.joints()) joint->append(world.bodies, world.blocks);
+  Graph out{scene.name, world.blocks.list[0].rows, {}};
+  const auto moving = [&](int slot) { return world.bodies.at(slot).is_static() ? -1 : slot; };
+  for (const Block& block : world.blocks.list)
+    out.joints.push_back({moving(block.body1), moving(block.body2)});
   return out;
 }
 
@@ -50,20 +56,6 @@ Graph star_graph(int arms, int length) {
   for (int k = 0; k < length; ++k)
     for (int arm = 0; arm < arms; ++arm)
       out.joints.push_back({k == 0 ? 0 : k * arms + arm - arms + 1, k * arms + arm + 1});
-  return out;
-}
-
-// The net of linkages.h: the corners of its upper edge do not move.
-Graph net_graph(int rows) {
-  Graph out{"net", 3, {}};
-  const auto body = [rows](int i, int j) {
-    return i == 0 && (j == 0 || j == rows - 1) ? -1 : i * rows + j;
-  };
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < rows; ++j) {
-      if (j > 0) out.joints.push_back({body(i, j - 1), body(i, j)});
-      if (i > 0) out.joints.push_back({body(i - 1, j), body(i, j)});
-    }
   return out;
 }
 
@@ -129,14 +121,15 @@ void order(const Choice& choice) {
   CsvFile table(choice.out + "/order.csv",
                 {"graph", "order", "joints", "rows", "fill", "multiplications"});
   CsvFile pattern(choice.out + "/pattern.csv", {"graph", "order", "row", "column", "filled"});
-  for (const Graph& graph : {chain(100), ring(100), star_graph(8, 5), net_graph(6)}) {
+  for (const Graph& graph : {joints_of(sideways_chains(1, 101)), ring(100), star_graph(8, 5),
+                             joints_of(net(6))}) {
     std::vector<int> list(graph.joints.size());
     std::iota(list.begin(), list.end(), 0);
     const std::vector<int> found = elimination_order(graph.neighbours());
     std::vector<int> sorted = found;
     std::sort(sorted.begin(), sorted.end());
     require(sorted == list, "elimination_order: each node must be in it once");
-    std::printf("%-6s of %3zu joints: multiplications", graph.name.c_str(), list.size());
+    std::printf("%-8s of %3zu joints: multiplications", graph.name.c_str(), list.size());
     for (const auto& [name, by] : {std::pair{"as listed", list}, {"shuffled", shuffled(list)},
                                    {"fewest neighbours", found}}) {
       const Count count = eliminate(graph, by, [&](int i, int j, bool filled) {

@@ -82,6 +82,7 @@ class PlainDirect::Poses : public Corrector {
       : solver_(solver), bodies_(bodies), append_(append) {}
   std::vector<double>& errors() override {
     Blocks now;
+    now.errors_only = true;
     append_(now);
     double most = 0;
     for (std::size_t i = 0; i < now.C.size(); ++i) {

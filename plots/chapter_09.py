@@ -98,10 +98,11 @@ def draw_dependent(solution, mine, out):
     table = mine or solution
     kept = {name: last(table, "energy", method=name) for name in dict.fromkeys(table["method"])}
     figure, (left, right) = style.figure(
-        f"Bricard's linkage loses {-kept['dropped']:.2f} of its energy with the dependent row "
-        f"dropped, {-kept['not dropped']:.2f} with it kept", 2)
+        f"Bricard's linkage: energy {kept['dropped']:+.2f} with the dependent row dropped, "
+        f"{kept['not dropped']:+.2f} else", 2)
     over_time(left, solution, mine, "energy", "method")
-    left.set(ylabel="change of energy, over that of a fall by 1 m", title="energy" + whose(mine))
+    left.set(ylabel="change of energy, over that of a fall by 1 m", ylim=(-1.5, 0.5),
+             title="energy" + whose(mine))
     calm = style.peaks(table, "method")
     right.set_yscale("log")
     over_time(right, style.peaks(solution, "method") if mine else calm, mine and calm, "gap_m",
@@ -189,22 +190,24 @@ def draw_bounds(solution, mine, out):
 
 def draw_heavy(solution, mine, out):
     table, energy = mine or solution
-    steps = np.unique(energy["h_s"])[::-1]
+    lost = [-100 * last(table, "energy_change_2s", factor=factor, ratio=100.0)
+            for factor in (1, 16)]
     figure, (left, right) = style.figure(
-        f"More inertia holds at every weight, and takes "
-        f"{-100 * last(table, 'energy_change', inertia='more', ratio=100.0):.0f} % of the energy "
-        "in 2 s", 2)
-    over(left, solution[0], mine and table, "ratio", "gap_m", "inertia",
-         lambda name: {"more": "more\ninertia"}.get(name, name))
+        f"More inertia holds a heavy end, and takes {lost[0]:.0f} to {lost[1]:.0f} % of the "
+        "energy in 2 s", 2)
+    over(left, solution[0], mine and table, "ratio", "gap_m", "factor",
+         lambda factor: rf"$\kappa$ = {factor:g}")
     left.set(xscale="log", yscale="log", xlabel="end  [kg], after ten links of 1 kg",
-             ylabel="largest gap in 2 s  [m]",
+             ylabel="largest gap in 10 s  [m]",
              title="h = 1/60 s" + ("; dashed: the solution's" if mine else ""))
-    for n, h in enumerate(steps):
-        part = rows(energy, h_s=h)
+    runs = list(dict.fromkeys(zip(energy["factor"], energy["h_s"])))
+    for n, (factor, h) in enumerate(runs, 1):
+        part = rows(energy, factor=factor, h_s=h)
         right.plot(part["time_s"], part["energy_change"], color=COLOURS[n % 6],
-                   label=f"h = 1/{1 / h:.0f} s")
+                   label=rf"$\kappa$ = {factor:g}" + (f",\nh = 1/{1 / h:.0f} s" if n > 3 else ""),
+                   linestyle=":" if n > 3 else "-")
         if mine:
-            part = rows(solution[1], h_s=h)
+            part = rows(solution[1], factor=factor, h_s=h)
             right.plot(part["time_s"], part["energy_change"], label="_", **FORMULA)
     right.axhline(0, color=PALE, linewidth=0.8)
     right.set(xlabel="time  [s]", ylabel="change of energy, a share",
@@ -229,8 +232,8 @@ def tables(folder, command):
              read("newton", "h_s iteration error", "scene")),
             (read("motor", "time_s angle_rad motor_nm limit_nm passes"),
              read("limits", "hinges passes_mean passes_max steps steps_with_wrong")),
-            (read("heavy", "ratio gap_m energy_change tip_error_m", "inertia"),
-             read("heavy_energy", "h_s time_s energy_change")))
+            (read("heavy", "factor ratio gap_m energy_change_2s tip_error_1s_m"),
+             read("heavy_energy", "factor h_s time_s energy_change")))
 
 
 if __name__ == "__main__":

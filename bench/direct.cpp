@@ -1,5 +1,5 @@
-// The direct solver against thirty iterations, in one run: time, gap, tip, energy, and how many of a
-// family of random scenes hold. `./wb bench --direct` calls it.
+// The direct solver against thirty iterations, in one run: time, gap, tip, energy, and how many
+// scenes of a random family hold. `./wb bench --direct` calls it.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -29,7 +29,8 @@ def main():
             zip(table["ratio_to_si30"], table["method"], table["scene"])
             if method == "velocity" and scene in places and "star" not in scene]
     figure, (left, right) = style.figure(
-        f"All joints at once, hubs apart: {min(fast):.2f} to {max(fast):.2f} of the time of 30 iterations",
+        f"All joints at once, hubs apart: {min(fast):.2f} to {max(fast):.2f} of the time of "
+        "30 iterations",
         panels=2, sharey=True)
     figure.set_figheight(0.22 * len(scenes) + 1.3)
     for method, (words, colour, marker) in METHODS.items():

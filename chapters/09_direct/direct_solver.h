@@ -1,4 +1,4 @@
-// The direct solver: finds the impulses of all joints at once. Given, there is nothing to edit here.
+// The direct solver: finds the impulses of all joints at once. Given, there is nothing to edit.
 #pragma once
 
 #include "chapters/09_direct/joint_matrix.h"
@@ -8,7 +8,7 @@
 /// @{
 namespace joints {
 
-/// Solves A lambda = -(J V + bias) by factoring A = J M^-1 J^T. Everything is a correction: the same
+/// Solves A lambda = -(J V + bias) by factoring A = J M^-1 J^T. Everything is a correction: one
 /// factor serves the velocities, their refinement and the positions. Bounds are kept by an active
 /// set. Rows whose bound follows another impulse (friction), and those that they follow, stay
 /// outside of A: iterations over them and corrections of all others alternate.

@@ -13,7 +13,7 @@ WORDS = ["scene", "real", "method", "status"]
 ORANGE, BLUE, GREEN = COLOURS[:3]
 METHODS = {"si30": ("30 iterations", INK, "o"), "velocity": ("velocities", BLUE, "s"),
            "shake": ("and positions (SHAKE)", GREEN, "D"),
-           "stiff": ("SHAKE, stiffness 16", ORANGE, "^")}
+           "stiff": ("SHAKE, stiffness 8", ORANGE, "^")}
 LOST = 3.0  # a gap of this is as good as any larger one [m]
 
 

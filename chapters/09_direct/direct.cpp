@@ -97,12 +97,13 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
 
 // ---- stiffness ----------------------------------------------------------------------------------
 
-Stiffened stiffened(const Body& body, real force_lever, real factor, real h) {
+Stiffened stiffened(const Body& body, real force_lever, real lever, real factor, real h) {
   Stiffened out;
   // begin [exercise 9.8]
-  // In the body's own axes: each moment grows by factor h^2 |F||r| (Eq. 9-14), and the angular
-  // velocity becomes smaller in the same ratio. to_local() and to_world() turn it; products and
-  // quotients of two vec3 go component by component.
+  // In the body's own axes: find what its least moment and m r^2 lack of factor h^2 |F||r|. Each
+  // moment grows by that, if it is positive (Eq. 9-14), and the angular velocity becomes smaller in
+  // the same ratio. to_local() and to_world() turn it; products and quotients of two vec3 go
+  // component by component.
   todo("9.8");
   // end [exercise 9.8]
   return out;

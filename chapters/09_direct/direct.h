@@ -132,11 +132,12 @@ struct Stiffened {
   vec3 w;                      ///< angular velocity [rad/s], world
 };
 
-/// Exercise 9.8: a body with more inertia for one step, Eq. 9-14: each moment grows by
-/// factor h^2 |F||r|, and the angular momentum stays.
+/// Exercise 9.8: a body with as much inertia for one step as the step can follow, Eq. 9-14. If its
+/// least moment and m r^2 together are less than factor h^2 |F||r|, each moment grows by what is
+/// missing; else none does. The angular momentum stays.
 /// \param force_lever the sum of |F||r| over the joints that pull at it [N m]
-/// \param factor about 16 [1]
-Stiffened stiffened(const Body& body, real force_lever, real factor, real h);
+/// \param lever the longest r of them [m] \param factor about 8 [1]
+Stiffened stiffened(const Body& body, real force_lever, real lever, real factor, real h);
 
 }  // namespace joints
 /// @}

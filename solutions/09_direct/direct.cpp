@@ -179,14 +179,17 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
 
 // ---- stiffness ----------------------------------------------------------------------------------
 
-Stiffened stiffened(const Body& body, real force_lever, real factor, real h) {
+Stiffened stiffened(const Body& body, real force_lever, real lever, real factor, real h) {
   Stiffened out;
   // begin [exercise 9.8]
-  // In the body's own axes: each moment grows by factor h^2 |F||r| (Eq. 9-14), and the angular
-  // velocity becomes smaller in the same ratio. to_local() and to_world() turn it; products and
-  // quotients of two vec3 go component by component.
+  // In the body's own axes: find what its least moment and m r^2 lack of factor h^2 |F||r|. Each
+  // moment grows by that, if it is positive (Eq. 9-14), and the angular velocity becomes smaller in
+  // the same ratio. to_local() and to_world() turn it; products and quotients of two vec3 go
+  // component by component.
   const vec3 moments = real(1) / body.inverse_inertia_local;
-  const vec3 more = moments + factor * h * h * force_lever;  // Eq. 9-14
+  const real least = std::min({moments.x, moments.y, moments.z});
+  const real missing = factor * h * h * force_lever - least - lever * lever / body.inverse_mass;
+  const vec3 more = moments + vec3(std::max(real(0), missing));  // Eq. 9-14
   out.inverse_inertia_local = real(1) / more;
   out.w = to_world(body, moments / more * to_local(body, body.w));
   // end [exercise 9.8]

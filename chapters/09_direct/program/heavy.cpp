@@ -1,5 +1,5 @@
-// Chapter 9's program, a chain of light cubes with a heavy end: what more inertia holds, and what it
-// costs. Read it; there is nothing to edit here.
+// Chapter 9's program, a chain of light cubes with a heavy end: what more inertia holds, and what
+// it costs. Read it; there is nothing to edit here.
 #include <cmath>
 #include <cstdio>
 

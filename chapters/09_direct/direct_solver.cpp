@@ -8,8 +8,10 @@ namespace joints {
 
 namespace {
 
-// A share of K that makes bounded rows solvable that depend on others, as motor and limit do.
-constexpr double bound_softness = 1e-9;
+// A share of K that makes bounded rows solvable that depend on others, as motor and limit do. Until
+// one of them is at its bound, their impulses are as large as this is small: with float velocities
+// 1e-9 leaves nothing of what they were.
+constexpr double bound_softness = sizeof(real) == 4 ? 1e-6 : 1e-9;
 // After so many passes in which no fewer rows were wrong, only the last wrong one changes sides.
 constexpr int patience = 3;
 

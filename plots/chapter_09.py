@@ -27,7 +27,7 @@ def over(ax, solution, mine, x, y, by, words=None):
         for _, part, _, _ in parts(solution, by):
             order = np.argsort(part[x])
             ax.plot(part[x][order], visible(part[y])[order], label="_", **FORMULA)
-        style.hold(ax, mine[y], solution[y], 12)
+        style.hold(ax, mine[y], solution[y], 20)
 
 
 # ---- all rows at once --------------------------------------------------------------------------

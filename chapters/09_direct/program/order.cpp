@@ -121,8 +121,8 @@ void order(const Choice& choice) {
   CsvFile table(choice.out + "/order.csv",
                 {"graph", "order", "joints", "rows", "fill", "multiplications"});
   CsvFile pattern(choice.out + "/pattern.csv", {"graph", "order", "row", "column", "filled"});
-  for (const Graph& graph : {joints_of("chain", sideways_chains(1, 101)), ring(100), star_graph(8, 5),
-                             joints_of("net", net(6))}) {
+  for (const Graph& graph : {joints_of("chain", sideways_chains(1, 101)), ring(100),
+                             star_graph(8, 5), joints_of("net", net(6))}) {
     std::vector<int> list(graph.joints.size());
     std::iota(list.begin(), list.end(), 0);
     const std::vector<int> found = elimination_order(graph.neighbours());

@@ -140,7 +140,7 @@ inline Scene star(int arms) {
 }
 
 /// Bricard's linkage: six rods of 1 m along the edges of a cube, each hinge across both of its
-/// rods. The rows of six hinges would hold all; yet it moves, as one of them depends on the others.
+/// rods. The rows of six hinges would hold all; yet it moves, as one depends on the others.
 inline Scene bricard() {
   Scene scene{.name = "Bricard", .energy_scale = 5 * 9.81};
   const vec3 corner[] = {vec3(0), vec3(1, 0, 0), vec3(1, 1, 0),

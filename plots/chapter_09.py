@@ -192,7 +192,7 @@ def draw_bounds(solution, mine, out):
 def draw_heavy(solution, mine, out):
     table, energy = mine or solution
     lost = [-100 * last(table, "energy_change_2s", factor=factor, ratio=100.0)
-            for factor in (1, 16)]
+            for factor in (1, 8)]
     figure, (left, right) = style.figure(
         f"More inertia holds a heavy end, and takes {lost[0]:.0f} to {lost[1]:.0f} % of the "
         "energy in 2 s", 2)

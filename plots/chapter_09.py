@@ -201,12 +201,12 @@ def draw_heavy(solution, mine, out):
     left.set(xlabel="end  [kg], after ten links of 1 kg",
              ylabel="largest gap in 10 s  [m]",
              title="h = 1/60 s" + ("; dashed: the solution's" if mine else ""))
-    runs = list(dict.fromkeys(zip(energy["factor"], energy["h_s"])))
-    for n, (factor, h) in enumerate(runs, 1):
-        part = rows(energy, factor=factor, h_s=h)
-        right.plot(part["time_s"], part["energy_change"], color=COLOURS[n % 6],
-                   label=rf"$\kappa$ = {factor:g}" + (f",\nh = 1/{1 / h:.0f} s" if n > 3 else ""),
-                   linestyle=":" if n > 3 else "-")
+    factors = list(dict.fromkeys(table["factor"]))  # of one colour in both panels
+    for factor, h in dict.fromkeys(zip(energy["factor"], energy["h_s"])):
+        part, few = rows(energy, factor=factor, h_s=h), h == energy["h_s"].max()
+        right.plot(part["time_s"], part["energy_change"], color=COLOURS[factors.index(factor) % 6],
+                   label=rf"$\kappa$ = {factor:g}" + ("" if few else f",\nh = 1/{1 / h:.0f} s"),
+                   linestyle="-" if few else ":")
         if mine:
             part = rows(solution[1], factor=factor, h_s=h)
             right.plot(part["time_s"], part["energy_change"], label="_", **FORMULA)

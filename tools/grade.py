@@ -78,7 +78,8 @@ def read_case(grade, case, chapter):
         elif element.tag == "Failure" and text:
             words.append(text)
             says_where = True
-        elif element.tag == "Expression" and element.get("success") == "false":
+        elif element.tag == "Expression" and element.get("success") == "false" and \
+                "{Unknown expression" not in element.findtext("Original", ""):
             words.append(f"{element.findtext('Original', '').strip()} is not true: "
                          f"{element.findtext('Expanded', '').strip()}")
         elif element.tag == "Info":

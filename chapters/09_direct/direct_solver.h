@@ -22,7 +22,7 @@ class DirectSolver : public Solver {
   int alternations = 4;  ///< how often the rows outside of A and those in it take turns
   int passes = 10;     ///< of the active set, at most
   /// If a factorisation takes more multiplications a row than this, `instead` solves.
-  double most_work = 5000;
+  double most_work = 3000;
   SequentialImpulses instead;  ///< what solves then
 
   /// What the last step did.

@@ -1,11 +1,392 @@
 // The tests of chapter 9's exercises. Linked with the solution, with the reader's file, with the
 // stub and with every known wrong and right answer.
-#include "chapters/09_direct/direct_solver.h"
 #include "tests/checker/catch.h"
+#include "tests/09_direct/coupling_cases.h"
+#include "tests/09_direct/factor_cases.h"
+#include "tests/09_direct/newton_mistakes.h"
+#include "tests/09_direct/order_cases.h"
+#include "tests/09_direct/scalar_cases.h"
+#include "tests/09_direct/stiffened_cases.h"
+#include "tests/09_direct/time_cases.h"
 
 using namespace joints;
+using namespace joints::testing;
 
-TEST_CASE("9.4 a pivot that is rounding error has no inverse", "[9.4]") {
-  CHECK(inverse_pivot(2, 2) == 0.5);
-  CHECK(inverse_pivot(1e-14, 2) == 0);
+// ---- 9.1 ----------------------------------------------------------------------------------------
+
+TEST_CASE("9.1 two rods that pull at a mass of 1 kg from both sides are coupled by minus one",
+          "[9.1]") {
+  const CaseTable<CouplingCase> table = coupling_table();
+  table.check(table.cases[0], padded({-1}, numbers_of_coupling));
+}
+
+TEST_CASE("9.1 a rod between two masses of 1 kg has two on the diagonal", "[9.1]") {
+  const CaseTable<CouplingCase> table = coupling_table();
+  table.check(table.cases[1], padded({2}, numbers_of_coupling));
+}
+
+TEST_CASE("9.1 rows that only turn are coupled by their angular halves", "[9.1]") {
+  const CaseTable<CouplingCase> table = coupling_table();
+  table.check(table.cases[2], padded({3}, numbers_of_coupling));
+}
+
+TEST_CASE("9.1 each entry grows by the rate of a row per unit impulse along a column", "[9.1]") {
+  coupling_table().check();
+}
+
+// ---- 9.2 the factor -----------------------------------------------------------------------------
+
+TEST_CASE("9.2 elimination leaves 2, 3/2 and 4/3 of the text's chain", "[9.2]") {
+  const Numbers paper{0.5, -0.5, 2.0 / 3, -2.0 / 3, 0.75};
+  factor_table().check(paper_chain(), padded(paper, numbers_of_factor));
+}
+
+TEST_CASE("9.2 the factor is that of the dense matrix for chains and stars and rings", "[9.2]") {
+  factor_table().check();
+}
+
+// ---- 9.2 solving --------------------------------------------------------------------------------
+
+TEST_CASE("9.2 the text's chain with 4 on the right has the impulses 3, 2 and 1", "[9.2]") {
+  const CaseTable<MatrixCase> table = solve_table();
+  Numbers paper = table.right(paper_chain());
+  for (std::size_t i = 0; i < 3; ++i) paper[i] = 3 - double(i);
+  table.check(paper_chain(), paper);
+}
+
+TEST_CASE("9.2 one factor solves right side after right side as a dense solution does", "[9.2]") {
+  solve_table().check();
+}
+
+TEST_CASE("9.2 what you factor and solve yourself has the dense solution", "[9.2]") {
+  for (const MatrixCase& c : matrix_cases()) {
+    JointMatrix A = joint_matrix(c);
+    factor(A, c.inverse);
+    for (const Numbers& b : right_sides(c)) {
+      Numbers x = b;
+      solve(A, x.data());
+      const Numbers right = gauss(c.A, b);
+      for (std::size_t i = 0; i < x.size(); ++i)
+        expect(whole_subject, "x[" + std::to_string(i) + "], " + c.words, x[i], right[i], 1e-9);
+    }
+  }
+}
+
+TEST_CASE("9.2 each pivot comes with the original entry of its own row", "[9.2]") {
+  for (const MatrixCase& c : dependent_cases()) {
+    pivots_seen.clear();
+    JointMatrix A = joint_matrix(c);
+    factor(A, [](double pivot, double original) {
+      pivots_seen.push_back(original);
+      return pivot > 1e-9 * original ? 1 / pivot : 0;
+    });
+    check_originals(c, pivots_seen);
+  }
+}
+
+TEST_CASE("9.2 a dependent row gets no impulse and the others are solved without it", "[9.2]") {
+  for (const MatrixCase& c : dependent_cases()) {
+    JointMatrix A = joint_matrix(c);
+    factor(A, c.inverse);
+    for (Numbers b : right_sides(c)) {
+      b[std::size_t(c.dropped[0])] = 5;
+      Numbers x = b;
+      solve(A, x.data());
+      const Numbers right = without_dropped(c, b);
+      for (std::size_t i = 0; i < x.size(); ++i)
+        expect(whole_subject, "x[" + std::to_string(i) + "], " + c.words, x[i], right[i],
+               1e-7 * (1 + std::abs(right[i])));
+    }
+  }
+}
+
+// ---- 9.3 ----------------------------------------------------------------------------------------
+
+TEST_CASE("9.3 of a star of four arms the hub is the last but one", "[9.3]") {
+  check_order(graph_cases()[0], {1, 2, 3, 0, 4});
+}
+
+TEST_CASE("9.3 a path is eliminated from its end", "[9.3]") {
+  check_order(graph_cases()[1], {0, 1, 2, 3, 4});
+}
+
+TEST_CASE("9.3 a ring of five fills in two pairs", "[9.3]") {
+  check_order(graph_cases()[4], {0, 1, 2, 3, 4});
+}
+
+TEST_CASE("9.3 no nodes have an order, and one node has one", "[9.3]") {
+  check_order({"no nodes", {}}, {});
+  check_order({"one node", graph_of(1, {})}, {0});
+}
+
+TEST_CASE("9.3 always the node with the fewest neighbours left, and of equals the least number",
+          "[9.3]") {
+  for (const GraphCase& c : graph_cases()) check_order(c, right_order(c.neighbours));
+}
+
+TEST_CASE("9.3 the order of the lists does not count", "[9.3]") {
+  for (const GraphCase& c : graph_cases())
+    for (const unsigned seed : {1U, 2U, 3U})
+      check_order({c.words + ", its lists in another order", shuffled(c.neighbours, seed)},
+                  right_order(c.neighbours));
+}
+
+TEST_CASE("9.3 a net of six by six fills in 71 pairs", "[9.3]") {
+  const Graph graph = net(6);
+  const std::vector<int> yours = elimination_order(graph);
+  if (!each_once(graph, yours) || fill_of(graph, yours) != 71)
+    check_order({"a net of six by six", graph}, right_order(graph));
+  CHECK(fill_of(graph, right_order(graph)) == 71);
+}
+
+// ---- 9.4 ----------------------------------------------------------------------------------------
+
+TEST_CASE("9.4 a pivot of two has the inverse one half", "[9.4]") {
+  pivot_table().check({"a pivot of its whole entry", 2, 2}, {1});
+}
+
+TEST_CASE("9.4 what rounding leaves of a dependent row has the inverse zero", "[9.4]") {
+  pivot_table().check({"nothing but rounding error is left", 1e-3 * dependent_share, 2}, {0});
+  pivot_table().check({"both are zero", 0, 0}, {0});
+}
+
+TEST_CASE("9.4 rounding error is a share of the pivot's own original entry", "[9.4]") {
+  pivot_table().check();
+}
+
+TEST_CASE("9.4 a machine of nanograms has the same dependent rows as one of a million tonnes",
+          "[9.4]") {
+  const CaseTable<PivotCase> table = pivot_table();
+  for (double scale = 1e-9; scale < 2e9; scale *= 1e3)
+    for (PivotCase c : table.cases) {
+      c.words += ", everything times " + short_number(scale);
+      const Numbers expected = table.right(c);
+      // a power of two: the comparison at exactly the share stays exact
+      const double exact = std::exp2(std::round(std::log2(scale)));
+      c.pivot *= exact;
+      c.original *= exact;
+      if (std::isfinite(c.pivot)) table.check(c, expected);
+    }
+}
+
+// ---- 9.5 ----------------------------------------------------------------------------------------
+
+TEST_CASE("9.5 a stone falls five centimetres in its first tenth of a second", "[9.5]") {
+  World world;
+  fall(world);
+  SequentialImpulses solver;
+  const double heights[] = {-0.05, -0.2, -0.45};  // -1/2 g t^2 with g = 10 m/s^2
+  for (int n = 0; n < 3; ++n) {
+    second_order_step(world, solver, real(0.1));
+    const std::string after = " after step " + std::to_string(n + 1);
+    expect_time("v.y" + after, double(world.bodies.at(0).v.y), -0.5 - n, rounding);
+    expect_time("x.y" + after, double(world.bodies.at(0).x.y), heights[n], rounding);
+  }
+}
+
+TEST_CASE("9.5 the step is that of the engine with leapfrog", "[9.5]") { time_table().check(); }
+
+TEST_CASE("9.5 what falls lies on its parabola whatever the lengths of the steps", "[9.5]") {
+  World world;
+  fall(world);
+  world.bodies.at(0).v = vec3(2, 3, 0);
+  SequentialImpulses solver;
+  Random random(95);
+  double t = 0;
+  for (int n = 0; n < 20; ++n) {
+    const real h = random.uniform(real(0.01), real(0.2));
+    second_order_step(world, solver, h);
+    t += double(h);
+    const std::string after = " after step " + std::to_string(n + 1);
+    expect_time("x.x" + after, double(world.bodies.at(0).x.x), 2 * t, 10 * rounding);
+    expect_time("x.y" + after, double(world.bodies.at(0).x.y), 3 * t - 5 * t * t,
+                (is_float ? 100 : 10) * rounding);
+  }
+}
+
+TEST_CASE("9.5 a free body that tumbles keeps its energy", "[9.5]") {
+  World world;
+  tumble(world);
+  SequentialImpulses solver;
+  const auto energy = [&] {
+    const Body& body = world.bodies.at(0);
+    const vec3 w = to_local(body, body.w);
+    return double(dot(w, w / body.inverse_inertia_local)) / 2;
+  };
+  const double at_first = energy();
+  for (int n = 0; n < 50; ++n) second_order_step(world, solver, real(0.02));
+  expect_time("energy of rotation after 50 steps", energy(), at_first, 100 * rounding);
+}
+
+TEST_CASE("9.5 half the step leaves a quarter of the error of a body that tumbles", "[9.5]") {
+  if (is_float) return;  // rounding would hide it
+  const auto after_half_a_second = [](int steps) {
+    World world;
+    tumble(world);
+    SequentialImpulses solver;
+    for (int n = 0; n < steps; ++n) second_order_step(world, solver, real(0.5) / real(steps));
+    const Body& body = world.bodies.at(0);
+    return body.q * vec3(real(0.6), 0, real(0.8));
+  };
+  const vec3 coarse = after_half_a_second(20), fine = after_half_a_second(40),
+             finer = after_half_a_second(80);
+  expect_time("error of steps of 1/40 s over that of steps of 1/80 s",
+              double(length(coarse - fine) / length(fine - finer)), 4, 0.2);
+}
+
+TEST_CASE("9.5 the blocks are prepared from the first, started cold and solved once", "[9.5]") {
+  World world;
+  machine(world);
+  const std::string words = "prepare(3 blocks from 0) warm_start(0) solve() ";
+  for (int n = 1; n <= 2; ++n) {
+    CallsOfSolver solver;
+    second_order_step(world, solver, real(0.02));
+    if (solver.calls == words) continue;
+    const std::vector<std::string> likely = time_table().likely();
+    fail(time_subject, "What the solver is asked in step " + std::to_string(n) +
+                                   ":\n\n  yours:    " + solver.calls + "\n  expected: " + words +
+                                   "\n" +
+                                   (likely.empty() ? "" : "\nLikely mistake: " + likely[0] + "\n"));
+  }
+  SUCCEED();
+}
+
+// ---- 9.6 ----------------------------------------------------------------------------------------
+
+TEST_CASE("9.6 a slider at 3 m/s needs 5 m/s to be at its mark in a tenth of a second", "[9.6]") {
+  const NewtonCase c = newton_cases()[0];
+  Bodies bodies = newton_bodies(c);
+  const auto corrector = c.corrector(bodies);
+  std::vector<Body> start;
+  const bool arrived = move_onto_constraints(bodies, 0.1, 4, *corrector, start);
+  expect_newton("result (0 false, 1 true)", arrived, 1, 0);
+  expect_newton("x.x", double(bodies.at(1).x.x), 0.5, rounding);
+  expect_newton("v.x", double(bodies.at(1).v.x), 5, 10 * rounding);
+  expect_newton("calls of errors()", corrector->asked, 2, 0);
+  expect_newton("calls of change_rates()", corrector->changed, 1, 0);
+}
+
+TEST_CASE("9.6 each iteration asks at the new poses, changes the velocities and goes back",
+          "[9.6]") {
+  newton_table().check();
+}
+
+TEST_CASE("9.6 a pendulum lands on its circle, and its velocity has led it there", "[9.6]") {
+  for (const NewtonCase& c : newton_cases()) {
+    if (!c.words.starts_with("a pendulum")) continue;
+    Bodies bodies = newton_bodies(c);
+    const Bodies before = bodies;
+    const auto corrector = c.corrector(bodies);
+    std::vector<Body> start;
+    const bool arrived = move_onto_constraints(bodies, c.h, c.iterations, *corrector, start);
+    expect_newton("result (0 false, 1 true), " + c.words, arrived, 1, 0);
+    const vec3 gap = world_point(bodies.at(1), vec3(-1, 0, 0));
+    expect_newton("largest |C|, " + c.words,
+                  std::max({std::abs(double(gap.x)), std::abs(double(gap.y)),
+                            std::abs(double(gap.z))}), 0, near_enough);
+    for (int k = 0; k < 4; ++k) {
+      Body led = before.at(k);
+      led.v = bodies.at(k).v;
+      led.w = bodies.at(k).w;
+      integrate_pose(led, real(c.h));
+      const std::string words = " of body " + std::to_string(k) + " by its velocity, " + c.words;
+      for (int i = 0; i < 3; ++i)
+        expect_newton(std::string("x.") + "xyz"[i] + words, double(bodies.at(k).x[i]),
+                      double(led.x[i]), rounding);
+      expect_newton("q" + words, double(length(bodies.at(k).q - led.q)), 0, rounding);
+    }
+  }
+}
+
+TEST_CASE("9.6 what the memory held before is no matter", "[9.6]") {
+  for (const std::size_t size : {std::size_t(0), std::size_t(2), std::size_t(40)}) {
+    const NewtonCase c = newton_cases()[10];
+    Bodies bodies = newton_bodies(c), other = newton_bodies(c);
+    const auto one = c.corrector(bodies), two = c.corrector(other);
+    std::vector<Body> memory(size, sliding(99, 99)), none;
+    move_onto_constraints(bodies, c.h, c.iterations, *one, memory);
+    NewtonReference{c}.move(other, c.h, c.iterations, *two, none);
+    expect_newton("bodies in `start`, memory of " + std::to_string(size), double(memory.size()),
+                  4, 0);
+    for (int i = 0; i < 3; ++i)
+      expect_newton(std::string("x.") + "xyz"[i] + ", memory of " + std::to_string(size),
+                    double(bodies.at(1).x[i]), double(other.at(1).x[i]), rounding);
+  }
+}
+
+// ---- 9.7 ----------------------------------------------------------------------------------------
+
+TEST_CASE("9.7 a contact that would pull goes to its lower bound and one that presses stays free",
+          "[9.7]") {
+  const double unlimited = std::numeric_limits<double>::infinity();
+  side_table().check({"", Side::free, -0.5, 0, unlimited, 0}, {-1});
+  side_table().check({"", Side::free, 0.5, 0, unlimited, 0}, {0});
+}
+
+TEST_CASE("9.7 a contact without an impulse is free again as soon as its bodies approach",
+          "[9.7]") {
+  const double unlimited = std::numeric_limits<double>::infinity();
+  side_table().check({"", Side::lower, 0, 0, unlimited, -2}, {0});
+  side_table().check({"", Side::lower, 0, 0, unlimited, 2}, {-1});
+}
+
+TEST_CASE("9.7 friction at its upper bound stays there while it slides and is free when it turns",
+          "[9.7]") {
+  side_table().check({"", Side::upper, 3, -3, 3, -2}, {1});
+  side_table().check({"", Side::upper, 3, -3, 3, 2}, {0});
+}
+
+TEST_CASE("9.7 impulse and rate decide on the side, and at equality nothing flips", "[9.7]") {
+  side_table().check();
+}
+
+// ---- 9.8 ----------------------------------------------------------------------------------------
+
+TEST_CASE("9.8 four more kilogram square metres on moments of 1, 2 and 4", "[9.8]") {
+  stiffened_table().check(paper_stiffened(),
+                          {1.0 / 5, 1.0 / 6, 1.0 / 8, 1, 1, 1});
+}
+
+TEST_CASE("9.8 each moment grows by factor h^2 |F||r| at every orientation", "[9.8]") {
+  stiffened_table().check();
+}
+
+TEST_CASE("9.8 the angular momentum stays about each axis of the world", "[9.8]") {
+  for (const StiffenedCase& c : stiffened_cases()) {
+    const Stiffened out = stiffened(c.body, c.force_lever, c.factor, c.h);
+    Body after = c.body;
+    after.inverse_inertia_local = out.inverse_inertia_local;
+    after.w = out.w;
+    const auto momentum = [](const Body& body) {
+      return to_world(body, to_local(body, body.w) / body.inverse_inertia_local);
+    };
+    expect_stiffened(c, "angular momentum", momentum(after), momentum(c.body), 100 * rounding);
+  }
+}
+
+TEST_CASE("9.8 a factor of zero or no force changes nothing", "[9.8]") {
+  for (StiffenedCase c : stiffened_cases())
+    for (const bool no_force : {true, false}) {
+      (no_force ? c.force_lever : c.factor) = 0;
+      c.words += no_force ? ", no force" : ", factor 0";
+      const Stiffened out = stiffened(c.body, c.force_lever, c.factor, c.h);
+      const double size = double(c.body.inverse_inertia_local.x);
+      expect_stiffened(c, "inverse_inertia_local", out.inverse_inertia_local,
+                       c.body.inverse_inertia_local, rounding * (1 + size));
+      expect_stiffened(c, "w", out.w, c.body.w, 10 * rounding);
+    }
+}
+
+TEST_CASE("9.8 twice the step adds four times the inertia", "[9.8]") {
+  for (StiffenedCase c : stiffened_cases()) {
+    const auto added = [&] {
+      const vec3 inverse = stiffened(c.body, c.force_lever, c.factor, c.h).inverse_inertia_local;
+      return real(1) / inverse - real(1) / c.body.inverse_inertia_local;
+    };
+    const vec3 once = added();
+    c.h *= 2;
+    c.words += ", the step doubled";
+    expect_stiffened(c, "inertia added", added(), real(4) * once,
+                     100 * rounding * (1 + double(length(once))));
+  }
 }

@@ -43,6 +43,9 @@ struct CaseTable {
   bool whole = false;  ///< reports all numbers of a case, and names only what explains all cases
   std::function<Mistakes()> pairs = {};  ///< further mistakes, asked where none of those fits
   std::function<std::string(const Case&)> given = {};  ///< the arguments, for the report
+  /// With `whole`: what the numbers are called where each case has names of its own. Cases of
+  /// different lengths are filled up with zeros.
+  std::function<std::vector<std::string>(const Case&)> entries_of = {};
 
   /// Every case. Fails with a report at the first one that is wrong.
   void check() const {
@@ -51,15 +54,10 @@ struct CaseTable {
   /// One case against numbers worked out by hand. Three numbers an entry are a vector.
   void check(const Case& c, const Numbers& expected) const {
     const Numbers numbers = yours(c);
+    if (whole) return check_whole(c, numbers, expected);
     const std::string arguments = given ? given(c) : "";
     Subject about = subject;
     about.given = arguments.c_str();
-    if (whole) {
-      const bool right_here = same(numbers, expected);
-      expect(about, c.words, entries, numbers, expected, tolerance,
-             right_here ? std::vector<std::string>{} : likely({c}));
-      return;
-    }
     const std::size_t width = expected.size() / entries.size();
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const std::string entry = entries[i] + (c.words.empty() ? "" : ", ") + c.words;
@@ -75,6 +73,16 @@ struct CaseTable {
       else
         expect_or_say(about, entry, numbers[i], expected[i], tolerance, words);
     }
+  }
+  /// "Holds in 3 of 9 cases, such as X.", for the report.
+  std::string holds_in() const {
+    std::vector<std::string> right_ones;
+    for (const Case& c : cases)
+      if (same(yours(c), right(c))) right_ones.push_back(c.words);
+    return "Holds in " + std::to_string(right_ones.size()) + " of " +
+           std::to_string(cases.size()) + " cases" +
+           (right_ones.empty() || right_ones.back().empty() ? "."
+                                                            : ", such as " + right_ones.back() + ".");
   }
   /// Is yours right in every case?
   bool holds() const { return is_right(yours); }
@@ -119,6 +127,14 @@ struct CaseTable {
   }
 
  private:
+  void check_whole(const Case& c, const Numbers& numbers, const Numbers& expected) const {
+    const bool right_here = same(numbers, expected);
+    const std::string arguments = given && !right_here ? given(c) : "";
+    Subject about = subject;
+    about.given = arguments.c_str();
+    expect(about, c.words, entries_of ? entries_of(c) : entries, numbers, expected, tolerance,
+           right_here ? std::vector<std::string>{} : likely({c}));
+  }
   /// What each number is called, where an entry is a vector, too.
   std::vector<std::string> names() const {
     const std::size_t size = right(cases[0]).size();

@@ -1,0 +1,279 @@
+// Exercise 9.6: what the usual mistakes do.
+#pragma once
+
+#include "tests/09_direct/newton_cases.h"
+#include "tests/checker/pieces.h"
+
+namespace joints::testing {
+
+/// The iteration, each part of which a mistake may change.
+struct NewtonReference {
+  NewtonCase c;
+  using Norm = std::function<double(const std::vector<double>&)>;
+  Norm norm = [](const std::vector<double>& C) {
+    double largest = 0;
+    for (const double a : C) largest = std::max(largest, std::abs(a));
+    return largest;
+  };
+  std::function<double(double C, double h)> rate = [](double C, double h) { return -C / h; };
+  double near = near_enough, poor = poor_contraction;
+  bool strictly_near = false, strictly_poor = false, asks_near = true, asks_poor = true;
+  bool poor_first = false, moves_first = true, moves_at_end = true;
+  bool moves_again = false, start_each_time = false, changes = true, keeps_start = true;
+  bool asks_at_end = false, last_by_first = false;
+  enum class Back { none, x, q, pose, all } back = Back::pose;
+  enum class Result { right, poor_is_true, end_is_false, near_is_false, always_false } result =
+      Result::right;
+  int more = 0, asks = 1, first_back = 0;
+  double move_h = 1, last_h = 1;  ///< of the moves in the iterations, and of the last one
+  double first_last = std::numeric_limits<double>::infinity();
+  bool asks_before = false, poor_breaks = false, poor_late = false, changes_twice = false;
+  bool zero_does_nothing = false, keeps_largest = false, w_back = false, start_moved = false;
+  bool adds_to_start = false;
+
+  bool move(Bodies& bodies, double h, int iterations, Corrector& corrector,
+            std::vector<Body>& start) const {
+    const auto keep = [&] {
+      if (!adds_to_start) start.clear();
+      start.insert(start.end(), bodies.data(), bodies.data() + bodies.slots());
+    };
+    if (zero_does_nothing && iterations == 0) return true;
+    std::vector<Body> own(bodies.data(), bodies.data() + bodies.slots());
+    if (keeps_start) keep();
+    const auto answer = [&](bool right) {
+      return result == Result::right ? right : result != Result::always_false && right;
+    };
+    double last = first_last, before = 0;
+    for (int n = 0; n < iterations + more; ++n) {
+      if (start_each_time && n > 0) keep(), own = start;
+      if (moves_first) integrate_poses(bodies, real(move_h * h));
+      if (start_moved && n == 0) keep(), own = start;
+      for (int again = 1; again < asks; ++again) corrector.errors();
+      std::vector<double>& rates = corrector.errors();
+      if (asks_before) integrate_poses(bodies, real(h));
+      const double largest = keeps_largest ? std::max(before, norm(rates)) : norm(rates);
+      before = largest;
+      for (double& C : rates) C = rate(C, h);
+      const bool is_poor = strictly_poor ? !(largest < poor * last) : !(largest <= poor * last);
+      if (asks_poor && poor_first && is_poor) return result == Result::poor_is_true;
+      if (asks_near && (strictly_near ? largest < near : largest <= near)) {
+        if (moves_again) integrate_poses(bodies, real(h));
+        return answer(result != Result::near_is_false);
+      }
+      if (asks_poor && !poor_first && is_poor) {
+        if (poor_breaks) break;
+        if (poor_late) corrector.change_rates(rates);
+        return result == Result::poor_is_true;
+      }
+      if (!(last_by_first && n > 0)) last = largest;
+      if (changes) corrector.change_rates(rates);
+      if (changes_twice) corrector.change_rates(rates);
+      for (int k = first_back; k < bodies.slots(); ++k) {
+        Body& body = bodies.at(k);
+        if (back == Back::all) body = own[std::size_t(k)];
+        if (back == Back::x || back == Back::pose) body.x = own[std::size_t(k)].x;
+        if (back == Back::q || back == Back::pose) body.q = own[std::size_t(k)].q;
+        if (w_back) body.w = own[std::size_t(k)].w;
+      }
+    }
+    if (moves_at_end) integrate_poses(bodies, real(last_h * h));
+    if (asks_at_end) return norm(corrector.errors()) <= near;
+    return answer(result != Result::end_is_false);
+  }
+};
+
+inline Pieces<NewtonReference> wrong_newtons() {
+  using T = NewtonReference;
+  const auto norm = [](auto of) { return [=](T& t) { t.norm = of; }; };
+  const auto rate = [](auto of) { return [=](T& t) { t.rate = of; }; };
+  using Cs = std::vector<double>;
+  const char* const largest = "the largest error counts, by its size: of all rows max |C|";
+  return {
+      {"the sign: J V changes by -C/h", rate([](double C, double h) { return C / h; })},
+      {"h is missing: J V changes by -C/h", rate([](double C, double) { return -C; })},
+      {"h is missing, and the sign: J V changes by -C/h", rate([](double C, double) { return C; })},
+      {"times h: J V changes by -C/h", rate([](double C, double h) { return -C * h; })},
+      {"divided by h^2: J V changes by -C/h",
+       rate([](double C, double h) { return -C / (h * h); })},
+      {"half of it: J V changes by -C/h",
+       rate([](double C, double h) { return -C / (2 * h); })},
+      {"twice: J V changes by -C/h", rate([](double C, double h) { return -2 * C / h; })},
+      {"the sizes of the errors: J V changes by -C/h",
+       rate([](double C, double h) { return -std::abs(C) / h; })},
+      {"the bodies are not put back: they move from where they were at first, not once more",
+       [](T& t) { t.back = T::Back::none; }},
+      {"q is not put back: x and q of every body",
+       [](T& t) { t.back = T::Back::x; }},
+      {"x is not put back: x and q of every body",
+       [](T& t) { t.back = T::Back::q; }},
+      {"the velocities are put back, too: their change is lost, only x and q are put back",
+       [](T& t) { t.back = T::Back::all; }},
+      {"`start` is written again in each iteration: once, before the first",
+       [](T& t) { t.start_each_time = true, t.back = T::Back::none; }},
+      {"`start` does not hold the bodies as they were: who calls puts them back from it if there "
+       "is no such pose",
+       [](T& t) { t.keeps_start = false; }},
+      {"change_rates() is never called", [](T& t) { t.changes = false; }},
+      {"the errors are asked before the bodies move: C is that at the new poses",
+       [](T& t) { t.moves_first = false; }},
+      {"after the last iteration the bodies stay where they began: integrate_poses() for good",
+       [](T& t) { t.moves_at_end = false; }},
+      {"where the error is near enough the bodies move once more: they are there already, return",
+       [](T& t) { t.moves_again = true; }},
+      {"the bodies move for half of h: for all of it",
+       [](T& t) { t.move_h = t.last_h = 0.5; }},
+      {"the bodies move for half of h in each iteration: for all of it",
+       [](T& t) { t.move_h = 0.5; }},
+      {"the errors are asked before the bodies move: C is that at the new poses",
+       [](T& t) { t.moves_first = false, t.asks_before = true; }},
+      {"the errors are asked more than once in an iteration: they are yours to keep",
+       [](T& t) { t.asks = 2; }},
+      {"change_rates() is called twice in an iteration: once", [](T& t) { t.changes_twice = true; }},
+      {"with no iterations the bodies do not move: they do, by the velocities that they have",
+       [](T& t) { t.zero_does_nothing = true; }},
+      {"the last error is 0 at first: in the first iteration any error will do",
+       [](T& t) { t.first_last = 0; }},
+      {"the first error is compared with a number: in the first iteration any error will do, "
+       "infinity",
+       [](T& t) { t.first_last = 0.5; }},
+      {"the first error is compared with a number: in the first iteration any error will do, "
+       "infinity",
+       [](T& t) { t.first_last = 1; }},
+      {"the velocities are changed before poor_contraction is asked: then they do not come back",
+       [](T& t) { t.poor_late = true; }},
+      {"where the error hardly becomes less the bodies move on, and it is true: return false",
+       [](T& t) { t.poor_breaks = true; }},
+      {"the largest error is not begun anew in each iteration: from 0",
+       [](T& t) { t.keeps_largest = true; }},
+      {"the angular velocity is put back, too: its change is lost, only x and q are put back",
+       [](T& t) { t.w_back = true; }},
+      {"the first body is not put back: all slots from 0", [](T& t) { t.first_back = 1; }},
+      {"the first bodies are not put back: all slots from 0", [](T& t) { t.first_back = 2; }},
+      {"`start` is written after the bodies have moved: before, as they were",
+       [](T& t) { t.start_moved = true; }},
+      {"`start` keeps what it held before: that is no matter, assign() it",
+       [](T& t) { t.adds_to_start = true; }},
+      {"`start` is written again in each iteration: the velocities in it are changed ones then",
+       [](T& t) { t.start_each_time = true; }},
+      {"one iteration too many: n < iterations", [](T& t) { t.more = 1; }},
+      {"one iteration too few: from 0 while n < iterations", [](T& t) { t.more = -1; }},
+      {"near_enough is not asked: nothing more is to be done then",
+       [](T& t) { t.asks_near = false; }},
+      {"at exactly near_enough it is enough: <=", [](T& t) { t.strictly_near = true; }},
+      {"an iteration that leaves more than poor_contraction of the error does not end with false: "
+       "is `last` kept, and is it asked?",
+       [](T& t) { t.asks_poor = false; }},
+      {"at exactly poor_contraction it goes on: <=", [](T& t) { t.strictly_poor = true; }},
+      {"only an error that grows ends it: at most poor_contraction of the last one may be left",
+       [](T& t) { t.poor = 1; }},
+      {"divided by poor_contraction: at most that share of the last error may be left",
+       [](T& t) { t.poor = 1 / poor_contraction; }},
+      {"poor_contraction is asked before near_enough: what is near enough is good in any case",
+       [](T& t) { t.poor_first = true; }},
+      {"the first error is kept for ever: compare with that of the iteration before",
+       [](T& t) { t.last_by_first = true; }},
+      {std::string(largest) + ". The sign is not taken away",
+       norm([](const Cs& C) {
+         double out = 0;
+         for (const double a : C) out = std::max(out, a);
+         return out;
+       })},
+      {std::string(largest) + ". Only the first row is looked at",
+       norm([](const Cs& C) { return std::abs(C[0]); })},
+      {std::string(largest) + ". Only the last row is looked at",
+       norm([](const Cs& C) { return std::abs(C.back()); })},
+      {std::string(largest) + ", not the sum",
+       norm([](const Cs& C) {
+         double sum = 0;
+         for (const double a : C) sum += std::abs(a);
+         return sum;
+       })},
+      {std::string(largest) + ", not the sum",
+       norm([](const Cs& C) {
+         double sum = 0;
+         for (const double a : C) sum += a;
+         return std::abs(sum);
+       })},
+      {std::string(largest) + ", not the length of all of them",
+       norm([](const Cs& C) {
+         double sum = 0;
+         for (const double a : C) sum += a * a;
+         return std::sqrt(sum);
+       })},
+      {std::string(largest) + ", not the sum of the squares",
+       norm([](const Cs& C) {
+         double sum = 0;
+         for (const double a : C) sum += a * a;
+         return sum;
+       })},
+      {std::string(largest) + ", not the smallest",
+       norm([](const Cs& C) {
+         double out = std::abs(C[0]);
+         for (const double a : C) out = std::min(out, std::abs(a));
+         return out;
+       })},
+      {"the size is taken of -C/h, not of C: ask before you divide",
+       norm([](const Cs& C) {
+         double out = 0;
+         for (const double a : C) out = std::max(out, std::abs(a));
+         return 10 * out;
+       })},
+      {"true where the error hardly becomes less: that is false, there is no such pose",
+       [](T& t) { t.result = T::Result::poor_is_true; }},
+      {"false where the error is near enough: that is true",
+       [](T& t) { t.result = T::Result::near_is_false; }},
+      {"false after the last iteration: only a poor one is false",
+       [](T& t) { t.result = T::Result::end_is_false; }},
+      {"always false: true where the bodies have arrived, and after the last iteration",
+       [](T& t) { t.result = T::Result::always_false; }},
+      {"the errors are asked once more after the last iteration: that costs, and is not wanted",
+       [](T& t) { t.asks_at_end = true; }}};
+}
+
+inline std::vector<std::string> newton_names(const NewtonCase&) {
+  std::vector<std::string> out{"result (0 false, 1 true)", "calls of errors()",
+                               "calls of change_rates()"};
+  const auto call = [](std::size_t n) { return " " + std::to_string(n + 1); };
+  for (std::size_t n = 0; n < asked_at_most; ++n)
+    for (const char* what : {"x.x", "x.y", "q.w", "q.z"})
+      out.push_back(std::string(what) + " of body 1 at errors()" + call(n));
+  for (std::size_t n = 0; n < asked_at_most; ++n)
+    for (int i = 0; i < 3; ++i)
+      out.push_back("rates[" + std::to_string(i) + "] of change_rates()" + call(n));
+  out.push_back("bodies in start");
+  for (const char* what : {"x.x", "x.y", "x.z", "v.x", "v.y", "v.z"})
+    out.push_back(std::string("start[1].") + what);
+  for (int k = 0; k < 4; ++k)
+    for (const char* what : {"x.x", "x.y", "x.z", "v.x", "v.y", "v.z", "w.x", "w.y", "w.z", "q.w",
+                             "q.x", "q.y", "q.z"})
+      out.push_back(std::string(what) + " of body " + std::to_string(k) + " at the end");
+  return out;
+}
+
+inline constexpr Subject newton_subject{"9.6", "Newton's method on the positions"};
+inline CaseTable<NewtonCase> newton_table() {
+  using T = NewtonReference;
+  auto table = padded_table<NewtonCase>(newton_subject, numbers_of_newton, newton_names);
+  table.tolerance = 10 * rounding;
+  table.cases = newton_cases();
+  table.yours = [](const NewtonCase& c) { return newton_numbers(c, move_onto_constraints); };
+  const auto answer = [](const T& t) {
+    return newton_numbers(t.c, [&](Bodies& bodies, double h, int iterations, Corrector& corrector,
+                                   std::vector<Body>& start) {
+      return t.move(bodies, h, iterations, corrector, start);
+    });
+  };
+  table.right = [=](const NewtonCase& c) { return answer(T{c}); };
+  add_pieces(table, [](const NewtonCase& c) { return T{c}; }, answer, wrong_newtons());
+  tell_where_it_holds(table);
+  return table;
+}
+
+/// For a test of another kind: the table's mistakes explain whatever is wrong.
+inline void expect_newton(const std::string& entry, double yours, double right, double tolerance) {
+  const bool same = std::abs(yours - right) <= tolerance;
+  expect(newton_subject, entry, yours, right, tolerance,
+         same ? std::vector<Suspect>{} : newton_table().explain(yours));
+}
+
+}  // namespace joints::testing

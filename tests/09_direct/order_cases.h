@@ -1,0 +1,339 @@
+// Exercise 9.3: graphs, the order of elimination that is right, and those of the usual mistakes.
+#pragma once
+
+#include <numeric>
+#include <set>
+
+#include "chapters/09_direct/direct.h"
+#include "tests/checker/padded.h"
+#include "tests/checker/report.h"
+
+namespace joints::testing {
+
+using Graph = std::vector<std::vector<int>>;
+struct GraphCase {
+  std::string words;
+  Graph neighbours;
+};
+
+inline Graph graph_of(int nodes, const std::vector<std::pair<int, int>>& edges) {
+  Graph out(static_cast<std::size_t>(nodes));
+  for (const auto& [a, b] : edges) {
+    out[std::size_t(a)].push_back(b);
+    out[std::size_t(b)].push_back(a);
+  }
+  return out;
+}
+/// A node in the middle and arms around it.
+inline Graph star(int arms, int hub) {
+  std::vector<std::pair<int, int>> edges;
+  for (int k = 0; k <= arms; ++k)
+    if (k != hub) edges.push_back({hub, k});
+  return graph_of(arms + 1, edges);
+}
+inline Graph ring(int nodes) {
+  std::vector<std::pair<int, int>> edges;
+  for (int k = 0; k < nodes; ++k) edges.push_back({k, (k + 1) % nodes});
+  return graph_of(nodes, edges);
+}
+/// Knots of a square net.
+inline Graph net(int side) {
+  std::vector<std::pair<int, int>> edges;
+  for (int row = 0; row < side; ++row)
+    for (int column = 0; column < side; ++column) {
+      const int k = row * side + column;
+      if (column + 1 < side) edges.push_back({k, k + 1});
+      if (row + 1 < side) edges.push_back({k, k + side});
+    }
+  return graph_of(side * side, edges);
+}
+/// The same graph with its lists in another order.
+inline Graph shuffled(Graph graph, unsigned seed) {
+  Random random(seed);
+  for (std::vector<int>& of : graph)
+    for (std::size_t k = of.size(); k > 1; --k)
+      std::swap(of[k - 1], of[std::size_t(random.uniform(0, real(k) - real(0.01)))]);
+  return graph;
+}
+
+inline std::vector<GraphCase> graph_cases() {
+  Graph random_graph;
+  {
+    Random random(93);
+    std::vector<std::pair<int, int>> edges;
+    for (int a = 0; a < 14; ++a)
+      for (int b = a + 1; b < 14; ++b)
+        if (random.uniform(0, 1) < real(0.22)) edges.push_back({a, b});
+    random_graph = graph_of(14, edges);
+  }
+  std::vector<GraphCase> out{
+      {"a star of four arms, hub 0", star(4, 0)},
+      {"a path of five nodes", graph_of(5, {{0, 1}, {1, 2}, {2, 3}, {3, 4}})},
+      {"a path of six nodes in another order", graph_of(6, {{3, 0}, {0, 5}, {5, 2}, {2, 4},
+                                                            {4, 1}})},
+      {"a star of six arms, hub 3", star(6, 3)},
+      {"a ring of five nodes", ring(5)},
+      {"a ring of eight nodes", ring(8)},
+      {"a ring of four nodes and an arm of two", graph_of(6, {{0, 1}, {1, 2}, {2, 3}, {3, 0},
+                                                              {0, 4}, {4, 5}})},
+      {"two stars that share nothing", graph_of(7, {{6, 0}, {6, 2}, {6, 4}, {5, 1}, {5, 3}})},
+      {"nodes without neighbours", graph_of(4, {{1, 3}})},
+      {"all are neighbours", graph_of(5, {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 2}, {1, 3}, {1, 4},
+                                          {2, 3}, {2, 4}, {3, 4}})},
+      {"a wheel: a hub and a ring around it", graph_of(7, {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5},
+                                                           {0, 6}, {1, 2}, {2, 3}, {3, 4}, {4, 5},
+                                                           {5, 6}, {6, 1}})},
+      {"a net of three by three", net(3)},
+      {"a net of six by six", net(6)},
+      {"fourteen nodes, neighbours by chance", random_graph}};
+  for (std::size_t k : {std::size_t(3), std::size_t(10), std::size_t(12), std::size_t(13)})
+    out.push_back({out[k].words + ", its lists in another order",
+                   shuffled(out[k].neighbours, unsigned(k))});
+  out.push_back({"one node", graph_of(1, {})});
+  out.push_back({"no nodes", {}});
+  return out;
+}
+
+// ---- what is right, and what is not -------------------------------------------------------------
+
+/// The elimination, with what a mistake may change.
+struct OrderReference {
+  Graph graph;
+  enum class By { fewest, most, first_lists, number, fill } by = By::fewest;
+  bool greatest = false;         ///< of equals that with the greatest number
+  bool latest = false;           ///< of equals the one that changed last
+  bool fills = true;             ///< neighbours become neighbours of each other
+  bool leaves = true;            ///< the eliminated one leaves the lists of its neighbours
+  bool half_fill = false;        ///< only one of two becomes a neighbour of the other
+  bool doubles = false;          ///< a neighbour may be counted several times
+  bool stale = false;            ///< the number of neighbours is not brought up to date
+  bool with_itself = false;      ///< who gets new neighbours counts itself as well
+
+  std::vector<int> order() const {
+    const int n = int(graph.size());
+    std::vector<std::multiset<int>> left;
+    for (const auto& of : graph) left.emplace_back(of.begin(), of.end());
+    std::vector<bool> gone(std::size_t(n), false);
+    std::vector<int> changed(std::size_t(n), 0);
+    std::vector<int> out;
+    for (int k = 0; k < n; ++k) {
+      int best = -1;
+      double least = 0;
+      for (int a = 0; a < n; ++a) {
+        if (gone[std::size_t(a)]) continue;
+        double cost = value(left, a);
+        if (latest) cost -= 1e-6 * changed[std::size_t(a)];
+        if (best < 0 || cost < least || (greatest && cost == least)) best = a, least = cost;
+      }
+      out.push_back(best);
+      gone[std::size_t(best)] = true;
+      const std::multiset<int> around = left[std::size_t(best)];
+      for (const int a : around) {
+        std::multiset<int>& mine = left[std::size_t(a)];
+        changed[std::size_t(a)] = k + 1;
+        if (leaves) mine.erase(best);
+        if (!fills) continue;
+        for (const int b : around)
+          if ((with_itself || b != a) && (doubles || mine.count(b) == 0) && !(half_fill && b < a))
+            mine.insert(b);
+      }
+    }
+    return out;
+  }
+
+ private:
+  double value(const std::vector<std::multiset<int>>& left, int a) const {
+    const std::multiset<int>& of = left[std::size_t(a)];
+    if (by == By::number) return a;
+    if (by == By::most) return -double(of.size());
+    if (by == By::first_lists || stale) return double(graph[std::size_t(a)].size());
+    if (by == By::fewest) return double(of.size());
+    int fill = 0;
+    for (const int b : of)
+      for (const int c : of) fill += b < c && left[std::size_t(b)].count(c) == 0;
+    return fill;
+  }
+};
+inline std::vector<int> right_order(const Graph& graph) { return OrderReference{graph}.order(); }
+
+/// How many pairs become neighbours that are none, by an order that has each node once.
+inline int fill_of(const Graph& graph, const std::vector<int>& order) {
+  std::vector<std::set<int>> left;
+  for (const auto& of : graph) left.emplace_back(of.begin(), of.end());
+  int fill = 0;
+  for (const int node : order) {
+    const std::set<int> around = left[std::size_t(node)];
+    for (const int a : around) {
+      left[std::size_t(a)].erase(node);
+      for (const int b : around)
+        if (a != b) fill += left[std::size_t(a)].insert(b).second;
+    }
+  }
+  return fill / 2;
+}
+inline bool each_once(const Graph& graph, std::vector<int> order) {
+  std::sort(order.begin(), order.end());
+  std::vector<int> all(graph.size());
+  std::iota(all.begin(), all.end(), 0);
+  return order == all;
+}
+
+struct OrderMistake {
+  std::string words;
+  std::function<std::vector<int>(const Graph&)> of;
+};
+inline std::vector<OrderMistake> order_mistakes() {
+  using R = OrderReference;
+  const auto with = [](auto change) {
+    return [=](const Graph& graph) {
+      R r{graph};
+      change(r);
+      return r.order();
+    };
+  };
+  const char* const most = "the node with the most neighbours comes first: the fewest make little "
+                           "fill";
+  return {
+      {most, with([](R& r) { r.by = R::By::most; })},
+      {std::string(most) + ", and of equals the least number",
+       with([](R& r) { r.by = R::By::most, r.greatest = true; })},
+      {"of equals the greatest number: the least", with([](R& r) { r.greatest = true; })},
+      {"of equals the one whose neighbours changed last: the one with the least number",
+       with([](R& r) { r.latest = true; })},
+      {"the nodes in their own order: the one with the fewest neighbours left comes first",
+       with([](R& r) { r.by = R::By::number; })},
+      {"the nodes in their own order, backwards: the one with the fewest neighbours left comes "
+       "first",
+       [](const Graph& graph) {
+         std::vector<int> order(graph.size());
+         std::iota(order.rbegin(), order.rend(), 0);
+         return order;
+       }},
+      {"the neighbours at first are counted: those that are left count, the filled ones too. Is a "
+       "node taken out of the queue and put in again where its number changes?",
+       with([](R& r) { r.by = R::By::first_lists; })},
+      {"the neighbours at first are counted, and of equals the greatest number comes first: those "
+       "that are left count, and the least number comes first",
+       with([](R& r) { r.by = R::By::first_lists, r.greatest = true; })},
+      {"nothing is filled in: who is eliminated makes its neighbours neighbours of each other",
+       with([](R& r) { r.fills = false; })},
+      {"who is eliminated stays in the sets of its neighbours: only those that are left count",
+       with([](R& r) { r.leaves = false; })},
+      {"who is eliminated stays in the sets of its neighbours, and nothing is filled in",
+       with([](R& r) { r.leaves = false, r.fills = false; })},
+      {"only one of two becomes a neighbour of the other: both do",
+       with([](R& r) { r.half_fill = true; })},
+      {"a neighbour is counted twice where it is one already: a set has it once",
+       with([](R& r) { r.doubles = true; })},
+      {"a node becomes a neighbour of itself: leave that one out",
+       with([](R& r) { r.with_itself = true; })},
+      {"the least fill comes first: asked for is the least number of neighbours",
+       with([](R& r) { r.by = R::By::fill; })},
+      {"the right order backwards: the node with the fewest neighbours comes first",
+       [](const Graph& graph) {
+         std::vector<int> order = right_order(graph);
+         std::reverse(order.begin(), order.end());
+         return order;
+       }},
+      {"the place of each node in the order is returned: asked for are the nodes in that order",
+       [](const Graph& graph) {
+         const std::vector<int> order = right_order(graph);
+         std::vector<int> place(order.size());
+         for (std::size_t k = 0; k < order.size(); ++k) place[std::size_t(order[k])] = int(k);
+         return place;
+       }}};
+}
+
+// ---- the report ---------------------------------------------------------------------------------
+
+inline constexpr Subject order_subject{"9.3", "the order of elimination"};
+
+inline std::string numbers_in_words(const std::vector<int>& numbers) {
+  std::string out;
+  for (std::size_t k = 0; k < numbers.size() && k < 40; ++k)
+    out += (k ? " " : "") + std::to_string(numbers[k]);
+  return numbers.empty() ? "nothing" : out + (numbers.size() > 40 ? " ..." : "");
+}
+
+/// What is wrong with the nodes themselves, in words; "" where each stands there once.
+inline std::string explain_nodes(const Graph& graph, const std::vector<int>& yours) {
+  if (yours.empty()) return "nothing is returned: push_back() each node as it is eliminated";
+  if (yours.size() < graph.size())
+    return "only " + std::to_string(yours.size()) + " of " + std::to_string(graph.size()) +
+           " nodes: go on until none is left, also where a node has no neighbours";
+  if (yours.size() > graph.size())
+    return std::to_string(yours.size()) + " nodes where there are " +
+           std::to_string(graph.size()) + ": who is eliminated must not come back into the queue";
+  if (std::find(yours.begin(), yours.end(), int(graph.size())) != yours.end())
+    return "there is no node " + std::to_string(graph.size()) + ": they are counted from 0";
+  return "a node stands there twice, or is none: who is eliminated must not come back";
+}
+
+/// The first node that is another one: how many neighbours it has left, and the right one.
+inline std::string first_difference(const Graph& graph, const std::vector<int>& yours,
+                                    const std::vector<int>& right) {
+  std::vector<std::set<int>> left;
+  for (const auto& of : graph) left.emplace_back(of.begin(), of.end());
+  for (std::size_t k = 0; k < right.size(); ++k) {
+    if (yours[k] != right[k]) {
+      const auto has = [&](int node) {
+        return "node " + std::to_string(node) + " with neighbours left: " +
+               std::to_string(left[std::size_t(node)].size());
+      };
+      return "At place " + std::to_string(k) + " yours takes " + has(yours[k]) + ". There is " +
+             has(right[k]) + ".\n";
+    }
+    const std::set<int> around = left[std::size_t(right[k])];
+    for (const int a : around) {
+      left[std::size_t(a)].erase(right[k]);
+      for (const int b : around)
+        if (a != b) left[std::size_t(a)].insert(b);
+    }
+  }
+  return "";
+}
+
+/// In how many graphs it holds, and the mistake that gives your order in all of them.
+inline std::string explain_order() {
+  const std::vector<GraphCase> cases = graph_cases();
+  std::vector<std::vector<int>> yours;
+  std::vector<std::string> holds;
+  std::string nodes;
+  for (const GraphCase& c : cases) {
+    yours.push_back(elimination_order(c.neighbours));
+    if (yours.back() == right_order(c.neighbours)) holds.push_back(c.words);
+    if (!each_once(c.neighbours, yours.back()) && nodes.empty())
+      nodes = explain_nodes(c.neighbours, yours.back());
+  }
+  const std::string out = "Holds in " + std::to_string(holds.size()) + " of " +
+                          std::to_string(cases.size()) + " graphs" +
+                          (holds.empty() ? "" : ", such as " + holds.back()) + ".\n";
+  if (!nodes.empty()) return out + likely(nodes);
+  for (const OrderMistake& mistake : order_mistakes()) {
+    bool fits = true;
+    for (std::size_t k = 0; fits && k < cases.size(); ++k)
+      fits = mistake.of(cases[k].neighbours) == yours[k];
+    if (fits) return out + likely(mistake.words);
+  }
+  bool only_order = true;
+  for (std::size_t k = 0; k < cases.size(); ++k)
+    only_order = only_order && (cases[k].words.ends_with("in another order") ||
+                                yours[k] == right_order(cases[k].neighbours));
+  if (only_order)
+    return out + likely("the order of the lists counts: the set of neighbours has none");
+  return out + "None of the usual mistakes explains it: eliminate node after node on paper.\n";
+}
+
+inline void check_order(const GraphCase& c, const std::vector<int>& expected) {
+  const std::vector<int> yours = elimination_order(c.neighbours);
+  if (yours == expected) return check(order_subject, "");
+  std::string words = "Graph: " + c.words + ".\n\n  yours:    " + numbers_in_words(yours) +
+                      "\n  expected: " + numbers_in_words(expected) + "\n\n";
+  if (each_once(c.neighbours, yours))
+    words += first_difference(c.neighbours, yours, expected) + "Filled in: " +
+             std::to_string(fill_of(c.neighbours, yours)) + " pairs, by the right order " +
+             std::to_string(fill_of(c.neighbours, expected)) + ".\n";
+  check(order_subject, words + "\n" + explain_order());
+}
+
+}  // namespace joints::testing

@@ -1,0 +1,392 @@
+// Exercises 9.4 and 9.7: functions of a few numbers as tables, with the usual mistakes.
+#pragma once
+
+#include "chapters/09_direct/direct.h"
+#include "tests/checker/arguments.h"
+#include "tests/checker/pieces.h"
+
+namespace joints::testing {
+
+// ---- 9.4 the inverse of a pivot -----------------------------------------------------------------
+
+struct PivotCase {
+  std::string words;
+  double pivot, original;
+};
+inline const Arguments<PivotCase> pivot_arguments{{"pivot", &PivotCase::pivot},
+                                                  {"original", &PivotCase::original}};
+
+inline std::vector<PivotCase> pivot_cases() {
+  const double share = dependent_share, nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<PivotCase> out{{"a pivot of its whole entry", 2, 2},
+                             {"nothing but rounding error is left", share / 1000 * 2, 2},
+                             {"half of it is left", 1, 2},
+                             {"a pivot of 4", 4, 5},
+                             {"a hundredth is left", 0.05, 5},
+                             {"just above the share", 1.01 * share * 3, 3},
+                             {"just below the share", 0.99 * share * 3, 3},
+                             {"exactly the share", share * 2, 2},
+                             {"exactly the share of a large entry", share * 1024, 1024},
+                             {"both are zero", 0, 0},
+                             {"nothing is left", 0, 3},
+                             {"rounding error below zero", -share / 100, 1},
+                             {"a large pivot below zero", -2, 3},
+                             {"the pivot is not a number", nan, 1},
+                             {"the entry is not a number", 1, nan}};
+  for (const double mass : {1e-9, 1e-4, 1e4, 1e9}) {
+    const std::string words = ", entry " + short_number(mass);
+    out.push_back({"whole" + words, mass, mass});
+    out.push_back({"a thousandth is left" + words, 1e-3 * mass, mass});
+    out.push_back({"rounding error" + words, 1e-2 * share * mass, mass});
+    out.push_back({"twice the share" + words, 2 * share * mass, mass});
+  }
+  return out;
+}
+
+inline CaseTable<PivotCase> pivot_table() {
+  using Case = PivotCase;
+  // numbers of all sizes: what is compared is the inverse in units of 1/pivot
+  const auto scaled = [](auto inverse) {
+    return [=](const Case& c) {
+      const double scale = c.pivot != 0 && std::isfinite(c.pivot) ? std::abs(c.pivot) : 1;
+      return Numbers{scale * inverse(c)};
+    };
+  };
+  const double share = dependent_share;
+  const auto unless = [=](auto dropped) {
+    return scaled([=](const Case& c) { return dropped(c) ? 0 : 1 / c.pivot; });
+  };
+  CaseTable<Case> table{{"9.4", "1 / pivot, and 0 for a dependent row"},
+                        {"inverse times |pivot|"}, {}, {}, {}, pivot_cases()};
+  table.tolerance = 1e-12;
+  table.yours = scaled([](const Case& c) { return inverse_pivot(c.pivot, c.original); });
+  table.right = unless([=](const Case& c) { return !(c.pivot > share * c.original); });
+  table.mistakes = {
+      {"every pivot is inverted: what is left of a dependent row is rounding error, it gets 0",
+       unless([](const Case&) { return false; })},
+      {"only a pivot of exactly 0 gets 0: rounding error is never that",
+       unless([](const Case& c) { return c.pivot == 0; })},
+      {"only what is 0 or below gets 0: rounding error may be positive",
+       unless([](const Case& c) { return !(c.pivot > 0); })},
+      {"always 0: a pivot above its share of the original entry has an inverse",
+       unless([](const Case&) { return true; })},
+      {"the comparison is turned round: what is at most the share gets 0",
+       unless([=](const Case& c) { return c.pivot > share * c.original; })},
+      {"the comparison is turned round: what is at most the share gets 0",
+       unless([=](const Case& c) { return c.pivot >= share * c.original; })},
+      {"the comparison is turned round: what is at most the share gets 0",
+       unless([=](const Case& c) { return !(c.pivot < share * c.original); })},
+      {"the comparison is turned round: what is at most the share gets 0",
+       unless([=](const Case& c) { return !(c.pivot <= share * c.original); })},
+      {"a dependent row gets an infinite inverse: it gets 0, no impulse",
+       scaled([=](const Case& c) {
+         return c.pivot > share * c.original ? 1 / c.pivot
+                                             : std::numeric_limits<double>::infinity();
+       })},
+      {"a share of the entry is added to every pivot: that changes all impulses. Compare, and "
+       "return 0",
+       scaled([=](const Case& c) { return 1 / (c.pivot + share * c.original); })},
+      {"a pivot is at least its share of the entry: what is not more gets 0, no impulse",
+       scaled([=](const Case& c) { return 1 / std::max(c.pivot, share * c.original); })},
+      {"a bound that does not become smaller with the entry: a share of the entry, however small",
+       unless([=](const Case& c) { return !(c.pivot > share * std::max(c.original, 1.0)); })},
+      {"at exactly the share there is no inverse: at most this share is rounding error, so > and "
+       "not >=",
+       unless([=](const Case& c) { return !(c.pivot >= share * c.original); })},
+      {"at exactly the share there is no inverse, and not a number gives 0: ask for pivot > share, "
+       "not for pivot < share",
+       unless([=](const Case& c) { return c.pivot < share * c.original; })},
+      {"a pivot or entry that is not a number gets through: ask for pivot > share of the entry, "
+       "which is false then",
+       unless([=](const Case& c) { return c.pivot <= share * c.original; })},
+      {"the size of the pivot is compared: a pivot below zero is an error, too, and gets 0",
+       unless([=](const Case& c) { return !(std::abs(c.pivot) > share * c.original); })},
+      {"the size of the pivot is compared: a pivot below zero is an error, too, and gets 0",
+       unless([=](const Case& c) { return std::abs(c.pivot) <= share * c.original; })},
+      {"the size of the pivot is inverted: a pivot below zero gets 0",
+       scaled([=](const Case& c) {
+         return std::abs(c.pivot) > share * c.original ? 1 / std::abs(c.pivot) : 0;
+       })},
+      {"the share itself is the bound: it is a share of the original entry",
+       unless([=](const Case& c) { return !(c.pivot > share); })},
+      {"the share itself is the bound: it is a share of the original entry",
+       unless([=](const Case& c) { return c.pivot < share; })},
+      {"the original entry is inverted: it only tells what is rounding error",
+       scaled([=](const Case& c) {
+         return c.pivot > share * c.original ? 1 / c.original : 0;
+       })},
+      {"the pivot is returned: its inverse",
+       scaled([=](const Case& c) { return c.pivot > share * c.original ? c.pivot : 0; })},
+      {"the sign", scaled([=](const Case& c) {
+         return c.pivot > share * c.original ? -1 / c.pivot : 0;
+       })},
+      {"the pivot is divided by its entry: 1 over the pivot",
+       scaled([=](const Case& c) {
+         return c.pivot > share * c.original ? c.original / c.pivot : 0;
+       })},
+      {"a dependent row gets 1: it gets 0, no impulse",
+       scaled([=](const Case& c) { return c.pivot > share * c.original ? 1 / c.pivot : 1; })},
+      {"the pivot is compared with the whole entry: elimination only makes it smaller",
+       unless([](const Case& c) { return !(c.pivot >= c.original); })},
+      {"the pivot is compared with the whole entry: elimination only makes it smaller",
+       unless([](const Case& c) { return !(c.pivot > c.original); })},
+      {"pivot and entry are exchanged in the comparison",
+       unless([=](const Case& c) { return !(c.original > share * c.pivot); })},
+      {"the entry is divided by the share: a share of it is dependent_share times it",
+       unless([=](const Case& c) { return !(c.pivot > c.original / share); })},
+      {"pivot / original where both are zero is not a number: compare with a product",
+       scaled([=](const Case& c) {
+         return c.pivot / c.original <= share ? 0 : 1 / c.pivot;
+       })},
+      {"1 / pivot is cut to a whole number: an int has no fraction",
+       scaled([=](const Case& c) {
+         const double inverse = c.pivot > share * c.original ? std::trunc(1 / c.pivot) : 0;
+         return std::abs(inverse) < 2147483648.0 ? inverse : -2147483648.0;  // what an int holds
+       })}};
+  for (const double bound : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15,
+                             1e-16, 2.220446049250313e-16, 1e-20}) {
+    table.mistakes.push_back({"a fixed bound for masses of any size: a share of the original "
+                              "entry",
+                              unless([=](const Case& c) { return !(c.pivot > bound); })});
+    table.mistakes.push_back({std::string("another share, ") +
+                                  (bound < share ? "smaller" : "larger") +
+                                  " than dependent_share",
+                              unless([=](const Case& c) {
+                                return !(c.pivot > bound * c.original);
+                              })});
+  }
+  std::erase_if(table.mistakes, [&](const auto& m) { return table.is_right(m.second); });
+  table.given = [](const Case& c) { return "Case: " + arguments_of(c, pivot_arguments) + "."; };
+  add_formulas(table, pivot_arguments);
+  table.given = [copy = table](const Case& c) { return copy.given(c) + " " + copy.holds_in(); };
+  return table;
+}
+
+// ---- 9.7 the side of a bounded row --------------------------------------------------------------
+
+struct SideCase {
+  std::string words;
+  Side now;
+  double impulse, lower, upper, rate;
+};
+inline std::string side_in_words(Side side) {
+  return side == Side::lower ? "at its lower bound"
+         : side == Side::upper ? "at its upper bound" : "free";
+}
+inline std::string side_given(const SideCase& c) {
+  return "Case: " + side_in_words(c.now) + ", impulse " + short_number(c.impulse) +
+         " N s, bounds " + short_number(c.lower) + " and " + short_number(c.upper) +
+         " N s, rate " + short_number(c.rate) + " m/s.";
+}
+
+inline std::vector<SideCase> side_cases() {
+  const double inf = std::numeric_limits<double>::infinity();
+  std::vector<SideCase> out;
+  for (const auto& [lower, upper] : {std::pair{0.0, inf}, {-2.0, 3.0}, {-inf, 0.0}, {-inf, inf},
+                                     {0.0, 0.0}, {1.0, 4.0}, {-5.0, -1.0}}) {
+    const double small = 1e-9;
+    std::vector<double> impulses{-7, -1.5, -0.5, 0, 0.5, 1.5, 7};
+    for (const double bound : {lower, upper})
+      if (std::isfinite(bound))
+        for (const double off : {-small, 0.0, small}) impulses.push_back(bound + off);
+    for (const double impulse : impulses)
+      for (const double rate : {-2.0, -small, 0.0, small, 2.0})
+        out.push_back({"", Side::free, impulse, lower, upper, rate});
+    for (const Side side : {Side::lower, Side::upper}) {
+      const double impulse = side == Side::lower ? lower : upper;
+      if (!std::isfinite(impulse)) continue;
+      for (const double rate : {-2.0, -small, 0.0, small, 2.0})
+        out.push_back({"", side, impulse, lower, upper, rate});
+    }
+  }
+  return out;
+}
+
+/// The branches of the rule, each of which a mistake may change.
+struct SideReference {
+  SideCase c;
+  using Rule = std::function<Side(const SideCase&)>;
+  Rule free = [](const SideCase& c) {
+    return c.impulse < c.lower ? Side::lower : c.impulse > c.upper ? Side::upper : Side::free;
+  };
+  Rule at_lower = [](const SideCase& c) { return c.rate < 0 ? Side::free : Side::lower; };
+  Rule at_upper = [](const SideCase& c) { return c.rate > 0 ? Side::free : Side::upper; };
+  Side next() const {
+    return c.now == Side::free ? free(c) : c.now == Side::lower ? at_lower(c) : at_upper(c);
+  }
+};
+
+inline CaseTable<SideCase> side_table() {
+  using R = SideReference;
+  using C = SideCase;
+  CaseTable<C> table{{"9.7", "the side of a bounded row"}, {"side (-1, 0 or 1)"}, {}, {}, {},
+                     side_cases()};
+  const auto number = [](Side side) { return Numbers{double(static_cast<signed char>(side))}; };
+  table.yours = [=](const C& c) {
+    return number(next_side(c.now, c.impulse, c.lower, c.upper, c.rate));
+  };
+  table.right = [=](const C& c) { return number(R{c}.next()); };
+  table.tolerance = 0;
+  const auto free = [](auto rule) { return [=](R& r) { r.free = rule; }; };
+  const auto lower = [](auto rule) { return [=](R& r) { r.at_lower = rule; }; };
+  const auto upper = [](auto rule) { return [=](R& r) { r.at_upper = rule; }; };
+  const auto whole = [](auto rule) {
+    return [=](R& r) { r.free = r.at_lower = r.at_upper = rule; };
+  };
+  const auto stays = [](const C& c) { return c.now; };
+  const char* const exact = "at exactly a bound nothing flips: < and >, not <= and >=";
+  const char* const zero = "at a rate of exactly 0 nothing flips: < and >, not <= and >=";
+  Pieces<R> pieces{
+      {"a free row never becomes bounded: beyond a bound it goes to that side", free(stays)},
+      {"a free row never goes to its lower bound: impulse < lower is beyond it",
+       free([](const C& c) { return c.impulse > c.upper ? Side::upper : Side::free; })},
+      {"a free row never goes to its upper bound: impulse > upper is beyond it",
+       free([](const C& c) { return c.impulse < c.lower ? Side::lower : Side::free; })},
+      {"lower and upper are exchanged for a free row",
+       free([](const C& c) {
+         return c.impulse < c.lower ? Side::upper : c.impulse > c.upper ? Side::lower : Side::free;
+       })},
+      {"the comparisons of a free row are turned round: below lower, or above upper",
+       free([](const C& c) {
+         return c.impulse > c.lower ? Side::lower : c.impulse < c.upper ? Side::upper : Side::free;
+       })},
+      {exact, free([](const C& c) {
+         return c.impulse <= c.lower ? Side::lower : c.impulse >= c.upper ? Side::upper
+                                                                        : Side::free;
+       })},
+      {exact, free([](const C& c) {
+         return c.impulse <= c.lower ? Side::lower : c.impulse > c.upper ? Side::upper : Side::free;
+       })},
+      {exact, free([](const C& c) {
+         return c.impulse < c.lower ? Side::lower : c.impulse >= c.upper ? Side::upper : Side::free;
+       })},
+      {"the sign of the impulse decides: compare it with the bounds, which need not be 0",
+       free([](const C& c) {
+         return c.impulse < 0 ? Side::lower : c.impulse > c.upper ? Side::upper : Side::free;
+       })},
+      {"the sign of the impulse decides: compare it with the bounds, which need not be 0",
+       free([](const C& c) { return c.impulse < 0 ? Side::lower : Side::free; })},
+      {"the sizes are compared: impulse and bounds have signs",
+       free([](const C& c) {
+         return std::abs(c.impulse) > std::abs(c.upper) ? Side::upper
+                : c.impulse < c.lower                   ? Side::lower : Side::free;
+       })},
+      {"the sizes are compared: impulse and bounds have signs",
+       free([](const C& c) {
+         return c.impulse < c.lower                           ? Side::lower
+                : std::abs(c.impulse) > std::abs(c.upper) ? Side::upper : Side::free;
+       })},
+      {"a small impulse beyond a bound is let pass: there is no threshold",
+       free([](const C& c) {
+         return c.impulse < c.lower - 1e-7   ? Side::lower
+                : c.impulse > c.upper + 1e-7 ? Side::upper : Side::free;
+       })},
+      {"a small impulse below the lower bound is let pass: there is no threshold",
+       free([](const C& c) {
+         return c.impulse < c.lower - 1e-7 ? Side::lower
+                : c.impulse > c.upper      ? Side::upper : Side::free;
+       })},
+      {"a small impulse above the upper bound is let pass: there is no threshold",
+       free([](const C& c) {
+         return c.impulse < c.lower          ? Side::lower
+                : c.impulse > c.upper + 1e-7 ? Side::upper : Side::free;
+       })},
+      {"a small rate is let pass at the lower bound: there is no threshold",
+       lower([](const C& c) { return c.rate < -1e-7 ? Side::free : Side::lower; })},
+      {"a small rate is let pass at the upper bound: there is no threshold",
+       upper([](const C& c) { return c.rate > 1e-7 ? Side::free : Side::upper; })},
+      {"a free row is asked for its rate: only its impulse counts, its rate is zero already",
+       free([](const C& c) {
+         return c.rate < 0 ? Side::lower : c.rate > 0 ? Side::upper : Side::free;
+       })},
+      {"a free row is asked for its rate: only its impulse counts, its rate is zero already",
+       free([](const C& c) {
+         return c.rate > 0 ? Side::lower : c.rate < 0 ? Side::upper : Side::free;
+       })},
+      {"a free row is asked for its rate, too: only its impulse counts",
+       free([](const C& c) {
+         return c.impulse < c.lower && c.rate > 0   ? Side::lower
+                : c.impulse > c.upper && c.rate < 0 ? Side::upper : Side::free;
+       })},
+      {"a row at its lower bound stays there: at a negative rate a larger impulse would help",
+       lower(stays)},
+      {"a row at its lower bound is always free next: only at a negative rate",
+       lower([](const C&) { return Side::free; })},
+      {"the sign of the rate at the lower bound: at a negative rate a larger impulse would help",
+       lower([](const C& c) { return c.rate > 0 ? Side::free : Side::lower; })},
+      {zero, lower([](const C& c) { return c.rate <= 0 ? Side::free : Side::lower; })},
+      {"from the lower bound to the upper one at once: it is free first",
+       lower([](const C& c) { return c.rate < 0 ? Side::upper : Side::lower; })},
+      {"a row at its lower bound is asked for its impulse: that is at the bound, the rate counts",
+       lower([](const C& c) { return c.impulse > c.lower ? Side::free : Side::lower; })},
+      {"a row at its lower bound is asked for its impulse: that is at the bound, the rate counts",
+       lower([](const C& c) { return c.impulse < c.lower ? Side::lower : Side::free; })},
+      {"a row at its upper bound stays there: at a positive rate a smaller impulse would help",
+       upper(stays)},
+      {"a row at its upper bound is always free next: only at a positive rate",
+       upper([](const C&) { return Side::free; })},
+      {"the sign of the rate at the upper bound: at a positive rate a smaller impulse would help",
+       upper([](const C& c) { return c.rate < 0 ? Side::free : Side::upper; })},
+      {zero, upper([](const C& c) { return c.rate >= 0 ? Side::free : Side::upper; })},
+      {"from the upper bound to the lower one at once: it is free first",
+       upper([](const C& c) { return c.rate > 0 ? Side::lower : Side::upper; })},
+      {"a row at its upper bound is asked for its impulse: that is at the bound, the rate counts",
+       upper([](const C& c) { return c.impulse < c.upper ? Side::free : Side::upper; })},
+      {"a row at its upper bound is asked for its impulse: that is at the bound, the rate counts",
+       upper([](const C& c) { return c.impulse > c.upper ? Side::upper : Side::free; })},
+      {"a row that leaves its upper bound goes to the lower one's branch: both have their own",
+       upper([](const C& c) { return c.rate > 0 ? Side::free : Side::lower; })},
+      {"both signs of the rate are turned round: at the lower bound a negative rate frees, at the "
+       "upper one a positive rate",
+       [](R& r) {
+         r.at_lower = [](const C& c) { return c.rate > 0 ? Side::free : Side::lower; };
+         r.at_upper = [](const C& c) { return c.rate < 0 ? Side::free : Side::upper; };
+       }},
+      {std::string(zero) + ", at either bound",
+       [](R& r) {
+         r.at_lower = [](const C& c) { return c.rate <= 0 ? Side::free : Side::lower; };
+         r.at_upper = [](const C& c) { return c.rate >= 0 ? Side::free : Side::upper; };
+       }},
+      {"a bounded row never becomes free: at the lower bound a negative rate frees it, at the "
+       "upper one a positive rate",
+       [=](R& r) { r.at_lower = r.at_upper = stays; }},
+      {"a bounded row is free as soon as its rate is not 0: at the lower bound a negative one, at "
+       "the upper one a positive one",
+       [](R& r) {
+         r.at_lower = r.at_upper = [](const C& c) { return c.rate != 0 ? Side::free : c.now; };
+       }},
+      {"the side of now is not looked at: a bounded row is asked for its rate, not its impulse",
+       whole([](const C& c) {
+         return c.impulse < c.lower ? Side::lower : c.impulse > c.upper ? Side::upper : Side::free;
+       })},
+      {"the side of now is not looked at: a bounded row is asked for its rate, not its impulse",
+       whole([](const C& c) {
+         return c.impulse <= c.lower ? Side::lower : c.impulse >= c.upper ? Side::upper
+                                                                        : Side::free;
+       })},
+      {"the rate decides whatever the side: a free row is asked for its impulse",
+       whole([](const C& c) {
+         return c.rate < 0 ? Side::lower : c.rate > 0 ? Side::upper : Side::free;
+       })},
+      {"the rate decides whatever the side: a free row is asked for its impulse",
+       whole([](const C& c) {
+         return c.rate > 0 ? Side::lower : c.rate < 0 ? Side::upper : Side::free;
+       })},
+      {"impulse and rate are added: the one is asked of a free row, the other of a bounded one",
+       whole([](const C& c) {
+         const double sum = c.impulse - c.rate;
+         return sum < c.lower ? Side::lower : sum > c.upper ? Side::upper : Side::free;
+       })},
+      {"nothing ever flips: `now` is returned", whole(stays)},
+      {"always free: beyond its bounds an impulse must not be", whole([](const C&) {
+         return Side::free;
+       })},
+      {"always the lower bound", whole([](const C&) { return Side::lower; })},
+      {"always the upper bound", whole([](const C&) { return Side::upper; })}};
+  add_pieces(table, [](const C& c) { return R{c}; },
+             [=](const R& r) { return number(r.next()); }, pieces);
+  table.given = [copy = table](const C& c) { return side_given(c) + " " + copy.holds_in(); };
+  return table;
+}
+
+}  // namespace joints::testing

@@ -43,9 +43,9 @@ void DirectSolver::factor_now() {
 int DirectSolver::dropped() const {
   if (report_.iterated) return 0;  // there is no factor
   int count = 0;
-  for (int k = 0; k < int(inside_.size()); ++k)
-    for (int i = 0; i < inside_[k].block->rows; ++i)
-      count += maker_.A.numbers[maker_.diagonal(k) + i * (inside_[k].block->rows + 1)] == 0;
+  for (int k = 0; k < int(pattern_.size()); ++k)
+    for (int i = 0; i < pattern_[k].rows; ++i)
+      count += maker_.A.numbers[maker_.diagonal(k) + i * (pattern_[k].rows + 1)] == 0;
   for (const BoundedRow& row : bounded_) count -= row.side != Side::free;
   return count;
 }

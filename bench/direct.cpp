@@ -1,5 +1,5 @@
-// The direct solver against thirty iterations, in one run: time, gap, tip, energy, and how many of a
-// family of random scenes hold. `./wb bench --direct` calls it.
+// The direct solver against thirty iterations, in one run: time, gap, tip, energy, and how many
+// scenes of a random family hold. `./wb bench --direct` calls it.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -90,7 +90,7 @@ Setting setting_of(const std::string& method) {
   const Way direct{.loop = Loop::direct, .beta = 1, .leapfrog = true};
   Way way = direct;
   if (method == "shake" || method == "stiff") way.newton = 8;
-  if (method == "stiff") way.stiffness = 16;
+  if (method == "stiff") way.stiffness = 8;
   if (method == "rk4") way = {.loop = Loop::runge_kutta, .beta = 1};
   if (method == "si30") way = {};
   if (method == "chapter7") return Way{.loop = Loop::hinges, .relaxation = real(1.9)}.setting(20);

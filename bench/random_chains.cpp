@@ -12,7 +12,9 @@ namespace {
 class Draw {
  public:
   explicit Draw(unsigned seed) : random_(seed) {}
-  double number(double from, double to) { return from + (to - from) * double(random_()) / 4294967296.0; }
+  double number(double from, double to) {
+    return from + (to - from) * double(random_()) / 4294967296.0;
+  }
   int whole(int from, int to) { return from + int(number(0, to - from + 1)); }
   vec3 direction() {
     for (;;) {

@@ -87,8 +87,8 @@ std::vector<Way> ways() {
        .quick = true},
       {.name = "SHAKE", .scenes = all, .loop = Loop::direct, .beta = 1, .leapfrog = true,
        .newton = 8, .quick = true},
-      {.name = "SHAKE stiffness 16", .scenes = alone, .loop = Loop::direct, .beta = 1,
-       .leapfrog = true, .newton = 8, .stiffness = 16},
+      {.name = "SHAKE stiffness 8", .scenes = alone, .loop = Loop::direct, .beta = 1,
+       .leapfrog = true, .newton = 8, .stiffness = 8},
       {.name = "Runge-Kutta", .scenes = all, .loop = Loop::runge_kutta, .quick = true},
 
       {.name = "set up once a step", .scenes = "S1 S1x", .loop = Loop::textbook},

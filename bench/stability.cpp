@@ -38,8 +38,8 @@ void write(FILE* file, const Line& line) {
                field(line.rho_any).c_str());
 }
 
-// Every case, and once more by the direct solver where small worlds are watched: the maps (X1 to X4)
-// have it among their methods, and X8's box, X15 and X16 are about what is not solved by it.
+// Every case, and once more by the direct solver where small worlds are watched: the maps (X1 to
+// X4) have it among their methods, and X8's box, X15 and X16 are about what is not solved by it.
 std::vector<std::pair<Case, bool>> runs() {
   std::vector<std::pair<Case, bool>> out;
   for (const Case& one : cases()) out.push_back({one, false});

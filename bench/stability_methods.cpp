@@ -74,8 +74,8 @@ std::vector<Method> methods() {
           {.name = "64 substeps of 1", .iterations = 1, .substeps = 64},
           {.name = "direct", .beta = 1, .direct = true},
           {.name = "direct, SHAKE", .beta = 1, .direct = true, .newton = 8},
-          {.name = "direct, SHAKE, stiffness 16", .beta = 1, .direct = true, .newton = 8,
-           .stiffness = 16},
+          {.name = "direct, SHAKE, stiffness 8", .beta = 1, .direct = true, .newton = 8,
+           .stiffness = 8},
           {.name = "cold 30, apart", .whole = false}};
 }
 

@@ -54,7 +54,7 @@ struct Block {
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint
 };
 
-/// Minus the wanted J V of row `i` of a block, by its error. \param rate Feedback::rate \param h [s]
+/// Minus the wanted J V of row `i` of a block, by its error C. \param rate Feedback::rate
 real bias(const Block& block, int i, real C, real rate, real h);
 
 /// The blocks of one step: a list of headers and two flat arrays.
@@ -90,8 +90,8 @@ class Blocks {
               const std::type_identity_t<Vector<N>>& rows_C, const RowTarget& target,
               real* impulse) {
     static_assert(N >= 1 && N <= 6, "a block has one to six rows");
-    append(bodies, bodies.index(id1), bodies.index(id2), N, rows_J.row.data(), rows_C.data(), target,
-           impulse);
+    append(bodies, bodies.index(id1), bodies.index(id2), N, rows_J.row.data(), rows_C.data(),
+           target, impulse);
   }
 
  private:

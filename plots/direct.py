@@ -13,7 +13,7 @@ WORDS = ["scene", "real", "method", "status"]
 ORANGE, BLUE, GREEN = COLOURS[:3]
 METHODS = {"si30": ("30 iterations", INK, "o"), "velocity": ("velocities", BLUE, "s"),
            "shake": ("and positions (SHAKE)", GREEN, "D"),
-           "stiff": ("SHAKE, stiffness 16", ORANGE, "^")}
+           "stiff": ("SHAKE, stiffness 8", ORANGE, "^")}
 LOST = 3.0  # a gap of this is as good as any larger one [m]
 
 
@@ -29,7 +29,8 @@ def main():
             zip(table["ratio_to_si30"], table["method"], table["scene"])
             if method == "velocity" and scene in places and "star" not in scene]
     figure, (left, right) = style.figure(
-        f"All joints at once, hubs apart: {min(fast):.2f} to {max(fast):.2f} of the time of 30 iterations",
+        f"All joints at once, hubs apart: {min(fast):.2f} to {max(fast):.2f} of the time of "
+        "30 iterations",
         panels=2, sharey=True)
     figure.set_figheight(0.22 * len(scenes) + 1.3)
     for method, (words, colour, marker) in METHODS.items():

@@ -20,7 +20,7 @@ def print_table():
         print(f"{name:18} {row['real']:7} {row['method']:9} {float(row['us_per_step']):10.1f} "
               f"{float(row['ratio_to_si30']):8.2f} {float(row['gap_max_m']):9.1e} {tip} "
               f"{float(row['energy_drift']):9.1e} {row['held']:>3}/{row['of']:2}  {row['status']}")
-    print("\nvelocity: one exact solve a step; shake: positions too; stiff: shake with stiffness 16;"
+    print("\nvelocity: one exact solve a step; shake: positions too; stiff: shake, stiffness 8;"
           "\nrk4: Runge-Kutta; si30: Sequential Impulses, 30 iterations; chapter7: its loop on"
           "\nlanes, 20 iterations, omega 1.9. A line tells the worst of its runs, and the time of "
           "the first.")

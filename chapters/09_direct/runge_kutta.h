@@ -9,9 +9,9 @@
 namespace joints {
 
 /// Moves a world by the Runge-Kutta method of order 4. The constraint forces are those that make
-/// every C'' zero; after a step, positions and velocities are projected onto the constraints. Four
-/// factorisations a step, and rows are appended 21 times: slow, and exact. For joints without limits
-/// and motors; joint forces are not reported.
+/// every C'' zero; after a step, positions and velocities are projected onto the constraints. Rows
+/// are appended 23 times a step: slow, and exact. For joints without limits and motors; joint
+/// forces are not reported.
 class RungeKutta {
  public:
   /// \param h step [s] \throws std::invalid_argument unless it is positive and finite, or if a

@@ -12,7 +12,7 @@
 /// @{
 namespace joints::chapter9 {
 
-// ---- joints between bodies as they stand ---------------------------------------------------------
+// ---- joints between bodies as they stand --------------------------------------------------------
 
 /// A ball joint at a point of the world, with its mark. What it feeds back is all of the error.
 inline void on_ball(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor) {
@@ -139,8 +139,8 @@ inline Scene star(int arms) {
   return scene;
 }
 
-/// Bricard's linkage: six rods of 1 m along the edges of a cube, each hinge across both of its rods.
-/// The rows of six hinges would hold all; yet it moves, as one of them depends on the others.
+/// Bricard's linkage: six rods of 1 m along the edges of a cube, each hinge across both of its
+/// rods. The rows of six hinges would hold all; yet it moves, as one depends on the others.
 inline Scene bricard() {
   Scene scene{.name = "Bricard", .energy_scale = 5 * 9.81};
   const vec3 corner[] = {vec3(0), vec3(1, 0, 0), vec3(1, 1, 0),
@@ -156,9 +156,9 @@ inline Scene bricard() {
   return scene;
 }
 
-/// A parallel linkage of `loops` four-bars: upright rods of 1 m side by side on the ground, and a rod
-/// between the ends of each two. All upper rods begin with 1 m/s along x. Where all rods lie level
-/// it could leave the parallel motion.
+/// A parallel linkage of `loops` four-bars: upright rods of 1 m side by side on the ground, and a
+/// rod between the ends of each two. All upper rods begin with 1 m/s along x. Where all rods lie
+/// level it could leave the parallel motion.
 inline Scene four_bars(int loops) {
   Scene scene{.name = "four-bars", .energy_scale = 9.81 * (1.5 * loops + 0.5)};
   const vec3 z(0, 0, 1);

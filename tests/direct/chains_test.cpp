@@ -50,7 +50,8 @@ TEST_CASE("S1 a hundred cubes hang together to nanometres for five seconds, with
   Scene scene = hinged_cubes(100);
   DirectSolver solver = shake();
   int missed = 0;
-  const Watched seen = watch(scene, solver, 5, h, [&] { missed += !solver.report().moved_exactly; });
+  const Watched seen =
+      watch(scene, solver, 5, h, [&] { missed += !solver.report().moved_exactly; });
   CHECK(seen.finite);
   CHECK(seen.gap < tolerance(1e-8, 1e-3));
   CHECK(seen.change < tolerance(1e-4, 1e-3));

@@ -1,5 +1,5 @@
-// Joints and contacts together: contacts with friction stay outside of the matrix and take turns with
-// the joints in it, contacts without friction are inside.
+// Joints and contacts together: contacts with friction stay outside of the matrix and take turns
+// with the joints in it, contacts without friction are inside.
 #include "chapters/08_ground/program/ragdoll.h"
 #include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"

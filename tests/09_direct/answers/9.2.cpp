@@ -199,7 +199,8 @@
   const int count = int(A.nodes.size()) - 1;
   for (int k = 0; k < count; ++k) {
     const Node& node = A.nodes[k];
-  divide(number + node.diagonal, node.rows, x + node.row); for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
+  divide(number + node.diagonal, node.rows, x + node.row); for (int j = node.first_edge;
+      j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];
       subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row); }
   }
@@ -224,7 +225,8 @@
     }
     divide(number + node.diagonal, node.rows, x + node.row);
   }
-  for (int k = count - 1; k >= 0; --k) { const Node& node = A.nodes[k]; divide(number + node.diagonal, node.rows, x + node.row);
+  for (int k = count - 1; k >= 0; --k) { const Node& node = A.nodes[k];
+      divide(number + node.diagonal, node.rows, x + node.row);
     for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];
       subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + to.row,
@@ -268,7 +270,8 @@
     const Node& node = A.nodes[k];
     for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];
-      subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);  // Eq. 9-5
+      subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);
+           // Eq. 9-5
     }
   }
 
@@ -295,7 +298,8 @@
     const Node& node = A.nodes[k];
     for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];
-      subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);  // Eq. 9-5
+      subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x +
+          to.row);  // Eq. 9-5
     }
   }
 
@@ -346,7 +350,8 @@
     const Node& node = A.nodes[k];
     for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];
-      subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row); divide(number + node.diagonal, node.rows, x + node.row); }
+      subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);
+          divide(number + node.diagonal, node.rows, x + node.row); }
   }
   for (int k = count - 1; k >= 0; --k) {
     const Node& node = A.nodes[k];
@@ -397,7 +402,8 @@
       subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);
     }
   }
-  for (int k = count - 1; k >= 0; --k) { const Node& node = A.nodes[k]; divide(number + node.diagonal, node.rows, x + node.row);
+  for (int k = count - 1; k >= 0; --k) { const Node& node = A.nodes[k];
+      divide(number + node.diagonal, node.rows, x + node.row);
     for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];
       subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + to.row,
@@ -420,7 +426,9 @@
       subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);
     }
   }
-  for (int k = 0; k < count; ++k) divide(number + A.nodes[k].diagonal, A.nodes[k].rows, x + A.nodes[k].row); for (int k = count - 1; k >= 0; --k) {
+  for (int k = 0; k < count;
+      ++k) divide(number + A.nodes[k].diagonal, A.nodes[k].rows, x + A.nodes[k].row);
+      for (int k = count - 1; k >= 0; --k) {
     const Node& node = A.nodes[k];
     for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];

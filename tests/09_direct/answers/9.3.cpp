@@ -9,7 +9,9 @@
     queue.insert({left.back().size(), int(left.size()) - 1});
   }
   while (!queue.empty()) {
-  auto best = queue.begin(); for (auto q = best; q != queue.end(); ++q) if (q->first == queue.begin()->first) best = q; const int node = best->second; queue.erase(best);
+  auto best = queue.begin(); for (auto q = best; q != queue.end();
+      ++q) if (q->first == queue.begin()->first) best = q; const int node = best->second;
+      queue.erase(best);
     order.push_back(node);
     for (const int a : left[node]) {
       queue.erase({left[a].size(), a});
@@ -178,7 +180,8 @@
     for (const int a : neighbours[best]) {
       std::erase(neighbours[a], best);
       for (const int b : neighbours[best])
-        if (b != a && std::find(neighbours[a].begin(), neighbours[a].end(), b) == neighbours[a].end())
+        if (b != a && std::find(neighbours[a].begin(), neighbours[a].end(), b) ==
+            neighbours[a].end())
           neighbours[a].push_back(b);
     }
   }
@@ -224,7 +227,10 @@
     queue.insert({left.back().size(), int(left.size()) - 1});
   }
   while (!queue.empty()) {
-  const int before = order.empty() ? -1 : order.back(); auto best = queue.begin(); for (auto q = best; before >= 0 && q != queue.end() && q->first == best->first; ++q) if (!neighbours[before].empty() && neighbours[before][0] == q->second) best = q; const int node = best->second; queue.erase(best);
+  const int before = order.empty() ? -1 : order.back(); auto best = queue.begin();
+      for (auto q = best; before >= 0 && q != queue.end() && q->first == best->first;
+      ++q) if (!neighbours[before].empty() && neighbours[before][0] == q->second) best = q;
+      const int node = best->second; queue.erase(best);
     order.push_back(node);
     for (const int a : left[node]) {
       queue.erase({left[a].size(), a});

@@ -239,10 +239,10 @@ inline std::vector<std::string> newton_names(const NewtonCase&) {
   const auto call = [](std::size_t n) { return " " + std::to_string(n + 1); };
   for (std::size_t n = 0; n < asked_at_most; ++n)
     for (const char* what : {"x.x", "x.y", "q.w", "q.z"})
-      out.push_back(std::string(what) + " of body 1 at errors()" + call(n));
+      out.push_back(std::string(what) + " at errors()" + call(n));
   for (std::size_t n = 0; n < asked_at_most; ++n)
     for (int i = 0; i < 3; ++i)
-      out.push_back("rates[" + std::to_string(i) + "] of change_rates()" + call(n));
+      out.push_back("rates[" + std::to_string(i) + "] at change_rates()" + call(n));
   out.push_back("bodies in start");
   for (const char* what : {"x.x", "x.y", "x.z", "v.x", "v.y", "v.z"})
     out.push_back(std::string("start[1].") + what);
@@ -273,9 +273,13 @@ inline CaseTable<NewtonCase> newton_table() {
 }
 
 /// For a test of another kind: the table's mistakes explain whatever is wrong.
-inline void expect_newton(const std::string& entry, double yours, double right, double tolerance) {
+inline void expect_newton(const std::string& entry, double yours, double right, double tolerance,
+                          const std::string& words = "") {
   const bool same = std::abs(yours - right) <= tolerance;
-  expect(newton_subject, entry, yours, right, tolerance,
+  const std::string given = words.empty() ? "" : "Case: " + words + ".";
+  Subject about = newton_subject;
+  about.given = given.c_str();
+  expect(about, entry, yours, right, tolerance,
          same ? std::vector<Suspect>{} : newton_table().explain(yours));
 }
 
@@ -286,20 +290,20 @@ inline void check_landing(const NewtonCase& c) {
   const auto corrector = c.corrector(bodies);
   std::vector<Body> start;
   const bool arrived = move_onto_constraints(bodies, c.h, c.iterations, *corrector, start);
-  expect_newton("result (0 false, 1 true), " + c.words, arrived, 1, 0);
+  expect_newton("result (0 false, 1 true)", arrived, 1, 0, c.words);
   const vec3 gap = world_point(bodies.at(1), vec3(-1, 0, 0));
   for (int i = 0; i < 3; ++i)
-    expect_newton(std::string("C.") + "xyz"[i] + ", " + c.words, double(gap[i]), 0, near_enough);
+    expect_newton(std::string("C.") + "xyz"[i], double(gap[i]), 0, near_enough, c.words);
   for (int k = 0; k < bodies.slots(); ++k) {
     Body led = before.at(k);
     led.v = bodies.at(k).v;
     led.w = bodies.at(k).w;
     integrate_pose(led, real(c.h));
-    const std::string words = " of body " + std::to_string(k) + " by its velocity, " + c.words;
+    const std::string words = " of body " + std::to_string(k) + " by its v and w";
     for (int i = 0; i < 3; ++i)
       expect_newton(std::string("x.") + "xyz"[i] + words, double(bodies.at(k).x[i]),
-                    double(led.x[i]), rounding);
-    expect_newton("q" + words, double(length(bodies.at(k).q - led.q)), 0, rounding);
+                    double(led.x[i]), rounding, c.words);
+    expect_newton("q" + words, double(length(bodies.at(k).q - led.q)), 0, rounding, c.words);
   }
 }
 
@@ -310,11 +314,11 @@ inline void check_memory(const NewtonCase& c, std::size_t size) {
   std::vector<Body> memory(size, sliding(99, 99)), none;
   move_onto_constraints(bodies, c.h, c.iterations, *one, memory);
   NewtonReference{c}.move(other, c.h, c.iterations, *two, none);
-  const std::string words = ", memory of " + std::to_string(size) + " bodies";
-  expect_newton("bodies in start" + words, double(memory.size()), double(bodies.slots()), 0);
+  const std::string words = "memory of " + std::to_string(size) + " bodies";
+  expect_newton("bodies in start", double(memory.size()), double(bodies.slots()), 0, words);
   for (int i = 0; i < 3; ++i)
-    expect_newton(std::string("x.") + "xyz"[i] + words, double(bodies.at(1).x[i]),
-                  double(other.at(1).x[i]), rounding);
+    expect_newton(std::string("x.") + "xyz"[i], double(bodies.at(1).x[i]),
+                  double(other.at(1).x[i]), rounding, words);
 }
 
 }  // namespace joints::testing

@@ -54,8 +54,9 @@ inline CaseTable<PivotCase> pivot_table() {
     return scaled([=](const Case& c) { return dropped(c) ? 0 : 1 / c.pivot; });
   };
   CaseTable<Case> table{{"9.4", "1 / pivot, and 0 for a dependent row"},
-                        {"inverse times |pivot|"}, {}, {}, {}, pivot_cases()};
+                        {"inverse |pivot|"}, {}, {}, {}, pivot_cases()};
   table.tolerance = 1e-12;
+  table.whole = true;
   table.yours = scaled([](const Case& c) { return inverse_pivot(c.pivot, c.original); });
   table.right = unless([=](const Case& c) { return !(c.pivot > share * c.original); });
   table.mistakes = {
@@ -153,7 +154,7 @@ inline CaseTable<PivotCase> pivot_table() {
                               })});
   }
   table.leave_out_harmless();
-  table.given = [](const Case& c) { return "Case: " + arguments_of(c, pivot_arguments) + "."; };
+  table.given = [](const Case& c) { return "Given: " + arguments_of(c, pivot_arguments) + "."; };
   add_formulas(table, pivot_arguments);
   table.given = [copy = table](const Case& c) { return copy.given(c) + " " + copy.holds_in(); };
   return table;

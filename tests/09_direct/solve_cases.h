@@ -143,8 +143,8 @@ inline CaseTable<MatrixCase> solve_table() {
         std::vector<std::string> out;
         for (int k = 1; k <= 3; ++k)
           for (int i = 0; i < c.size(); ++i)
-            out.push_back("x[" + std::to_string(i) + "] of right side " + std::to_string(k) +
-                          ", node " + std::to_string(node_of(c, i)));
+            out.push_back("x[" + std::to_string(i) + "] for b " + std::to_string(k) + ", node " +
+                          std::to_string(node_of(c, i)));
         return out;
       });
   const auto all = [](const MatrixCase& c, auto solved) {
@@ -193,13 +193,14 @@ inline void check_originals(const MatrixCase& c) {
   });
   const Numbers& seen = pivots_seen;
   std::size_t n = 0;
+  const std::string given = "Matrix: " + c.words + ".";
+  const Subject about{"9.2", "the original entry that comes with a pivot", 1, given.c_str()};
   for (int k = 0; k < c.count(); ++k)
     for (int i = 0; i < c.rows[std::size_t(k)]; ++i, ++n) {
       const int row = c.first(k) + i;
       const double yours = n < seen.size() ? seen[n] : 0;
-      expect({"9.2", "what comes with a pivot"},
-             "original entry of row " + std::to_string(row) + ", node " + std::to_string(k) +
-                 ", " + c.words,
+      expect(about,
+             "entry of row " + std::to_string(row) + ", node " + std::to_string(k),
              yours, c.A(row, row), 0,
              {{yours, n >= seen.size()
                           ? "`inverse` is not asked for this pivot: hand it to factor_block()"
@@ -225,8 +226,11 @@ inline void check_whole(const MatrixCase& c, const Numbers& b, const Numbers& ri
   factor(A, c.inverse);
   Numbers x = b;
   solve(A, x.data());
+  const std::string given = "Matrix: " + c.words + ".";
+  Subject about = whole_subject;
+  about.given = given.c_str();
   for (std::size_t i = 0; i < x.size(); ++i)
-    expect(whole_subject, "x[" + std::to_string(i) + "], " + c.words, x[i], right[i],
+    expect(about, "x[" + std::to_string(i) + "]", x[i], right[i],
            1e-8 * (1 + std::abs(right[i])));
 }
 

@@ -52,7 +52,7 @@ inline std::vector<StiffenedCase> stiffened_cases() {
   out.back().words = "at rest";
   out.back().body.w = vec3(0);
   out.push_back(out[5]);
-  out.back().words = "hardly any inertia";
+  out.back().words = "small";
   out.back().body.inverse_inertia_local *= real(1000);
   return out;
 }
@@ -77,7 +77,7 @@ struct StiffenedReference {
 inline CaseTable<StiffenedCase> stiffened_table() {
   using T = StiffenedReference;
   CaseTable<StiffenedCase> table{{"9.8", "a body with more inertia"},
-                                 {"inverse_inertia_local", "w"}, {}, {}, {}, stiffened_cases()};
+                                 {"inverse_inertia", "w"}, {}, {}, {}, stiffened_cases()};
   table.tolerance = 10 * rounding;
   table.yours = [](const StiffenedCase& c) {
     const Stiffened out = stiffened(c.body, c.force_lever, c.factor, c.h);
@@ -214,10 +214,10 @@ inline CaseTable<StiffenedCase> stiffened_table() {
 inline void expect_stiffened(const StiffenedCase& c, const std::string& entry, const vec3& yours,
                              const vec3& right, double tolerance) {
   const bool same = length(yours - right) <= real(tolerance);  // false for what is no number
-  const std::string given = same ? "" : stiffened_given(c);
+  const std::string given = same ? "" : stiffened_given(c) + " Body: " + c.words + ".";
   Subject about = stiffened_table().subject;
   about.given = given.c_str();
-  expect(about, entry + ", " + c.words, yours, right, tolerance,
+  expect(about, entry, yours, right, tolerance,
          same ? std::vector<VectorSuspect>{} : why(stiffened_table(), yours));
 }
 

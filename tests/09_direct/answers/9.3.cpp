@@ -47,7 +47,7 @@
 // change: if (b != a) left[a].insert(b); ==> (void)b;
 
 // ---- wrong: does not leave
-// expects: it did not end within 4 seconds: a loop without an end?
+// expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
   std::vector<std::set<int>> left;
   std::set<std::pair<std::size_t, int>> queue;
   for (const std::vector<int>& of_one : neighbours) {
@@ -238,6 +238,76 @@
       for (const int b : left[node])
         if (b != a) left[a].insert(b);
       queue.insert({left[a].size(), a});
+    }
+  }
+
+// ---- wrong: only one way filled
+// expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
+// change: if (b != a) ==> if (b > a)
+
+// ---- wrong: itself as a neighbour
+// expects: the program crashed: it reached for memory that is not its own. A poin
+// change: if (b != a) left ==> left
+
+// ---- wrong: old entries stay in the queue
+// expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
+  std::vector<std::set<int>> left;
+  std::set<std::pair<std::size_t, int>> queue;
+  for (const std::vector<int>& of_one : neighbours) {
+    left.emplace_back(of_one.begin(), of_one.end());
+    queue.insert({left.back().size(), int(left.size()) - 1});
+  }
+  while (!queue.empty()) {
+    const int node = queue.begin()->second;
+    queue.erase(queue.begin());
+    order.push_back(node);
+    for (const int a : left[node]) {
+      left[a].erase(node);
+      for (const int b : left[node])
+        if (b != a) left[a].insert(b);
+      queue.insert({left[a].size(), a});
+    }
+  }
+
+// ---- wrong: queue not erased before the change
+// expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
+  std::vector<std::set<int>> left;
+  std::set<std::pair<std::size_t, int>> queue;
+  for (const std::vector<int>& of_one : neighbours) {
+    left.emplace_back(of_one.begin(), of_one.end());
+    queue.insert({left.back().size(), int(left.size()) - 1});
+  }
+  while (!queue.empty()) {
+    const int node = queue.begin()->second;
+    queue.erase(queue.begin());
+    order.push_back(node);
+    for (const int a : left[node]) {
+  left[a].erase(node); queue.erase({left[a].size(), a});
+      for (const int b : left[node])
+        if (b != a) left[a].insert(b);
+      queue.insert({left[a].size(), a});
+    }
+  }
+
+// ---- wrong: the first neighbour only
+// expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
+// change: if (b != a) left[a].insert(b); ==>
+//         if (b != a && b == *left[node].begin()) left[a].insert(b);
+
+// ---- wrong: doubled neighbours
+// expects: it did not end within 4 seconds: a loop without an end?
+  while (!neighbours.empty() && order.size() < neighbours.size()) {
+    int best = -1;
+    for (int k = 0; k < int(neighbours.size()); ++k)
+      if (std::find(order.begin(), order.end(), k) == order.end() &&
+          (best < 0 || neighbours[k].size() < neighbours[best].size()))
+        best = k;
+    order.push_back(best);
+    const std::vector<int> around = neighbours[best];
+    for (const int a : around) {
+      std::erase(neighbours[a], best);
+      for (const int b : around)
+        if (b != a) neighbours[a].push_back(b);
     }
   }
 

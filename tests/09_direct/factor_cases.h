@@ -18,7 +18,8 @@ struct FactorReference {
   bool from_first = false, only_diagonal = false, divides = true, plain = false, exchanged = false;
   bool plain_times_plain = false, divides_exchanged = false, rows_of_j = false, block_of_j = false;
   bool only_own = false, only_first = false, stores_a_row = false, advances_before = false;
-  int skip_inner = 0;
+  int skip_inner = 0, first_node = 0;
+  bool backwards = false;  ///< the inner loop
 
   explicit FactorReference(const MatrixCase& c) : c(c) {}
 
@@ -27,7 +28,7 @@ struct FactorReference {
     double* const number = A.numbers.data();
     const int* target = A.targets.data();
     double L[36], kept[36];
-    for (int k = 0; k < c.count() - skip_nodes; ++k) {
+    for (int k = first_node; k < c.count() - skip_nodes; ++k) {
       const Node& node = A.nodes[std::size_t(k)];
       const int n = node.rows, end = A.nodes[std::size_t(k) + 1].first_edge - skip_edges;
       double* const D = number + node.diagonal;
@@ -50,7 +51,8 @@ struct FactorReference {
         else std::copy(block, block + m * n, L);
         std::copy(block, block + m * n, kept);
         if (store == Store::early) std::copy(L, L + m * n, block);
-        for (int i = from_first ? node.first_edge : j + from; i < end - skip_inner; ++i) {
+        for (int n_th = from_first ? node.first_edge : j + from; n_th < end - skip_inner; ++n_th) {
+          const int i = backwards ? end - 1 - (n_th - j) : n_th;
           const Edge& other = A.edges[std::size_t(i)];
           if (only_own && i != j) continue;
           if (only_diagonal && i != j) {
@@ -122,6 +124,9 @@ inline Pieces<FactorReference> wrong_factors() {
       {"the block of edge j twice: the one of edge i, and L",
        [](T& t) { t.block_of_j = true; }},
       {"only a part of L is stored: m * n numbers", [](T& t) { t.stores_a_row = true; }},
+      {"the first node is left out: from node 0 on", [](T& t) { t.first_node = 1; }},
+      {"the inner loop runs backwards: the targets stand there from j to the last edge",
+       [](T& t) { t.backwards = true; }},
       {"nothing is done", [](T& t) { t.skip_nodes = 1000; }},
       {"A is not divided by the diagonal block: L = divide_rows() of it",
        [](T& t) { t.divides = false; }},

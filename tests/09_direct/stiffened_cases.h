@@ -102,6 +102,8 @@ inline CaseTable<StiffenedCase> stiffened_table() {
   add_pieces(table, [](const C& c) { return T(c); }, [](const T& t) { return t.numbers(); },
              Pieces<T>{
       {square, adds_number([](const C& c) { return c.factor * c.h * c.force_lever; })},
+      {"h to the third power: factor h^2 |F||r|",
+       adds_number([](const C& c) { return c.factor * c.h * c.h * c.h * c.force_lever; })},
       {"h is missing: factor h^2 |F||r|",
        adds_number([](const C& c) { return c.factor * c.force_lever; })},
       {"divided by h^2: times h^2",

@@ -173,6 +173,14 @@
 // expects: Likely mistake: nothing is done
   (void)number, (void)target, (void)inverse;
 
+// ---- wrong: first node left out
+// expects: Likely mistake: the first node is left out: from node 0 on
+// change: for (std::size_t k = 0; ==> for (std::size_t k = 1;
+
+// ---- wrong: inner loop backwards
+// expects: Likely mistake: the inner loop runs backwards: the targets stand there from j to the
+// change: for (int i = j; i < end; ++i) ==> for (int i = end - 1; i >= j; --i)
+
 // ---- wrong: forward without division
 // region: 2
 // expects: Likely mistake: nothing is divided: each node's numbers by its diagonal block, on the

@@ -245,10 +245,6 @@
 // expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
 // change: if (b != a) ==> if (b > a)
 
-// ---- wrong: itself as a neighbour
-// expects: the program crashed: it reached for memory that is not its own. A poin
-// change: if (b != a) left ==> left
-
 // ---- wrong: old entries stay in the queue
 // expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
   std::vector<std::set<int>> left;
@@ -295,7 +291,7 @@
 //         if (b != a && b == *left[node].begin()) left[a].insert(b);
 
 // ---- wrong: doubled neighbours
-// expects: it did not end within 4 seconds: a loop without an end?
+// expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
   while (!neighbours.empty() && order.size() < neighbours.size()) {
     int best = -1;
     for (int k = 0; k < int(neighbours.size()); ++k)

@@ -153,6 +153,10 @@
 // expects: Likely mistake: the ratio is squared: moments / more, once
 // change: moments / more * ==> moments / more * moments / more *
 
+// ---- wrong: h cubed
+// expects: Likely mistake: h to the third power: factor h^2 |F||r|
+// change: factor * h * h * force_lever ==> factor * h * h * h * force_lever
+
 // ---- wrong units: h not squared
 // expects: Units: in stiffened, adding kg m^2/s to kg m^2: h is missing (an impulse is h times a
 // change: factor * h * h * force_lever ==> factor * h * force_lever

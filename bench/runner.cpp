@@ -33,15 +33,37 @@ struct Ready {
   }
 };
 
+// Bodies as they were a step ago, with the mean of their velocities then and now.
+class Centred {
+ public:
+  explicit Centred(std::span<const Body> now) : before_(now.begin(), now.end()), out_(before_) {}
+  std::span<const Body> after(std::span<const Body> now, int steps) {
+    if (steps > 1)
+      for (std::size_t k = 0; k < out_.size(); ++k) {
+        out_[k] = before_[k];
+        out_[k].v = (before_[k].v + now[k].v) / real(2);
+        out_[k].w = (before_[k].w + now[k].w) / real(2);
+      }
+    before_.assign(now.begin(), now.end());
+    return out_;
+  }
+
+ private:
+  std::vector<Body> before_, out_;
+};
+
 Result measured(const MakeScene& make_scene, const Setting& setting, const Span& span) {
   Ready ready(make_scene, setting);
   const BenchScene& scene = ready.scene;
   const std::vector<Pose> start = poses(scene.world.bodies);
   Experiment experiment = experiment_of(ready.scene, span.steps);
   experiment.step = [&] { ready.step(ready.scene.world, span.h); };
+  Centred centred(all_of(scene.world.bodies));
+  int looks = 0;
   experiment.bodies = [&] {
     if (setting.show) setting.show(ready.scene.world);
-    return all_of(scene.world.bodies);
+    const std::span<const Body> now = all_of(scene.world.bodies);
+    return setting.leapfrog ? centred.after(now, looks++) : now;
   };
   experiment.settling = last_two_thirds(span.steps);
   experiment.untimed = untimed;

@@ -19,6 +19,9 @@ struct Setting {
   std::function<void(World&)> prepare{};  ///< what the setting changes in the joints, if anything
   /// Where a solver has bodies of its own: they are put into the world, before a look, not timed.
   std::function<void(World&)> show{};
+  /// The velocities belong to the middles of the steps: the energy is that of the poses between two
+  /// steps and of the mean of the velocities about them.
+  bool leapfrog = false;
 };
 
 /// How long a run is.

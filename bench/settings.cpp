@@ -18,6 +18,7 @@ namespace {
 // lanes.
 const char* const alone = "S2 S3 S3b S5 S6";  // one chain: no two islands
 const char* const islands = "S1 S7";            // ten of them side by side
+const char* const all = "S1 S1b S1x S2 S3 S3b S5 S6 S7";
 
 }  // namespace
 
@@ -82,6 +83,14 @@ std::vector<Way> ways() {
       {.name = "hinges alone omega 1.9 half a kick", .scenes = "S1", .loop = Loop::hinges,
        .relaxation = real(1.9), .leapfrog = true},
 
+      {.name = "velocities", .scenes = all, .loop = Loop::direct, .beta = 1, .leapfrog = true,
+       .quick = true},
+      {.name = "SHAKE", .scenes = all, .loop = Loop::direct, .beta = 1, .leapfrog = true,
+       .newton = 8, .quick = true},
+      {.name = "SHAKE stiffness 8", .scenes = alone, .loop = Loop::direct, .beta = 1,
+       .leapfrog = true, .newton = 8, .stiffness = 8},
+      {.name = "Runge-Kutta", .scenes = all, .loop = Loop::runge_kutta, .quick = true},
+
       {.name = "set up once a step", .scenes = "S1 S1x", .loop = Loop::textbook},
       {.name = "recomputed", .scenes = "S1", .loop = Loop::recomputed, .most = 30},
   };
@@ -97,11 +106,16 @@ std::string Way::solver() const {
     case Loop::packed: return "packed";
     case Loop::lanes: return "lanes";
     case Loop::hinges: return "chapter 7";
+    case Loop::direct:
+    case Loop::runge_kutta: return "direct";
     default: return "textbook";
   }
 }
 
-int Way::iterations_of(int a_step) const { return std::max(1, (a_step + substeps / 2) / substeps); }
+int Way::iterations_of(int a_step) const {
+  if (loop == Loop::direct || loop == Loop::runge_kutta) return 1;
+  return std::max(1, (a_step + substeps / 2) / substeps);
+}
 
 // ---- a setting becomes a step -------------------------------------------------------------------
 
@@ -176,8 +190,20 @@ Step of_chapter_7(const Way& way, int iterations, std::shared_ptr<std::unique_pt
   };
 }
 
+Step of_the_direct_solver(const Way& way) {
+  DirectSolver solver;
+  solver.newton = way.newton;
+  solver.stiffness = way.stiffness;
+  return [solver, how = stepping_of(way)](World& world, real h) mutable {
+    joints::step(world, solver, h, how);
+  };
+}
+
 Step step_of(const Way& way, int iterations) {
   switch (way.loop) {
+    case Loop::direct: return of_the_direct_solver(way);
+    case Loop::runge_kutta:
+      return [method = RungeKutta()](World& world, real h) mutable { method.step(world, h); };
     case Loop::textbook:
     case Loop::recomputed: return of_the_textbook(way, iterations);
     case Loop::flat: return of_the_flat_textbook(iterations);
@@ -188,7 +214,7 @@ Step step_of(const Way& way, int iterations) {
 }  // namespace
 
 Setting Way::setting(int iterations_a_step) const {
-  Setting setting{solver(), name, iterations_of(iterations_a_step), warm, {}, {}};
+  Setting setting{solver(), name, iterations_of(iterations_a_step), warm, {}, {}, {}, leapfrog};
   const auto loop = std::make_shared<std::unique_ptr<OwnLoop>>();
   setting.make = [way = *this, iterations = setting.iterations, loop] {
     return way.loop == Loop::hinges ? of_chapter_7(way, iterations, loop)

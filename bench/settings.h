@@ -7,6 +7,7 @@
 #include "bench/orders.h"
 #include "bench/own_loop.h"
 #include "bench/runner.h"
+#include "chapters/09_direct/runge_kutta.h"
 #include "engine/sequential_impulses.h"
 #include "engine/step.h"
 #include "engine/simd/packed.h"
@@ -23,7 +24,9 @@ enum class Loop {
   hinges,     ///< chapter 7's: hinges alone, a chain a lane; its bodies start anew in every run
   textbook,   ///< a class a joint, set up once a step
   recomputed,  ///< the same, set up anew in every iteration
-  flat        ///< the textbook's hinges in one array, without the virtual call
+  flat,       ///< the textbook's hinges in one array, without the virtual call
+  direct,     ///< all joints at once, chapter 9
+  runge_kutta  ///< of order 4, on the factor of chapter 9
 };
 
 /// A line of the figures: a solver, and all that is set in it and in the joints.
@@ -42,6 +45,8 @@ struct Way {
   real relaxation = 1;      ///< over-relaxation [1]; not the textbook's
   int substeps = 1;         ///< they share the iterations of a step
   bool leapfrog = false;    ///< half a kick in the first step
+  int newton = 0;           ///< direct only: iterations on the positions
+  real stiffness = 0;       ///< direct only
   int most = 200;           ///< no more iterations than this: further ones say nothing new
   bool quick = false;       ///< also in the short form
 

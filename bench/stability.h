@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bench/runner.h"
+#include "chapters/09_direct/direct_solver.h"
 #include "engine/sequential_impulses.h"
 #include "engine/step.h"
 
@@ -36,6 +37,7 @@ using Tell = std::function<void(const Line&)>;  ///< is told every line as soon 
 struct Case {
   std::string id, what;
   std::function<void(bool quick, const Tell&)> run;  ///< quick: few values
+  bool watched = false;  ///< small worlds, each in a Watch: any solver may solve them
 };
 /// All of them, X1 to X17; some have two entries.
 std::vector<Case> cases();
@@ -65,6 +67,9 @@ struct Method {
   int projections = 0;
   int substeps = 1;
   bool whole = true;     ///< hinges as one block of five rows, not of three and of two
+  bool direct = false;   ///< chapter 9's solver, with half a kick in the first step
+  int newton = 0;        ///< direct only
+  real stiffness = 0;    ///< direct only
 };
 /// The methods of the maps, beta 0.2 where they name none; 0 with projection, if they do not say
 /// another. The last one is for hinges only.
@@ -88,12 +93,15 @@ void add_criterion(Line& line, const Method& method, const Rates& rates);
 
 /// Steps a small world and watches that it stays finite.
 struct Watch {
+  /// True: by the direct solver, whatever the settings of the other one.
+  static inline bool directly = false;
   World& world;
   SequentialImpulses solver{};
   Stepping stepping{};
   bool finite = true;
+  DirectSolver direct{};
   void step(real h) {
-    joints::step(world, solver, h, stepping);
+    joints::step(world, directly ? static_cast<Solver&>(direct) : solver, h, stepping);
     finite = finite && all_finite(all_of(world.bodies));
   }
   /// The number, or NaN where a body was not finite at some time.

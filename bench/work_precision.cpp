@@ -108,6 +108,9 @@ std::vector<Point> series(const Entry& entry, const BenchScene& scene, const Way
   return points;
 }
 
+// What is nearer than this [m] is exact: nothing is gained by being nearer still.
+constexpr double rounding = 1e-9;
+
 // Energy that is gained is no good, however small the gap.
 bool counts(const Result& r) {
   return r.status == "ok" || r.status == "soft" || r.status == "torn";
@@ -125,7 +128,7 @@ void measure(FILE* file, const Entry& entry, const std::vector<int>& counted, bo
     std::vector<Cost> costs;
     for (const Point& point : points)
       costs.push_back({point.result.us_per_step,
-                       counts(point.result) ? value(point.result, name)
+                       counts(point.result) ? std::max(value(point.result, name), rounding)
                                             : std::numeric_limits<double>::quiet_NaN()});
     for (const int k : pareto_front(costs))
       points[k].fronts += (points[k].fronts.empty() ? "" : "+") + name;

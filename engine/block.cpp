@@ -33,19 +33,22 @@ void Blocks::reserve(int rows) {
   C.reserve(rows);
 }
 
-void Blocks::append(const Bodies& bodies, BodyId id1, BodyId id2, int rows, const Row* rows_J,
+void Blocks::append_errors(int slot1, int slot2, int rows, const real* rows_C,
+                           const RowTarget& target, real* impulse) {
+  list.push_back({slot1, slot2, rows, int(C.size()), Touches::both, target, impulse});
+  C.insert(C.end(), rows_C, rows_C + rows);
+}
+
+void Blocks::append(const Bodies& bodies, int slot1, int slot2, int rows, const Row* rows_J,
                     const real* rows_C, const RowTarget& target, real* impulse) {
-  const int slot1 = bodies.index(id1), slot2 = bodies.index(id2), first = int(C.size());
+  if (errors_only) return append_errors(slot1, slot2, rows, rows_C, target, impulse);
   if (bodies.at(slot1).is_static() && bodies.at(slot2).is_static()) {
     std::fill_n(impulse, rows, real(0));
     return;
   }
-  C.insert(C.end(), rows_C, rows_C + rows);
-  if (errors_only) {
-    list.push_back({slot1, slot2, rows, first, Touches::both, target, impulse});
-    return;
-  }
+  const int first = int(C.size());
   J.insert(J.end(), rows_J, rows_J + rows);
+  C.insert(C.end(), rows_C, rows_C + rows);
   bool linear = false, angular = false;
   for (int i = 0; i < rows; ++i) {
     linear = linear || rows_J[i].v1 != vec3(0) || rows_J[i].v2 != vec3(0);

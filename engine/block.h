@@ -54,7 +54,7 @@ struct Block {
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint
 };
 
-/// Minus the wanted J V of row `i` of a block, by its error. \param rate Feedback::rate \param h [s]
+/// Minus the wanted J V of row `i` of a block, by its error C. \param rate Feedback::rate
 real bias(const Block& block, int i, real C, real rate, real h);
 
 /// The blocks of one step: a list of headers and two flat arrays.
@@ -76,12 +76,12 @@ class Blocks {
   template <class Part>
   void append(const Bodies& bodies, BodyId id1, BodyId id2, const Part& part,
               const RowTarget& target, real* impulse) {
-    const Body &body1 = bodies[id1], &body2 = bodies[id2];
+    const int slot1 = bodies.index(id1), slot2 = bodies.index(id2);
+    const Body &body1 = bodies.at(slot1), &body2 = bodies.at(slot2);
     const Vector<Part::rows> rows_C = to_vector(part.error(body1, body2));
-    if (errors_only)
-      append(bodies, id1, id2, Part::rows, nullptr, rows_C.data(), target, impulse);
-    else
-      append(bodies, id1, id2, to_jacobian(part.jacobian(body1, body2)), rows_C, target, impulse);
+    if (errors_only) return append_errors(slot1, slot2, Part::rows, rows_C.data(), target, impulse);
+    const Jacobian<Part::rows> rows_J = to_jacobian(part.jacobian(body1, body2));
+    append(bodies, slot1, slot2, Part::rows, rows_J.row.data(), rows_C.data(), target, impulse);
   }
 
   /// The same from J and C.
@@ -90,12 +90,15 @@ class Blocks {
               const std::type_identity_t<Vector<N>>& rows_C, const RowTarget& target,
               real* impulse) {
     static_assert(N >= 1 && N <= 6, "a block has one to six rows");
-    append(bodies, id1, id2, N, rows_J.row.data(), rows_C.data(), target, impulse);
+    append(bodies, bodies.index(id1), bodies.index(id2), N, rows_J.row.data(), rows_C.data(),
+           target, impulse);
   }
 
  private:
-  void append(const Bodies& bodies, BodyId id1, BodyId id2, int rows, const Row* rows_J,
+  void append(const Bodies& bodies, int slot1, int slot2, int rows, const Row* rows_J,
               const real* rows_C, const RowTarget& target, real* impulse);
+  void append_errors(int slot1, int slot2, int rows, const real* rows_C, const RowTarget& target,
+                     real* impulse);
 };
 
 }  // namespace joints

@@ -1,9 +1,10 @@
 # The workbook's own tests, on the solutions, in double and float: one program a topic.
-set(topics engine joints stability lanes ground bench errata)
+set(topics engine joints stability lanes ground direct bench errata)
 # In double alone, and why float would prove nothing more:
 set(double_only
   joints/first_mistakes_test.cpp joints/mistakes_test.cpp joints/later_mistakes_test.cpp
     # the words of the exercises' reports; a reader's file is compiled in double
+  direct/order_test.cpp  # orders of convergence: rounding hides them in float
   engine/input_test.cpp joints/driven_input_test.cpp)
     # which values are refused, and in what words
 

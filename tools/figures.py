@@ -6,6 +6,7 @@ import sys
 import house
 
 TABLE, STABILITY = house.OUT / "work_precision.csv", house.OUT / "stability.csv"
+DIRECT = house.OUT / "direct.csv"
 LOOP, SCALING = house.OUT / "loop.csv", house.OUT / "scaling.csv"
 PEERS, THESIS = house.ROOT / "bench" / "peers.csv", house.ROOT / "bench" / "thesis_frames.csv"
 FIGURES = house.OUT / "plots"
@@ -42,6 +43,11 @@ def of_chapter(chapter, solution, mine=None):
     """The job that draws a chapter's figures, of the recorded runs in these folders."""
     return (f"chapter_{chapter.number:02}.py", "--solution", solution,
             *(["--mine", mine] if mine else []))
+
+
+def draw_direct():
+    """The direct solver against thirty iterations; out/ itself holds the figure."""
+    return draw("direct.py", "--csv", DIRECT, figures=house.OUT)
 
 
 def draw_loop():

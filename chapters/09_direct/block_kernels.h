@@ -1,5 +1,5 @@
-// Small dense blocks of 1 to 6 rows: the arithmetic of the factorisation. Given, there is nothing to
-// edit here.
+// Small dense blocks of 1 to 6 rows: the arithmetic of the factorisation. Given, there is nothing
+// to edit here.
 #pragma once
 
 #include <utility>

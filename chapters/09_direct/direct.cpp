@@ -77,9 +77,10 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& 
                            std::vector<Body>& start) {
   // begin [exercise 9.6]
   // Keep the bodies in `start`. In each iteration: integrate_poses() for real(h); ask for the
-  // errors() there. If the largest is near_enough, all is done; it must be at most poor_contraction
-  // of what it was in the iteration before. change_rates() by -C/h (Eq. 9-10), and put x and q of
-  // every body back to the start. After the last iteration, integrate_poses() for good.
+  // errors() there and find the largest. If it is at most negligible h^2, all is done. If it is
+  // more than poor_contraction of the one before, stop: the answer is true if it is at most that
+  // share of the first. Else change_rates() by -C/h (Eq. 9-10), and put x and q of every body back
+  // to the start. After the last iteration, integrate_poses() for good.
   todo("9.6");
   // end [exercise 9.6]
 }
@@ -96,12 +97,13 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
 
 // ---- stiffness ----------------------------------------------------------------------------------
 
-Stiffened stiffened(const Body& body, real force_lever, real factor, real h) {
+Stiffened stiffened(const Body& body, real force_lever, real lever, real factor, real h) {
   Stiffened out;
   // begin [exercise 9.8]
-  // In the body's own axes: each moment grows by factor h^2 |F||r| (Eq. 9-14), and the angular
-  // velocity becomes smaller in the same ratio. to_local() and to_world() turn it; products and
-  // quotients of two vec3 go component by component.
+  // In the body's own axes: find what its least moment and m r^2 lack of factor h^2 |F||r|. Each
+  // moment grows by that, if it is positive (Eq. 9-14), and the angular velocity becomes smaller in
+  // the same ratio. to_local() and to_world() turn it; products and quotients of two vec3 go
+  // component by component.
   todo("9.8");
   // end [exercise 9.8]
   return out;

@@ -44,8 +44,8 @@ struct Edge {
   int at;  ///< where its numbers begin: rows of the other x rows of this node, row by row
 };
 
-/// A = J M^-1 J^T of all joints: symmetric, and zero wherever two blocks share no body. It keeps the
-/// diagonal blocks and the blocks below them, also those that are zero now and will be filled.
+/// A = J M^-1 J^T of all joints: symmetric, and zero wherever two blocks share no body. It keeps
+/// the diagonal blocks and the blocks below them, also those that are zero now and will be filled.
 struct JointMatrix {
   std::vector<Node> nodes;        ///< in the order of elimination, and one more behind the last
   std::vector<Edge> edges;        ///< of all nodes; those of a node by the order of elimination
@@ -57,8 +57,8 @@ struct JointMatrix {
 /// What 1 / pivot is. \param original the pivot's diagonal entry before any elimination
 using PivotInverse = double (*)(double pivot, double original);
 
-/// Exercise 9.2, first half: factors A = L D L^T in place, node after node, Eq. 9-4. What is left in
-/// a diagonal block is its own factor (factor_block), and in an edge the block of L.
+/// Exercise 9.2, first half: factors A = L D L^T in place, node after node, Eq. 9-4. What is left
+/// in a diagonal block is its own factor (factor_block), and in an edge the block of L.
 void factor(JointMatrix& A, PivotInverse inverse);
 
 /// Exercise 9.2, second half: solves A x = b with the factor, Eq. 9-5. \param x b, then x
@@ -97,15 +97,16 @@ class Corrector {
 
 /// The largest share of the error that a Newton iteration may leave.
 constexpr double poor_contraction = 0.7;
-/// An error that needs no further iteration [m or rad].
-constexpr double near_enough = sizeof(real) == 4 ? 1e-4 : 5e-9;
+/// Errors of at most this times h^2 need no further iteration [m/s^2 or rad/s^2]: what they change
+/// is an acceleration of this size.
+constexpr double negligible = sizeof(real) == 4 ? 0.3 : 2e-6;
 
 /// Exercise 9.6: moves the bodies from where they are by their velocities, and changes the
-/// velocities until C is near_enough to zero at the new poses, Eq. 9-10.
+/// velocities until C is negligible at the new poses, Eq. 9-10.
 /// \param iterations how often the velocities are changed at most
 /// \param start memory for the bodies as they were; what it holds is no matter
-/// \return false if an iteration left more than poor_contraction of the error: there is no such
-/// pose near by
+/// \return false if it ended, by an iteration that left more than poor_contraction of the error,
+/// with more than that share of the first error: there is no such pose near by
 bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& corrector,
                            std::vector<Body>& start);
 
@@ -131,11 +132,12 @@ struct Stiffened {
   vec3 w;                      ///< angular velocity [rad/s], world
 };
 
-/// Exercise 9.8: a body with more inertia for one step, Eq. 9-14: each moment grows by
-/// factor h^2 |F||r|, and the angular momentum stays.
+/// Exercise 9.8: a body with as much inertia for one step as the step can follow, Eq. 9-14. If its
+/// least moment and m r^2 together are less than factor h^2 |F||r|, each moment grows by what is
+/// missing; else none does. The angular momentum stays.
 /// \param force_lever the sum of |F||r| over the joints that pull at it [N m]
-/// \param factor about 16 [1]
-Stiffened stiffened(const Body& body, real force_lever, real factor, real h);
+/// \param lever the longest r of them [m] \param factor about 8 [1]
+Stiffened stiffened(const Body& body, real force_lever, real lever, real factor, real h);
 
 }  // namespace joints
 /// @}

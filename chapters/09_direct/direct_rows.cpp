@@ -25,7 +25,7 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   factored_ = false;
   report_.iterated = is_hub();
   if (!report_.iterated) {
-    maker_.follow(pattern_, int(blocks.C.size()));
+    if (maker_.follow(pattern_, int(blocks.C.size()))) expected_.assign(blocks.C.size(), 0);
     report_.multiplications = maker_.multiplications();
     report_.fill = maker_.fill();
     report_.iterated = report_.multiplications > most_work * double(blocks.C.size());
@@ -70,7 +70,7 @@ void DirectSolver::collect_masses(const Bodies& bodies, real h) {
     Body body = bodies.at(slot);
     Mass& mass = masses_[slot];
     if (mass.force_lever > 0) {
-      const Stiffened more = stiffened(body, mass.force_lever, stiffness, h);
+      const Stiffened more = stiffened(body, mass.force_lever, mass.lever, stiffness, h);
       body.inverse_inertia_local = more.inverse_inertia_local;
       mass.w = more.w;
     }
@@ -93,8 +93,12 @@ void DirectSolver::find_force_levers(real h) {
       square1 += dot(J.w1, J.w1) / 2;
       square2 += dot(J.w2, J.w2) / 2;
     }
-    masses_[block.body1].force_lever += length(F) * std::sqrt(square1);
-    masses_[block.body2].force_lever += length(F) * std::sqrt(square2);
+    const real force = length(F);
+    for (const auto& [slot, square] : {std::pair{block.body1, square1}, {block.body2, square2}}) {
+      const real lever = std::sqrt(square);
+      masses_[slot].force_lever += force * lever;
+      masses_[slot].lever = std::max(masses_[slot].lever, lever);
+    }
   }
 }
 

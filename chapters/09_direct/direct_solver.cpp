@@ -8,8 +8,10 @@ namespace joints {
 
 namespace {
 
-// A share of K that makes bounded rows solvable that depend on others, as motor and limit do.
-constexpr double bound_softness = 1e-9;
+// A share of K that makes bounded rows solvable that depend on others, as motor and limit do. Until
+// one of them is at its bound, their impulses are as large as this is small: with float velocities
+// 1e-9 leaves nothing of what they were.
+constexpr double bound_softness = sizeof(real) == 4 ? 1e-6 : 1e-9;
 // After so many passes in which no fewer rows were wrong, only the last wrong one changes sides.
 constexpr int patience = 3;
 
@@ -91,7 +93,8 @@ void DirectSolver::correct_velocities(Bodies& bodies) {
   std::fill(x_.begin(), x_.end(), 0.0);
   for (const Inside& one : inside_) {
     const Block& block = *one.block;
-    for (int i = 0; i < block.rows; ++i) x_[block.first + i] = -rate_left(bodies, block, i);
+    for (int i = 0; i < block.rows; ++i)
+      x_[block.first + i] = expected_[block.first + i] - rate_left(bodies, block, i);
     if (one.spring == 0) continue;
     for (int i = 0; i < block.rows; ++i)  // K lambda of a spring
       for (int j = 0; j < block.rows; ++j)
@@ -182,6 +185,7 @@ class DirectSolver::Poses : public Corrector {
   std::vector<double>& errors() override {
     Blocks& poses = solver_.poses_;
     poses.clear();
+    poses.errors_only = true;
     append_(poses);
     std::vector<double>& x = solver_.x_;
     std::fill(x.begin(), x.end(), 0.0);
@@ -203,6 +207,7 @@ class DirectSolver::Poses : public Corrector {
     return x;
   }
   void change_rates(std::vector<double>& rates) override {
+    for (std::size_t r = 0; r < rates.size(); ++r) solver_.expected_[r] += rates[r];
     solver_.change_rates(bodies_, rates);
     ++solver_.report_.corrections;
   }
@@ -223,6 +228,7 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   Poses poses(*this, bodies, append);
   report_.moved_exactly = move_onto_constraints(bodies, h, newton, poses, start_);
   if (report_.moved_exactly) return;
+  std::fill(expected_.begin(), expected_.end(), 0.0);
   std::copy(start_.begin(), start_.end(), bodies.data());
   const real* impulse = impulses_.data();
   for (const Inside& one : inside_) {

@@ -1,4 +1,4 @@
-// The direct solver: finds the impulses of all joints at once. Given, there is nothing to edit here.
+// The direct solver: finds the impulses of all joints at once. Given, there is nothing to edit.
 #pragma once
 
 #include "chapters/09_direct/joint_matrix.h"
@@ -8,7 +8,7 @@
 /// @{
 namespace joints {
 
-/// Solves A lambda = -(J V + bias) by factoring A = J M^-1 J^T. Everything is a correction: the same
+/// Solves A lambda = -(J V + bias) by factoring A = J M^-1 J^T. Everything is a correction: one
 /// factor serves the velocities, their refinement and the positions. Bounds are kept by an active
 /// set. Rows whose bound follows another impulse (friction), and those that they follow, stay
 /// outside of A: iterations over them and corrections of all others alternate.
@@ -18,11 +18,11 @@ namespace joints {
 class DirectSolver : public Solver {
  public:
   int newton = 0;      ///< iterations on the positions at most (SHAKE); 0: velocities alone
-  real stiffness = 0;  ///< above 0, about 16: more inertia where a great force pulls (Eq. 9-14)
+  real stiffness = 0;  ///< above 0, about 8: more inertia where the step needs it (Eq. 9-14)
   int alternations = 4;  ///< how often the rows outside of A and those in it take turns
   int passes = 10;     ///< of the active set, at most
   /// If a factorisation takes more multiplications a row than this, `instead` solves.
-  double most_work = 5000;
+  double most_work = 3000;
   SequentialImpulses instead;  ///< what solves then
 
   /// What the last step did.
@@ -56,7 +56,8 @@ class DirectSolver : public Solver {
   struct Mass {  // of a body
     double linear = 0;            // inverse mass
     Symmetric<double> angular{};  // inverse inertia, world
-    real force_lever = 0;         // |F||r| of the last step [N m]
+    real force_lever = 0;         // the sum of |F||r| in the last step [N m]
+    real lever = 0;               // the longest |r| [m]
     vec3 w{0};                    // the angular velocity that it has with more inertia
     int rows = 0;                 // of all blocks that hold it
   };
@@ -99,6 +100,7 @@ class DirectSolver : public Solver {
   bool factored_ = false;
   std::vector<double> x_;              // the right-hand side, then the change of the impulses
   Blocks poses_;                       // errors at the new poses
+  std::vector<double> expected_;       // the rates by which the last step's poses were corrected
   std::vector<Body> start_;
   std::vector<real> impulses_;
   Report report_;

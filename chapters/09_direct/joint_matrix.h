@@ -1,5 +1,5 @@
-// Which numbers the matrix of the joints has and where they stand: the pattern, made when it changes
-// and then kept. Given, there is nothing to edit here.
+// Which numbers the matrix of the joints has and where they stand: the pattern, made when it
+// changes and then kept. Given, there is nothing to edit here.
 #pragma once
 
 #include "chapters/09_direct/direct.h"
@@ -35,7 +35,7 @@ class JointMatrixMaker {
   /// Fills in the numbers. \param J both half-rows of every row: block by block those of body 1,
   /// then those of body 2, from 2 * BlockPattern::row on \param response the same of M^-1 J^T
   void assemble(const std::vector<HalfRow>& J, const std::vector<HalfRow>& response);
-  /// Where the diagonal block of a block begins in A.numbers. \param block its number in the pattern
+  /// Where the diagonal block of a block begins. \param block its number in the pattern
   int diagonal(int block) const { return A.nodes[place_[block]].diagonal; }
   /// How many multiplications a factorisation takes: what tells if it is worth it.
   double multiplications() const { return multiplications_; }

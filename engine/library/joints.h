@@ -9,6 +9,7 @@
 #include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/06_baumgarte/baumgarte.h"
 #include "chapters/08_ground/ground_contact.h"
+#include "chapters/09_direct/runge_kutta.h"
 #include "engine/reaction.h"
 #include "engine/sequential_impulses.h"
 #include "engine/simd/packed.h"

@@ -137,11 +137,12 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& 
                            std::vector<Body>& start) {
   // begin [exercise 9.6]
   // Keep the bodies in `start`. In each iteration: integrate_poses() for real(h); ask for the
-  // errors() there. If the largest is near_enough, all is done; it must be at most poor_contraction
-  // of what it was in the iteration before. change_rates() by -C/h (Eq. 9-10), and put x and q of
-  // every body back to the start. After the last iteration, integrate_poses() for good.
+  // errors() there and find the largest. If it is at most negligible h^2, all is done. If it is
+  // more than poor_contraction of the one before, stop: the answer is true if it is at most that
+  // share of the first. Else change_rates() by -C/h (Eq. 9-10), and put x and q of every body back
+  // to the start. After the last iteration, integrate_poses() for good.
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -150,8 +151,9 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& 
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -177,14 +179,17 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
 
 // ---- stiffness ----------------------------------------------------------------------------------
 
-Stiffened stiffened(const Body& body, real force_lever, real factor, real h) {
+Stiffened stiffened(const Body& body, real force_lever, real lever, real factor, real h) {
   Stiffened out;
   // begin [exercise 9.8]
-  // In the body's own axes: each moment grows by factor h^2 |F||r| (Eq. 9-14), and the angular
-  // velocity becomes smaller in the same ratio. to_local() and to_world() turn it; products and
-  // quotients of two vec3 go component by component.
+  // In the body's own axes: find what its least moment and m r^2 lack of factor h^2 |F||r|. Each
+  // moment grows by that, if it is positive (Eq. 9-14), and the angular velocity becomes smaller in
+  // the same ratio. to_local() and to_world() turn it; products and quotients of two vec3 go
+  // component by component.
   const vec3 moments = real(1) / body.inverse_inertia_local;
-  const vec3 more = moments + factor * h * h * force_lever;  // Eq. 9-14
+  const real least = std::min({moments.x, moments.y, moments.z});
+  const real missing = factor * h * h * force_lever - least - lever * lever / body.inverse_mass;
+  const vec3 more = moments + vec3(std::max(real(0), missing));  // Eq. 9-14
   out.inverse_inertia_local = real(1) / more;
   out.w = to_world(body, moments / more * to_local(body, body.w));
   // end [exercise 9.8]

@@ -125,8 +125,8 @@ TEST_CASE("relaxation 1 changes no digit of a solver without relaxation") {
       if (block.target.frequency > 0) {
         const real omega = 2 * std::numbers::pi_v<real> * block.target.frequency;
         const real a2 = h * omega * (2 * block.target.damping + h * omega);
-        share = a2 / (1 + a2);
-        kept = 1 / (1 + a2);
+        share = 1 / (1 + 1 / a2);
+        kept = 1 / a2 / (1 + 1 / a2);
       }
       for (int i = 0; i < 3; ++i) {  // C and so the bias is zero
         e[i] = dot(J[i].v1, body1.v) + dot(J[i].v2, body2.v);

@@ -19,17 +19,20 @@ LATER = {3: r"Axis::|HingeAngle|HingeJoint|Limit<", 4: r"Line::|Slide::|Rotation
          5: r"Weld|FixedJoint|cross_K|carried",
          6: r"limit_bias|beta_for|warm_start\(|projection_iteration|project\(",
          7: r"colours_of|whole_K|hoist|LanesFor|PackedImpulses",
-         8: r"GroundContact|Corner::|friction_impulse|impact_speed"}
-ALL = "|".join(LATER.values())
+         8: r"GroundContact|Corner::|friction_impulse|impact_speed",
+         9: r"JointMatrix|DirectSolver|elimination_order|second_order_step|stiffened"}
+ALL, LAST = "|".join(LATER.values()), f"{LATER[8]}|{LATER[9]}"
 PROGRAMS = {
     "01_distance_run": ("apply_impulse", rf"Point::|block_impulse|turned\(|{OWN_LOOP}|{ALL}"),
     "02_ball_run": ("block_impulse", f"{OWN_LOOP}|{ALL}"),
-    "03_hinge_run": ("Axis::", "|".join(LATER[k] for k in range(4, 9))),
-    "04_slider_run": ("Line::", rf"{LATER[5]}|{LATER[6]}|{LATER[8]}|HingeJoint|HingeAngle"),
-    "05_fixed_run": ("FixedJoint::", rf"{LATER[6]}|{LATER[7]}|{LATER[8]}"),
-    "06_baumgarte_run": ("projection_iteration", rf"{LATER[5]}|{LATER[7]}|{LATER[8]}"),
-    "07_performance_run": ("colours_of", "|".join([OWN_LOOP, *(LATER[k] for k in (4, 5, 6, 8))])),
-    "08_ground_run": ("GroundContact", rf"{LATER[6].replace('limit_bias|', '')}|{LATER[7]}")}
+    "03_hinge_run": ("Axis::", "|".join(LATER[k] for k in range(4, 10))),
+    "04_slider_run": ("Line::", rf"{LATER[5]}|{LATER[6]}|{LAST}|HingeJoint|HingeAngle"),
+    "05_fixed_run": ("FixedJoint::", rf"{LATER[6]}|{LATER[7]}|{LAST}"),
+    "06_baumgarte_run": ("projection_iteration", rf"{LATER[5]}|{LATER[7]}|{LAST}"),
+    "07_performance_run": ("colours_of", "|".join([OWN_LOOP, LAST, *(LATER[k] for k in (4, 5, 6))])),
+    "08_ground_run": ("GroundContact", "|".join([LATER[6].replace("limit_bias|", ""), LATER[7],
+                                                 LATER[9]])),
+    "09_direct_run": ("DirectSolver", "|".join(LATER[k] for k in (6, 7, 8)))}
 
 
 def run(program, *arguments, **more):

@@ -15,16 +15,22 @@ using namespace joints;
 
 struct Choice {
   const char* name;
-  std::unique_ptr<IterativeSolver> (*make)();
+  std::unique_ptr<Solver> (*make)();
 };
-template <class Solver>
-std::unique_ptr<IterativeSolver> make() { return std::make_unique<Solver>(); }
-const Choice choices[] = {{"rows", make<SequentialImpulses>},
-                      {"packed", make<PackedImpulses>},
-                      {"symmetric", make<SymmetricImpulses>}};  // the one line for one's own
+template <class Iterative>
+std::unique_ptr<Solver> iterative() {
+  auto solver = std::make_unique<Iterative>();
+  solver->iterations = 300;
+  return solver;
+}
+std::unique_ptr<Solver> direct() { return std::make_unique<DirectSolver>(); }
+const Choice choices[] = {{"rows", iterative<SequentialImpulses>},
+                          {"packed", iterative<PackedImpulses>},
+                          {"direct", direct},
+                          {"symmetric", iterative<SymmetricImpulses>}};  // the line for one's own
 
 // The least and the greatest ratio of the speeds in a turn.
-std::pair<real, real> ratios(IterativeSolver& solver) {
+std::pair<real, real> ratios(Solver& solver) {
   const real angle = std::numbers::pi_v<real> / 6;
   const vec3 along1(1, 0, 0), along2(std::cos(angle), 0, std::sin(angle)), pin1(0, 1, 0);
   World world;
@@ -37,7 +43,6 @@ std::pair<real, real> ratios(IterativeSolver& solver) {
   world.add<UniversalJoint>(first, second, cross_at(world.bodies[first], world.bodies[second],
                                                     vec3(0), pin1, cross(along2, pin1)));
   drive.set_motor(5, 1000);  // rad/s, N m
-  solver.iterations = 300;
   real least = 10, greatest = 0;
   for (int n = 0; n < 240; ++n) {
     step(world, solver, real(1) / 240);
@@ -53,7 +58,7 @@ int main(int arguments, char** words) {
   const std::string wanted = arguments > 1 ? words[1] : "";  // all of them, if none is named
   for (const Choice& choice : choices) {
     if (!wanted.empty() && wanted != choice.name) continue;
-    const std::unique_ptr<IterativeSolver> solver = choice.make();
+    const std::unique_ptr<Solver> solver = choice.make();
     const auto [least, greatest] = ratios(*solver);
     std::printf("%-9s the second shaft turns %.3f to %.3f times as fast\n", choice.name,
                 double(least), double(greatest));

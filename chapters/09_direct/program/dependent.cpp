@@ -1,0 +1,99 @@
+// Chapter 9's program, linkages in which a row depends on the others: Bricard's, and four-bars side
+// by side. Read it; there is nothing to edit here.
+#include <algorithm>
+#include <cstdio>
+
+#include "chapters/09_direct/program/plain_direct.h"
+#include "chapters/09_direct/program/program.h"
+
+namespace joints::chapter9 {
+
+namespace {
+
+// Every pivot is divided by, whatever is left of it.
+double plain_inverse(double pivot, double) { return 1 / pivot; }
+
+void bricards(const Choice& choice, std::vector<Summary>& lines) {
+  CsvFile table(choice.out + "/bricard.csv", {"method", "time_s", "gap_m", "energy"});
+  bricard().print_plan();
+  const auto rows_of = [&](const std::string& name, Scene& scene) {
+    const double start = energy_of(scene);
+    return [&, name, start](double time) {
+      table.row({name}, {time, widest(scene), (energy_of(scene) - start) / scene.energy_scale});
+    };
+  };
+  const double seconds = 2 * choice.seconds;
+  {
+    Scene scene = bricard();
+    DirectSolver direct;
+    direct.newton = 8;
+    lines.push_back(play(scene, "direct", seconds, choice.out + "/bricard.motion.json",
+                         rows_of("dropped", scene), leaps(scene, direct)));
+    std::printf("Bricard: of %zu rows %d depends on the others\n", scene.world.blocks.C.size(),
+                direct.dropped());
+  }
+  {
+    Scene scene = bricard();
+    PlainDirect plain;
+    plain.newton = 8;
+    plain.inverse = plain_inverse;
+    lines.push_back(play(scene, "nothing dropped", seconds, "", rows_of("not dropped", scene),
+                         leaps(scene, plain)));
+  }
+  {
+    Scene scene = bricard();
+    DirectSolver unused;
+    const Method few{choice.iterations};
+    lines.push_back(play(scene, few.name(), seconds, "", rows_of(few.name(), scene),
+                         steps_of(scene, few, unused)));
+  }
+}
+
+// How far the upper end of an upright is from where a parallel motion would have it, at most [m].
+// The uprights have the odd slots.
+double off_parallel(const Scene& scene) {
+  const auto along = [&](int slot) { return scene.world.bodies.at(slot).q * vec3(1, 0, 0); };
+  double most = 0;
+  for (int slot = 3; slot < scene.world.bodies.slots(); slot += 2)
+    most = std::max(most, double(length(along(slot) - along(1))));
+  return most;
+}
+
+void bars(const Choice& choice, std::vector<Summary>& lines) {
+  CsvFile table(choice.out + "/four_bars.csv",
+                {"method", "time_s", "height_m", "off_parallel_m", "gap_m", "energy"});
+  four_bars(6).print_plan();
+  for (const Method& method : {Method{0}, Method{choice.iterations}}) {
+    Scene scene = four_bars(6);
+    DirectSolver direct;
+    direct.newton = 8;
+    const double start = energy_of(scene);
+    double least = 0, most = 0, off = 0;
+    lines.push_back(play(
+        scene, method.name(), 2 * choice.seconds,
+        method.iterations == 0 ? choice.out + "/four_bars.motion.json" : "",
+        [&](double time) {
+          const double change = (energy_of(scene) - start) / scene.energy_scale;
+          least = std::min(least, change), most = std::max(most, change);
+          off = std::max(off, off_parallel(scene));
+          table.row({method.name()}, {time, 2 * double(scene.world.bodies.at(1).x.y),
+                                      off_parallel(scene), widest(scene), change});
+        },
+        steps_of(scene, method, direct)));
+    std::printf("four-bars, %s: energy between %+.2g and %+.2g, off parallel by %.2g m",
+                method.name().c_str(), least, most, off);
+    if (method.iterations == 0)
+      std::printf("; of %zu rows %d depend on the others", scene.world.blocks.C.size(),
+                  direct.dropped());
+    std::printf("\n");
+  }
+}
+
+}  // namespace
+
+void dependent(const Choice& choice, std::vector<Summary>& lines) {
+  bricards(choice, lines);
+  bars(choice, lines);
+}
+
+}  // namespace joints::chapter9

@@ -1,0 +1,81 @@
+// Chapter 9's program, a chain of light cubes with a heavy end: what more inertia holds, and what it
+// costs. Read it; there is nothing to edit here.
+#include <cmath>
+#include <cstdio>
+
+#include "chapters/09_direct/program/program.h"
+
+namespace joints::chapter9 {
+
+namespace {
+
+constexpr int links = 10;
+
+struct End {
+  Summary line;
+  vec3 tip{0};        // after a second
+  double energy = 0;  // what it has changed by after two seconds
+  int kept = 0;       // steps that kept the velocities without a correction
+};
+
+// \param inertia factor of Eq. 9-14 \param parts into how many steps each step of 1/60 s is cut
+// \param look called with the time [s] and what the energy has changed by
+End swing(real ratio, real inertia, int parts, double seconds,
+          const std::function<void(double, double)>& look = [](double, double) {}) {
+  char setting[40];
+  std::snprintf(setting, sizeof setting, "%g kg, factor %g", double(ratio), double(inertia));
+  Scene scene = heavy_chain(links, ratio);
+  scene.h /= real(parts);
+  DirectSolver direct;
+  direct.newton = 8;
+  direct.stiffness = inertia;
+  End end;
+  const double start = energy_of(scene);
+  end.line = play(
+      scene, setting, seconds, "",
+      [&](double time) {
+        const double change = (energy_of(scene) - start) / scene.energy_scale;
+        if (time < 1 + double(scene.h) / 2) end.tip = all_of(scene.world.bodies).back().x;
+        if (time < 2 + double(scene.h) / 2) end.energy = change;
+        end.kept += time > 0 && !direct.report().moved_exactly;
+        look(time, change);
+      },
+      leaps(scene, direct));
+  return end;
+}
+
+}  // namespace
+
+void heavy(const Choice& choice, std::vector<Summary>& lines) {
+  CsvFile table(choice.out + "/heavy.csv", {"factor", "ratio", "gap_m", "energy_change_2s",
+                                            "tip_error_1s_m", "steps_without_correction"});
+  CsvFile path(choice.out + "/heavy_energy.csv", {"factor", "h_s", "time_s", "energy_change"});
+  heavy_chain(links, 1).print_plan();
+  std::printf("heavy end: largest gap; how far off after 1 s; energy after 2 s\n");
+  for (const double ratio : {1., 10., 100., 1e3, 1e4, 1e5, 1e6}) {
+    // The stiffer, the smaller steps must be without more inertia: 2 / omega falls as ratio^-1/2.
+    const int parts = std::max(64, int(6.4 * std::sqrt(ratio)));
+    const vec3 truth = swing(real(ratio), 0, parts, 1).tip;
+    for (const real factor : {real(0), real(1), real(4), real(16)}) {
+      const End end = swing(real(ratio), factor, 1, 2 * choice.seconds);
+      const double off = double(length(end.tip - truth));
+      table.row({double(factor), ratio, end.line.gap_max, end.energy, off, double(end.kept)});
+      std::printf("%8g kg, factor %2g: gap %8.2g m, off by %8.3g m, energy %+.3g\n", ratio,
+                  double(factor), end.line.gap_max, off, end.energy);
+      if (ratio == 100 && factor > 0) lines.push_back(end.line);
+    }
+  }
+  for (const auto& [factor, parts] : {std::pair{1, 1}, {4, 1}, {16, 1}, {16, 4}})
+    swing(100, real(factor), parts, 2, [&](double time, double change) {
+      path.row({double(factor), 1.0 / (60 * parts), time, change});
+    });
+  Scene left = heavy_chain(links, 100), right = heavy_chain(links, 100);
+  DirectSolver plain, more;
+  plain.newton = more.newton = 8;
+  more.stiffness = 4;
+  record("a heavy end", {{left, leaps(left, plain), "plain"},
+                         {right, leaps(right, more), "more inertia"}},
+         vec3(0, 0, 3), 2, choice.out + "/heavy.motion.json");
+}
+
+}  // namespace joints::chapter9

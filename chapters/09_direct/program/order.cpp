@@ -1,0 +1,147 @@
+// Chapter 9's program, the order of elimination: what it fills in and what it costs. Read it; there
+// is nothing to edit here.
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include "chapters/09_direct/program/program.h"
+
+namespace joints::chapter9 {
+
+namespace {
+
+// Joints of so many rows, each between two bodies; -1 is one that does not move.
+struct Graph {
+  std::string name;
+  int rows;
+  std::vector<std::pair<int, int>> joints;
+
+  std::vector<std::vector<int>> neighbours() const {
+    std::vector<std::vector<int>> out(joints.size());
+    const auto share = [](int a, int b) { return a >= 0 && a == b; };
+    for (std::size_t j = 0; j < joints.size(); ++j)
+      for (std::size_t k = 0; k < joints.size(); ++k) {
+        const auto [a1, a2] = joints[j];
+        const auto [b1, b2] = joints[k];
+        if (j != k && (share(a1, b1) || share(a1, b2) || share(a2, b1) || share(a2, b2)))
+          out[j].push_back(int(k));
+      }
+    return out;
+  }
+};
+
+// The joints of a scene, all of the same kind.
+Graph joints_of(Scene&& scene) {
+  World& world = scene.world;
+  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, scene.h);
+  for (const auto& joint : world.joints()) joint->append(world.bodies, world.blocks);
+  Graph out{scene.name, world.blocks.list[0].rows, {}};
+  const auto moving = [&](int slot) { return world.bodies.at(slot).is_static() ? -1 : slot; };
+  for (const Block& block : world.blocks.list)
+    out.joints.push_back({moving(block.body1), moving(block.body2)});
+  return out;
+}
+
+Graph ring(int count) {
+  Graph out{"ring", 5, {}};
+  for (int k = 0; k < count; ++k) out.joints.push_back({k, (k + 1) % count});
+  return out;
+}
+
+// A hub, body 0, and arms of several joints each; the joints at the hub stand first in the list.
+Graph star_graph(int arms, int length) {
+  Graph out{"star", 5, {}};
+  for (int k = 0; k < length; ++k)
+    for (int arm = 0; arm < arms; ++arm)
+      out.joints.push_back({k == 0 ? 0 : k * arms + arm - arms + 1, k * arms + arm + 1});
+  return out;
+}
+
+struct Count {
+  double fill = 0, multiplications = 0;
+};
+
+// Eliminates in an order, as a game on the graph: whoever goes joins its neighbours to each other.
+// \param pattern gets the places of all blocks below the diagonal, and whether they were filled in
+Count eliminate(const Graph& graph, const std::vector<int>& order,
+                const std::function<void(int, int, bool)>& pattern) {
+  const auto given = graph.neighbours();
+  std::vector<std::set<int>> left;
+  for (const auto& of_one : given) left.emplace_back(of_one.begin(), of_one.end());
+  std::vector<int> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = int(k);
+  Count count;
+  const double n = graph.rows;
+  for (const int node : order) {
+    const double below = n * double(left[node].size());
+    count.multiplications += n * (n + below) * (n + below) / 2;  // Eq. 9-6
+    for (const int a : left[node]) {
+      const bool filled = !std::count(given[node].begin(), given[node].end(), a);
+      if (filled) count.fill += n * n;
+      pattern(place[a], place[node], filled);
+      left[a].erase(node);
+      for (const int b : left[node])
+        if (b != a) left[a].insert(b);
+    }
+  }
+  return count;
+}
+
+// The same everywhere, whatever library shuffles.
+std::vector<int> shuffled(std::vector<int> list) {
+  std::mt19937 number(9);
+  for (std::size_t k = list.size() - 1; k > 0; --k) std::swap(list[k], list[number() % (k + 1)]);
+  return list;
+}
+
+// The dearest of all: joints that hold one body are all neighbours of each other.
+void hubs(const Choice& choice) {
+  CsvFile table(choice.out + "/hub.csv", {"arms", "multiplications_per_row", "iterated"});
+  int most = 0;
+  for (const int arms : {1, 2, 5, 10, 20, 30, 40, 50, 60, 80, 100}) {
+    Scene scene = star(arms);
+    DirectSolver direct;
+    leaps(scene, direct)();
+    Graph graph = star_graph(arms + 1, 1);  // one joint holds the hub
+    graph.rows = 3;
+    const Count count = eliminate(graph, elimination_order(graph.neighbours()),
+                                  [](int, int, bool) {});
+    table.row({double(arms), count.multiplications / (3 * (arms + 1)),
+               double(direct.report().iterated)});
+    if (!direct.report().iterated) most = arms;
+  }
+  std::printf("a hub with %d arms is solved directly; with more of them, by iterations\n", most);
+}
+
+}  // namespace
+
+void order(const Choice& choice) {
+  CsvFile table(choice.out + "/order.csv",
+                {"graph", "order", "joints", "rows", "fill", "multiplications"});
+  CsvFile pattern(choice.out + "/pattern.csv", {"graph", "order", "row", "column", "filled"});
+  for (const Graph& graph : {joints_of(sideways_chains(1, 101)), ring(100), star_graph(8, 5),
+                             joints_of(net(6))}) {
+    std::vector<int> list(graph.joints.size());
+    std::iota(list.begin(), list.end(), 0);
+    const std::vector<int> found = elimination_order(graph.neighbours());
+    std::vector<int> sorted = found;
+    std::sort(sorted.begin(), sorted.end());
+    require(sorted == list, "elimination_order: each node must be in it once");
+    std::printf("%-8s of %3zu joints: multiplications", graph.name.c_str(), list.size());
+    for (const auto& [name, by] : {std::pair{"as listed", list}, {"shuffled", shuffled(list)},
+                                   {"fewest neighbours", found}}) {
+      const Count count = eliminate(graph, by, [&](int i, int j, bool filled) {
+        pattern.row({graph.name, name}, {double(i), double(j), double(filled)});
+      });
+      table.row({graph.name, name}, {double(list.size()), double(graph.rows) * double(list.size()),
+                                     count.fill, count.multiplications});
+      std::printf("  %s %.0f", name, count.multiplications);
+    }
+    std::printf("\n");
+  }
+  hubs(choice);
+}
+
+}  // namespace joints::chapter9

@@ -1,0 +1,70 @@
+// Chapter 9's program, what iterations cannot do: a chain pulled sideways, a beam. Read it; there
+// is nothing to edit here.
+#include <algorithm>
+#include <cstdio>
+
+#include "chapters/09_direct/program/program.h"
+
+namespace joints::chapter9 {
+
+namespace {
+
+std::vector<Method> methods(const Choice& choice) {
+  return {{choice.iterations}, {4 * choice.iterations}, {0}};
+}
+
+// 100 hinges, whose axes all point to where gravity pulls besides.
+void sideways(const Choice& choice, std::vector<Summary>& lines) {
+  CsvFile table(choice.out + "/sideways.csv", {"method", "time_s", "sideways_m", "gap_m"});
+  sideways_chains(1, 101).print_plan();
+  for (const Method& method : methods(choice)) {
+    Scene scene = sideways_chains(1, 101);
+    DirectSolver direct;
+    direct.newton = 8;
+    double furthest = 0;
+    lines.push_back(play(
+        scene, method.name(), choice.seconds, "",
+        [&](double time) {
+          for (const Body& body : all_of(scene.world.bodies))
+            furthest = std::max(furthest, std::abs(double(body.x.x)));
+          table.row({method.name()}, {time, furthest, widest(scene)});
+        },
+        steps_of(scene, method, direct)));
+    std::printf("%-14s  a cube has gone %.3g m where no hinge lets it go\n",
+                method.name().c_str(), furthest);
+  }
+}
+
+// Twenty welded cubes, the first of them static.
+void sagging(const Choice& choice, std::vector<Summary>& lines) {
+  CsvFile table(choice.out + "/beam.csv", {"method", "time_s", "sag_m"});
+  beam(20).print_plan();
+  for (const Method& method : methods(choice)) {
+    Scene scene = beam(20);
+    DirectSolver direct;
+    direct.newton = 8;
+    const auto sag = [&] { return 0 - double(all_of(scene.world.bodies).back().x.y); };
+    lines.push_back(play(
+        scene, method.name(), 2 * choice.seconds, "",
+        [&](double time) { table.row({method.name()}, {time, sag()}); },
+        steps_of(scene, method, direct)));
+    std::printf("%-14s  the tip of the beam has sagged by %.3g m\n", method.name().c_str(), sag());
+  }
+}
+
+}  // namespace
+
+void together(const Choice& choice, std::vector<Summary>& lines) {
+  sideways(choice, lines);
+  sagging(choice, lines);
+  Scene left = sideways_chains(1, 31), right = sideways_chains(1, 31);  // shorter: to be looked at
+  DirectSolver direct;
+  direct.newton = 8;
+  const Method few{choice.iterations};
+  record("pulled sideways",
+         {{left, steps_of(left, few, direct), few.name()},
+          {right, leaps(right, direct), "direct"}},
+         vec3(-6, 0, 0), choice.seconds, choice.out + "/sideways.motion.json");
+}
+
+}  // namespace joints::chapter9

@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+"""Draws the figures of chapter 9: all at once, order, dependent rows, time, bounds, a heavy end.
+
+chapter_09.py --solution DIR [--mine DIR] --out DIR
+"""
+import numpy as np
+
+import style
+from chapter_06 import FORMULA, metres, over_time, parts, whose
+from style import COLOURS, INK, PALE, rows, visible
+
+DIRECT = COLOURS[2]
+
+
+def last(table, column, **where):
+    return rows(table, **where)[column][-1]
+
+
+def over(ax, solution, mine, x, y, by, words=None):
+    """y over x, a line with markers for every value of `by`; yours over the solution's dashed."""
+    for name, part, colour, marker in parts(mine or solution, by):
+        order = np.argsort(part[x])
+        ax.plot(part[x][order], visible(part[y])[order], color=colour, marker=marker, markersize=5,
+                label=(words or str)(name))
+    if mine:
+        for _, part, _, _ in parts(solution, by):
+            order = np.argsort(part[x])
+            ax.plot(part[x][order], visible(part[y])[order], label="_", **FORMULA)
+        style.hold(ax, mine[y], solution[y], 12)
+
+
+# ---- all rows at once --------------------------------------------------------------------------
+
+def draw_together(solution, mine, out):
+    chain, beam = mine or solution
+    few = chain["method"][0]
+    figure, (left, right) = style.figure(
+        f"{few} let the chain go {metres(last(chain, 'sideways_m', method=few))}, the direct "
+        f"solver {metres(last(chain, 'sideways_m', method='direct'))}", 2)
+    over_time(left, solution[0], mine and chain, "sideways_m", "method")
+    over_time(right, solution[1], mine and beam, "sag_m", "method")
+    left.set(ylabel="furthest that a cube went sideways  [m]", title="100 hinges" + whose(mine))
+    right.set(ylabel="sag of the tip  [m]", title="a beam of 20 welded cubes")
+    style.label_ends(left)
+    style.label_ends(right)
+    style.save(figure, out / "09_together")
+
+
+# ---- the order of elimination ------------------------------------------------------------------
+
+def draw_order(solution, mine, out):
+    pattern, table = mine or solution
+    costs = {name: last(table, "multiplications", graph="net", order=name)
+             for name in ("shuffled", "fewest neighbours")}
+    figure, axes = style.figure(
+        f"A net of 60 joints: {costs['shuffled']:,.0f} multiplications in a shuffled order, "
+        f"{costs['fewest neighbours']:,.0f} by fewest neighbours", 3, width_ratios=(1, 1, 1.25))
+    for ax, name in zip(axes, costs):
+        part = rows(pattern, graph="net", order=name)
+        size = int(part["row"].max()) + 1
+        ax.plot(range(size), range(size), color=INK, marker="s", markersize=2.2, linestyle="none")
+        for filled, colour in ((0, INK), (1, COLOURS[0])):
+            chosen = part["filled"] == filled
+            ax.plot(part["column"][chosen], part["row"][chosen], color=colour, marker="s",
+                    markersize=2.2, linestyle="none")
+        ax.set(aspect="equal", xlim=(-1.5, size + 0.5), ylim=(size + 0.5, -1.5),
+               xlabel="block", title=f"{name}:\n{np.count_nonzero(part['filled']):.0f} filled in")
+        ax.grid(False)
+    axes[0].set_ylabel("block, in the order of elimination")
+    axes[1].text(0.97, 0.97, "black: of the net\ncoloured: filled in", fontsize=8, ha="right",
+                 va="top", transform=axes[1].transAxes, color=PALE)
+    ax = axes[2]
+    graphs = list(dict.fromkeys(table["graph"]))
+    for n, name in enumerate(dict.fromkeys(table["order"])):
+        part = rows(table, order=name)
+        colour = (PALE, COLOURS[0], DIRECT)[n % 3]
+        ax.plot(part["multiplications"], -np.arange(len(graphs)) - 0.2 * (n - 1), marker="os^"[n],
+                color=colour, linestyle="none", markersize=6, label=name)
+        if mine:
+            ax.plot(rows(solution[1], order=name)["multiplications"],
+                    -np.arange(len(graphs)) - 0.2 * (n - 1), marker="|", color=INK, markersize=12,
+                    linestyle="none", label="_")
+    ax.set(xscale="log", xlabel="multiplications",
+           title="one factor" + ("; |: the solution's" if mine else ""),
+           ylim=(-len(graphs) - 0.35, 0.5))
+    ax.set_yticks(-np.arange(len(graphs)), [
+        f"{name},\n{last(table, 'joints', graph=name):g} joints" for name in graphs])
+    ax.legend(frameon=False, labelcolor="linecolor", fontsize=8, loc="lower left",
+              handletextpad=0.1, borderaxespad=0, labelspacing=0.3)
+    ax.set_xticks((2e4, 5e4, 1e5, 2e5), ("20,000", "", "100,000", ""))
+    ax.set_xticks([], minor=True)
+    style.save(figure, out / "09_order")
+
+
+# ---- rows that depend on others ----------------------------------------------------------------
+
+def draw_dependent(solution, mine, out):
+    table = mine or solution
+    kept = {name: last(table, "energy", method=name) for name in dict.fromkeys(table["method"])}
+    figure, (left, right) = style.figure(
+        f"Bricard's linkage: energy {kept['dropped']:+.2f} with the dependent row dropped, "
+        f"{kept['not dropped']:+.2f} else", 2)
+    over_time(left, solution, mine, "energy", "method")
+    left.set(ylabel="change of energy, over that of a fall by 1 m", ylim=(-1.5, 0.5),
+             title="energy" + whose(mine))
+    calm = style.peaks(table, "method")
+    right.set_yscale("log")
+    over_time(right, style.peaks(solution, "method") if mine else calm, mine and calm, "gap_m",
+              "method", visible)
+    right.set(ylabel="largest gap of each 1/3 s  [m]", title="gap of the six hinges")
+    style.label_ends(left)
+    style.label_ends(right)
+    style.save(figure, out / "09_dependent")
+
+
+# ---- time --------------------------------------------------------------------------------------
+
+def draw_time(solution, mine, out):
+    convergence, bars, gaps, newton = mine or solution
+    orders = {name: last(convergence, "order", step=name)
+              for name in dict.fromkeys(convergence["step"])}
+    figure, ((a, b), (c, d)) = style.figure(
+        f"Leapfrog: order {orders['leapfrog']:.2f}, the plain step: order {orders['plain']:.2f}",
+        2, 2)
+    over(a, solution[0], mine and convergence, "h_s", "error_m", "step")
+    a.set(xscale="log", yscale="log", xlabel="step h  [s]", ylabel="off after 1 s  [m]",
+          title="three slabs on hinges" + ("; dashed: the solution's" if mine else ""))
+    over_time(b, solution[1], mine and bars, "energy", "method")
+    b.set(ylabel="change of energy, a share", title="six four-bars turn over")
+    over(c, solution[2], mine and gaps, "h_s", "gap_m", "positions",
+         lambda name: name.replace(" ", "\n"))
+    c.set(xscale="log", yscale="log", xlabel="step h  [s]", ylabel="largest gap  [m]",
+          title="the slabs' hinges")
+    for table, looks in ((newton, None), (mine and solution[3], FORMULA)):
+        for n, h in enumerate(np.unique(rows(newton, scene="three slabs")["h_s"])[::-1]):
+            if table:
+                part = rows(table, scene="three slabs", h_s=h)
+                d.plot(part["iteration"], visible(part["error"]), **(looks or {
+                    "color": COLOURS[n % 6], "marker": "os^D"[n % 4], "markersize": 5}),
+                    label="_" if looks else f"h = 1/{1 / h:.0f} s")
+    d.set(yscale="log", xlabel="iteration on the positions", ylabel="largest |C|  [m or rad]",
+          title="the slabs, one step")
+    for ax in (a, b, c, d):
+        style.label_ends(ax)
+    style.save(figure, out / "09_time")
+
+
+# ---- bounds ------------------------------------------------------------------------------------
+
+def draw_bounds(solution, mine, out):
+    motor, limits = mine or solution
+    figure, (left, right) = style.figure(
+        f"A motor of {motor['motor_nm'][-1]:.3g} N m holds the bar at {motor['angle_rad'][-1]:.6f} "
+        f"rad, against {-motor['limit_nm'][-1]:.3g} N m of the limit", 2)
+    for column, words, colour in (("motor_nm", "motor\n[N m]", COLOURS[1]),
+                                  ("limit_nm", "limit\n[N m]", COLOURS[0])):
+        left.plot(motor["time_s"], motor[column], color=colour, label=words)
+    left.plot(motor["time_s"], 10 * motor["angle_rad"], color=INK, label="angle\n[0.1 rad]")
+    if mine:
+        for column, factor in (("motor_nm", 1), ("limit_nm", 1), ("angle_rad", 10)):
+            left.plot(solution[0]["time_s"], factor * solution[0][column], label="_", **FORMULA)
+    left.set(xlabel="time  [s]", ylabel="torque  [N m],  angle  [0.1 rad]", ylim=(-40, 30),
+             title="motor against limit" + (": yours; dashed: the solution's" if mine else ""))
+    hit = np.argmin(motor["limit_nm"])
+    left.text(motor["time_s"][hit] - 0.02, -38,
+              f"the blow:\n{motor['limit_nm'][hit]:.0f} N m", fontsize=8, color=COLOURS[0],
+              ha="right")
+    for column, words, marker, colour in (("passes_max", "most in\na step", "^", COLOURS[0]),
+                                          ("passes_mean", "mean", "o", COLOURS[1])):
+        right.plot(limits["hinges"], limits[column], color=colour, marker=marker, label=words)
+        if mine:
+            right.plot(solution[1]["hinges"], solution[1][column], label="_", **FORMULA)
+    for x, y, wrong, steps in zip(limits["hinges"], limits["passes_max"],
+                                  limits["steps_with_wrong"], limits["steps"]):
+        right.annotate(f"{wrong:.0f} of {steps:.0f}", (x, y), xytext=(2, 7), ha="right",
+                       textcoords="offset points", fontsize=8, color=COLOURS[0])
+    right.set(xscale="log", xlabel="hinges of a chain, each with limits", ylabel="passes a step",
+              ylim=(0, 1.15 * limits["passes_max"].max()), xlim=(3, 90),
+              title="above: steps that end with a row wrong")
+    right.yaxis.get_major_locator().set_params(integer=True)
+    right.set_xticks(limits["hinges"])
+    right.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    right.set_xticks([], minor=True)
+    style.label_ends(left)
+    style.label_ends(right)
+    style.save(figure, out / "09_bounds")
+
+
+# ---- a heavy end -------------------------------------------------------------------------------
+
+def draw_heavy(solution, mine, out):
+    table, energy = mine or solution
+    lost = [-100 * last(table, "energy_change_2s", factor=factor, ratio=100.0)
+            for factor in (1, 16)]
+    figure, (left, right) = style.figure(
+        f"More inertia holds a heavy end, and takes {lost[0]:.0f} to {lost[1]:.0f} % of the "
+        "energy in 2 s", 2)
+    over(left, solution[0], mine and table, "ratio", "gap_m", "factor",
+         lambda factor: rf"$\kappa$ = {factor:g}")
+    left.set(xscale="log", yscale="log", xlabel="end  [kg], after ten links of 1 kg",
+             ylabel="largest gap in 10 s  [m]",
+             title="h = 1/60 s" + ("; dashed: the solution's" if mine else ""))
+    runs = list(dict.fromkeys(zip(energy["factor"], energy["h_s"])))
+    for n, (factor, h) in enumerate(runs, 1):
+        part = rows(energy, factor=factor, h_s=h)
+        right.plot(part["time_s"], part["energy_change"], color=COLOURS[n % 6],
+                   label=rf"$\kappa$ = {factor:g}" + (f",\nh = 1/{1 / h:.0f} s" if n > 3 else ""),
+                   linestyle=":" if n > 3 else "-")
+        if mine:
+            part = rows(solution[1], factor=factor, h_s=h)
+            right.plot(part["time_s"], part["energy_change"], label="_", **FORMULA)
+    right.axhline(0, color=PALE, linewidth=0.8)
+    right.set(xlabel="time  [s]", ylabel="change of energy, a share",
+              title="what it costs with an end of 100 kg")
+    style.label_ends(left)
+    style.label_ends(right)
+    style.save(figure, out / "09_heavy")
+
+
+def tables(folder, command):
+    def read(name, numbers, *words):
+        return style.read_csv(folder / f"{name}.csv", numbers.split(), words, command)
+    bricard = read("bricard", "time_s gap_m energy", "method")
+    return ((read("sideways", "time_s sideways_m gap_m", "method"),
+             read("beam", "time_s sag_m", "method")),
+            (read("pattern", "row column filled", "graph", "order"),
+             read("order", "joints rows fill multiplications", "graph", "order")),
+            bricard,
+            (read("convergence", "h_s error_m order", "step"),
+             read("four_bars", "time_s height_m gap_m energy", "method"),
+             read("gap_over_h", "h_s gap_m", "positions"),
+             read("newton", "h_s iteration error", "scene")),
+            (read("motor", "time_s angle_rad motor_nm limit_nm passes"),
+             read("limits", "hinges passes_mean passes_max steps steps_with_wrong")),
+            (read("heavy", "factor ratio gap_m energy_change_2s tip_error_1s_m"),
+             read("heavy_energy", "factor h_s time_s energy_change")))
+
+
+if __name__ == "__main__":
+    style.run(lambda: style.chapter(9, tables, (
+        draw_together, draw_order, draw_dependent, draw_time, draw_bounds, draw_heavy)))

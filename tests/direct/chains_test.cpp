@@ -1,0 +1,106 @@
+// Chains by the direct solver: how far they hold together, and what energy they keep.
+#include "bench/scenes.h"
+#include "engine/step.h"
+#include "tests/checker/catch.h"
+#include "tests/direct/rigs.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+const double h = 1.0 / 60;
+
+Scene hinged_cubes(int count) {
+  Scene scene = bench::cubes_on_hinges(1, count);
+  feed_back_all(scene.world);
+  return scene;
+}
+
+// A chain with a heavy end that swings for some seconds.
+struct Heavy {
+  Scene scene;
+  DirectSolver solver;
+  Watched seen;
+
+  Heavy(double ratio, real stiffness, double seconds = 10)
+      : scene(chapter9::heavy_chain(20, real(ratio))) {
+    solver.newton = 8;
+    solver.stiffness = stiffness;
+    seen = watch(scene, solver, seconds, h);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("S1 a hundred cubes hang together to nanometres for five seconds, with their energy") {
+  Scene scene = hinged_cubes(100);
+  DirectSolver solver = shake();
+  int missed = 0;
+  const Watched seen = watch(scene, solver, 5, h, [&] { missed += !solver.report().moved_exactly; });
+  CHECK(seen.finite);
+  CHECK(seen.gap < tolerance(1e-8, 1e-3));
+  CHECK(seen.change < tolerance(1e-4, 1e-3));
+  CHECK(missed == 0);
+  CHECK(scene.world.bodies.at(99).x.y < -1);  // it did fall
+}
+
+TEST_CASE("S1 velocities alone leave a hundred cubes gaps of millimetres") {
+  Scene scene = hinged_cubes(100);
+  DirectSolver solver;
+  const Watched seen = watch(scene, solver, 5, h);
+  CHECK(seen.gap < 1e-2);
+  CHECK(seen.gap > 1e-5);  // what the positions' own iterations are for
+  CHECK(seen.change < 0.01);
+}
+
+TEST_CASE("S7 gravity along the axes of a hundred hinges moves no body that way") {
+  for (const int newton : {0, 8}) {
+    CAPTURE(newton);
+    Scene scene = chapter9::sideways_chains(1, 100);
+    DirectSolver solver;
+    solver.newton = newton;
+    double furthest = 0;
+    const Watched seen = watch(scene, solver, 5, h, [&] {
+      for (const Body& body : snapshot(scene.world.bodies))
+        furthest = std::max(furthest, std::abs(double(body.x.x)));
+    });
+    CHECK(seen.finite);
+    CHECK(furthest < tolerance(1e-6, 1e-4));
+    if (newton > 0) CHECK(seen.gap < tolerance(1e-8, 1e-3));
+  }
+}
+
+TEST_CASE("S2 with more inertia a chain holds a million times its link's weight at its end") {
+  for (const double ratio : {1e5, 1e6}) {
+    CAPTURE(ratio);
+    const Heavy heavy(ratio, 16);
+    CHECK(heavy.seen.finite);
+    CHECK(heavy.seen.gap < tolerance(ratio < 1e6 ? 1e-9 : 1e-6, 1e-2));
+    CHECK(heavy.seen.highest < tolerance(1e-6, 1e-3));
+  }
+}
+
+TEST_CASE("S2 without more inertia that chain is lost") {
+  const Heavy heavy(1e6, 0);
+  CHECK((heavy.seen.gap > 1e-2 || heavy.seen.highest > 0.02));
+}
+
+TEST_CASE("S2 what more inertia changes of a chain's motion vanishes with the step") {
+  const auto apart = [](double h) {
+    Scene plain = chapter9::heavy_chain(20, 1), stiff = chapter9::heavy_chain(20, 1);
+    DirectSolver one = shake(), other = shake();
+    other.stiffness = 16;
+    watch(plain, one, 1, h);
+    watch(stiff, other, 1, h);
+    double most = 0;
+    for (int slot = 0; slot < plain.world.bodies.slots(); ++slot)
+      most = std::max(most, double(length(plain.world.bodies.at(slot).x -
+                                          stiff.world.bodies.at(slot).x)));
+    return most;
+  };
+  const double coarse = apart(h), fine = apart(h / 16);
+  INFO(coarse << " and " << fine << " m");
+  CHECK(coarse > 0.1);
+  CHECK(fine < coarse / 4);
+}

@@ -1,0 +1,135 @@
+// Linkages that close in loops: Bricard's, whose rows depend on each other, and parallel four-bars.
+#include "engine/step.h"
+#include "tests/checker/catch.h"
+#include "tests/direct/rigs.h"
+
+using namespace joints;
+using namespace joints::chapter9;
+using namespace joints::testing;
+
+namespace {
+
+// Places of the uprights of a parallel linkage among the bodies: ground, upright, coupler, upright,
+// coupler, upright, ...
+std::vector<int> uprights(int loops) {
+  std::vector<int> out{1};
+  for (int k = 1; k <= loops; ++k) out.push_back(2 * k + 1);
+  return out;
+}
+
+// The greatest angle between two uprights [rad].
+double out_of_parallel(const Scene& scene, int loops) {
+  const auto along = [&](int slot) { return to_world(scene.world.bodies.at(slot), vec3(1, 0, 0)); };
+  double most = 0;
+  for (const int slot : uprights(loops)) most = std::max(most, angle_between(along(1), along(slot)));
+  return most;
+}
+
+// z of the last rod of Bricard's linkage after a second.
+double bricard_after(double rate) {
+  Scene scene = bricard();
+  DirectSolver solver = shake();
+  watch(scene, solver, 1, 1 / rate);
+  return double(scene.world.bodies.at(5).x.z);
+}
+
+// A pivot's inverse without the rule for rows that depend on others.
+double plain_inverse(double pivot, double) { return 1 / pivot; }
+
+double largest(const std::vector<double>& numbers) {
+  double out = 0;
+  for (const double a : numbers) out = std::isfinite(a) ? std::max(out, std::abs(a)) : INFINITY;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("Bricard's linkage moves with one row dropped, and stays closed for ten seconds") {
+  for (const double rate : {960.0, 240.0}) {
+    CAPTURE(rate);
+    Scene scene = bricard();
+    DirectSolver solver = shake();
+    int fewest = 100, most = 0;
+    const Watched seen = watch(scene, solver, 10, 1 / rate, [&] {
+      fewest = std::min(fewest, solver.dropped());
+      most = std::max(most, solver.dropped());
+    });
+    CHECK(seen.finite);
+    CHECK(fewest == 1);
+    CHECK(most == 1);
+    CHECK(seen.gap < tolerance(1e-8, 1e-3));
+    CHECK(seen.change < tolerance(0.01, 0.02));
+    CHECK(glm::length(scene.world.bodies.at(3).x - bricard().world.bodies.at(3).x) > 0.1);
+  }
+}
+
+TEST_CASE("Bricard's linkage converges at second order") {
+  const double coarse = bricard_after(240), middle = bricard_after(480), fine = bricard_after(960);
+  const double first = coarse - middle, second = middle - fine;
+  CHECK(std::abs(first) > 1e-7);
+  if (!is_float) CHECK(std::log2(first / second) == Approx(2).margin(0.1));
+}
+
+TEST_CASE("Bricard's linkage: a pivot that is rounding error makes impulses of any size") {
+  Scene scene = bricard();
+  const Stepping how = second_order;
+  DirectSolver solver = shake();
+  for (int n = 0; n < 100; ++n) step(scene.world, solver, real(1) / 960, how);
+  const World& world = scene.world;
+  std::vector<HalfRow> J, response;
+  std::vector<BlockPattern> pattern;
+  const auto triple = [](const vec3& a) {
+    return Triple<double>{double(a.x), double(a.y), double(a.z)};
+  };
+  for (const Block& block : world.blocks.list) {
+    pattern.push_back({block.rows, block.first, block.body1 == 0 ? -1 : block.body1,
+                       block.body2 == 0 ? -1 : block.body2});
+    for (const int half : {1, 2})
+      for (int i = 0; i < block.rows; ++i) {
+        const Row& row = world.blocks.J[std::size_t(block.first + i)];
+        const Body& body = world.bodies.at(half == 1 ? block.body1 : block.body2);
+        const vec3 v = half == 1 ? row.v1 : row.v2, w = half == 1 ? row.w1 : row.w2;
+        J.push_back({triple(v), triple(w)});
+        const mat3 I = inverse_inertia(body);
+        const Symmetric<double> in_double{double(I[0][0]), double(I[1][1]), double(I[2][2]),
+                                          double(I[1][0]), double(I[2][0]), double(I[2][1])};
+        response.push_back({double(body.inverse_mass) * triple(v), in_double * triple(w)});
+      }
+  }
+  const auto multipliers = [&](PivotInverse inverse) {
+    JointMatrixMaker maker;
+    maker.follow(pattern, int(world.blocks.C.size()));
+    maker.assemble(J, response);
+    for (int k = 0; k < int(pattern.size()); ++k)
+      for (int i = 0; i < pattern[std::size_t(k)].rows; ++i)
+        maker.A.original[std::size_t(pattern[std::size_t(k)].row + i)] =
+            maker.A.numbers[std::size_t(maker.diagonal(k) + i * (pattern[std::size_t(k)].rows + 1))];
+    factor(maker.A, inverse);
+    std::vector<double> x(world.blocks.C.size());
+    Random random(911);
+    for (double& entry : x) entry = double(random.uniform(-1, 1));
+    solve(maker.A, x.data());
+    return largest(x);
+  };
+  CHECK(multipliers(inverse_pivot) < 1e3);
+  CHECK(multipliers(plain_inverse) > tolerance(1e6, 1e4));
+}
+
+TEST_CASE("parallel four-bars stay parallel, and closed, where they all lie level") {
+  // in float the linkage leaves the parallel motion there, as any linkage of such bars may
+  for (const int loops : is_float ? std::vector<int>{2} : std::vector<int>{2, 10, 40}) {
+    CAPTURE(loops);
+    Scene scene = four_bars(loops);
+    DirectSolver solver = shake();
+    double apart = 0, lowest = 1;
+    const Watched seen = watch(scene, solver, loops < 40 ? 10 : 3, 1.0 / 960, [&] {
+      apart = std::max(apart, out_of_parallel(scene, loops));
+      lowest = std::min(lowest, double(scene.world.bodies.at(1).x.y));
+    });
+    CHECK(seen.finite);
+    CHECK(seen.gap < tolerance(1e-8, 1e-3));
+    if (!is_float) CHECK(apart < 3e-6);
+    CHECK(lowest < -0.4);  // it went through the level pose and hung
+    CHECK(solver.dropped() > 0);
+  }
+}

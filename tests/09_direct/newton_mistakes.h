@@ -30,6 +30,7 @@ struct NewtonReference {
   bool asks_before = false, poor_breaks = false, poor_late = false, changes_twice = false;
   bool zero_does_nothing = false, keeps_largest = false, w_back = false, start_moved = false;
   bool adds_to_start = false;
+  int last_back = 0;  ///< so many at the end are not put back
 
   bool move(Bodies& bodies, double h, int iterations, Corrector& corrector,
             std::vector<Body>& start) const {
@@ -68,7 +69,7 @@ struct NewtonReference {
       if (!(last_by_first && n > 0)) last = largest;
       if (changes) corrector.change_rates(rates);
       if (changes_twice) corrector.change_rates(rates);
-      for (int k = first_back; k < bodies.slots(); ++k) {
+      for (int k = first_back; k < bodies.slots() - last_back; ++k) {
         Body& body = bodies.at(k);
         if (back == Back::all) body = own[std::size_t(k)];
         if (back == Back::x || back == Back::pose) body.x = own[std::size_t(k)].x;
@@ -128,7 +129,8 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.moves_first = false, t.asks_before = true; }},
       {"the errors are asked more than once in an iteration: they are yours to keep",
        [](T& t) { t.asks = 2; }},
-      {"change_rates() is called twice in an iteration: once", [](T& t) { t.changes_twice = true; }},
+      {"change_rates() is called twice in an iteration: once",
+       [](T& t) { t.changes_twice = true; }},
       {"with no iterations the bodies do not move: they do, by the velocities that they have",
        [](T& t) { t.zero_does_nothing = true; }},
       {"the last error is 0 at first: in the first iteration any error will do",
@@ -147,6 +149,7 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.keeps_largest = true; }},
       {"the angular velocity is put back, too: its change is lost, only x and q are put back",
        [](T& t) { t.w_back = true; }},
+      {"the last body is not put back: all slots", [](T& t) { t.last_back = 1; }},
       {"the first body is not put back: all slots from 0", [](T& t) { t.first_back = 1; }},
       {"the first bodies are not put back: all slots from 0", [](T& t) { t.first_back = 2; }},
       {"`start` is written after the bodies have moved: before, as they were",
@@ -236,10 +239,10 @@ inline std::vector<std::string> newton_names(const NewtonCase&) {
   const auto call = [](std::size_t n) { return " " + std::to_string(n + 1); };
   for (std::size_t n = 0; n < asked_at_most; ++n)
     for (const char* what : {"x.x", "x.y", "q.w", "q.z"})
-      out.push_back(std::string(what) + " of body 1 at errors()" + call(n));
+      out.push_back(std::string(what) + " at errors()" + call(n));
   for (std::size_t n = 0; n < asked_at_most; ++n)
     for (int i = 0; i < 3; ++i)
-      out.push_back("rates[" + std::to_string(i) + "] of change_rates()" + call(n));
+      out.push_back("rates[" + std::to_string(i) + "] at change_rates()" + call(n));
   out.push_back("bodies in start");
   for (const char* what : {"x.x", "x.y", "x.z", "v.x", "v.y", "v.z"})
     out.push_back(std::string("start[1].") + what);
@@ -270,10 +273,52 @@ inline CaseTable<NewtonCase> newton_table() {
 }
 
 /// For a test of another kind: the table's mistakes explain whatever is wrong.
-inline void expect_newton(const std::string& entry, double yours, double right, double tolerance) {
+inline void expect_newton(const std::string& entry, double yours, double right, double tolerance,
+                          const std::string& words = "") {
   const bool same = std::abs(yours - right) <= tolerance;
-  expect(newton_subject, entry, yours, right, tolerance,
+  const std::string given = words.empty() ? "" : "Case: " + words + ".";
+  Subject about = newton_subject;
+  about.given = given.c_str();
+  expect(about, entry, yours, right, tolerance,
          same ? std::vector<Suspect>{} : newton_table().explain(yours));
+}
+
+/// The pendulum is on its pin, and every body is where its new velocity leads it.
+inline void check_landing(const NewtonCase& c) {
+  Bodies bodies = newton_bodies(c);
+  const Bodies before = bodies;
+  const auto corrector = c.corrector(bodies);
+  std::vector<Body> start;
+  const bool arrived = move_onto_constraints(bodies, c.h, c.iterations, *corrector, start);
+  expect_newton("result (0 false, 1 true)", arrived, 1, 0, c.words);
+  const vec3 gap = world_point(bodies.at(1), vec3(-1, 0, 0));
+  for (int i = 0; i < 3; ++i)
+    expect_newton(std::string("C.") + "xyz"[i], double(gap[i]), 0, near_enough, c.words);
+  for (int k = 0; k < bodies.slots(); ++k) {
+    Body led = before.at(k);
+    led.v = bodies.at(k).v;
+    led.w = bodies.at(k).w;
+    integrate_pose(led, real(c.h));
+    const std::string words = " of body " + std::to_string(k) + " by its v and w";
+    for (int i = 0; i < 3; ++i)
+      expect_newton(std::string("x.") + "xyz"[i] + words, double(bodies.at(k).x[i]),
+                    double(led.x[i]), rounding, c.words);
+    expect_newton("q" + words, double(length(bodies.at(k).q - led.q)), 0, rounding, c.words);
+  }
+}
+
+/// The same bodies come out whatever the memory held.
+inline void check_memory(const NewtonCase& c, std::size_t size) {
+  Bodies bodies = newton_bodies(c), other = newton_bodies(c);
+  const auto one = c.corrector(bodies), two = c.corrector(other);
+  std::vector<Body> memory(size, sliding(99, 99)), none;
+  move_onto_constraints(bodies, c.h, c.iterations, *one, memory);
+  NewtonReference{c}.move(other, c.h, c.iterations, *two, none);
+  const std::string words = "memory of " + std::to_string(size) + " bodies";
+  expect_newton("bodies in start", double(memory.size()), double(bodies.slots()), 0, words);
+  for (int i = 0; i < 3; ++i)
+    expect_newton(std::string("x.") + "xyz"[i], double(bodies.at(1).x[i]),
+                  double(other.at(1).x[i]), rounding, words);
 }
 
 }  // namespace joints::testing

@@ -119,7 +119,8 @@
   start.assign(bodies.data(), bodies.data() + bodies.slots());
   double last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
-  start.assign(bodies.data(), bodies.data() + bodies.slots()); integrate_poses(bodies, real(h)); std::vector<double>& rates = corrector.errors();
+  start.assign(bodies.data(), bodies.data() + bodies.slots()); integrate_poses(bodies, real(h));
+      std::vector<double>& rates = corrector.errors();
     double largest = 0;
     for (double& C : rates) {
       largest = std::max(largest, std::abs(C));
@@ -140,7 +141,8 @@
   double last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
-  if (n == 0) start.assign(bodies.data(), bodies.data() + bodies.slots()); std::vector<double>& rates = corrector.errors();
+  if (n == 0) start.assign(bodies.data(), bodies.data() + bodies.slots());
+      std::vector<double>& rates = corrector.errors();
     double largest = 0;
     for (double& C : rates) {
       largest = std::max(largest, std::abs(C));
@@ -503,7 +505,9 @@
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
   }
-  integrate_poses(bodies, real(h)); for (const double C : corrector.errors()) if (std::abs(C) > near_enough) return false; return true;
+  integrate_poses(bodies, real(h));
+      for (const double C : corrector.errors()) if (std::abs(C) > near_enough) return false;
+      return true;
 
 // ---- wrong: zero iterations do nothing
 // expects: Likely mistake: with no iterations the bodies do not move: they do, by the velocities
@@ -530,7 +534,8 @@
       C /= -h;  // Eq. 9-10
     }
     if (largest <= near_enough) return true;
-  corrector.change_rates(rates); if (!(largest <= poor_contraction * last)) return false; last = largest;
+  corrector.change_rates(rates); if (!(largest <= poor_contraction * last)) return false;
+      last = largest;
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
   }
@@ -551,7 +556,7 @@
 // change: int slot = 0 ==> int slot = 1
 
 // ---- wrong: last body not put back
-// expects: Case: a slider with a mark half a metre ahead
+// expects: Likely mistake: the last body is not put back: all slots
 // change: slot < bodies.slots() ==> slot < bodies.slots() - 1
 
 // ---- right: put back before the change
@@ -568,7 +573,9 @@
     if (largest <= near_enough) return true;
     if (!(largest <= poor_contraction * last)) return false;
     last = largest;
-  for (int slot = 0; slot < bodies.slots(); ++slot) bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q; corrector.change_rates(rates);
+  for (int slot = 0; slot < bodies.slots();
+      ++slot) bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
+      corrector.change_rates(rates);
   }
   integrate_poses(bodies, real(h));
   return true;

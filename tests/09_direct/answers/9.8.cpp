@@ -34,7 +34,7 @@
 //         moments * (real(1) + factor * h * h * force_lever)
 
 // ---- wrong: added to the inverse
-// expects: Likely mistake: in inverse_inertia_local alone: the inverse moments are taken for
+// expects: Likely mistake: in inverse_inertia alone: the inverse moments are taken for moments: 1
 // change: moments + factor ==> body.inverse_inertia_local + factor
 
 // ---- wrong: inverse moments taken for moments
@@ -47,7 +47,7 @@
 // change: out.inverse_inertia_local = real(1) / more ==> out.inverse_inertia_local = more
 
 // ---- wrong: old inertia returned
-// expects: Likely mistake: in inverse_inertia_local alone: the force is never looked at, and
+// expects: Likely mistake: in inverse_inertia alone: the force is never looked at, and nothing
 // change: out.inverse_inertia_local = real(1) / more ==>
 //         out.inverse_inertia_local = body.inverse_inertia_local
 
@@ -125,7 +125,7 @@
   out.inverse_inertia_local = real(1) / more;
 
 // ---- wrong: inertia not set
-// expects: Likely mistake: in inverse_inertia_local alone: 0 in every case: is it written at all
+// expects: Likely mistake: in inverse_inertia alone: 0 in every case: is it written at all, from
   const vec3 moments = real(1) / body.inverse_inertia_local;
   const vec3 more = moments + factor * h * h * force_lever;  // Eq. 9-14
   out.w = to_world(body, moments / more * to_local(body, body.w));
@@ -152,6 +152,10 @@
 // ---- wrong: squared ratio
 // expects: Likely mistake: the ratio is squared: moments / more, once
 // change: moments / more * ==> moments / more * moments / more *
+
+// ---- wrong: h cubed
+// expects: Likely mistake: h to the third power: factor h^2 |F||r|
+// change: factor * h * h * force_lever ==> factor * h * h * h * force_lever
 
 // ---- wrong units: h not squared
 // expects: Units: in stiffened, adding kg m^2/s to kg m^2: h is missing (an impulse is h times a

@@ -26,8 +26,7 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   const bool iterated = report_.iterated;  // before late limits came
   report_.iterated = iterated || is_hub();
   if (!report_.iterated) {
-    const bool changed = maker_.follow(pattern_, int(blocks.C.size()));
-    if (changed || newton == 0) expected_.assign(blocks.C.size(), 0);
+    if (maker_.follow(pattern_, int(blocks.C.size()))) expected_.assign(blocks.C.size(), 0);
     report_.multiplications = maker_.multiplications();
     report_.fill = maker_.fill();
     report_.iterated = report_.multiplications > most_work * double(blocks.C.size());

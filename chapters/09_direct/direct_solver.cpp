@@ -225,7 +225,7 @@ class DirectSolver::Poses : public Corrector {
 void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   report_.moved_exactly = false;
   report_.corrections = 0;
-  if (newton == 0 || report_.iterated) {
+  if (newton == 0 || report_.iterated || !factored_) {  // no factor: sides were still wrong
     std::fill(expected_.begin(), expected_.end(), 0.0);
     return integrate_poses(bodies, h);
   }

@@ -7,7 +7,7 @@
 #include "tests/09_direct/pivot_cases.h"
 #include "tests/09_direct/side_cases.h"
 #include "tests/09_direct/solve_cases.h"
-#include "tests/09_direct/stiffened_cases.h"
+#include "tests/09_direct/stiffened_mistakes.h"
 #include "tests/09_direct/time_mistakes.h"
 #include "tests/checker/catch.h"
 

@@ -78,9 +78,9 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& 
   // begin [exercise 9.6]
   // Keep the bodies in `start`. In each iteration: integrate_poses() for real(h); ask for the
   // errors() there and find the largest. If it is at most negligible h^2, all is done. If it is
-  // more than poor_contraction of the one before, stop: the answer is true if it is at most that
-  // share of the first. Else change_rates() by -C/h (Eq. 9-10), and put x and q of every body back
-  // to the start. After the last iteration, integrate_poses() for good.
+  // more than poor_contraction of the one before, stop: the answer is true if it is at most
+  // stalled_share of the first. Else change_rates() by -C/h (Eq. 9-10), and put x and q of every
+  // body back to the start. After the last iteration, integrate_poses() for good.
   todo("9.6");
   // end [exercise 9.6]
 }

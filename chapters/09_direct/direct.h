@@ -97,6 +97,9 @@ class Corrector {
 
 /// The largest share of the error that a Newton iteration may leave.
 constexpr double poor_contraction = 0.7;
+/// A Newton iteration that stalls with more than this share of the first error has found no pose:
+/// what it has done to the velocities may be energy from nowhere.
+constexpr double stalled_share = 0.2;
 /// Errors of at most this times h^2 need no further iteration [m/s^2 or rad/s^2]: what they change
 /// is an acceleration of this size.
 constexpr double negligible = sizeof(real) == 4 ? 0.3 : 2e-6;
@@ -106,7 +109,7 @@ constexpr double negligible = sizeof(real) == 4 ? 0.3 : 2e-6;
 /// \param iterations how often the velocities are changed at most
 /// \param start memory for the bodies as they were; what it holds is no matter
 /// \return false if it ended, by an iteration that left more than poor_contraction of the error,
-/// with more than that share of the first error: there is no such pose near by
+/// with more than stalled_share of the first error: there is no such pose near by
 bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& corrector,
                            std::vector<Body>& start);
 

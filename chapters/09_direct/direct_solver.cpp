@@ -41,10 +41,11 @@ void DirectSolver::factor_now() {
 }
 
 int DirectSolver::dropped() const {
+  if (report_.iterated) return 0;  // there is no factor
   int count = 0;
-  for (int k = 0; k < int(inside_.size()); ++k)
-    for (int i = 0; i < inside_[k].block->rows; ++i)
-      count += maker_.A.numbers[maker_.diagonal(k) + i * (inside_[k].block->rows + 1)] == 0;
+  for (int k = 0; k < int(pattern_.size()); ++k)
+    for (int i = 0; i < pattern_[k].rows; ++i)
+      count += maker_.A.numbers[maker_.diagonal(k) + i * (pattern_[k].rows + 1)] == 0;
   for (const BoundedRow& row : bounded_) count -= row.side != Side::free;
   return count;
 }
@@ -199,6 +200,7 @@ class DirectSolver::Poses : public Corrector {
       if (poses.list[k].impulse != block.impulse) continue;
       for (int i = 0; i < block.rows; ++i)
         x[block.first + i] = double(poses.C[poses.list[k].first + i]);
+      if (block.target.rate != 0) x[block.first + block.rows - 1] = 0;  // it rebounds
     }
     for (const BoundedRow& row : solver_.bounded_) {
       const Block& block = *solver_.inside_[row.inside].block;
@@ -218,23 +220,31 @@ class DirectSolver::Poses : public Corrector {
   const Append& append_;
 };
 
+// If there are no such poses, velocities and impulses are those that solve the velocities, without
+// what was expected of the poses.
 void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   report_.moved_exactly = false;
   report_.corrections = 0;
-  if (newton == 0 || report_.iterated) return integrate_poses(bodies, h);
+  if (newton == 0 || report_.iterated) {
+    std::fill(expected_.begin(), expected_.end(), 0.0);
+    return integrate_poses(bodies, h);
+  }
   impulses_.clear();
   for (const Inside& one : inside_)
     impulses_.insert(impulses_.end(), one.block->impulse, one.block->impulse + one.block->rows);
+  in_vain_ = expected_;
   Poses poses(*this, bodies, append);
   report_.moved_exactly = move_onto_constraints(bodies, h, newton, poses, start_);
   if (report_.moved_exactly) return;
-  std::fill(expected_.begin(), expected_.end(), 0.0);
   std::copy(start_.begin(), start_.end(), bodies.data());
   const real* impulse = impulses_.data();
   for (const Inside& one : inside_) {
     std::copy(impulse, impulse + one.block->rows, one.block->impulse);
     impulse += one.block->rows;
   }
+  for (double& rate : in_vain_) rate = -rate;
+  change_rates(bodies, in_vain_);
+  std::fill(expected_.begin(), expected_.end(), 0.0);
   integrate_poses(bodies, h);
 }
 

@@ -138,9 +138,9 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& 
   // begin [exercise 9.6]
   // Keep the bodies in `start`. In each iteration: integrate_poses() for real(h); ask for the
   // errors() there and find the largest. If it is at most negligible h^2, all is done. If it is
-  // more than poor_contraction of the one before, stop: the answer is true if it is at most that
-  // share of the first. Else change_rates() by -C/h (Eq. 9-10), and put x and q of every body back
-  // to the start. After the last iteration, integrate_poses() for good.
+  // more than poor_contraction of the one before, stop: the answer is true if it is at most
+  // stalled_share of the first. Else change_rates() by -C/h (Eq. 9-10), and put x and q of every
+  // body back to the start. After the last iteration, integrate_poses() for good.
   start.assign(bodies.data(), bodies.data() + bodies.slots());
   double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
@@ -153,7 +153,7 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& 
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)

@@ -96,7 +96,8 @@ TEST_CASE("the direct solver finds what 30,000 iterations find, impulses and vel
     for (int k = 1; k <= 6; ++k) {
       const BodyId before = ids[std::size_t(k < 4 ? k - 1 : k - 3)];
       const vec3 x = world->bodies[before].x + vec3(real(0.8), 0, k < 4 ? real(0) : real(0.6));
-      ids.push_back(world->add(box(random.uniform(1, 3), vec3(real(0.7), real(0.3), real(0.4)), x)));
+      const vec3 size(real(0.7), real(0.3), real(0.4));
+      ids.push_back(world->add(box(random.uniform(1, 3), size, x)));
       const vec3 anchor = (x + world->bodies[before].x) / real(2);
       auto& hinge = world->add<HingeJoint>(world->bodies, before, ids.back(), anchor,
                                            vec3(0, 1, 1));

@@ -21,7 +21,8 @@ std::vector<int> uprights(int loops) {
 double out_of_parallel(const Scene& scene, int loops) {
   const auto along = [&](int slot) { return to_world(scene.world.bodies.at(slot), vec3(1, 0, 0)); };
   double most = 0;
-  for (const int slot : uprights(loops)) most = std::max(most, angle_between(along(1), along(slot)));
+  for (const int slot : uprights(loops))
+    most = std::max(most, angle_between(along(1), along(slot)));
   return most;
 }
 
@@ -36,11 +37,57 @@ double bricard_after(double rate) {
 // A pivot's inverse without the rule for rows that depend on others.
 double plain_inverse(double pivot, double) { return 1 / pivot; }
 
-double largest(const std::vector<double>& numbers) {
-  double out = 0;
-  for (const double a : numbers) out = std::isfinite(a) ? std::max(out, std::abs(a)) : INFINITY;
-  return out;
-}
+// A of the blocks of a world's last step, and both half-rows of every row.
+struct Assembled {
+  std::vector<BlockPattern> pattern;
+  std::vector<HalfRow> J, response;
+  JointMatrixMaker maker;
+
+  explicit Assembled(const World& world) {
+    for (const Block& block : world.blocks.list) {
+      const auto moving = [&](int slot) { return world.bodies.at(slot).is_static() ? -1 : slot; };
+      pattern.push_back({block.rows, block.first, moving(block.body1), moving(block.body2)});
+      for (const bool second : {false, true})
+        for (int i = 0; i < block.rows; ++i) {
+          const Row& row = world.blocks.J[std::size_t(block.first + i)];
+          if (second) add(world.bodies.at(block.body2), row.v2, row.w2);
+          else add(world.bodies.at(block.body1), row.v1, row.w1);
+        }
+    }
+    maker.follow(pattern, int(world.blocks.C.size()));
+    maker.assemble(J, response);
+    for (int k = 0; k < int(pattern.size()); ++k)
+      for (int i = 0; i < pattern[std::size_t(k)].rows; ++i) {
+        const BlockPattern& block = pattern[std::size_t(k)];
+        maker.A.original[std::size_t(block.row + i)] =
+            maker.A.numbers[std::size_t(maker.diagonal(k) + i * (block.rows + 1))];
+      }
+  }
+  // The largest multiplier that a right-hand side of any numbers up to 1 gives.
+  double largest_multiplier(PivotInverse inverse) const {
+    JointMatrix A = maker.A;
+    factor(A, inverse);
+    std::vector<double> x(A.original.size());
+    Random random(911);
+    for (double& entry : x) entry = double(random.uniform(-1, 1));
+    solve(A, x.data());
+    double out = 0;
+    for (const double a : x) out = std::isfinite(a) ? std::max(out, std::abs(a)) : INFINITY;
+    return out;
+  }
+
+ private:
+  void add(const Body& body, const vec3& v, const vec3& w) {
+    const auto triple = [](const vec3& a) {
+      return Triple<double>{double(a.x), double(a.y), double(a.z)};
+    };
+    const mat3 I = inverse_inertia(body);
+    const Symmetric<double> in_double{double(I[0][0]), double(I[1][1]), double(I[2][2]),
+                                      double(I[1][0]), double(I[2][0]), double(I[2][1])};
+    J.push_back({triple(v), triple(w)});
+    response.push_back({double(body.inverse_mass) * triple(v), in_double * triple(w)});
+  }
+};
 
 }  // namespace
 
@@ -72,47 +119,11 @@ TEST_CASE("Bricard's linkage converges at second order") {
 
 TEST_CASE("Bricard's linkage: a pivot that is rounding error makes impulses of any size") {
   Scene scene = bricard();
-  const Stepping how = second_order;
   DirectSolver solver = shake();
-  for (int n = 0; n < 100; ++n) step(scene.world, solver, real(1) / 960, how);
-  const World& world = scene.world;
-  std::vector<HalfRow> J, response;
-  std::vector<BlockPattern> pattern;
-  const auto triple = [](const vec3& a) {
-    return Triple<double>{double(a.x), double(a.y), double(a.z)};
-  };
-  for (const Block& block : world.blocks.list) {
-    pattern.push_back({block.rows, block.first, block.body1 == 0 ? -1 : block.body1,
-                       block.body2 == 0 ? -1 : block.body2});
-    for (const int half : {1, 2})
-      for (int i = 0; i < block.rows; ++i) {
-        const Row& row = world.blocks.J[std::size_t(block.first + i)];
-        const Body& body = world.bodies.at(half == 1 ? block.body1 : block.body2);
-        const vec3 v = half == 1 ? row.v1 : row.v2, w = half == 1 ? row.w1 : row.w2;
-        J.push_back({triple(v), triple(w)});
-        const mat3 I = inverse_inertia(body);
-        const Symmetric<double> in_double{double(I[0][0]), double(I[1][1]), double(I[2][2]),
-                                          double(I[1][0]), double(I[2][0]), double(I[2][1])};
-        response.push_back({double(body.inverse_mass) * triple(v), in_double * triple(w)});
-      }
-  }
-  const auto multipliers = [&](PivotInverse inverse) {
-    JointMatrixMaker maker;
-    maker.follow(pattern, int(world.blocks.C.size()));
-    maker.assemble(J, response);
-    for (int k = 0; k < int(pattern.size()); ++k)
-      for (int i = 0; i < pattern[std::size_t(k)].rows; ++i)
-        maker.A.original[std::size_t(pattern[std::size_t(k)].row + i)] =
-            maker.A.numbers[std::size_t(maker.diagonal(k) + i * (pattern[std::size_t(k)].rows + 1))];
-    factor(maker.A, inverse);
-    std::vector<double> x(world.blocks.C.size());
-    Random random(911);
-    for (double& entry : x) entry = double(random.uniform(-1, 1));
-    solve(maker.A, x.data());
-    return largest(x);
-  };
-  CHECK(multipliers(inverse_pivot) < 1e3);
-  CHECK(multipliers(plain_inverse) > tolerance(1e6, 1e4));
+  for (int n = 0; n < 100; ++n) step(scene.world, solver, real(1) / 960, second_order);
+  const Assembled matrix(scene.world);
+  CHECK(matrix.largest_multiplier(inverse_pivot) < 1e3);
+  CHECK(matrix.largest_multiplier(plain_inverse) > tolerance(1e6, 1e4));
 }
 
 TEST_CASE("parallel four-bars stay parallel, and closed, where they all lie level") {

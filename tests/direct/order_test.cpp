@@ -1,5 +1,5 @@
-// The order of convergence of the motion: the direct solver's steps, with and without Newton's method
-// on the poses, and the Runge-Kutta method that the others are compared with.
+// The order of convergence of the motion: the direct solver's steps, with and without Newton's
+// method on the poses, and the Runge-Kutta method that the others are compared with.
 #include <array>
 
 #include "bench/scenes.h"

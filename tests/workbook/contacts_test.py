@@ -1,9 +1,8 @@
 """A contact needs no new solver, and no earlier program carries one: contacts_test.py ROOT BUILD"""
 import re
-import subprocess
 import sys
 
-from proofs import house, main
+from proofs import main, programs_that_carry
 
 WORDS = re.compile(r"contact|frict|restitut|rebound|corner|ground|tangent", re.I)
 SYMBOLS = re.compile(r"joints::(?:GroundContact|Corner\b|Outline|Top\b|tangents\(|impact_speed"
@@ -29,18 +28,8 @@ def the_engine_knows_no_contact(root, build):
 
 def earlier_programs_carry_no_contact(root, build):
     """no program of an earlier chapter carries a symbol of the ground, this chapter's does"""
-    for chapter in house.chapters():
-        program = f"{chapter.folder}_run"
-        symbols = subprocess.run(["nm", "-C", str(build / program)], capture_output=True,
-                                 text=True).stdout
-        found = sorted(set(SYMBOLS.findall(symbols)))
-        if "joints::" not in symbols:
-            yield f"{program}: nm shows no symbols"
-        elif chapter.number < CHAPTER:
-            yield from (f"{program} carries {symbol}" for symbol in found)
-        elif chapter.number == CHAPTER and not {"joints::GroundContact", "joints::Corner"} <= set(
-                found):
-            yield f"{program} carries {found} only: are the symbols still called so?"
+    yield from programs_that_carry(build, CHAPTER, SYMBOLS,
+                                   {"joints::GroundContact", "joints::Corner"})
 
 
 PROOFS = [the_engine_knows_no_contact, earlier_programs_carry_no_contact]

@@ -4,6 +4,7 @@ One function a proof; it yields a line for everything that is wrong. Exit status
 wrong, 2 for a bad command line.
 """
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -58,6 +59,26 @@ def section(chapter, heading):
 
 def folded(text):
     return " ".join(text.split())
+
+
+def symbols_of(program):
+    """What nm finds in a program, names as C++ writes them."""
+    return subprocess.run(["nm", "-C", str(program)], capture_output=True, text=True).stdout
+
+
+def programs_that_carry(build, first, symbols, at_least):
+    """What is wrong with the programs of the chapters if only those from the first on may carry
+    these symbols, and the first one carries at least some of them."""
+    for chapter in house.chapters():
+        program = f"{chapter.folder}_run"
+        names = symbols_of(build / program)
+        found = sorted(set(symbols.findall(names)))
+        if "joints::" not in names:
+            yield f"{program}: nm shows no symbols"
+        elif chapter.number < first:
+            yield from (f"{program} carries {symbol}" for symbol in found)
+        elif chapter.number == first and not at_least <= set(found):
+            yield f"{program} carries {found} only: are the symbols still called so?"
 
 
 def main(document, proofs, arguments):

@@ -1,0 +1,153 @@
+// Joints and contacts together: contacts with friction stay outside of the matrix and take turns
+// with the joints in it, contacts without friction are inside.
+#include "chapters/08_ground/program/ragdoll.h"
+#include "tests/checker/catch.h"
+#include "tests/direct/rigs.h"
+#include "tests/ground/rigs.h"
+
+using namespace joints;
+using namespace joints::chapter8;
+using namespace joints::testing;
+
+namespace {
+
+constexpr real sixty = real(1) / 60;
+
+struct Fall {
+  double gap = 0, fastest = 0, deepest = 0, lowest = 0;
+  bool finite = true;
+};
+
+Fall ragdoll_falls(Solver& solver, real beta, const Stepping& how) {
+  Choice choice;
+  choice.beta = beta;
+  Ragdoll doll(choice);
+  Fall out;
+  for (int n = 0; n < 600; ++n) {
+    step(doll.scene.world, solver, sixty, how);
+    out.gap = std::max(out.gap, widest(doll.scene));
+    out.deepest = std::max(out.deepest, penetration(doll.scene.world));
+    out.finite = out.finite && joints::testing::all_finite(doll.scene.world);
+  }
+  out.fastest = doll.fastest();
+  out.lowest = double(doll.scene.world.bodies[doll.torso].x.y);
+  return out;
+}
+
+// Two boxes side by side on a slope, on a hinge across it: how far the first one slides down in a
+// second [m].
+double slides(Solver& solver, real slope, real friction) {
+  Grounded pair = standing(0, slope);
+  pair.contact->friction = friction;
+  const quat turn = rotation(vec3(0, 0, slope));
+  const BodyId other =
+      pair.world.add(box(10, brick, turn * vec3(real(1.1), brick.y / 2, 0), turn));
+  auto& contact =
+      pair.world.add<GroundContact>(pair.ground, other, Top{}, box_outline(brick));
+  contact.friction = friction;
+  pair.world.add<HingeJoint>(pair.world.bodies, pair.body, other,
+                             turn * vec3(real(0.55), brick.y / 2, 0), vec3(0, 0, 1));
+  for (int n = 0; n < 60; ++n) step(pair.world, solver, sixty);
+  return -double(pair.place().x);
+}
+
+}  // namespace
+
+TEST_CASE("a ragdoll falls, holds together far better than by iterations, and lies still") {
+  SequentialImpulses iterations;
+  const Fall iterated = ragdoll_falls(iterations, real(0.2), {.warm_start = true});
+  for (const int newton : {0, 8}) {
+    CAPTURE(newton);
+    DirectSolver solver;
+    solver.newton = newton;
+    const Fall fall = ragdoll_falls(solver, 1, {.warm_start = true});
+    INFO("gap " << fall.gap << " and " << iterated.gap << ", speed " << fall.fastest << ", deep "
+                << fall.deepest << " and " << iterated.deepest);
+    CHECK(fall.finite);
+    CHECK(fall.gap < iterated.gap / 2);
+    CHECK(fall.lowest < 0.6);
+    CHECK(fall.fastest < 0.02);
+    CHECK(fall.deepest < 0.04);
+    solver.alternations = 30;  // joints and contacts take turns: more of them go less deep
+    const double deepest = ragdoll_falls(solver, 1, {.warm_start = true}).deepest;
+    CHECK(deepest < fall.deepest / 2);
+  }
+}
+
+TEST_CASE("friction holds two hinged boxes on a slope, and lets them slide on a steeper one") {
+  for (const double slope : {0.2, 0.4, 0.6}) {
+    CAPTURE(slope);
+    SequentialImpulses many;
+    many.iterations = 200;
+    DirectSolver solver;
+    const double mu = 0.5;
+    const double expected = slides(many, real(slope), real(mu));
+    const double found = slides(solver, real(slope), real(mu));
+    const double a = std::max(0.0, 9.81 * (std::sin(slope) - mu * std::cos(slope)));
+    CHECK(expected == Approx(a / 2).epsilon(0.06).margin(2e-3));
+    CHECK(found == Approx(expected).epsilon(0.05).margin(2e-3));
+  }
+}
+
+TEST_CASE("contacts without friction are rows of the matrix, with friction they are not") {
+  for (const bool smooth : {true, false}) {
+    Grounded box = standing();
+    box.contact->friction = smooth ? real(0) : real(0.5);
+    DirectSolver solver;
+    for (int n = 0; n < 60; ++n) step(box.world, solver, sixty, second_order);
+    CHECK((solver.report().multiplications > 0) == smooth);
+    CHECK(double(box.place().y) == Approx(0.3).margin(1e-3));
+    CHECK(double(length(box.velocity())) < 1e-3);
+  }
+}
+
+TEST_CASE("a ball rebounds from smooth ground as from rough ground, and as without Newton") {
+  for (const int newton : {0, 8})
+    for (const real friction : {real(0), real(0.5)}) {
+      CAPTURE(newton, friction);
+      Grounded falling(ball(1, real(0.2), vec3(0, real(1.2), 0)), ball_outline(real(0.2)));
+      falling.contact->friction = friction;
+      falling.contact->restitution = real(0.7);
+      DirectSolver solver;
+      solver.newton = newton;
+      double highest = 0, lowest = 1;
+      bool landed = false;
+      for (int n = 0; n < 90; ++n) {
+        step(falling.world, solver, sixty);
+        const double y = double(falling.it().x.y);
+        landed = landed || y < 0.21;
+        lowest = std::min(lowest, y);
+        if (landed) highest = std::max(highest, y);
+      }
+      CHECK(highest - 0.2 == Approx(0.49).margin(0.06));  // the square of 0.7, of 1 m
+      CHECK(lowest > 0.199);
+    }
+}
+
+TEST_CASE("a chain that hangs to the ground lies on it, and loses no joint") {
+  for (const int newton : {0, 8}) {
+    CAPTURE(newton);
+    Scene scene{.name = "on the ground"};
+    const BodyId ground = add_ground(scene, 10);
+    BodyId before = scene.box(0, vec3(real(0.2)), vec3(0, 2, 0));
+    for (int k = 1; k <= 8; ++k) {
+      const vec3 size(real(0.4), real(0.2), real(0.2)), x(real(0.5) * real(k), 2, 0);
+      const BodyId id = scene.box(2, size, x);
+      chapter9::on_hinge(scene, before, id, x - vec3(real(0.25), 0, 0), vec3(0, 0, 1));
+      stand(scene, ground, id, size, real(0.5));
+      before = id;
+    }
+    DirectSolver solver;
+    solver.newton = newton;
+    double gap = 0, deepest = 0;
+    for (int n = 0; n < 600; ++n) {
+      step(scene.world, solver, sixty);
+      gap = std::max(gap, widest(scene));
+      deepest = std::max(deepest, penetration(scene.world));
+    }
+    CHECK(joints::testing::all_finite(scene.world));
+    CHECK(gap < 0.02);
+    CHECK(deepest < 0.05);
+    CHECK(double(scene.world.bodies[before].x.y) < 0.2);
+  }
+}

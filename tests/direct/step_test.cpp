@@ -1,0 +1,266 @@
+// The direct solver from step to step: memory, bits, worlds that change, substeps, steps of any
+// length, and what it refuses.
+#include "chapters/09_direct/runge_kutta.h"
+#include "tests/checker/catch.h"
+#include "tests/direct/rigs.h"
+#include "tests/oracle/allocations.h"
+#include "tests/oracle/shared.h"
+
+using namespace joints;
+using namespace joints::chapter9;
+using namespace joints::testing;
+
+namespace {
+
+const real h = sixtieth;
+
+DirectSolver with(int newton, real stiffness = 0) {
+  DirectSolver solver;
+  solver.newton = newton;
+  solver.stiffness = stiffness;
+  return solver;
+}
+
+// A net, loops and all, with a motor and a limit at one of its corners.
+World machine() {
+  Scene scene = net(4);
+  const BodyId corner{15, 1};
+  const BodyId arm = scene.world.add(body_with(1, vec3(real(0.1)), vec3(4, 0, 3)));
+  HingeJoint& hinge =
+      on_hinge(scene, corner, arm, vec3(real(3.5), 0, 3), vec3(0, real(0.2), 1));
+  hinge.set_motor(2, 3);
+  hinge.set_limits(-1, real(0.3));
+  return std::move(scene.world);
+}
+
+bool same_bodies(const World& one, const World& other) {
+  bool same = one.bodies.slots() == other.bodies.slots();
+  for (int slot = 0; same && slot < one.bodies.slots(); ++slot) {
+    const Body &a = one.bodies.at(slot), &b = other.bodies.at(slot);
+    same = same_bits(a.x, b.x) && same_bits(a.q, b.q) && same_bits(a.v, b.v) && same_bits(a.w, b.w);
+  }
+  return same;
+}
+
+double apart(const World& one, const World& other) {
+  double most = 0;
+  for (int slot = 0; slot < one.bodies.slots(); ++slot)
+    most = std::max(most, double(length(one.bodies.at(slot).x - other.bodies.at(slot).x)));
+  return most;
+}
+
+void run(World& world, Solver& solver, int steps, real length = h) {
+  for (int n = 0; n < steps; ++n) step(world, solver, length, second_order);
+}
+
+}  // namespace
+
+TEST_CASE("a step of the direct solver takes no memory while the same rows are live") {
+  for (const int newton : {0, 8})
+    for (const real stiffness : {real(0), real(16)}) {
+      CAPTURE(newton, stiffness);
+      Scene scene = net(5);
+      DirectSolver solver = with(newton, stiffness);
+      run(scene.world, solver, 3);
+      CHECK(allocations_of([&] { run(scene.world, solver, 20); }) == 0);
+      Scene other = net(4);
+      CHECK(allocations_of([&] { run(other.world, solver, 1); }) > 0);  // a new pattern
+    }
+}
+
+TEST_CASE("the direct solver gives the same bits twice") {
+  for (const int newton : {0, 8}) {
+    World one = machine(), other = machine();
+    DirectSolver first = with(newton), second = with(newton);
+    run(one, first, 100);
+    run(other, second, 100);
+    CHECK(same_bodies(one, other));
+    run(other, second, 1);
+    CHECK_FALSE(same_bodies(one, other));
+  }
+}
+
+TEST_CASE("what one solver finds depends on nothing of the steps before") {
+  // joints and bodies come and go, and a fresh solver has each step to itself
+  World kept = machine(), fresh = machine();
+  DirectSolver solver;
+  Random one(931), other(931);
+  const auto change = [](World& world, Random& random, int n) {
+    if (n % 7 == 3) {
+      const BodyId id = world.add(box(2, vec3(real(0.3)), random.vector(3)));
+      const BodyId corner{15, 1};
+      world.add<BallJoint>(corner, id,
+                           point_at(world.bodies[corner], world.bodies[id], random.vector(3)))
+          .beta = 1;
+    }
+    if (n % 7 == 6) world.remove(*world.joints()[std::size_t(n) % world.joints().size()]);
+    if (n % 14 == 13) world.remove(BodyId{std::uint32_t(1 + n / 14), 1});
+  };
+  for (int n = 0; n < 40; ++n) {
+    change(kept, one, n);
+    change(fresh, other, n);
+    step(kept, solver, h, second_order);
+    DirectSolver new_one;
+    step(fresh, new_one, h, second_order);
+    REQUIRE(same_bodies(kept, fresh));
+  }
+}
+
+TEST_CASE("one solver serves two worlds in turn") {
+  for (const int newton : {0, 8}) {
+    Scene chain = heavy_chain(8, 10), longer = heavy_chain(12, 1), chain_alone = heavy_chain(8, 10),
+          longer_alone = heavy_chain(12, 1);
+    DirectSolver both = with(newton), one = with(newton), other = with(newton);
+    for (int n = 0; n < 60; ++n) {
+      run(chain.world, both, 1);
+      run(longer.world, both, 1);
+    }
+    run(chain_alone.world, one, 60);
+    run(longer_alone.world, other, 60);
+    const double near = newton == 0 ? 0 : tolerance(1e-6, 1e-2);
+    CHECK(apart(chain.world, chain_alone.world) <= near);
+    CHECK(apart(longer.world, longer_alone.world) <= near);
+  }
+}
+
+TEST_CASE("Newton's method may be switched off, and nothing of it is left") {
+  Scene scene = heavy_chain(8, 10);
+  DirectSolver solver = shake(), fresh;
+  run(scene.world, solver, 30);
+  solver.newton = 0;
+  run(scene.world, solver, 1);
+  Scene other = heavy_chain(8, 10);
+  other.world.bodies = scene.world.bodies;
+  other.world.last_h = scene.world.last_h;
+  run(scene.world, solver, 1);
+  run(other.world, fresh, 1);
+  CHECK(same_bodies(scene.world, other.world));
+}
+
+TEST_CASE("substeps are shorter steps for the direct solver, too") {
+  for (const int newton : {0, 8}) {
+    World in_one = machine(), by_hand = machine();
+    DirectSolver one = with(newton), other = with(newton);
+    for (int n = 0; n < 20; ++n) {
+      step(in_one, one, h, {.substeps = 4, .leapfrog = true});
+      run(by_hand, other, 4, h / 4);
+    }
+    CHECK(same_bodies(in_one, by_hand));
+  }
+}
+
+TEST_CASE("steps whose length changes keep a chain together, and its energy") {
+  Scene scene = heavy_chain(10, 10);
+  DirectSolver solver = shake();
+  const double start = energy(all_of(scene.world.bodies), scene.world.gravity);
+  GapMeter meter;
+  for (int n = 0; n < 600; ++n) {
+    run(scene.world, solver, 1, real(n % 2 == 0 ? 1 : 3) / 480);
+    meter.look(scene.marks, poses(scene.world.bodies));
+  }
+  CHECK(meter.maximum() < tolerance(1e-9, 1e-3));
+  const double change = energy(all_of(scene.world.bodies), scene.world.gravity) - start;
+  CHECK(std::abs(change) < 0.05 * scene.energy_scale);
+}
+
+TEST_CASE("warm starting changes nothing that the direct solver finds") {
+  World warm = machine(), cold = machine();
+  DirectSolver one, other;
+  for (int n = 0; n < 30; ++n) {
+    step(warm, one, h, {.warm_start = true, .leapfrog = true});
+    step(cold, other, h, second_order);
+  }
+  CHECK(apart(warm, cold) < tolerance(1e-6, 1e-2));
+}
+
+// ---- hubs ---------------------------------------------------------------------------------------
+
+TEST_CASE("a hub with too many arms is left to iterations, unless any work is welcome") {
+  for (const int arms : {40, 100}) {
+    CAPTURE(arms);
+    Scene dear = star(arms), cheap = star(arms);
+    for (Scene* scene : {&dear, &cheap}) scene->world.bodies.at(1).w = vec3(1, 3, 1);
+    DirectSolver exact = shake(), frugal = shake();
+    exact.most_work = unbounded;
+    frugal.most_work = 500;
+    const Watched right = watch(dear, exact, 0.25, double(h));
+    const Watched iterated = watch(cheap, frugal, 0.25, double(h));
+    CHECK(exact.report().multiplications > 500 * 3.0 * arms);
+    CHECK_FALSE(exact.report().iterated);
+    CHECK(frugal.report().iterated);
+    CHECK(frugal.dropped() == 0);
+    CHECK(right.gap < tolerance(1e-9, 1e-3));
+    CHECK(iterated.finite);
+    CHECK(iterated.gap > tolerance(1000, 3) * right.gap);
+  }
+}
+
+TEST_CASE("the estimate of a hub's work is of the third power of its arms") {
+  const auto work = [](int arms) {
+    Scene scene = star(arms);
+    DirectSolver solver;
+    solver.most_work = unbounded;
+    step(scene.world, solver, h);
+    return solver.report().multiplications;
+  };
+  CHECK(work(80) / work(40) == Approx(8).epsilon(0.15));
+}
+
+TEST_CASE("worlds without joints, or with joints between static bodies alone, step as they would") {
+  for (const bool with_joint : {false, true})
+    for (const int newton : {0, 8}) {
+      World world;
+      const BodyId a = world.add(static_body(vec3(0))), b = world.add(static_body(vec3(1, 0, 0)));
+      const BodyId free = world.add(box(1, vec3(1), vec3(5, 0, 0)));
+      if (with_joint) world.add<HingeJoint>(world.bodies, a, b, vec3(0), vec3(0, 0, 1));
+      DirectSolver solver = with(newton);
+      run(world, solver, 60);
+      CHECK(double(world.bodies[free].v.y) == Approx(-9.81 * 59.5 / 60).epsilon(1e-4));
+      CHECK(world.bodies[a].x == vec3(0));
+      CHECK(world.bodies[b].v == vec3(0));
+      CHECK(solver.dropped() == 0);
+    }
+}
+
+// ---- what is refused ----------------------------------------------------------------------------
+
+TEST_CASE("settings without sense are refused by their names, and nothing moves") {
+  const auto said = [](auto set) {
+    World world = machine();
+    const World as_it_was = machine();
+    DirectSolver solver;
+    set(solver);
+    const std::string words = refusal([&] { step(world, solver, h, second_order); });
+    CHECK(same_bodies(world, as_it_was));
+    return words.substr(0, words.find(':'));
+  };
+  const real nan = std::numeric_limits<real>::quiet_NaN();
+  CHECK(said([](DirectSolver& s) { s.newton = -1; }) == "newton");
+  CHECK(said([](DirectSolver& s) { s.alternations = 0; }) == "alternations");
+  CHECK(said([](DirectSolver& s) { s.passes = 0; }) == "passes");
+  CHECK(said([](DirectSolver& s) { s.stiffness = -1; }) == "stiffness");
+  CHECK(said([=](DirectSolver& s) { s.stiffness = nan; }) == "stiffness");
+  CHECK(said([](DirectSolver& s) { s.stiffness = unbounded; }) == "stiffness");
+  CHECK(said([](DirectSolver& s) { s.most_work = -1; }) == "most_work");
+  CHECK(said([=](DirectSolver& s) { s.most_work = double(nan); }) == "most_work");
+  CHECK(said([](DirectSolver& s) { s.instead.iterations = -1; }) == "iterations");
+}
+
+TEST_CASE("the Runge-Kutta method refuses steps, limits and motors that it cannot follow") {
+  const auto said = [](real length, auto change) {
+    Scene scene = heavy_chain(2, 1);
+    HingeJoint& hinge = on_hinge(scene, {1, 1}, scene.world.add(box(1, vec3(1), vec3(0, 1, 0))),
+                                 vec3(0, real(0.5), 0), vec3(0, 0, 1));
+    change(hinge);
+    RungeKutta kutta;
+    const std::string words = refusal([&] { kutta.step(scene.world, length); });
+    return words.substr(0, words.find(':'));
+  };
+  const auto leave = [](HingeJoint&) {};
+  CHECK(said(h, leave) == "accepted");
+  CHECK(said(0, leave) == "h");
+  CHECK(said(-h, leave) == "h");
+  CHECK(said(unbounded, leave) == "h");
+  CHECK(said(h, [](HingeJoint& hinge) { hinge.set_limits(-1, 1); }) == "world");
+  CHECK(said(h, [](HingeJoint& hinge) { hinge.set_motor(1, 1); }) == "world");
+}

@@ -24,6 +24,11 @@ void RungeKutta::step(World& world, real h) {
     require(extras.limits == 0 && extras.motors == 0, "world: no joint may have limit or motor");
     joint->begin_step(world.bodies, h);
   }
+  collect(world, world.blocks);
+  for (const Block& block : world.blocks.list)
+    require(block.target.lower == -unbounded && block.target.upper == unbounded &&
+                block.target.follows == 0,
+            "world: no row may have bounds, as those of ropes and contacts have");
   h_ = h;
   read(world.bodies);
   sum_.assign(start_.size(), State{vec3(0), quat(0, 0, 0, 0), vec3(0), vec3(0)});

@@ -18,6 +18,7 @@ def last(table, column, **where):
 
 def over(ax, solution, mine, x, y, by, words=None):
     """y over x, a line with markers for every value of `by`; yours over the solution's dashed."""
+    ax.set(xscale="log", yscale="log")
     for name, part, colour, marker in parts(mine or solution, by):
         order = np.argsort(part[x])
         ax.plot(part[x][order], visible(part[y])[order], color=colour, marker=marker, markersize=5,
@@ -26,7 +27,7 @@ def over(ax, solution, mine, x, y, by, words=None):
         for _, part, _, _ in parts(solution, by):
             order = np.argsort(part[x])
             ax.plot(part[x][order], visible(part[y])[order], label="_", **FORMULA)
-        style.hold(ax, mine[y], solution[y], 12)
+        style.hold(ax, mine[y], solution[y], 20)
 
 
 # ---- all rows at once --------------------------------------------------------------------------
@@ -98,8 +99,8 @@ def draw_dependent(solution, mine, out):
     table = mine or solution
     kept = {name: last(table, "energy", method=name) for name in dict.fromkeys(table["method"])}
     figure, (left, right) = style.figure(
-        f"Bricard's linkage: energy {kept['dropped']:+.2f} with the dependent row dropped, "
-        f"{kept['not dropped']:+.2f} else", 2)
+        f"Bricard's linkage: energy {kept['dropped']:+.2g} with the dependent row dropped, "
+        f"{kept['not dropped']:+.2g} else", 2)
     over_time(left, solution, mine, "energy", "method")
     left.set(ylabel="change of energy, over that of a fall by 1 m", ylim=(-1.5, 0.5),
              title="energy" + whose(mine))
@@ -123,13 +124,13 @@ def draw_time(solution, mine, out):
         f"Leapfrog: order {orders['leapfrog']:.2f}, the plain step: order {orders['plain']:.2f}",
         2, 2)
     over(a, solution[0], mine and convergence, "h_s", "error_m", "step")
-    a.set(xscale="log", yscale="log", xlabel="step h  [s]", ylabel="off after 1 s  [m]",
+    a.set(xlabel="step h  [s]", ylabel="off after 1 s  [m]",
           title="three slabs on hinges" + ("; dashed: the solution's" if mine else ""))
     over_time(b, solution[1], mine and bars, "energy", "method")
     b.set(ylabel="change of energy, a share", title="six four-bars turn over")
     over(c, solution[2], mine and gaps, "h_s", "gap_m", "positions",
          lambda name: name.replace(" ", "\n"))
-    c.set(xscale="log", yscale="log", xlabel="step h  [s]", ylabel="largest gap  [m]",
+    c.set(xlabel="step h  [s]", ylabel="largest gap  [m]",
           title="the slabs' hinges")
     for table, looks in ((newton, None), (mine and solution[3], FORMULA)):
         for n, h in enumerate(np.unique(rows(newton, scene="three slabs")["h_s"])[::-1]):
@@ -162,7 +163,7 @@ def draw_bounds(solution, mine, out):
     left.set(xlabel="time  [s]", ylabel="torque  [N m],  angle  [0.1 rad]", ylim=(-40, 30),
              title="motor against limit" + (": yours; dashed: the solution's" if mine else ""))
     hit = np.argmin(motor["limit_nm"])
-    left.text(motor["time_s"][hit] - 0.02, -38,
+    left.text(motor["time_s"][hit] - 0.05, -38,
               f"the blow:\n{motor['limit_nm'][hit]:.0f} N m", fontsize=8, color=COLOURS[0],
               ha="right")
     for column, words, marker, colour in (("passes_max", "most in\na step", "^", COLOURS[0]),
@@ -175,7 +176,7 @@ def draw_bounds(solution, mine, out):
         right.annotate(f"{wrong:.0f} of {steps:.0f}", (x, y), xytext=(2, 7), ha="right",
                        textcoords="offset points", fontsize=8, color=COLOURS[0])
     right.set(xscale="log", xlabel="hinges of a chain, each with limits", ylabel="passes a step",
-              ylim=(0, 1.15 * limits["passes_max"].max()), xlim=(3, 90),
+              ylim=(0, 1.15 * limits["passes_max"].max()), xlim=(2.4, 90),
               title="above: steps that end with a row wrong")
     right.yaxis.get_major_locator().set_params(integer=True)
     right.set_xticks(limits["hinges"])
@@ -191,21 +192,21 @@ def draw_bounds(solution, mine, out):
 def draw_heavy(solution, mine, out):
     table, energy = mine or solution
     lost = [-100 * last(table, "energy_change_2s", factor=factor, ratio=100.0)
-            for factor in (1, 16)]
+            for factor in (1, 8)]
     figure, (left, right) = style.figure(
         f"More inertia holds a heavy end, and takes {lost[0]:.0f} to {lost[1]:.0f} % of the "
         "energy in 2 s", 2)
     over(left, solution[0], mine and table, "ratio", "gap_m", "factor",
          lambda factor: rf"$\kappa$ = {factor:g}")
-    left.set(xscale="log", yscale="log", xlabel="end  [kg], after ten links of 1 kg",
+    left.set(xlabel="end  [kg], after ten links of 1 kg",
              ylabel="largest gap in 10 s  [m]",
              title="h = 1/60 s" + ("; dashed: the solution's" if mine else ""))
-    runs = list(dict.fromkeys(zip(energy["factor"], energy["h_s"])))
-    for n, (factor, h) in enumerate(runs, 1):
-        part = rows(energy, factor=factor, h_s=h)
-        right.plot(part["time_s"], part["energy_change"], color=COLOURS[n % 6],
-                   label=rf"$\kappa$ = {factor:g}" + (f",\nh = 1/{1 / h:.0f} s" if n > 3 else ""),
-                   linestyle=":" if n > 3 else "-")
+    factors = list(dict.fromkeys(table["factor"]))  # of one colour in both panels
+    for factor, h in dict.fromkeys(zip(energy["factor"], energy["h_s"])):
+        part, few = rows(energy, factor=factor, h_s=h), h == energy["h_s"].max()
+        right.plot(part["time_s"], part["energy_change"], color=COLOURS[factors.index(factor) % 6],
+                   label=rf"$\kappa$ = {factor:g}" + ("" if few else f",\nh = 1/{1 / h:.0f} s"),
+                   linestyle="-" if few else ":")
         if mine:
             part = rows(solution[1], factor=factor, h_s=h)
             right.plot(part["time_s"], part["energy_change"], label="_", **FORMULA)

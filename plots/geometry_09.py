@@ -61,7 +61,7 @@ def loop(ax):
     places = [(56 * np.cos(a), 50 * np.sin(a) - 3) for a in angles]
     panel(ax, 350, "a loop", places, [(k, (k + 1) % COUNT) for k in range(COUNT)],
           {(k + 1, k) for k in range(1, COUNT)} | {(COUNT, 1)}, {(COUNT, 2), (COUNT, 3)},
-          "1 and 5 meet: elimination fills in")
+          "1 meets 5: two fill in")
 
 
 def star(ax):

@@ -23,14 +23,15 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   }
   collect_blocks(bodies, h);
   factored_ = false;
-  report_.iterated = is_hub();
+  const bool iterated = report_.iterated;  // before late limits came
+  report_.iterated = iterated || is_hub();
   if (!report_.iterated) {
     if (maker_.follow(pattern_, int(blocks.C.size()))) expected_.assign(blocks.C.size(), 0);
     report_.multiplications = maker_.multiplications();
     report_.fill = maker_.fill();
     report_.iterated = report_.multiplications > most_work * double(blocks.C.size());
   }
-  if (report_.iterated) return instead.prepare(bodies, blocks, first, h);
+  if (report_.iterated) return instead.prepare(bodies, blocks, iterated ? first : 0, h);
   contacts_.iterations = 1;
   contacts_.prepare(bodies, outside_, 0, h);
 }

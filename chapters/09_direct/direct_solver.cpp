@@ -220,26 +220,31 @@ class DirectSolver::Poses : public Corrector {
   const Append& append_;
 };
 
+// If there are no such poses, velocities and impulses are those that solve the velocities, without
+// what was expected of the poses.
 void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   report_.moved_exactly = false;
   report_.corrections = 0;
-  if (newton == 0 || report_.iterated) {
+  if (newton == 0 || report_.iterated || !factored_) {  // no factor: sides were still wrong
     std::fill(expected_.begin(), expected_.end(), 0.0);
     return integrate_poses(bodies, h);
   }
   impulses_.clear();
   for (const Inside& one : inside_)
     impulses_.insert(impulses_.end(), one.block->impulse, one.block->impulse + one.block->rows);
+  in_vain_ = expected_;
   Poses poses(*this, bodies, append);
   report_.moved_exactly = move_onto_constraints(bodies, h, newton, poses, start_);
   if (report_.moved_exactly) return;
-  std::fill(expected_.begin(), expected_.end(), 0.0);
   std::copy(start_.begin(), start_.end(), bodies.data());
   const real* impulse = impulses_.data();
   for (const Inside& one : inside_) {
     std::copy(impulse, impulse + one.block->rows, one.block->impulse);
     impulse += one.block->rows;
   }
+  for (double& rate : in_vain_) rate = -rate;
+  change_rates(bodies, in_vain_);
+  std::fill(expected_.begin(), expected_.end(), 0.0);
   integrate_poses(bodies, h);
 }
 

@@ -100,7 +100,9 @@ class DirectSolver : public Solver {
   bool factored_ = false;
   std::vector<double> x_;              // the right-hand side, then the change of the impulses
   Blocks poses_;                       // errors at the new poses
-  std::vector<double> expected_;       // the rates by which the last step's poses were corrected
+  // The rates by which the last step's poses were corrected: this step's velocities begin with
+  // them, for it will nearly be the same.
+  std::vector<double> expected_, in_vain_;
   std::vector<Body> start_;
   std::vector<real> impulses_;
   Report report_;

@@ -19,16 +19,16 @@ void displace(Body& body, real time) {
 
 void RungeKutta::step(World& world, real h) {
   require(finite(h) && h > 0, "h: the step must be positive and finite [s]");
+  const char* const bounded = "world: no joint may have limits or a motor, and no row bounds";
   for (const auto& joint : world.joints()) {
     const Joint::Extras extras = joint->extras();
-    require(extras.limits == 0 && extras.motors == 0, "world: no joint may have limit or motor");
+    require(extras.limits == 0 && extras.motors == 0, bounded);
     joint->begin_step(world.bodies, h);
   }
   collect(world, world.blocks);
   for (const Block& block : world.blocks.list)
     require(block.target.lower == -unbounded && block.target.upper == unbounded &&
-                block.target.follows == 0,
-            "world: no row may have bounds, as those of ropes and contacts have");
+                block.target.follows == 0, bounded);
   h_ = h;
   read(world.bodies);
   sum_.assign(start_.size(), State{vec3(0), quat(0, 0, 0, 0), vec3(0), vec3(0)});
@@ -67,7 +67,7 @@ void RungeKutta::write(Bodies& bodies, real c, const std::vector<State>& slope) 
   }
 }
 
-// The blocks at the present poses, and the factor of their matrix.
+// The blocks at the present poses.
 void RungeKutta::collect(World& world, Blocks& blocks) {
   blocks.clear();
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);

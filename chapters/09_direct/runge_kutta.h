@@ -10,12 +10,12 @@ namespace joints {
 
 /// Moves a world by the Runge-Kutta method of order 4. The constraint forces are those that make
 /// every C'' zero; after a step, positions and velocities are projected onto the constraints. Rows
-/// are appended 24 times a step: slow, and exact. For joints without limits and motors, no
-/// ropes, no contacts; joint forces are not reported.
+/// are appended 24 times a step: slow, and exact. For rows without bounds: no limits, motors, ropes
+/// and contacts. Joint forces are not reported.
 class RungeKutta {
  public:
   /// \param h step [s] \throws std::invalid_argument unless it is positive and finite, or if a
-  /// joint has a limit or a motor or a row has bounds, as a rope's and a contact's have
+  /// row is bounded; the world has not moved then
   void step(World& world, real h);
 
  private:

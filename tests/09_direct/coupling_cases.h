@@ -10,7 +10,7 @@ namespace joints::testing {
 struct CouplingCase {
   std::string words;
   int n, m;
-  std::vector<HalfRow> J, response;  ///< seven each: what stands behind the block's own is another's
+  std::vector<HalfRow> J, response;  ///< seven each: behind the block's own stand another's
   Numbers before;                    ///< n x m
 };
 
@@ -214,6 +214,8 @@ inline CaseTable<CouplingCase> coupling_table() {
        place([](const Case& c, double* A, int i, int j, double a) {
          if (j >= i) A[i * c.m + j] += a;
        })},
+      {"only x and y count in the linear product: all three do",
+       product([=](const HalfRow& a, const HalfRow& b) { return both(a, b) - a.v.z * b.v.z; })},
       {"nothing is added: A[i * m + j] += the product",
        product([](const HalfRow&, const HalfRow&) { return 0.0; })},
       {"half of the product: all of it",
@@ -234,7 +236,8 @@ inline CaseTable<CouplingCase> coupling_table() {
        })},
       {"the old entry is multiplied: it grows by the product",
        place([](const Case& c, double* A, int i, int j, double a) { A[i * c.m + j] *= a; })},
-      {"j runs to n: the second block has m rows", loops(n, [](const Case& c, int) { return c.n; })},
+      {"j runs to n: the second block has m rows",
+       loops(n, [](const Case& c, int) { return c.n; })},
       {"i runs to m: the first block has n rows", loops([](const Case& c) { return c.m; }, m)},
       {"n and m are exchanged in the loops: i runs to n, j to m",
        loops([](const Case& c) { return c.m; }, [](const Case& c, int) { return c.n; })},

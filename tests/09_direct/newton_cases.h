@@ -156,7 +156,7 @@ inline std::vector<NewtonCase> newton_cases() {
   const MakeCorrector pin = [](Bodies& bodies) {
     return std::make_unique<Pin>(bodies, vec3(-1, 0, 0));
   };
-  const double e = near_enough;
+  const double h = 0.125, e = negligible * h * h;  // a power of two: exact in any order
   std::vector<NewtonCase> out{
       {"a slider with a mark half a metre ahead", sliding(0, 3), 0.1, 4, mark(0.5, 1)},
       {"a slider that arrives by itself", sliding(0, 5), 0.1, 4, mark(0.5, 1)},
@@ -170,20 +170,24 @@ inline std::vector<NewtonCase> newton_cases() {
       {"a mark that is out of reach", sliding(1, -3), 0.1, 5,
        [](Bodies& bodies) { return std::make_unique<Reach>(bodies); }}};
   for (const real speed : {real(0.5), real(2), real(4)})
-    for (const double h : {0.05, 0.1})
+    for (const double step : {0.05, 0.1})
       out.push_back({"a pendulum at " + short_number(double(speed)) + " rad/s, h " +
-                         short_number(h),
-                     on_pin(speed), h, 7, pin});
+                         short_number(step),
+                     on_pin(speed), step, 7, pin});
   const auto add = [&](const std::string& words, std::vector<std::vector<double>> errors) {
-    out.push_back({words, sliding(1, 2), 0.1, 4, script(errors)});
+    out.push_back({words, sliding(1, 2), h, 4, script(errors)});
   };
   add("errors of 1 m, then of 1 m again", {{1}, {1}});
   add("errors of 1 m, 0.4 m, then of 0.35 m", {{1}, {0.4}, {0.35}});
   add("errors of 1 m, 0.5 m, 0.3 m, and so on", {{1}, {0.5}, {0.3}, {0.2}, {0.1}});
   add("the error that is exactly the poorest allowed", {{1}, {poor_contraction}, {0}});
-  add("an error of exactly near_enough", {{e}, {1}});
-  add("an error just above near_enough", {{1.01 * e}, {0}});
-  add("an error below near_enough that has hardly become less", {{1.2 * e}, {0.95 * e}});
+  add("an error that is exactly negligible", {{e}, {1}});
+  add("an error just above the negligible one", {{1.01 * e}, {0}});
+  add("a negligible error that has hardly become less", {{1.2 * e}, {0.95 * e}});
+  add("errors of 1 m, 0.5 m, then of 0.72 m", {{1}, {0.5}, {0.72}});
+  add("errors of 1 m, 0.5 m, then exactly the poorest share of the first",
+      {{1}, {0.5}, {poor_contraction}});
+  add("errors of 2 m, 1 m, then of 1.3 m", {{2}, {1}, {1.3}});
   add("two rows, the first of which is better", {{0.1, -1}, {0.05, -0.9}, {0, 0}});
   add("two rows, the last of which is better", {{-1, 0.1}, {-0.9, 0.05}, {0, 0}});
   add("two rows, one becomes worse and the greater one better", {{1, 0.1}, {0.5, 0.4}, {0, 0}});

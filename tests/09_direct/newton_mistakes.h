@@ -1,86 +1,10 @@
 // Exercise 9.6: what the usual mistakes do.
 #pragma once
 
-#include "tests/09_direct/newton_cases.h"
+#include "tests/09_direct/newton_reference.h"
 #include "tests/checker/pieces.h"
 
 namespace joints::testing {
-
-/// The iteration, each part of which a mistake may change.
-struct NewtonReference {
-  NewtonCase c;
-  using Norm = std::function<double(const std::vector<double>&)>;
-  Norm norm = [](const std::vector<double>& C) {
-    double largest = 0;
-    for (const double a : C) largest = std::max(largest, std::abs(a));
-    return largest;
-  };
-  std::function<double(double C, double h)> rate = [](double C, double h) { return -C / h; };
-  double near = near_enough, poor = poor_contraction;
-  bool strictly_near = false, strictly_poor = false, asks_near = true, asks_poor = true;
-  bool poor_first = false, moves_first = true, moves_at_end = true;
-  bool moves_again = false, start_each_time = false, changes = true, keeps_start = true;
-  bool asks_at_end = false, last_by_first = false;
-  enum class Back { none, x, q, pose, all } back = Back::pose;
-  enum class Result { right, poor_is_true, end_is_false, near_is_false, always_false } result =
-      Result::right;
-  int more = 0, asks = 1, first_back = 0;
-  double move_h = 1, last_h = 1;  ///< of the moves in the iterations, and of the last one
-  double first_last = std::numeric_limits<double>::infinity();
-  bool asks_before = false, poor_breaks = false, poor_late = false, changes_twice = false;
-  bool zero_does_nothing = false, keeps_largest = false, w_back = false, start_moved = false;
-  bool adds_to_start = false;
-
-  bool move(Bodies& bodies, double h, int iterations, Corrector& corrector,
-            std::vector<Body>& start) const {
-    const auto keep = [&] {
-      if (!adds_to_start) start.clear();
-      start.insert(start.end(), bodies.data(), bodies.data() + bodies.slots());
-    };
-    if (zero_does_nothing && iterations == 0) return true;
-    std::vector<Body> own(bodies.data(), bodies.data() + bodies.slots());
-    if (keeps_start) keep();
-    const auto answer = [&](bool right) {
-      return result == Result::right ? right : result != Result::always_false && right;
-    };
-    double last = first_last, before = 0;
-    for (int n = 0; n < iterations + more; ++n) {
-      if (start_each_time && n > 0) keep(), own = start;
-      if (moves_first) integrate_poses(bodies, real(move_h * h));
-      if (start_moved && n == 0) keep(), own = start;
-      for (int again = 1; again < asks; ++again) corrector.errors();
-      std::vector<double>& rates = corrector.errors();
-      if (asks_before) integrate_poses(bodies, real(h));
-      const double largest = keeps_largest ? std::max(before, norm(rates)) : norm(rates);
-      before = largest;
-      for (double& C : rates) C = rate(C, h);
-      const bool is_poor = strictly_poor ? !(largest < poor * last) : !(largest <= poor * last);
-      if (asks_poor && poor_first && is_poor) return result == Result::poor_is_true;
-      if (asks_near && (strictly_near ? largest < near : largest <= near)) {
-        if (moves_again) integrate_poses(bodies, real(h));
-        return answer(result != Result::near_is_false);
-      }
-      if (asks_poor && !poor_first && is_poor) {
-        if (poor_breaks) break;
-        if (poor_late) corrector.change_rates(rates);
-        return result == Result::poor_is_true;
-      }
-      if (!(last_by_first && n > 0)) last = largest;
-      if (changes) corrector.change_rates(rates);
-      if (changes_twice) corrector.change_rates(rates);
-      for (int k = first_back; k < bodies.slots(); ++k) {
-        Body& body = bodies.at(k);
-        if (back == Back::all) body = own[std::size_t(k)];
-        if (back == Back::x || back == Back::pose) body.x = own[std::size_t(k)].x;
-        if (back == Back::q || back == Back::pose) body.q = own[std::size_t(k)].q;
-        if (w_back) body.w = own[std::size_t(k)].w;
-      }
-    }
-    if (moves_at_end) integrate_poses(bodies, real(last_h * h));
-    if (asks_at_end) return norm(corrector.errors()) <= near;
-    return answer(result != Result::end_is_false);
-  }
-};
 
 inline Pieces<NewtonReference> wrong_newtons() {
   using T = NewtonReference;
@@ -118,7 +42,7 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.moves_first = false; }},
       {"after the last iteration the bodies stay where they began: integrate_poses() for good",
        [](T& t) { t.moves_at_end = false; }},
-      {"where the error is near enough the bodies move once more: they are there already, return",
+      {"where the error is negligible the bodies move once more: they are there already, return",
        [](T& t) { t.moves_again = true; }},
       {"the bodies move for half of h: for all of it",
        [](T& t) { t.move_h = t.last_h = 0.5; }},
@@ -128,7 +52,8 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.moves_first = false, t.asks_before = true; }},
       {"the errors are asked more than once in an iteration: they are yours to keep",
        [](T& t) { t.asks = 2; }},
-      {"change_rates() is called twice in an iteration: once", [](T& t) { t.changes_twice = true; }},
+      {"change_rates() is called twice in an iteration: once",
+       [](T& t) { t.changes_twice = true; }},
       {"with no iterations the bodies do not move: they do, by the velocities that they have",
        [](T& t) { t.zero_does_nothing = true; }},
       {"the last error is 0 at first: in the first iteration any error will do",
@@ -141,12 +66,13 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.first_last = 1; }},
       {"the velocities are changed before poor_contraction is asked: then they do not come back",
        [](T& t) { t.poor_late = true; }},
-      {"where the error hardly becomes less the bodies move on, and it is true: return false",
+      {"where the error hardly becomes less the bodies move on: stop there, they have moved",
        [](T& t) { t.poor_breaks = true; }},
       {"the largest error is not begun anew in each iteration: from 0",
        [](T& t) { t.keeps_largest = true; }},
       {"the angular velocity is put back, too: its change is lost, only x and q are put back",
        [](T& t) { t.w_back = true; }},
+      {"the last body is not put back: all slots", [](T& t) { t.last_back = 1; }},
       {"the first body is not put back: all slots from 0", [](T& t) { t.first_back = 1; }},
       {"the first bodies are not put back: all slots from 0", [](T& t) { t.first_back = 2; }},
       {"`start` is written after the bodies have moved: before, as they were",
@@ -157,18 +83,22 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.start_each_time = true; }},
       {"one iteration too many: n < iterations", [](T& t) { t.more = 1; }},
       {"one iteration too few: from 0 while n < iterations", [](T& t) { t.more = -1; }},
-      {"near_enough is not asked: nothing more is to be done then",
+      {"h^2 is missing: an error of at most negligible h^2 needs no more",
+       [](T& t) { t.power = 0; }},
+      {"h is squared: an error of at most negligible h^2 needs no more",
+       [](T& t) { t.power = 1; }},
+      {"whether the error is negligible is not asked: nothing more is to be done then",
        [](T& t) { t.asks_near = false; }},
-      {"at exactly near_enough it is enough: <=", [](T& t) { t.strictly_near = true; }},
-      {"an iteration that leaves more than poor_contraction of the error does not end with false: "
-       "is `last` kept, and is it asked?",
+      {"at exactly negligible h^2 it is enough: <=", [](T& t) { t.strictly_near = true; }},
+      {"an iteration that leaves more than poor_contraction of the error does not end it: is "
+       "`last` kept, and is it asked?",
        [](T& t) { t.asks_poor = false; }},
       {"at exactly poor_contraction it goes on: <=", [](T& t) { t.strictly_poor = true; }},
       {"only an error that grows ends it: at most poor_contraction of the last one may be left",
        [](T& t) { t.poor = 1; }},
       {"divided by poor_contraction: at most that share of the last error may be left",
        [](T& t) { t.poor = 1 / poor_contraction; }},
-      {"poor_contraction is asked before near_enough: what is near enough is good in any case",
+      {"poor_contraction is asked before negligible h^2: what is negligible is good in any case",
        [](T& t) { t.poor_first = true; }},
       {"the first error is kept for ever: compare with that of the iteration before",
        [](T& t) { t.last_by_first = true; }},
@@ -218,9 +148,19 @@ inline Pieces<NewtonReference> wrong_newtons() {
          for (const double a : C) out = std::max(out, std::abs(a));
          return 10 * out;
        })},
-      {"true where the error hardly becomes less: that is false, there is no such pose",
+      {"true wherever it stops: only if at most poor_contraction of the first error is left",
        [](T& t) { t.result = T::Result::poor_is_true; }},
-      {"false where the error is near enough: that is true",
+      {"false wherever it stops: true if at most poor_contraction of the first error is left. Is "
+       "the first error kept in the first iteration alone?",
+       [](T& t) { t.result = T::Result::poor_is_false; }},
+      {"where it stops the last error is asked: at most poor_contraction of the first one",
+       [](T& t) { t.result = T::Result::poor_by_last; }},
+      {"where it stops true and false are exchanged: true if at most poor_contraction of the first "
+       "error is left",
+       [](T& t) { t.result = T::Result::turned; }},
+      {"where it stops the first error itself is the bound: poor_contraction of it",
+       [](T& t) { t.share = 1; }},
+      {"false where the error is negligible: that is true",
        [](T& t) { t.result = T::Result::near_is_false; }},
       {"false after the last iteration: only a poor one is false",
        [](T& t) { t.result = T::Result::end_is_false; }},
@@ -236,10 +176,10 @@ inline std::vector<std::string> newton_names(const NewtonCase&) {
   const auto call = [](std::size_t n) { return " " + std::to_string(n + 1); };
   for (std::size_t n = 0; n < asked_at_most; ++n)
     for (const char* what : {"x.x", "x.y", "q.w", "q.z"})
-      out.push_back(std::string(what) + " of body 1 at errors()" + call(n));
+      out.push_back(std::string(what) + " at errors()" + call(n));
   for (std::size_t n = 0; n < asked_at_most; ++n)
     for (int i = 0; i < 3; ++i)
-      out.push_back("rates[" + std::to_string(i) + "] of change_rates()" + call(n));
+      out.push_back("rates[" + std::to_string(i) + "] at change_rates()" + call(n));
   out.push_back("bodies in start");
   for (const char* what : {"x.x", "x.y", "x.z", "v.x", "v.y", "v.z"})
     out.push_back(std::string("start[1].") + what);
@@ -270,10 +210,52 @@ inline CaseTable<NewtonCase> newton_table() {
 }
 
 /// For a test of another kind: the table's mistakes explain whatever is wrong.
-inline void expect_newton(const std::string& entry, double yours, double right, double tolerance) {
+inline void expect_newton(const std::string& entry, double yours, double right, double tolerance,
+                          const std::string& words = "") {
   const bool same = std::abs(yours - right) <= tolerance;
-  expect(newton_subject, entry, yours, right, tolerance,
+  const std::string given = words.empty() ? "" : "Case: " + words + ".";
+  Subject about = newton_subject;
+  about.given = given.c_str();
+  expect(about, entry, yours, right, tolerance,
          same ? std::vector<Suspect>{} : newton_table().explain(yours));
+}
+
+/// The pendulum is on its pin, and every body is where its new velocity leads it.
+inline void check_landing(const NewtonCase& c) {
+  Bodies bodies = newton_bodies(c);
+  const Bodies before = bodies;
+  const auto corrector = c.corrector(bodies);
+  std::vector<Body> start;
+  const bool arrived = move_onto_constraints(bodies, c.h, c.iterations, *corrector, start);
+  expect_newton("result (0 false, 1 true)", arrived, 1, 0, c.words);
+  const vec3 gap = world_point(bodies.at(1), vec3(-1, 0, 0));
+  for (int i = 0; i < 3; ++i)
+    expect_newton(std::string("C.") + "xyz"[i], double(gap[i]), 0, negligible * c.h * c.h, c.words);
+  for (int k = 0; k < bodies.slots(); ++k) {
+    Body led = before.at(k);
+    led.v = bodies.at(k).v;
+    led.w = bodies.at(k).w;
+    integrate_pose(led, real(c.h));
+    const std::string words = " of body " + std::to_string(k) + " by its v and w";
+    for (int i = 0; i < 3; ++i)
+      expect_newton(std::string("x.") + "xyz"[i] + words, double(bodies.at(k).x[i]),
+                    double(led.x[i]), rounding, c.words);
+    expect_newton("q" + words, double(length(bodies.at(k).q - led.q)), 0, rounding, c.words);
+  }
+}
+
+/// The same bodies come out whatever the memory held.
+inline void check_memory(const NewtonCase& c, std::size_t size) {
+  Bodies bodies = newton_bodies(c), other = newton_bodies(c);
+  const auto one = c.corrector(bodies), two = c.corrector(other);
+  std::vector<Body> memory(size, sliding(99, 99)), none;
+  move_onto_constraints(bodies, c.h, c.iterations, *one, memory);
+  NewtonReference{c}.move(other, c.h, c.iterations, *two, none);
+  const std::string words = "memory of " + std::to_string(size) + " bodies";
+  expect_newton("bodies in start", double(memory.size()), double(bodies.slots()), 0, words);
+  for (int i = 0; i < 3; ++i)
+    expect_newton(std::string("x.") + "xyz"[i], double(bodies.at(1).x[i]),
+                  double(other.at(1).x[i]), rounding, words);
 }
 
 }  // namespace joints::testing

@@ -81,8 +81,8 @@ struct CaseTable {
       if (same(yours(c), right(c))) right_ones.push_back(c.words);
     return "Holds in " + std::to_string(right_ones.size()) + " of " +
            std::to_string(cases.size()) + " cases" +
-           (right_ones.empty() || right_ones.back().empty() ? "."
-                                                            : ", such as " + right_ones.back() + ".");
+           (right_ones.empty() || right_ones.back().empty() ? "" : ", such as " +
+                                                                       right_ones.back()) + ".";
   }
   /// Is yours right in every case?
   bool holds() const { return is_right(yours); }

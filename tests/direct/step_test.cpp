@@ -196,7 +196,7 @@ TEST_CASE("a hub with too many arms is left to iterations, unless any work is we
   }
 }
 
-TEST_CASE("a net whose factor is too dear is left to iterations as well, and again when it is not") {
+TEST_CASE("a net whose factor is too dear is left to iterations, and no more when it is not") {
   Scene scene = net(8);
   DirectSolver solver;
   run(scene.world, solver, 1);

@@ -29,7 +29,8 @@ PROGRAMS = {
     "04_slider_run": ("Line::", rf"{LATER[5]}|{LATER[6]}|{LAST}|HingeJoint|HingeAngle"),
     "05_fixed_run": ("FixedJoint::", rf"{LATER[6]}|{LATER[7]}|{LAST}"),
     "06_baumgarte_run": ("projection_iteration", rf"{LATER[5]}|{LATER[7]}|{LAST}"),
-    "07_performance_run": ("colours_of", "|".join([OWN_LOOP, LAST, *(LATER[k] for k in (4, 5, 6))])),
+    "07_performance_run": ("colours_of",
+                           "|".join([OWN_LOOP, LAST, *(LATER[k] for k in (4, 5, 6))])),
     "08_ground_run": ("GroundContact", "|".join([LATER[6].replace("limit_bias|", ""), LATER[7],
                                                  LATER[9]])),
     "09_direct_run": ("DirectSolver", "|".join(LATER[k] for k in (6, 7, 8)))}

@@ -33,11 +33,11 @@ struct Graph {
 };
 
 // The joints of a scene, all of the same kind.
-Graph joints_of(Scene&& scene) {
+Graph joints_of(const std::string& name, Scene&& scene) {
   World& world = scene.world;
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, scene.h);
   for (const auto& joint : world.joints()) joint->append(world.bodies, world.blocks);
-  Graph out{scene.name, world.blocks.list[0].rows, {}};
+  Graph out{name, world.blocks.list[0].rows, {}};
   const auto moving = [&](int slot) { return world.bodies.at(slot).is_static() ? -1 : slot; };
   for (const Block& block : world.blocks.list)
     out.joints.push_back({moving(block.body1), moving(block.body2)});
@@ -121,8 +121,8 @@ void order(const Choice& choice) {
   CsvFile table(choice.out + "/order.csv",
                 {"graph", "order", "joints", "rows", "fill", "multiplications"});
   CsvFile pattern(choice.out + "/pattern.csv", {"graph", "order", "row", "column", "filled"});
-  for (const Graph& graph : {joints_of(sideways_chains(1, 101)), ring(100), star_graph(8, 5),
-                             joints_of(net(6))}) {
+  for (const Graph& graph : {joints_of("chain", sideways_chains(1, 101)), ring(100),
+                             star_graph(8, 5), joints_of("net", net(6))}) {
     std::vector<int> list(graph.joints.size());
     std::iota(list.begin(), list.end(), 0);
     const std::vector<int> found = elimination_order(graph.neighbours());

@@ -1,5 +1,5 @@
-// A direct solver without bounds, on one screen: the functions of the exercises and what lies between
-// them. Read it; there is nothing to edit here.
+// A direct solver without bounds, on one screen: the functions of the exercises and what lies
+// between them. Read it; there is nothing to edit here.
 #pragma once
 
 #include "chapters/09_direct/joint_matrix.h"

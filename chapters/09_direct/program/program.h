@@ -50,9 +50,9 @@ inline double energy_of(const Scene& scene) {
 
 /// A scene of a recording of several, side by side.
 struct Shown {
-  Scene& scene;
-  std::function<void()> step;
-  std::string name;  ///< written at its first body
+  Scene& scene;                ///< what is shown
+  std::function<void()> step;  ///< does a step of it
+  std::string name;            ///< written at its first body
 };
 /// Runs scenes side by side and records them. \param apart from one to the next [m]
 void record(const std::string& title, const std::vector<Shown>& shown, const vec3& apart,

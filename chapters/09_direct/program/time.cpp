@@ -12,8 +12,8 @@ namespace joints::chapter9 {
 
 namespace {
 
-// Three slabs on hinges whose axes differ. All of it begins to turn about the first one, with 3 rad/s,
-// which no hinge forbids; then it tumbles.
+// Three slabs on hinges whose axes differ. All of it begins to turn about the first one, with
+// 3 rad/s, which no hinge forbids; then it tumbles.
 Scene three_slabs() {
   Scene scene{.name = "three slabs"};
   const vec3 size(1, real(0.4), real(0.15));

@@ -142,7 +142,7 @@
 // change: response[j].w); ==> response[j].w));
 
 // ---- wrong: x and y alone
-// expects: Case: blocks of 1 and 3 rows
+// expects: Likely mistake: only x and y count in the linear product: all three do
 // change: dot(J[i].v, response[j].v) ==> (J[i].v.x * response[j].v.x + J[i].v.y * response[j].v.y)
 
 // ---- wrong: nothing done

@@ -173,6 +173,14 @@
 // expects: Likely mistake: nothing is done
   (void)number, (void)target, (void)inverse;
 
+// ---- wrong: first node left out
+// expects: Likely mistake: the first node is left out: from node 0 on
+// change: for (std::size_t k = 0; ==> for (std::size_t k = 1;
+
+// ---- wrong: inner loop backwards
+// expects: Likely mistake: the inner loop runs backwards: the targets stand there from j to the
+// change: for (int i = j; i < end; ++i) ==> for (int i = end - 1; i >= j; --i)
+
 // ---- wrong: forward without division
 // region: 2
 // expects: Likely mistake: nothing is divided: each node's numbers by its diagonal block, on the
@@ -199,7 +207,8 @@
   const int count = int(A.nodes.size()) - 1;
   for (int k = 0; k < count; ++k) {
     const Node& node = A.nodes[k];
-  divide(number + node.diagonal, node.rows, x + node.row); for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
+  divide(number + node.diagonal, node.rows, x + node.row); for (int j = node.first_edge;
+      j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];
       subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row); }
   }
@@ -224,7 +233,8 @@
     }
     divide(number + node.diagonal, node.rows, x + node.row);
   }
-  for (int k = count - 1; k >= 0; --k) { const Node& node = A.nodes[k]; divide(number + node.diagonal, node.rows, x + node.row);
+  for (int k = count - 1; k >= 0; --k) { const Node& node = A.nodes[k];
+      divide(number + node.diagonal, node.rows, x + node.row);
     for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];
       subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + to.row,
@@ -268,7 +278,8 @@
     const Node& node = A.nodes[k];
     for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];
-      subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);  // Eq. 9-5
+      subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);
+           // Eq. 9-5
     }
   }
 
@@ -295,7 +306,8 @@
     const Node& node = A.nodes[k];
     for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];
-      subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);  // Eq. 9-5
+      subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x +
+          to.row);  // Eq. 9-5
     }
   }
 
@@ -346,7 +358,8 @@
     const Node& node = A.nodes[k];
     for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];
-      subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row); divide(number + node.diagonal, node.rows, x + node.row); }
+      subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);
+          divide(number + node.diagonal, node.rows, x + node.row); }
   }
   for (int k = count - 1; k >= 0; --k) {
     const Node& node = A.nodes[k];
@@ -397,7 +410,8 @@
       subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);
     }
   }
-  for (int k = count - 1; k >= 0; --k) { const Node& node = A.nodes[k]; divide(number + node.diagonal, node.rows, x + node.row);
+  for (int k = count - 1; k >= 0; --k) { const Node& node = A.nodes[k];
+      divide(number + node.diagonal, node.rows, x + node.row);
     for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];
       subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + to.row,
@@ -420,7 +434,9 @@
       subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);
     }
   }
-  for (int k = 0; k < count; ++k) divide(number + A.nodes[k].diagonal, A.nodes[k].rows, x + A.nodes[k].row); for (int k = count - 1; k >= 0; --k) {
+  for (int k = 0; k < count;
+      ++k) divide(number + A.nodes[k].diagonal, A.nodes[k].rows, x + A.nodes[k].row);
+      for (int k = count - 1; k >= 0; --k) {
     const Node& node = A.nodes[k];
     for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
       const Node& to = A.nodes[A.edges[j].to];

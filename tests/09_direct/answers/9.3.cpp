@@ -9,7 +9,9 @@
     queue.insert({left.back().size(), int(left.size()) - 1});
   }
   while (!queue.empty()) {
-  auto best = queue.begin(); for (auto q = best; q != queue.end(); ++q) if (q->first == queue.begin()->first) best = q; const int node = best->second; queue.erase(best);
+  auto best = queue.begin(); for (auto q = best; q != queue.end();
+      ++q) if (q->first == queue.begin()->first) best = q; const int node = best->second;
+      queue.erase(best);
     order.push_back(node);
     for (const int a : left[node]) {
       queue.erase({left[a].size(), a});
@@ -45,7 +47,7 @@
 // change: if (b != a) left[a].insert(b); ==> (void)b;
 
 // ---- wrong: does not leave
-// expects: it did not end within 4 seconds: a loop without an end?
+// expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
   std::vector<std::set<int>> left;
   std::set<std::pair<std::size_t, int>> queue;
   for (const std::vector<int>& of_one : neighbours) {
@@ -178,7 +180,8 @@
     for (const int a : neighbours[best]) {
       std::erase(neighbours[a], best);
       for (const int b : neighbours[best])
-        if (b != a && std::find(neighbours[a].begin(), neighbours[a].end(), b) == neighbours[a].end())
+        if (b != a && std::find(neighbours[a].begin(), neighbours[a].end(), b) ==
+            neighbours[a].end())
           neighbours[a].push_back(b);
     }
   }
@@ -224,7 +227,10 @@
     queue.insert({left.back().size(), int(left.size()) - 1});
   }
   while (!queue.empty()) {
-  const int before = order.empty() ? -1 : order.back(); auto best = queue.begin(); for (auto q = best; before >= 0 && q != queue.end() && q->first == best->first; ++q) if (!neighbours[before].empty() && neighbours[before][0] == q->second) best = q; const int node = best->second; queue.erase(best);
+  const int before = order.empty() ? -1 : order.back(); auto best = queue.begin();
+      for (auto q = best; before >= 0 && q != queue.end() && q->first == best->first;
+      ++q) if (!neighbours[before].empty() && neighbours[before][0] == q->second) best = q;
+      const int node = best->second; queue.erase(best);
     order.push_back(node);
     for (const int a : left[node]) {
       queue.erase({left[a].size(), a});
@@ -232,6 +238,72 @@
       for (const int b : left[node])
         if (b != a) left[a].insert(b);
       queue.insert({left[a].size(), a});
+    }
+  }
+
+// ---- wrong: only one way filled
+// expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
+// change: if (b != a) ==> if (b > a)
+
+// ---- wrong: old entries stay in the queue
+// expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
+  std::vector<std::set<int>> left;
+  std::set<std::pair<std::size_t, int>> queue;
+  for (const std::vector<int>& of_one : neighbours) {
+    left.emplace_back(of_one.begin(), of_one.end());
+    queue.insert({left.back().size(), int(left.size()) - 1});
+  }
+  while (!queue.empty()) {
+    const int node = queue.begin()->second;
+    queue.erase(queue.begin());
+    order.push_back(node);
+    for (const int a : left[node]) {
+      left[a].erase(node);
+      for (const int b : left[node])
+        if (b != a) left[a].insert(b);
+      queue.insert({left[a].size(), a});
+    }
+  }
+
+// ---- wrong: queue not erased before the change
+// expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
+  std::vector<std::set<int>> left;
+  std::set<std::pair<std::size_t, int>> queue;
+  for (const std::vector<int>& of_one : neighbours) {
+    left.emplace_back(of_one.begin(), of_one.end());
+    queue.insert({left.back().size(), int(left.size()) - 1});
+  }
+  while (!queue.empty()) {
+    const int node = queue.begin()->second;
+    queue.erase(queue.begin());
+    order.push_back(node);
+    for (const int a : left[node]) {
+  left[a].erase(node); queue.erase({left[a].size(), a});
+      for (const int b : left[node])
+        if (b != a) left[a].insert(b);
+      queue.insert({left[a].size(), a});
+    }
+  }
+
+// ---- wrong: the first neighbour only
+// expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
+// change: if (b != a) left[a].insert(b); ==>
+//         if (b != a && b == *left[node].begin()) left[a].insert(b);
+
+// ---- wrong: doubled neighbours
+// expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
+  while (!neighbours.empty() && order.size() < neighbours.size()) {
+    int best = -1;
+    for (int k = 0; k < int(neighbours.size()); ++k)
+      if (std::find(order.begin(), order.end(), k) == order.end() &&
+          (best < 0 || neighbours[k].size() < neighbours[best].size()))
+        best = k;
+    order.push_back(best);
+    const std::vector<int> around = neighbours[best];
+    for (const int a : around) {
+      std::erase(neighbours[a], best);
+      for (const int b : around)
+        if (b != a) neighbours[a].push_back(b);
     }
   }
 

@@ -75,7 +75,7 @@
 // change: : 0 ==> : 1
 
 // ---- wrong: a huge number for a dependent row
-// expects: Case: pivot 1e-14, original 2
+// expects: Case: nothing but rounding error is left
 // change: : 0 ==> : 1e30
 
 // ---- wrong: infinite for a dependent row
@@ -111,7 +111,7 @@
   return 1 / std::max(pivot, dependent_share * original);
 
 // ---- wrong: zero for small masses
-// expects: Case: pivot 3
+// expects: Case: just above the share
 // change: pivot > dependent_share * original ==> pivot > dependent_share * original && pivot > 1e-8
 
 // ---- wrong: root of the share

@@ -326,7 +326,8 @@
   solver.prepare(world.bodies, world.blocks, 0, h);
   solver.warm_start(world.bodies, 0);
   solver.solve(world.bodies);
-  integrate_poses(world.bodies, h / 2); turn(world.bodies, h); integrate_poses(world.bodies, h / 2);  // Eq. 9-9
+  integrate_poses(world.bodies, h / 2); turn(world.bodies, h);
+      integrate_poses(world.bodies, h / 2);  // Eq. 9-9
 
 // ---- wrong: kick behind the solve
 // expects: Likely mistake: kick() comes behind solve(): the impulses of the joints must see the
@@ -389,7 +390,8 @@
   step(world, solver, h, {.leapfrog = true});
 
 // ---- right: rows chosen before the kick
-  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h); kick(world.bodies, world.gravity, (world.last_h + h) / 2);
+  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
+      kick(world.bodies, world.gravity, (world.last_h + h) / 2);
   world.last_h = h;
   world.blocks.clear();
   for (const auto& joint : world.joints()) joint->append(world.bodies, world.blocks);
@@ -404,7 +406,8 @@
   kick(world.bodies, world.gravity, (world.last_h + h) / 2);
   world.last_h = h;
   world.blocks.clear();
-  for (const auto& joint : world.joints()) { joint->begin_step(world.bodies, h); joint->append(world.bodies, world.blocks); }
+  for (const auto& joint : world.joints()) { joint->begin_step(world.bodies, h);
+      joint->append(world.bodies, world.blocks); }
   solver.prepare(world.bodies, world.blocks, 0, h);
   solver.warm_start(world.bodies, 0);
   solver.solve(world.bodies);

@@ -23,7 +23,7 @@
 // ---- wrong: rates not made at all
 // expects: Likely mistake: h is missing, and the sign: J V changes by -C/h
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -31,8 +31,9 @@
     for (double& C : rates) {
       largest = std::max(largest, std::abs(C));
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -44,7 +45,7 @@
 // ---- wrong: not put back
 // expects: Likely mistake: the bodies are not put back: they move from where they were at first
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -53,8 +54,9 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
   }
@@ -64,7 +66,7 @@
 // ---- wrong: only x put back
 // expects: Likely mistake: q is not put back: x and q of every body
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -73,8 +75,9 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -86,7 +89,7 @@
 // ---- wrong: only q put back
 // expects: Likely mistake: x is not put back: x and q of every body
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -95,8 +98,9 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -117,16 +121,18 @@
 // ---- wrong: start kept in each iteration
 // expects: Likely mistake: `start` is written again in each iteration: the velocities in it are
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
-  start.assign(bodies.data(), bodies.data() + bodies.slots()); integrate_poses(bodies, real(h)); std::vector<double>& rates = corrector.errors();
+  start.assign(bodies.data(), bodies.data() + bodies.slots()); integrate_poses(bodies, real(h));
+      std::vector<double>& rates = corrector.errors();
     double largest = 0;
     for (double& C : rates) {
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -137,17 +143,19 @@
 
 // ---- wrong: start kept behind the move
 // expects: Likely mistake: `start` does not hold the bodies as they were: who calls puts them
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
-  if (n == 0) start.assign(bodies.data(), bodies.data() + bodies.slots()); std::vector<double>& rates = corrector.errors();
+  if (n == 0) start.assign(bodies.data(), bodies.data() + bodies.slots());
+      std::vector<double>& rates = corrector.errors();
     double largest = 0;
     for (double& C : rates) {
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -164,7 +172,7 @@
 // ---- wrong: last not kept
 // expects: Likely mistake: an iteration that leaves more than poor_contraction of the error does
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -173,8 +181,9 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
@@ -189,7 +198,7 @@
 // ---- wrong: poor contraction not asked
 // expects: Likely mistake: an iteration that leaves more than poor_contraction of the error does
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -198,7 +207,8 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -208,13 +218,12 @@
   return true;
 
 // ---- wrong: poor goes on with a break
-// expects: Likely mistake: where the error hardly becomes less the bodies move on, and it is
-// change: return false; ==> break;
+// expects: Likely mistake: where the error hardly becomes less the bodies move on: stop there
+// change: return largest <= poor_contraction * first; ==> break;
 
 // ---- wrong: poor is true
-// expects: Likely mistake: true where the error hardly becomes less: that is false, there is no
-// change: (largest <= poor_contraction * last)) return false ==>
-//         (largest <= poor_contraction * last)) return true
+// expects: Likely mistake: true wherever it stops: only if at most poor_contraction of the first
+// change: return largest <= poor_contraction * first ==> return true
 
 // ---- wrong: only growth is poor
 // expects: Likely mistake: only an error that grows ends it: at most poor_contraction of the last
@@ -225,9 +234,9 @@
 // change: largest <= poor ==> largest < poor
 
 // ---- wrong: poor before near
-// expects: Likely mistake: poor_contraction is asked before near_enough: what is near enough is
+// expects: Likely mistake: poor_contraction is asked before negligible h^2: what is negligible is
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -236,7 +245,9 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-  if (!(largest <= poor_contraction * last)) return false; if (largest <= near_enough) return true;
+    if (n == 0) first = largest;
+  if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+      if (largest <= negligible * h * h) return true;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -246,9 +257,9 @@
   return true;
 
 // ---- wrong: near enough not asked
-// expects: Likely mistake: near_enough is not asked: nothing more is to be done then
+// expects: Likely mistake: whether the error is negligible is not asked: nothing more is to be
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -257,7 +268,8 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -267,16 +279,16 @@
   return true;
 
 // ---- wrong: strictly nearer than near_enough
-// expects: Likely mistake: at exactly near_enough it is enough: <=
-// change: largest <= near ==> largest < near
+// expects: Likely mistake: at exactly negligible h^2 it is enough: <=
+// change: largest <= negligible ==> largest < negligible
 
 // ---- wrong: near enough is false
-// expects: Likely mistake: false where the error is near enough: that is true
-// change: near_enough) return true ==> near_enough) return false
+// expects: Likely mistake: false where the error is negligible: that is true
+// change: negligible * h * h) return true ==> negligible * h * h) return false
 
 // ---- wrong: near enough breaks and moves again
-// expects: Likely mistake: where the error is near enough the bodies move once more: they are
-// change: near_enough) return true ==> near_enough) break
+// expects: Likely mistake: where the error is negligible the bodies move once more: they are
+// change: negligible * h * h) return true ==> negligible * h * h) break
 
 // ---- wrong: sign not taken away
 // expects: Likely mistake: the largest error counts, by its size: of all rows max |C|. The sign
@@ -293,7 +305,7 @@
 // ---- wrong: size asked after the division
 // expects: Likely mistake: the size is taken of -C/h, not of C: ask before you divide
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -301,8 +313,9 @@
     for (double& C : rates) {
   C /= -h; largest = std::max(largest, std::abs(C));
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -319,7 +332,7 @@
 // ---- wrong: largest not begun anew
 // expects: Likely mistake: the largest error is not begun anew in each iteration: from 0
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   double largest = 0; for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -327,8 +340,9 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -344,7 +358,7 @@
 // ---- wrong: no final move
 // expects: Likely mistake: after the last iteration the bodies stay where they began
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -353,8 +367,9 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -365,7 +380,7 @@
 // ---- wrong: false at the end
 // expects: Likely mistake: false after the last iteration: only a poor one is false
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -374,8 +389,9 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -388,13 +404,13 @@
 // change: n < iterations ==> n <= iterations
 
 // ---- wrong: one iteration too few
-// expects: Likely mistake: one iteration too few: from 0 while n < iterations
+// expects: Likely mistake: one iteration too few: from 0 while n < iterations; and false wherever
 // change: int n = 0; ==> int n = 1;
 
 // ---- wrong: errors before the move
 // expects: Likely mistake: the errors are asked before the bodies move: C is that at the new
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
   std::vector<double>& rates = corrector.errors(); integrate_poses(bodies, real(h));
     double largest = 0;
@@ -402,8 +418,9 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -415,7 +432,7 @@
 // ---- wrong: no move in the iteration
 // expects: Likely mistake: the errors are asked before the bodies move: C is that at the new
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
   std::vector<double>& rates = corrector.errors();
     double largest = 0;
@@ -423,8 +440,9 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -436,7 +454,7 @@
 // ---- wrong: moves for half of h
 // expects: Likely mistake: the bodies move for half of h in each iteration: for all of it
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
   integrate_poses(bodies, real(h / 2)); std::vector<double>& rates = corrector.errors();
     double largest = 0;
@@ -444,8 +462,9 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -457,7 +476,7 @@
 // ---- wrong: rates never changed
 // expects: Likely mistake: change_rates() is never called
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -466,8 +485,9 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
@@ -487,7 +507,7 @@
 // ---- wrong: errors asked at the end
 // expects: Likely mistake: the errors are asked once more after the last iteration: that costs
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -496,14 +516,17 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
   }
-  integrate_poses(bodies, real(h)); for (const double C : corrector.errors()) if (std::abs(C) > near_enough) return false; return true;
+  integrate_poses(bodies, real(h));
+      for (const double C : corrector.errors()) if (std::abs(C) > negligible * h * h) return
+      false; return true;
 
 // ---- wrong: zero iterations do nothing
 // expects: Likely mistake: with no iterations the bodies do not move: they do, by the velocities
@@ -520,7 +543,7 @@
 // ---- wrong: returned at once when poor after the change
 // expects: Likely mistake: the velocities are changed before poor_contraction is asked: then they
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -529,8 +552,11 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-  corrector.change_rates(rates); if (!(largest <= poor_contraction * last)) return false; last = largest;
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+  corrector.change_rates(rates);
+      if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+      last = largest;
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
   }
@@ -551,12 +577,29 @@
 // change: int slot = 0 ==> int slot = 1
 
 // ---- wrong: last body not put back
-// expects: Case: a slider with a mark half a metre ahead
+// expects: Likely mistake: the last body is not put back: all slots
 // change: slot < bodies.slots() ==> slot < bodies.slots() - 1
 
-// ---- right: put back before the change
+// ---- wrong: false wherever it stops
+// expects: Likely mistake: false wherever it stops: true if at most poor_contraction of the first
+// change: return largest <= poor_contraction * first ==> return false
+
+// ---- wrong: last instead of first
+// expects: Likely mistake: false wherever it stops: true if at most poor_contraction of the first
+// change: return largest <= poor_contraction * first ==> return largest <= poor_contraction * last
+
+// ---- wrong: first error itself the bound
+// expects: Likely mistake: where it stops the first error itself is the bound: poor_contraction
+// change: return largest <= poor_contraction * first ==> return largest <= first
+
+// ---- wrong: first kept in each iteration
+// expects: Likely mistake: false wherever it stops: true if at most poor_contraction of the first
+// change: if (n == 0) first = largest; ==> first = largest;
+
+// ---- wrong: first never kept
+// expects: Likely mistake: false wherever it stops: true if at most poor_contraction of the first
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double last = std::numeric_limits<double>::infinity();
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
@@ -565,10 +608,54 @@
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (largest <= near_enough) return true;
-    if (!(largest <= poor_contraction * last)) return false;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
     last = largest;
-  for (int slot = 0; slot < bodies.slots(); ++slot) bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q; corrector.change_rates(rates);
+    corrector.change_rates(rates);
+    for (int slot = 0; slot < bodies.slots(); ++slot)
+      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
+  }
+  integrate_poses(bodies, real(h));
+  return true;
+
+// ---- wrong: first kept in the second iteration
+// expects: Likely mistake: false wherever it stops: true if at most poor_contraction of the first
+// change: n == 0 ==> n == 1
+
+// ---- wrong: stop turned round
+// expects: Likely mistake: where it stops true and false are exchanged: true if at most
+// change: return largest <= poor_contraction * first ==> return largest > poor_contraction * first
+
+// ---- wrong: negligible without h squared
+// expects: Likely mistake: h^2 is missing: an error of at most negligible h^2 needs no more
+// change: negligible * h * h ==> negligible
+
+// ---- wrong: negligible times h
+// expects: Likely mistake: h is squared: an error of at most negligible h^2 needs no more
+// change: negligible * h * h ==> negligible * h
+
+// ---- wrong: strictly less at the first
+// expects: Exercise 9.6: Newton's method on the positions Holds in 34 of 35 cases
+// change: return largest <= poor ==> return largest < poor
+
+// ---- right: put back before the change
+  start.assign(bodies.data(), bodies.data() + bodies.slots());
+  double first = 0, last = std::numeric_limits<double>::infinity();
+  for (int n = 0; n < iterations; ++n) {
+    integrate_poses(bodies, real(h));
+    std::vector<double>& rates = corrector.errors();
+    double largest = 0;
+    for (double& C : rates) {
+      largest = std::max(largest, std::abs(C));
+      C /= -h;  // Eq. 9-10
+    }
+    if (n == 0) first = largest;
+    if (largest <= negligible * h * h) return true;
+    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    last = largest;
+  for (int slot = 0; slot < bodies.slots();
+      ++slot) bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
+      corrector.change_rates(rates);
   }
   integrate_poses(bodies, real(h));
   return true;
@@ -576,14 +663,15 @@
 // ---- right: poses kept apart
   start.resize(std::size_t(bodies.slots()));
   for (int slot = 0; slot < bodies.slots(); ++slot) start[std::size_t(slot)] = bodies.at(slot);
-  double before = 0;
+  double before = 0, first = 0;
   integrate_poses(bodies, real(h));
   for (int n = 0; n < iterations; ++n) {
     std::vector<double> rates = corrector.errors();
     double largest = 0;
     for (const double C : rates) largest = std::abs(C) > largest ? std::abs(C) : largest;
-    if (largest <= near_enough) break;
-    if (n > 0 && largest > poor_contraction * before) return false;
+    if (n == 0) first = largest;
+    if (largest / (h * h) <= negligible) break;
+    if (n > 0 && largest > poor_contraction * before) return largest <= poor_contraction * first;
     before = largest;
     for (double& C : rates) C *= -1 / h;
     corrector.change_rates(rates);

@@ -17,7 +17,7 @@
 // change: factor * h * h * force_lever ==> factor * h * h
 
 // ---- wrong: fixed factor
-// expects: Likely mistake: a fixed factor of 16: `factor` is one
+// expects: Likely mistake: a fixed factor: `factor` is one
 // change: factor * h * h * force_lever ==> real(16) * h * h * force_lever
 
 // ---- wrong: divided by h squared
@@ -26,16 +26,92 @@
 
 // ---- wrong: inertia taken away
 // expects: Likely mistake: the inertia is taken away: each moment grows
-// change: moments + factor ==> moments - factor
+// change: moments + vec3 ==> moments - vec3
 
 // ---- wrong: inertia multiplied
-// expects: Likely mistake: times 1 + factor h^2 |F||r|: that is added to the moment
-// change: moments + factor * h * h * force_lever ==>
-//         moments * (real(1) + factor * h * h * force_lever)
+// expects: Likely mistake: the moments are multiplied by what is missing: it is added
+// change: moments + vec3 ==> moments * vec3
 
 // ---- wrong: added to the inverse
-// expects: Likely mistake: in inverse_inertia_local alone: the inverse moments are taken for
-// change: moments + factor ==> body.inverse_inertia_local + factor
+// expects: Exercise 9.8: a body with more inertia Case: mass 1 kg, force_lever 3
+// change: moments + vec3 ==> body.inverse_inertia_local + vec3
+
+// ---- wrong: least moment forgotten
+// expects: Likely mistake: the least moment is not taken away: only what is missing is added
+// change: - least - lever ==> - lever
+
+// ---- wrong: least moment added
+// expects: Likely mistake: the least moment is added: what is there is taken away
+// change: - least - lever ==> + least - lever
+
+// ---- wrong: greatest moment
+// expects: Likely mistake: the greatest moment in the place of the least
+// change: std::min({ ==> std::max({
+
+// ---- wrong: first moment
+// expects: Likely mistake: the first moment in the place of the least
+// change: std::min({moments.x, moments.y, moments.z}) ==> moments.x
+
+// ---- wrong: last moment
+// expects: Likely mistake: the third moment in the place of the least
+// change: std::min({moments.x, moments.y, moments.z}) ==> moments.z
+
+// ---- wrong: mean moment
+// expects: Likely mistake: the mean of the moments in the place of the least
+// change: std::min({moments.x, moments.y, moments.z}) ==> (moments.x + moments.y + moments.z) / 3
+
+// ---- wrong: lever forgotten
+// expects: Likely mistake: m r^2 is not taken away: it is there, too
+  const vec3 moments = real(1) / body.inverse_inertia_local;
+  const real least = std::min({moments.x, moments.y, moments.z});
+  const real missing = factor * h * h * force_lever - least ;
+  const vec3 more = moments + vec3(std::max(real(0), missing));  // Eq. 9-14
+  out.inverse_inertia_local = real(1) / more;
+  out.w = to_world(body, moments / more * to_local(body, body.w));
+
+// ---- wrong: lever added
+// expects: Likely mistake: m r^2 is added: what is there is taken away
+// change: - lever * lever / body.inverse_mass ==> + lever * lever / body.inverse_mass
+
+// ---- wrong: lever not squared
+// expects: Likely mistake: r is squared: m r^2
+// change: lever * lever / body ==> lever / body
+
+// ---- wrong: lever times inverse mass
+// expects: Likely mistake: divided by the mass: inverse_mass is 1/m, so divide by it
+// change: lever * lever / body.inverse_mass ==> lever * lever * body.inverse_mass
+
+// ---- wrong: mass forgotten
+// expects: Likely mistake: the mass is missing: m r^2
+// change: lever * lever / body.inverse_mass ==> lever * lever
+
+// ---- wrong: negative missing
+// expects: Likely mistake: what is missing may be negative: then nothing is added, at least 0
+// change: vec3(std::max(real(0), missing)) ==> vec3(missing)
+
+// ---- wrong: lower bound exchanged
+// expects: Likely mistake: the lesser of 0 and what is missing: the greater
+// change: std::max(real(0), missing) ==> std::min(real(0), missing)
+
+// ---- wrong: all of it where something is missing
+// expects: Likely mistake: all of factor h^2 |F||r| is added where something is missing: only
+// change: std::max(real(0), missing) ==> missing > 0 ? factor * h * h * force_lever : real(0)
+
+// ---- wrong: old rule, always all of it
+// expects: Likely mistake: nothing that is there is taken away: only what is missing is added
+// change: std::max(real(0), missing) ==> factor * h * h * force_lever
+
+// ---- wrong: each axis what it lacks itself
+// expects: Likely mistake: each moment lacks something of its own here: what the least one lacks
+// change: moments + vec3(std::max(real(0), missing)) ==> glm::max(moments, vec3(missing + least))
+
+// ---- wrong: only the size of what is missing
+// expects: Likely mistake: the size of what is missing: where it is negative there is enough, and
+// change: std::max(real(0), missing) ==> std::abs(missing)
+
+// ---- wrong: force times lever again
+// expects: Likely mistake: force_lever is |F||r| already: it is not multiplied by the lever once
+// change: factor * h * h * force_lever ==> factor * h * h * force_lever * lever
 
 // ---- wrong: inverse moments taken for moments
 // expects: Likely mistake: the inverse moments are taken for moments: 1 over each of them first
@@ -47,7 +123,7 @@
 // change: out.inverse_inertia_local = real(1) / more ==> out.inverse_inertia_local = more
 
 // ---- wrong: old inertia returned
-// expects: Likely mistake: in inverse_inertia_local alone: the force is never looked at, and
+// expects: Likely mistake: in inverse_inertia alone: the force is never looked at, and nothing
 // change: out.inverse_inertia_local = real(1) / more ==>
 //         out.inverse_inertia_local = body.inverse_inertia_local
 
@@ -98,13 +174,12 @@
 // change: moments / more * ==> (moments.x + moments.y + moments.z) / (more.x + more.y + more.z) *
 
 // ---- wrong: only one moment grows
-// expects: Likely mistake: only one moment grows: all three
-// change: moments + factor * h * h * force_lever ==>
-//         moments + vec3(0, factor * h * h * force_lever, 0)
+// expects: Likely mistake: only the first moment grows: all three
+// change: vec3(std::max(real(0), missing)) ==> vec3(std::max(real(0), missing), 0, 0)
 
 // ---- wrong: mass added
-// expects: Likely mistake: the mass is added, too: only factor h^2 |F||r|
-// change: moments + factor ==> moments + real(1) / body.inverse_mass + factor
+// expects: Exercise 9.8: a body with more inertia Case: mass 1 kg, force_lever 3
+// change: moments + vec3 ==> moments + real(1) / body.inverse_mass + vec3
 
 // ---- wrong: force doubled
 // expects: Likely mistake: twice: factor h^2 |F||r|
@@ -112,7 +187,7 @@
 
 // ---- wrong: force squared
 // expects: Likely mistake: the force is squared: it is |F||r| itself
-// change: * force_lever ==> * force_lever * force_lever
+// change: * force_lever - least ==> * force_lever * force_lever - least
 
 // ---- wrong: linear velocity
 // expects: Likely mistake: the linear velocity: w is the angular one
@@ -121,52 +196,58 @@
 // ---- wrong: w not set
 // expects: Likely mistake: the angular velocity becomes zero: the momentum stays
   const vec3 moments = real(1) / body.inverse_inertia_local;
-  const vec3 more = moments + factor * h * h * force_lever;  // Eq. 9-14
+  const real least = std::min({moments.x, moments.y, moments.z});
+  const real missing = factor * h * h * force_lever - least - lever * lever / body.inverse_mass;
+  const vec3 more = moments + vec3(std::max(real(0), missing));  // Eq. 9-14
   out.inverse_inertia_local = real(1) / more;
 
 // ---- wrong: inertia not set
-// expects: Likely mistake: in inverse_inertia_local alone: 0 in every case: is it written at all
+// expects: Likely mistake: in inverse_inertia alone: 0 in every case: is it written at all, from
   const vec3 moments = real(1) / body.inverse_inertia_local;
-  const vec3 more = moments + factor * h * h * force_lever;  // Eq. 9-14
+  const real least = std::min({moments.x, moments.y, moments.z});
+  const real missing = factor * h * h * force_lever - least - lever * lever / body.inverse_mass;
+  const vec3 more = moments + vec3(std::max(real(0), missing));  // Eq. 9-14
   out.w = to_world(body, moments / more * to_local(body, body.w));
 
 // ---- wrong: a number in float
 // expects: Likely mistake: right to a few digits only: is there a float among the reals, such as
 // change: factor * h * h ==> real(float(factor * h * h))
 
-// ---- wrong: at most twice the inertia
-// expects: Exercise 9.8: a body with more inertia Case: force_lever 1 N m, factor
-// change: moments + factor * h * h * force_lever ==>
-//         glm::min(moments + factor * h * h * force_lever, real(2) * moments)
-
-// ---- wrong: the larger of both
-// expects: Likely mistake: the greater one of moment and factor h^2 |F||r|: their sum
-// change: moments + factor * h * h * force_lever ==>
-//         glm::max(moments, vec3(factor * h * h * force_lever))
-
 // ---- wrong: isotropic bodies left out
-// expects: Exercise 9.8: a body with more inertia Case: force_lever 30 N m, facto
-// change: moments + factor * h * h * force_lever ==>
-//         moments + (body.is_isotropic() ? real(0) : factor * h * h * force_lever)
+// expects: Exercise 9.8: a body with more inertia Case: mass 2 kg, force_lever 90
+// change: vec3(std::max(real(0), missing)) ==>
+//         vec3(body.is_isotropic() ? real(0) : std::max(real(0), missing))
 
 // ---- wrong: squared ratio
 // expects: Likely mistake: the ratio is squared: moments / more, once
 // change: moments / more * ==> moments / more * moments / more *
 
+// ---- wrong: h cubed
+// expects: Likely mistake: h to the third power: factor h^2 |F||r|
+// change: factor * h * h * force_lever ==> factor * h * h * h * force_lever
+
+// ---- wrong units: lever not squared
+// expects: Units: in stiffened, taking kg m from kg m^2: an arm is missing, or another length
+// change: lever * lever / body ==> lever / body
+
+// ---- wrong units: mass forgotten
+// expects: Units: in stiffened, taking m^2 from kg m^2: the inverse mass is missing
+// change: lever * lever / body.inverse_mass ==> lever * lever
+
 // ---- wrong units: h not squared
-// expects: Units: in stiffened, adding kg m^2/s to kg m^2: h is missing (an impulse is h times a
+// expects: Units: in stiffened, taking kg m^2 from kg m^2/s: a time too many: is a division by h
 // change: factor * h * h * force_lever ==> factor * h * force_lever
 
 // ---- wrong units: h missing
-// expects: Units: in stiffened, adding kg m^2/s^2 to kg m^2
+// expects: Units: in stiffened, taking kg m^2 from kg m^2/s^2
 // change: factor * h * h * force_lever ==> factor * force_lever
 
 // ---- wrong units: force missing
-// expects: Units: in stiffened, adding s^2 to kg m^2
+// expects: Units: in stiffened, taking kg m^2 from s^2
 // change: factor * h * h * force_lever ==> factor * h * h
 
 // ---- wrong units: inverse moments taken for moments
-// expects: Units: in stiffened, adding kg m^2 to 1/(kg m^2): inertia where its inverse belongs
+// expects: Units: in stiffened, taking 1/(kg m^2) from kg m^2: inertia where its inverse belongs
 // change: const vec3 moments = real(1) / body.inverse_inertia_local ==>
 //         const vec3 moments = body.inverse_inertia_local
 
@@ -189,19 +270,22 @@
 // ---- right: in the world's axes with a matrix
   const mat3 R = mat3_cast(body.q);
   const vec3 before = real(1) / body.inverse_inertia_local;
-  const vec3 after = before + vec3(h * h * factor * force_lever);
+  real there = before.x < before.y ? before.x : before.y;
+  if (before.z < there) there = before.z;
+  there += lever * lever / body.inverse_mass;
+  const real follows = h * h * factor * force_lever;
+  const vec3 after = before + vec3(follows > there ? follows - there : real(0));
   const mat3 old(R[0] * before.x, R[1] * before.y, R[2] * before.z);
   const mat3 next(R[0] / after.x, R[1] / after.y, R[2] / after.z);
   out.inverse_inertia_local = real(1) / after;
   out.w = next * transpose(R) * (old * transpose(R) * body.w);
 
-// ---- right: component by component
-  const vec3 local = to_local(body, body.w);
-  vec3 w(0);
-  for (int k = 0; k < 3; ++k) {
-    const real inverse = body.inverse_inertia_local[k];
-    const real ratio = 1 + inverse * factor * force_lever * h * h;
-    out.inverse_inertia_local[k] = inverse / ratio;
-    w[k] = local[k] / ratio;
-  }
-  out.w = to_world(body, w);
+// ---- right: the body as it is where it has enough
+  const vec3& inverse = body.inverse_inertia_local;
+  const real greatest = std::max({inverse.x, inverse.y, inverse.z});
+  const real missing = factor * h * h * force_lever - 1 / greatest - lever * lever /
+      body.inverse_mass;
+  if (missing <= 0) return {inverse, body.w};
+  out.inverse_inertia_local = inverse / (real(1) + missing * inverse);
+  const vec3 momentum = to_local(body, body.w) / inverse;
+  out.w = to_world(body, out.inverse_inertia_local * momentum);

@@ -1,0 +1,163 @@
+// Exercise 9.4: the inverse of a pivot as a table, with the usual mistakes.
+#pragma once
+
+#include "chapters/09_direct/direct.h"
+#include "tests/checker/arguments.h"
+
+namespace joints::testing {
+
+struct PivotCase {
+  std::string words;
+  double pivot, original;
+};
+inline const Arguments<PivotCase> pivot_arguments{{"pivot", &PivotCase::pivot},
+                                                  {"original", &PivotCase::original}};
+
+inline std::vector<PivotCase> pivot_cases() {
+  const double share = dependent_share, nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<PivotCase> out{{"a pivot of its whole entry", 2, 2},
+                             {"nothing but rounding error is left", share / 1000 * 2, 2},
+                             {"half of it is left", 1, 2},
+                             {"a pivot of 4", 4, 5},
+                             {"a hundredth is left", 0.05, 5},
+                             {"just above the share", 1.01 * share * 3, 3},
+                             {"just below the share", 0.99 * share * 3, 3},
+                             {"exactly the share", share * 2, 2},
+                             {"exactly the share of a large entry", share * 1024, 1024},
+                             {"both are zero", 0, 0},
+                             {"nothing is left", 0, 3},
+                             {"rounding error below zero", -share / 100, 1},
+                             {"a large pivot below zero", -2, 3},
+                             {"the pivot is not a number", nan, 1},
+                             {"the entry is not a number", 1, nan}};
+  for (const double mass : {1e-9, 1e-4, 1e4, 1e9}) {
+    const std::string words = ", entry " + short_number(mass);
+    out.push_back({"whole" + words, mass, mass});
+    out.push_back({"a thousandth is left" + words, 1e-3 * mass, mass});
+    out.push_back({"rounding error" + words, 1e-2 * share * mass, mass});
+    out.push_back({"twice the share" + words, 2 * share * mass, mass});
+  }
+  return out;
+}
+
+inline CaseTable<PivotCase> pivot_table() {
+  using Case = PivotCase;
+  // numbers of all sizes: what is compared is the inverse in units of 1/pivot
+  const auto scaled = [](auto inverse) {
+    return [=](const Case& c) {
+      const double scale = c.pivot != 0 && std::isfinite(c.pivot) ? std::abs(c.pivot) : 1;
+      return Numbers{scale * inverse(c)};
+    };
+  };
+  const double share = dependent_share;
+  const auto unless = [=](auto dropped) {
+    return scaled([=](const Case& c) { return dropped(c) ? 0 : 1 / c.pivot; });
+  };
+  CaseTable<Case> table{{"9.4", "1 / pivot, and 0 for a dependent row"},
+                        {"inverse |pivot|"}, {}, {}, {}, pivot_cases()};
+  table.tolerance = 1e-12;
+  table.whole = true;
+  table.yours = scaled([](const Case& c) { return inverse_pivot(c.pivot, c.original); });
+  table.right = unless([=](const Case& c) { return !(c.pivot > share * c.original); });
+  table.mistakes = {
+      {"every pivot is inverted: what is left of a dependent row is rounding error, it gets 0",
+       unless([](const Case&) { return false; })},
+      {"only a pivot of exactly 0 gets 0: rounding error is never that",
+       unless([](const Case& c) { return c.pivot == 0; })},
+      {"only what is 0 or below gets 0: rounding error may be positive",
+       unless([](const Case& c) { return !(c.pivot > 0); })},
+      {"always 0: a pivot above its share of the original entry has an inverse",
+       unless([](const Case&) { return true; })},
+      {"the comparison is turned round: what is at most the share gets 0",
+       unless([=](const Case& c) { return c.pivot > share * c.original; })},
+      {"the comparison is turned round: what is at most the share gets 0",
+       unless([=](const Case& c) { return c.pivot >= share * c.original; })},
+      {"the comparison is turned round: what is at most the share gets 0",
+       unless([=](const Case& c) { return !(c.pivot < share * c.original); })},
+      {"the comparison is turned round: what is at most the share gets 0",
+       unless([=](const Case& c) { return !(c.pivot <= share * c.original); })},
+      {"a dependent row gets an infinite inverse: it gets 0, no impulse",
+       scaled([=](const Case& c) {
+         return c.pivot > share * c.original ? 1 / c.pivot
+                                             : std::numeric_limits<double>::infinity();
+       })},
+      {"a share of the entry is added to every pivot: that changes all impulses. Compare, and "
+       "return 0",
+       scaled([=](const Case& c) { return 1 / (c.pivot + share * c.original); })},
+      {"a pivot is at least its share of the entry: what is not more gets 0, no impulse",
+       scaled([=](const Case& c) { return 1 / std::max(c.pivot, share * c.original); })},
+      {"a bound that does not become smaller with the entry: a share of the entry, however small",
+       unless([=](const Case& c) { return !(c.pivot > share * std::max(c.original, 1.0)); })},
+      {"at exactly the share there is no inverse: at most this share is rounding error, so > and "
+       "not >=",
+       unless([=](const Case& c) { return !(c.pivot >= share * c.original); })},
+      {"at exactly the share there is no inverse, and not a number gives 0: ask for pivot > share, "
+       "not for pivot < share",
+       unless([=](const Case& c) { return c.pivot < share * c.original; })},
+      {"a pivot or entry that is not a number gets through: ask for pivot > share of the entry, "
+       "which is false then",
+       unless([=](const Case& c) { return c.pivot <= share * c.original; })},
+      {"the size of the pivot is compared: a pivot below zero is an error, too, and gets 0",
+       unless([=](const Case& c) { return !(std::abs(c.pivot) > share * c.original); })},
+      {"the size of the pivot is compared: a pivot below zero is an error, too, and gets 0",
+       unless([=](const Case& c) { return std::abs(c.pivot) <= share * c.original; })},
+      {"the size of the pivot is inverted: a pivot below zero gets 0",
+       scaled([=](const Case& c) {
+         return std::abs(c.pivot) > share * c.original ? 1 / std::abs(c.pivot) : 0;
+       })},
+      {"the share itself is the bound: it is a share of the original entry",
+       unless([=](const Case& c) { return !(c.pivot > share); })},
+      {"the share itself is the bound: it is a share of the original entry",
+       unless([=](const Case& c) { return c.pivot < share; })},
+      {"the original entry is inverted: it only tells what is rounding error",
+       scaled([=](const Case& c) {
+         return c.pivot > share * c.original ? 1 / c.original : 0;
+       })},
+      {"the pivot is returned: its inverse",
+       scaled([=](const Case& c) { return c.pivot > share * c.original ? c.pivot : 0; })},
+      {"the sign", scaled([=](const Case& c) {
+         return c.pivot > share * c.original ? -1 / c.pivot : 0;
+       })},
+      {"the pivot is divided by its entry: 1 over the pivot",
+       scaled([=](const Case& c) {
+         return c.pivot > share * c.original ? c.original / c.pivot : 0;
+       })},
+      {"a dependent row gets 1: it gets 0, no impulse",
+       scaled([=](const Case& c) { return c.pivot > share * c.original ? 1 / c.pivot : 1; })},
+      {"the pivot is compared with the whole entry: elimination only makes it smaller",
+       unless([](const Case& c) { return !(c.pivot >= c.original); })},
+      {"the pivot is compared with the whole entry: elimination only makes it smaller",
+       unless([](const Case& c) { return !(c.pivot > c.original); })},
+      {"pivot and entry are exchanged in the comparison",
+       unless([=](const Case& c) { return !(c.original > share * c.pivot); })},
+      {"the entry is divided by the share: a share of it is dependent_share times it",
+       unless([=](const Case& c) { return !(c.pivot > c.original / share); })},
+      {"pivot / original where both are zero is not a number: compare with a product",
+       scaled([=](const Case& c) {
+         return c.pivot / c.original <= share ? 0 : 1 / c.pivot;
+       })},
+      {"1 / pivot is cut to a whole number: an int has no fraction",
+       scaled([=](const Case& c) {
+         const double inverse = c.pivot > share * c.original ? std::trunc(1 / c.pivot) : 0;
+         return std::abs(inverse) < 2147483648.0 ? inverse : -2147483648.0;  // what an int holds
+       })}};
+  for (const double bound : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15,
+                             1e-16, 2.220446049250313e-16, 1e-20}) {
+    table.mistakes.push_back({"a fixed bound for masses of any size: a share of the original "
+                              "entry",
+                              unless([=](const Case& c) { return !(c.pivot > bound); })});
+    table.mistakes.push_back({std::string("another share, ") +
+                                  (bound < share ? "smaller" : "larger") +
+                                  " than dependent_share",
+                              unless([=](const Case& c) {
+                                return !(c.pivot > bound * c.original);
+                              })});
+  }
+  table.leave_out_harmless();
+  table.given = [](const Case& c) { return "Given: " + arguments_of(c, pivot_arguments) + "."; };
+  add_formulas(table, pivot_arguments);
+  table.given = [copy = table](const Case& c) { return copy.given(c) + " " + copy.holds_in(); };
+  return table;
+}
+
+}  // namespace joints::testing

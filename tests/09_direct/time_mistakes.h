@@ -1,0 +1,222 @@
+// Exercise 9.5: the steps of the usual mistakes.
+#pragma once
+
+#include "tests/09_direct/time_cases.h"
+#include "tests/checker/pieces.h"
+#include "tests/checker/report.h"
+
+namespace joints::testing {
+
+/// The parts of a step, each of which a mistake may change.
+struct TimeReference {
+  TimeCase c;
+  std::function<real(real last, real h)> kick_length = [](real last, real h) {
+    return (last + h) / 2;
+  };
+  bool keeps_h = true, kicks = true, euler = false, clears = true, begins = true, appends = true;
+  bool warms = true, poses_first = false, kick_last = false;
+  real begin_h = 1, prepare_h = 1, pose_h = 1, ratio = 0;
+  int solves = 1, poses = 1;
+  real before_solve = 0, before = real(0.5), after = real(0.5);  ///< turns, as shares of h
+  int turns = 1;  ///< how often each
+  real kick_at_end = 0;  ///< share of h
+  bool keeps_mean = false, gravity_alone = false, earth = false, poses_at_once = false;
+  bool poses_before_solve = false, poses_around = false;
+
+  void step(World& world, Solver& solver, real h) const {
+    Bodies& bodies = world.bodies;
+    const real length = kick_length(world.last_h, h);
+    if (poses_at_once) integrate_poses(bodies, h);
+    const vec3 gravity = earth ? vec3(0, real(-9.81), 0) : world.gravity;
+    const auto turned = [&](real share) {
+      if (share > 0)
+        for (int n = 0; n < turns; ++n) turn(bodies, share * h);
+    };
+    if (euler) integrate_forces(bodies, gravity, length);
+    else if (gravity_alone)
+      for (int k = 0; k < bodies.slots(); ++k)
+        bodies.at(k).v += (bodies.at(k).is_static() ? 0 : length) * gravity;
+    else if (kicks && !kick_last) kick(bodies, gravity, length);
+    if (keeps_h) world.last_h = keeps_mean ? length : h;
+    if (poses_first) integrate_poses(bodies, h);
+    turned(before_solve);
+    if (clears) world.blocks.clear();
+    if (begins)
+      for (const auto& joint : world.joints()) joint->begin_step(bodies, begin_h * h);
+    if (appends)
+      for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
+    solver.prepare(bodies, world.blocks, 0, prepare_h * h);
+    if (warms) solver.warm_start(bodies, ratio);
+    if (poses_before_solve) integrate_poses(bodies, h);
+    for (int n = 0; n < solves; ++n) solver.solve(bodies);
+    if (kick_last) kick(bodies, world.gravity, length);
+    if (poses_around) integrate_poses(bodies, h / 2);
+    turned(before);
+    if (!poses_first && !poses_at_once && !poses_before_solve && !poses_around)
+      for (int n = 0; n < poses; ++n) integrate_poses(bodies, pose_h * h);
+    turned(after);
+    if (poses_around) integrate_poses(bodies, h / 2);
+    if (kick_at_end > 0) kick(bodies, gravity, kick_at_end * h);
+  }
+};
+
+inline Pieces<TimeReference> wrong_times() {
+  using T = TimeReference;
+  const auto length = [](auto of) { return [=](T& t) { t.kick_length = of; }; };
+  const char* const halves = "turn() half of h before the bodies move, and half of h after";
+  return {
+      {"forces act for the whole of h: for the mean of the last step and this one. Is world.last_h "
+       "set before kick()?",
+       length([](real, real h) { return h; })},
+      {"forces act for half of h: for the mean of the last step and this one",
+       length([](real, real h) { return h / 2; })},
+      {"forces act for the last step: for the mean of it and this one",
+       length([](real last, real) { return last; })},
+      {"forces act for the last step and this one: for their mean, the half of that",
+       length([](real last, real h) { return last + h; })},
+      {"half of this step only: (last_h + h) / 2 needs its brackets",
+       length([](real last, real h) { return last + h / 2; })},
+      {"half of the last step only: (last_h + h) / 2 needs its brackets",
+       length([](real last, real h) { return last / 2 + h; })},
+      {"in the first step forces act for all of h: nothing came before it, last_h is 0 then",
+       length([](real last, real h) { return last == 0 ? h : (last + h) / 2; })},
+      {"no forces act: kick() the bodies",
+       [](T& t) { t.kicks = false; }},
+      {"integrate_forces() turns the bodies, too: kick() alone, the turns come later",
+       [](T& t) { t.euler = true; }},
+      {"this is the step of semi-implicit Euler: kick() for the mean, and turn() half before and "
+       "half after the bodies move",
+       [](T& t) {
+         t.euler = true, t.before = t.after = 0;
+         t.kick_length = [](real, real h) { return h; };
+       }},
+      {"kick() comes behind solve(): the impulses of the joints must see the forces",
+       [](T& t) { t.kick_last = true; }},
+      {"the mean is kept in world.last_h: h, the length of this step",
+       [](T& t) { t.keeps_mean = true; }},
+      {"a second kick() at the end: forces act once, for the mean of the last step and this one",
+       [](T& t) { t.kick_at_end = real(0.5); }},
+      {"two kicks of half of h: forces act once, for the mean of the last step and this one",
+       [](T& t) {
+         t.kick_at_end = real(0.5);
+         t.kick_length = [](real, real h) { return h / 2; };
+       }},
+      {"force and torque of the bodies are forgotten: kick() has all of it",
+       [](T& t) { t.gravity_alone = true; }},
+      {"gravity is another one: world.gravity", [](T& t) { t.earth = true; }},
+      {"h is not kept in world.last_h: the next step's mean needs it",
+       [](T& t) { t.keeps_h = false; }},
+      {"the blocks of the last step are still there: world.blocks.clear()",
+       [](T& t) { t.clears = false; }},
+      {"begin_step() of the joints is missing: they choose their rows there",
+       [](T& t) { t.begins = false; }},
+      {"begin_step() of the joints has half of h: all of it",
+       [](T& t) { t.begin_h = real(0.5); }},
+      {"no joint appends its blocks: the bodies move as if free",
+       [](T& t) { t.appends = false; }},
+      {"prepare() has half of h: all of it",
+       [](T& t) { t.prepare_h = real(0.5); }},
+      {"a warm start: the ratio is 0, the impulses of the last step are not used",
+       [](T& t) { t.ratio = 1; }},
+      {"a warm start with half of the impulses: the ratio is 0",
+       [](T& t) { t.ratio = real(0.5); }},
+      {"warm_start() is missing: the impulses of the last step must become 0",
+       [](T& t) { t.warms = false; }},
+      {"solve() is missing: no joint holds", [](T& t) { t.solves = 0; }},
+      {"solve() twice: once", [](T& t) { t.solves = 2; }},
+      {std::string("turn() is missing: ") + halves,
+       [](T& t) { t.before = t.after = 0; }},
+      {std::string("the second turn() is missing: ") + halves, [](T& t) { t.after = 0; }},
+      {std::string("the first turn() is missing: ") + halves, [](T& t) { t.before = 0; }},
+      {std::string("turn() for all of h before the bodies move: ") + halves,
+       [](T& t) { t.before = 1, t.after = 0; }},
+      {std::string("turn() for all of h after the bodies have moved: ") + halves,
+       [](T& t) { t.before = 0, t.after = 1; }},
+      {std::string("turn() for all of h both times: ") + halves,
+       [](T& t) { t.before = t.after = 1; }},
+      {std::string("both turns before the bodies move: ") + halves,
+       [](T& t) { t.turns = 2, t.after = 0; }},
+      {std::string("both turns after the bodies have moved: ") + halves,
+       [](T& t) { t.turns = 2, t.before = 0; }},
+      {"turn() before solve(): the joints hold the velocities as they were, both turns come "
+       "behind solve()",
+       [](T& t) { t.before_solve = real(0.5), t.before = 0; }},
+      {"turn() for all of h before solve(): half of h before the bodies move and half after, both "
+       "behind solve()",
+       [](T& t) { t.before_solve = 1, t.before = t.after = 0; }},
+      {"a third turn() before solve(): two of them, both behind solve()",
+       [](T& t) { t.before_solve = real(0.5); }},
+      {"the bodies do not move: integrate_poses() between the two turns",
+       [](T& t) { t.poses = 0; }},
+      {"the bodies move twice: integrate_poses() once", [](T& t) { t.poses = 2; }},
+      {"the bodies move for half of h: only the turns are halves",
+       [](T& t) { t.pose_h = real(0.5); }},
+      {"the bodies move half before the turns and half after: it is the turns that are halves, "
+       "around integrate_poses()",
+       [](T& t) { t.poses_around = true; }},
+      {"the bodies move before solve(): by the new velocities, behind it",
+       [](T& t) { t.poses_before_solve = true; }},
+      {"the bodies move at first: by the new velocities, behind solve()",
+       [](T& t) { t.poses_at_once = true; }},
+      {"the bodies move before solve(): by the new velocities, behind it",
+       [](T& t) { t.poses_first = true; }}};
+}
+
+inline constexpr Subject time_subject{"9.5", "a step of second order"};
+inline CaseTable<TimeCase> time_table() {
+  using T = TimeReference;
+  auto table = padded_table<TimeCase>(time_subject, numbers_of_time, time_names);
+  table.tolerance = 10 * rounding;
+  table.cases = time_cases();
+  table.yours = [](const TimeCase& c) { return stepped(c, second_order_step); };
+  const auto answer = [](const T& t) {
+    return stepped(t.c, [&](World& world, Solver& solver, real h) { t.step(world, solver, h); });
+  };
+  table.right = [](const TimeCase& c) {
+    return stepped(c, [](World& world, Solver& solver, real h) {
+      step(world, solver, h, {.leapfrog = true});
+    });
+  };
+  add_pieces(table, [](const TimeCase& c) { return T{c}; }, answer, wrong_times());
+  tell_where_it_holds(table);
+  return table;
+}
+
+/// For a test of another kind: the table's mistakes explain whatever is wrong.
+inline void expect_time(const std::string& entry, double yours, double right, double tolerance) {
+  const bool same = std::abs(yours - right) <= tolerance;
+  expect(time_subject, entry, yours, right, tolerance,
+         same ? std::vector<Suspect>{} : time_table().explain(yours));
+}
+
+/// Notes in which order a step calls it.
+class CallsOfSolver : public Solver {
+ public:
+  std::string calls;
+  void check() const override {}
+  void prepare(const Bodies&, const Blocks& blocks, int first, real) override {
+    calls += "prepare(" + std::to_string(blocks.list.size()) + " blocks from " +
+             std::to_string(first) + ") ";
+  }
+  void warm_start(Bodies&, real ratio) override {
+    calls += "warm_start(" + short_number(double(ratio)) + ") ";
+  }
+  void solve(Bodies&) override { calls += "solve() "; }
+};
+
+/// What a step of a world with three blocks asks of its solver. \param n which step it is
+inline void check_calls(World& world, int n) {
+  CallsOfSolver solver;
+  second_order_step(world, solver, real(0.02));
+  const std::string right = "prepare(3 blocks from 0) warm_start(0) solve() ";
+  std::string words;
+  if (solver.calls != right) {
+    words = "What the solver is asked in step " + std::to_string(n) + ":\n\n  yours:    " +
+            solver.calls + "\n  expected: " + right + "\n";
+    const std::vector<std::string> mistakes = time_table().likely();
+    if (!mistakes.empty()) words += "\n" + likely(mistakes[0]);
+  }
+  check(time_subject, words);
+}
+
+}  // namespace joints::testing

@@ -76,6 +76,25 @@ TEST_CASE("X11 a joint beside its limit is held whatever its neighbour weighs") 
       }
 }
 
+TEST_CASE("a limit found late that makes the factor too dear leaves all to iterations") {
+  Rotor rotor(real(0.5));
+  rotor.hinge->set_limits(-5 * degree, 5 * degree);
+  const BodyId thrown = rotor.world.add(body_with(1, vec3(1), vec3(real(1.5), 0, 0)));
+  rotor.world.add<BallJoint>(
+      rotor.body, thrown,
+      point_at(rotor.world.bodies[rotor.body], rotor.world.bodies[thrown], vec3(1, 0, 0)));
+  DirectSolver solver;
+  step(rotor.world, solver, h);
+  solver.most_work = solver.report().multiplications / double(rotor.world.blocks.C.size());
+  solver.instead.iterations = 1000;
+  step(rotor.world, solver, h);
+  CHECK_FALSE(solver.report().iterated);
+  rotor.world.bodies[thrown].v = vec3(0, 100, 0);
+  step(rotor.world, solver, h);
+  CHECK(solver.report().iterated);
+  CHECK(std::abs(rotor.in_degrees() - 5) < 0.01);
+}
+
 TEST_CASE("X11 a rotor stops at its limit however fast it comes") {
   for (const int newton : {0, 8})
     for (const double limit : {45.0, 179.0, 720.0})

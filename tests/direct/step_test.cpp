@@ -196,7 +196,7 @@ TEST_CASE("a hub with too many arms is left to iterations, unless any work is we
   }
 }
 
-TEST_CASE("a net whose factor is too dear is left to iterations as well, and again when it is not") {
+TEST_CASE("a net whose factor is too dear is left to iterations, and no more when it is not") {
   Scene scene = net(8);
   DirectSolver solver;
   run(scene.world, solver, 1);
@@ -263,7 +263,7 @@ TEST_CASE("settings without sense are refused by their names, and nothing moves"
   CHECK(said([](DirectSolver& s) { s.instead.iterations = -1; }) == "iterations");
 }
 
-TEST_CASE("the Runge-Kutta method refuses steps, limits and motors that it cannot follow") {
+TEST_CASE("the Runge-Kutta method refuses steps, limits, motors and ropes that it cannot follow") {
   const auto said = [](real length, auto change) {
     Scene scene = heavy_chain(2, 1);
     HingeJoint& hinge = on_hinge(scene, {1, 1}, scene.world.add(box(1, vec3(1), vec3(0, 1, 0))),
@@ -280,4 +280,12 @@ TEST_CASE("the Runge-Kutta method refuses steps, limits and motors that it canno
   CHECK(said(unbounded, leave) == "h");
   CHECK(said(h, [](HingeJoint& hinge) { hinge.set_limits(-1, 1); }) == "world");
   CHECK(said(h, [](HingeJoint& hinge) { hinge.set_motor(1, 1); }) == "world");
+
+  World hanging;  // a rope's row is bounded
+  const BodyId wall = hanging.add(static_body(vec3(0)));
+  const BodyId body = hanging.add(ball(1, real(0.1), vec3(0, -1, 0)));
+  hanging.add<CentreRopeJoint>(wall, body, Rope<CentreDistance>{{1}});
+  RungeKutta kutta;
+  CHECK(refusal([&] { kutta.step(hanging, h); }).find("bounds") != std::string::npos);
+  CHECK(hanging.bodies[body].x == vec3(0, -1, 0));
 }

@@ -57,7 +57,7 @@ def bad_words_are_refused(root, build):
                 ("test 1.1 --foo", "--foo is too much"), ("Test 1.1", "did you mean ./wb test?"),
                 ("1.1", "did you mean ./wb test 1.1?"), ("--whole 2", "no such command"),
                 ("--out", "no such command"), ("hint", "hint takes an exercise"),
-                ("hint 9.9", "9.9: no such chapter"), ("hint 1.9", "chapter 1 has 1.1 1.2"),
+                ("hint 19.9", "19.9: no such chapter"), ("hint 1.9", "chapter 1 has 1.1 1.2"),
                 ("hint 1.1 4", "1, 2 and 3"), ("run", "run takes a chapter"),
                 ("run --foo", "run takes a chapter"), ("run 1 --out x", "--out"),
                 ("plot 1 2", "2 is too much"), ("reset", "--keep"),

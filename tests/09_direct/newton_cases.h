@@ -184,10 +184,12 @@ inline std::vector<NewtonCase> newton_cases() {
   add("an error that is exactly negligible", {{e}, {1}});
   add("an error just above the negligible one", {{1.01 * e}, {0}});
   add("a negligible error that has hardly become less", {{1.2 * e}, {0.95 * e}});
-  add("errors of 1 m, 0.5 m, then of 0.72 m", {{1}, {0.5}, {0.72}});
-  add("errors of 1 m, 0.5 m, then exactly the poorest share of the first",
-      {{1}, {0.5}, {poor_contraction}});
-  add("errors of 2 m, 1 m, then of 1.3 m", {{2}, {1}, {1.3}});
+  add("errors of 1 m, 0.5 m, then of 0.65 m", {{1}, {0.5}, {0.65}});
+  add("errors of 1 m, 0.2 m, then of 0.25 m", {{1}, {0.2}, {0.25}});
+  add("errors of 1 m, 0.2 m, then exactly the share that may be left of the first",
+      {{1}, {0.2}, {stalled_share}});
+  add("errors of 2 m, 0.3 m, then of 0.35 m", {{2}, {0.3}, {0.35}});
+  add("errors of 0.5 m, 0.2 m, 0.1 m, then of 0.09 m", {{0.5}, {0.2}, {0.1}, {0.09}});
   add("two rows, the first of which is better", {{0.1, -1}, {0.05, -0.9}, {0, 0}});
   add("two rows, the last of which is better", {{-1, 0.1}, {-0.9, 0.05}, {0, 0}});
   add("two rows, one becomes worse and the greater one better", {{1, 0.1}, {0.5, 0.4}, {0, 0}});

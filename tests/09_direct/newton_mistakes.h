@@ -148,17 +148,19 @@ inline Pieces<NewtonReference> wrong_newtons() {
          for (const double a : C) out = std::max(out, std::abs(a));
          return 10 * out;
        })},
-      {"true wherever it stops: only if at most poor_contraction of the first error is left",
+      {"true wherever it stops: only if at most stalled_share of the first error is left",
        [](T& t) { t.result = T::Result::poor_is_true; }},
-      {"false wherever it stops: true if at most poor_contraction of the first error is left. Is "
+      {"false wherever it stops: true if at most stalled_share of the first error is left. Is "
        "the first error kept in the first iteration alone?",
        [](T& t) { t.result = T::Result::poor_is_false; }},
-      {"where it stops the last error is asked: at most poor_contraction of the first one",
+      {"where it stops the last error is asked: at most stalled_share of the first one",
        [](T& t) { t.result = T::Result::poor_by_last; }},
-      {"where it stops true and false are exchanged: true if at most poor_contraction of the first "
+      {"where it stops true and false are exchanged: true if at most stalled_share of the first "
        "error is left",
        [](T& t) { t.result = T::Result::turned; }},
-      {"where it stops the first error itself is the bound: poor_contraction of it",
+      {"where it stops poor_contraction of the first error is the bound: stalled_share of it",
+       [](T& t) { t.share = poor_contraction; }},
+      {"where it stops the first error itself is the bound: stalled_share of it",
        [](T& t) { t.share = 1; }},
       {"false where the error is negligible: that is true",
        [](T& t) { t.result = T::Result::near_is_false; }},

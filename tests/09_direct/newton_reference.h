@@ -16,7 +16,7 @@ struct NewtonReference {
   };
   std::function<double(double C, double h)> rate = [](double C, double h) { return -C / h; };
   double near = negligible, power = 2, poor = poor_contraction;  ///< near times h to that power
-  double share = poor_contraction;  ///< of the first error, where it stops
+  double share = stalled_share;  ///< of the first error, where it stops
   bool strictly_near = false, strictly_poor = false, asks_near = true, asks_poor = true;
   bool poor_first = false, moves_first = true, moves_at_end = true;
   bool moves_again = false, start_each_time = false, changes = true, keeps_start = true;

@@ -33,7 +33,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -56,7 +56,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
   }
@@ -77,7 +77,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -100,7 +100,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -132,7 +132,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -155,7 +155,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -183,7 +183,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
@@ -219,11 +219,11 @@
 
 // ---- wrong: poor goes on with a break
 // expects: Likely mistake: where the error hardly becomes less the bodies move on: stop there
-// change: return largest <= poor_contraction * first; ==> break;
+// change: return largest <= stalled_share * first; ==> break;
 
 // ---- wrong: poor is true
-// expects: Likely mistake: true wherever it stops: only if at most poor_contraction of the first
-// change: return largest <= poor_contraction * first ==> return true
+// expects: Likely mistake: true wherever it stops: only if at most stalled_share of the first
+// change: return largest <= stalled_share * first ==> return true
 
 // ---- wrong: only growth is poor
 // expects: Likely mistake: only an error that grows ends it: at most poor_contraction of the last
@@ -246,7 +246,7 @@
       C /= -h;  // Eq. 9-10
     }
     if (n == 0) first = largest;
-  if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+  if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
       if (largest <= negligible * h * h) return true;
     last = largest;
     corrector.change_rates(rates);
@@ -269,7 +269,7 @@
       C /= -h;  // Eq. 9-10
     }
     if (n == 0) first = largest;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -315,7 +315,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -342,7 +342,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -369,7 +369,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -391,7 +391,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -420,7 +420,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -442,7 +442,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -464,7 +464,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -487,7 +487,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
@@ -518,7 +518,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -555,7 +555,7 @@
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
   corrector.change_rates(rates);
-      if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+      if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
       last = largest;
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
@@ -581,23 +581,23 @@
 // change: slot < bodies.slots() ==> slot < bodies.slots() - 1
 
 // ---- wrong: false wherever it stops
-// expects: Likely mistake: false wherever it stops: true if at most poor_contraction of the first
-// change: return largest <= poor_contraction * first ==> return false
+// expects: Likely mistake: false wherever it stops: true if at most stalled_share of the first
+// change: return largest <= stalled_share * first ==> return false
 
 // ---- wrong: last instead of first
-// expects: Likely mistake: false wherever it stops: true if at most poor_contraction of the first
-// change: return largest <= poor_contraction * first ==> return largest <= poor_contraction * last
+// expects: Likely mistake: false wherever it stops: true if at most stalled_share of the first
+// change: return largest <= stalled_share * first ==> return largest <= stalled_share * last
 
 // ---- wrong: first error itself the bound
-// expects: Likely mistake: where it stops the first error itself is the bound: poor_contraction
-// change: return largest <= poor_contraction * first ==> return largest <= first
+// expects: Likely mistake: where it stops the first error itself is the bound: stalled_share of
+// change: return largest <= stalled_share * first ==> return largest <= first
 
 // ---- wrong: first kept in each iteration
-// expects: Likely mistake: false wherever it stops: true if at most poor_contraction of the first
+// expects: Likely mistake: false wherever it stops: true if at most stalled_share of the first
 // change: if (n == 0) first = largest; ==> first = largest;
 
 // ---- wrong: first never kept
-// expects: Likely mistake: false wherever it stops: true if at most poor_contraction of the first
+// expects: Likely mistake: false wherever it stops: true if at most stalled_share of the first
   start.assign(bodies.data(), bodies.data() + bodies.slots());
   double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
@@ -609,7 +609,7 @@
       C /= -h;  // Eq. 9-10
     }
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -619,12 +619,12 @@
   return true;
 
 // ---- wrong: first kept in the second iteration
-// expects: Likely mistake: false wherever it stops: true if at most poor_contraction of the first
+// expects: Likely mistake: false wherever it stops: true if at most stalled_share of the first
 // change: n == 0 ==> n == 1
 
 // ---- wrong: stop turned round
 // expects: Likely mistake: where it stops true and false are exchanged: true if at most
-// change: return largest <= poor_contraction * first ==> return largest > poor_contraction * first
+// change: return largest <= stalled_share * first ==> return largest > stalled_share * first
 
 // ---- wrong: negligible without h squared
 // expects: Likely mistake: h^2 is missing: an error of at most negligible h^2 needs no more
@@ -635,8 +635,12 @@
 // change: negligible * h * h ==> negligible * h
 
 // ---- wrong: strictly less at the first
-// expects: Exercise 9.6: Newton's method on the positions Holds in 34 of 35 cases
-// change: return largest <= poor ==> return largest < poor
+// expects: Exercise 9.6: Newton's method on the positions Holds in 36 of 37 cases
+// change: return largest <= stalled ==> return largest < stalled
+
+// ---- wrong: poor share of the first
+// expects: Likely mistake: where it stops poor_contraction of the first error is the bound
+// change: return largest <= stalled_share ==> return largest <= poor_contraction
 
 // ---- right: put back before the change
   start.assign(bodies.data(), bodies.data() + bodies.slots());
@@ -651,7 +655,7 @@
     }
     if (n == 0) first = largest;
     if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= poor_contraction * first;
+    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
     last = largest;
   for (int slot = 0; slot < bodies.slots();
       ++slot) bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
@@ -671,7 +675,7 @@
     for (const double C : rates) largest = std::abs(C) > largest ? std::abs(C) : largest;
     if (n == 0) first = largest;
     if (largest / (h * h) <= negligible) break;
-    if (n > 0 && largest > poor_contraction * before) return largest <= poor_contraction * first;
+    if (n > 0 && largest > poor_contraction * before) return largest <= stalled_share * first;
     before = largest;
     for (double& C : rates) C *= -1 / h;
     corrector.change_rates(rates);

@@ -72,8 +72,7 @@ TEST_CASE("S7 gravity along the axes of a hundred hinges moves no body that way"
   for (const int newton : {0, 8}) {
     CAPTURE(newton);
     Scene scene = chapter9::sideways_chains(1, 100);
-    DirectSolver solver;
-    solver.newton = newton;
+    DirectSolver solver = with(newton);
     double furthest = 0;
     const Watched seen = watch(scene, solver, 5, h, [&] {
       for (const Body& body : snapshot(scene.world.bodies))

@@ -12,12 +12,6 @@ namespace {
 
 const real h = sixtieth;
 
-DirectSolver with(int newton) {
-  DirectSolver solver;
-  solver.newton = newton;
-  return solver;
-}
-
 // A body on a rod or a rope of 1 m that hangs from the origin.
 template <class Rod>
 struct Hanging {

@@ -60,8 +60,7 @@ TEST_CASE("a ragdoll falls, holds together far better than by iterations, and li
   const Fall iterated = ragdoll_falls(iterations, real(0.2), {.warm_start = true});
   for (const int newton : {0, 8}) {
     CAPTURE(newton);
-    DirectSolver solver;
-    solver.newton = newton;
+    DirectSolver solver = with(newton);
     const Fall fall = ragdoll_falls(solver, 1, {.warm_start = true});
     INFO("gap " << fall.gap << " and " << iterated.gap << ", speed " << fall.fastest << ", deep "
                 << fall.deepest << " and " << iterated.deepest);
@@ -110,8 +109,7 @@ TEST_CASE("a ball rebounds from smooth ground as from rough ground, and as witho
       Grounded falling(ball(1, real(0.2), vec3(0, real(1.2), 0)), ball_outline(real(0.2)));
       falling.contact->friction = friction;
       falling.contact->restitution = real(0.7);
-      DirectSolver solver;
-      solver.newton = newton;
+      DirectSolver solver = with(newton);
       double highest = 0, lowest = 1;
       bool landed = false;
       for (int n = 0; n < 90; ++n) {
@@ -139,8 +137,7 @@ TEST_CASE("a chain that hangs to the ground lies on it, and loses no joint") {
       stand(scene, ground, id, size, real(0.5));
       before = id;
     }
-    DirectSolver solver;
-    solver.newton = newton;
+    DirectSolver solver = with(newton);
     double gap = 0, deepest = 0;
     for (int n = 0; n < 600; ++n) {
       step(scene.world, solver, sixty);

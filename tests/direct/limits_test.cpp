@@ -24,8 +24,7 @@ Beyond beyond_when_yanked(int newton, real weight, real speed) {
       point_at(rotor.world.bodies[rotor.body], rotor.world.bodies[thrown], vec3(1, 0, 0)));
   rotor.world.bodies[thrown].v = vec3(0, speed, 0);
   feed_back_all(rotor.world);
-  DirectSolver solver;
-  solver.newton = newton;
+  DirectSolver solver = with(newton);
   Beyond out;
   for (int n = 0; n < 300; ++n) {
     step(rotor.world, solver, h, second_order);
@@ -103,8 +102,7 @@ TEST_CASE("X11 a rotor stops at its limit however fast it comes") {
         Rotor rotor(real(0.5), real(speed));
         rotor.hinge->set_limits(-real(limit) * degree, real(limit) * degree);
         feed_back_all(rotor.world);
-        DirectSolver solver;
-        solver.newton = newton;
+        DirectSolver solver = with(newton);
         double furthest = 0;
         for (int n = 0; n < int(60 * (limit * double(degree) / speed + 0.5)); ++n) {
           step(rotor.world, solver, h, second_order);
@@ -122,8 +120,7 @@ TEST_CASE("S4ml a motor rests at its limit with all of its torque, for a minute"
     crane.hinge->set_motor(3, 500);
     crane.hinge->set_limits(-60 * degree, 60 * degree);
     feed_back_all(crane.world);
-    DirectSolver solver;
-    solver.newton = newton;
+    DirectSolver solver = with(newton);
     double lowest = 1e9, highest = 0;
     for (int n = 0; n < 3600; ++n) {
       step(crane.world, solver, h, second_order);
@@ -162,8 +159,7 @@ TEST_CASE("equal limits hold a hinge and a slider as welds would") {
     hinge.set_limits(0, 0);
     slider.set_limits(0, 0);
     feed_back_all(world);
-    DirectSolver solver;
-    solver.newton = newton;
+    DirectSolver solver = with(newton);
     for (int n = 0; n < 300; ++n) step(world, solver, h, second_order);
     CHECK(std::abs(double(hinge.position(world.bodies))) < tolerance(1e-9, 1e-5));
     CHECK(std::abs(double(slider.position(world.bodies))) < tolerance(1e-9, 1e-5));
@@ -177,8 +173,7 @@ TEST_CASE("thirty limits hit at once are more than the passes allow: it is said,
     Whip whip(30, real(0.2));
     for (int slot = 1; slot < whip.world.bodies.slots(); ++slot)
       whip.world.bodies.at(slot).w = vec3(real(slot % 2 == 0 ? -10 : 10), 0, 0);
-    DirectSolver solver;
-    solver.newton = newton;
+    DirectSolver solver = with(newton);
     int wrong = 0, passes = 0;
     double beyond = 0, last = 0;
     for (int n = 0; n < 300; ++n) {

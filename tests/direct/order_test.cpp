@@ -15,8 +15,7 @@ namespace {
 using Move = std::function<void(World&, real)>;
 
 Move by_steps(int newton, const Stepping& how) {
-  DirectSolver solver;
-  solver.newton = newton;
+  DirectSolver solver = with(newton);
   return [solver, how](World& world, real h) mutable { step(world, solver, h, how); };
 }
 Move by_runge_kutta() {

@@ -13,14 +13,15 @@ namespace joints::testing {
 inline const Stepping second_order{.leapfrog = true};
 inline constexpr real sixtieth = real(1) / 60;  ///< [s]
 
-/// A direct solver that corrects velocities alone.
-inline DirectSolver velocity_level() { return {}; }
-/// A direct solver that also corrects the new poses (SHAKE).
-inline DirectSolver shake() {
+/// A direct solver. \param newton iterations on the positions; 0: it corrects velocities alone
+inline DirectSolver with(int newton, real stiffness = 0) {
   DirectSolver solver;
-  solver.newton = 8;
+  solver.newton = newton;
+  solver.stiffness = stiffness;
   return solver;
 }
+/// One that also corrects the new poses (SHAKE).
+inline DirectSolver shake() { return with(8); }
 
 /// All joints of a world feed back all of their error.
 inline void feed_back_all(World& world) {

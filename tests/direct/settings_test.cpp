@@ -1,0 +1,132 @@
+// When the direct solver leaves a world to iterations, worlds with nothing to solve, and what the
+// solver and the Runge-Kutta method refuse.
+#include "chapters/09_direct/runge_kutta.h"
+#include "tests/checker/catch.h"
+#include "tests/direct/rigs.h"
+#include "tests/oracle/shared.h"
+
+using namespace joints;
+using namespace joints::chapter9;
+using namespace joints::testing;
+
+namespace {
+
+const real h = sixtieth;
+
+void run(World& world, Solver& solver, int steps) {
+  for (int n = 0; n < steps; ++n) step(world, solver, h, second_order);
+}
+
+}  // namespace
+
+TEST_CASE("a hub with too many arms is left to iterations, unless any work is welcome") {
+  for (const int arms : {40, 100}) {
+    CAPTURE(arms);
+    Scene dear = star(arms), cheap = star(arms);
+    for (Scene* scene : {&dear, &cheap}) scene->world.bodies.at(1).w = vec3(1, 3, 1);
+    DirectSolver exact = shake(), frugal = shake();
+    exact.most_work = unbounded;
+    frugal.most_work = 500;
+    const Watched right = watch(dear, exact, 0.25, double(h));
+    const Watched iterated = watch(cheap, frugal, 0.25, double(h));
+    CHECK(exact.report().multiplications > 500 * 3.0 * arms);
+    CHECK_FALSE(exact.report().iterated);
+    CHECK(frugal.report().iterated);
+    CHECK(frugal.report().multiplications == 0);  // nobody looked for an order
+    CHECK(frugal.dropped() == 0);
+    CHECK(right.gap < tolerance(1e-9, 1e-3));
+    CHECK(iterated.finite);
+    CHECK(iterated.gap > tolerance(1000, 3) * right.gap);
+  }
+}
+
+TEST_CASE("a net whose factor is too dear is left to iterations, and no more when it is not") {
+  Scene scene = net(8);
+  DirectSolver solver;
+  run(scene.world, solver, 1);
+  CHECK_FALSE(solver.report().iterated);
+  const double work = solver.report().multiplications / double(scene.world.blocks.C.size());
+  solver.most_work = work * 0.9;
+  run(scene.world, solver, 1);
+  CHECK(solver.report().iterated);
+  CHECK(solver.report().multiplications > 0);
+  solver.most_work = work * 1.1;
+  run(scene.world, solver, 1);
+  CHECK_FALSE(solver.report().iterated);
+}
+
+TEST_CASE("the estimate of a hub's work is of the third power of its arms") {
+  const auto work = [](int arms) {
+    Scene scene = star(arms);
+    DirectSolver solver;
+    solver.most_work = unbounded;
+    step(scene.world, solver, h);
+    return solver.report().multiplications;
+  };
+  CHECK(work(80) / work(40) == Approx(8).epsilon(0.15));
+}
+
+TEST_CASE("worlds without joints, or with joints between static bodies alone, step as they would") {
+  for (const bool with_joint : {false, true})
+    for (const int newton : {0, 8}) {
+      World world;
+      const BodyId a = world.add(static_body(vec3(0))), b = world.add(static_body(vec3(1, 0, 0)));
+      const BodyId free = world.add(box(1, vec3(1), vec3(5, 0, 0)));
+      if (with_joint) world.add<HingeJoint>(world.bodies, a, b, vec3(0), vec3(0, 0, 1));
+      DirectSolver solver = with(newton);
+      run(world, solver, 60);
+      CHECK(double(world.bodies[free].v.y) == Approx(-9.81 * 59.5 / 60).epsilon(1e-4));
+      CHECK(double(world.bodies[free].x.y) == Approx(-9.81 / 2).epsilon(1e-4));
+      CHECK(world.bodies[a].x == vec3(0));
+      CHECK(world.bodies[b].v == vec3(0));
+      CHECK(solver.dropped() == 0);
+    }
+}
+
+TEST_CASE("settings without sense are refused by their names, and nothing moves") {
+  const auto said = [](auto set) {
+    Scene scene = heavy_chain(2, 1);
+    DirectSolver solver;
+    set(solver);
+    const std::string words = refusal([&] { step(scene.world, solver, h, second_order); });
+    CHECK(scene.world.last_h == 0);  // it has not begun
+    return words.substr(0, words.find(':'));
+  };
+  const real nan = std::numeric_limits<real>::quiet_NaN();
+  CHECK(said([](DirectSolver& s) { s.newton = -1; }) == "newton");
+  CHECK(said([](DirectSolver& s) { s.alternations = 0; }) == "alternations");
+  CHECK(said([](DirectSolver& s) { s.passes = 0; }) == "passes");
+  CHECK(said([](DirectSolver& s) { s.stiffness = -1; }) == "stiffness");
+  CHECK(said([=](DirectSolver& s) { s.stiffness = nan; }) == "stiffness");
+  CHECK(said([](DirectSolver& s) { s.stiffness = unbounded; }) == "stiffness");
+  CHECK(said([](DirectSolver& s) { s.most_work = -1; }) == "most_work");
+  CHECK(said([=](DirectSolver& s) { s.most_work = double(nan); }) == "most_work");
+  CHECK(said([](DirectSolver& s) { s.instead.iterations = -1; }) == "iterations");
+}
+
+TEST_CASE("the Runge-Kutta method refuses steps, limits, motors and ropes that it cannot follow") {
+  const auto said = [](real length, auto change) {
+    Scene scene = heavy_chain(2, 1);
+    HingeJoint& hinge = on_hinge(scene, {1, 1}, scene.world.add(box(1, vec3(1), vec3(0, 1, 0))),
+                                 vec3(0, real(0.5), 0), vec3(0, 0, 1));
+    change(hinge);
+    RungeKutta kutta;
+    const std::string words = refusal([&] { kutta.step(scene.world, length); });
+    return words.substr(0, words.find(':'));
+  };
+  const auto leave = [](HingeJoint&) {};
+  CHECK(said(h, leave) == "accepted");
+  CHECK(said(0, leave) == "h");
+  CHECK(said(-h, leave) == "h");
+  CHECK(said(unbounded, leave) == "h");
+  CHECK(said(h, [](HingeJoint& hinge) { hinge.set_limits(-1, 1); }) == "world");
+  CHECK(said(h, [](HingeJoint& hinge) { hinge.set_motor(1, 1); }) == "world");
+
+  World hanging;  // a rope's row is bounded
+  const BodyId wall = hanging.add(static_body(vec3(0)));
+  const BodyId body = hanging.add(ball(1, real(0.1), vec3(0, -1, 0)));
+  hanging.add<CentreRopeJoint>(wall, body, Rope<CentreDistance>{{1}});
+  RungeKutta kutta;
+  CHECK(refusal([&] { kutta.step(hanging, h); }).find("bounds") != std::string::npos);
+  CHECK(hanging.bodies[body].x == vec3(0, -1, 0));
+}

@@ -19,7 +19,7 @@ class DirectSolver : public Solver {
  public:
   int newton = 0;      ///< iterations on the positions at most (SHAKE); 0: velocities alone
   real stiffness = 0;  ///< above 0, about 8: more inertia where the step needs it (Eq. 9-14)
-  int alternations = 4;  ///< how often the rows outside of A and those in it take turns
+  int alternations = 10;  ///< how often the rows outside of A and those in it take turns
   int passes = 10;     ///< of the active set, at most
   /// If a factorisation takes more multiplications a row than this, `instead` solves.
   double most_work = 3000;

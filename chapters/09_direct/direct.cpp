@@ -26,9 +26,10 @@ void factor(JointMatrix& A, PivotInverse inverse) {
   const int* target = A.targets.data();
   // begin [exercise 9.2]
   // For each node k but the one behind the last: factor_block() its diagonal block. Then, for each
-  // of its edges j in turn: L = divide_rows() of the edge's block; subtract_product() of the block
-  // of every edge i, from j on, and of L, at number[*target++] (Eq. 9-4); at last the edge's block
-  // becomes L. Where each target lies has been worked out before, in just this order.
+  // of its edges j in turn: L = divide_rows() of the edge's block, in 36 numbers of its own;
+  // subtract_product() of the block of every edge i, from j on, and of L, at number[*target++]
+  // (Eq. 9-4); at last the edge's block becomes L. Where each target lies has been worked out
+  // before, in just this order.
   todo("9.2");
   // end [exercise 9.2]
 }
@@ -79,8 +80,8 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& 
   // Keep the bodies in `start`. In each iteration: integrate_poses() for real(h); ask for the
   // errors() there and find the largest. If it is at most negligible h^2, all is done. If it is
   // more than poor_contraction of the one before, stop: the answer is true if it is at most
-  // stalled_share of the first. Else change_rates() by -C/h (Eq. 9-10), and put x and q of every
-  // body back to the start. After the last iteration, integrate_poses() for good.
+  // stalled_share of the first. Else change_rates() by -C/h (Eq. 9-10), and put back x and q of
+  // every slot from `start`. After the last iteration integrate_poses() for good: true.
   todo("9.6");
   // end [exercise 9.6]
 }
@@ -97,10 +98,10 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
 
 // ---- stiffness ----------------------------------------------------------------------------------
 
-Stiffened stiffened(const Body& body, real force_lever, real lever, real factor, real h) {
+Stiffened stiffened(const Body& body, real force_lever, real lever, real kappa, real h) {
   Stiffened out;
   // begin [exercise 9.8]
-  // In the body's own axes: find what its least moment and m r^2 lack of factor h^2 |F||r|. Each
+  // In the body's own axes: find what its least moment and m r^2 lack of kappa h^2 |F||r|. Each
   // moment grows by that, if it is positive (Eq. 9-14), and the angular velocity becomes smaller in
   // the same ratio. to_local() and to_world() turn it; products and quotients of two vec3 go
   // component by component.

@@ -51,7 +51,7 @@ struct JointMatrix {
   std::vector<Edge> edges;        ///< of all nodes; those of a node by the order of elimination
   std::vector<int> targets;       ///< where elimination subtracts, in the order of doing so
   std::vector<double> numbers;    ///< of all blocks
-  std::vector<double> original;   ///< the diagonal as it was at first, by rows of the right side
+  std::vector<double> original;   ///< the diagonal at first; a node's begins at original[node.row]
 };
 
 /// What 1 / pivot is. \param original the pivot's diagonal entry before any elimination
@@ -136,11 +136,11 @@ struct Stiffened {
 };
 
 /// Exercise 9.8: a body with as much inertia for one step as the step can follow, Eq. 9-14. If its
-/// least moment and m r^2 together are less than factor h^2 |F||r|, each moment grows by what is
-/// missing; else none does. The angular momentum stays.
+/// least moment and m r^2 together are less than kappa h^2 |F||r|, each moment grows by what is
+/// missing; else none does. The angular momentum stays. \param body one that moves
 /// \param force_lever the sum of |F||r| over the joints that pull at it [N m]
-/// \param lever the longest r of them [m] \param factor about 8 [1]
-Stiffened stiffened(const Body& body, real force_lever, real lever, real factor, real h);
+/// \param lever the longest r of them [m] \param kappa about 8 [1]
+Stiffened stiffened(const Body& body, real force_lever, real lever, real kappa, real h);
 
 }  // namespace joints
 /// @}

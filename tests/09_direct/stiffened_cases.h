@@ -11,12 +11,12 @@ namespace joints::testing {
 struct StiffenedCase {
   std::string words;
   Body body;
-  real force_lever, lever, factor, h;
+  real force_lever, lever, kappa, h;
 };
 inline std::string stiffened_given(const StiffenedCase& c) {
   return "Case: mass " + short_number(1 / double(c.body.inverse_mass)) + " kg, force_lever " +
          short_number(double(c.force_lever)) + " N m, lever " + short_number(double(c.lever)) +
-         " m, factor " + short_number(double(c.factor)) + ", h " + short_number(double(c.h)) +
+         " m, kappa " + short_number(double(c.kappa)) + ", h " + short_number(double(c.h)) +
          " s.";
 }
 
@@ -29,7 +29,7 @@ inline StiffenedCase paper_stiffened() {
 }
 
 /// How much inertia the step can follow, and how much there is.
-inline real followed(const StiffenedCase& c) { return c.factor * c.h * c.h * c.force_lever; }
+inline real followed(const StiffenedCase& c) { return c.kappa * c.h * c.h * c.force_lever; }
 inline real lever_part(const StiffenedCase& c) { return c.lever * c.lever / c.body.inverse_mass; }
 inline real least_of(const vec3& moments) {
   return std::min(moments.x, std::min(moments.y, moments.z));
@@ -60,20 +60,20 @@ inline std::vector<StiffenedCase> stiffened_cases() {
     out.back().words = words;
     change(out.back());
   };
-  another(1, "factor 0", [](StiffenedCase& c) { c.factor = 0; });
+  another(1, "kappa 0", [](StiffenedCase& c) { c.kappa = 0; });
   another(2, "no force", [](StiffenedCase& c) { c.force_lever = 0; });
-  another(3, "factor 4", [](StiffenedCase& c) { c.factor = 4; });
+  another(3, "kappa 4", [](StiffenedCase& c) { c.kappa = 4; });
   another(4, "at rest", [](StiffenedCase& c) { c.body.w = vec3(0); });
   another(5, "small", [](StiffenedCase& c) { c.body.inverse_inertia_local *= real(1000); });
   another(6, "no lever", [](StiffenedCase& c) { c.lever = 0; });
   another(1, "enough inertia", [](StiffenedCase& c) { c.force_lever = 1; });
   another(4, "a long step", [](StiffenedCase& c) {
     c.h = 1;
-    c.force_lever = (real(1.5) + lever_part(c)) / c.factor;
+    c.force_lever = (real(1.5) + lever_part(c)) / c.kappa;
   });
   another(2, "a long lever", [](StiffenedCase& c) { c.lever = 3; });
   another(3, "hardly enough", [](StiffenedCase& c) {
-    c.force_lever = real(0.95) * (real(0.35) + lever_part(c)) / (c.factor * c.h * c.h);
+    c.force_lever = real(0.95) * (real(0.35) + lever_part(c)) / (c.kappa * c.h * c.h);
   });
   return out;
 }

@@ -12,7 +12,7 @@ inline CaseTable<StiffenedCase> stiffened_table() {
                                  {"inverse_inertia", "w"}, {}, {}, {}, stiffened_cases()};
   table.tolerance = 10 * rounding;
   table.yours = [](const StiffenedCase& c) {
-    const Stiffened out = stiffened(c.body, c.force_lever, c.lever, c.factor, c.h);
+    const Stiffened out = stiffened(c.body, c.force_lever, c.lever, c.kappa, c.h);
     return flat(std::vector<vec3>{out.inverse_inertia_local, out.w});
   };
   table.right = [](const StiffenedCase& c) { return T(c).numbers(); };
@@ -44,35 +44,35 @@ inline CaseTable<StiffenedCase> stiffened_table() {
   };
   const auto w = [](auto of) { return [=](T& t) { t.w_of = of; }; };
   using C = StiffenedCase;
-  const char* const square = "h is squared: factor h^2 |F||r|";
+  const char* const square = "h is squared: kappa h^2 |F||r|";
   const char* const inverse_of = "the inverse moments are taken for moments: 1 over each of them "
                                  "first";
   const char* const body_axes = "the angular velocity is scaled in the world's axes: to_local() "
                                 "first, to_world() at last";
   add_pieces(table, [](const C& c) { return T(c); }, [](const T& t) { return t.numbers(); },
              Pieces<T>{
-      {square, follows([](const C& c) { return c.factor * c.h * c.force_lever; })},
-      {"h to the third power: factor h^2 |F||r|",
-       follows([](const C& c) { return c.factor * c.h * c.h * c.h * c.force_lever; })},
-      {"h is missing: factor h^2 |F||r|",
-       follows([](const C& c) { return c.factor * c.force_lever; })},
+      {square, follows([](const C& c) { return c.kappa * c.h * c.force_lever; })},
+      {"h to the third power: kappa h^2 |F||r|",
+       follows([](const C& c) { return c.kappa * c.h * c.h * c.h * c.force_lever; })},
+      {"h is missing: kappa h^2 |F||r|",
+       follows([](const C& c) { return c.kappa * c.force_lever; })},
       {"divided by h^2: times h^2",
-       follows([](const C& c) { return c.factor * c.force_lever / (c.h * c.h); })},
-      {"the factor is missing: factor h^2 |F||r|",
+       follows([](const C& c) { return c.kappa * c.force_lever / (c.h * c.h); })},
+      {"kappa is missing: kappa h^2 |F||r|",
        follows([](const C& c) { return c.h * c.h * c.force_lever; })},
-      {"the force is missing: factor h^2 |F||r|",
-       follows([](const C& c) { return c.factor * c.h * c.h; })},
+      {"the force is missing: kappa h^2 |F||r|",
+       follows([](const C& c) { return c.kappa * c.h * c.h; })},
       {"force_lever is |F||r| already: it is not multiplied by the lever once more",
        follows([](const C& c) { return followed(c) * c.lever; })},
       {"the force is squared: it is |F||r| itself",
        follows([](const C& c) { return followed(c) * c.force_lever; })},
-      {"the factor is squared: factor h^2 |F||r|",
-       follows([](const C& c) { return followed(c) * c.factor; })},
-      {"half of it: factor h^2 |F||r|", follows([](const C& c) { return followed(c) / 2; })},
-      {"twice: factor h^2 |F||r|", follows([](const C& c) { return 2 * followed(c); })},
-      {"a fixed factor: `factor` is one",
+      {"kappa is squared: kappa h^2 |F||r|",
+       follows([](const C& c) { return followed(c) * c.kappa; })},
+      {"half of it: kappa h^2 |F||r|", follows([](const C& c) { return followed(c) / 2; })},
+      {"twice: kappa h^2 |F||r|", follows([](const C& c) { return 2 * followed(c); })},
+      {"a fixed number: `kappa` is an argument",
        follows([](const C& c) { return 8 * c.h * c.h * c.force_lever; })},
-      {"a fixed factor: `factor` is one",
+      {"a fixed number: `kappa` is an argument",
        follows([](const C& c) { return 16 * c.h * c.h * c.force_lever; })},
       {"the least moment is not taken away: only what is missing is added",
        least([](const vec3&) { return real(0); })},
@@ -106,7 +106,7 @@ inline CaseTable<StiffenedCase> stiffened_table() {
        }},
       {"nothing that is there is taken away: only what is missing is added",
        adds([](const T& t) { return vec3(t.follows); })},
-      {"all of factor h^2 |F||r| is added where something is missing: only what is missing",
+      {"all of kappa h^2 |F||r| is added where something is missing: only what is missing",
        adds([](const T& t) {
          return vec3(t.follows > t.least + t.m_r2 ? t.follows : real(0));
        })},
@@ -212,7 +212,7 @@ inline CaseTable<StiffenedCase> stiffened_table() {
 
 /// The body with your inertia and angular velocity.
 inline Body stiff_body(const StiffenedCase& c) {
-  const Stiffened out = stiffened(c.body, c.force_lever, c.lever, c.factor, c.h);
+  const Stiffened out = stiffened(c.body, c.force_lever, c.lever, c.kappa, c.h);
   Body body = c.body;
   body.inverse_inertia_local = out.inverse_inertia_local;
   body.w = out.w;

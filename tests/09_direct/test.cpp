@@ -306,11 +306,11 @@ TEST_CASE("9.8 a body that lacks inertia has as much as the step can follow", "[
   }
 }
 
-TEST_CASE("9.8 a factor of zero or no force changes nothing", "[9.8]") {
+TEST_CASE("9.8 a kappa of zero or no force changes nothing", "[9.8]") {
   for (StiffenedCase c : stiffened_cases())
     for (const bool no_force : {true, false}) {
-      (no_force ? c.force_lever : c.factor) = 0;
-      c.words += no_force ? ", no force" : ", factor 0";
+      (no_force ? c.force_lever : c.kappa) = 0;
+      c.words += no_force ? ", no force" : ", kappa 0";
       const Body after = stiff_body(c);
       const double size = double(c.body.inverse_inertia_local.x);
       expect_stiffened(c, "inverse_inertia", after.inverse_inertia_local,

@@ -33,7 +33,7 @@ TEST_CASE("9.5 forces act for a time and velocities move for a time", "[9.5]") {
   expect_unit("world.last_h", world.last_h, s);
 }
 
-TEST_CASE("9.8 factor h^2 |F||r| is an inertia", "[9.8]") {
+TEST_CASE("9.8 kappa h^2 |F||r| is an inertia", "[9.8]") {
   const Stiffened out = in("stiffened", [] {
     return stiffened(body1, 300 * newton * m, real(0.3) * m, 8 * pure, h);
   });

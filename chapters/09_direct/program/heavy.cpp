@@ -63,8 +63,8 @@ void heavy(const Choice& choice, std::vector<Summary>& lines) {
       table.row({double(factor), ratios[k], end.line.gap_max, end.energy, off, double(end.kept)});
       if (end.line.gap_max < 0.25) holds = ratios[k];  // half a link; beyond it is torn
       if (ratios[k] != 100) continue;
-      std::printf("factor %2g: with 100 kg off by %5.2f m after 1 s, %3.0f %% of the energy after "
-                  "2 s;", double(factor), off, 100 * (1 + end.energy));
+      std::printf("kappa %g: with 100 kg off by %5.2f m after 1 s, energy %+4.0f %% in 2 s;",
+                  double(factor), off, 100 * end.energy);
       if (factor > 0) lines.push_back(end.line);
     }
     std::printf(" not torn up to %g kg\n", holds);

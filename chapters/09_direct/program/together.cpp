@@ -44,11 +44,15 @@ void sagging(const Choice& choice, std::vector<Summary>& lines) {
     DirectSolver direct;
     direct.newton = 8;
     const auto sag = [&] { return 0 - double(all_of(scene.world.bodies).back().x.y); };
+    double most = 0;
     lines.push_back(play(
         scene, method.name(), 2 * choice.seconds, "",
-        [&](double time) { table.row({method.name()}, {time, sag()}); },
+        [&](double time) {
+          table.row({method.name()}, {time, sag()});
+          most = std::max(most, sag());
+        },
         steps_of(scene, method, direct)));
-    std::printf("%-14s  the tip of the beam has sagged by %.3g m\n", method.name().c_str(), sag());
+    std::printf("%-14s  the tip of the beam sags by up to %.3g m\n", method.name().c_str(), most);
   }
 }
 

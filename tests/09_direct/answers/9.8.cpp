@@ -1,28 +1,28 @@
 // Known answers of exercise 9.8, each put in the place of the solution's.
 
 // ---- wrong: h not squared
-// expects: Likely mistake: h is squared: factor h^2 |F||r|
-// change: factor * h * h * force_lever ==> factor * h * force_lever
+// expects: Likely mistake: h is squared: kappa h^2 |F||r|
+// change: kappa * h * h * force_lever ==> kappa * h * force_lever
 
 // ---- wrong: h missing
-// expects: Likely mistake: h is missing: factor h^2 |F||r|
-// change: factor * h * h * force_lever ==> factor * force_lever
+// expects: Likely mistake: h is missing: kappa h^2 |F||r|
+// change: kappa * h * h * force_lever ==> kappa * force_lever
 
-// ---- wrong: factor missing
-// expects: Likely mistake: the factor is missing: factor h^2 |F||r|
-// change: factor * h * h * force_lever ==> h * h * force_lever
+// ---- wrong: kappa missing
+// expects: Likely mistake: kappa is missing: kappa h^2 |F||r|
+// change: kappa * h * h * force_lever ==> h * h * force_lever
 
 // ---- wrong: force missing
-// expects: Likely mistake: the force is missing: factor h^2 |F||r|
-// change: factor * h * h * force_lever ==> factor * h * h
+// expects: Likely mistake: the force is missing: kappa h^2 |F||r|
+// change: kappa * h * h * force_lever ==> kappa * h * h
 
-// ---- wrong: fixed factor
-// expects: Likely mistake: a fixed factor: `factor` is one
-// change: factor * h * h * force_lever ==> real(16) * h * h * force_lever
+// ---- wrong: fixed kappa
+// expects: Likely mistake: a fixed number: `kappa` is an argument
+// change: kappa * h * h * force_lever ==> real(16) * h * h * force_lever
 
 // ---- wrong: divided by h squared
 // expects: Likely mistake: divided by h^2: times h^2
-// change: factor * h * h * force_lever ==> factor / (h * h) * force_lever
+// change: kappa * h * h * force_lever ==> kappa / (h * h) * force_lever
 
 // ---- wrong: inertia taken away
 // expects: Likely mistake: the inertia is taken away: each moment grows
@@ -64,7 +64,7 @@
 // expects: Likely mistake: m r^2 is not taken away: it is there, too
   const vec3 moments = real(1) / body.inverse_inertia_local;
   const real least = std::min({moments.x, moments.y, moments.z});
-  const real missing = factor * h * h * force_lever - least ;
+  const real missing = kappa * h * h * force_lever - least ;
   const vec3 more = moments + vec3(std::max(real(0), missing));  // Eq. 9-14
   out.inverse_inertia_local = real(1) / more;
   out.w = to_world(body, moments / more * to_local(body, body.w));
@@ -94,12 +94,12 @@
 // change: std::max(real(0), missing) ==> std::min(real(0), missing)
 
 // ---- wrong: all of it where something is missing
-// expects: Likely mistake: all of factor h^2 |F||r| is added where something is missing: only
-// change: std::max(real(0), missing) ==> missing > 0 ? factor * h * h * force_lever : real(0)
+// expects: Likely mistake: all of kappa h^2 |F||r| is added where something is missing: only
+// change: std::max(real(0), missing) ==> missing > 0 ? kappa * h * h * force_lever : real(0)
 
 // ---- wrong: old rule, always all of it
 // expects: Likely mistake: nothing that is there is taken away: only what is missing is added
-// change: std::max(real(0), missing) ==> factor * h * h * force_lever
+// change: std::max(real(0), missing) ==> kappa * h * h * force_lever
 
 // ---- wrong: each axis what it lacks itself
 // expects: Likely mistake: each moment lacks something of its own here: what the least one lacks
@@ -111,7 +111,7 @@
 
 // ---- wrong: force times lever again
 // expects: Likely mistake: force_lever is |F||r| already: it is not multiplied by the lever once
-// change: factor * h * h * force_lever ==> factor * h * h * force_lever * lever
+// change: kappa * h * h * force_lever ==> kappa * h * h * force_lever * lever
 
 // ---- wrong: inverse moments taken for moments
 // expects: Likely mistake: the inverse moments are taken for moments: 1 over each of them first
@@ -182,8 +182,8 @@
 // change: moments + vec3 ==> moments + real(1) / body.inverse_mass + vec3
 
 // ---- wrong: force doubled
-// expects: Likely mistake: twice: factor h^2 |F||r|
-// change: factor * h * h * force_lever ==> 2 * factor * h * h * force_lever
+// expects: Likely mistake: twice: kappa h^2 |F||r|
+// change: kappa * h * h * force_lever ==> 2 * kappa * h * h * force_lever
 
 // ---- wrong: force squared
 // expects: Likely mistake: the force is squared: it is |F||r| itself
@@ -197,7 +197,7 @@
 // expects: Likely mistake: the angular velocity becomes zero: the momentum stays
   const vec3 moments = real(1) / body.inverse_inertia_local;
   const real least = std::min({moments.x, moments.y, moments.z});
-  const real missing = factor * h * h * force_lever - least - lever * lever / body.inverse_mass;
+  const real missing = kappa * h * h * force_lever - least - lever * lever / body.inverse_mass;
   const vec3 more = moments + vec3(std::max(real(0), missing));  // Eq. 9-14
   out.inverse_inertia_local = real(1) / more;
 
@@ -205,13 +205,13 @@
 // expects: Likely mistake: in inverse_inertia alone: 0 in every case: is it written at all, from
   const vec3 moments = real(1) / body.inverse_inertia_local;
   const real least = std::min({moments.x, moments.y, moments.z});
-  const real missing = factor * h * h * force_lever - least - lever * lever / body.inverse_mass;
+  const real missing = kappa * h * h * force_lever - least - lever * lever / body.inverse_mass;
   const vec3 more = moments + vec3(std::max(real(0), missing));  // Eq. 9-14
   out.w = to_world(body, moments / more * to_local(body, body.w));
 
 // ---- wrong: a number in float
 // expects: Likely mistake: right to a few digits only: is there a float among the reals, such as
-// change: factor * h * h ==> real(float(factor * h * h))
+// change: kappa * h * h ==> real(float(kappa * h * h))
 
 // ---- wrong: isotropic bodies left out
 // expects: Exercise 9.8: a body with more inertia Case: mass 2 kg, force_lever 90
@@ -223,8 +223,8 @@
 // change: moments / more * ==> moments / more * moments / more *
 
 // ---- wrong: h cubed
-// expects: Likely mistake: h to the third power: factor h^2 |F||r|
-// change: factor * h * h * force_lever ==> factor * h * h * h * force_lever
+// expects: Likely mistake: h to the third power: kappa h^2 |F||r|
+// change: kappa * h * h * force_lever ==> kappa * h * h * h * force_lever
 
 // ---- wrong units: lever not squared
 // expects: Units: in stiffened, taking kg m from kg m^2: an arm is missing, or another length
@@ -236,15 +236,15 @@
 
 // ---- wrong units: h not squared
 // expects: Units: in stiffened, taking kg m^2 from kg m^2/s: a time too many: is a division by h
-// change: factor * h * h * force_lever ==> factor * h * force_lever
+// change: kappa * h * h * force_lever ==> kappa * h * force_lever
 
 // ---- wrong units: h missing
 // expects: Units: in stiffened, taking kg m^2 from kg m^2/s^2
-// change: factor * h * h * force_lever ==> factor * force_lever
+// change: kappa * h * h * force_lever ==> kappa * force_lever
 
 // ---- wrong units: force missing
 // expects: Units: in stiffened, taking kg m^2 from s^2
-// change: factor * h * h * force_lever ==> factor * h * h
+// change: kappa * h * h * force_lever ==> kappa * h * h
 
 // ---- wrong units: inverse moments taken for moments
 // expects: Units: in stiffened, taking 1/(kg m^2) from kg m^2: inertia where its inverse belongs
@@ -273,7 +273,7 @@
   real there = before.x < before.y ? before.x : before.y;
   if (before.z < there) there = before.z;
   there += lever * lever / body.inverse_mass;
-  const real follows = h * h * factor * force_lever;
+  const real follows = h * h * kappa * force_lever;
   const vec3 after = before + vec3(follows > there ? follows - there : real(0));
   const mat3 old(R[0] * before.x, R[1] * before.y, R[2] * before.z);
   const mat3 next(R[0] / after.x, R[1] / after.y, R[2] / after.z);
@@ -283,7 +283,7 @@
 // ---- right: the body as it is where it has enough
   const vec3& inverse = body.inverse_inertia_local;
   const real greatest = std::max({inverse.x, inverse.y, inverse.z});
-  const real missing = factor * h * h * force_lever - 1 / greatest - lever * lever /
+  const real missing = kappa * h * h * force_lever - 1 / greatest - lever * lever /
       body.inverse_mass;
   if (missing <= 0) return {inverse, body.w};
   out.inverse_inertia_local = inverse / (real(1) + missing * inverse);

@@ -16,8 +16,8 @@ namespace {
 
 // A scene, or several of a kind that are told in one line.
 struct Entry {
-  std::string name;
-  std::vector<MakeScene> makes;
+  std::string name{};
+  std::vector<MakeScene> makes{};
   Span span{.steps = 300, .timed = 80};
   double holds = 0;  // a run holds if its largest gap is below this [m]
   std::string methods = "velocity shake rk4 si30";

@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
     for (const auto& [one, directly] : runs()) {
       if (!only.empty() && one.id != only) continue;
       Watch::directly = directly;
-      one.run(quick, [&](Line line) {
+      one.run(quick, [&, directly = directly](Line line) {
         if (directly) line.method = "direct: " + line.method;
         std::fprintf(stderr, "%s %s, %s %g: %s\n", line.id.c_str(), line.method.c_str(),
                      line.parameter.c_str(), line.value, line.status.c_str());

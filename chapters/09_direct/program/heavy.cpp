@@ -70,9 +70,10 @@ void heavy(const Choice& choice, std::vector<Summary>& lines) {
     std::printf(" not torn up to %g kg\n", holds);
   }
   for (const auto& [factor, parts] : {std::pair{1, 1}, {2, 1}, {4, 1}, {8, 1}, {8, 4}})
-    swing(100, real(factor), parts, 2, [&](double time, double change) {
-      path.row({double(factor), 1.0 / (60 * parts), time, change});
-    });
+    swing(100, real(factor), parts, 2,
+          [&, factor = factor, parts = parts](double time, double change) {
+            path.row({double(factor), 1.0 / (60 * parts), time, change});
+          });
   Scene left = heavy_chain(links, 100), right = heavy_chain(links, 100);
   DirectSolver plain, more;
   plain.newton = more.newton = 8;

@@ -132,7 +132,7 @@ void order(const Choice& choice) {
     std::printf("%-8s of %3zu joints: multiplications", graph.name.c_str(), list.size());
     for (const auto& [name, by] : {std::pair{"as listed", list}, {"shuffled", shuffled(list)},
                                    {"fewest neighbours", found}}) {
-      const Count count = eliminate(graph, by, [&](int i, int j, bool filled) {
+      const Count count = eliminate(graph, by, [&, name = name](int i, int j, bool filled) {
         pattern.row({graph.name, name}, {double(i), double(j), double(filled)});
       });
       table.row({graph.name, name}, {double(list.size()), double(graph.rows) * double(list.size()),

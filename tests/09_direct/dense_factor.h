@@ -70,7 +70,8 @@ inline std::vector<std::string> factor_names(const MatrixCase& c) {
   };
   for (std::size_t k = 0; k + 1 < A.nodes.size(); ++k) {
     for (int i = 0; i < A.nodes[k].rows; ++i)
-      for (int j = 0; j <= i; ++j) name("node " + std::to_string(k), i, j);
+      for (int j = 0; j <= i; ++j)
+        name((i == j ? "1 / pivot, node " : "node ") + std::to_string(k), i, j);
     for (int e = A.nodes[k].first_edge; e < A.nodes[k + 1].first_edge; ++e) {
       const int to = A.edges[std::size_t(e)].to;
       for (int i = 0; i < A.nodes[std::size_t(to)].rows; ++i)

@@ -38,7 +38,7 @@ TEST_CASE("9.1 each entry grows by the rate of a row per unit impulse along a co
 
 // ---- 9.2 the factor -----------------------------------------------------------------------------
 
-TEST_CASE("9.2 elimination leaves 2, 3/2 and 4/3 of the text's chain", "[9.2]") {
+TEST_CASE("9.2 elimination leaves the pivots 2, 3/2 and 4/3 of the text's chain", "[9.2]") {
   const Numbers paper{0.5, -0.5, 2.0 / 3, -2.0 / 3, 0.75};
   factor_table().check(paper_chain(), padded(paper, numbers_of_factor));
 }

@@ -27,7 +27,7 @@ def print_table():
 
 
 def main():
-    print("the direct solver: about three minutes; leave the machine alone meanwhile", flush=True)
+    print("the direct solver: about four minutes; leave the machine alone meanwhile", flush=True)
     house.must_build(["direct", "direct_float"])
     run_bench("direct", [], figures.DIRECT)
     run_bench("direct_float", ["--append", "1"], figures.DIRECT)

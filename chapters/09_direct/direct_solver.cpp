@@ -36,7 +36,7 @@ void DirectSolver::factor_now() {
       for (int i = 0; i < n * n; ++i) A.numbers[maker_.diagonal(k) + i] *= 1 + inside_[k].spring;
     for (int i = 0; i < n; ++i) A.original[inside_[k].block->first + i] = diagonal(k, i);
   }
-  factor(A, inverse_pivot);
+  factor(A, inverse);
   factored_ = true;
 }
 
@@ -206,6 +206,9 @@ class DirectSolver::Poses : public Corrector {
       const Block& block = *solver_.inside_[row.inside].block;
       if (row.side != Side::free) x[block.first + block.rows - 1] = 0;
     }
+    double largest = 0;
+    for (const double C : x) largest = std::max(largest, std::abs(C));
+    solver_.errors_met_.push_back(largest);
     return x;
   }
   void change_rates(std::vector<double>& rates) override {
@@ -225,6 +228,8 @@ class DirectSolver::Poses : public Corrector {
 void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   report_.moved_exactly = false;
   report_.corrections = 0;
+  errors_met_.clear();
+  errors_met_.reserve(std::size_t(std::min(newton, 64)));  // hardly ever more
   if (newton == 0 || report_.iterated || !factored_) {  // no factor: sides were still wrong
     std::fill(expected_.begin(), expected_.end(), 0.0);
     return integrate_poses(bodies, h);

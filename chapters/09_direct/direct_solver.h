@@ -24,6 +24,7 @@ class DirectSolver : public Solver {
   /// If a factorisation takes more multiplications a row than this, `instead` solves.
   double most_work = 3000;
   SequentialImpulses instead;  ///< what solves then
+  PivotInverse inverse = inverse_pivot;  ///< what is done about dependent rows
 
   /// What the last step did.
   struct Report {
@@ -37,6 +38,8 @@ class DirectSolver : public Solver {
   };
   const Report& report() const { return report_; }  ///< of the last step
   int dropped() const;  ///< how many rows of the last factor depend on others
+  /// The largest error that each iteration on the positions has met in the last step [m or rad].
+  const std::vector<double>& errors_met() const { return errors_met_; }
 
   void check() const override;
   void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
@@ -103,6 +106,7 @@ class DirectSolver : public Solver {
   // The rates by which the last step's poses were corrected: this step's velocities begin with
   // them, for it will nearly be the same.
   std::vector<double> expected_, in_vain_;
+  std::vector<double> errors_met_;
   std::vector<Body> start_;
   std::vector<real> impulses_;
   Report report_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "chapters/09_direct/program/plain_direct.h"
 #include "chapters/09_direct/program/program.h"
 
 namespace joints::chapter9 {
@@ -34,7 +33,7 @@ void bricards(const Choice& choice, std::vector<Summary>& lines) {
   }
   {
     Scene scene = bricard();
-    PlainDirect plain;
+    DirectSolver plain;
     plain.newton = 8;
     plain.inverse = plain_inverse;
     lines.push_back(play(scene, "nothing dropped", seconds, "", rows_of("not dropped", scene),

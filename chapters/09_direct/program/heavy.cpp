@@ -23,7 +23,7 @@ struct End {
 End swing(real ratio, real inertia, int parts, double seconds,
           const std::function<void(double, double)>& look = [](double, double) {}) {
   char setting[40];
-  std::snprintf(setting, sizeof setting, "%g kg, factor %g", double(ratio), double(inertia));
+  std::snprintf(setting, sizeof setting, "%g kg, kappa %g", double(ratio), double(inertia));
   Scene scene = heavy_chain(links, ratio);
   scene.h /= real(parts);
   DirectSolver direct;

@@ -1,7 +1,6 @@
 // Appends to and cuts the flat arrays of the blocks.
 #include "engine/block.h"
 
-#include <algorithm>
 #include <numbers>
 
 namespace joints {
@@ -33,29 +32,17 @@ void Blocks::reserve(int rows) {
   C.reserve(rows);
 }
 
-void Blocks::append_errors(int slot1, int slot2, int rows, const real* rows_C,
-                           const RowTarget& target, real* impulse) {
-  list.push_back({slot1, slot2, rows, int(C.size()), Touches::both, target, impulse});
-  C.insert(C.end(), rows_C, rows_C + rows);
-}
-
-void Blocks::append(const Bodies& bodies, int slot1, int slot2, int rows, const Row* rows_J,
-                    const real* rows_C, const RowTarget& target, real* impulse) {
-  if (errors_only) return append_errors(slot1, slot2, rows, rows_C, target, impulse);
+bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form form,
+                 const RowTarget& target, real* impulse) {
+  const int slot1 = bodies.index(id1), slot2 = bodies.index(id2);
   if (bodies.at(slot1).is_static() && bodies.at(slot2).is_static()) {
     std::fill_n(impulse, rows, real(0));
-    return;
+    return false;
   }
-  const int first = int(C.size());
-  J.insert(J.end(), rows_J, rows_J + rows);
-  C.insert(C.end(), rows_C, rows_C + rows);
-  bool linear = false, angular = false;
-  for (int i = 0; i < rows; ++i) {
-    linear = linear || rows_J[i].v1 != vec3(0) || rows_J[i].v2 != vec3(0);
-    angular = angular || rows_J[i].w1 != vec3(0) || rows_J[i].w2 != vec3(0);
-  }
-  const Touches touches = !angular ? Touches::linear : linear ? Touches::both : Touches::angular;
-  list.push_back({slot1, slot2, rows, first, touches, target, impulse});
+  list.push_back({slot1, slot2, rows, form, int(C.size()), target, impulse});
+  C.resize(C.size() + std::size_t(rows));
+  if (!errors_only) J.resize(C.size());
+  return true;
 }
 
 }  // namespace joints

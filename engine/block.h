@@ -2,6 +2,7 @@
 // blocks.
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 #include <vector>
 
@@ -40,16 +41,13 @@ struct Feedback {
 /// Source: Catto, "Soft Constraints", GDC 2011.
 Feedback feedback(const RowTarget& target, real h);
 
-/// Which of the bodies' velocities a block reads and changes.
-enum class Touches : signed char { linear, angular, both };
-
 /// The header of a block. Its rows and errors are in the flat arrays of Blocks, from `first` on.
 /// Target rate and bounds belong to the last row; the other rows are equalities.
 struct Block {
   int body1 = 0, body2 = 0;         ///< slots of the two bodies
   int rows = 0;                     ///< 1 to 6
+  Form form = Form::any;            ///< what is known of its rows
   int first = 0;                    ///< where its rows begin in Blocks::J and Blocks::C
-  Touches touches = Touches::both;  ///< the inner loop skips the other half
   RowTarget target;                 ///< feedback, target rate and bounds
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint
 };
@@ -76,12 +74,10 @@ class Blocks {
   template <class Part>
   void append(const Bodies& bodies, BodyId id1, BodyId id2, const Part& part,
               const RowTarget& target, real* impulse) {
-    const int slot1 = bodies.index(id1), slot2 = bodies.index(id2);
-    const Body &body1 = bodies.at(slot1), &body2 = bodies.at(slot2);
-    const Vector<Part::rows> rows_C = to_vector(part.error(body1, body2));
-    if (errors_only) return append_errors(slot1, slot2, Part::rows, rows_C.data(), target, impulse);
-    const Jacobian<Part::rows> rows_J = to_jacobian(part.jacobian(body1, body2));
-    append(bodies, slot1, slot2, Part::rows, rows_J.row.data(), rows_C.data(), target, impulse);
+    if (!add(bodies, id1, id2, Part::rows, form_of<Part>(), target, impulse)) return;
+    const Body &body1 = bodies.at(list.back().body1), &body2 = bodies.at(list.back().body2);
+    write_error(part, body1, body2, C.data() + list.back().first);
+    if (!errors_only) write_jacobian(part, body1, body2, J.data() + list.back().first);
   }
 
   /// The same from J and C.
@@ -90,15 +86,15 @@ class Blocks {
               const std::type_identity_t<Vector<N>>& rows_C, const RowTarget& target,
               real* impulse) {
     static_assert(N >= 1 && N <= 6, "a block has one to six rows");
-    append(bodies, bodies.index(id1), bodies.index(id2), N, rows_J.row.data(), rows_C.data(),
-           target, impulse);
+    if (!add(bodies, id1, id2, N, Form::any, target, impulse)) return;
+    std::copy(rows_C.begin(), rows_C.end(), C.end() - N);
+    if (!errors_only) std::copy(rows_J.row.begin(), rows_J.row.end(), J.end() - N);
   }
 
  private:
-  void append(const Bodies& bodies, int slot1, int slot2, int rows, const Row* rows_J,
-              const real* rows_C, const RowTarget& target, real* impulse);
-  void append_errors(int slot1, int slot2, int rows, const real* rows_C, const RowTarget& target,
-                     real* impulse);
+  // Adds a header and makes room for its rows; false between two static bodies.
+  bool add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form form,
+           const RowTarget& target, real* impulse);
 };
 
 }  // namespace joints

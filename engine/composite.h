@@ -17,15 +17,20 @@ struct Composite {
 
   static constexpr int rows = First::rows + Second::rows;  ///< of both
   static constexpr bool one_sided = Second::one_sided;     ///< bounds belong to the last row
+  /// That of the first, if the second only adds angular rows.
+  static constexpr Form form =
+      form_of<Second>() == Form::angular ? form_of<First>() : Form::any;
   /// C, first above second.
   Vector<rows> error(const Body& body1, const Body& body2) const {
-    return together<Vector<rows>>(to_vector(first.error(body1, body2)),
-                                  to_vector(second.error(body1, body2)));
+    Vector<rows> C;
+    write_error(*this, body1, body2, C.data());
+    return C;
   }
   /// J, first above second.
   Jacobian<rows> jacobian(const Body& body1, const Body& body2) const {
-    return together<Jacobian<rows>>(to_jacobian(first.jacobian(body1, body2)),
-                                    to_jacobian(second.jacobian(body1, body2)));
+    Jacobian<rows> J;
+    write_jacobian(*this, body1, body2, J.row.data());
+    return J;
   }
   /// K = J M^-1 J^T of all rows, with the cross terms between the two parts.
   Matrix<rows> K(const Body& body1, const Body& body2) const {
@@ -36,16 +41,22 @@ struct Composite {
     form_K(J.row.data(), response, rows, K[0].data());
     return K;
   }
-
- private:
-  template <class Both, class Upper, class Lower>
-  static Both together(const Upper& upper, const Lower& lower) {
-    Both both;
-    for (int i = 0; i < First::rows; ++i) both[i] = upper[i];
-    for (int i = 0; i < Second::rows; ++i) both[First::rows + i] = lower[i];
-    return both;
-  }
 };
+
+/// C of both parts, one after the other.
+template <class First, class Second>
+void write_error(const Composite<First, Second>& part, const Body& body1, const Body& body2,
+                 real* C) {
+  write_error(part.first, body1, body2, C);
+  write_error(part.second, body1, body2, C + First::rows);
+}
+/// J of both parts, one after the other.
+template <class First, class Second>
+void write_jacobian(const Composite<First, Second>& part, const Body& body1, const Body& body2,
+                    Row* J) {
+  write_jacobian(part.first, body1, body2, J);
+  write_jacobian(part.second, body1, body2, J + First::rows);
+}
 
 }  // namespace joints
 /// @}

@@ -72,6 +72,34 @@ inline Jacobian<1> to_jacobian(const Row& row) { return {{row}}; }
 template <int N>
 const Jacobian<N>& to_jacobian(const Jacobian<N>& J) { return J; }
 
+/// What is known of a part's rows by its type: solvers may take a shorter formula then. A part says
+/// so by `static constexpr Form form`; one that says nothing is Form::any.
+enum class Form : signed char {
+  any,      ///< nothing
+  angular,  ///< v1 = v2 = 0 and w1 = -w2
+  point     ///< three rows v1 = -E, w1 = skew(r1), v2 = E, w2 = -skew(r2), then angular ones
+};
+/// The form of a part.
+template <class Part>
+constexpr Form form_of() {
+  if constexpr (requires { Part::form; }) return Part::form;
+  return Form::any;
+}
+
+/// Writes C of a part to `C`, and its rows to `J`: where a composite's parts write side by side.
+template <class Part>
+void write_error(const Part& part, const Body& body1, const Body& body2, real* C) {
+  const Vector<Part::rows> error = to_vector(part.error(body1, body2));
+  for (int i = 0; i < Part::rows; ++i) C[i] = error[i];
+}
+/// See write_error().
+template <class Part>
+void write_jacobian(const Part& part, const Body& body1, const Body& body2, Row* J) {
+  const auto own = part.jacobian(body1, body2);
+  const Jacobian<Part::rows>& rows = to_jacobian(own);
+  for (int i = 0; i < Part::rows; ++i) J[i] = rows[i];
+}
+
 /// J V for one row: the rate [unit of C per s] at which the bodies' velocities change C.
 inline real row_velocity(const Row& row, const Body& body1, const Body& body2) {
   return dot(row.v1, body1.v) + dot(row.w1, body1.w) + dot(row.v2, body2.v) +

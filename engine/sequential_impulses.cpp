@@ -1,9 +1,97 @@
-// Sequential Impulses: the iterations, and solve_block(), which solves one block.
+// Sequential Impulses: the preparation of the blocks, once per step, and the iterations.
 #include "engine/sequential_impulses.h"
 
 #include <algorithm>
 
+#include "engine/kernels.h"
+
 namespace joints {
+
+namespace {
+
+// The velocities of both bodies as twelve numbers side by side.
+Twelve velocities(const Body& body1, const Body& body2) {
+  const Row V{body1.v, body1.w, body2.v, body2.w};
+  return twelve(V);
+}
+
+// A static body keeps its velocities, whatever an impulse is.
+void set_velocities(Body& body1, Body& body2, const Twelve& twelve) {
+  const Row& V = reinterpret_cast<const Row&>(twelve);
+  if (!body1.is_static()) body1.v = V.v1, body1.w = V.w1;
+  if (!body2.is_static()) body2.v = V.v2, body2.w = V.w2;
+}
+
+}  // namespace
+
+// ---- once per step ------------------------------------------------------------------------------
+
+void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {
+  prepared_for(bodies, blocks);
+  if (first == 0) {
+    prepared_.blocks.clear();
+    prepared_.rows.clear();
+    prepared_.inverse_K.clear();
+    const std::size_t most = blocks.J.capacity();  // late limits included
+    prepared_.blocks.reserve(row_by_row ? most : blocks.list.capacity());
+    prepared_.rows.reserve(most);
+    prepared_.inverse_K.reserve(row_by_row ? most : 6 * most);
+  }
+  for (int k = first; k < int(blocks.list.size()); ++k) {
+    const Block& block = blocks.list[std::size_t(k)];
+    followed_row(blocks, k);  // refuses a bound that follows nothing
+    const int together = row_by_row ? 1 : block.rows;
+    for (int i = 0; i < block.rows; i += together) add(bodies, blocks, block, i, i + together, h);
+  }
+}
+
+// Prepares the rows [from, to) of a block as one block.
+void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const Block& block,
+                             int from, int to, real h) {
+  auto& [prepared, rows, inverse_K] = prepared_;
+  const int n = to - from, first = block.first + from;
+  const bool has_last = to == block.rows;  // the row to which target and bounds belong
+  PreparedBlock out{block.body1, block.body2, n, first, int(inverse_K.size()),
+                    has_last ? block.target.follows : 0, step_target(block.target, h, relaxation),
+                    block.impulse + from};
+  if (!has_last) out.target.lower = -unbounded, out.target.upper = unbounded;
+  prepared.push_back(out);
+
+  const Row* const J = &blocks.J[std::size_t(first)];
+  Row response[6];
+  form_responses(J, n, bodies.at(block.body1), bodies.at(block.body2), response);
+  inverse_K.resize(inverse_K.size() + std::size_t(n * n));
+  real* const inverse = inverse_K.data() + out.first_K;
+  form_K(J, response, n, inverse);
+  invert_symmetric(inverse, n);
+
+  const real over_last = inverse_above(inverse[n * n - 1], 0);
+  for (int i = 0; i < n; ++i)
+    rows.push_back({response[i], bias(block, from + i, blocks.C[std::size_t(first + i)],
+                                      out.target.rate, h),
+                    inverse[i * n + n - 1] * over_last});
+}
+
+void SequentialImpulses::warm_start(Bodies& bodies, real ratio) {
+  blocks_of(bodies);  // refuses other bodies
+  for (const PreparedBlock& block : prepared_.blocks) {
+    if (ratio == 0) {
+      std::fill_n(block.impulse, block.rows, real(0));
+      continue;
+    }
+    Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
+    Twelve V = velocities(body1, body2);
+    for (int i = 0; i < block.rows; ++i) {
+      real& lambda = block.impulse[i];
+      const bool live = prepared_.inverse_K[block.first_K + i * block.rows + i] > 0;
+      lambda = live ? ratio * lambda : 0;
+      joints::add(V, lambda, twelve(prepared_.rows[std::size_t(block.first + i)].response));
+    }
+    set_velocities(body1, body2, V);
+  }
+}
+
+// ---- the iterations -----------------------------------------------------------------------------
 
 void SequentialImpulses::solve(Bodies& bodies) {
   for (int i = 0; i < iterations; ++i) iterate(bodies);
@@ -17,81 +105,57 @@ void SequentialImpulses::iterate(Bodies& bodies, int from, int to) {
   Body* const array = bodies.data();
   const Row* const J = blocks.J.data();
   for (int k = from; k < to; ++k) {  // one predictable switch per block
-    const PreparedBlock& block = prepared_.blocks[k];
+    const PreparedBlock& block = prepared_.blocks[std::size_t(k)];
     switch (block.rows) {
-      case 1: solve_rows<1>(array, J, block); break;
-      case 2: solve_rows<2>(array, J, block); break;
-      case 3: solve_rows<3>(array, J, block); break;
-      case 4: solve_rows<4>(array, J, block); break;
-      case 5: solve_rows<5>(array, J, block); break;
-      case 6: solve_rows<6>(array, J, block); break;
+      case 1: solve_block<1>(array, J, block); break;
+      case 2: solve_block<2>(array, J, block); break;
+      case 3: solve_block<3>(array, J, block); break;
+      case 4: solve_block<4>(array, J, block); break;
+      case 5: solve_block<5>(array, J, block); break;
+      case 6: solve_block<6>(array, J, block); break;
     }
   }
 }
 
-template <int N>
-void SequentialImpulses::solve_rows(Body* bodies, const Row* J, const PreparedBlock& block) {
-  switch (block.touches) {
-    case Touches::linear: return solve_block<N, true, false>(bodies, J, block);
-    case Touches::angular: return solve_block<N, false, true>(bodies, J, block);
-    case Touches::both: return solve_block<N, true, true>(bodies, J, block);
-  }
-}
-
 // One solve of a block, for hard, soft, one-sided and bounded rows alike.
-template <int N, bool linear, bool angular>
+template <int N>
 void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedBlock& block) {
   Body &body1 = bodies[block.body1], &body2 = bodies[block.body2];
   J += block.first;
-  const PreparedRow* row = &prepared_.rows[block.first];
-  const real* inverse_K = &prepared_.inverse_K[block.first_K];
+  const PreparedRow* row = &prepared_.rows[std::size_t(block.first)];
+  const real* inverse_K = &prepared_.inverse_K[std::size_t(block.first_K)];
+  const StepTarget& target = block.target;
+  Twelve V = velocities(body1, body2);
 
   real e[N];  // velocity error of each row: J V + bias
-  for (int i = 0; i < N; ++i) {
-    e[i] = row[i].bias;
-    if constexpr (linear) e[i] += dot(J[i].v1, body1.v) + dot(J[i].v2, body2.v);
-    if constexpr (angular) e[i] += dot(J[i].w1, body1.w) + dot(J[i].w2, body2.w);
-  }
+  for (int i = 0; i < N; ++i) e[i] = dot(twelve(J[i]), V) + row[i].bias;
 
   real dlambda[N];  // -mass_scale K^-1 e - impulse_scale lambda
   for (int i = 0; i < N; ++i) {
     real sum = 0;
     for (int j = 0; j < N; ++j) sum += inverse_K[i * N + j] * e[j];
-    dlambda[i] = -block.mass_scale * sum - block.impulse_scale * block.impulse[i];
+    dlambda[i] = -target.mass_scale * sum - target.impulse_scale * block.impulse[i];
   }
 
   // Clamp the accumulated impulse of the last row, and solve the other rows again for the clamped
   // value: each changes by clamp_response per unit of the cut.
   const real wanted = block.impulse[N - 1] + dlambda[N - 1];
-  real lower = block.lower, upper = block.upper;
+  real lower = target.lower, upper = target.upper;
   if (N == 1 && block.follows != 0) {  // bounds are -+upper * impulse[follows]
     upper *= block.impulse[block.follows];
     lower = -upper;
   }
   const real kept = std::clamp(wanted, lower, upper), cut = kept - wanted;
-  for (int i = 0; i < N; ++i) dlambda[i] += row[i].clamp_response * cut;
-  if (cut != 0) dlambda[N - 1] = kept - block.impulse[N - 1];  // exactly at the bound
+  if (cut != 0) {
+    for (int i = 0; i < N; ++i) dlambda[i] += row[i].clamp_response * cut;
+    dlambda[N - 1] = kept - block.impulse[N - 1];  // exactly at the bound
+  }
 
-  vec3 P1(0), P2(0), dw1(0), dw2(0);  // linear impulses; changes of angular velocity
   for (int i = 0; i < N; ++i) {
     block.impulse[i] += dlambda[i];
-    if constexpr (linear) {
-      P1 += dlambda[i] * J[i].v1;
-      P2 += dlambda[i] * J[i].v2;
-    }
-    if constexpr (angular) {
-      dw1 += dlambda[i] * row[i].response_w1;
-      dw2 += dlambda[i] * row[i].response_w2;
-    }
+    joints::add(V, dlambda[i], twelve(row[i].response));  // V += M^-1 J^T dlambda
   }
-  if constexpr (linear) {
-    body1.v += body1.inverse_mass * P1;
-    body2.v += body2.inverse_mass * P2;
-  }
-  if constexpr (angular) {
-    body1.w += dw1;
-    body2.w += dw2;
-  }
+  set_velocities(body1, body2, V);
 }
 
 }  // namespace joints

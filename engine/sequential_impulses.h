@@ -3,9 +3,39 @@
 
 #include "engine/iterative_solver.h"
 
-/// \addtogroup world
+/// \addtogroup rows
 /// @{
 namespace joints {
+
+/// What the inner loop reads of a row in addition to J.
+struct PreparedRow {
+  Row response;  ///< M^-1 J^T: the change of the velocities by an impulse of 1
+  real bias;     ///< minus the wanted J V [unit of C per s]
+  /// Kinv[i][last] / Kinv[last][last]: the change of this row's impulse per unit by which the
+  /// bounds change the impulse of the block's last row.
+  real clamp_response;
+};
+
+/// What the inner loop reads of a block.
+struct PreparedBlock {
+  int body1, body2;     ///< slots
+  int rows;             ///< 1 to 6
+  int first, first_K;   ///< its first row in Blocks::J and Prepared::rows; first number of K^-1
+  int follows;          ///< RowTarget::follows
+  StepTarget target;    ///< scales and bounds; without any for rows that are not the last
+  real* impulse;        ///< the accumulated impulses, owned by the joint
+};
+
+/// The prepared blocks of a step: bias, scales, bounds and the inverse of K, all for this h.
+struct Prepared {
+  std::vector<PreparedBlock> blocks;  ///< in the order of Blocks::list
+  std::vector<PreparedRow> rows;      ///< one for each of Blocks::J
+  std::vector<real> inverse_K;        ///< rows x rows numbers per block
+};
+
+/// @}
+/// \addtogroup world
+/// @{
 
 /// Sequential Impulses, projected block Gauss-Seidel on the impulses: each iteration solves every
 /// block exactly at the present velocities, in the order of the list.
@@ -14,6 +44,10 @@ class SequentialImpulses : public IterativeSolver {
  public:
   bool row_by_row = false;  ///< solve each row as a block of its own (chapter 2)
 
+  /// \throws std::invalid_argument if a bound follows an impulse that no row has
+  void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
+  /// Zeroes the impulse of a row whose Jacobian is zero or that depends on others of its block.
+  void warm_start(Bodies& bodies, real ratio) override;
   void solve(Bodies& bodies) override;
 
   // Pieces of solve(), to measure between iterations or to choose another order.
@@ -26,11 +60,13 @@ class SequentialImpulses : public IterativeSolver {
   /// The number of prepared blocks: the blocks of the step, or their rows with row_by_row.
   int prepared_count() const { return int(prepared_.blocks.size()); }
 
+ protected:
+  Prepared prepared_;  ///< all blocks of the step so far
+
  private:
-  bool rows_apart() const override { return row_by_row; }
+  void add(const Bodies& bodies, const Blocks& blocks, const Block& block, int from, int to,
+           real h);
   template <int N>
-  void solve_rows(Body* bodies, const Row* J, const PreparedBlock& block);
-  template <int N, bool linear, bool angular>
   void solve_block(Body* bodies, const Row* J, const PreparedBlock& block);
 };
 

@@ -21,6 +21,7 @@ struct Point {
 
   static constexpr int rows = 3;            ///< degrees of freedom that it removes
   static constexpr bool one_sided = false;  ///< it pushes and it pulls
+  static constexpr Form form = Form::point;  ///< of its rows
   /// C, the gap [m, world]: the vector from the point on body 1 to the point on body 2.
   vec3 error(const Body& body1, const Body& body2) const {
     return world_point(body2, anchor2_local) - world_point(body1, anchor1_local);  // Eq. 2-1

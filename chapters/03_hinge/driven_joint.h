@@ -21,6 +21,7 @@ struct Limit {
 
   static constexpr int rows = 1;           ///< one
   static constexpr bool one_sided = true;  ///< it only pushes C up
+  static constexpr Form form = form_of<Coordinate>();  ///< of its row
   /// C, the gap to the limit [rad or m]; negative beyond it.
   real error(const Body& body1, const Body& body2) const {
     return sign * (coordinate.error(body1, body2) - bound);

@@ -28,6 +28,7 @@ struct Axis {
 
   static constexpr int rows = 2;            ///< degrees of freedom that it removes
   static constexpr bool one_sided = false;  ///< both signs of impulse are allowed
+  static constexpr Form form = Form::angular;  ///< of its rows
   Vector<2> error(const Body& body1, const Body& body2) const;       ///< exercise 3.1 [1]
   Jacobian<2> jacobian(const Body& body1, const Body& body2) const;  ///< exercise 3.1
   /// K = B (I1^-1 + I2^-1) B^T, Eq. 3-6 [1/(kg m^2)].
@@ -78,6 +79,7 @@ struct HingeAngle {
 
   static constexpr int rows = 1;            ///< the one row of limit and motor
   static constexpr bool one_sided = false;  ///< a limit makes it so
+  static constexpr Form form = Form::angular;  ///< of its row
   real twist(const Body& body1, const Body& body2) const;  ///< exercise 3.3, in (-pi, pi] [rad]
   /// C, the angle with its turns counted [rad].
   real error(const Body& body1, const Body& body2) const {

@@ -40,6 +40,7 @@ struct RotationLock {
 
   static constexpr int rows = 3;            ///< degrees of freedom that it removes
   static constexpr bool one_sided = false;  ///< it holds both ways
+  static constexpr Form form = Form::angular;  ///< of its rows
   vec3 error(const Body& body1, const Body& body2) const;            ///< exercise 4.2
   Jacobian<3> jacobian(const Body& body1, const Body& body2) const;  ///< exercise 4.2
   mat3 K(const Body& body1, const Body& body2) const;                ///< Eq. 4-9 [1/(kg m^2)]

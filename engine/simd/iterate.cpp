@@ -1,21 +1,30 @@
-// The iterations compiled for any processor, and the choice of the best one at run time.
+// The passes compiled for any processor, and the choice of the best ones at run time.
 #include "engine/simd/iterate.h"
 
 namespace joints {
 
 #if defined(__x86_64__) && defined(JOINTS_AVX2)
-// The same code compiled with 32 byte registers: engine/simd/iterate_avx2.cpp.
-void iterate_lanes_avx2(const LaneIteration& iteration);
+// The same code compiled for AVX2: engine/simd/iterate_avx2.cpp.
+void run_single_avx2(const LaneWork& work, Pass pass, real parameter);
+void run_lanes_avx2(const LaneWork& work, Pass pass, real parameter);
+static bool has_avx2() {
+  static const bool has = __builtin_cpu_supports("avx2");
+  return has;
+}
 #endif
 
-void iterate_single(const LaneIteration& iteration) { iterate_all<real>(iteration); }
-
-void iterate_lanes(const LaneIteration& iteration) {
+void run_single(const LaneWork& work, Pass pass, real parameter) {
 #if defined(__x86_64__) && defined(JOINTS_AVX2)
-  static const bool has_avx2 = __builtin_cpu_supports("avx2");
-  if (has_avx2) return iterate_lanes_avx2(iteration);
+  if (has_avx2()) return run_single_avx2(work, pass, parameter);
 #endif
-  iterate_all<Lanes>(iteration);
+  run_all<Single>(work, pass, parameter);
+}
+
+void run_lanes(const LaneWork& work, Pass pass, real parameter) {
+#if defined(__x86_64__) && defined(JOINTS_AVX2)
+  if (has_avx2()) return run_lanes_avx2(work, pass, parameter);
+#endif
+  run_all<Lanes>(work, pass, parameter);
 }
 
 }  // namespace joints

@@ -1,5 +1,5 @@
-// The inner loop for a scalar or a lane type: one block at a time, or one per lane. Each file that
-// is compiled for an instruction set includes it.
+// What is done with a record: its K^-1, its warm start, its solve. Each file that is compiled for an
+// instruction set includes it.
 #pragma once
 
 #include "engine/simd/lanes.h"
@@ -9,26 +9,213 @@
 namespace joints {
 /// \cond
 
-// Minimum and maximum, lane by lane.
-inline real lesser(real a, real b) { return a < b ? a : b; }
-inline real greater(real a, real b) { return a > b ? a : b; }
-template <int P>
-inline LanesFor<P> lesser(const LanesFor<P>& a, const LanesFor<P>& b) {
-  return {a.all < b.all ? a.all : b.all};
+// ---- three rows of a point and N - 3 angular rows: ball, hinge, weld, with or without a limit ---
+
+// K += skew(r) I skew(r)^T, of one body.
+template <class Number>
+inline void add_lever(Number* K, const Triple<Number>& r, const Number& I) {
+  const Triple<Number> Ir = I * r;
+  const Number xx = Ir.x * r.x, yy = Ir.y * r.y, zz = Ir.z * r.z;
+  K[0] += yy + zz;
+  K[1] -= Ir.x * r.y;
+  K[2] += xx + zz;
+  K[3] -= Ir.x * r.z;
+  K[4] -= Ir.y * r.z;
+  K[5] += xx + yy;
 }
-template <int P>
-inline LanesFor<P> greater(const LanesFor<P>& a, const LanesFor<P>& b) {
-  return {a.all > b.all ? a.all : b.all};
+template <class Number>
+inline void add_lever(Number* K, const Triple<Number>& r, const Symmetric<Number>& I) {
+  const Triple<Number> x{I.xx, I.xy, I.xz}, y{I.xy, I.yy, I.yz}, z{I.xz, I.yz, I.zz};
+  const Triple<Number> a = r.z * y - r.y * z, b = r.x * z - r.z * x, c = r.y * x - r.x * y;
+  K[0] += r.z * a.y - r.y * a.z;  // a, b, c are I (r x e) with the three unit vectors e
+  K[1] += r.x * a.z - r.z * a.x;
+  K[2] += r.x * b.z - r.z * b.x;
+  K[3] += r.y * a.x - r.x * a.y;
+  K[4] += r.y * b.x - r.x * b.y;
+  K[5] += r.y * c.x - r.x * c.y;
 }
+
+template <int N, bool isotropic, class Number>
+inline void form_K(const PointRows<N, isotropic, Number>& rows, const Velocities<Number>& body1,
+                   const Velocities<Number>& body2, Number* K) {
+  K[0] = K[2] = K[5] = body1.inverse_mass + body2.inverse_mass;
+  K[1] = K[3] = K[4] = Number::of(0);
+  add_lever(K, rows.r1, rows.I1);
+  add_lever(K, rows.r2, rows.I2);
+  for (int i = 3; i < N; ++i) {
+    const Triple<Number> w1 = rows.I1 * rows.axis[i - 3], w2 = rows.I2 * rows.axis[i - 3];
+    const Triple<Number> gap = cross(w1, rows.r1) + cross(w2, rows.r2), turning = w1 + w2;
+    Number* const row = K + lower_index(i, 0);
+    row[0] = gap.x, row[1] = gap.y, row[2] = gap.z;
+    for (int j = 3; j <= i; ++j) row[j] = dot(rows.axis[j - 3], turning);
+  }
+}
+
+template <int N, bool isotropic, class Number>
+inline void errors(const PointRows<N, isotropic, Number>& rows, const Velocities<Number>& body1,
+                   const Velocities<Number>& body2, Number* e) {
+  const Triple<Number> v =
+      body2.v + cross(body2.w, rows.r2) - body1.v - cross(body1.w, rows.r1);
+  const Triple<Number> w = body2.w - body1.w;
+  e[0] = rows.bias[0] + v.x, e[1] = rows.bias[1] + v.y, e[2] = rows.bias[2] + v.z;
+  for (int i = 3; i < N; ++i) e[i] = rows.bias[i] + dot(rows.axis[i - 3], w);
+}
+
+template <int N, bool isotropic, class Number>
+inline void apply(const PointRows<N, isotropic, Number>& rows, const Number* lambda,
+                  Velocities<Number>& body1, Velocities<Number>& body2) {
+  const Triple<Number> P{lambda[0], lambda[1], lambda[2]};
+  Triple<Number> L1 = cross(rows.r1, P), L2 = cross(rows.r2, P);  // angular impulses
+  for (int i = 3; i < N; ++i) {
+    const Triple<Number> couple = lambda[i] * rows.axis[i - 3];
+    L1 = L1 + couple;
+    L2 = L2 + couple;
+  }
+  body1.v = body1.v - body1.inverse_mass * P;
+  body1.w = body1.w - rows.I1 * L1;
+  body2.v = body2.v + body2.inverse_mass * P;
+  body2.w = body2.w + rows.I2 * L2;
+}
+
+// ---- any rows -----------------------------------------------------------------------------------
+
+template <int N, class Number>
+inline void form_K(const AnyRows<N, Number>& rows, const Velocities<Number>& body1,
+                   const Velocities<Number>& body2, Number* K) {
+  for (int i = 0; i < N; ++i) {
+    const auto& row = rows.row[i];
+    const Triple<Number> v1 = body1.inverse_mass * row.v1, v2 = body2.inverse_mass * row.v2;
+    for (int j = 0; j <= i; ++j) {
+      const auto& other = rows.row[j];
+      K[lower_index(i, j)] = dot(v1, other.v1) + dot(row.response_w1, other.w1) +
+                             dot(v2, other.v2) + dot(row.response_w2, other.w2);
+    }
+  }
+}
+
+template <int N, class Number>
+inline void errors(const AnyRows<N, Number>& rows, const Velocities<Number>& body1,
+                   const Velocities<Number>& body2, Number* e) {
+  for (int i = 0; i < N; ++i) {
+    const auto& row = rows.row[i];
+    e[i] = rows.bias[i] + dot(row.v1, body1.v) + dot(row.w1, body1.w) + dot(row.v2, body2.v) +
+           dot(row.w2, body2.w);
+  }
+}
+
+template <int N, class Number>
+inline void apply(const AnyRows<N, Number>& rows, const Number* lambda, Velocities<Number>& body1,
+                  Velocities<Number>& body2) {
+  for (int i = 0; i < N; ++i) {
+    const auto& row = rows.row[i];
+    body1.v = body1.v + body1.inverse_mass * lambda[i] * row.v1;
+    body2.v = body2.v + body2.inverse_mass * lambda[i] * row.v2;
+    body1.w = body1.w + lambda[i] * row.response_w1;
+    body2.w = body2.w + lambda[i] * row.response_w2;
+  }
+}
+
+// ---- any rows of a single block -----------------------------------------------------------------
+
+// Eight numbers of a body in one register (float) or two (double).
+template <class Number>
+struct Eight {
+  typedef typename VectorOf<real, false>::type Wide;
+  static constexpr int parts = 8 / lane_count;
+  Wide part[parts];
+
+  // The sum of all eight products of both pairs.
+  friend Number dot(const Eight& a, const Eight& b, const Eight& c, const Eight& d) {
+    Wide sum = a.part[0] * b.part[0] + c.part[0] * d.part[0];
+    for (int k = 1; k < parts; ++k) sum += a.part[k] * b.part[k] + c.part[k] * d.part[k];
+    for (int half = lane_count / 2; half > 0; half /= 2)
+      for (int k = 0; k < half; ++k) sum[k] += sum[k + half];
+    return {sum[0]};
+  }
+};
+template <class Number>
+inline const Eight<Number>& eight(const Velocities<Number>& of) {
+  return reinterpret_cast<const Eight<Number>&>(of);
+}
+
+template <int N, class Number>
+inline void form_K(const SingleRows<N, Number>& rows, const Velocities<Number>&,
+                   const Velocities<Number>&, Number* K) {
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j <= i; ++j) {
+      const auto &a = rows.row[i], &b = rows.row[j];
+      K[lower_index(i, j)] =
+          dot(eight(a.J1), eight(b.response1), eight(a.J2), eight(b.response2));
+    }
+}
+
+template <int N, class Number>
+inline void errors(const SingleRows<N, Number>& rows, const Velocities<Number>& body1,
+                   const Velocities<Number>& body2, Number* e) {
+  for (int i = 0; i < N; ++i)
+    e[i] = rows.bias[i] +
+           dot(eight(rows.row[i].J1), eight(body1), eight(rows.row[i].J2), eight(body2));
+}
+
+template <int N, class Number>
+inline void apply(const SingleRows<N, Number>& rows, const Number* lambda,
+                  Velocities<Number>& body1, Velocities<Number>& body2) {
+  for (int k = 0; k < Eight<Number>::parts; ++k) {
+    auto V1 = eight(body1).part[k], V2 = eight(body2).part[k];
+    for (int i = 0; i < N; ++i) {
+      V1 += lambda[i].all * eight(rows.row[i].response1).part[k];
+      V2 += lambda[i].all * eight(rows.row[i].response2).part[k];
+    }
+    reinterpret_cast<Eight<Number>&>(body1).part[k] = V1;
+    reinterpret_cast<Eight<Number>&>(body2).part[k] = V2;
+  }
+}
+
+// ---- once per step ------------------------------------------------------------------------------
+
+// K^-1 and the clamp responses.
+template <class Rows, int N, bool hard, class Number>
+inline void prepare_record(Record<Rows, N, hard, Number>& record, const Velocities<Number>& body1,
+                           const Velocities<Number>& body2, real relaxation) {
+  Number* const inverse_K = record.impulses.inverse_K;
+  form_K(record.rows, body1, body2, inverse_K);
+  invert_lower<N>(inverse_K);
+  if constexpr (hard) {
+    for (int k = 0; k < N * (N + 1) / 2; ++k) inverse_K[k] = relaxation * inverse_K[k];
+  } else {
+    Bounds<N, Number>& bounds = record.bounds;
+    const Number over_last =
+        inverse_above(inverse_K[lower_index(N - 1, N - 1)], Number::of(0));
+    for (int i = 0; i < N; ++i)
+      bounds.clamp_response[i] = inverse_K[lower_index(N - 1, i)] * over_last;
+    const Number mass_scale = Number::of(relaxation) - bounds.impulse_scale;
+    for (int k = 0; k < N * (N + 1) / 2; ++k) inverse_K[k] = mass_scale * inverse_K[k];
+  }
+}
+
+// Applies `ratio` times the accumulated impulses; a row that depends on others gets none.
+template <class Rows, int N, bool hard, class Number>
+inline void warm_record(Record<Rows, N, hard, Number>& record, Velocities<Number>& body1,
+                        Velocities<Number>& body2, real ratio) {
+  Number* const lambda = record.impulses.lambda;
+  for (int i = 0; i < N; ++i) {
+    const Number& diagonal = record.impulses.inverse_K[lower_index(i, i)];
+    lambda[i] = where_above(diagonal, Number::of(0), ratio * lambda[i]);
+  }
+  apply(record.rows, lambda, body1, body2);
+}
+
+// ---- in every iteration -------------------------------------------------------------------------
 
 // From the velocity errors e of a block to the changes of its impulses, clamping included: the same
 // formulas as in SequentialImpulses::solve_block.
 template <class Rows, int N, bool hard, class Number>
 inline void impulses(Record<Rows, N, hard, Number>& record, const Number* e, Number* dlambda) {
   Number* const lambda = record.impulses.lambda;
+  const Number* const inverse_K = record.impulses.inverse_K;
   for (int i = 0; i < N; ++i) {
-    dlambda[i] = -(record.impulses.entry(i, 0) * e[0]);
-    for (int j = 1; j < N; ++j) dlambda[i] = dlambda[i] - record.impulses.entry(i, j) * e[j];
+    dlambda[i] = -(inverse_K[lower_index(i, 0)] * e[0]);
+    for (int j = 1; j < N; ++j) dlambda[i] = dlambda[i] - inverse_K[lower_index(i, j)] * e[j];
   }
   if constexpr (!hard) {
     const Bounds<N, Number>& bounds = record.bounds;
@@ -44,52 +231,13 @@ inline void impulses(Record<Rows, N, hard, Number>& record, const Number* e, Num
   for (int i = 0; i < N; ++i) lambda[i] = lambda[i] + dlambda[i];
 }
 
-// Three rows of a point and N - 3 angular rows: ball, hinge, weld, with or without a limit.
-template <int N, bool isotropic, bool hard, class Number>
-inline void solve_record(Record<PointRows<N, isotropic, Number>, N, hard, Number>& record,
-                         Velocities<Number>& body1, Velocities<Number>& body2) {
-  const PointRows<N, isotropic, Number>& rows = record.rows;
-  const Triple<Number> r1 = rows.r1, r2 = rows.r2;
+template <class Rows, int N, bool hard, class Number>
+inline void solve_record(Record<Rows, N, hard, Number>& record, Velocities<Number>& body1,
+                         Velocities<Number>& body2) {
   Number e[N], dlambda[N];
-  const Triple<Number> v = body2.v + cross(body2.w, r2) - body1.v - cross(body1.w, r1);
-  const Triple<Number> w = body2.w - body1.w;
-  e[0] = rows.bias[0] + v.x, e[1] = rows.bias[1] + v.y, e[2] = rows.bias[2] + v.z;
-  for (int i = 3; i < N; ++i) e[i] = rows.bias[i] + dot(rows.axis[i - 3], w);
+  errors(record.rows, body1, body2, e);
   impulses(record, e, dlambda);
-
-  const Triple<Number> P{dlambda[0], dlambda[1], dlambda[2]};
-  Triple<Number> L1 = cross(r1, P), L2 = cross(r2, P);  // angular impulses
-  for (int i = 3; i < N; ++i) {
-    const Triple<Number> couple = dlambda[i] * rows.axis[i - 3];
-    L1 = L1 + couple;
-    L2 = L2 + couple;
-  }
-  const auto I1 = rows.I1, I2 = rows.I2;
-  body1.v = body1.v - body1.inverse_mass * P;
-  body1.w = body1.w - I1 * L1;
-  body2.v = body2.v + body2.inverse_mass * P;
-  body2.w = body2.w + I2 * L2;
-}
-
-// Any rows.
-template <int N, bool hard, class Number>
-inline void solve_record(Record<AnyRows<N, Number>, N, hard, Number>& record,
-                         Velocities<Number>& body1, Velocities<Number>& body2) {
-  const AnyRows<N, Number>& rows = record.rows;
-  Number e[N], dlambda[N];
-  for (int i = 0; i < N; ++i) {
-    e[i] = rows.bias[i] + dot(rows.row[i].v1, body1.v);
-    e[i] = e[i] + dot(rows.row[i].w1, body1.w);
-    e[i] = e[i] + dot(rows.row[i].v2, body2.v);
-    e[i] = e[i] + dot(rows.row[i].w2, body2.w);
-  }
-  impulses(record, e, dlambda);
-  for (int i = 0; i < N; ++i) {
-    body1.v = body1.v + body1.inverse_mass * dlambda[i] * rows.row[i].v1;
-    body2.v = body2.v + body2.inverse_mass * dlambda[i] * rows.row[i].v2;
-    body1.w = body1.w + dlambda[i] * rows.row[i].response_w1;
-    body2.w = body2.w + dlambda[i] * rows.row[i].response_w2;
-  }
+  apply(record.rows, dlambda, body1, body2);
 }
 
 // Sets the bounds of a following row to -+factor times the impulse that it follows.
@@ -103,19 +251,43 @@ inline void move_bounds(FollowingRecord<Number>& record, const real* numbers, co
   }
 }
 
-// One iteration over all groups. Number is real or Lanes.
+// ---- over all groups ----------------------------------------------------------------------------
+
+// Calls f(record, body1, body2, number) for every group: one switch for groups that are alike.
+template <class Number, class F>
+inline void each_group(const LaneWork& work, const F& f) {
+  for (int k = 0; k < work.count;) {
+    const LaneGroup& group = work.groups[k];
+    use_record<Number>(group, work.numbers + group.first, [&](auto& first) JOINTS_INLINED {
+      auto* record = &first;
+      for (const int end = k + group.alike; k < end; ++k) {
+        record = reinterpret_cast<decltype(record)>(work.numbers + work.groups[k].first);
+        with_bodies<Number>(work.bodies, k, [&](auto& body1, auto& body2) JOINTS_INLINED {
+          f(*record, body1, body2, k);
+        });
+      }
+    });
+  }
+}
+
 template <class Number>
-inline void iterate_all(const LaneIteration& all) {
+inline void run_all(const LaneWork& work, Pass pass, real parameter) {
   constexpr int width = int(sizeof(Number) / sizeof(real));
-  for (int k = 0; k < all.count; ++k) {
-    const LaneGroup& group = all.groups[k];
-    with_bodies<Number>(all.bodies, k, [&](auto& body1, auto& body2) JOINTS_INLINED {
-      use_record<Number>(group, all.numbers + group.first, [&](auto& record) JOINTS_INLINED {
+  switch (pass) {
+    case Pass::prepare:
+      return each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int) {
+        prepare_record(record, body1, body2, parameter);
+      });
+    case Pass::warm:
+      return each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int) {
+        warm_record(record, body1, body2, parameter);
+      });
+    case Pass::iterate:
+      return each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int k) {
         if constexpr (requires { record.factor; })
-          move_bounds(record, all.numbers, all.followed + k * width);
+          move_bounds(record, work.numbers, work.followed + k * width);
         solve_record(record, body1, body2);
       });
-    });
   }
 }
 

@@ -14,30 +14,52 @@ namespace joints {
 #endif
 typedef float Floats __attribute__((vector_size(32), may_alias));
 typedef double Doubles __attribute__((vector_size(32), may_alias));
-template <class Number>
-struct VectorOf;
+template <class Number, bool single>
+struct VectorOf { typedef Number type; };
 template <>
-struct VectorOf<float> { typedef Floats type; };
+struct VectorOf<float, false> { typedef Floats type; };
 template <>
-struct VectorOf<double> { typedef Doubles type; };
+struct VectorOf<double, false> { typedef Doubles type; };
 /// \endcond
 
 /// lane_count numbers side by side, one per block; + - * act lane by lane. Each instruction set has
-/// its own type, so that the linker cannot merge code compiled for different ones.
-template <int processor>
+/// its own type, so that the linker cannot merge code compiled for different ones; for the same
+/// reason a single number has one, too.
+template <int processor, bool single = false>
 struct LanesFor {
-  typedef VectorOf<real>::type Vector;  ///< the compiler's vector type
-  Vector all;                           ///< all lanes
+  typedef typename VectorOf<real, single>::type Vector;  ///< the compiler's vector type, or `real`
+  Vector all;        ///< all lanes
 
+  /// The same number in all lanes.
+  static LanesFor of(real a) { return {a + Vector{}}; }
   friend LanesFor operator+(const LanesFor& a, const LanesFor& b) { return {a.all + b.all}; }
   friend LanesFor operator-(const LanesFor& a, const LanesFor& b) { return {a.all - b.all}; }
   friend LanesFor operator*(const LanesFor& a, const LanesFor& b) { return {a.all * b.all}; }
+  friend LanesFor operator*(real a, const LanesFor& b) { return {a * b.all}; }
   friend LanesFor operator-(const LanesFor& a) { return {-a.all}; }
   friend LanesFor& operator+=(LanesFor& a, const LanesFor& b) { return a = a + b; }
   friend LanesFor& operator-=(LanesFor& a, const LanesFor& b) { return a = a - b; }
+  /// The lesser of both, lane by lane.
+  friend LanesFor lesser(const LanesFor& a, const LanesFor& b) {
+    return {a.all < b.all ? a.all : b.all};
+  }
+  /// The greater of both, lane by lane.
+  friend LanesFor greater(const LanesFor& a, const LanesFor& b) {
+    return {a.all > b.all ? a.all : b.all};
+  }
+  /// x where a > least, else 0, lane by lane.
+  friend LanesFor where_above(const LanesFor& a, const LanesFor& least, const LanesFor& x) {
+    return {a.all > least.all ? x.all : Vector{}};
+  }
+  /// 1 / a where a > least, else 0, lane by lane.
+  friend LanesFor inverse_above(const LanesFor& a, const LanesFor& least) {
+    return where_above(a, least, {1 / a.all});
+  }
 };
 /// The lane type of the including file.
 using Lanes = LanesFor<JOINTS_PROCESSOR>;
+/// A single number, compiled for the including file's instruction set.
+using Single = LanesFor<JOINTS_PROCESSOR, true>;
 
 /// \cond
 namespace {
@@ -97,14 +119,15 @@ inline void store(Velocities<real>* records, const int* index, Velocities<Lanes>
   }
 }
 
-// Calls f with the velocities of a group's bodies 1 and bodies 2. Number is real or Lanes.
+// Calls f with the velocities of a group's bodies 1 and bodies 2. Number is Single or Lanes.
 template <class Number, class F>
 JOINTS_INLINED inline void with_bodies(const BodyView& view, int group, const F& f) {
   constexpr int width = int(sizeof(Number) / sizeof(real));
   const int* const ends = view.ends + group * (width == 1 || view.columns ? 2 : 2 * width);
   Velocities<real>* const records = view.records;
   if constexpr (width == 1) {
-    f(records[ends[0]], records[ends[1]]);
+    auto* const all = reinterpret_cast<Velocities<Number>*>(records);
+    f(all[ends[0]], all[ends[1]]);
   } else if (view.columns) {
     auto* const all = reinterpret_cast<Velocities<Number>*>(records);
     f(all[ends[0]], all[ends[1]]);

@@ -8,28 +8,11 @@ namespace joints {
 
 namespace {
 
-// True if the first three rows hold two points together and the others are angular with w1 = -w2:
-// then J is two levers and N - 3 axes.
-bool holds_a_point(const Row* J, int rows) {
-  if (rows < 3) return false;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) {
-      const real one = k == i ? real(1) : real(0);
-      if (J[i].v1[k] != -one || J[i].v2[k] != one) return false;
-      // w1 and w2 are skew matrices of the levers: antisymmetric
-      if (k <= i && (J[i].w1[k] != -J[k].w1[i] || J[i].w2[k] != -J[k].w2[i])) return false;
-    }
-  for (int i = 3; i < rows; ++i)
-    for (int k = 0; k < 3; ++k)
-      if (J[i].v1[k] != 0 || J[i].v2[k] != 0 || J[i].w1[k] != -J[i].w2[k]) return false;
-  return true;
-}
-
-BlockKind kind_of(const Bodies& bodies, const Blocks& list, const PreparedBlock& block) {
-  const bool follows = block.followed >= 0;
-  const bool point = !follows && holds_a_point(&list.J[block.first], block.rows);
-  const bool hard = !follows && block.impulse_scale == 0 && block.lower == -unbounded &&
-                    block.upper == unbounded;
+BlockKind kind_of(const Bodies& bodies, const Block& block) {
+  const RowTarget& target = block.target;
+  const bool follows = target.follows != 0, point = block.form == Form::point;
+  const bool hard = !follows && target.frequency == 0 && target.lower == -unbounded &&
+                    target.upper == unbounded;
   const bool isotropic = point && bodies.at(block.body1).is_isotropic() &&
                          bodies.at(block.body2).is_isotropic();
   return {static_cast<signed char>(block.rows), point, hard, isotropic, follows};
@@ -39,11 +22,12 @@ BlockKind kind_of(const Bodies& bodies, const Blocks& list, const PreparedBlock&
 
 // What a record is filled from.
 struct Source {
-  const PreparedBlock& block;
+  const Block& block;
   const Row* J;
-  const PreparedRow* row;
-  const real* inverse_K;
+  const real* C;
   const Body &body1, &body2;
+  StepTarget target;
+  real h;
 };
 
 // Writes the numbers of one block into one lane of its group's record; a scalar record has one.
@@ -59,45 +43,52 @@ void fill_rows(PointRows<N, isotropic, Number>& rows, const Source& from, int la
     scatter(symmetric(inverse_inertia(from.body1)), rows.I1, lane);
     scatter(symmetric(inverse_inertia(from.body2)), rows.I2, lane);
   }
-  for (int i = 0; i < N; ++i) scatter(from.row[i].bias, rows.bias[i], lane);
   for (int i = 3; i < N; ++i) scatter(triple(J[i].w2), rows.axis[i - 3], lane);
 }
 
 template <int N, class Number>
 void fill_rows(AnyRows<N, Number>& rows, const Source& from, int lane) {
+  Row response[N];
+  form_responses(from.J, N, from.body1, from.body2, response);
   for (int i = 0; i < N; ++i) {
     const Row& J = from.J[i];
-    scatter(from.row[i].bias, rows.bias[i], lane);
     scatter(typename AnyRows<N, real>::Row{triple(J.v1), triple(J.w1), triple(J.v2), triple(J.w2),
-                                           triple(from.row[i].response_w1),
-                                           triple(from.row[i].response_w2)},
+                                           triple(response[i].w1), triple(response[i].w2)},
             rows.row[i], lane);
+  }
+}
+
+template <int N>
+void fill_rows(SingleRows<N, real>& rows, const Source& from, int) {
+  Row response[N];
+  form_responses(from.J, N, from.body1, from.body2, response);
+  for (int i = 0; i < N; ++i) {
+    const Row &J = from.J[i], &R = response[i];
+    rows.row[i] = {{triple(J.v1), 0, triple(J.w1), 0}, {triple(J.v2), 0, triple(J.w2), 0},
+                   {triple(R.v1), 0, triple(R.w1), 0}, {triple(R.v2), 0, triple(R.w2), 0}};
   }
 }
 
 template <class Rows, int N, bool hard, class Number>
 void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
-  const PreparedBlock& block = from.block;
+  const Block& block = from.block;
   fill_rows(record.rows, from, lane);
-  Number* inverse_K = record.impulses.inverse_K;
-  for (int i = 0; i < N; ++i) scatter(block.impulse[i], record.impulses.lambda[i], lane);
-  for (int i = 0; i < N; ++i)
-    for (int j = i; j < N; ++j)
-      scatter(block.mass_scale * from.inverse_K[i * N + j], *inverse_K++, lane);
+  for (int i = 0; i < N; ++i) {
+    scatter(bias(block, i, from.C[i], from.target.rate, from.h), record.rows.bias[i], lane);
+    scatter(block.impulse[i], record.impulses.lambda[i], lane);
+  }
   if constexpr (!hard) {
-    scatter(block.impulse_scale, record.bounds.impulse_scale, lane);
-    scatter(block.lower, record.bounds.lower, lane);
-    scatter(block.upper, record.bounds.upper, lane);
-    for (int i = 0; i < N; ++i)
-      scatter(from.row[i].clamp_response, record.bounds.clamp_response[i], lane);
+    scatter(from.target.impulse_scale, record.bounds.impulse_scale, lane);
+    scatter(from.target.lower, record.bounds.lower, lane);
+    scatter(from.target.upper, record.bounds.upper, lane);
   }
 }
 
 // move_bounds() sets its bounds before every solve.
 template <class Number>
 void fill(FollowingRecord<Number>& record, const Source& from, int lane) {
-  fill<AnyRows<1, Number>, 1, false>(record, from, lane);
-  scatter(from.block.upper, record.factor, lane);
+  fill(static_cast<AnyRecord<1, false, Number>&>(record), from, lane);
+  scatter(from.target.upper, record.factor, lane);
 }
 
 }  // namespace
@@ -140,6 +131,8 @@ void PackedBlocks::arrange(const Bodies& bodies, Packing packing) {
   if (found.empty()) found = by_colour(greedy_colours(pairs, moves), width_, kinds);
   records_.arrange(found, pairs, columns, bodies.slots(), width_);
   for (const auto& group : found) add_group(group);
+  for (int k = int(groups.size()) - 2; k >= 0; --k)
+    if (static_cast<BlockKind&>(groups[k]) == groups[k + 1]) groups[k].alike += groups[k + 1].alike;
   find_followed();
 }
 
@@ -180,29 +173,38 @@ void PackedBlocks::find_followed() {
 
 // ---- a step -------------------------------------------------------------------------------------
 
-void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, const Prepared& prepared,
+// Brings the signatures up to date. \return true if none has changed
+bool PackedBlocks::sign(const Bodies& bodies, const Blocks& list) {
+  const std::size_t count = list.list.size();
+  bool same = signatures_.size() == count;
+  signatures_.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Block& block = list.list[k];
+    const Signature now{kind_of(bodies, block), bodies.at(block.body1).is_static(),
+                        bodies.at(block.body2).is_static(), {block.body1, block.body2},
+                        followed_row(list, int(k))};
+    same = same && signatures_[k] == now;
+    signatures_[k] = now;
+  }
+  return same;
+}
+
+void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, real h, real relaxation,
                         Packing packing, bool lanes) {
   const int width = lanes && packing != Packing::list ? lane_count : 1;
-  now_.clear();
-  for (const PreparedBlock& block : prepared.blocks)
-    now_.push_back({kind_of(bodies, list, block), bodies.at(block.body1).is_static(),
-                    bodies.at(block.body2).is_static(), {block.body1, block.body2},
-                    block.followed});
-  if (packing != packing_ || width != width_ || now_ != signatures_) {
-    signatures_ = now_;
+  if (!sign(bodies, list) || packing != packing_ || width != width_) {
     packing_ = packing;
     width_ = width;
     ++groupings_;
     arrange(bodies, packing);
   }
-  records_.take([&](int slot) -> const Body& { return bodies.at(slot); });
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     if (blocks[k] < 0) continue;
-    const PreparedBlock& block = prepared.blocks[blocks[k]];
-    const LaneGroup& group = groups[k / width_];
-    const Source from{block, &list.J[block.first], &prepared.rows[block.first],
-                      &prepared.inverse_K[block.first_K], bodies.at(block.body1),
-                      bodies.at(block.body2)};
+    const Block& block = list.list[std::size_t(blocks[k])];
+    const LaneGroup& group = groups[k / std::size_t(width_)];
+    const Source from{block, &list.J[std::size_t(block.first)], &list.C[std::size_t(block.first)],
+                      bodies.at(block.body1), bodies.at(block.body2),
+                      step_target(block.target, h, relaxation), h};
     const int lane = int(k) % width_;
     const auto fill_lane = [&](auto& record) { fill(record, from, lane); };
     if (width_ == 1)
@@ -210,29 +212,49 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, const Prepared
     else
       use_record<LaneNumber>(group, numbers() + group.first, fill_lane);
   }
+  take(bodies);  // for the masses
+  run(Pass::prepare, relaxation);
 }
 
-void PackedBlocks::iterate() {
-  const LaneIteration all{groups.data(), int(groups.size()), numbers(), followed_.data(),
-                          records_.view()};
-  width_ == 1 ? iterate_single(all) : iterate_lanes(all);
+void PackedBlocks::take(const Bodies& bodies) {
+  records_.take([&](int slot) -> const Body& { return bodies.at(slot); });
 }
 
-void PackedBlocks::unpack(Bodies& bodies, const Prepared& prepared) const {
+void PackedBlocks::give_back(Bodies& bodies) const {
   records_.give_back([&](int slot) -> Body& { return bodies.at(slot); });
+}
+
+void PackedBlocks::run(Pass pass, real parameter) {
+  width_ == 1 ? run_single(work(), pass, parameter) : run_lanes(work(), pass, parameter);
+}
+
+void PackedBlocks::unpack(const Blocks& list) const {
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     if (blocks[k] < 0) continue;
-    const LaneGroup& group = groups[k / width_];
+    const LaneGroup& group = groups[k / std::size_t(width_)];
+    real* const impulse = list.list[std::size_t(blocks[k])].impulse;
     for (int row = 0; row < group.rows; ++row)
-      prepared.blocks[blocks[k]].impulse[row] =
-          numbers()[lambda_index(group, row, int(k) % width_)];
+      impulse[row] = numbers()[lambda_index(group, row, int(k) % width_)];
   }
 }
 
+void PackedImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int, real h) {
+  prepared_for(bodies, blocks);
+  packed_.pack(bodies, blocks, h, relaxation, packing, lanes);
+}
+
+void PackedImpulses::warm_start(Bodies& bodies, real ratio) {
+  blocks_of(bodies);  // refuses other bodies
+  packed_.run(Pass::warm, ratio);  // with 0 all impulses become 0
+  if (ratio != 0) packed_.give_back(bodies);
+}
+
 void PackedImpulses::solve(Bodies& bodies) {
-  packed_.pack(bodies, blocks_of(bodies), prepared_, packing, lanes);
-  for (int i = 0; i < iterations; ++i) packed_.iterate();
-  packed_.unpack(bodies, prepared_);
+  const Blocks& blocks = blocks_of(bodies);
+  packed_.take(bodies);
+  for (int i = 0; i < iterations; ++i) packed_.run(Pass::iterate);
+  packed_.give_back(bodies);
+  packed_.unpack(blocks);
 }
 
 }  // namespace joints

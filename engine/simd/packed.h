@@ -25,13 +25,18 @@ class PackedBlocks {
   std::vector<LaneGroup> groups;  ///< in the order in which they are solved
   std::vector<int> blocks;        ///< the prepared block of each group's lanes; -1: unused lane
 
-  /// Copies blocks and velocities into the records. \param lanes false: every group is one block
-  void pack(const Bodies& bodies, const Blocks& list, const Prepared& prepared,
-            Packing packing, bool lanes);
-  /// One iteration over all groups, with the best instruction set of this processor.
-  void iterate();
-  /// Copies velocities and accumulated impulses back. \param prepared as given to pack()
-  void unpack(Bodies& bodies, const Prepared& prepared) const;
+  /// Fills the records from the blocks of a step and prepares them for its iterations.
+  /// \param h step [s] \param relaxation of the solver [1]
+  /// \param lanes false: every group is one block
+  void pack(const Bodies& bodies, const Blocks& list, real h, real relaxation, Packing packing,
+            bool lanes);
+  /// Copies the bodies' velocities into the records, or back.
+  void take(const Bodies& bodies);
+  void give_back(Bodies& bodies) const;  ///< see take()
+  /// A pass over all groups, with the best instruction set of this processor.
+  void run(Pass pass, real parameter = 0);
+  /// Copies the accumulated impulses back into the joints. \param list as given to pack()
+  void unpack(const Blocks& list) const;
 
   int width() const { return width_; }  ///< lanes of a group: 1 or lane_count
   const BodyRecords& records() const { return records_; }  ///< body indices are slots
@@ -43,9 +48,10 @@ class PackedBlocks {
     BlockKind kind;
     bool static1, static2;
     BodyPair bodies;
-    int followed;  // PreparedBlock::followed
+    int followed;  // followed_row()
     bool operator==(const Signature&) const = default;
   };
+  bool sign(const Bodies& bodies, const Blocks& list);
   void arrange(const Bodies& bodies, Packing packing);
   void add_group(const std::vector<int>& members);
   void find_followed();
@@ -56,7 +62,10 @@ class PackedBlocks {
   real* numbers() { return reinterpret_cast<real*>(numbers_.data()); }
   const real* numbers() const { return reinterpret_cast<const real*>(numbers_.data()); }
 
-  std::vector<Signature> signatures_, now_;
+  LaneWork work() { return {groups.data(), int(groups.size()), numbers(), followed_.data(),
+                            records_.view()}; }
+
+  std::vector<Signature> signatures_;
   std::vector<LaneNumber> numbers_;
   std::vector<int> followed_;  // LaneIteration::followed
   BodyRecords records_;
@@ -71,6 +80,10 @@ class PackedImpulses : public IterativeSolver {
   Packing packing = Packing::islands;  ///< how blocks are grouped and ordered
   bool lanes = true;                   ///< false: one block at a time
 
+  /// \throws std::invalid_argument if a bound follows an impulse that no row has
+  void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
+  /// Zeroes the impulse of a row whose Jacobian is zero or that depends on others of its block.
+  void warm_start(Bodies& bodies, real ratio) override;
   void solve(Bodies& bodies) override;
   const PackedBlocks& packed() const { return packed_; }  ///< of the last step
 

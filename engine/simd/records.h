@@ -6,6 +6,7 @@
 #include <compare>
 #include <type_traits>
 
+#include "engine/kernels.h"
 #include "engine/simd/triple.h"
 
 /// \addtogroup world
@@ -33,18 +34,29 @@ struct PointRows {
   using Inertia = std::conditional_t<isotropic, Number, Symmetric<Number>>;
   Triple<Number> r1, r2;  ///< levers [m], world
   Inertia I1, I2;         ///< inverse inertia [1/(kg m^2)], world
-  Number bias[N];         ///< PreparedRow::bias
+  Number bias[N];         ///< minus the wanted J V [unit of C per s]
   [[no_unique_address]] std::array<Triple<Number>, N - 3> axis;  ///< w2 of J, equal to -w1 [1]
 };
 
 /// Rows of any kind.
 template <int N, class Number>
 struct AnyRows {
-  /// J and PreparedRow's responses.
+  /// J, and the angular half of M^-1 J^T.
   struct Row {
     Triple<Number> v1, w1, v2, w2, response_w1, response_w2;  ///< factors of the velocities
   };
-  Number bias[N];  ///< PreparedRow::bias
+  Number bias[N];  ///< minus the wanted J V [unit of C per s]
+  Row row[N];      ///< the rows, from the first
+};
+
+/// Rows of any kind of a single block: what belongs to a body has the layout of its velocities.
+template <int N, class Number>
+struct SingleRows {
+  /// J and M^-1 J^T. The numbers beside v and w are 0.
+  struct Row {
+    Velocities<Number> J1, J2, response1, response2;  ///< of body 1 and body 2
+  };
+  Number bias[N];  ///< minus the wanted J V [unit of C per s]
   Row row[N];      ///< the rows, from the first
 };
 
@@ -52,20 +64,15 @@ struct AnyRows {
 template <int N, class Number>
 struct Impulses {
   Number lambda[N];                   ///< accumulated impulses [N s or N m s]
-  Number inverse_K[N * (N + 1) / 2];  ///< upper triangle of mass_scale K^-1, row by row
-
-  /// The entry of row i and column j.
-  const Number& entry(int i, int j) const {
-    const int low = i < j ? i : j, high = i < j ? j : i;
-    return inverse_K[N * low - low * (low - 1) / 2 + high - low];
-  }
+  Number inverse_K[N * (N + 1) / 2];  ///< lower triangle of mass_scale K^-1, by lower_index()
 };
 
 /// Only for a block that is soft or bounded.
 template <int N, class Number>
 struct Bounds {
-  Number impulse_scale, lower, upper;  ///< as in PreparedBlock
-  Number clamp_response[N];            ///< PreparedRow::clamp_response
+  Number impulse_scale, lower, upper;  ///< as in StepTarget
+  /// Kinv[i][last] / Kinv[last][last]: the change of an impulse per unit that is cut off the last.
+  Number clamp_response[N];
 };
 /// For a hard block.
 struct Unbounded {};
@@ -83,7 +90,9 @@ template <int N, bool hard, bool isotropic, class Number>
 using PointRecord = Record<PointRows<N, isotropic, Number>, N, hard, Number>;
 /// Of any other block.
 template <int N, bool hard, class Number>
-using AnyRecord = Record<AnyRows<N, Number>, N, hard, Number>;
+using AnyRecord =
+    Record<std::conditional_t<sizeof(Number) == sizeof(real), SingleRows<N, Number>,
+                              AnyRows<N, Number>>, N, hard, Number>;
 /// One row whose bounds follow another row's impulse.
 template <class Number>
 struct FollowingRecord : AnyRecord<1, false, Number> {
@@ -157,6 +166,7 @@ inline One gather(const All& all, int lane) {
 struct LaneGroup : BlockKind {
   int first = 0;         ///< index of its record's first number
   int first_lambda = 0;  ///< index of the record's first accumulated impulse
+  int alike = 1;         ///< how many groups of this kind follow each other from here on
 };
 
 /// The velocities of all bodies, and where each group finds those of its own.
@@ -167,8 +177,14 @@ struct BodyView {
   bool columns;     ///< the records are columns: no transposition
 };
 
-/// All that an iteration reads and writes.
-struct LaneIteration {
+/// What is done with every group, in order.
+enum class Pass {
+  prepare,  ///< K^-1 and the clamp responses are computed; the parameter is the relaxation
+  warm,     ///< the impulses of the last step, times the parameter, are applied
+  iterate   ///< the blocks are solved once
+};
+/// All that a pass reads and writes.
+struct LaneWork {
   const LaneGroup* groups;   ///< in the order in which they are solved
   int count;                 ///< number of groups
   real* numbers;             ///< the records of all groups, aligned to 32 bytes
@@ -176,10 +192,10 @@ struct LaneIteration {
   BodyView bodies;           ///< their velocities
 };
 
-/// One iteration, one block at a time.
-void iterate_single(const LaneIteration& iteration);
-/// One iteration on lanes; chooses the instruction set at run time.
-void iterate_lanes(const LaneIteration& iteration);
+/// A pass over all groups, one block at a time. Chooses the instruction set at run time.
+void run_single(const LaneWork& work, Pass pass, real parameter);
+/// The same on lanes.
+void run_lanes(const LaneWork& work, Pass pass, real parameter);
 
 }  // namespace joints
 /// @}

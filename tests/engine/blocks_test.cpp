@@ -46,9 +46,9 @@ struct Pile {
 template <class A, class B>
 void check(const Pile<A, B>&) {}
 
-// One iteration of one block of N random rows against the dense solution. \return its Touches
+// One iteration of one block of N random rows against the dense solution.
 template <int N>
-Touches compare_with_dense(bool linear, bool angular, unsigned seed) {
+void compare_with_dense(bool linear, bool angular, unsigned seed) {
   Random random(seed);
   World world;
   world.gravity = vec3(0);
@@ -72,7 +72,6 @@ Touches compare_with_dense(bool linear, bool angular, unsigned seed) {
   CHECK(difference(impulses(world.blocks), lambda) < tolerance(1e-10, 2e-3));
   CHECK(difference(velocities(snapshot(world.bodies)), V1 + W * system.J.transpose() * lambda) <
         tolerance(1e-10, 2e-3));
-  return world.blocks.list[0].touches;
 }
 
 // A pendulum box on `count` joints made by add(world, ceiling, box, part).
@@ -105,23 +104,23 @@ double apart(const std::vector<vec3>& one, const std::vector<vec3>& other) {
 
 TEST_CASE("a block of one to six rows is solved like a dense system of as many") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    CHECK(compare_with_dense<1>(true, true, seed) == Touches::both);
-    CHECK(compare_with_dense<2>(true, true, seed) == Touches::both);
-    CHECK(compare_with_dense<3>(true, true, seed) == Touches::both);
-    CHECK(compare_with_dense<4>(true, true, seed) == Touches::both);
-    CHECK(compare_with_dense<5>(true, true, seed) == Touches::both);
-    CHECK(compare_with_dense<6>(true, true, seed) == Touches::both);
+    compare_with_dense<1>(true, true, seed);
+    compare_with_dense<2>(true, true, seed);
+    compare_with_dense<3>(true, true, seed);
+    compare_with_dense<4>(true, true, seed);
+    compare_with_dense<5>(true, true, seed);
+    compare_with_dense<6>(true, true, seed);
   }
 }
 
 TEST_CASE("a block of linear or of angular rows alone is solved like any other") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    CHECK(compare_with_dense<1>(true, false, seed) == Touches::linear);
-    CHECK(compare_with_dense<2>(true, false, seed) == Touches::linear);
-    CHECK(compare_with_dense<3>(true, false, seed) == Touches::linear);
-    CHECK(compare_with_dense<1>(false, true, seed) == Touches::angular);
-    CHECK(compare_with_dense<2>(false, true, seed) == Touches::angular);
-    CHECK(compare_with_dense<3>(false, true, seed) == Touches::angular);
+    compare_with_dense<1>(true, false, seed);
+    compare_with_dense<2>(true, false, seed);
+    compare_with_dense<3>(true, false, seed);
+    compare_with_dense<1>(false, true, seed);
+    compare_with_dense<2>(false, true, seed);
+    compare_with_dense<3>(false, true, seed);
   }
 }
 

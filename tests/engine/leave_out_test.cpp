@@ -88,18 +88,12 @@ TEST_CASE("after the first step a step does not allocate") {
       }
 }
 
-TEST_CASE("a rod between centres has no angular half and a ball joint has both") {
+TEST_CASE("a rod between centres leaves angular velocities alone") {
   Net net;
   OrderedImpulses solver;
   begin_step(net.world, solver, h);
-  const std::vector<Block>& list = net.world.blocks.list;
-  REQUIRE(list.size() == 9);
-  for (std::size_t k = 0; k < 5; ++k) CHECK(list[k].touches == Touches::both);  // balls
-  CHECK(list[5].touches == Touches::both);    // rope between anchors
-  CHECK(list[6].touches == Touches::linear);  // rope between centres
-  CHECK(list[7].touches == Touches::both);    // rod between anchors
-  CHECK(list[8].touches == Touches::linear);  // rod between centres
-  // a block without angular rows leaves w alone to the last bit
+  REQUIRE(net.world.blocks.list.size() == 9);
+  // to the last bit
   net.world.bodies[net.ids[6]].w = vec3(real(0.1), real(0.2), real(0.3));
   for (int k = 0; k < 10; ++k) solver.iterate(net.world.bodies);
   CHECK(net.world.bodies[net.ids[6]].w == vec3(real(0.1), real(0.2), real(0.3)));

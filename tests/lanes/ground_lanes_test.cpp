@@ -225,14 +225,10 @@ TEST_CASE("a followed impulse is found whichever neighbour in the list has it") 
   }
   push_at_random(world.bodies, random);
   Blocks blocks;
-  struct : SequentialImpulses {
-    using SequentialImpulses::prepared_;
-  } scalar;
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
-  scalar.prepare(world.bodies, blocks, 0, h);
-  REQUIRE(scalar.prepared_count() == 30);
-  for (std::size_t k = 0; k < 30; ++k)
-    CHECK(scalar.prepared_.blocks[k].followed == (k % 3 == 1 ? -1 : int(k / 3 * 4 + 2)));
+  REQUIRE(blocks.list.size() == 30);
+  for (int k = 0; k < 30; ++k)
+    CHECK(followed_row(blocks, k) == (k % 3 == 1 ? -1 : k / 3 * 4 + 2));
 
   for (const bool lanes : {true, false}) {
     PackedImpulses wide;

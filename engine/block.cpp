@@ -40,8 +40,8 @@ bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form fo
     return false;
   }
   list.push_back({slot1, slot2, rows, form, int(C.size()), target, impulse});
-  C.resize(C.size() + std::size_t(rows));
-  if (!errors_only) J.resize(C.size());
+  for (int i = 0; i < rows; ++i) C.push_back(0);
+  for (int i = 0; i < rows && !errors_only; ++i) J.emplace_back();
   return true;
 }
 

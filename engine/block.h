@@ -80,13 +80,13 @@ class Blocks {
     if (!errors_only) write_jacobian(part, body1, body2, J.data() + list.back().first);
   }
 
-  /// The same from J and C.
+  /// The same from J and C. \param form what is known of the rows
   template <int N>
   void append(const Bodies& bodies, BodyId id1, BodyId id2, const Jacobian<N>& rows_J,
               const std::type_identity_t<Vector<N>>& rows_C, const RowTarget& target,
-              real* impulse) {
+              real* impulse, Form form = Form::any) {
     static_assert(N >= 1 && N <= 6, "a block has one to six rows");
-    if (!add(bodies, id1, id2, N, Form::any, target, impulse)) return;
+    if (!add(bodies, id1, id2, N, form, target, impulse)) return;
     std::copy(rows_C.begin(), rows_C.end(), C.end() - N);
     if (!errors_only) std::copy(rows_J.row.begin(), rows_J.row.end(), J.end() - N);
   }

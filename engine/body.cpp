@@ -131,11 +131,6 @@ void Bodies::remove(BodyId id) {
   free_.push_back(id.slot);
 }
 
-bool Bodies::alive(BodyId id) const {
-  return id.slot < generation_.size() && generation_[id.slot] == id.generation &&
-         id.generation % 2 == 1;
-}
-
 void integrate_forces(Bodies& bodies, const vec3& gravity, real h) {
   for (int slot = 0; slot < bodies.slots(); ++slot) integrate_forces(bodies.at(slot), gravity, h);
 }
@@ -150,11 +145,6 @@ void kick(Bodies& bodies, const vec3& gravity, real h) {
 
 void turn(Bodies& bodies, real h) {
   for (int slot = 0; slot < bodies.slots(); ++slot) turn(bodies.at(slot), h);
-}
-
-int Bodies::index(BodyId id) const {
-  require(alive(id), "body: this id names no body of this world (removed, or never added)");
-  return int(id.slot);
 }
 
 }  // namespace joints

@@ -99,8 +99,16 @@ class Bodies {
   /// inverse mass and inertia are all zero (static) or all positive
   BodyId add(const Body& body);
   void remove(BodyId id);        ///< \throws std::invalid_argument for a stale id
-  bool alive(BodyId id) const;   ///< true if this id still names a body
-  int index(BodyId id) const;    ///< the slot; \throws std::invalid_argument for a stale id
+  /// True if this id still names a body.
+  bool alive(BodyId id) const {
+    return id.slot < generation_.size() && generation_[id.slot] == id.generation &&
+           id.generation % 2 == 1;
+  }
+  /// The slot. \throws std::invalid_argument for a stale id
+  int index(BodyId id) const {
+    require(alive(id), "body: this id names no body of this world (removed, or never added)");
+    return int(id.slot);
+  }
 
   /// The body that an id names. \throws std::invalid_argument for a stale id
   Body& operator[](BodyId id) { return bodies_[index(id)]; }

@@ -8,9 +8,8 @@ namespace joints {
 StepTarget step_target(const RowTarget& target, real h, real relaxation) {
   const auto [rate, softness] = feedback(target, h);
   const real mass_scale = softness == 0 ? relaxation : relaxation / (1 + softness);
-  const bool follows = target.follows != 0;
-  return {rate, mass_scale, relaxation - mass_scale, follows ? real(0) : h * target.lower,
-          follows ? target.upper : h * target.upper};
+  const real unit = target.follows == 0 ? h : real(1);  // forces become impulses, factors stay
+  return {rate, mass_scale, relaxation - mass_scale, unit * target.lower, unit * target.upper};
 }
 
 // The search starts at the nearest blocks of the list.

@@ -10,19 +10,24 @@
 /// @{
 namespace joints {
 
+/// Four numbers side by side.
+typedef real Four __attribute__((vector_size(4 * sizeof(real)), aligned(alignof(real)), may_alias));
+/// The sum of all four.
+inline real sum(const Four& a) { return (a[0] + a[2]) + (a[1] + a[3]); }
+/// The cosine of half the rotation between two orientations, of either sign.
+inline real half_cosine(const quat& p, const quat& q) {
+  return sum(reinterpret_cast<const Four&>(p) * reinterpret_cast<const Four&>(q));
+}
+
 /// The numbers of a row, in three registers.
 struct Twelve {
-  /// Four numbers side by side.
-  typedef real Four __attribute__((vector_size(4 * sizeof(real)), aligned(alignof(real)), may_alias));
   Four part[3];  ///< of v1, w1, v2 and w2, in this order
 };
 /// Where a row is stored.
 inline const Twelve& twelve(const Row& row) { return reinterpret_cast<const Twelve&>(row); }
 /// J V of a row.
 inline real dot(const Twelve& J, const Twelve& V) {
-  const Twelve::Four sum =
-      J.part[0] * V.part[0] + J.part[1] * V.part[1] + J.part[2] * V.part[2];
-  return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+  return sum(J.part[0] * V.part[0] + J.part[1] * V.part[1] + J.part[2] * V.part[2]);
 }
 /// sum += factor * row.
 inline void add(Twelve& sum, real factor, const Twelve& row) {

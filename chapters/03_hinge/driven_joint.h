@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 
 #include "chapters/03_hinge/hinge.h"
 #include "engine/composite.h"
@@ -44,8 +45,8 @@ struct Leeway {
   /// Called after each measurement. \param slack to the nearer limit [rad or m]
   void measured(const Coordinate&, const Body&, const Body&, [[maybe_unused]] real slack) {}
   void forget() {}  ///< the next step measures in any case
-  /// True if the rotation since the measurement cannot have used up half of the slack.
-  bool still_near(const Coordinate&, const Body&, const Body&) const { return false; }
+  /// True if the rotations since the measurement cannot have used up half of the slack.
+  bool still_near(const Body&, const Body&) const { return false; }
   /// True if this step at the present velocities cannot use up half of the slack. \param h step [s]
   bool is_slow(const Body&, const Body&, [[maybe_unused]] real h) const { return false; }
 };
@@ -56,47 +57,59 @@ struct Leeway {
 template <class First, class Second, class Coordinate>
 class DrivenJoint : public Joint {
  public:
-  First first;            ///< a rigid part
-  Second second;          ///< the other rigid part
-  Coordinate coordinate;  ///< the angle [rad] or displacement [m] that stays free
-  bool whole = true;      ///< one block for all rigid rows and the limit, not one for each part
+  First first;        ///< a rigid part
+  Second second;      ///< the other rigid part
+  bool whole = true;  ///< one block for all rigid rows and the limit, not one for each part
+
+  /// The angle [rad] or displacement [m] that stays free.
+  const Coordinate& coordinate() const { return coordinate_; }
+  /// Measures another one from now on.
+  void set_coordinate(const Coordinate& coordinate) {
+    coordinate_ = coordinate;
+    if (drive_) drive_->leeway.forget();
+  }
 
   /// Limits of the coordinate [rad or m]; equal ones hold it there.
   /// \throws std::invalid_argument unless lower <= upper
   void set_limits(real lower, real upper) {
     require(lower <= upper && lower < unbounded && upper > -unbounded,
             "lower: must not be above upper, and neither infinite on its wrong side [rad or m]");
-    range_ = {lower, upper};
-    leeway_.forget();
+    drive().range = {lower, upper};
   }
   /// Removes both limits.
-  void clear_limits() { range_ = {}, leeway_.forget(); }
+  void clear_limits() {
+    if (drive_) drive().range = {};
+  }
   /// Runs the motor. \param speed [rad/s or m/s] \param strength [N m or N], 0 to switch it off
   /// \throws std::invalid_argument unless the speed is finite and the strength not negative
   void set_motor(real speed, real strength) {
     require(finite(speed), "speed: must be finite [rad/s or m/s]");
     require(strength >= 0, "strength: must not be negative [N m or N]");
-    motor_ = {speed, strength};
-    leeway_.forget();
+    drive().motor = {speed, strength};
   }
-  const Range& limits() const { return range_; }  ///< the limits of the coordinate
-  const Motor& motor() const { return motor_; }   ///< the motor's settings
+  /// The limits of the coordinate.
+  Range limits() const { return drive_ ? drive_->range : Range{}; }
+  /// The motor's settings.
+  Motor motor() const { return drive_ ? drive_->motor : Motor{}; }
 
   /// The coordinate [rad or m]. Turns are counted while the joint has a limit or a running motor.
   real position(const Bodies& bodies) const {
-    Coordinate now = coordinate;
-    count_from(now, next_);
+    Coordinate now = coordinate_;
+    if (drive_) count_from(now, drive_->next);
     return now.error(bodies[body1], bodies[body2]);
   }
   /// Its rate [rad/s or m/s].
   real speed(const Bodies& bodies) const {
     const Body &a = bodies[body1], &b = bodies[body2];
-    return row_velocity(coordinate.jacobian(a, b), a, b);
+    return row_velocity(coordinate_.jacobian(a, b), a, b);
   }
-  real motor_force() const { return mean_force(impulse_[motor_place]); }  ///< last step [N m or N]
+  /// The motor's force in the last step [N m or N].
+  real motor_force() const { return drive_ ? mean_force(drive_->motor_impulse) : real(0); }
   /// The limits' force in the last step [N m or N]; positive pushes the coordinate up.
   real limit_force() const {
-    return mean_force(limit_.sign * impulse_[limit_place] + late_.sign * impulse_[late_place]);
+    if (!drive_) return 0;
+    return mean_force(drive_->limit.sign * impulse_[limit_place] +
+                      drive_->late.sign * drive_->late_impulse);
   }
   /// The forces of the rigid rows in the last step [N or N m], first part, then second.
   Vector<First::rows + Second::rows> forces() const {
@@ -110,117 +123,156 @@ class DrivenJoint : public Joint {
   /// Appends motor, limit and rigid rows, as far as they are live.
   void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Appends a limit that the new velocities would pass within this step.
-  void late_limits(const Bodies& bodies, real h, Blocks& blocks) override;
-  int most_rows() const override { return places; }  ///< rigid rows, limit, motor, late limit
+  void late_limits(const Bodies& bodies, real h, Blocks& blocks) override {
+    if (!drive_ || drive_->leeway.is_slow(at(bodies, body1), at(bodies, body2), h)) return;
+    if (drive_->counted()) add_late_limit(bodies, h, blocks);
+  }
+  int most_rows() const override { return limit_place + 3; }  ///< with limit, motor, late limit
   /// A limit if there are bounds, a motor if it has strength.
   Extras extras() const override {
-    return {limited() ? 1 : 0, limit_.live || late_.live ? 1 : 0, motor_.strength > 0 ? 1 : 0};
+    if (!drive_) return {};
+    return {drive_->limited() ? 1 : 0, drive_->limit.live || drive_->late.live ? 1 : 0,
+            drive_->motor.strength > 0 ? 1 : 0};
   }
 
  protected:
   /// Counts turns, and chooses the limit that has a row in this step.
-  void choose_rows(const Bodies& bodies, real h) override;
-  void drop_rows() override { limit_ = late_ = {}, impulse_ = {}; }  ///< between static bodies
+  void choose_rows(const Bodies& bodies, real h) override {
+    if (!drive_) return;
+    const bool near = drive_->leeway.still_near(at(bodies, body1), at(bodies, body2));
+    if (!near || drive_->measured || drive_->limit.live || drive_->late.live)
+      choose_limit(bodies, h, near);
+  }
+  /// Between static bodies.
+  void drop_rows() override {
+    impulse_ = {};
+    if (drive_) drive_->drop();
+  }
   /// From the parts as they stand now.
   DrivenJoint(BodyId body1, BodyId body2, const First& first, const Second& second,
               const Coordinate& coordinate)
-      : Joint(body1, body2), first(first), second(second), coordinate(coordinate) {}
+      : Joint(body1, body2), first(first), second(second), coordinate_(coordinate) {}
 
  private:
-  // Indices of the impulses: rigid rows, the limit right behind them, motor, late limit.
-  static constexpr int limit_place = First::rows + Second::rows;
-  static constexpr int motor_place = limit_place + 1, late_place = limit_place + 2;
-  static constexpr int places = limit_place + 3;
+  // What only a joint with a limit or a motor has.
+  struct Drive {
+    Range range;
+    Motor motor;
+    LimitRow limit, late;   // the limit that has a row in this step; one found late
+    real x = 0, next = 0;   // the coordinate when measured; its expected value after the step
+    bool measured = false;  // x was measured in this step
+    Leeway<Coordinate> leeway;
+    real motor_impulse = 0, late_impulse = 0;  // written by the solver through the blocks
 
-  // With a limit or a motor the coordinate and its turns are measured.
-  bool counted() const { return limited() || motor_.strength > 0; }
+    // With a limit or a motor the coordinate and its turns are measured.
+    bool counted() const { return limited() || motor.strength > 0; }
+    bool limited() const { return range.lower > -unbounded || range.upper < unbounded; }
+    bool held() const { return range.lower == range.upper; }
+    real slack() const { return std::min(x - range.lower, range.upper - x); }
+    real bound(real sign) const { return sign > 0 ? range.lower : range.upper; }
+    void drop() { limit = late = {}, motor_impulse = late_impulse = 0; }
+  };
+  // For a change of settings: the next step measures.
+  Drive& drive() {
+    if (!drive_) drive_ = std::make_unique<Drive>();
+    drive_->leeway.forget();
+    return *drive_;
+  }
+
+  static constexpr int limit_place = First::rows + Second::rows;  // right behind the rigid rows
+
+  // The step has looked the ids up.
+  static const Body& at(const Bodies& bodies, BodyId id) { return bodies.at(int(id.slot)); }
+  // What few steps need stays out of the way of those that do not.
+  [[gnu::noinline]] void choose_limit(const Bodies& bodies, real h, bool near);
+  [[gnu::noinline]] void add_late_limit(const Bodies& bodies, real h, Blocks& blocks);
   void measure(const Bodies& bodies) {
-    count_from(coordinate, next_);
-    next_ = x_ = coordinate.error(bodies[body1], bodies[body2]);
-    measured_ = true;
+    count_from(coordinate_, drive_->next);
+    drive_->next = drive_->x = coordinate_.error(bodies[body1], bodies[body2]);
+    drive_->measured = true;
   }
-  real slack() const { return std::min(x_ - range_.lower, range_.upper - x_); }
-  bool limited() const { return range_.lower > -unbounded || range_.upper < unbounded; }
-  bool held() const { return range_.lower == range_.upper; }
   Limit<Coordinate> limit_part(real sign) const {
-    return {coordinate, sign > 0 ? range_.lower : range_.upper, sign};
+    return {coordinate_, drive_->bound(sign), sign};
   }
-  RowTarget limit_target() const { return {.beta = beta, .lower = held() ? -unbounded : real(0)}; }
+  RowTarget limit_target() const {
+    return {.beta = beta, .lower = drive_->held() ? -unbounded : real(0)};
+  }
 
-  Range range_;
-  Motor motor_;
-  LimitRow limit_, late_;  // the limit that has a row in this step; one found late
-  real x_ = 0, next_ = 0;  // the coordinate when measured; its expected value after the step
-  bool measured_ = false;  // x_ was measured in this step
-  Leeway<Coordinate> leeway_;
-  mutable Vector<places> impulse_{};  // written by the solver through the blocks
+  Coordinate coordinate_;
+  std::unique_ptr<Drive> drive_;
+  mutable Vector<limit_place + 1> impulse_{};  // written by the solver through the blocks
 };
 
 template <class First, class Second, class Coordinate>
-void DrivenJoint<First, Second, Coordinate>::choose_rows(const Bodies& bodies, real h) {
-  const LimitRow before = limit_;
-  limit_ = late_ = {};
-  const Body &a = bodies[body1], &b = bodies[body2];
-  measured_ = false;
-  if (counted() && !(leeway_.is_slow(a, b, h) && leeway_.still_near(coordinate, a, b))) {
+void DrivenJoint<First, Second, Coordinate>::choose_limit(const Bodies& bodies, real h,
+                                                          bool near) {
+  Drive& drive = *drive_;
+  const Body &a = at(bodies, body1), &b = at(bodies, body2);
+  const LimitRow before = drive.limit;
+  drive.measured = false;
+  drive.limit = drive.late = {};
+  if (drive.counted() && !near) {
     measure(bodies);
-    leeway_.measured(coordinate, a, b, slack());
-    if (limited()) limit_ = limit_row(range_, x_, speed(bodies), h);
+    drive.leeway.measured(coordinate_, a, b, drive.slack());
+    if (drive.limited()) drive.limit = limit_row(drive.range, drive.x, speed(bodies), h);
   }
-  if (!limit_.live || !before.live || limit_.sign != before.sign) impulse_[limit_place] = 0;
-  if (motor_.strength == 0) impulse_[motor_place] = 0;
-  impulse_[late_place] = 0;
+  if (!drive.limit.live || !before.live || drive.limit.sign != before.sign)
+    impulse_[limit_place] = 0;
+  if (drive.motor.strength == 0) drive.motor_impulse = 0;
+  drive.late_impulse = 0;
 }
 
 template <class First, class Second, class Coordinate>
 void DrivenJoint<First, Second, Coordinate>::moved(const Bodies& bodies) {
-  if (!counted() || leeway_.still_near(coordinate, bodies[body1], bodies[body2])) return;
+  if (!drive_ || !drive_->counted() || drive_->leeway.still_near(bodies[body1], bodies[body2]))
+    return;
   measure(bodies);
-  leeway_.forget();
+  drive_->leeway.forget();
 }
 
 template <class First, class Second, class Coordinate>
 void DrivenJoint<First, Second, Coordinate>::append(const Bodies& bodies, Blocks& blocks) const {
-  const auto add = [&](const auto& part, const RowTarget& target, int place) {
-    blocks.append(bodies, body1, body2, part, target, &impulse_[place]);
+  const auto add = [&](const auto& part, const RowTarget& target, real& impulse) {
+    blocks.append(bodies, body1, body2, part, target, &impulse);
   };
-  if (motor_.strength > 0)
-    add(coordinate,
-        {.rate = motor_.speed,
+  const bool limited = drive_ && drive_->limit.live;
+  if (drive_ && drive_->motor.strength > 0)
+    add(coordinate_,
+        {.rate = drive_->motor.speed,
          .holds_position = false,
-         .lower = -motor_.strength,
-         .upper = motor_.strength},
-        motor_place);
-  const Limit<Coordinate> limit = limit_part(limit_.sign);
-  const Composite<First, Second> rigid{first, second};
+         .lower = -drive_->motor.strength,
+         .upper = drive_->motor.strength},
+        drive_->motor_impulse);
   if (!whole) {
-    if (limit_.live) add(limit, limit_target(), limit_place);
-    add(first, {.beta = beta}, 0);
-    add(second, {.beta = beta}, First::rows);
-  } else if (limit_.live) {
-    add(Composite<Composite<First, Second>, Limit<Coordinate>>{rigid, limit}, limit_target(), 0);
+    if (limited) add(limit_part(drive_->limit.sign), limit_target(), impulse_[limit_place]);
+    add(first, {.beta = beta}, impulse_[0]);
+    add(second, {.beta = beta}, impulse_[First::rows]);
+  } else if (limited) {
+    add(Composite<Composite<First, Second>, Limit<Coordinate>>{{first, second},
+                                                               limit_part(drive_->limit.sign)},
+        limit_target(), impulse_[0]);
   } else {
-    add(rigid, {.beta = beta}, 0);
+    add(Composite<First, Second>{first, second}, {.beta = beta}, impulse_[0]);
   }
-  if (late_.live) add(limit_part(late_.sign), limit_target(), late_place);
+  if (drive_ && drive_->late.live)
+    add(limit_part(drive_->late.sign), limit_target(), drive_->late_impulse);
 }
 
 // A neighbour's impulse may drive the joint past a limit that had no row at the step's beginning.
 template <class First, class Second, class Coordinate>
-void DrivenJoint<First, Second, Coordinate>::late_limits(const Bodies& bodies, real h,
-                                                         Blocks& blocks) {
-  if (!counted()) return;
-  if (leeway_.is_slow(bodies[body1], bodies[body2], h)) return;
-  leeway_.forget();
-  if (!measured_) measure(bodies);
+void DrivenJoint<First, Second, Coordinate>::add_late_limit(const Bodies& bodies, real h,
+                                                            Blocks& blocks) {
+  Drive& drive = *drive_;
+  drive.leeway.forget();
+  if (!drive.measured) measure(bodies);
   const real rate = speed(bodies);
-  next_ = x_ + h * rate;
-  if (!limited() || held() || late_.live) return;
+  drive.next = drive.x + h * rate;
+  if (!drive.limited() || drive.held() || drive.late.live) return;
   for (const real sign : {real(1), real(-1)}) {
-    const real C = sign * (x_ - limit_part(sign).bound);
-    if (C + h * sign * rate >= 0 || (limit_.live && limit_.sign == sign)) continue;
-    late_ = {C, sign, true};
-    blocks.append(bodies, body1, body2, limit_part(sign), limit_target(), &impulse_[late_place]);
+    const real C = sign * (drive.x - drive.bound(sign));
+    if (C + h * sign * rate >= 0 || (drive.limit.live && drive.limit.sign == sign)) continue;
+    drive.late = {C, sign, true};
+    blocks.append(bodies, body1, body2, limit_part(sign), limit_target(), &drive.late_impulse);
     return;
   }
 }

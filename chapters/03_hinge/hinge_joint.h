@@ -3,6 +3,7 @@
 
 #include "chapters/02_ball/ball_joint.h"
 #include "chapters/03_hinge/driven_joint.h"
+#include "engine/kernels.h"
 
 /// \addtogroup chapter3
 /// @{
@@ -13,28 +14,28 @@ inline void count_from(HingeAngle& angle, real expected) { angle.expected = expe
 
 /// Skips atan2 while the limits of a hinge are out of reach. The angle's rate is g.(w2 - w1) with
 /// |g| = 1/cos(s/2), where s is the angle between the two axes (Eq. 3-10): while s stays below 83
-/// degrees, |g| is below 1.34, and the angle changes by less than 1.34 times the relative rotation
-/// of the bodies. Half of the slack is for the rotation since the measurement, half for this step;
-/// the two allowances together keep s below 26 + 2 x 28 = 82 degrees.
+/// degrees, |g| is below 1.34, and the angle changes by less than 1.34 times the rotations of both
+/// bodies together. Half of the slack is for the rotations since the measurement, a quarter for
+/// each body; half is for this step. The two allowances together keep s below 26 + 2 x 28 = 82
+/// degrees.
 template <>
 struct Leeway<HingeAngle> {
-  /// Stores the relative orientation and the allowed rotation.
+  /// Stores both orientations and the allowed rotation.
   void measured(const HingeAngle& angle, const Body& body1, const Body& body2, real slack) {
-    then_ = {angle.a1_local, angle.start};
-    relative_ = conjugate(body1.q) * body2.q;
-    const vec3 a2_local = relative_ * (conjugate(angle.start) * angle.a1_local);
-    const bool aligned = dot(angle.a1_local, a2_local) > real(0.9);  // s below 26 degrees
+    q1_ = body1.q;
+    q2_ = body2.q;
+    const vec3 a1 = to_world(body1, angle.a1_local);
+    const vec3 a2 = to_world(body2, conjugate(angle.start) * angle.a1_local);
+    const bool aligned = dot(a1, a2) > real(0.9);  // s below 26 degrees
     allowed_ = aligned ? std::min(slack / real(2.7), real(0.49)) : real(0);
     // In float the cosine of a small angle is too inexact: every step measures then.
-    least_cosine_ = allowed_ > real(0.01) ? std::cos(allowed_ / 2) : real(2);
+    least_cosine_ = allowed_ > real(0.02) ? std::cos(allowed_ / 4) : real(2);
   }
   void forget() { least_cosine_ = 2; }  ///< the next step measures in any case
-  /// True if the relative rotation since the measurement is below the allowed one.
-  bool still_near(const HingeAngle& angle, const Body& body1, const Body& body2) const {
-    const quat was = body1.q * relative_;  // body 2's orientation if nothing had rotated since
-    const real cosine = dot(was, body2.q);  // of half the rotation from `was` to body2.q
-    return std::abs(cosine) > least_cosine_ && angle.a1_local == then_.axis &&
-           angle.start == then_.start;
+  /// True if each body's rotation since the measurement is below half of the allowed one.
+  bool still_near(const Body& body1, const Body& body2) const {
+    return std::abs(half_cosine(q1_, body1.q)) > least_cosine_ &&
+           std::abs(half_cosine(q2_, body2.q)) > least_cosine_;
   }
   /// True if this step's relative rotation is below the allowed one. \param h step [s]
   bool is_slow(const Body& body1, const Body& body2, real h) const {
@@ -43,15 +44,9 @@ struct Leeway<HingeAngle> {
   }
 
  private:
-  // The angle's geometry at the measurement: the user may change it between steps.
-  struct Geometry {
-    vec3 axis{0};
-    quat start{1, 0, 0, 0};
-  };
-  Geometry then_;
-  quat relative_{1, 0, 0, 0};  // q1^-1 q2 at the measurement
-  real allowed_ = 0;           // relative rotation since then, and again in one step [rad]
-  real least_cosine_ = 2;      // cos(allowed_/2); above 1: measure
+  quat q1_{1, 0, 0, 0}, q2_{1, 0, 0, 0};  // orientations at the measurement
+  real allowed_ = 0;       // rotation since then, and again in one step [rad]
+  real least_cosine_ = 2;  // cos(allowed_/4): of half of what one body may rotate; above 1: measure
 };
 
 /// A hinge: a point and an axis are held (five degrees of freedom), the angle about the axis stays

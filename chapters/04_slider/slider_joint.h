@@ -29,7 +29,7 @@ class SliderJoint : public DrivenJoint<Line, RotationLock, Slide> {
     const vec3 anchor1 = to_local(body1, anchor - body1.x);
     const vec3 anchor2 = to_local(body2, anchor - body2.x);
     first = {anchor1, anchor2, axis.b_local, axis.c_local};
-    coordinate = {anchor1, anchor2, cross(axis.b_local, axis.c_local)};
+    set_coordinate({anchor1, anchor2, cross(axis.b_local, axis.c_local)});
   }
 };
 

@@ -99,16 +99,30 @@ class GroundContact : public Joint {
     real gap_after(real h) const { return C + h * rate; }  // if no row holds it [m]
   };
 
+  // Gap and rate of every corner at once: both are linear in corner_local. With d = x2 - x1 and
+  // p = x2 + R2 corner_local - radius n, Eq. 8-1 is n.d - radius - height + (R2^T n).corner_local,
+  // and its rate is n.(v2 - v1) - (n x w1).d + (R2^T (n x (w2 - w1))).corner_local.
+  struct Slopes {
+    vec3 n;            // up, world
+    vec3 gap, rate;    // factors of corner_local
+    real gap0, rate0;  // of the centre [m] and [m/s]
+  };
+  Slopes slopes(const Body& body1, const Body& body2) const {
+    const vec3 n = Corner::up(body1), d = body2.x - body1.x;
+    return {n, to_local(body2, n), to_local(body2, cross(n, body2.w - body1.w)),
+            dot(n, d) - outline.radius - top.height,
+            dot(n, body2.v - body1.v) - dot(cross(n, body1.w), d)};
+  }
+
   Corner corner(int k) const {
     return {outline.corners[std::size_t(k)], outline.radius, top.height};
   }
   // A lower bound of every corner's gap [m] after `time` [s] at the present velocities.
   real least_gap(const Body& body1, const Body& body2, real time) const;
-  real normal_rate(int k, const Body& body1, const Body& body2) const;
-  bool over_top(int k, const Body& body1, const Body& body2) const;
+  bool over_top(int k, real C, const Body& body1, const Body& body2) const;
   void set_restitution(ContactPoint& point, real h) const;
   ContactPoint& farthest_live(real h);
-  void update_tangents(int k, const Body& body1, const Body& body2);
+  void update_tangents(int k, const vec3& n, const Body& body1, const Body& body2);
   void append_point(int k, const Bodies& bodies, Blocks& blocks) const;
 
   mutable std::array<ContactPoint, 8> points_{};  // the solver writes the impulses
@@ -131,11 +145,12 @@ inline void GroundContact::choose_rows(const Bodies& bodies, real h) {
     if (was_near) points_ = {};
     return;
   }
+  const Slopes now = slopes(a, b);
   for (int k = 0; k < outline.count; ++k) {
     ContactPoint& point = points_[std::size_t(k)];
-    point.C = corner(k).error(a, b);
-    point.rate = normal_rate(k, a, b);
-    point.live = point.gap_after(h) < reserve && over_top(k, a, b);  // Eq. 8-4
+    point.C = now.gap0 + dot(now.gap, outline.corners[std::size_t(k)]);
+    point.rate = now.rate0 + dot(now.rate, outline.corners[std::size_t(k)]);
+    point.live = point.gap_after(h) < reserve && over_top(k, point.C, a, b);  // Eq. 8-4
     live_ += point.live;
   }
   for (; live_ > most_corners; --live_) farthest_live(h).live = false;
@@ -143,7 +158,7 @@ inline void GroundContact::choose_rows(const Bodies& bodies, real h) {
     ContactPoint& point = points_[std::size_t(k)];
     if (point.live) {
       set_restitution(point, h);
-      update_tangents(k, a, b);
+      update_tangents(k, now.n, a, b);
     } else {
       point.impulse = {};
       point.bounce = point.target = 0;
@@ -167,21 +182,21 @@ inline void GroundContact::append(const Bodies& bodies, Blocks& blocks) const {
 
 inline void GroundContact::late_limits(const Bodies& bodies, real h, Blocks& blocks) {
   const Body &a = bodies[body1], &b = bodies[body2];
-  if (!near_) {
-    if (least_gap(a, b, h) >= 0) return;
-    near_ = true;  // a neighbour's impulse has changed the velocities
-    for (int k = 0; k < outline.count; ++k) points_[std::size_t(k)].C = corner(k).error(a, b);
-  }
+  if (!near_ && least_gap(a, b, h) >= 0) return;
+  near_ = true;  // if it was not: a neighbour's impulse has changed the velocities
+  const Slopes now = slopes(a, b);
   for (int k = 0; k < outline.count; ++k) {
     ContactPoint& point = points_[std::size_t(k)];
-    const real rate = normal_rate(k, a, b);
+    point.C = now.gap0 + dot(now.gap, outline.corners[std::size_t(k)]);
+    const real rate = now.rate0 + dot(now.rate, outline.corners[std::size_t(k)]);
     point.last_rate = rate;
     point.has_last = true;
-    if (point.live || live_ == most_corners || point.C + h * rate >= 0 || !over_top(k, a, b))
+    if (point.live || live_ == most_corners || point.C + h * rate >= 0 ||
+        !over_top(k, point.C, a, b))
       continue;
     point.live = true;
     ++live_;
-    update_tangents(k, a, b);
+    update_tangents(k, now.n, a, b);
     append_point(k, bodies, blocks);
   }
 }
@@ -190,7 +205,7 @@ inline real GroundContact::gap(const Bodies& bodies) const {
   const Body &a = bodies[body1], &b = bodies[body2];
   real least = unbounded;
   for (int k = 0; k < outline.count; ++k)
-    if (over_top(k, a, b)) least = std::min(least, corner(k).error(a, b));
+    if (const real C = corner(k).error(a, b); over_top(k, C, a, b)) least = std::min(least, C);
   return least;
 }
 
@@ -203,15 +218,12 @@ inline real GroundContact::least_gap(const Body& body1, const Body& body2, real 
   return dot(n, d) - top.height - reach_ + time * (rate - reach_ * length(body2.w - body1.w));
 }
 
-inline real GroundContact::normal_rate(int k, const Body& body1, const Body& body2) const {
-  const Row J = corner(k).jacobian(body1, body2);
-  return dot(J.v1, body1.v) + dot(J.w1, body1.w) + dot(J.v2, body2.v) + dot(J.w2, body2.w);
-}
-
-inline bool GroundContact::over_top(int k, const Body& body1, const Body& body2) const {
+// C: its gap.
+inline bool GroundContact::over_top(int k, real C, const Body& body1, const Body& body2) const {
+  if (C < -top.depth) return false;
+  if (top.half_x == unbounded && top.half_z == unbounded) return true;
   const vec3 p = to_local(body1, corner(k).point(body1, body2) - body1.x);
-  return std::abs(p.x) <= top.half_x && std::abs(p.z) <= top.half_z &&
-         p.y - top.height >= -top.depth;
+  return std::abs(p.x) <= top.half_x && std::abs(p.z) <= top.half_z;
 }
 
 // A rebound takes two steps: in the first the row stops the corner at the ground, and `bounce`
@@ -233,12 +245,13 @@ inline void GroundContact::set_restitution(ContactPoint& point, real h) const {
 // direction of sliding; for a corner at rest it is that of the cached friction, which then has the
 // bound mu lambda_n, too. (The velocity of a corner at rest is the residual of the iterations.
 // Directions that followed it would change at random, and a corner near its bound would creep.)
-inline void GroundContact::update_tangents(int k, const Body& body1, const Body& body2) {
+inline void GroundContact::update_tangents(int k, const vec3& n, const Body& body1,
+                                           const Body& body2) {
   ContactPoint& point = points_[std::size_t(k)];
   const vec3 cached = point.impulse[0] * point.t[0] + point.impulse[1] * point.t[1];
-  const vec3 p = corner(k).point(body1, body2), n = Corner::up(body1);
   vec3 sliding(0);
   if (turned_tangents) {
+    const vec3 p = corner(k).point(body1, body2);
     sliding = point_velocity(body2, p - body2.x) - point_velocity(body1, p - body1.x);
     const real size = length(cached);
     if (length(sliding - dot(n, sliding) * n) < at_rest)

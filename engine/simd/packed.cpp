@@ -141,10 +141,9 @@ void PackedBlocks::add_group(const std::vector<int>& members) {
   LaneGroup group{signatures_[members[0]].kind};
   group.first = int(numbers_.size()) * lane_count;
   LaneNumber any;  // never read: only the size of the record is used
-  use_record<real>(group, any.lane, [&](auto& record) {
-    const std::size_t size = sizeof record / sizeof(real) * std::size_t(width_);
-    group.first_lambda = group.first + int(sizeof record.rows / sizeof(real)) * width_;
-    numbers_.resize(numbers_.size() + (size + lane_count - 1) / lane_count, {});
+  in_record(group, any.lane, [&](auto& record) {
+    group.first_lambda = group.first + int(sizeof record.rows / sizeof(real));
+    numbers_.resize(numbers_.size() + (sizeof record + sizeof any - 1) / sizeof any, {});
   });
   for (int lane = 0; lane < width_; ++lane)
     blocks.push_back(lane < int(members.size()) ? members[lane] : -1);
@@ -206,11 +205,7 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, real h, real r
                       bodies.at(block.body1), bodies.at(block.body2),
                       step_target(block.target, h, relaxation), h};
     const int lane = int(k) % width_;
-    const auto fill_lane = [&](auto& record) { fill(record, from, lane); };
-    if (width_ == 1)
-      use_record<real>(group, numbers() + group.first, fill_lane);
-    else
-      use_record<LaneNumber>(group, numbers() + group.first, fill_lane);
+    in_record(group, numbers() + group.first, [&](auto& record) { fill(record, from, lane); });
   }
   take(bodies);  // for the masses
   run(Pass::prepare, relaxation);

@@ -55,6 +55,14 @@ class PackedBlocks {
   void arrange(const Bodies& bodies, Packing packing);
   void add_group(const std::vector<int>& members);
   void find_followed();
+  // Calls f with the record of a group, of one block or of lane_count.
+  template <class F>
+  void in_record(const LaneGroup& group, real* numbers, const F& f) const {
+    if (width_ == 1)
+      use_record<real>(group, numbers, f);
+    else
+      use_record<LaneNumber>(group, numbers, f);
+  }
   // The index in numbers() of a row's accumulated impulse.
   int lambda_index(const LaneGroup& group, int row, int lane) const {
     return group.first_lambda + row * width_ + lane;

@@ -88,7 +88,7 @@ TEST_CASE("a relaxed solve of one block is omega times the exact one") {
   }
 }
 
-TEST_CASE("relaxation 1 changes no digit of a solver without relaxation") {
+TEST_CASE("relaxation 1 finds what a solver without relaxation finds") {
   const auto chain = [] {
     World world;
     Random random(63);
@@ -113,7 +113,7 @@ TEST_CASE("relaxation 1 changes no digit of a solver without relaxation") {
   const Blocks& blocks = by_hand.blocks;
   for (int iteration = 0; iteration < 30; ++iteration) {
     solver.iterate(by_engine.bodies);
-    for (const Block& block : blocks.list) {  // the same sums in the same order, no factor
+    for (const Block& block : blocks.list) {  // the same sums, no factor
       Body &body1 = by_hand.bodies.at(block.body1), &body2 = by_hand.bodies.at(block.body2);
       const Row* const J = &blocks.J[std::size_t(block.first)];
       real K[9], e[3];
@@ -146,8 +146,9 @@ TEST_CASE("relaxation 1 changes no digit of a solver without relaxation") {
     }
   }
   for (int slot = 0; slot < by_hand.bodies.slots(); ++slot) {
-    CHECK(by_engine.bodies.at(slot).v == by_hand.bodies.at(slot).v);
-    CHECK(by_engine.bodies.at(slot).w == by_hand.bodies.at(slot).w);
+    const Body &one = by_engine.bodies.at(slot), &other = by_hand.bodies.at(slot);
+    CHECK(double(length(one.v - other.v)) < tolerance(1e-13, 1e-5));
+    CHECK(double(length(one.w - other.w)) < tolerance(1e-13, 1e-5));
   }
   CHECK(length(by_hand.bodies.at(5).w) > 0);
 }

@@ -52,8 +52,8 @@ struct FreshAxis {
 double rate_after_a_step(double bias) {
   Rotor rotor;
   Body wall = rotor.world.bodies[rotor.wall], body = rotor.rotor();
-  const Row J = rotor.hinge->coordinate.jacobian(wall, body);
-  const real K = rotor.hinge->coordinate.K(wall, body);
+  const Row J = rotor.hinge->coordinate().jacobian(wall, body);
+  const real K = rotor.hinge->coordinate().K(wall, body);
   for (int loop = 0; loop < 30; ++loop)
     apply_impulse(J, row_impulse(J, K, real(bias), wall, body), wall, body);
   return double(body.w.z);
@@ -202,7 +202,7 @@ TEST_CASE("E28 a limit of 4.712 is never seen by an angle that is read modulo 2 
   const double limit = 1.5 * std::numbers::pi;
   Rotor rotor;
   rotor.rotor().q = rotation(vec3(0, 0, real(4.8)));
-  CHECK(double(rotor.hinge->coordinate.twist(rotor.world.bodies[rotor.wall], rotor.rotor())) ==
+  CHECK(double(rotor.hinge->coordinate().twist(rotor.world.bodies[rotor.wall], rotor.rotor())) ==
         Approx(4.8 - 2 * std::numbers::pi).epsilon(near));  // -1.483, below the limit
   CHECK(4.8 - 2 * std::numbers::pi == Approx(-1.483).epsilon(1e-3));
   Rotor free(0, 5), held(0, 5);  // as printed the limit would have to be seen, here it is
@@ -211,7 +211,7 @@ TEST_CASE("E28 a limit of 4.712 is never seen by an angle that is read modulo 2 
   for (int step = 0; step < 120; ++step) {
     free.run(1, h);
     held.run(1, h);
-    highest = std::max(highest, double(free.hinge->coordinate.twist(
+    highest = std::max(highest, double(free.hinge->coordinate().twist(
                                     free.world.bodies[free.wall], free.rotor())));
   }
   CHECK(highest < std::numbers::pi + 1e-6);  // so "twist > 4.712" is never true in any turn

@@ -130,7 +130,7 @@ int late_blocks(real rate, bool limited) {
   if (limited) one.joint.set_limits(-1, real(0.05));
   auto& neighbour = one.world.template add<AnyJoint<1>>(one.base, one.body);
   const Body &base = one.world.bodies[one.base], &body = one.world.bodies[one.body];
-  neighbour.J[0] = one.joint.coordinate.jacobian(base, body);
+  neighbour.J[0] = one.joint.coordinate().jacobian(base, body);
   neighbour.target = {.rate = rate, .lower = -100000, .upper = 100000};
   Blocks before;
   for (const auto& joint : one.world.joints()) {
@@ -246,7 +246,7 @@ TEST_CASE("what only turns leaves out the linear half and keeps the velocity to 
   const BodyId base = world.add(static_body(vec3(0)));
   const BodyId body = world.add(box(2, vec3(1, real(0.5), real(0.2)), vec3(1, 0, 0)));
   auto& motor = world.add<AnyJoint<1>>(base, body);
-  motor.J[0] = hinge.joint.coordinate.jacobian(world.bodies[base], world.bodies[body]);
+  motor.J[0] = hinge.joint.coordinate().jacobian(world.bodies[base], world.bodies[body]);
   motor.target = {.rate = 5, .lower = -100, .upper = 100};
   const vec3 v(real(0.1), real(0.2), real(0.3));
   world.bodies[body].v = v;

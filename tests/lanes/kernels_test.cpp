@@ -66,6 +66,7 @@ void join(World& world, BodyId a, BodyId b, const BlockKind& kind, const RowTarg
     joint.J[i] = {vector_of(of1, i, 0), vector_of(of1, i, 3), vector_of(of2, i, 0),
                   vector_of(of2, i, 3)};
   if (kind.point) {
+    joint.form = Form::point;
     const Jacobian<3> rows = jacobian_from_blocks(mat3(-1), skew(random.vector(1)), mat3(1),
                                                   -skew(random.vector(1)));
     const Dense axes = directions(random, 3);

@@ -55,11 +55,12 @@ class AnyJoint : public Joint {
   Jacobian<N> J;
   Vector<N> C{};
   RowTarget target;
+  Form form = Form::any;
   mutable Vector<N> impulse{};
 
   using Joint::Joint;
   void append(const Bodies& bodies, Blocks& blocks) const override {
-    blocks.append(bodies, body1, body2, J, C, target, impulse.data());
+    blocks.append(bodies, body1, body2, J, C, target, impulse.data(), form);
   }
   int most_rows() const override { return N; }
 };

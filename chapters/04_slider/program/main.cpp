@@ -134,7 +134,7 @@ void momentum(const Settings& settings, bool levers, CsvFile& table) {
   if (levers)
     joint.set_motor(100, 5);  // a speed that it does not reach: 5 N all the while
   else
-    scene.world.add<CentreMotor>(id1, id2, joint.coordinate.a1_local, real(100), real(5));
+    scene.world.add<CentreMotor>(id1, id2, joint.coordinate().a1_local, real(100), real(5));
   play(scene, "", 1, "", [&](double time) {
     double L = 0;
     for (const BodyId id : {id1, id2}) {

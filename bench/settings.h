@@ -34,7 +34,7 @@ struct Way {
   std::string name{};    ///< what is set, in words without a comma
   std::string scenes{};  ///< keys of the scenes on which it is tried, with blanks between
   Loop loop = Loop::rows;
-  Packing packing = Packing::islands;  ///< packed and lanes only
+  Packing packing = Packing::automatic;  ///< packed and lanes only
   Visits visits = Visits::chain_a_lane;  ///< hinges only
   Order order = Order::forward;      ///< rows only
   bool warm = false;        ///< begin with the impulses of the last step

@@ -26,12 +26,6 @@ void Blocks::truncate(int count) {
   C.resize(rows);
 }
 
-void Blocks::reserve(int rows) {
-  list.reserve(rows);
-  J.reserve(rows);
-  C.reserve(rows);
-}
-
 bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form form,
                  const RowTarget& target, real* impulse) {
   const int slot1 = bodies.index(id1), slot2 = bodies.index(id2);

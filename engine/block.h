@@ -65,7 +65,6 @@ class Blocks {
 
   void clear() { truncate(0); }  ///< removes all blocks, keeps the memory
   void truncate(int count);      ///< removes all blocks but the first `count`
-  void reserve(int rows);        ///< makes room: appending up to so many rows does not allocate
 
   /// Appends the rows of a part between two bodies at their present poses. Between two static
   /// bodies it appends nothing and sets the impulses to zero.

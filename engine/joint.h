@@ -42,8 +42,6 @@ class Joint {
   /// velocities would pass within this step, each at most once: the step solves again until no
   /// joint appends any. Their impulses must be zero, for they get no warm start. \param h step [s]
   virtual void late_limits(const Bodies&, [[maybe_unused]] real h, Blocks&) {}
-  /// The most rows that append() and late_limits() can append together in one step. Never changes.
-  virtual int most_rows() const = 0;
   /// Which limits and motors the joint has, for reports.
   struct Extras {
     int limits = 0;       ///< 1 if its coordinate has limits, live or not

@@ -25,7 +25,6 @@ class PartJoint : public Joint {
     const real lower = Part::one_sided ? real(0) : -unbounded;
     blocks.append(bodies, body1, body2, part, {.beta = beta, .lower = lower}, impulse_.data());
   }
-  int most_rows() const override { return Part::rows; }
   /// The accumulated impulse of each row in the last step [N s, or N m s for an angular row].
   const Vector<Part::rows>& impulse() const { return impulse_; }
   /// The mean force of each row in the last step, impulse / h [N or N m].

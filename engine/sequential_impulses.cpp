@@ -32,10 +32,6 @@ void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int
     prepared_.blocks.clear();
     prepared_.rows.clear();
     prepared_.inverse_K.clear();
-    const std::size_t most = blocks.J.capacity();  // late limits included
-    prepared_.blocks.reserve(row_by_row ? most : blocks.list.capacity());
-    prepared_.rows.reserve(most);
-    prepared_.inverse_K.reserve(row_by_row ? most : 6 * most);
   }
   for (int k = first; k < int(blocks.list.size()); ++k) {
     const Block& block = blocks.list[std::size_t(k)];

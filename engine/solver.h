@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "engine/block.h"
 
@@ -25,6 +26,8 @@ class Solver {
   virtual void warm_start(Bodies& bodies, real ratio) = 0;
   /// Changes velocities and accumulated impulses towards the solution.
   virtual void solve(Bodies& bodies) = 0;
+  /// How it solves such blocks, in words, for those that report it; "" if there is no choice.
+  virtual std::string plan(const Bodies&, const Blocks&) const { return {}; }
   /// Appends the blocks of the step once more, at the bodies' present poses.
   using Append = std::function<void(Blocks&)>;
   /// Moves the bodies by their velocities. A solver that can make the errors at the new poses zero

@@ -56,8 +56,6 @@ void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
   world.last_h = h;
 
   world.blocks.clear();
-  // Projection appends the blocks of one joint at a time to those of the step.
-  world.blocks.reserve(world.most_rows() + world.most_rows_of_one());
   for (const auto& joint : world.joints()) joint->begin_step(bodies, h);
   for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
   soften(world.blocks, 0, how);

@@ -25,7 +25,7 @@ struct Stepping {
 
 /// Advances the world by one step of semi-implicit Euler: forces change the velocities, the solver
 /// finds the impulses of all joints, and the new velocities move the bodies. Allocates only when
-/// the world has grown since the last step, or the solver has to regroup its blocks.
+/// there are more rows than ever before, or the solver has to regroup its blocks.
 /// \param h step [s] \throws std::invalid_argument unless h is positive and finite and the settings
 /// of solver and step are valid; the world has not moved then. A bound that follows a missing row
 /// is refused only when the blocks are prepared, after the forces.

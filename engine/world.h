@@ -42,15 +42,10 @@ class World {
 
   /// The joints in the order in which they were added, which is the order of their blocks.
   const std::vector<std::unique_ptr<Joint>>& joints() const { return joints_; }
-  /// The most rows that all joints can have together.
-  int most_rows() const { return most_rows_; }
-  /// The most rows that one joint can have, of all that were ever added.
-  int most_rows_of_one() const { return most_rows_of_one_; }
 
  private:
   void adopt(std::unique_ptr<Joint> joint);
   std::vector<std::unique_ptr<Joint>> joints_;
-  int most_rows_ = 0, most_rows_of_one_ = 0;
 };
 
 }  // namespace joints

@@ -127,7 +127,6 @@ class DrivenJoint : public Joint {
     if (!drive_ || drive_->leeway.is_slow(at(bodies, body1), at(bodies, body2), h)) return;
     if (drive_->counted()) add_late_limit(bodies, h, blocks);
   }
-  int most_rows() const override { return limit_place + 3; }  ///< with limit, motor, late limit
   /// A limit if there are bounds, a motor if it has strength.
   Extras extras() const override {
     if (!drive_) return {};

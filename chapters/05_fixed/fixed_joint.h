@@ -30,7 +30,6 @@ class FixedJoint : public Joint {
       blocks.append(bodies, body1, body2, weld.second, target, impulse_.data() + 3);
     }
   }
-  int most_rows() const override { return 6; }
 
   /// Force on body 2 and torque on it about the anchor in the last step, exercise 5.2.
   Reaction load() const {

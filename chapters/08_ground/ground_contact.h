@@ -78,7 +78,6 @@ class GroundContact : public Joint {
   inline void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Appends the rows of corners that the new velocities would drive into the ground.
   inline void late_limits(const Bodies& bodies, real h, Blocks& blocks) override;
-  int most_rows() const override { return 3 * most_corners; }
 
   /// The number of corners that have rows in this step.
   int touching() const { return live_; }

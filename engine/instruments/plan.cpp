@@ -3,7 +3,7 @@
 
 namespace joints {
 
-Plan plan(const World& world, bool warm_start) {
+Plan plan(const World& world, bool warm_start, const Solver* solver) {
   Plan plan;
   Blocks blocks;
   for (int slot = 0; slot < world.bodies.slots(); ++slot) {
@@ -21,6 +21,7 @@ Plan plan(const World& world, bool warm_start) {
   plan.blocks = int(blocks.list.size());
   plan.rows = int(blocks.J.size());
   plan.warm_start = warm_start;
+  if (solver) plan.solver = solver->plan(world.bodies, blocks);
   return plan;
 }
 
@@ -29,7 +30,8 @@ std::string Plan::line() const {
   return "bodies " + text(bodies) + " (" + text(static_bodies) + " static), blocks " +
          text(blocks) + ", rows " + text(rows) +
          (limits > 0 ? ", limits " + text(live_limits) + " of " + text(limits) : "") +
-         (motors > 0 ? ", motors " + text(motors) : "") + (warm_start ? ", warm" : "");
+         (motors > 0 ? ", motors " + text(motors) : "") + (warm_start ? ", warm" : "") +
+         (solver.empty() ? "" : ", " + solver);
 }
 
 }  // namespace joints

@@ -22,7 +22,7 @@ void Scene::mark(BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis) {
 
 void Scene::print_plan() {
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
-  std::printf("%s: %s\n", name.c_str(), plan(world, stepping.warm_start).line().c_str());
+  std::printf("%s: %s\n", name.c_str(), plan(world, stepping.warm_start, &solver).line().c_str());
 }
 
 bool read(Settings& settings, const std::string& program, const std::string& seconds,

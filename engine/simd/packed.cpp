@@ -95,7 +95,7 @@ void fill(FollowingRecord<Number>& record, const Source& from, int lane) {
 
 // ---- the groups ---------------------------------------------------------------------------------
 
-void PackedBlocks::arrange(const Bodies& bodies, Packing packing) {
+void PackedBlocks::arrange(const Bodies& bodies) {
   groups.clear();
   blocks.clear();
   numbers_.clear();
@@ -114,21 +114,25 @@ void PackedBlocks::arrange(const Bodies& bodies, Packing packing) {
 
   Groups found;
   std::optional<Columns> columns;
-  if (packing == Packing::list) found = one_by_one(int(pairs.size()));
-  if (packing == Packing::islands) {
+  const bool automatic = packing_ == Packing::automatic;
+  const auto too_empty = [&] { return 2 * pairs.size() < found.size() * std::size_t(width_); };
+  width_ = lanes_ && packing_ != Packing::list ? lane_count : 1;
+  if (automatic) {
     const Islands islands = islands_of(pairs, moves);
     if (width_ == 1) {
       found = interleaved(islands, 1);
     } else {
       for (const Islands& same : alike(islands, pairs, kinds))
         for (const auto& group : interleaved(same, width_)) found.push_back(group);
-      if (2 * pairs.size() < found.size() * std::size_t(width_))
-        found.clear();  // more than half of the lanes would be unused: take colours
-      else
-        columns = columns_of(found, islands, pairs, width_);
+      if (!too_empty()) columns = columns_of(found, islands, pairs, width_);
     }
   }
-  if (found.empty()) found = by_colour(greedy_colours(pairs, moves), width_, kinds);
+  if (packing_ == Packing::colours || (automatic && too_empty()))
+    found = by_colour(greedy_colours(pairs, moves), width_, kinds);
+  if (packing_ == Packing::list || (automatic && too_empty())) {
+    width_ = 1;
+    found = one_by_one(int(pairs.size()));
+  }
   records_.arrange(found, pairs, columns, bodies.slots(), width_);
   for (const auto& group : found) add_group(group);
   for (int k = int(groups.size()) - 2; k >= 0; --k)
@@ -190,12 +194,11 @@ bool PackedBlocks::sign(const Bodies& bodies, const Blocks& list) {
 
 void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, real h, real relaxation,
                         Packing packing, bool lanes) {
-  const int width = lanes && packing != Packing::list ? lane_count : 1;
-  if (!sign(bodies, list) || packing != packing_ || width != width_) {
+  if (!sign(bodies, list) || packing != packing_ || lanes != lanes_ || groupings_ == 0) {
     packing_ = packing;
-    width_ = width;
+    lanes_ = lanes;
     ++groupings_;
-    arrange(bodies, packing);
+    arrange(bodies);
   }
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     if (blocks[k] < 0) continue;
@@ -231,6 +234,18 @@ void PackedBlocks::unpack(const Blocks& list) const {
     for (int row = 0; row < group.rows; ++row)
       impulse[row] = numbers()[lambda_index(group, row, int(k) % width_)];
   }
+}
+
+std::string PackedBlocks::words() const {
+  if (width_ == 1) return "one block at a time";
+  return std::to_string(width_) +
+         (records_.columns() ? " lanes, an island in each" : " lanes, by colours");
+}
+
+std::string PackedImpulses::plan(const Bodies& bodies, const Blocks& blocks) const {
+  PackedBlocks packed;
+  packed.pack(bodies, blocks, 1, relaxation, packing, lanes);
+  return packed.words();
 }
 
 void PackedImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int, real h) {

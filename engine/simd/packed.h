@@ -11,10 +11,11 @@ namespace joints {
 
 /// How blocks are grouped and ordered.
 enum class Packing {
-  islands,  ///< the first block of every island, then the second of every one; on lanes one island
-            ///< per lane if at least half the lanes are used, else colours
-  colours,  ///< graph colouring, one colour after the other
-  list      ///< the order of the list, without lanes
+  automatic,  ///< the first of these that uses at least half of the lanes: islands of one pattern
+              ///< side by side, one per lane (the first block of every island, then the second of
+              ///< every one), colours, and if neither does, list. Without lanes: islands by turns
+  colours,    ///< graph colouring, one colour after the other
+  list        ///< the order of the list, without lanes
 };
 
 /// The blocks of a step in groups that are solved side by side. The grouping is cached until the
@@ -39,6 +40,7 @@ class PackedBlocks {
   void unpack(const Blocks& list) const;
 
   int width() const { return width_; }  ///< lanes of a group: 1 or lane_count
+  std::string words() const;  ///< the grouping in words, as "8 lanes, an island in each"
   const BodyRecords& records() const { return records_; }  ///< body indices are slots
   int groupings() const { return groupings_; }  ///< how often the grouping was computed
 
@@ -52,7 +54,7 @@ class PackedBlocks {
     bool operator==(const Signature&) const = default;
   };
   bool sign(const Bodies& bodies, const Blocks& list);
-  void arrange(const Bodies& bodies, Packing packing);
+  void arrange(const Bodies& bodies);
   void add_group(const std::vector<int>& members);
   void find_followed();
   // Calls f with the record of a group, of one block or of lane_count.
@@ -77,7 +79,8 @@ class PackedBlocks {
   std::vector<LaneNumber> numbers_;
   std::vector<int> followed_;  // LaneIteration::followed
   BodyRecords records_;
-  Packing packing_ = Packing::islands;
+  Packing packing_ = Packing::automatic;  // as wanted
+  bool lanes_ = true;                     // as wanted
   int width_ = 0, groupings_ = 0;
 };
 
@@ -85,7 +88,7 @@ class PackedBlocks {
 /// islands each island keeps the order of the list; by colours it does not.
 class PackedImpulses : public IterativeSolver {
  public:
-  Packing packing = Packing::islands;  ///< how blocks are grouped and ordered
+  Packing packing = Packing::automatic;  ///< how blocks are grouped and ordered
   bool lanes = true;                   ///< false: one block at a time
 
   /// \throws std::invalid_argument if a bound follows an impulse that no row has
@@ -93,6 +96,7 @@ class PackedImpulses : public IterativeSolver {
   /// Zeroes the impulse of a row whose Jacobian is zero or that depends on others of its block.
   void warm_start(Bodies& bodies, real ratio) override;
   void solve(Bodies& bodies) override;
+  std::string plan(const Bodies& bodies, const Blocks& blocks) const override;
   const PackedBlocks& packed() const { return packed_; }  ///< of the last step
 
  private:

@@ -38,7 +38,7 @@ struct Small {
   bool unchanged() const {
     const Body& body = world.bodies[weight];
     return world.bodies.size() == 2 && world.bodies.slots() == 2 && world.joints().size() == 1 &&
-           world.most_rows() == 1 && body.x == vec3(0, -1, 0) && body.v == vec3(1, 2, 3);
+           world.joints().size() == 1 && body.x == vec3(0, -1, 0) && body.v == vec3(1, 2, 3);
   }
 };
 

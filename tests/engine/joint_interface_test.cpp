@@ -97,7 +97,6 @@ class Probe : public Joint {
     log += std::string("s") + name;
     if (holds_back && !added) row(bodies, blocks), added = true;
   }
-  int most_rows() const override { return 1; }
 
  private:
   void row(const Bodies& bodies, Blocks& blocks) const {

@@ -36,7 +36,6 @@ class Late : public Joint {
     impulse = {};
     blocks.append(bodies, body1, body2, J, Vector<6>{}, {}, impulse.data());
   }
-  int most_rows() const override { return 6; }
   Extras extras() const override { return {.limits = 2, .live_limits = 1, .motors = 1}; }
 };
 

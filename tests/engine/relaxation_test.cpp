@@ -174,7 +174,7 @@ TEST_CASE("relaxed impulses stay within the strength of a motor and a limit only
   const double last_digit = 4 * double(epsilon);
   for (const real speed : {real(3), real(1e6)}) {
     check(SequentialImpulses(), last_digit, speed);
-    for (const Packing packing : {Packing::islands, Packing::colours})
+    for (const Packing packing : {Packing::automatic, Packing::colours})
       for (const bool lanes : {true, false}) {
         PackedImpulses wide;
         wide.packing = packing;
@@ -190,7 +190,7 @@ TEST_CASE("relaxed iterations settle where plain iterations do") {
     const int iterations = relaxation < 1 ? 3000 : 1000;  // below 1 a third of the way each time
     CHECK(difference(settled(relaxation, iterations, SequentialImpulses()), plain) <
           tolerance(1e-9, 1e-3));
-    for (const Packing packing : {Packing::islands, Packing::colours, Packing::list}) {
+    for (const Packing packing : {Packing::automatic, Packing::colours, Packing::list}) {
       PackedImpulses wide;
       wide.packing = packing;
       CHECK(difference(settled(relaxation, iterations, wide), plain) < tolerance(1e-9, 1e-3));

@@ -28,7 +28,6 @@ class Ground : public Joint {
                             &impulse_);
             });
   }
-  int most_rows() const override { return 1; }
 
  private:
   Append append_;

@@ -31,7 +31,7 @@ struct Small {
   bool unchanged() const {
     const Body& body = world.bodies[weight];
     return world.bodies.size() == 2 && world.joints().size() == 1 &&
-           world.most_rows() == hinge->most_rows() && body.x == vec3(0, -1, 0) &&
+           world.joints().size() == 1 && body.x == vec3(0, -1, 0) &&
            body.v == vec3(1, 2, 3) && body.w == vec3(0) && body.q == quat(1, 0, 0, 0);
   }
   // What the world says to a joint of kind J.

@@ -83,7 +83,6 @@ class Following : public Joint {
     blocks.append(bodies, body1, body2, to_jacobian(follower), {0},
                   {.holds_position = false, .follows = -1, .upper = real(0.4)}, &impulse[1]);
   }
-  int most_rows() const override { return 2; }
 };
 
 // Many of them between bodies that are thrown at each other.
@@ -117,7 +116,7 @@ TEST_CASE("on lanes figures fall on the ground and slide as with the scalar solv
         SequentialImpulses scalar;
         Stepping stepping;
         PackedImpulses wide;
-        wide.packing = lanes ? Packing::islands : Packing::list;
+        wide.packing = lanes ? Packing::automatic : Packing::list;
         wide.lanes = lanes;
         stepping.warm_start = warm;
         double most = 0;
@@ -133,7 +132,7 @@ TEST_CASE("on lanes figures fall on the ground and slide as with the scalar solv
 
 TEST_CASE("in colours contacts and joints give the scalar solver's numbers in that order") {
   for (const bool lanes : {true, false})
-    for (const Packing packing : {Packing::islands, Packing::colours, Packing::list}) {
+    for (const Packing packing : {Packing::automatic, Packing::colours, Packing::list}) {
       CAPTURE(lanes, int(packing));
       World one = field(7, true, false, 0), other = field(7, true, false, 0);
       SequentialImpulses scalar;
@@ -152,7 +151,7 @@ TEST_CASE("in colours contacts and joints give the scalar solver's numbers in th
 
 TEST_CASE("on lanes a bound that follows is mu times the followed impulse to the last bit") {
   for (const bool lanes : {true, false})
-    for (const Packing packing : {Packing::islands, Packing::colours, Packing::list}) {
+    for (const Packing packing : {Packing::automatic, Packing::colours, Packing::list}) {
       Random random(86);
       World world = followings(random, 21);
       PackedImpulses wide;
@@ -212,7 +211,6 @@ TEST_CASE("a followed impulse is found whichever neighbour in the list has it") 
       blocks.append(bodies, body1, body2, pair, {0, 0}, {.lower = 0}, &impulse[1]);
       follower(3, -1);
     }
-    int most_rows() const override { return 4; }
   };
   Random random(89);
   World world;

@@ -152,7 +152,7 @@ TEST_CASE("every kernel of the packed iteration finds what the scalar solver fin
   std::map<BlockKind, std::map<int, int>> met;  // kind -> numbers at a time -> groups
   for (const BlockKind& kind : all_kinds())
     for (const RowTarget& target : targets(kind.hard))
-      for (const Packing packing : {Packing::islands, Packing::colours, Packing::list})
+      for (const Packing packing : {Packing::automatic, Packing::colours, Packing::list})
         for (const bool lanes : {true, false}) {
           INFO(words(kind) << ", packing " << int(packing) << ", lanes " << lanes);
           PackedImpulses wide;
@@ -248,7 +248,7 @@ TEST_CASE("the kernel for isotropic inertia finds what the one for any inertia f
   const BlockKind isotropic{5, true, true, true}, general{5, true, true, false};
   std::vector<int> order(33);
   std::iota(order.begin(), order.end(), 0);
-  for (const Packing packing : {Packing::islands, Packing::colours})
+  for (const Packing packing : {Packing::automatic, Packing::colours})
     for (const bool lanes : {true, false}) {
       World by_one = chains(isotropic, {.beta = real(0.2)}, order);
       World by_six = chains(isotropic, {.beta = real(0.2)}, order);

@@ -139,7 +139,7 @@ TEST_CASE("on lanes momentum is kept and a static body stays to the last bit") {
     return sum;
   };
   const vec3 before = momentum();
-  for (const Packing packing : {Packing::islands, Packing::colours}) {
+  for (const Packing packing : {Packing::automatic, Packing::colours}) {
     PackedImpulses wide;
     wide.packing = packing;
     for (int n = 0; n < 20; ++n) step(world, wide, h);

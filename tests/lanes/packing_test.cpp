@@ -19,7 +19,7 @@ using namespace joints::testing;
 namespace {
 
 const real h = real(1) / 60;
-constexpr Packing packings[] = {Packing::islands, Packing::colours, Packing::list};
+constexpr Packing packings[] = {Packing::automatic, Packing::colours, Packing::list};
 
 // Joints of every kind in chains that share one static body: driven, limited, in one block or in
 // several, soft, one-sided. The chains are alike but for their masses and places.
@@ -143,7 +143,7 @@ TEST_CASE("packed in the order of the list every joint moves as with the scalar 
 TEST_CASE("islands interleaved one block at a time change nothing to the last bit") {
   Zoo in_list(3), in_turns(3);
   PackedImpulses list = solver_of(Packing::list, false),
-                 islands = solver_of(Packing::islands, false);
+                 islands = solver_of(Packing::automatic, false);
   for (int n = 0; n < 20; ++n) {
     step(in_list.world, list, h);
     step(in_turns.world, islands, h);

@@ -62,7 +62,6 @@ class AnyJoint : public Joint {
   void append(const Bodies& bodies, Blocks& blocks) const override {
     blocks.append(bodies, body1, body2, J, C, target, impulse.data(), form);
   }
-  int most_rows() const override { return N; }
 };
 
 inline Row random_row(Random& random, bool linear = true, bool angular = true) {

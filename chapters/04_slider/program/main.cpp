@@ -115,7 +115,6 @@ class CentreMotor : public Joint {
                    .upper = strength},
                   &impulse_);
   }
-  int most_rows() const override { return 1; }
 
  private:
   mutable real impulse_ = 0;

@@ -4,6 +4,7 @@
 
 #include "chapters/07_performance/performance.h"
 #include "engine/simd/body_records.h"
+#include "engine/kernels.h"
 #include "engine/simd/lanes.h"
 
 /// \addtogroup chapter7
@@ -91,29 +92,29 @@ class HingeLoop {
   }
 
  private:
-  // What the iterations read of a hinge.
-  void prepare(std::size_t k, real h, HingeNumbers<real>& out) const {
-    const Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
-    hoist(hinges[k], body1, body2, h, out);
-    Matrix<5> K = whole_K(out, body1.inverse_mass, body2.inverse_mass);
-    invert_symmetric(K[0].data(), 5);
-    for (int i = 0; i < 5; ++i)
-      for (int j = i; j < 5; ++j) out.inverse_K[out.place(i, j)] = relaxation * K[i][j];
-  }
-
-  // The same for a group: each hinge's numbers into its lane, zeros into a lane without a hinge.
+  // What the iterations of a group read: each hinge's numbers into its lane, zeros into a lane
+  // without a hinge. Every K is inverted on lanes, all of a group at once.
   void prepare_group(std::size_t group, real h) {
+    HingeNumbers<Number>& out = numbers_[group];
+    std::array<Number, 15> K;  // lower triangle
     for (int lane = 0; lane < width; ++lane) {
-      const bool used = lane < int(groups_[group].size());
-      const std::size_t k = used ? std::size_t(groups_[group][lane]) : 0;
-      if constexpr (width == 1) {
-        prepare(k, h, numbers_[group]);
-      } else {
-        HingeNumbers<real> one{};
-        if (used) prepare(k, h, one);
-        scatter(one, numbers_[group], lane);
+      HingeNumbers<real> one{};
+      std::array<real, 15> lower{};
+      if (lane < int(groups_[group].size())) {
+        const std::size_t k = std::size_t(groups_[group][lane]);
+        const Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
+        hoist(hinges[k], body1, body2, h, one);
+        const Matrix<5> all = whole_K(one, body1.inverse_mass, body2.inverse_mass);
+        for (int i = 0; i < 5; ++i)
+          for (int j = 0; j <= i; ++j) lower[std::size_t(lower_index(i, j))] = all[i][j];
       }
+      scatter(one, out, lane);
+      scatter(lower, K, lane);
     }
+    invert_lower<5>(K.data());
+    for (int i = 0; i < 5; ++i)
+      for (int j = 0; j <= i; ++j)
+        out.inverse_K[std::size_t(out.place(i, j))] = relaxation * K[std::size_t(lower_index(i, j))];
   }
 
   BodyRecords records_;

@@ -15,21 +15,30 @@ namespace joints {
 /// The velocities that the iterations change, and where each group finds those of its bodies.
 class BodyRecords {
  public:
-  /// Allocates the records and computes BodyView::ends. \param groups of at most `width` pairs
-  /// \param columns columns_of() these groups, if any \param count the number of bodies
+  /// Allocates the records and computes BodyView::ends. A static body gets a record for each pair:
+  /// what overflows in one never reaches another. \param groups of at most `width` pairs
+  /// \param columns columns_of() these groups, if any \param moves for each body, if it can move
   void arrange(const Groups& groups, const std::vector<BodyPair>& pairs,
-               const std::optional<Columns>& columns, int count, int width) {
+               const std::optional<Columns>& columns, const std::vector<bool>& moves, int width) {
     columns_ = columns;
-    bodies_ = count;  // record `count` is a dummy for unused lanes
-    records_.assign(columns ? columns->bodies.size() : std::size_t(count) + 1, {});
+    bodies_ = int(moves.size());  // the record with this number is a dummy for unused lanes
+    copies_.clear();
     ends_.clear();
+    const auto record_of = [&](int body) {
+      if (moves[std::size_t(body)]) return body;
+      copies_.push_back(body);
+      return bodies_ + int(copies_.size());
+    };
     for (std::size_t k = 0; k < groups.size(); ++k)
       for (int BodyPair::*end : {&BodyPair::body1, &BodyPair::body2})
         if (columns)
           ends_.push_back(columns->ends[k].*end);
         else
           for (std::size_t lane = 0; lane < std::size_t(width); ++lane)
-            ends_.push_back(lane < groups[k].size() ? pairs[groups[k][lane]].*end : count);
+            ends_.push_back(lane < groups[k].size() ? record_of(pairs[groups[k][lane]].*end)
+                                                    : bodies_);
+    records_.assign(columns ? columns->bodies.size() : std::size_t(bodies_) + 1 + copies_.size(),
+                    {});
   }
   /// Copies the bodies' velocities into the records. \param body function from index to body
   template <class F>
@@ -37,9 +46,11 @@ class BodyRecords {
     const auto record_of = [](const Body& from) -> Velocities<real> {
       return {triple(from.v), from.inverse_mass, triple(from.w), 0};
     };
-    if (!columns_)
+    if (!columns_) {
       for (int k = 0; k < bodies_; ++k) records_[k] = record_of(body(k));
-    else
+      for (std::size_t k = 0; k < copies_.size(); ++k)
+        records_[std::size_t(bodies_) + 1 + k] = record_of(body(copies_[k]));
+    } else
       for (std::size_t k = 0; k < records_.size(); ++k)
         if (const int index = columns_->bodies[k]; index >= 0)
           scatter(record_of(body(index)), column(k), int(k % lane_count));
@@ -60,7 +71,8 @@ class BodyRecords {
           give(gather<Velocities<real>>(column(k), int(k % lane_count)), body(index));
   }
 
-  /// The columns, if the records are arranged in columns; else record k belongs to body k.
+  /// The columns, if the records are arranged in columns; else record k belongs to body k,
+  /// and static bodies have more behind those.
   const std::optional<Columns>& columns() const { return columns_; }
   /// Pointers to the records, for an iteration.
   BodyView view() { return {records_.data(), ends_.data(), columns_.has_value()}; }
@@ -77,6 +89,7 @@ class BodyRecords {
 
   std::vector<Velocities<real>> records_;
   std::vector<int> ends_;
+  std::vector<int> copies_;  // the static body of each record behind the dummy
   std::optional<Columns> columns_;
   int bodies_ = 0;
 };

@@ -133,7 +133,7 @@ void PackedBlocks::arrange(const Bodies& bodies) {
     width_ = 1;
     found = one_by_one(int(pairs.size()));
   }
-  records_.arrange(found, pairs, columns, bodies.slots(), width_);
+  records_.arrange(found, pairs, columns, moves, width_);
   for (const auto& group : found) add_group(group);
   for (int k = int(groups.size()) - 2; k >= 0; --k)
     if (static_cast<BlockKind&>(groups[k]) == groups[k + 1]) groups[k].alike += groups[k + 1].alike;

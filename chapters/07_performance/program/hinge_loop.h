@@ -39,8 +39,9 @@ class HingeLoop {
   void arrange(const Groups& groups) {
     groups_ = groups;
     std::optional<Columns> columns;
-    if (width > 1) columns = columns_of(groups, islands_of(links, moving(bodies)), links, width);
-    records_.arrange(groups, links, columns, int(bodies.size()), width);
+    const std::vector<bool> moves = moving(bodies);
+    if (width > 1) columns = columns_of(groups, islands_of(links, moves), links, width);
+    records_.arrange(groups, links, columns, moves, width);
   }
   const Groups& groups() const { return groups_; }  ///< who comes with whom, and when
 

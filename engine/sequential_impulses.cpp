@@ -66,6 +66,7 @@ void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const B
     rows.push_back({response[i], bias(block, from + i, blocks.C[std::size_t(first + i)],
                                       out.target.rate, h),
                     inverse[i * n + n - 1] * over_last});
+  for (int i = 0; i < n * n; ++i) inverse[i] *= out.target.mass_scale;
 }
 
 void SequentialImpulses::warm_start(Bodies& bodies, real ratio) {
@@ -127,11 +128,11 @@ void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedB
   for (int i = 0; i < N; ++i) e[i] = dot(twelve(J[i]), V) + row[i].bias;
 
   real dlambda[N];  // -mass_scale K^-1 e - impulse_scale lambda
-  for (int i = 0; i < N; ++i) {
-    real sum = 0;
-    for (int j = 0; j < N; ++j) sum += inverse_K[i * N + j] * e[j];
-    dlambda[i] = -target.mass_scale * sum - target.impulse_scale * block.impulse[i];
-  }
+  for (int i = 0; i < N; ++i) dlambda[i] = -(inverse_K[i] * e[0]);
+  for (int j = 1; j < N; ++j)
+    for (int i = 0; i < N; ++i) dlambda[i] -= inverse_K[j * N + i] * e[j];
+  if (target.impulse_scale != 0)
+    for (int i = 0; i < N; ++i) dlambda[i] -= target.impulse_scale * block.impulse[i];
 
   // Clamp the accumulated impulse of the last row, and solve the other rows again for the clamped
   // value: each changes by clamp_response per unit of the cut.

@@ -30,7 +30,7 @@ struct PreparedBlock {
 struct Prepared {
   std::vector<PreparedBlock> blocks;  ///< in the order of Blocks::list
   std::vector<PreparedRow> rows;      ///< one for each of Blocks::J
-  std::vector<real> inverse_K;        ///< rows x rows numbers per block
+  std::vector<real> inverse_K;        ///< mass_scale K^-1, rows x rows numbers per block
 };
 
 /// @}

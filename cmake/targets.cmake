@@ -2,7 +2,7 @@
 
 # What every source is compiled with. No contraction to fused multiply-add and no -march=native:
 # the same digits on every machine. Sections and their collection: a program carries what it uses.
-set(WORKBOOK_DEFINITIONS GLM_FORCE_CTOR_INIT GLM_FORCE_EXPLICIT_CTOR GLM_ENABLE_EXPERIMENTAL)
+set(WORKBOOK_DEFINITIONS GLM_FORCE_CTOR_INIT GLM_FORCE_EXPLICIT_CTOR)
 add_library(workbook_options INTERFACE)
 target_compile_features(workbook_options INTERFACE cxx_std_20)
 target_include_directories(workbook_options INTERFACE ${PROJECT_SOURCE_DIR})
@@ -99,7 +99,8 @@ endfunction()
 #   NN_name_run              program/*.cpp on the solution, NN_name_run_mine on the reader's file,
 #                            its unwritten exercises filled in from the solution
 # GIVEN sources stand beside the exercise file and call it.
-# Later chapters use the solutions of earlier ones, so that an unfinished one blocks nothing.
+# Later chapters use the solutions of earlier ones, so that an unfinished one blocks nothing. Of
+# the library alone only the solutions are wanted.
 function(add_chapter chapter name)
   cmake_parse_arguments(arg "" "" "GIVEN;USES" ${ARGN})
   file(GLOB program CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/${chapter}/program/*.cpp)
@@ -116,6 +117,10 @@ function(add_chapter chapter name)
   list(TRANSFORM arg_GIVEN PREPEND ${PROJECT_SOURCE_DIR}/chapters/${chapter}/)
   add_twice(${chapter} STATIC ${solution} ${arg_GIVEN})
   link_twice(${chapter} PUBLIC engine ${arg_USES})
+  set_property(GLOBAL APPEND PROPERTY WORKBOOK_CHAPTERS ${chapter})
+  if(WORKBOOK_LIBRARY_ONLY)
+    return()
+  endif()
   set(given "")
   if(arg_GIVEN)  # of the reader's versions
     add_library(${chapter}_given OBJECT EXCLUDE_FROM_ALL ${arg_GIVEN})
@@ -140,7 +145,6 @@ function(add_chapter chapter name)
     at_once(${run})
   endforeach()
   set_target_properties(${chapter}_run_mine PROPERTIES EXCLUDE_FROM_ALL ON)
-  set_property(GLOBAL APPEND PROPERTY WORKBOOK_CHAPTERS ${chapter})
   set_property(GLOBAL PROPERTY WORKBOOK_NAME_${chapter} ${name})
   set_property(GLOBAL PROPERTY WORKBOOK_USES_${chapter} ${arg_USES})
 endfunction()

@@ -11,6 +11,13 @@
 #ifdef REAL_HEADER  // declares a REAL of one's own; before GLM, which imports std::sqrt
 #include REAL_HEADER
 #endif
+#if __cplusplus < 202002L
+#error "the joints need C++20: compile with -std=c++20 or later"
+#elif !defined GLM_FORCE_CTOR_INIT || !defined GLM_FORCE_EXPLICIT_CTOR
+#error "definitions are missing: link joints::joints (CMake), or add `pkg-config --cflags joints`"
+#elif defined GLM_FORCE_QUAT_DATA_WXYZ
+#error "GLM_FORCE_QUAT_DATA_WXYZ: the library keeps a quaternion as x, y, z, w"
+#endif
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 

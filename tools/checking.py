@@ -14,7 +14,7 @@ import proving
 PROOFS = {f"tests/{path}_test.py": path.split("/")[0] for path in (
     "workbook/programs", "workbook/exercises", "workbook/texts", "workbook/sources",
     "workbook/contacts", "workbook/direct_solver", "workbook/front_door", "bench/cost",
-    "library/library")}
+    "library/library", "library/pkg_config")}
 
 
 @dataclass

@@ -4,8 +4,10 @@ Installs BUILD into a folder of its own, copies the consumer beside this file ne
 copy against the installed files and runs it, once in double and once in float. Nothing that is
 compiled may come from ROOT, nothing that is installed may name it, and the program of a hinge may
 carry no slider, no weld and no ground, that of a crate on the ground no hinge joint, that of two
-shafts no slider either. Exit status 0 when all of that holds, 1 otherwise, 2 for a bad command
-line.
+shafts no slider either. The examples in the headers' comments compile. Double and float do not link
+into one program, and headers without their definitions say so. The library is configured without
+the packages that only the workbook needs. Exit status 0 when all of that holds, 1 otherwise, 2 for
+a bad command line.
 """
 import json
 import re
@@ -18,7 +20,16 @@ from pathlib import Path
 OTHERS = r"Line|Slide|RotationLock|Weld|SliderJoint|FixedJoint"
 PROGRAMS = {"door": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
             "crate": ("Corner::error", rf"{OTHERS}|HingeJoint"),
+            "arm": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
             "shafts": ("Axis::error", rf"{OTHERS}|Corner|GroundContact")}
+
+
+# What the examples in the headers' comments name.
+EXAMPLES = """#include <joints.h>
+using namespace joints;
+void examples(World& world, Solver& solver, real h, BodyId a, BodyId b, vec3 anchor, vec3 axis) {
+%s}
+"""
 
 
 class Wrong(Exception):
@@ -33,10 +44,18 @@ def call(*command):
     return result.stdout
 
 
+def refused(said, *command):
+    """Wrong unless a command fails and says that."""
+    result = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+    if result.returncode == 0 or said not in result.stderr:
+        raise Wrong(" ".join(map(str, command)) + f"\nis not refused with '{said}':\n"
+                    + result.stderr)
+
+
 def look_at_installed(root, build, prefix):
     """The installed files name no file of ROOT or BUILD, and include only each other."""
     include = prefix / "include" / "joints"
-    for path in sorted(p for p in prefix.rglob("*") if p.suffix in (".h", ".cmake")):
+    for path in sorted(p for p in prefix.rglob("*") if p.suffix in (".h", ".cmake", ".pc")):
         text = path.read_text()
         if any(re.search(rf"(?<![\w/.]){re.escape(str(place))}/", text) for place in (root, build)):
             raise Wrong(f"{path.relative_to(prefix)} names the folder it was made in")
@@ -46,6 +65,20 @@ def look_at_installed(root, build, prefix):
     outside = [p for p in (prefix / "include").rglob("*.h") if include not in p.parents]
     if outside:
         raise Wrong(f"{outside[0]} lies outside include/joints")
+
+
+def examples_of(prefix):
+    """A source with the code that the headers' comments quote: what has a bracket and is not, as
+    an & shows, a signature."""
+    lines = []
+    for path in sorted(prefix.rglob("*.h")):
+        comments = re.sub(r"\s+", " ", " ".join(re.findall(r"///<? ?(.*)", path.read_text())))
+        lines += [f"  static_cast<void>({code});  // {path.relative_to(prefix)}\n"
+                  for code in re.findall(r"`([^`]*)`", comments)
+                  if re.search(r"[({]", code) and "&" not in code]
+    if not lines:
+        raise Wrong("no header quotes code in backquotes any more")
+    return EXAMPLES % "".join(lines)
 
 
 def look_at_build(root, area, folder):
@@ -65,8 +98,11 @@ def build_and_run(root, area, prefix, compiler, library):
     """Builds a copy of the programs with one of the two libraries; returns what they say."""
     source, folder = area / f"{library}_source", area / f"{library}_build"
     shutil.copytree(root / "tests" / "library" / "consumer", source)
+    (source / "examples.cpp").write_text(examples_of(prefix))
     lists = source / "CMakeLists.txt"
-    lists.write_text(lists.read_text().replace("joints::joints", f"joints::{library}"))
+    text = lists.read_text() + ("add_library(examples OBJECT examples.cpp)\n"
+                                "target_link_libraries(examples joints::joints)\n")
+    lists.write_text(text.replace("joints::joints", f"joints::{library}"))
     call("cmake", "-S", source, "-B", folder, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
          f"-DCMAKE_CXX_COMPILER={compiler}", "-DCMAKE_BUILD_TYPE=Release",
          "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
@@ -84,31 +120,96 @@ def build_and_run(root, area, prefix, compiler, library):
     return said
 
 
-def main(arguments):
+def kinds_do_not_mix(area, prefix, compiler):
+    """A program of one kind of number with the library of the other, or of both, does not link."""
+    door, crate = area / "double_door.o", area / "float_crate.o"
+    shutil.copy(area / "joints_build" / "CMakeFiles" / "door.dir" / "main.cpp.o", door)
+    shutil.copy(area / "joints_float_build" / "CMakeFiles" / "crate.dir" / "crate.cpp.o", crate)
+    in_double, in_float = (prefix / "lib" / f"libjoints{end}.a" for end in ("", "_float"))
+    for number, own, library in (("double", door, in_float), ("float", crate, in_double)):
+        refused(f"undefined reference to `joints::step(joints::World&, joints::Solver&, {number}",
+                compiler, own, library, "-o", area / "mixed")
+    call("objcopy", "--redefine-sym", "main=other", crate)
+    for libraries in ((in_double, in_float), (in_float, in_double)):
+        refused("multiple definition of `joints::", compiler, door, crate, *libraries,
+                "-o", area / "mixed")
+    lists = area / "joints_source" / "CMakeLists.txt"
+    lists.write_text(lists.read_text() + "target_link_libraries(door joints::joints_float)\n")
+    refused("INTERFACE_JOINTS_REAL", "cmake", area / "joints_build")
+
+
+def bare_headers_say_so(area, prefix, compiler):
+    """A header without its definitions, or in an older C++, says what to do."""
+    source = area / "bare.cpp"
+    source.write_text("#include <joints.h>\n")
+    needed = re.findall(r"-DGLM_\w+", (prefix / "lib" / "pkgconfig" / "joints.pc").read_text())
+    bare = [("link joints::joints (CMake), or add `pkg-config --cflags joints`",
+             [other for other in needed if other != one]) for one in needed]
+    for said, options in (*bare,
+                          ("quaternion as x, y, z, w", [*needed, "-DGLM_FORCE_QUAT_DATA_WXYZ"]),
+                          ("compile with -std=c++20", [*needed, "-std=c++17"])):
+        refused(said, compiler, "-std=c++20", "-E", f"-I{prefix}/include/joints", *options, source)
+    if not needed:
+        raise Wrong("joints.pc brings no definition")
+
+
+def compiled(root, folder, *question):
+    """The sources that ninja's answer compiles, named from ROOT or from the build folder."""
+    sources = re.findall(r' -c ([^\s"]+)', call("ninja", "-C", folder, "-t", *question))
+    return {source.removeprefix(f"{folder}/").removeprefix(f"{root}/") for source in sources}
+
+
+def library_stands_alone(root, build, area, compiler):
+    """Without the workbook's packages the same sources are compiled into it, and nothing else."""
+    alone = area / "alone"
+    configure = ["cmake", "-S", root, "-B", alone, "-G", "Ninja",
+                 f"-DCMAKE_CXX_COMPILER={compiler}"]
+    configure += [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON"
+                  for name in ("Catch2", "Eigen3", "Python3")]
+    call(*configure, "-DWORKBOOK_LIBRARY_ONLY=ON")
+    differ = compiled(root, alone, "compdb") ^ compiled(root, build, "commands", "library")
+    if differ:
+        raise Wrong(f"compiled in one of {alone.name} and the workbook only: {sorted(differ)}")
+    refused("Catch2", *configure, "-DWORKBOOK_LIBRARY_ONLY=OFF")
+
+
+def compiler_of(build):
+    """The C++ compiler of a build folder."""
+    cache = (build / "CMakeCache.txt").read_text()
+    return re.search(r"^CMAKE_CXX_COMPILER:\w+=(.+)$", cache, re.M)[1]
+
+
+def prove(document, proof, arguments):
+    """Runs a proof of this folder, NAME_test.py ROOT BUILD, in an empty folder of its own."""
     if len(arguments) != 2 or not all(Path(argument).is_dir() for argument in arguments):
-        print(__doc__.split("\n", maxsplit=1)[0], file=sys.stderr)
+        print(document.split("\n", maxsplit=1)[0], file=sys.stderr)
         return 2
     root, build = (Path(argument).resolve() for argument in arguments)
-    compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.+)$",
-                         (build / "CMakeCache.txt").read_text(), re.M)[1]
-    area = build / "library_test"
+    area = build / proof.__name__
     shutil.rmtree(area, ignore_errors=True)
     area.mkdir()
-    prefix = area / "installed"
     try:
-        call("cmake", "--install", build, "--prefix", prefix)
-        look_at_installed(root, build, prefix)
-        page = (root / "docs" / "library.md").read_text()
-        for library in ("joints", "joints_float"):
-            for said in build_and_run(root, area, prefix, compiler, library):
-                print(f"{library}: {said}")
-                if said not in page:
-                    raise Wrong("docs/library.md says that a program says something else")
+        return proof(root, build, area)
     except Wrong as wrong:
         print(wrong, file=sys.stderr)
         return 1
+
+
+def library_test(root, build, area):
+    compiler, prefix = compiler_of(build), area / "installed"
+    call("cmake", "--install", build, "--prefix", prefix)
+    look_at_installed(root, build, prefix)
+    page = (root / "docs" / "library.md").read_text()
+    for library in ("joints", "joints_float"):
+        for said in build_and_run(root, area, prefix, compiler, library):
+            print(f"{library}: {said}")
+            if said not in page:
+                raise Wrong("docs/library.md says that a program says something else")
+    kinds_do_not_mix(area, prefix, compiler)
+    bare_headers_say_so(area, prefix, compiler)
+    library_stands_alone(root, build, area, compiler)
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(prove(__doc__, library_test, sys.argv[1:]))

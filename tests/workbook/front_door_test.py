@@ -1,4 +1,7 @@
 """What a reader types in a copy of the workbook, and what it says: front_door_test.py ROOT BUILD"""
+import os
+import shutil
+import subprocess
 import sys
 
 from door import CHAPTER, Door
@@ -155,8 +158,67 @@ def refusals_of_the_compiler_are_told(root, build):
         yield from typed(door, "run 1", 2, "does not compile")
 
 
+def bare(door, words, user, answer, *programs):
+    """(what ./wb says, what it asks apt-get) where nothing is installed but these programs, all of
+    which write what they are asked. Without an answer nobody sits at a terminal."""
+    folder = door.root.parent / "bare"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    for name in ("sh", "dirname", "env", "mktemp", "tail", "uname", "rm"):
+        (folder / name).symlink_to(shutil.which(name))
+    asked = folder / "asked"
+    asked.touch()
+    for name, does in {"id": f"echo {user}", "sudo": 'exec "$@"',
+                       "apt-get": f'echo "$*" >>{asked}\n[ "$3" = update ]'}.items():
+        if name in ("id", *programs):
+            (folder / name).write_text(f"#!/bin/sh\n{does}\n")
+            (folder / name).chmod(0o755)
+    ours, theirs = os.openpty()
+    os.write(ours, f"{answer}\n".encode())
+    result = subprocess.run(
+        ["./wb", *words.split()], cwd=door.root, capture_output=True, text=True, timeout=60,
+        stdin=subprocess.DEVNULL if answer is None else theirs,
+        env={"PATH": str(folder), "TMPDIR": str(folder), "WORKBOOK_PYTHON": sys.executable})
+    os.close(ours)
+    os.close(theirs)
+    return result.stdout + result.stderr, asked.read_text()
+
+
+def nothing_is_installed_unasked(root, build):
+    """packages are installed by a yes, or by a root's check, tour or docs; all others name them"""
+    missing = "g++ cmake ninja-build"
+    command = f"apt-get install --no-install-recommends {missing}"
+    with Door(root, build) as door:
+        for words, user, answer, programs, said, installs in (
+                ("", 0, None, [], f"Install them: {command}", False),
+                ("", 0, "y", [], f"Install them: {command}", False),
+                ("", 1000, None, ["sudo"], f"Install them: sudo {command}", False),
+                ("help", 0, "y", [], f"Install them: {command}", False),
+                ("check --help", 0, None, [], f"Install them: {command}", False),
+                ("test 1.1", 0, None, [], f"Install them: {command}", False),
+                ("test 1.1", 0, "n", [], "Nothing was installed.", False),
+                ("test 1.1", 0, "y", [], f"installing {missing}", True),
+                ("test 1.1", 1000, "y", ["sudo"], f"installing {missing}", True),
+                ("test 1.1", 1000, "y", [], f"Install them as root: {command}", False),
+                ("check", 0, None, [], f"installing {missing}", True),
+                ("tour", 0, None, [], f"installing {missing}", True),
+                ("docs", 0, None, [], f"installing {missing}", True),
+                ("check", 0, "n", [], "Nothing was installed.", False),
+                ("check", 1000, None, ["sudo"], f"Install them: sudo {command}", False),
+                ("check", 1000, None, [], f"Install them as root: {command}", False)):
+            out, asked = bare(door, words, user, answer, "apt-get", *programs)
+            if said not in out or installs != (f"--no-install-recommends {missing}" in asked):
+                yield f"./wb {words}, user {user}, answer {answer}: {out!r}, apt-get: {asked!r}"
+            if asked and not installs:
+                yield f"./wb {words}, user {user}, answer {answer} asks apt-get {asked!r}"
+        out, _ = bare(door, "", 0, None)
+        if f"Missing here: {missing}" not in out:
+            yield f"./wb without apt-get: {out!r}"
+
+
 PROOFS = [a_fresh_copy_leads_to_the_first_exercise, bad_words_are_refused, a_damaged_file_is_told,
-          an_answer_is_judged_alone, crashes_are_told, refusals_of_the_compiler_are_told]
+          an_answer_is_judged_alone, crashes_are_told, refusals_of_the_compiler_are_told,
+          nothing_is_installed_unasked]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -1,0 +1,41 @@
+"""The library serves a program that is not built with CMake: pkg_config_test.py ROOT BUILD
+
+Installs BUILD, moves what is installed elsewhere, and builds and runs programs of the consumer
+beside this file with nothing but the compiler and what pkg-config says, in double and in float.
+Exit status 0 when they say what docs/library.md says, 1 otherwise, 2 for a bad command line, 77
+where there is no pkg-config.
+"""
+import os
+import shutil
+import sys
+
+from library_test import Wrong, call, compiler_of, prove
+
+
+def build_and_run(root, area, compiler, library):
+    """What two programs say that pkg-config helps to build."""
+    flags, libs = (call("pkg-config", what, library).split() for what in ("--cflags", "--libs"))
+    for program, source in (("door", "main.cpp"), ("arm", "arm.cpp")):
+        made = area / f"{program}_{library}"
+        call(compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror",
+             root / "tests" / "library" / "consumer" / source, *flags, *libs, "-o", made)
+        said = call(made).strip()
+        print(f"{library}: {said}")
+        if said not in (root / "docs" / "library.md").read_text():
+            raise Wrong("docs/library.md says that a program says something else")
+
+
+def pkg_config_test(root, build, area):
+    if not shutil.which("pkg-config"):
+        print("pkg-config is not there")
+        return 77
+    call("cmake", "--install", build, "--prefix", area / "first")
+    (area / "first").rename(area / "moved")
+    os.environ["PKG_CONFIG_PATH"] = str(area / "moved" / "lib" / "pkgconfig")
+    for library in ("joints", "joints_float"):
+        build_and_run(root, area, compiler_of(build), library)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(prove(__doc__, pkg_config_test, sys.argv[1:]))

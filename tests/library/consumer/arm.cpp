@@ -23,7 +23,7 @@ int main() {
   shoulder.set_motor(real(0.5), 60);  // rad/s, at most 60 N m
   elbow.set_limits(-120 * degree, 0);
 
-  SequentialImpulses solver;
+  PackedImpulses solver;
   solver.iterations = 50;
   bool good = true;
   for (const auto& [friction, expected] : {std::pair{30, 0}, std::pair{3, -120}}) {

@@ -14,7 +14,7 @@ int main() {
   contact.friction = real(0.5);
   world.bodies[crate].v = vec3(4, 0, 0);
 
-  SequentialImpulses solver;
+  PackedImpulses solver;
   solver.iterations = 30;
   for (int n = 0; n < 120; ++n) step(world, solver, real(1) / 60, {.warm_start = true});
 

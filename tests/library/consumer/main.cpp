@@ -16,7 +16,7 @@ int main() {
   hinge.set_limits(0, 110 * degree);
   hinge.set_motor(1, 30);  // rad/s, at most 30 N m
 
-  SequentialImpulses solver;
+  PackedImpulses solver;
   solver.iterations = 30;
   for (int n = 0; n < 240; ++n) step(world, solver, real(1) / 60);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numbers>
 
 #include "chapters/03_hinge/hinge.h"
 #include "engine/composite.h"
@@ -35,6 +36,9 @@ struct Limit {
 /// Tells an angle to count its turns to within half a turn of `expected`. A length has no turns.
 template <class Coordinate>
 void count_from(Coordinate&, [[maybe_unused]] real expected) {}
+/// Carries what an angle keeps of its count (Joint::exchange). A length keeps nothing.
+template <class Coordinate>
+void exchange_turns(Coordinate&, StateStream&) {}
 
 /// Says when a step need not measure the coordinate, because its limits are out of reach. This
 /// general one never skips; hinge_joint.h has the one that skips the hinge's atan2.
@@ -43,6 +47,7 @@ struct Leeway {
   /// Called after each measurement. \param slack to the nearer limit [rad or m]
   void measured(const Coordinate&, const Body&, const Body&, [[maybe_unused]] real slack) {}
   void forget() {}  ///< the next step measures in any case
+  void exchange(StateStream&) {}  ///< carries the measurement (Joint::exchange)
   /// True if the rotation since the measurement cannot have used up half of the slack.
   bool still_near(const Coordinate&, const Body&, const Body&) const { return false; }
   /// True if this step at the present velocities cannot use up half of the slack. \param h step [s]
@@ -60,7 +65,9 @@ class DrivenJoint : public Joint {
   Coordinate coordinate;  ///< the angle [rad] or displacement [m] that stays free
   bool whole = true;      ///< one block for all rigid rows and the limit, not one for each part
 
-  /// Limits of the coordinate [rad or m]; equal ones hold it there.
+  /// Limits of the coordinate [rad or m]; equal ones hold it there. If the joint has not counted
+  /// its turns so far, limits less than a turn apart say which turn it is in: the one in which the
+  /// angle is between them or nearest to them. Where wider ones leave it open, say so by expect().
   /// \throws std::invalid_argument unless lower <= upper
   void set_limits(real lower, real upper) {
     require(lower <= upper && lower < unbounded && upper > -unbounded,
@@ -78,13 +85,27 @@ class DrivenJoint : public Joint {
     motor_ = {speed, strength};
     leeway_.forget();
   }
+  /// Dry friction: a motor that holds the speed 0 with at most this torque or force. It takes the
+  /// place of the motor, as set_motor() takes its place: a joint has one of the two.
+  /// \param strength [N m or N], 0 for none \throws std::invalid_argument if it is negative
+  void set_friction(real strength) { set_motor(0, strength); }
+  /// Says where the coordinate is, to within half a turn: turns are counted from there. For bodies
+  /// that were put or loaded beyond half a turn, and to set the count anew.
+  /// \param x [rad or m] \throws std::invalid_argument unless it is finite
+  void expect(real x) {
+    require(finite(x), "x: must be finite [rad or m]");
+    next_ = x;
+    counting_ = true;
+    leeway_.forget();
+  }
   const Range& limits() const { return range_; }  ///< the limits of the coordinate
   const Motor& motor() const { return motor_; }   ///< the motor's settings
 
-  /// The coordinate [rad or m]. Turns are counted while the joint has a limit or a running motor.
+  /// The coordinate [rad or m]. Turns are counted while the joint has a limit or a running motor;
+  /// see expect().
   real position(const Bodies& bodies) const {
     Coordinate now = coordinate;
-    count_from(now, next_);
+    count_from(now, expected(bodies));
     return now.error(bodies[body1], bodies[body2]);
   }
   /// Its rate [rad/s or m/s].
@@ -120,6 +141,12 @@ class DrivenJoint : public Joint {
   /// Counts turns, and chooses the limit that has a row in this step.
   void choose_rows(const Bodies& bodies, real h) override;
   void drop_rows() override { limit_ = late_ = {}, impulse_ = {}; }  ///< between static bodies
+  void exchange_own(StateStream& stream) override {
+    stream(range_.lower, range_.upper, motor_.speed, motor_.strength, next_, counting_, impulse_);
+    for (LimitRow* row : {&limit_, &late_}) stream(row->sign, row->live);
+    exchange_turns(coordinate, stream);
+    leeway_.exchange(stream);
+  }
   /// From the parts as they stand now.
   DrivenJoint(BodyId body1, BodyId body2, const First& first, const Second& second,
               const Coordinate& coordinate)
@@ -133,10 +160,19 @@ class DrivenJoint : public Joint {
 
   // With a limit or a motor the coordinate and its turns are measured.
   bool counted() const { return limited() || motor_.strength > 0; }
+  // The coordinate is within half a turn of this. A joint that does not count yet takes the turn
+  // that its limits say.
+  real expected(const Bodies& bodies) const {
+    if (counting_ || !(range_.upper - range_.lower < 2 * std::numbers::pi_v<real>)) return next_;
+    Coordinate now = coordinate;
+    count_from(now, next_);
+    const real x = now.error(bodies[body1], bodies[body2]);
+    return range_.lower <= x && x <= range_.upper ? next_ : (range_.lower + range_.upper) / 2;
+  }
   void measure(const Bodies& bodies) {
-    count_from(coordinate, next_);
+    count_from(coordinate, expected(bodies));
     next_ = x_ = coordinate.error(bodies[body1], bodies[body2]);
-    measured_ = true;
+    measured_ = counting_ = true;
   }
   real slack() const { return std::min(x_ - range_.lower, range_.upper - x_); }
   bool limited() const { return range_.lower > -unbounded || range_.upper < unbounded; }
@@ -144,13 +180,14 @@ class DrivenJoint : public Joint {
   Limit<Coordinate> limit_part(real sign) const {
     return {coordinate, sign > 0 ? range_.lower : range_.upper, sign};
   }
-  RowTarget limit_target() const { return {.beta = beta, .lower = held() ? -unbounded : real(0)}; }
+  RowTarget limit_target() const { return hold(held() ? -unbounded : real(0)); }
 
   Range range_;
   Motor motor_;
   LimitRow limit_, late_;  // the limit that has a row in this step; one found late
   real x_ = 0, next_ = 0;  // the coordinate when measured; its expected value after the step
   bool measured_ = false;  // x_ was measured in this step
+  bool counting_ = false;  // next_ is known: measured, or told by expect()
   Leeway<Coordinate> leeway_;
   mutable Vector<places> impulse_{};  // written by the solver through the blocks
 };
@@ -161,6 +198,7 @@ void DrivenJoint<First, Second, Coordinate>::choose_rows(const Bodies& bodies, r
   limit_ = late_ = {};
   const Body &a = bodies[body1], &b = bodies[body2];
   measured_ = false;
+  if (!counted()) counting_ = false;
   if (counted() && !(leeway_.is_slow(a, b, h) && leeway_.still_near(coordinate, a, b))) {
     measure(bodies);
     leeway_.measured(coordinate, a, b, slack());
@@ -194,12 +232,12 @@ void DrivenJoint<First, Second, Coordinate>::append(const Bodies& bodies, Blocks
   const Composite<First, Second> rigid{first, second};
   if (!whole) {
     if (limit_.live) add(limit, limit_target(), limit_place);
-    add(first, {.beta = beta}, 0);
-    add(second, {.beta = beta}, First::rows);
+    add(first, hold(), 0);
+    add(second, hold(), First::rows);
   } else if (limit_.live) {
     add(Composite<Composite<First, Second>, Limit<Coordinate>>{rigid, limit}, limit_target(), 0);
   } else {
-    add(rigid, {.beta = beta}, 0);
+    add(rigid, hold(), 0);
   }
   if (late_.live) add(limit_part(late_.sign), limit_target(), late_place);
 }

@@ -10,6 +10,8 @@ namespace joints {
 
 /// An angle counts its turns.
 inline void count_from(HingeAngle& angle, real expected) { angle.expected = expected; }
+/// Its count is kept from step to step.
+inline void exchange_turns(HingeAngle& angle, StateStream& stream) { stream(angle.expected); }
 
 /// Skips atan2 while the limits of a hinge are out of reach. The angle's rate is g.(w2 - w1) with
 /// |g| = 1/cos(s/2), where s is the angle between the two axes (Eq. 3-10): while s stays below 83
@@ -29,6 +31,10 @@ struct Leeway<HingeAngle> {
     least_cosine_ = allowed_ > real(0.01) ? std::cos(allowed_ / 2) : real(2);
   }
   void forget() { least_cosine_ = 2; }  ///< the next step measures in any case
+  /// The measurement.
+  void exchange(StateStream& stream) {
+    stream(then_.axis, then_.start, relative_, allowed_, least_cosine_);
+  }
   /// True if the relative rotation since the measurement is below the allowed one.
   bool still_near(const HingeAngle& angle, const Body& body1, const Body& body2) const {
     const quat was = body1.q * relative_;  // body 2's orientation if nothing had rotated since

@@ -103,7 +103,7 @@ class GroundContact : public Joint {
     std::array<vec3, 2> t{};  // directions of friction, unit, world
     std::array<real, 3> impulse{};  // friction along t[0], along t[1], normal [N s]
     void exchange(StateStream& stream) {
-      stream(live, C, rate, last_rate, has_last, bounce, target, t, impulse);
+      stream(live, last_rate, has_last, bounce, t, impulse);
     }
     real gap_after(real h) const { return C + h * rate; }  // if no row holds it [m]
   };

@@ -8,6 +8,7 @@
 #include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/08_ground/ground_contact.h"
 #include "chapters/09_direct/direct_solver.h"
+#include "engine/projection.h"
 #include "engine/simd/packed.h"
 #include "engine/state.h"
 #include "tests/checker/catch.h"
@@ -31,8 +32,9 @@ bool same(const State& one, const State& other) {
 }
 
 // Every kind of joint, with whatever it can keep: a wheel that counts its turns, arms between
-// limits that are now far, now hit, a slider with a motor between stops, a plate on two welds, rods
-// and ropes, a crate and a ball that jump on the ground.
+// limits that are now far, now hit, a slow door that need not look for its limits, a slider with a
+// motor between stops, a plate on two welds, rods and ropes, a crate and a ball that jump on the
+// ground.
 World machine() {
   World world;
   const BodyId ground = world.add(static_body(vec3(0)));
@@ -71,8 +73,12 @@ World machine() {
   auto& contact = world.add<GroundContact>(ground, crate, Top{}, box_outline(size));
   contact.restitution = real(0.5);
   world.add<GroundContact>(ground, ball, Top{}, ball_outline(real(0.3))).restitution = real(0.95);
+  const BodyId door = bar(real(0.5), 5, 5);
+  hinge(ground, door, vec3(0, 5, 5), vec3(0, 1, 0)).set_limits(-1, 1);
   Random random(20);
   push_at_random(world.bodies, random);
+  world.bodies[door].w = vec3(0, real(0.05), 0);
+  world.bodies[door].v = vec3(0, 0, real(-0.025));
   world.bodies[hand].force = vec3(0, 3, real(0.5));
   world.bodies[ball].torque = vec3(0, real(0.2), 0);
   world.remove(gone);
@@ -118,6 +124,15 @@ void goes_on_the_same(const S& settings, const Stepping& how) {
   }
 }
 
+// The corners of all contacts that have rows.
+int touching(const World& world) {
+  int count = 0;
+  for (const auto& joint : world.joints())
+    if (const auto* contact = dynamic_cast<const GroundContact*>(joint.get()))
+      count += contact->touching();
+  return count;
+}
+
 const Stepping warm{.warm_start = true};
 const Stepping all{.warm_start = true, .substeps = 2, .projections = 2};
 
@@ -132,6 +147,28 @@ TEST_CASE("a restored world goes on to the bit with Sequential Impulses however 
       solver.row_by_row = row_by_row;
       goes_on_the_same(few(solver), how);
     }
+}
+
+TEST_CASE("a world can be restored at every moment of a bounce into one at any other moment") {
+  SequentialImpulses solver;
+  World world = machine(), other = machine();
+  int touched = 0, moved_exactly = 0;
+  for (int n = 0; n < 300; ++n) {
+    step(world, solver, h, all);
+    restore(other, save(world));
+    REQUIRE(touching(other) == touching(world));
+    touched += touching(world) > 0;
+    for (int k = 0; k < 4; ++k) step(other, solver, h, all);
+    const State later = save(other);
+    for (int k = 0; k < 40; ++k) step(other, solver, h, {.substeps = 3});
+    const State now = save(world);
+    for (int k = 0; k < 4; ++k) step(world, solver, h, all);
+    moved_exactly += same(save(world), later);
+    restore(world, now);
+  }
+  CHECK(moved_exactly == 300);
+  CHECK(touched > 50);
+  CHECK(touched < 250);
 }
 
 TEST_CASE("a restored world goes on to the bit with every packing with lanes or without") {
@@ -215,6 +252,19 @@ TEST_CASE("the force that a joint tells of is that of the step before the world 
   CHECK(wheel.position(world.bodies) == restored.position(other.bodies));
 }
 
+TEST_CASE("a limit more than a turn away is projected after a restore as if nothing had been") {
+  Rotor rotor, other;
+  for (Rotor* one : {&rotor, &other}) one->hinge->set_limits(-1, 8);
+  rotor.hinge->expect(8);
+  rotor.rotor().q = rotation(vec3(0, 0, real(8.1)));
+  rotor.run(1, h);  // the limit is live and counted
+  REQUIRE(rotor.angle() > 8.01);
+  restore(other.world, save(rotor.world));
+  for (Rotor* one : {&rotor, &other}) project_positions(one->world);
+  CHECK(rotor.angle() == Approx(8).epsilon(tolerance(1e-6, 1e-4)));
+  CHECK(same(save(rotor.world), save(other.world)));
+}
+
 TEST_CASE("the state of a world of another shape is refused and nothing has changed") {
   const State good = save(machine());
   World world = machine();
@@ -229,7 +279,7 @@ TEST_CASE("the state of a world of another shape is refused and nothing has chan
   };
   World more = machine();
   more.add(static_body(vec3(0)));
-  CHECK(said(save(more)) == "state: has 13 bodies; this world has 12");
+  CHECK(said(save(more)) == "state: has 14 bodies; this world has 13");
   World moved = machine();
   moved.remove(moved.joints().front()->body2);
   moved.add(static_body(vec3(0)));
@@ -238,16 +288,16 @@ TEST_CASE("the state of a world of another shape is refused and nothing has chan
   CHECK_THAT(said(save(moved)), StartsWith("state: has a body in slot 1; "));
   World fewer = machine();
   fewer.remove(*fewer.joints().front());
-  CHECK(said(save(fewer)) == "state: has 10 joints; this world has 11");
+  CHECK(said(save(fewer)) == "state: has 11 joints; this world has 12");
   World other = machine();
   const Joint& ball = *other.joints().back();
   other.add<BallJoint>(ball.body1, ball.body2, Point{});
   other.remove(ball);
-  CHECK_THAT(said(save(other)), StartsWith("state: joint 10 holds the bodies in slots 0 and 12 and "
+  CHECK_THAT(said(save(other)), StartsWith("state: joint 11 holds the bodies in slots 0 and 13 and "
                                            "has 5 numbers; this world's holds the bodies in "));
   State cut = good;
   cut.bodies.pop_back();
-  CHECK(said(cut) == "state: has 227 numbers of bodies; this world has 228");
+  CHECK(said(cut) == "state: has 246 numbers of bodies; this world has 247");
   cut = good;
   cut.joints.pop_back();
   CHECK_THAT(said(cut), StartsWith("state: has "));

@@ -56,7 +56,8 @@ World machine() {
   world.add<BallJoint>(forearm, hand,
                        point_at(world.bodies[forearm], world.bodies[hand], vec3(2, 5, 0)));
   const BodyId sledge = bar(-4, 8, 3), plate = bar(-4, real(7.8), 3), foot = bar(-4, real(7.6), 3);
-  auto& slider = world.add<SliderJoint>(world.bodies, ground, sledge, vec3(-4, 8, 3), vec3(1, 1, 0));
+  const vec3 rail(1, 1, 0);
+  auto& slider = world.add<SliderJoint>(world.bodies, ground, sledge, vec3(-4, 8, 3), rail);
   slider.set_limits(real(-0.2), 1);
   slider.set_motor(2, 70);
   world.add<FixedJoint>(world.bodies, sledge, plate, vec3(-4, 8, 3));
@@ -206,7 +207,8 @@ TEST_CASE("a direct solver on positions goes on as exactly as it solves without 
     World world;
     BodyId before = world.add(static_body(vec3(0)));
     for (int k = 0; k < 5; ++k) {
-      const BodyId next = world.add(box(1, vec3(1, real(0.2), real(0.2)), vec3(k + real(0.5), 0, 0)));
+      const vec3 middle(real(k) + real(0.5), 0, 0);
+      const BodyId next = world.add(box(1, vec3(1, real(0.2), real(0.2)), middle));
       world.add<HingeJoint>(world.bodies, before, next, vec3(real(k), 0, 0), vec3(0, 0, 1));
       before = next;
     }

@@ -42,16 +42,17 @@ Swing watch(Step one_step, X x, double h, int most) {
   return {(times[4] - times[0]) / 4, std::pow(tops[3] / tops[0], 1.0 / 3)};
 }
 
-// What a spring and damper do by implicit Euler in steps of h: x' = x + h v', v' (1 + 2 zeta omega h
-// + omega^2 h^2) = v - h omega^2 x. With short steps it is the damped oscillator.
+// What a spring and damper do by implicit Euler in steps of h: x' = x + h v' and
+// v' (1 + 2 zeta omega h + omega^2 h^2) = v - h omega^2 x. In short steps, the damped oscillator.
 Swing implicit(double frequency, double damping, double h) {
   const double omega = 2 * pi * frequency, stiff = omega * omega * h * h;
-  const double det = 1 / (1 + 2 * damping * omega * h + stiff), half_trace = (1 + det - stiff * det) / 2;
+  const double det = 1 / (1 + 2 * damping * omega * h + stiff);
+  const double half_trace = (1 + det - stiff * det) / 2;
   const double period = 2 * pi * h / std::acos(half_trace / std::sqrt(det));
   return {period, std::pow(det, period / h / 2)};
 }
 
-// A ball of 2 kg that a joint of one kind holds to the wall, with a coordinate that is zero at rest.
+// A ball of 2 kg that a joint of one kind holds to the wall; y is zero where it is held.
 struct Held {
   World world;
   BodyId wall, body;
@@ -172,8 +173,7 @@ TEST_CASE("a crate on a soft contact sinks in by its weight") {
   SequentialImpulses solver;
   for (int n = 0; n < 300; ++n) step(world, solver, real(1) / 60, {.warm_start = true});
   const double sunk = -double(contact.gap(world.bodies));
-  // the spring of each corner feels what resists at that corner alone, more compliant than a quarter
-  // of the crate
+  // the spring of a corner is made for what resists there, which need not be a quarter of the crate
   CHECK(sunk > 0.25 * g / std::pow(20 * pi, 2));
   CHECK(sunk < 4 * g / std::pow(20 * pi, 2));
 }

@@ -4,8 +4,8 @@ Installs BUILD into a folder of its own, copies the consumer beside this file ne
 copy against the installed files and runs it, once in double and once in float. Nothing that is
 compiled may come from ROOT, nothing that is installed may name it, and the program of a hinge may
 carry no slider, no weld and no ground, that of a crate on the ground no hinge joint, that of two
-shafts no slider either. Exit status 0 when all of that holds, 1 otherwise, 2 for a bad command
-line.
+shafts no slider either, that of a chain of ball joints none of all these. Exit status 0 when all of
+that holds, 1 otherwise, 2 for a bad command line.
 """
 import json
 import re
@@ -18,7 +18,8 @@ from pathlib import Path
 OTHERS = r"Line|Slide|RotationLock|Weld|SliderJoint|FixedJoint"
 PROGRAMS = {"door": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
             "crate": ("Corner::error", rf"{OTHERS}|HingeJoint"),
-            "shafts": ("Axis::error", rf"{OTHERS}|Corner|GroundContact")}
+            "shafts": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
+            "saved": ("restore", rf"{OTHERS}|Axis|HingeJoint|Corner|GroundContact|Scene")}
 
 
 class Wrong(Exception):

@@ -141,6 +141,7 @@ class DrivenJoint : public Joint {
   /// Counts turns, and chooses the limit that has a row in this step.
   void choose_rows(const Bodies& bodies, real h) override;
   void drop_rows() override { limit_ = late_ = {}, impulse_ = {}; }  ///< between static bodies
+  /// Limits, motor, count, live rows and impulses.
   void exchange_own(StateStream& stream) override {
     stream(range_.lower, range_.upper, motor_.speed, motor_.strength, next_, counting_, impulse_);
     for (LimitRow* row : {&limit_, &late_}) stream(row->sign, row->live);

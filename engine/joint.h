@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/block.h"
+#include "engine/state_stream.h"
 
 /// \defgroup joint Joints
 /// \brief What the engine asks of a joint; the joints themselves are the chapters'.
@@ -16,6 +17,12 @@ class Joint {
  public:
   BodyId body1, body2;    ///< the two bodies that it holds
   real beta = real(0.2);  ///< share of the error fed back in a step [1] (chapter 6)
+  /// Above 0: a spring of this natural frequency [Hz] takes the place of beta in every row of the
+  /// joint that holds a position, rigid or one-sided, limits too, but not in that of a motor. 0:
+  /// the rows are hard, unless Stepping::frequency makes them soft. Must be finite and not negative,
+  /// as damping. Projection leaves a soft joint alone.
+  real frequency = 0;
+  real damping = 1;       ///< damping ratio of that spring [1]; 1 is critical
   bool projected = true;  ///< takes part in position projection (Stepping::projections)
 
   /// \throws std::invalid_argument for a joint of a body with itself
@@ -49,6 +56,12 @@ class Joint {
     int motors = 0;       ///< 1 if a motor runs
   };
   virtual Extras extras() const { return {}; }  ///< none by default
+  /// Carries all that the joint keeps from step to step out of it, or into it: for save() and
+  /// restore() (state.h).
+  void exchange(StateStream& stream) {
+    stream(h_, can_move_);
+    exchange_own(stream);
+  }
 
   /// The mean force of a row over the last step, impulse / h [N or N m]; 0 before the first step.
   /// \param impulse its accumulated impulse [N s or N m s]
@@ -61,6 +74,14 @@ class Joint {
   virtual void choose_rows(const Bodies&, [[maybe_unused]] real h) {}
   /// Called instead of choose_rows() between two static bodies: no row is live.
   virtual void drop_rows() {}
+  /// The joint's own part of exchange(): names every variable that a later step may read, such as
+  /// accumulated impulses, always in the same order and as many.
+  virtual void exchange_own(StateStream&) {}
+  /// The target of a block that holds a position: hard by beta, or soft by frequency and damping.
+  /// \param lower 0 for C >= 0 in the last row
+  RowTarget hold(real lower = -unbounded) const {
+    return {.beta = beta, .frequency = frequency, .damping = damping, .lower = lower};
+  }
 
  private:
   real h_ = 0;  // the last step [s]

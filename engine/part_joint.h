@@ -23,7 +23,7 @@ class PartJoint : public Joint {
   }
   void append(const Bodies& bodies, Blocks& blocks) const override {
     const real lower = Part::one_sided ? real(0) : -unbounded;
-    blocks.append(bodies, body1, body2, part, {.beta = beta, .lower = lower}, impulse_.data());
+    blocks.append(bodies, body1, body2, part, hold(lower), impulse_.data());
   }
   /// The accumulated impulse of each row in the last step [N s, or N m s for an angular row].
   const Vector<Part::rows>& impulse() const { return impulse_; }
@@ -33,6 +33,9 @@ class PartJoint : public Joint {
     for (int i = 0; i < Part::rows; ++i) out[i] = mean_force(impulse_[i]);
     return out;
   }
+
+ protected:
+  void exchange_own(StateStream& stream) override { stream(impulse_); }
 
  private:
   mutable Vector<Part::rows> impulse_{};  // written by the solver through the block

@@ -8,8 +8,10 @@ namespace joints {
 namespace {
 
 // Projects the first `rows` rows of a block.
-void project(Bodies& bodies, const Blocks& blocks, const Block& block, int rows) {
+void project(World& world, const Block& block, int rows) {
   if (rows == 0) return;
+  Bodies& bodies = world.bodies;
+  const Blocks& blocks = world.blocks;
   Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
   Row response[6];
   real K[36], lambda[6];
@@ -22,7 +24,7 @@ void project(Bodies& bodies, const Blocks& blocks, const Block& block, int rows)
   }
   // lambda < 0: all rows together would need the limit to pull. Solve again without its row.
   const bool may_pull = rows < block.rows || !block.target.one_sided();
-  if (!may_pull && lambda[rows - 1] < 0) return project(bodies, blocks, block, rows - 1);
+  if (!may_pull && lambda[rows - 1] < 0) return project(world, block, rows - 1);
 
   Row move;  // M^-1 J^T lambda
   for (int i = 0; i < rows; ++i) {
@@ -31,11 +33,14 @@ void project(Bodies& bodies, const Blocks& blocks, const Block& block, int rows)
     move.v2 += lambda[i] * response[i].v2;
     move.w2 += lambda[i] * response[i].w2;
   }
-  const real share =  // at most 1: keeps both displacements and both rotations below their bounds
-      std::min({real(1), max_displacement / std::max(length(move.v1), max_displacement),
-                max_rotation / std::max(length(move.w1), max_rotation),
-                max_displacement / std::max(length(move.v2), max_displacement),
-                max_rotation / std::max(length(move.w2), max_rotation)});
+  // At most 1: keeps both displacements and both rotations below their bounds.
+  const auto within = [](const vec3& a, real most) {
+    const real size = length(a);
+    return size > most ? most / size : real(1);
+  };
+  const real share =
+      std::min({within(move.v1, world.max_displacement), within(move.w1, max_rotation),
+                within(move.v2, world.max_displacement), within(move.w2, max_rotation)});
   const auto displace = [&](Body& body, const vec3& displacement, const vec3& phi) {
     if (body.is_static()) return;
     body.x += share * displacement;
@@ -56,10 +61,10 @@ void project_positions(World& world) {
     joint->append(world.bodies, blocks);
     for (int k = known; k < int(blocks.list.size()); ++k) {
       const Block& block = blocks.list[k];
-      if (!block.target.holds_position) continue;  // only a rate is wanted
+      if (!block.target.holds_position || block.target.frequency > 0) continue;
       const real C = blocks.C[block.first + block.rows - 1];
       const bool leave_out_last = block.target.one_sided() && C > 0;
-      project(world.bodies, blocks, block, leave_out_last ? block.rows - 1 : block.rows);
+      project(world, block, leave_out_last ? block.rows - 1 : block.rows);
     }
     blocks.truncate(known);
   }

@@ -7,15 +7,14 @@
 /// @{
 namespace joints {
 
-/// The longest displacement of a body's centre by one block in one iteration [m].
-constexpr real max_displacement = real(0.2);
 /// The largest rotation of a body by one block in one iteration [rad].
 constexpr real max_rotation = real(0.2);
 
 /// One iteration of nonlinear Gauss-Seidel on the positions. Each joint whose `projected` is set
 /// appends its blocks at the present poses, and each block moves its bodies by M^-1 J^T K^-1 (-C):
-/// C is zero then to first order. Velocities do not change. A one-sided row is left out unless it
-/// is violated. Source: the thesis, section 6; Catto, Position Correction Notes (in the source of
+/// C is zero then to first order, unless World::max_displacement or max_rotation makes the move
+/// shorter. Velocities do not change. A one-sided row is left out unless it is violated, a soft
+/// block always. Source: the thesis, section 6; Catto, Position Correction Notes (in the source of
 /// Box2D 2), who calls it nonlinear Gauss-Seidel.
 void project_positions(World& world);
 

@@ -44,6 +44,7 @@ void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
   require(how.projections >= 0, "projections: must not be negative");
   require(finite(how.frequency) && how.frequency >= 0, "frequency: must not be negative [Hz]");
   require(finite(how.damping) && how.damping >= 0, "damping: must not be negative [1]");
+  require(world.max_displacement > 0, "max_displacement: must be positive [m]");
   solver.check();
 
   const bool first = world.last_h == 0;

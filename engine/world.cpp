@@ -28,4 +28,10 @@ void World::remove(BodyId body) {
   blocks.clear();
 }
 
+void World::set_beta(real beta) {
+  if (!finite(beta) || beta < 0)
+    refuse("beta: is " + std::to_string(beta) + "; must be finite and not negative [1]");
+  for (const auto& joint : joints_) joint->beta = beta;
+}
+
 }  // namespace joints

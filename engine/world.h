@@ -21,6 +21,10 @@ class World {
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
   Blocks blocks;  ///< the blocks of the last step; empty after anything was removed
   real last_h = 0;                  ///< length of the last (sub)step [s]; 0 before the first
+  /// The longest displacement of a body's centre by one block in one iteration of position
+  /// projection [m], positive. The default is for bodies of about 1 m: take a fifth of their size
+  /// for others.
+  real max_displacement = real(0.2);
 
   /// Adds a body. \throws std::invalid_argument as Bodies::add()
   BodyId add(const Body& body) { return bodies.add(body); }
@@ -39,6 +43,9 @@ class World {
   }
   /// Removes one joint. \throws std::invalid_argument if this world does not have it
   void remove(const Joint& joint);
+  /// Gives this beta to all joints that are there. \param beta share of the error fed back in a
+  /// step [1] \throws std::invalid_argument unless it is finite and not negative
+  void set_beta(real beta);
 
   /// The joints in the order in which they were added, which is the order of their blocks.
   const std::vector<std::unique_ptr<Joint>>& joints() const { return joints_; }

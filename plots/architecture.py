@@ -20,9 +20,9 @@ import layers  # noqa: E402
 GROUPS = {"tests": (620, 340, "what holds"),
           "bench": (620, 278, "error and time"),
           "programs": (620, 216, "chapters/*/program"),
-          "library": (330, 216, "engine/library"),
-          "solutions": (470, 216, "the exercises"),
-          "chapters": (470, 154, "parts and joints"),
+          "library": (475, 216, "engine/library"),
+          "solutions": (335, 216, "the exercises"),
+          "chapters": (440, 154, "parts and joints"),
           "simd": (400, 92, "engine/simd"),
           "instruments": (620, 92, "measuring"),
           "core": (510, 30, "engine/*: bodies, blocks, step, solvers")}

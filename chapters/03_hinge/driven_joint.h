@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numbers>
 
 #include "chapters/03_hinge/hinge.h"
 #include "engine/composite.h"
@@ -37,6 +38,9 @@ struct Limit {
 /// Tells an angle to count its turns to within half a turn of `expected`. A length has no turns.
 template <class Coordinate>
 void count_from(Coordinate&, [[maybe_unused]] real expected) {}
+/// Carries what an angle keeps of its count (Joint::exchange). A length keeps nothing.
+template <class Coordinate>
+void exchange_turns(Coordinate&, StateStream&) {}
 
 /// Says when a step need not measure the coordinate, because its limits are out of reach. This
 /// general one never skips; hinge_joint.h has the one that skips the hinge's atan2.
@@ -45,6 +49,7 @@ struct Leeway {
   /// Called after each measurement. \param slack to the nearer limit [rad or m]
   void measured(const Coordinate&, const Body&, const Body&, [[maybe_unused]] real slack) {}
   void forget() {}  ///< the next step measures in any case
+  void exchange(StateStream&) {}  ///< carries the measurement (Joint::exchange)
   /// True if the rotations since the measurement cannot have used up half of the slack.
   bool still_near(const Body&, const Body&) const { return false; }
   /// True if this step at the present velocities cannot use up half of the slack. \param h step [s]
@@ -69,7 +74,9 @@ class DrivenJoint : public Joint {
     if (drive_) drive_->leeway.forget();
   }
 
-  /// Limits of the coordinate [rad or m]; equal ones hold it there.
+  /// Limits of the coordinate [rad or m]; equal ones hold it there. If the joint has not counted
+  /// its turns so far, limits less than a turn apart say which turn it is in: the one in which the
+  /// angle is between them or nearest to them. Where wider ones leave it open, say so by expect().
   /// \throws std::invalid_argument unless lower <= upper
   void set_limits(real lower, real upper) {
     require(lower <= upper && lower < unbounded && upper > -unbounded,
@@ -87,15 +94,28 @@ class DrivenJoint : public Joint {
     require(strength >= 0, "strength: must not be negative [N m or N]");
     drive().motor = {speed, strength};
   }
+  /// Dry friction: a motor that holds the speed 0 with at most this torque or force. It takes the
+  /// place of the motor, as set_motor() takes its place: a joint has one of the two.
+  /// \param strength [N m or N], 0 for none \throws std::invalid_argument if it is negative
+  void set_friction(real strength) { set_motor(0, strength); }
+  /// Says where the coordinate is, to within half a turn: turns are counted from there. For bodies
+  /// that were put or loaded beyond half a turn, and to set the count anew.
+  /// \param x [rad or m] \throws std::invalid_argument unless it is finite
+  void expect(real x) {
+    require(finite(x), "x: must be finite [rad or m]");
+    drive().next = x;
+    drive().counting = true;
+  }
   /// The limits of the coordinate.
   Range limits() const { return drive_ ? drive_->range : Range{}; }
   /// The motor's settings.
   Motor motor() const { return drive_ ? drive_->motor : Motor{}; }
 
-  /// The coordinate [rad or m]. Turns are counted while the joint has a limit or a running motor.
+  /// The coordinate [rad or m]. Turns are counted while the joint has a limit or a running motor;
+  /// see expect().
   real position(const Bodies& bodies) const {
     Coordinate now = coordinate_;
-    if (drive_) count_from(now, drive_->next);
+    count_from(now, expected(bodies));
     return now.error(bodies[body1], bodies[body2]);
   }
   /// Its rate [rad/s or m/s].
@@ -147,6 +167,17 @@ class DrivenJoint : public Joint {
     impulse_ = {};
     if (drive_) drive_->drop();
   }
+  /// Limits, motor, count, live rows and impulses: as many numbers with a drive as without.
+  void exchange_own(StateStream& stream) override {
+    Drive none;
+    Drive& drive = drive_ ? *drive_ : none;
+    stream(drive.range.lower, drive.range.upper, drive.motor.speed, drive.motor.strength,
+           drive.next, drive.counting, drive.motor_impulse, drive.late_impulse, impulse_);
+    for (LimitRow* row : {&drive.limit, &drive.late}) stream(row->sign, row->live);
+    exchange_turns(coordinate_, stream);
+    drive.leeway.exchange(stream);
+    if (none.counted() || none.counting) drive_ = std::make_unique<Drive>(none);
+  }
   /// From the parts as they stand now.
   DrivenJoint(BodyId body1, BodyId body2, const First& first, const Second& second,
               const Coordinate& coordinate)
@@ -160,6 +191,7 @@ class DrivenJoint : public Joint {
     LimitRow limit, late;   // the limit that has a row in this step; one found late
     real x = 0, next = 0;   // the coordinate when measured; its expected value after the step
     bool measured = false;  // x was measured in this step
+    bool counting = false;  // next is known: measured, or told by expect()
     Leeway<Coordinate> leeway;
     real motor_impulse = 0, late_impulse = 0;  // written by the solver through the blocks
 
@@ -185,17 +217,26 @@ class DrivenJoint : public Joint {
   // What few steps need stays out of the way of those that do not.
   [[gnu::noinline]] void choose_limit(const Bodies& bodies, real h, bool near);
   [[gnu::noinline]] void add_late_limit(const Bodies& bodies, real h, Blocks& blocks);
+  // The coordinate is within half a turn of this. A joint that does not count yet takes the turn
+  // that its limits say.
+  real expected(const Bodies& bodies) const {
+    if (!drive_) return 0;
+    const auto& [lower, upper] = drive_->range;
+    if (drive_->counting || !(upper - lower < 2 * std::numbers::pi_v<real>)) return drive_->next;
+    Coordinate now = coordinate_;
+    count_from(now, drive_->next);
+    const real x = now.error(bodies[body1], bodies[body2]);
+    return lower <= x && x <= upper ? drive_->next : (lower + upper) / 2;
+  }
   void measure(const Bodies& bodies) {
-    count_from(coordinate_, drive_->next);
+    count_from(coordinate_, expected(bodies));
     drive_->next = drive_->x = coordinate_.error(bodies[body1], bodies[body2]);
-    drive_->measured = true;
+    drive_->measured = drive_->counting = true;
   }
   Limit<Coordinate> limit_part(real sign) const {
     return {coordinate_, drive_->bound(sign), sign};
   }
-  RowTarget limit_target() const {
-    return {.beta = beta, .lower = drive_->held() ? -unbounded : real(0)};
-  }
+  RowTarget limit_target() const { return hold(drive_->held() ? -unbounded : real(0)); }
 
   Coordinate coordinate_;
   std::unique_ptr<Drive> drive_;
@@ -210,6 +251,7 @@ void DrivenJoint<First, Second, Coordinate>::choose_limit(const Bodies& bodies, 
   const LimitRow before = drive.limit;
   drive.measured = false;
   drive.limit = drive.late = {};
+  if (!drive.counted()) drive.counting = false;
   if (drive.counted() && !near) {
     measure(bodies);
     drive.leeway.measured(coordinate_, a, b, drive.slack());
@@ -244,14 +286,14 @@ void DrivenJoint<First, Second, Coordinate>::append(const Bodies& bodies, Blocks
         drive_->motor_impulse);
   if (!whole) {
     if (limited) add(limit_part(drive_->limit.sign), limit_target(), impulse_[limit_place]);
-    add(first, {.beta = beta}, impulse_[0]);
-    add(second, {.beta = beta}, impulse_[First::rows]);
+    add(first, hold(), impulse_[0]);
+    add(second, hold(), impulse_[First::rows]);
   } else if (limited) {
     add(Composite<Composite<First, Second>, Limit<Coordinate>>{{first, second},
                                                                limit_part(drive_->limit.sign)},
         limit_target(), impulse_[0]);
   } else {
-    add(Composite<First, Second>{first, second}, {.beta = beta}, impulse_[0]);
+    add(Composite<First, Second>{first, second}, hold(), impulse_[0]);
   }
   if (drive_ && drive_->late.live)
     add(limit_part(drive_->late.sign), limit_target(), drive_->late_impulse);

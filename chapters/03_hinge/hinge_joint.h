@@ -11,6 +11,8 @@ namespace joints {
 
 /// An angle counts its turns.
 inline void count_from(HingeAngle& angle, real expected) { angle.expected = expected; }
+/// Its count is kept from step to step.
+inline void exchange_turns(HingeAngle& angle, StateStream& stream) { stream(angle.expected); }
 
 /// Skips atan2 while the limits of a hinge are out of reach. The angle's rate is g.(w2 - w1) with
 /// |g| = 1/cos(s/2), where s is the angle between the two axes (Eq. 3-10): while s stays below 83
@@ -32,6 +34,8 @@ struct Leeway<HingeAngle> {
     least_cosine_ = allowed_ > real(0.02) ? std::cos(allowed_ / 4) : real(2);
   }
   void forget() { least_cosine_ = 2; }  ///< the next step measures in any case
+  /// The measurement.
+  void exchange(StateStream& stream) { stream(q1_, q2_, allowed_, least_cosine_); }
   /// True if each body's rotation since the measurement is below half of the allowed one.
   bool still_near(const Body& body1, const Body& body2) const {
     return std::abs(half_cosine(q1_, body1.q)) > least_cosine_ &&

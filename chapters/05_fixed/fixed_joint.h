@@ -22,7 +22,7 @@ class FixedJoint : public Joint {
     check(weld.first);
   }
   void append(const Bodies& bodies, Blocks& blocks) const override {
-    const RowTarget target{.beta = beta};
+    const RowTarget target = hold();
     if (whole) {
       blocks.append(bodies, body1, body2, weld, target, impulse_.data());
     } else {
@@ -35,6 +35,9 @@ class FixedJoint : public Joint {
   Reaction load() const {
     return last_h() > 0 ? carried(impulse_, last_h()) : Reaction{};
   }
+
+ protected:
+  void exchange_own(StateStream& stream) override { stream(impulse_); }
 
  private:
   mutable Vector<6> impulse_{};  // written by the solver through the blocks

@@ -84,6 +84,12 @@ class GroundContact : public Joint {
   /// The least gap of the corners over the top [m]; negative: penetration.
   real gap(const Bodies& bodies) const;
 
+ protected:
+  void exchange_own(StateStream& stream) override {
+    stream(live_, near_);
+    for (int k = 0; k < outline.count; ++k) points_[std::size_t(k)].exchange(stream);
+  }
+
  private:
   // The state of a corner. C and rate are those at the step's beginning, with its forces.
   struct ContactPoint {
@@ -95,6 +101,9 @@ class GroundContact : public Joint {
     real target = 0;          // target rate of the normal row in this step [m/s]
     std::array<vec3, 2> t{};  // directions of friction, unit, world
     std::array<real, 3> impulse{};  // friction along t[0], along t[1], normal [N s]
+    void exchange(StateStream& stream) {
+      stream(live, last_rate, has_last, bounce, t, impulse);
+    }
     real gap_after(real h) const { return C + h * rate; }  // if no row holds it [m]
   };
 
@@ -271,8 +280,9 @@ inline void GroundContact::append_point(int k, const Bodies& bodies, Blocks& blo
                   {.holds_position = false, .follows = 2 - i, .upper = friction},  // Eq. 8-6
                   &point.impulse[std::size_t(i)]);
   }
-  blocks.append(bodies, body1, body2, part, {.beta = beta, .rate = point.target, .lower = 0},
-                &point.impulse[2]);
+  RowTarget target = hold(0);
+  target.rate = point.target;
+  blocks.append(bodies, body1, body2, part, target, &point.impulse[2]);
 }
 
 }  // namespace joints

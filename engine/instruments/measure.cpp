@@ -72,6 +72,19 @@ double energy(std::span<const Body> bodies, const vec3& gravity) {
   return sum;
 }
 
+Momentum momentum(std::span<const Body> bodies) {
+  Momentum sum;
+  for (const Body& body : bodies) {
+    if (body.is_static()) continue;
+    const dvec3 p = dvec3(body.v) / double(body.inverse_mass);
+    const dquat q(body.q.w, body.q.x, body.q.y, body.q.z);
+    sum.linear += p;
+    sum.angular += cross(dvec3(body.x), p) +
+                   q * (dvec3(to_local(body, body.w)) / dvec3(body.inverse_inertia_local));
+  }
+  return sum;
+}
+
 bool all_finite(std::span<const Body> bodies) {
   return std::all_of(bodies.begin(), bodies.end(), [](const Body& b) {
     return finite(b.x) && finite(b.q) && finite(b.v) && finite(b.w);

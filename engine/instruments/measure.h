@@ -56,6 +56,13 @@ class GapMeter {
 double kinetic_energy(const Body& body);
 /// Energy of motion and of position of all bodies [J], zero at rest in the origin.
 double energy(std::span<const Body> bodies, const vec3& gravity);
+/// Momentum of bodies, static ones left out.
+struct Momentum {
+  glm::dvec3 linear{0};   ///< [kg m/s]
+  glm::dvec3 angular{0};  ///< about the origin [kg m^2/s]
+};
+/// The momentum of all these bodies together.
+Momentum momentum(std::span<const Body> bodies);
 /// True while every place, orientation and velocity of every body is an ordinary number.
 bool all_finite(std::span<const Body> bodies);
 

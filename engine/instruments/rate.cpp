@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/sequential_impulses.h"
+#include "engine/state.h"
 #include "engine/step.h"
 
 namespace joints {
@@ -23,7 +24,7 @@ double contraction_rate(const std::function<double()>& iterate, int most) {
 }
 
 double contraction_rate(World& world, int most, real h) {
-  const Bodies as_it_was = world.bodies;
+  const State as_it_was = save(world);
   SequentialImpulses solver;
   begin_step(world, solver, h);
   std::vector<double> before(world.blocks.J.size(), 0.0);
@@ -44,7 +45,7 @@ double contraction_rate(World& world, int most, real h) {
         return size <= rounding * largest ? 0 : size;
       },
       most);
-  world.bodies = as_it_was;
+  restore(world, as_it_was);
   return rate;
 }
 

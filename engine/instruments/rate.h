@@ -15,8 +15,9 @@ namespace joints {
 /// 0 once that is rounding \param most how many iterations at the most
 double contraction_rate(const std::function<double()>& iterate, int most);
 
-/// The same of the first step of a world, by what Sequential Impulses change of the impulses. The
-/// bodies are left as they stand; impulses, blocks and last_h are not.
+/// The same of the next step of a world as it stands, by what Sequential Impulses change of the
+/// impulses. The world is left as it was, but for World::blocks, which are empty.
+/// \param h length of that step [s]
 double contraction_rate(World& world, int most, real h = real(1) / 60);
 
 }  // namespace joints

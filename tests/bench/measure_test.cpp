@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "chapters/03_hinge/hinge_joint.h"
 #include "engine/instruments/measure.h"
 #include "engine/instruments/record.h"
 #include "tests/checker/catch.h"
@@ -137,6 +138,33 @@ TEST_CASE("the measures see what the world holds") {
   const double kinetic = 0.5 * 3 * 9 + 0.5 * 1.25 * 16;
   CHECK(energy(all_of(world.bodies), vec3(0, -10, 1)) ==
         Approx(kinetic + 3 * (20 - 3)).epsilon(1e-5));
+}
+
+TEST_CASE("the momentum of bodies in the air stays, and a push changes it by its lever") {
+  World world;
+  world.gravity = vec3(0);
+  world.add(static_body(vec3(9)));
+  const quat q = rotation(vec3(real(0.4), -1, real(0.2)));
+  const BodyId a = world.add(body_with(2, vec3(1, 2, 3), vec3(1, 2, 3), q));
+  const BodyId b = world.add(body_with(3, vec3(2, 1, 2), vec3(2, 2, 3), q));
+  world.add<HingeJoint>(world.bodies, a, b, vec3(1.5, 2, 3), vec3(1, 1, 0));
+  world.bodies[a].v = vec3(1, -2, 3);
+  world.bodies[b].w = vec3(real(0.1), real(-0.3), real(0.2));
+  const Momentum start = momentum(all_of(world.bodies));
+  CHECK(length(start.linear - dvec3(2, -4, 6)) < tolerance(1e-12, 1e-5));
+  SequentialImpulses solver;
+  solver.iterations = 100;
+  for (int n = 0; n < 100; ++n) step(world, solver, real(1e-3));
+  const Momentum now = momentum(all_of(world.bodies));
+  CHECK(length(now.linear - start.linear) < tolerance(1e-10, 1e-4));
+  CHECK(length(now.angular - start.angular) < tolerance(1e-4, 1e-3));
+  // An impulse of 6 N s along y at the point (1, 0, 0) from the centre, itself at (1, 2, 3).
+  Body body = body_with(2, vec3(4), vec3(1, 2, 3));
+  body.v = vec3(0, 3, 0);
+  body.w = vec3(0, 0, real(1.5));
+  const Momentum pushed = momentum({&body, 1});
+  CHECK(length(pushed.linear - dvec3(0, 6, 0)) < 1e-6);
+  CHECK(length(pushed.angular - dvec3(-18, 0, 12)) < 1e-5);
 }
 
 TEST_CASE("a table refuses a row of another width and writes what it was given") {

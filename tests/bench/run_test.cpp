@@ -2,6 +2,8 @@
 #include "engine/instruments/rate.h"
 #include "engine/instruments/run.h"
 
+#include "chapters/02_ball/ball_joint.h"
+#include "engine/state.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 
@@ -93,4 +95,22 @@ TEST_CASE("the contraction rate is that of the slowest mode and 0 where all is s
   const auto ends = [&] { return left-- > 0 ? std::pow(0.3, 50 - left) : 0; };
   CHECK(contraction_rate(ends, 1000) == Approx(0.3).epsilon(1e-9));
   CHECK(contraction_rate([] { return 0.0; }, 10) == 0);
+}
+
+TEST_CASE("the contraction rate of a world that moves is measured without a trace in it") {
+  World world;
+  std::vector<BodyId> ids{world.add(static_body(vec3(0)))};
+  for (int k = 1; k <= 4; ++k) {
+    ids.push_back(world.add(ball(1, real(0.2), vec3(real(k), 0, 0))));
+    const Body &a = world.bodies[ids[std::size_t(k - 1)]], &b = world.bodies[ids.back()];
+    const vec3 middle = (a.x + b.x) / real(2);
+    world.add<BallJoint>(ids[std::size_t(k - 1)], ids.back(), point_at(a, b, middle));
+  }
+  SequentialImpulses solver;
+  for (int n = 0; n < 20; ++n) step(world, solver, real(1) / 60, {.warm_start = true});
+  const State before = save(world);
+  const double rate = contraction_rate(world, 600);
+  CHECK(rate > 0.5);
+  CHECK(rate < 1);
+  CHECK(save(world) == before);
 }

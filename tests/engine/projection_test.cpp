@@ -1,6 +1,7 @@
 // Position projection: what it holds, what it leaves alone, and that it costs nothing when off.
 #include <numbers>
 
+#include "chapters/01_distance/distance_joint.h"
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
 #include "engine/projection.h"
@@ -106,6 +107,53 @@ TEST_CASE("projection moves no body further than max_displacement in an iteratio
     CHECK(double(length(after.x - before.x)) < 0.2 * (1 + tolerance(1e-12, 1e-4)));
     const double sine = double(length(vec3(turned.x, turned.y, turned.z)));
     CHECK(2 * std::asin(std::min(1.0, sine)) < 0.2001);
+  }
+}
+
+TEST_CASE("a torn chain closes at any size alike if max_displacement has the size of the links") {
+  // powers of two, so that the same digits come out
+  const auto torn = [](double size, double cap) {
+    World world;
+    BodyId before = world.add(static_body(vec3(0)));
+    for (int k = 0; k < 4; ++k) {
+      const vec3 x = real(size) * vec3(real(k + 1), real(0.3) * real(k), 0);
+      const BodyId next = world.add(ball(1, real(size) / 4, x));
+      world.add<CentreDistanceJoint>(before, next, CentreDistance{real(size)});
+      before = next;
+    }
+    world.bodies[before].x.z = real(size) * 9;
+    world.max_displacement = real(cap);
+    std::vector<double> places;
+    for (int n = 0; n < 60; ++n) {
+      project_positions(world);
+      const vec3 x = world.bodies[before].x / real(size);
+      for (const real number : {x.x, x.y, x.z}) places.push_back(double(number));
+    }
+    return places;
+  };
+  const std::vector<double> metres = torn(1, double(World().max_displacement));
+  CHECK(std::abs(metres[2] - 9) < 0.2 * (1 + tolerance(1e-12, 1e-5)));
+  CHECK(metres.back() < 4);
+  for (const double size : {1.0 / 1024, 1024.0}) {
+    CHECK(torn(size, 0.2 * size) == metres);
+    CHECK(torn(size, 0.2) != metres);
+  }
+  World world;
+  SequentialImpulses solver;
+  for (const real bad : {real(0), real(-1), std::numeric_limits<real>::quiet_NaN()}) {
+    world.max_displacement = bad;
+    CHECK_THROWS_AS(step(world, solver, h), std::invalid_argument);
+  }
+}
+
+TEST_CASE("projection leaves a joint with a frequency to its spring") {
+  for (const real frequency : {real(0), real(3)}) {
+    Pendulum pendulum(0, 0);
+    pendulum.joint->frequency = frequency;
+    Body& bar = pendulum.world.bodies[pendulum.bar];
+    bar.x.y = real(0.1);
+    project_positions(pendulum.world);
+    CHECK((double(bar.x.y) == Approx(0.1)) == (frequency > 0));
   }
 }
 

@@ -31,6 +31,15 @@ double fall(const Hanging& hanging, int k) {
 
 }  // namespace
 
+TEST_CASE("one beta for a whole world is that of every joint, or nothing changes") {
+  Hanging hanging;
+  hanging.world.set_beta(real(0.7));
+  for (const auto& joint : hanging.world.joints()) CHECK(joint->beta == real(0.7));
+  for (const real bad : {real(-0.1), unbounded, std::numeric_limits<real>::quiet_NaN()})
+    CHECK_THROWS_AS(hanging.world.set_beta(bad), std::invalid_argument);
+  for (const auto& joint : hanging.world.joints()) CHECK(joint->beta == real(0.7));
+}
+
 TEST_CASE("a body that goes takes its joints along and what hung from it falls") {
   Hanging hanging;
   SequentialImpulses solver;

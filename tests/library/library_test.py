@@ -4,10 +4,10 @@ Installs BUILD into a folder of its own, copies the consumer beside this file ne
 copy against the installed files and runs it, once in double and once in float. Nothing that is
 compiled may come from ROOT, nothing that is installed may name it, and the program of a hinge may
 carry no slider, no weld and no ground, that of a crate on the ground no hinge joint, that of two
-shafts no slider either. The examples in the headers' comments compile. Double and float do not link
-into one program, and headers without their definitions say so. The library is configured without
-the packages that only the workbook needs. Exit status 0 when all of that holds, 1 otherwise, 2 for
-a bad command line.
+shafts no slider either, that of a chain of ball joints none of all these. The examples in the
+headers' comments compile. Double and float do not link into one program, and headers without their
+definitions say so. The library is configured without the packages that only the workbook needs.
+Exit status 0 when all of that holds, 1 otherwise, 2 for a bad command line.
 """
 import json
 import re
@@ -21,7 +21,8 @@ OTHERS = r"Line|Slide|RotationLock|Weld|SliderJoint|FixedJoint"
 PROGRAMS = {"door": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
             "crate": ("Corner::error", rf"{OTHERS}|HingeJoint"),
             "arm": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
-            "shafts": ("Axis::error", rf"{OTHERS}|Corner|GroundContact")}
+            "shafts": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
+            "saved": ("restore", rf"{OTHERS}|Axis|HingeJoint|Corner|GroundContact|Scene")}
 
 
 # What the examples in the headers' comments name.

@@ -27,7 +27,7 @@ int main() {
   solver.iterations = 50;
   bool good = true;
   for (const auto& [friction, expected] : {std::pair{30, 0}, std::pair{3, -120}}) {
-    elbow.set_motor(0, real(friction));  // friction: a speed of zero, at most this torque [N m]
+    elbow.set_friction(real(friction));  // at most this torque [N m]
     for (int n = 0; n < 240; ++n) step(world, solver, real(1) / 60, {.warm_start = true});
     const real at = shoulder.position(world.bodies) / degree;
     const real bent = elbow.position(world.bodies) / degree;

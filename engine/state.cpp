@@ -1,0 +1,71 @@
+// A world's numbers, out and in.
+#include "engine/state.h"
+
+#include <string>
+
+namespace joints {
+
+namespace {
+
+void exchange(Body& body, StateStream& stream) {
+  stream(body.x, body.q, body.v, body.w, body.force, body.torque);
+}
+
+std::string text(const std::array<int, 3>& shape) {
+  return "holds the bodies in slots " + std::to_string(shape[0]) + " and " +
+         std::to_string(shape[1]) + " and has " + std::to_string(shape[2]) + " numbers";
+}
+
+void require_same(const char* what, std::size_t theirs, std::size_t ours) {
+  if (theirs != ours)
+    refuse("state: has " + std::to_string(theirs) + " " + what + "; this world has " +
+           std::to_string(ours));
+}
+
+// Refuses a state that is not of the shape of this world's own.
+void require_shape(const State& state, const State& own) {
+  require_same("bodies", state.slots.size(), own.slots.size());
+  for (std::size_t k = 0; k < own.slots.size(); ++k)
+    if (state.slots[k] != own.slots[k])
+      refuse("state: has a body in slot " + std::to_string(state.slots[k]) +
+             "; this world has it in slot " + std::to_string(own.slots[k]));
+  require_same("joints", state.shapes.size(), own.shapes.size());
+  for (std::size_t k = 0; k < own.shapes.size(); ++k)
+    if (state.shapes[k] != own.shapes[k])
+      refuse("state: joint " + std::to_string(k) + " " + text(state.shapes[k]) +
+             "; this world's " + text(own.shapes[k]));
+  require_same("numbers of bodies", state.bodies.size(), own.bodies.size());
+  require_same("numbers of joints", state.joints.size(), own.joints.size());
+}
+
+}  // namespace
+
+State save(const World& world) {
+  State out;
+  out.last_h = world.last_h;
+  StateStream bodies(out.bodies), numbers(out.joints);
+  for (int slot = 0; slot < world.bodies.slots(); ++slot) {
+    if (!world.bodies.used(slot)) continue;
+    Body body = world.bodies.at(slot);
+    exchange(body, bodies);
+    out.slots.push_back(slot);
+  }
+  for (const auto& joint : world.joints()) {
+    const std::size_t before = out.joints.size();
+    joint->exchange(numbers);
+    out.shapes.push_back({int(joint->body1.slot), int(joint->body2.slot),
+                          int(out.joints.size() - before)});
+  }
+  return out;
+}
+
+void restore(World& world, const State& state) {
+  require_shape(state, save(world));
+  StateStream bodies(state.bodies.data()), numbers(state.joints.data());
+  for (const int slot : state.slots) exchange(world.bodies.at(slot), bodies);
+  for (const auto& joint : world.joints()) joint->exchange(numbers);
+  world.last_h = state.last_h;
+  world.blocks.clear();  // of another step
+}
+
+}  // namespace joints

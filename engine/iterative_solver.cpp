@@ -8,7 +8,8 @@ namespace joints {
 
 void IterativeSolver::check() const {
   require(iterations > 0, "iterations: there must be at least one");
-  require(finite(relaxation) && relaxation > 0, "relaxation: must be positive and finite");
+  require(relaxation > 0 && relaxation < 2, "relaxation", relaxation,
+          "must be above 0 and below 2 [1]");
 }
 
 const Blocks& IterativeSolver::blocks_of(const Bodies& bodies) const {

@@ -1,6 +1,7 @@
 // Algorithm 1 of the thesis: forces, blocks, impulses, poses.
 #include "engine/step.h"
 
+#include "engine/input.h"
 #include "engine/projection.h"
 
 namespace joints {
@@ -18,34 +19,8 @@ void soften(Blocks& blocks, int first, const Stepping& how) {
     }
 }
 
-}  // namespace
-
-void step(World& world, Solver& solver, real h, const Stepping& how) {
-  require(how.substeps > 0, "substeps: there must be at least one");
-  for (int substep = 0; substep < how.substeps; ++substep) {
-    const real h_sub = h / real(how.substeps);
-    begin_step(world, solver, h_sub, how);
-    solver.solve(world.bodies);
-    for (;;) {  // late limits: the new velocities would pass them within this step
-      const int known = int(world.blocks.list.size());
-      for (const auto& joint : world.joints())
-        if (joint->can_move()) joint->late_limits(world.bodies, h_sub, world.blocks);
-      if (int(world.blocks.list.size()) == known) break;
-      soften(world.blocks, known, how);
-      solver.prepare(world.bodies, world.blocks, known, h_sub);
-      solver.solve(world.bodies);
-    }
-    end_step(world, solver, h_sub, how);
-  }
-}
-
-void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
-  require(finite(h) && h > 0, "h: the step must be positive and finite [s]");
-  require(how.projections >= 0, "projections: must not be negative");
-  require(finite(how.frequency) && how.frequency >= 0, "frequency: must not be negative [Hz]");
-  require(finite(how.damping) && how.damping >= 0, "damping: must not be negative [1]");
-  solver.check();
-
+// begin_step() of what was looked over.
+void start(World& world, Solver& solver, real h, const Stepping& how) {
   const bool first = world.last_h == 0;
   const real ratio = !how.warm_start ? real(0) : first ? real(1) : h / world.last_h;
   Bodies& bodies = world.bodies;
@@ -65,6 +40,33 @@ void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
   solver.warm_start(bodies, ratio);
 }
 
+}  // namespace
+
+void step(World& world, Solver& solver, real h, const Stepping& how) {
+  require(how.substeps > 0, "substeps: there must be at least one");
+  const real h_sub = h / real(how.substeps);
+  check_input(world, solver, h_sub, how);
+  for (int substep = 0; substep < how.substeps; ++substep) {
+    start(world, solver, h_sub, how);
+    solver.solve(world.bodies);
+    for (;;) {  // late limits: the new velocities would pass them within this step
+      const int known = int(world.blocks.list.size());
+      for (const auto& joint : world.joints())
+        if (joint->can_move()) joint->late_limits(world.bodies, h_sub, world.blocks);
+      if (int(world.blocks.list.size()) == known) break;
+      soften(world.blocks, known, how);
+      solver.prepare(world.bodies, world.blocks, known, h_sub);
+      solver.solve(world.bodies);
+    }
+    end_step(world, solver, h_sub, how);
+  }
+}
+
+void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
+  check_input(world, solver, h, how);
+  start(world, solver, h, how);
+}
+
 void end_step(World& world, Solver& solver, real h, const Stepping& how) {
   if (how.leapfrog) turn(world.bodies, h / 2);
   solver.advance(world.bodies, h, [&world](Blocks& blocks) {
@@ -72,6 +74,7 @@ void end_step(World& world, Solver& solver, real h, const Stepping& how) {
   });
   if (how.leapfrog) turn(world.bodies, h / 2);
   for (int i = 0; i < how.projections; ++i) project_positions(world);
+  check_motion(world.bodies);
 }
 
 }  // namespace joints

@@ -32,6 +32,9 @@ struct Limit {
   }
 };
 
+/// The farthest limit of a coordinate [rad or m].
+constexpr real max_limit = real(1e9);
+
 /// Tells an angle to count its turns to within half a turn of `expected`. A length has no turns.
 template <class Coordinate>
 void count_from(Coordinate&, [[maybe_unused]] real expected) {}
@@ -60,21 +63,25 @@ class DrivenJoint : public Joint {
   Coordinate coordinate;  ///< the angle [rad] or displacement [m] that stays free
   bool whole = true;      ///< one block for all rigid rows and the limit, not one for each part
 
-  /// Limits of the coordinate [rad or m]; equal ones hold it there.
-  /// \throws std::invalid_argument unless lower <= upper
+  /// Limits of the coordinate [rad or m]; equal ones hold it there, infinite ones are none.
+  /// \throws std::invalid_argument unless lower <= upper and both are infinite or within max_limit
   void set_limits(real lower, real upper) {
     require(lower <= upper && lower < unbounded && upper > -unbounded,
             "lower: must not be above upper, and neither infinite on its wrong side [rad or m]");
+    for (const real bound : {lower, upper})
+      require(std::abs(bound) <= max_limit || std::abs(bound) == unbounded,
+              bound == lower ? "lower" : "upper", bound,
+              "must be within 1e9 [rad or m]; infinite for no limit");
     range_ = {lower, upper};
     leeway_.forget();
   }
   /// Removes both limits.
   void clear_limits() { range_ = {}, leeway_.forget(); }
   /// Runs the motor. \param speed [rad/s or m/s] \param strength [N m or N], 0 to switch it off
-  /// \throws std::invalid_argument unless the speed is finite and the strength not negative
+  /// \throws std::invalid_argument unless the speed is within max_speed and the strength not negative
   void set_motor(real speed, real strength) {
-    require(finite(speed), "speed: must be finite [rad/s or m/s]");
-    require(strength >= 0, "strength: must not be negative [N m or N]");
+    require(std::abs(speed) <= max_speed, "speed", speed, "must be within 3e8 [rad/s or m/s]");
+    require(strength >= 0, "strength", strength, "must not be negative [N m or N]");
     motor_ = {speed, strength};
     leeway_.forget();
   }
@@ -104,6 +111,14 @@ class DrivenJoint : public Joint {
     return out;
   }
 
+  /// The bodies, beta, and the three parts by their check().
+  void check_input(const Bodies& bodies) const override {
+    Joint::check_input(bodies);
+    check(first);
+    check(second);
+    check(coordinate);
+    require(finite(next_), "position", next_, "must be finite: make the joint anew");
+  }
   /// Measures again, so that no turn is lost, if projection has moved the bodies too far.
   void moved(const Bodies& bodies) override;
   /// Appends motor, limit and rigid rows, as far as they are live.

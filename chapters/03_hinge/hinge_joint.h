@@ -8,6 +8,21 @@
 /// @{
 namespace joints {
 
+/// \throws std::invalid_argument unless the three vectors are finite
+inline void check(const Axis& axis) {
+  if (finite(sum(axis.a1_local + axis.b_local + axis.c_local))) return;
+  require_finite("a1_local", axis.a1_local);
+  require_finite("b_local", axis.b_local);
+  require_finite("c_local", axis.c_local);
+}
+/// \throws std::invalid_argument unless axis, start and expected angle are finite
+inline void check(const HingeAngle& angle) {
+  if (finite(sum(angle.a1_local) + sum(angle.start) + angle.expected)) return;
+  require_finite("a1_local", angle.a1_local);
+  require_finite("start", angle.start);
+  require_finite("expected", angle.expected, "must be finite [rad]");
+}
+
 /// An angle counts its turns.
 inline void count_from(HingeAngle& angle, real expected) { angle.expected = expected; }
 

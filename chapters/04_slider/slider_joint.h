@@ -8,6 +8,24 @@
 /// @{
 namespace joints {
 
+/// \throws std::invalid_argument unless anchors and directions are finite
+inline void check(const Line& line) {
+  if (finite(sum(line.anchor1_local + line.anchor2_local + line.n1_local + line.n2_local))) return;
+  require_finite("anchor1_local", line.anchor1_local, "must be finite [m]");
+  require_finite("anchor2_local", line.anchor2_local, "must be finite [m]");
+  require_finite("n1_local", line.n1_local);
+  require_finite("n2_local", line.n2_local);
+}
+/// \throws std::invalid_argument unless `start` is finite
+inline void check(const RotationLock& lock) { require_finite("start", lock.start); }
+/// \throws std::invalid_argument unless the anchors and the direction are finite
+inline void check(const Slide& slide) {
+  if (finite(sum(slide.anchor1_local + slide.anchor2_local + slide.a1_local))) return;
+  require_finite("anchor1_local", slide.anchor1_local, "must be finite [m]");
+  require_finite("anchor2_local", slide.anchor2_local, "must be finite [m]");
+  require_finite("a1_local", slide.a1_local);
+}
+
 /// A slider: a line and the orientation are held (five degrees of freedom), the displacement along
 /// the line stays free and may have limits [m] and a motor [m/s, N].
 class SliderJoint : public DrivenJoint<Line, RotationLock, Slide> {

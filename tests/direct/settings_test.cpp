@@ -112,7 +112,7 @@ TEST_CASE("the Runge-Kutta method refuses steps, limits, motors and ropes that i
     change(hinge);
     RungeKutta kutta;
     const std::string words = refusal([&] { kutta.step(scene.world, length); });
-    return words.substr(0, words.find(':'));
+    return words.substr(0, words.find_first_of(": "));
   };
   const auto leave = [](HingeJoint&) {};
   CHECK(said(h, leave) == "accepted");

@@ -115,9 +115,9 @@ TEST_CASE("X16 a motor without a finite speed or with a negative strength change
   HingeJoint& hinge = *small.hinge;
   hinge.set_motor(3, 4);
   for (real bad : {no_number, unbounded, -unbounded})
-    CHECK_THAT(refusal([&] { hinge.set_motor(bad, 1); }), StartsWith("speed:"));
+    CHECK_THAT(refusal([&] { hinge.set_motor(bad, 1); }), StartsWith("speed is"));
   for (real bad : {no_number, real(-1), -unbounded})
-    CHECK_THAT(refusal([&] { hinge.set_motor(1, bad); }), StartsWith("strength:"));
+    CHECK_THAT(refusal([&] { hinge.set_motor(1, bad); }), StartsWith("strength is"));
   CHECK(double(hinge.motor().speed) == 3);
   CHECK(double(hinge.motor().strength) == 4);
   CHECK(refusal([&] { hinge.set_motor(-1, 0); }) == "accepted");

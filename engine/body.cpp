@@ -48,9 +48,6 @@ void require_finite(const char* what, const real& value, const char* must) {
 void require_finite(const char* what, const vec3& value, const char* must) {
   require(finite(value), what, value, must);
 }
-void require_finite(const char* what, const quat& value, const char* must) {
-  require(finite(value), what, value, must);
-}
 
 void check(const Body& body) {
   require_finite("x", body.x);

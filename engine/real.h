@@ -51,8 +51,10 @@ inline bool finite(const quat& q) {
 inline real sum(const vec3& a) { return a.x + a.y + a.z; }
 /// See the other one.
 inline real sum(const quat& q) { return q.w + q.x + q.y + q.z; }
-/// True if q is a rotation to within 1e-6, which displaces a point 10 m away by 10 micrometres.
-inline bool is_unit(const quat& q) { return std::abs(dot(q, q) - 1) < real(2e-6); }
+/// True if the length of a vector or quaternion is 1 to within 1e-6: a point 10 m away is displaced
+/// by at most 20 micrometres.
+template <class Vector>
+bool is_unit(const Vector& a) { return std::abs(dot(a, a) - 1) < real(2e-6); }
 
 /// Refuses bad input. Every std::invalid_argument of the engine and the joints is thrown here.
 /// \param what one sentence that names the argument and says what it should be
@@ -80,8 +82,6 @@ void require(bool good, const char* what, const Value& value, const char* must) 
 void require_finite(const char* what, const real& value, const char* must = "must be finite");
 /// The same for three numbers.
 void require_finite(const char* what, const vec3& value, const char* must = "must be finite");
-/// The same for four.
-void require_finite(const char* what, const quat& value, const char* must = "must be finite");
 
 }  // namespace joints
 /// @}

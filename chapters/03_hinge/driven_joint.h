@@ -91,7 +91,7 @@ class DrivenJoint : public Joint {
   /// The coordinate [rad or m]. Turns are counted while the joint has a limit or a running motor.
   real position(const Bodies& bodies) const {
     Coordinate now = coordinate;
-    count_from(now, next_);
+    count_from(now, expected());
     return now.error(bodies[body1], bodies[body2]);
   }
   /// Its rate [rad/s or m/s].
@@ -117,7 +117,6 @@ class DrivenJoint : public Joint {
     check(first);
     check(second);
     check(coordinate);
-    require(finite(next_), "position", next_, "must be finite: make the joint anew");
   }
   /// Measures again, so that no turn is lost, if projection has moved the bodies too far.
   void moved(const Bodies& bodies) override;
@@ -146,10 +145,12 @@ class DrivenJoint : public Joint {
   static constexpr int motor_place = limit_place + 1, late_place = limit_place + 2;
   static constexpr int places = limit_place + 3;
 
+  // After an overflow turns are counted anew.
+  real expected() const { return finite(next_) ? next_ : real(0); }
   // With a limit or a motor the coordinate and its turns are measured.
   bool counted() const { return limited() || motor_.strength > 0; }
   void measure(const Bodies& bodies) {
-    count_from(coordinate, next_);
+    count_from(coordinate, expected());
     next_ = x_ = coordinate.error(bodies[body1], bodies[body2]);
     measured_ = true;
   }
@@ -228,7 +229,7 @@ void DrivenJoint<First, Second, Coordinate>::late_limits(const Bodies& bodies, r
   leeway_.forget();
   if (!measured_) measure(bodies);
   const real rate = speed(bodies);
-  next_ = x_ + h * rate;
+  next_ = x_ + h * std::clamp(rate, -max_speed, max_speed);  // as fast as bodies can be
   if (!limited() || held() || late_.live) return;
   for (const real sign : {real(1), real(-1)}) {
     const real C = sign * (x_ - limit_part(sign).bound);

@@ -8,19 +8,20 @@
 /// @{
 namespace joints {
 
-/// \throws std::invalid_argument unless the three vectors are finite
+/// \throws std::invalid_argument unless the three vectors are of length 1
 inline void check(const Axis& axis) {
-  if (finite(sum(axis.a1_local + axis.b_local + axis.c_local))) return;
-  require_finite("a1_local", axis.a1_local);
-  require_finite("b_local", axis.b_local);
-  require_finite("c_local", axis.c_local);
+  const vec3 &a1 = axis.a1_local, &b = axis.b_local, &c = axis.c_local;
+  if (std::abs(dot(a1, a1) + dot(b, b) + dot(c, c) - 3) < real(1e-6)) return;
+  require(is_unit(a1), "a1_local", a1, "must have the length 1");
+  require(is_unit(b), "b_local", b, "must have the length 1");
+  require(is_unit(c), "c_local", c, "must have the length 1");
 }
-/// \throws std::invalid_argument unless axis, start and expected angle are finite
+/// \throws std::invalid_argument unless the axis is of length 1, `start` a rotation, and the
+/// expected angle finite
 inline void check(const HingeAngle& angle) {
-  if (finite(sum(angle.a1_local) + sum(angle.start) + angle.expected)) return;
-  require_finite("a1_local", angle.a1_local);
-  require_finite("start", angle.start);
-  require_finite("expected", angle.expected, "must be finite [rad]");
+  require(is_unit(angle.a1_local), "a1_local", angle.a1_local, "must have the length 1");
+  require(is_unit(angle.start), "start", angle.start, "must have the length 1");
+  require(finite(angle.expected), "expected", angle.expected, "must be finite [rad]");
 }
 
 /// An angle counts its turns.

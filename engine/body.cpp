@@ -15,8 +15,10 @@ namespace {
 template <class Number>
 std::string text(Number a) {
   char digits[32] = "a number with a unit";  // tests/checker/quantity.h
-  if constexpr (std::is_floating_point_v<Number>)
+  if constexpr (std::is_floating_point_v<Number>) {
+    if (std::isnan(a)) return "nan";  // of either sign
     std::snprintf(digits, sizeof digits, "%.*g", std::numeric_limits<real>::digits10, double(a));
+  }
   return digits;
 }
 

@@ -33,8 +33,8 @@ class Joint {
   /// changes anything, so it has to be quick; a joint with members of its own calls this one first.
   /// \throws std::invalid_argument, by member and value, for what no step can use
   virtual void check_input(const Bodies& bodies) const {
-    require(bodies.alive(body1), "body1: this id names no body of this world (removed, or not its)");
-    require(bodies.alive(body2), "body2: this id names no body of this world (removed, or not its)");
+    require(bodies.alive(body1), "body1: this id names no body of this world (removed?)");
+    require(bodies.alive(body2), "body2: this id names no body of this world (removed?)");
     require(!(body1 == body2), "body2: a joint needs two different bodies");
     require(beta >= 0 && beta <= max_beta, "beta", beta, "must be between 0 and 10 [1]");
   }

@@ -19,8 +19,30 @@ void soften(Blocks& blocks, int first, const Stepping& how) {
     }
 }
 
-// begin_step() of what was looked over.
-void start(World& world, Solver& solver, real h, const Stepping& how) {
+}  // namespace
+
+void step(World& world, Solver& solver, real h, const Stepping& how) {
+  require(how.substeps > 0, "substeps: there must be at least one");
+  for (int substep = 0; substep < how.substeps; ++substep) {
+    const real h_sub = h / real(how.substeps);
+    begin_step(world, solver, h_sub, how);
+    solver.solve(world.bodies);
+    for (;;) {  // late limits: the new velocities would pass them within this step
+      const int known = int(world.blocks.list.size());
+      for (const auto& joint : world.joints())
+        if (joint->can_move()) joint->late_limits(world.bodies, h_sub, world.blocks);
+      if (int(world.blocks.list.size()) == known) break;
+      soften(world.blocks, known, how);
+      solver.prepare(world.bodies, world.blocks, known, h_sub);
+      solver.solve(world.bodies);
+    }
+    end_step(world, solver, h_sub, how);
+  }
+}
+
+void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
+  check_input(world, solver, h, how);
+
   const bool first = world.last_h == 0;
   const real ratio = !how.warm_start ? real(0) : first ? real(1) : h / world.last_h;
   Bodies& bodies = world.bodies;
@@ -38,33 +60,6 @@ void start(World& world, Solver& solver, real h, const Stepping& how) {
   soften(world.blocks, 0, how);
   solver.prepare(bodies, world.blocks, 0, h);
   solver.warm_start(bodies, ratio);
-}
-
-}  // namespace
-
-void step(World& world, Solver& solver, real h, const Stepping& how) {
-  require(how.substeps > 0, "substeps: there must be at least one");
-  const real h_sub = h / real(how.substeps);
-  check_input(world, solver, h_sub, how);
-  for (int substep = 0; substep < how.substeps; ++substep) {
-    start(world, solver, h_sub, how);
-    solver.solve(world.bodies);
-    for (;;) {  // late limits: the new velocities would pass them within this step
-      const int known = int(world.blocks.list.size());
-      for (const auto& joint : world.joints())
-        if (joint->can_move()) joint->late_limits(world.bodies, h_sub, world.blocks);
-      if (int(world.blocks.list.size()) == known) break;
-      soften(world.blocks, known, how);
-      solver.prepare(world.bodies, world.blocks, known, h_sub);
-      solver.solve(world.bodies);
-    }
-    end_step(world, solver, h_sub, how);
-  }
-}
-
-void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
-  check_input(world, solver, h, how);
-  start(world, solver, h, how);
 }
 
 void end_step(World& world, Solver& solver, real h, const Stepping& how) {

@@ -78,7 +78,7 @@ class DrivenJoint : public Joint {
   /// Removes both limits.
   void clear_limits() { range_ = {}, leeway_.forget(); }
   /// Runs the motor. \param speed [rad/s or m/s] \param strength [N m or N], 0 to switch it off
-  /// \throws std::invalid_argument unless the speed is within max_speed and the strength not negative
+  /// \throws std::invalid_argument unless the speed is within max_speed and the strength at least 0
   void set_motor(real speed, real strength) {
     require(std::abs(speed) <= max_speed, "speed", speed, "must be within 3e8 [rad/s or m/s]");
     require(strength >= 0, "strength", strength, "must not be negative [N m or N]");

@@ -107,6 +107,29 @@ TEST_CASE("X16 a world takes no body that is not finite and none that is half st
   }
 }
 
+TEST_CASE("X16 a moment of inertia larger than the sum of the other two is refused") {
+  for (int k = 0; k < 3; ++k) {
+    vec3 moments(1);
+    moments[k] = 100;
+    CHECK_THAT(refusal([&] { body_with(1, moments, vec3(0)); }), StartsWith("inertia is ("));
+    moments[k] = 2;  // a disc without thickness
+    CHECK(refusal([&] { body_with(1, moments, vec3(0)); }) == "accepted");
+  }
+}
+
+TEST_CASE("X16 an orientation that is nearly of length 1 is normalised, so that no gap comes of it") {
+  World world;
+  Body body = box(1, vec3(1), vec3(0));
+  body.q = real(1.0004) * rotation(vec3(1, 2, 3));
+  const BodyId id = world.add(body);
+  CHECK(double(length(world.bodies[id].q)) == Approx(1).epsilon(4 * double(epsilon)));
+  const vec3 lever(10, 0, 0);
+  CHECK(double(length(world_point(world.bodies[id], lever))) == Approx(10).epsilon(1e-14));
+  const quat exact = rotation(vec3(real(0.1), 2, 1));
+  body.q = exact;
+  CHECK(world.bodies[world.add(body)].q == exact);  // to the last bit
+}
+
 TEST_CASE("X16 a joint needs two different bodies that live in its world") {
   Small small;
   const BodyId a = small.ceiling, b = small.weight;

@@ -124,6 +124,20 @@ TEST_CASE("X16 a motor without a finite speed or with a negative strength change
   CHECK(small.unchanged());
 }
 
+TEST_CASE("X16 a motor faster than any body and a limit farther than any turn are refused") {
+  Small small;
+  HingeJoint& hinge = *small.hinge;
+  const real huge = real(is_float ? 1e30 : 1e300);
+  for (const real bad : {huge, -huge, 2 * max_speed})
+    CHECK_THAT(refusal([&] { hinge.set_motor(bad, 1); }), StartsWith("speed is"));
+  CHECK(refusal([&] { hinge.set_motor(max_speed, 0); }) == "accepted");
+  CHECK_THAT(refusal([&] { hinge.set_limits(huge, huge); }), StartsWith("lower is"));
+  CHECK_THAT(refusal([&] { hinge.set_limits(0, huge); }), StartsWith("upper is"));
+  CHECK_THAT(refusal([&] { hinge.set_limits(-huge, 0); }), StartsWith("lower is"));
+  CHECK(refusal([&] { hinge.set_limits(-max_limit, max_limit); }) == "accepted");
+  CHECK(small.unchanged());
+}
+
 TEST_CASE("a motor of unbounded strength reaches its speed in one step and stays finite") {
   Small small;
   small.world.gravity = vec3(0);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "bench/runner.h"
 #include "chapters/09_direct/direct_solver.h"
@@ -101,8 +102,12 @@ struct Watch {
   bool finite = true;
   DirectSolver direct{};
   void step(real h) {
-    joints::step(world, directly ? static_cast<Solver&>(direct) : solver, h, stepping);
-    finite = finite && all_finite(all_of(world.bodies));
+    if (!finite) return;
+    try {
+      joints::step(world, directly ? static_cast<Solver&>(direct) : solver, h, stepping);
+    } catch (const std::overflow_error&) {  // all_finite() sees it
+    }
+    finite = all_finite(all_of(world.bodies));
   }
   /// The number, or NaN where a body was not finite at some time.
   double seen(double number) const { return finite ? number : none; }

@@ -2,11 +2,73 @@
 #include "engine/body.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
+#include <type_traits>
 
 namespace joints {
 
+// ---- what is refused ----------------------------------------------------------------------------
+
+namespace {
+
+template <class Number>
+std::string text(Number a) {
+  char digits[32] = "a number with a unit";  // tests/checker/quantity.h
+  if constexpr (std::is_floating_point_v<Number>) {
+    if (std::isnan(a)) return "nan";  // of either sign
+    std::snprintf(digits, sizeof digits, "%.*g", std::numeric_limits<real>::digits10, double(a));
+  }
+  return digits;
+}
+
+// A moment is an integral over two squares of coordinates; each square is in two moments.
+bool are_moments(const vec3& moments) {
+  const real sum = moments.x + moments.y + moments.z;
+  const real largest = glm::max(moments.x, glm::max(moments.y, moments.z));
+  return 2 * largest <= real(1.001) * sum;  // flat bodies are at the limit
+}
+
+}  // namespace
+
 void refuse(const std::string& what) { throw std::invalid_argument(what); }
+
+void refuse(const char* what, real value, const char* must) {
+  refuse(what + (" is " + text(value)) + "; " + must);
+}
+void refuse(const char* what, const vec3& a, const char* must) {
+  refuse(what + (" is (" + text(a.x)) + ", " + text(a.y) + ", " + text(a.z) + "); " + must);
+}
+void refuse(const char* what, const quat& q, const char* must) {
+  refuse(what + (" is (" + text(q.w)) + ", " + text(q.x) + ", " + text(q.y) + ", " + text(q.z) +
+         "); " + must);
+}
+
+void require_finite(const char* what, const real& value, const char* must) {
+  require(finite(value), what, value, must);
+}
+void require_finite(const char* what, const vec3& value, const char* must) {
+  require(finite(value), what, value, must);
+}
+
+void check(const Body& body) {
+  require_finite("x", body.x);
+  require(is_unit(body.q), "q", body.q, "must have the length 1");
+  require_finite("v", body.v);
+  require_finite("w", body.w);
+  require_finite("force", body.force);
+  require_finite("torque", body.torque);
+  const vec3& inertia = body.inverse_inertia_local;
+  require(finite(body.inverse_mass) && body.inverse_mass >= 0, "inverse_mass", body.inverse_mass,
+          "must be finite and not negative");
+  require(finite(inertia) && inertia.x >= 0 && inertia.y >= 0 && inertia.z >= 0,
+          "inverse_inertia_local", inertia, "must be finite and not negative");
+  const bool turns = inertia.x > 0 && inertia.y > 0 && inertia.z > 0;
+  require(body.inverse_mass > 0 ? turns : inertia == vec3(0), "inverse_inertia_local", inertia,
+          "must be zero where inverse_mass is (static), and positive elsewhere");
+}
+
+// ---- how bodies are made ------------------------------------------------------------------------
 
 mat3 rotated_inverse_inertia(const Body& body) {
   const vec3& inverse = body.inverse_inertia_local;
@@ -28,6 +90,8 @@ Body body_with(real mass, const vec3& inertia_local, const vec3& x, const quat& 
   require(finite(inertia_local) && inertia_local.x > 0 && inertia_local.y > 0 &&
               inertia_local.z > 0,
           "inertia: the three moments must be positive and finite [kg m^2]");
+  require(are_moments(inertia_local), "inertia", inertia_local,
+          "no moment may be larger than the sum of the other two");
   Body body = static_body(x, q);
   body.inverse_mass = 1 / mass;
   body.inverse_inertia_local = real(1) / inertia_local;
@@ -45,6 +109,8 @@ Body ball(real mass, real radius, const vec3& x) {
   require(finite(radius) && radius > 0, "radius: must be positive and finite [m]");
   return body_with(mass, vec3(real(0.4) * mass * radius * radius), x);
 }
+
+// ---- how they move ------------------------------------------------------------------------------
 
 quat rotation(const vec3& phi) {
   const real angle = length(phi);
@@ -99,19 +165,17 @@ void integrate_pose(Body& body, real h) {
   if (body.w != vec3(0)) body.q = normalize(rotation(h * body.w) * body.q);
 }
 
-BodyId Bodies::add(const Body& body) {
-  require(finite(body.x) && finite(body.v) && finite(body.w) && finite(body.force) &&
-              finite(body.torque),
-          "body: place, velocities, force and torque must be finite");
-  require(finite(body.q) && std::abs(dot(body.q, body.q) - 1) < real(1e-3),
-          "body: the orientation must be a unit quaternion");
-  const vec3& inertia = body.inverse_inertia_local;
-  require(finite(body.inverse_mass) && body.inverse_mass >= 0 && finite(inertia) &&
-              inertia.x >= 0 && inertia.y >= 0 && inertia.z >= 0,
-          "body: inverse mass and inverse inertia must be finite and not negative");
-  const bool turns = inertia.x > 0 && inertia.y > 0 && inertia.z > 0;
-  require(body.inverse_mass > 0 ? turns : inertia == vec3(0),
-          "body: inverse mass and inverse inertia must all be zero (static) or all positive");
+// ---- the array ----------------------------------------------------------------------------------
+
+BodyId Bodies::add(const Body& given) {
+  Body body = given;
+  const real square = dot(body.q, body.q);
+  if (std::abs(square - 1) > 8 * epsilon && std::abs(square - 1) < real(1e-3))
+    body.q = normalize(body.q);
+  check(body);
+  const vec3& inverse = body.inverse_inertia_local;
+  require(body.is_static() || are_moments(real(1) / inverse), "inverse_inertia_local", inverse,
+          "no moment may be larger than the sum of the other two");
   if (free_.empty()) {
     bodies_.push_back(body);
     generation_.push_back(1);

@@ -32,6 +32,10 @@ struct Body {
   }
 };
 
+/// \throws std::invalid_argument, by member and value, unless all numbers are finite, q has the
+/// length 1, and inverse mass and inverse moments are all zero (static) or all positive
+void check(const Body& body);
+
 /// Rotates a direction or lever from body space into world space: R(q) local.
 inline vec3 to_world(const Body& body, const vec3& local) { return body.q * local; }
 /// Rotates a direction or lever from world space into body space.
@@ -58,7 +62,8 @@ Body box(real mass, const vec3& size, const vec3& x, const quat& q = quat(1, 0, 
 /// \throws std::invalid_argument unless mass and radius are positive and finite
 Body ball(real mass, real radius, const vec3& x);
 /// A body with the given principal moments of inertia [kg m^2].
-/// \throws std::invalid_argument unless mass and moments are positive and finite
+/// \throws std::invalid_argument unless mass and moments are positive and finite, and no moment is
+/// larger than the sum of the other two
 Body body_with(real mass, const vec3& inertia_local, const vec3& x,
                const quat& q = quat(1, 0, 0, 0));
 
@@ -72,8 +77,8 @@ void kick(Body& body, const vec3& gravity, real h);
 void turn(Body& body, real h);
 /// The beginning of a step: kick() and turn(). \param gravity [m/s^2] \param h step [s]
 void integrate_forces(Body& body, const vec3& gravity, real h);
-/// Speed clamp: integrate_pose() scales a velocity down so that no component exceeds this
-/// [m/s or rad/s]. A diverging run stays finite.
+/// Speed clamp: integrate_pose() scales a finite velocity down so that no component exceeds this
+/// [m/s or rad/s]. A diverging run goes on until its impulses overflow, which step() reports.
 constexpr real max_speed = real(3e8);
 /// The end of a step: the velocities change position and orientation. \param h step [s]
 void integrate_pose(Body& body, real h);
@@ -95,8 +100,8 @@ struct BodyId {
 /// ids of the removed body are stale and refused from then on.
 class Bodies {
  public:
-  /// \throws std::invalid_argument unless all numbers are finite, q is a unit quaternion, and
-  /// inverse mass and inertia are all zero (static) or all positive
+  /// Adds a body; a q whose length is 1 within 5e-4 is normalised. \throws std::invalid_argument as
+  /// check(const Body&), and for moments of inertia that no body can have, see body_with()
   BodyId add(const Body& body);
   void remove(BodyId id);        ///< \throws std::invalid_argument for a stale id
   /// True if this id still names a body.

@@ -31,7 +31,8 @@ int followed_row(const Blocks& blocks, int k) {
 
 void IterativeSolver::check() const {
   require(iterations > 0, "iterations: there must be at least one");
-  require(finite(relaxation) && relaxation > 0, "relaxation: must be positive and finite");
+  require(relaxation > 0 && relaxation < 2, "relaxation", relaxation,
+          "must be above 0 and below 2 [1]");
 }
 
 void IterativeSolver::prepared_for(const Bodies& bodies, const Blocks& blocks) {

@@ -9,6 +9,10 @@
 /// @{
 namespace joints {
 
+/// The largest Joint::beta [1]. Above 2 every error grows, which is worth a look; a beta above this
+/// is a mistake.
+constexpr real max_beta = 10;
+
 /// The step asks a joint for its blocks once for the solver, and once in each iteration of position
 /// projection; the solver's inner loop never calls it. With Stepping::substeps "step" means substep
 /// here, and what is told of the last step is of the last substep. A new kind of joint is one new
@@ -16,7 +20,8 @@ namespace joints {
 class Joint {
  public:
   BodyId body1, body2;    ///< the two bodies that it holds
-  real beta = real(0.2);  ///< share of the error fed back in a step [1] (chapter 6)
+  /// Share of the error fed back in a step [1] (chapter 6), from 0 to max_beta.
+  real beta = real(0.2);
   /// Above 0: a spring of this natural frequency [Hz] takes the place of beta in every row of the
   /// joint that holds a position, rigid or one-sided, limits too, but not in that of a motor. 0:
   /// the rows are hard, unless Stepping::frequency makes them soft. Must be finite and not negative,
@@ -30,6 +35,20 @@ class Joint {
     require(!(body1 == body2), "body2: a joint needs two different bodies");
   }
   virtual ~Joint() = default;
+
+  /// Looks at all that others may have changed since the last step. It is called before a step
+  /// changes anything, so it has to be quick; a joint with members of its own calls this one first.
+  /// \throws std::invalid_argument, by member and value, for what no step can use
+  virtual void check_input(const Bodies& bodies) const {
+    require(bodies.alive(body1), "body1: this id names no body of this world (removed?)");
+    require(bodies.alive(body2), "body2: this id names no body of this world (removed?)");
+    require(!(body1 == body2), "body2: a joint needs two different bodies");
+    require(beta >= 0 && beta <= max_beta, "beta", beta, "must be between 0 and 10 [1]");
+    require(frequency >= 0 && frequency < unbounded, "frequency", frequency,
+            "must be finite and not negative [Hz]");
+    require(damping >= 0 && damping < unbounded, "damping", damping,
+            "must be finite and not negative [1]");
+  }
 
   /// Called once per step, before append(). \param h step [s]
   void begin_step(const Bodies& bodies, real h) {
@@ -54,6 +73,7 @@ class Joint {
     int limits = 0;       ///< 1 if its coordinate has limits, live or not
     int live_limits = 0;  ///< 1 if one of them has a row in this step
     int motors = 0;       ///< 1 if a motor runs
+    bool bounded = false;  ///< other rows of it have bounds: it only pulls, or pushes and rubs
   };
   virtual Extras extras() const { return {}; }  ///< none by default
   /// Carries all that the joint keeps from step to step out of it, or into it: for save() and

@@ -21,10 +21,16 @@ class PartJoint : public Joint {
   PartJoint(BodyId body1, BodyId body2, const Part& part) : Joint(body1, body2), part(part) {
     check(part);
   }
+  /// The bodies, beta, and the part by its check().
+  void check_input(const Bodies& bodies) const override {
+    Joint::check_input(bodies);
+    check(part);
+  }
   void append(const Bodies& bodies, Blocks& blocks) const override {
     const real lower = Part::one_sided ? real(0) : -unbounded;
     blocks.append(bodies, body1, body2, part, hold(lower), impulse_.data());
   }
+  Extras extras() const override { return {.bounded = Part::one_sided}; }  ///< bounds of ropes
   /// The accumulated impulse of each row in the last step [N s, or N m s for an angular row].
   const Vector<Part::rows>& impulse() const { return impulse_; }
   /// The mean force of each row in the last step, impulse / h [N or N m].

@@ -54,16 +54,41 @@ inline bool finite(const vec3& a) { return finite(a.x) && finite(a.y) && finite(
 inline bool finite(const quat& q) {
   return finite(q.w) && finite(q.x) && finite(q.y) && finite(q.z);
 }
+/// The sum of all entries is finite only if each of them is: a quick look before a close one.
+inline real sum(const vec3& a) { return a.x + a.y + a.z; }
+/// See the other one.
+inline real sum(const quat& q) { return q.w + q.x + q.y + q.z; }
+/// True if the length of a vector or quaternion is 1 to within 1e-6: a point 10 m away is displaced
+/// by at most 20 micrometres.
+template <class Vector>
+bool is_unit(const Vector& a) { return std::abs(dot(a, a) - 1) < real(2e-6); }
 
 /// Refuses bad input. Every std::invalid_argument of the engine and the joints is thrown here.
 /// \param what one sentence that names the argument and says what it should be
 /// \throws std::invalid_argument always
 [[noreturn]] void refuse(const std::string& what);
 
+/// Refuses a value, as in "beta is -1; must be between 0 and 10 [1]". \param what its name
+/// \param must what it should be, in words \throws std::invalid_argument always
+[[noreturn]] void refuse(const char* what, real value, const char* must);
+/// The same for three numbers.
+[[noreturn]] void refuse(const char* what, const vec3& value, const char* must);
+/// The same for four numbers, (w, x, y, z).
+[[noreturn]] void refuse(const char* what, const quat& value, const char* must);
+
 /// Calls refuse(what) unless `good`.
 inline void require(bool good, const char* what) {
   if (!good) refuse(what);
 }
+/// Calls refuse(what, value, must) unless `good`.
+template <class Value>
+void require(bool good, const char* what, const Value& value, const char* must) {
+  if (!good) refuse(what, value, must);
+}
+/// Refuses a number that is NaN or infinite.
+void require_finite(const char* what, const real& value, const char* must = "must be finite");
+/// The same for three numbers.
+void require_finite(const char* what, const vec3& value, const char* must = "must be finite");
 
 }  // namespace joints
 /// @}

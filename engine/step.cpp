@@ -1,6 +1,7 @@
 // Algorithm 1 of the thesis: forces, blocks, impulses, poses.
 #include "engine/step.h"
 
+#include "engine/input.h"
 #include "engine/projection.h"
 
 namespace joints {
@@ -40,12 +41,7 @@ void step(World& world, Solver& solver, real h, const Stepping& how) {
 }
 
 void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
-  require(finite(h) && h > 0, "h: the step must be positive and finite [s]");
-  require(how.projections >= 0, "projections: must not be negative");
-  require(finite(how.frequency) && how.frequency >= 0, "frequency: must not be negative [Hz]");
-  require(finite(how.damping) && how.damping >= 0, "damping: must not be negative [1]");
-  require(world.max_displacement > 0, "max_displacement: must be positive [m]");
-  solver.check();
+  check_input(world, solver, h, how);
 
   const bool first = world.last_h == 0;
   const real ratio = !how.warm_start ? real(0) : first ? real(1) : h / world.last_h;
@@ -71,6 +67,7 @@ void end_step(World& world, Solver& solver, real h, const Stepping& how) {
   });
   if (how.leapfrog) turn(world.bodies, h / 2);
   for (int i = 0; i < how.projections; ++i) project_positions(world);
+  check_motion(world.bodies);
 }
 
 }  // namespace joints

@@ -26,17 +26,23 @@ struct Stepping {
 /// Advances the world by one step of semi-implicit Euler: forces change the velocities, the solver
 /// finds the impulses of all joints, and the new velocities move the bodies. Allocates only when
 /// there are more rows than ever before, or the solver has to regroup its blocks.
-/// \param h step [s] \throws std::invalid_argument unless h is positive and finite and the settings
-/// of solver and step are valid; the world has not moved then. A bound that follows a missing row
-/// is refused only when the blocks are prepared, after the forces.
+/// \param h step [s]
+/// \throws std::invalid_argument for what check_input() of engine/input.h refuses: h, settings,
+/// bodies and joints. Nothing in the world has changed then, and it is said again at every try.
+/// \throws std::overflow_error at the end of a substep in which a number of a body has overflowed.
+/// All bodies that no joint connects with it have moved as ever; remove it, or put it right.
+///
+/// A block whose RowTarget::follows names no row is a mistake in the class of its joint: it shows
+/// only when the blocks are prepared, after the forces.
 void step(World& world, Solver& solver, real h, const Stepping& how = {});
 
 // The two ends of a step, to measure between the iterations. They do neither substeps nor late
 // limits: call solve() or iterate() between them.
 
-/// Integrates the forces, collects the joints' blocks, prepares them and starts warm or cold.
+/// Looks over all input, integrates the forces, collects the joints' blocks, prepares them and
+/// starts warm or cold. \throws std::invalid_argument as step()
 void begin_step(World& world, Solver& solver, real h, const Stepping& how = {});
-/// Moves the bodies and projects the positions.
+/// Moves the bodies and projects the positions. \throws std::overflow_error as step()
 void end_step(World& world, Solver& solver, real h, const Stepping& how = {});
 
 }  // namespace joints

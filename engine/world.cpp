@@ -6,8 +6,7 @@
 namespace joints {
 
 void World::adopt(std::unique_ptr<Joint> joint) {
-  bodies.index(joint->body1);  // refuses ids that name no body
-  bodies.index(joint->body2);
+  joint->check_input(bodies);
   joints_.push_back(std::move(joint));
 }
 

@@ -34,6 +34,7 @@ class World {
   /// Constructs a joint of type J from these arguments and adds it, as in
   /// `world.add<HingeJoint>(world.bodies, a, b, anchor, axis)`.
   /// \return the joint, valid until it or one of its bodies is removed
+  /// \throws std::invalid_argument from its constructor or Joint::check_input()
   template <class J, class... Arguments>
   J& add(Arguments&&... arguments) {
     auto joint = std::make_unique<J>(std::forward<Arguments>(arguments)...);

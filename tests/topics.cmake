@@ -1,5 +1,5 @@
 # The workbook's own tests, on the solutions, in double and float: one program a topic.
-set(topics engine joints stability lanes ground direct bench errata)
+set(topics engine joints stability lanes ground direct bench errata fuzz)
 # In double alone, and why float would prove nothing more:
 set(double_only
   joints/first_mistakes_test.cpp joints/mistakes_test.cpp joints/later_mistakes_test.cpp

@@ -1,4 +1,4 @@
-"""The workbook's own tests: ./wb check [3 | joints | E26 | I15] [--quick] [--sanitize]."""
+"""The workbook's own tests: ./wb check [3 | joints | E26 | I15] [--quick] [--sanitize] [--long]."""
 import os
 import re
 import resource
@@ -56,8 +56,10 @@ def choice_of(arguments):
     choice = Choice([a for a in arguments if not a.startswith("-")], "--quick" in arguments,
                     "--sanitize" in arguments)
     for word in arguments:
-        if word.startswith("-") and word not in ("--quick", "--sanitize"):
-            raise house.Trouble(f"check {word}: it takes --quick and --sanitize")
+        if word.startswith("-") and word not in ("--quick", "--sanitize", "--long"):
+            raise house.Trouble(f"check {word}: it takes --quick, --sanitize and --long")
+    if "--long" in arguments:
+        os.environ["WORKBOOK_LONG"] = "1"  # read by tests/fuzz
     if choice.sanitize:
         house.use_build("sanitize")
     house.configure()

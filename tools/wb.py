@@ -15,7 +15,8 @@ HELP = """The Joint Workbook
   ./wb tour            run every chapter's program, draw every figure, summarise
   ./wb check           the workbook's own tests
                        ./wb check 3: of one chapter; --quick: without float,
-                       units and known answers
+                       units and known answers; --long: ten times as many
+                       random worlds
 
   ./wb test 2.1        test one exercise (or a whole chapter: ./wb test 2)
   ./wb watch [2.1]     test again whenever you save

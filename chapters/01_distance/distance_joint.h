@@ -10,14 +10,15 @@ namespace joints {
 
 /// \throws std::invalid_argument unless the length is positive and finite
 inline void check(const CentreDistance& rod) {
-  require(finite(rod.length) && rod.length > 0,
-          "length: of a rod must be positive and finite [m]; for length 0 take a ball joint");
+  require(finite(rod.length) && rod.length > 0, "length", rod.length,
+          "of a rod it must be positive and finite [m]; for length 0 take a ball joint");
 }
 /// \throws std::invalid_argument unless the length is positive and finite, the anchors finite
 inline void check(const Distance& rod) {
   check(CentreDistance{rod.length});
-  require(finite(rod.anchor1_local), "anchor1_local: must be finite [m]");
-  require(finite(rod.anchor2_local), "anchor2_local: must be finite [m]");
+  if (finite(sum(rod.anchor1_local) + sum(rod.anchor2_local))) return;
+  require_finite("anchor1_local", rod.anchor1_local, "must be finite [m]");
+  require_finite("anchor2_local", rod.anchor2_local, "must be finite [m]");
 }
 /// A rope may have length 0. \throws std::invalid_argument as the rod otherwise
 template <class Rod>

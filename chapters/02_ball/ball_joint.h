@@ -10,8 +10,9 @@ namespace joints {
 
 /// \throws std::invalid_argument unless both anchors are finite
 inline void check(const Point& point) {
-  require(finite(point.anchor1_local), "anchor1_local: must be finite [m]");
-  require(finite(point.anchor2_local), "anchor2_local: must be finite [m]");
+  if (finite(sum(point.anchor1_local) + sum(point.anchor2_local))) return;
+  require_finite("anchor1_local", point.anchor1_local, "must be finite [m]");
+  require_finite("anchor2_local", point.anchor2_local, "must be finite [m]");
 }
 
 using BallJoint = PartJoint<Point>;  ///< ball and socket

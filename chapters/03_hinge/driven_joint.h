@@ -35,6 +35,9 @@ struct Limit {
   }
 };
 
+/// The farthest limit of a coordinate [rad or m].
+constexpr real max_limit = real(1e9);
+
 /// Tells an angle to count its turns to within half a turn of `expected`. A length has no turns.
 template <class Coordinate>
 void count_from(Coordinate&, [[maybe_unused]] real expected) {}
@@ -68,19 +71,25 @@ class DrivenJoint : public Joint {
 
   /// The angle [rad] or displacement [m] that stays free.
   const Coordinate& coordinate() const { return coordinate_; }
-  /// Measures another one from now on.
+  /// Measures another one from now on. \throws std::invalid_argument from its check()
   void set_coordinate(const Coordinate& coordinate) {
+    check(coordinate);
     coordinate_ = coordinate;
     if (drive_) drive_->leeway.forget();
   }
 
-  /// Limits of the coordinate [rad or m]; equal ones hold it there. If the joint has not counted
-  /// its turns so far, limits less than a turn apart say which turn it is in: the one in which the
-  /// angle is between them or nearest to them. Where wider ones leave it open, say so by expect().
-  /// \throws std::invalid_argument unless lower <= upper
+  /// Limits of the coordinate [rad or m]; equal ones hold it there, infinite ones are none. If the
+  /// joint has not counted its turns so far, limits less than a turn apart say which turn it is in:
+  /// the one in which the angle is between them or nearest to them. Where wider ones leave it open,
+  /// say so by expect().
+  /// \throws std::invalid_argument unless lower <= upper and both are infinite or within max_limit
   void set_limits(real lower, real upper) {
     require(lower <= upper && lower < unbounded && upper > -unbounded,
             "lower: must not be above upper, and neither infinite on its wrong side [rad or m]");
+    for (const real bound : {lower, upper})
+      require(std::abs(bound) <= max_limit || std::abs(bound) == unbounded,
+              bound == lower ? "lower" : "upper", bound,
+              "must be within 1e9 [rad or m]; infinite for no limit");
     drive().range = {lower, upper};
   }
   /// Removes both limits.
@@ -88,10 +97,10 @@ class DrivenJoint : public Joint {
     if (drive_) drive().range = {};
   }
   /// Runs the motor. \param speed [rad/s or m/s] \param strength [N m or N], 0 to switch it off
-  /// \throws std::invalid_argument unless the speed is finite and the strength not negative
+  /// \throws std::invalid_argument unless the speed is within max_speed and the strength at least 0
   void set_motor(real speed, real strength) {
-    require(finite(speed), "speed: must be finite [rad/s or m/s]");
-    require(strength >= 0, "strength: must not be negative [N m or N]");
+    require(std::abs(speed) <= max_speed, "speed", speed, "must be within 3e8 [rad/s or m/s]");
+    require(strength >= 0, "strength", strength, "must not be negative [N m or N]");
     drive().motor = {speed, strength};
   }
   /// Dry friction: a motor that holds the speed 0 with at most this torque or force. It takes the
@@ -138,6 +147,12 @@ class DrivenJoint : public Joint {
     return out;
   }
 
+  /// The bodies, beta, and the two rigid parts by their check().
+  void check_input(const Bodies& bodies) const override {
+    Joint::check_input(bodies);
+    check(first);
+    check(second);
+  }
   /// Measures again, so that no turn is lost, if projection has moved the bodies too far.
   void moved(const Bodies& bodies) override;
   /// Appends motor, limit and rigid rows, as far as they are live.
@@ -222,11 +237,12 @@ class DrivenJoint : public Joint {
   real expected(const Bodies& bodies) const {
     if (!drive_) return 0;
     const auto& [lower, upper] = drive_->range;
-    if (drive_->counting || !(upper - lower < 2 * std::numbers::pi_v<real>)) return drive_->next;
+    const real next = finite(drive_->next) ? drive_->next : real(0);  // 0 after an overflow
+    if (drive_->counting || !(upper - lower < 2 * std::numbers::pi_v<real>)) return next;
     Coordinate now = coordinate_;
-    count_from(now, drive_->next);
+    count_from(now, next);
     const real x = now.error(bodies[body1], bodies[body2]);
-    return lower <= x && x <= upper ? drive_->next : (lower + upper) / 2;
+    return lower <= x && x <= upper ? next : (lower + upper) / 2;
   }
   void measure(const Bodies& bodies) {
     count_from(coordinate_, expected(bodies));
@@ -307,7 +323,7 @@ void DrivenJoint<First, Second, Coordinate>::add_late_limit(const Bodies& bodies
   drive.leeway.forget();
   if (!drive.measured) measure(bodies);
   const real rate = speed(bodies);
-  drive.next = drive.x + h * rate;
+  drive.next = drive.x + h * std::clamp(rate, -max_speed, max_speed);  // as fast as bodies can be
   if (!drive.limited() || drive.held() || drive.late.live) return;
   for (const real sign : {real(1), real(-1)}) {
     const real C = sign * (drive.x - drive.bound(sign));

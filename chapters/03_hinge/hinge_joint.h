@@ -9,6 +9,22 @@
 /// @{
 namespace joints {
 
+/// \throws std::invalid_argument unless the three vectors are of length 1
+inline void check(const Axis& axis) {
+  const vec3 &a1 = axis.a1_local, &b = axis.b_local, &c = axis.c_local;
+  if (std::abs(dot(a1, a1) + dot(b, b) + dot(c, c) - 3) < real(1e-6)) return;
+  require(is_unit(a1), "a1_local", a1, "must have the length 1");
+  require(is_unit(b), "b_local", b, "must have the length 1");
+  require(is_unit(c), "c_local", c, "must have the length 1");
+}
+/// \throws std::invalid_argument unless the axis is of length 1, `start` a rotation, and the
+/// expected angle finite
+inline void check(const HingeAngle& angle) {
+  require(is_unit(angle.a1_local), "a1_local", angle.a1_local, "must have the length 1");
+  require(is_unit(angle.start), "start", angle.start, "must have the length 1");
+  require(finite(angle.expected), "expected", angle.expected, "must be finite [rad]");
+}
+
 /// An angle counts its turns.
 inline void count_from(HingeAngle& angle, real expected) { angle.expected = expected; }
 /// Its count is kept from step to step.

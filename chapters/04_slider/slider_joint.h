@@ -8,6 +8,24 @@
 /// @{
 namespace joints {
 
+/// \throws std::invalid_argument unless the anchors are finite and both directions of length 1
+inline void check(const Line& line) {
+  require_finite("anchor1_local", line.anchor1_local, "must be finite [m]");
+  require_finite("anchor2_local", line.anchor2_local, "must be finite [m]");
+  require(is_unit(line.n1_local), "n1_local", line.n1_local, "must have the length 1");
+  require(is_unit(line.n2_local), "n2_local", line.n2_local, "must have the length 1");
+}
+/// \throws std::invalid_argument unless `start` is a rotation
+inline void check(const RotationLock& lock) {
+  require(is_unit(lock.start), "start", lock.start, "must have the length 1");
+}
+/// \throws std::invalid_argument unless the anchors are finite and the direction is of length 1
+inline void check(const Slide& slide) {
+  require_finite("anchor1_local", slide.anchor1_local, "must be finite [m]");
+  require_finite("anchor2_local", slide.anchor2_local, "must be finite [m]");
+  require(is_unit(slide.a1_local), "a1_local", slide.a1_local, "must have the length 1");
+}
+
 /// A slider: a line and the orientation are held (five degrees of freedom), the displacement along
 /// the line stays free and may have limits [m] and a motor [m/s, N].
 class SliderJoint : public DrivenJoint<Line, RotationLock, Slide> {

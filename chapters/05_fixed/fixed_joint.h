@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chapters/02_ball/ball_joint.h"
+#include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed.h"
 
 /// \addtogroup chapter5
@@ -20,6 +21,12 @@ class FixedJoint : public Joint {
       : Joint(id1, id2), weld{point_at(bodies[id1], bodies[id2], anchor),
                               lock_of(bodies[id1], bodies[id2])} {
     check(weld.first);
+  }
+  /// The bodies, beta, and both parts by their check().
+  void check_input(const Bodies& bodies) const override {
+    Joint::check_input(bodies);
+    check(weld.first);
+    check(weld.second);
   }
   void append(const Bodies& bodies, Blocks& blocks) const override {
     const RowTarget target = hold();

@@ -31,6 +31,16 @@ inline Outline ball_outline(real radius) {
   return {.count = 1, .radius = radius};
 }
 
+/// \throws std::invalid_argument unless it has one to eight corners, all finite, and its radius is
+/// finite and not negative
+inline void check(const Outline& outline) {
+  require(outline.count >= 1 && outline.count <= 8, "outline: needs one to eight corners");
+  for (int k = 0; k < outline.count; ++k)
+    require_finite("outline.corners", outline.corners[std::size_t(k)], "must be finite [m]");
+  require(finite(outline.radius) && outline.radius >= 0, "outline.radius", outline.radius,
+          "must be finite and not negative [m]");
+}
+
 /// The top of a body: a plane at right angles to the body's own y axis, or a part of one.
 struct Top {
   real height = 0;          ///< above the body's centre [m]
@@ -38,6 +48,13 @@ struct Top {
   real half_z = unbounded;  ///< half its extent along the z axis [m]
   real depth = unbounded;   ///< a corner deeper than this is beside the body, not under its top [m]
 };
+/// \throws std::invalid_argument unless the height is finite and nothing else negative
+inline void check(const Top& top) {
+  require_finite("top.height", top.height, "must be finite [m]");
+  require(top.half_x >= 0, "top.half_x", top.half_x, "must not be negative [m]");
+  require(top.half_z >= 0, "top.half_z", top.half_z, "must not be negative [m]");
+  require(top.depth >= 0, "top.depth", top.depth, "must not be negative [m]");
+}
 /// The upper face of a box. \param size its edges [m]
 inline Top box_top(const vec3& size) {
   return {size.y / 2, size.x / 2, size.z / 2, size.y / 2};
@@ -54,7 +71,7 @@ class GroundContact : public Joint {
   Top top;                ///< the surface, on body 1
   const Outline outline;  ///< the points of body 2 that can touch it
   real friction = real(0.5);   ///< coefficient mu [1], not negative
-  real restitution = 0;        ///< share of the impact speed with which it rebounds [1]
+  real restitution = 0;        ///< share of the impact speed with which it rebounds, to 1 [1]
   real threshold = real(0.5);  ///< no rebound from an impact slower than this [m/s]
   bool turned_tangents = true;  ///< t1 follows the direction of sliding; false: t1 is fixed by n
 
@@ -62,22 +79,32 @@ class GroundContact : public Joint {
   static constexpr real at_rest = real(0.01);  ///< a corner slower than this does not slide [m/s]
 
   /// \param ground body 1, most often a static one
-  /// \throws std::invalid_argument for a body with itself, or an outline without corners
+  /// \throws std::invalid_argument for a body with itself, or from the outline's check
   GroundContact(BodyId ground, BodyId body, const Top& top, const Outline& outline)
       : Joint(ground, body), top(top), outline(outline) {
-    require(outline.count >= 1 && outline.count <= 8, "outline: needs one to eight corners");
+    check(outline);
     for (int k = 0; k < outline.count; ++k)
       reach_ = std::max(reach_, length(outline.corners[std::size_t(k)]) + outline.radius);
   }
 
+  /// The bodies, beta, the coefficients and the top.
+  void check_input(const Bodies& bodies) const override {
+    Joint::check_input(bodies);
+    check(top);
+    require(finite(friction) && friction >= 0, "friction", friction,
+            "must be finite and not negative [1]");
+    require(restitution >= 0 && restitution <= 1, "restitution", restitution,
+            "must be from 0 to 1 [1]");
+    require(threshold >= 0, "threshold", threshold, "must not be negative [m/s]");
+  }
   /// Chooses the corners that have rows in this step and their directions of friction.
-  /// \throws std::invalid_argument for a friction that is negative or not finite
   inline void choose_rows(const Bodies& bodies, real h) override;
   void drop_rows() override { points_ = {}, live_ = 0, near_ = false; }
   /// Appends friction, friction, normal of each corner that has rows.
   inline void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Appends the rows of corners that the new velocities would drive into the ground.
   inline void late_limits(const Bodies& bodies, real h, Blocks& blocks) override;
+  Extras extras() const override { return {.bounded = true}; }  ///< it only pushes, and rubs
 
   /// The number of corners that have rows in this step.
   int touching() const { return live_; }
@@ -142,7 +169,6 @@ class GroundContact : public Joint {
 // ---- which corners have rows --------------------------------------------------------------------
 
 inline void GroundContact::choose_rows(const Bodies& bodies, real h) {
-  require(finite(friction) && friction >= 0, "friction: must be finite and not negative [1]");
   const Body &a = bodies[body1], &b = bodies[body2];
   const bool was_near = near_;
   const real reserve = real(0.1) * h;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/input.h"
+
 namespace joints {
 
 namespace {
@@ -18,13 +20,13 @@ void displace(Body& body, real time) {
 }  // namespace
 
 void RungeKutta::step(World& world, real h) {
-  require(finite(h) && h > 0, "h: the step must be positive and finite [s]");
+  check_input(world, h);
   const char* const bounded = "world: no joint may have limits or a motor, and no row bounds";
   for (const auto& joint : world.joints()) {
     const Joint::Extras extras = joint->extras();
-    require(extras.limits == 0 && extras.motors == 0, bounded);
-    joint->begin_step(world.bodies, h);
+    require(extras.limits == 0 && extras.motors == 0 && !extras.bounded, bounded);
   }
+  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
   collect(world, world.blocks);
   for (const Block& block : world.blocks.list)
     require(block.target.lower == -unbounded && block.target.upper == unbounded &&
@@ -45,6 +47,7 @@ void RungeKutta::step(World& world, real h) {
   }
   write(world.bodies, 1, sum_);
   project(world);
+  check_motion(world.bodies);
 }
 
 void RungeKutta::read(const Bodies& bodies) {
@@ -106,9 +109,13 @@ void RungeKutta::find_slope(World& world, std::vector<State>& slope) {
   slope.clear();
   for (int slot = 0; slot < bodies.slots(); ++slot) {
     Body& body = bodies.at(slot);
+    if (body.is_static()) {  // stays where it is; a belt keeps its velocity
+      slope.push_back({vec3(0), quat(0, 0, 0, 0), vec3(0), vec3(0)});
+      body.v = body.w = vec3(0);
+      continue;
+    }
     slope.push_back({body.v, real(0.5) * (quat(0, body.w.x, body.w.y, body.w.z) * body.q),
                      vec3(0), vec3(0)});
-    if (body.is_static()) continue;
     const vec3 w = to_local(body, body.w), momentum = w / body.inverse_inertia_local;
     body.v = world.gravity + body.inverse_mass * body.force;  // from here on, accelerations
     body.w = inverse_inertia(body) * (body.torque - to_world(body, cross(w, momentum)));

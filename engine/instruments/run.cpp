@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace joints {
 
@@ -58,8 +59,12 @@ Run::Run(Experiment experiment)
 
 void Run::step() {
   ++now_.steps;
-  if (now_.steps > experiment_.untimed) clock_.time(experiment_.step);
-  else experiment_.step();
+  if (!now_.finite) return;  // there is nothing left that could move
+  try {
+    if (now_.steps > experiment_.untimed) clock_.time(experiment_.step);
+    else experiment_.step();
+  } catch (const std::overflow_error&) {  // look() sees it
+  }
   look();
 }
 

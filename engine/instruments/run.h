@@ -69,7 +69,7 @@ constexpr int last_two_thirds(int steps) { return steps - 2 * steps / 3 + 1; }
 class Run {
  public:
   explicit Run(Experiment experiment);  ///< looks at the start
-  void step();                          ///< does a step, and looks
+  void step();  ///< does a step, and looks; none after one that has overflowed
   Measures measures() const;            ///< of the run so far
   /// Of these, at once: the energies, how many steps, and whether all was finite.
   const Measures& now() const { return now_; }

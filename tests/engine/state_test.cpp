@@ -264,7 +264,7 @@ TEST_CASE("the force that a joint tells of is that of the step before the world 
   CHECK(wheel.motor_force() == restored.motor_force());
   CHECK(wheel.position(world.bodies) > 3);  // turns and all
   CHECK(wheel.position(world.bodies) == restored.position(other.bodies));
-  CHECK(wheel.coordinate.expected == restored.coordinate.expected);
+  CHECK(wheel.coordinate().expected == restored.coordinate().expected);
 }
 
 TEST_CASE("the state of a world of another shape is refused and nothing has changed") {

@@ -115,12 +115,26 @@ TEST_CASE("X16 a motor without a finite speed or with a negative strength change
   HingeJoint& hinge = *small.hinge;
   hinge.set_motor(3, 4);
   for (real bad : {no_number, unbounded, -unbounded})
-    CHECK_THAT(refusal([&] { hinge.set_motor(bad, 1); }), StartsWith("speed:"));
+    CHECK_THAT(refusal([&] { hinge.set_motor(bad, 1); }), StartsWith("speed is"));
   for (real bad : {no_number, real(-1), -unbounded})
-    CHECK_THAT(refusal([&] { hinge.set_motor(1, bad); }), StartsWith("strength:"));
+    CHECK_THAT(refusal([&] { hinge.set_motor(1, bad); }), StartsWith("strength is"));
   CHECK(double(hinge.motor().speed) == 3);
   CHECK(double(hinge.motor().strength) == 4);
   CHECK(refusal([&] { hinge.set_motor(-1, 0); }) == "accepted");
+  CHECK(small.unchanged());
+}
+
+TEST_CASE("X16 a motor faster than any body and a limit farther than any turn are refused") {
+  Small small;
+  HingeJoint& hinge = *small.hinge;
+  const real huge = real(is_float ? 1e30 : 1e300);
+  for (const real bad : {huge, -huge, 2 * max_speed})
+    CHECK_THAT(refusal([&] { hinge.set_motor(bad, 1); }), StartsWith("speed is"));
+  CHECK(refusal([&] { hinge.set_motor(max_speed, 0); }) == "accepted");
+  CHECK_THAT(refusal([&] { hinge.set_limits(huge, huge); }), StartsWith("lower is"));
+  CHECK_THAT(refusal([&] { hinge.set_limits(0, huge); }), StartsWith("upper is"));
+  CHECK_THAT(refusal([&] { hinge.set_limits(-huge, 0); }), StartsWith("lower is"));
+  CHECK(refusal([&] { hinge.set_limits(-max_limit, max_limit); }) == "accepted");
   CHECK(small.unchanged());
 }
 

@@ -295,7 +295,7 @@ TEST_CASE("a refused setting is named and nothing has moved") {
   const auto check = [&](auto solver, const std::string& name, auto set) {
     set(solver);
     const std::string words = refusal([&] { step(zoo.world, solver, h); });
-    CHECK(words.starts_with(name + ": "));
+    CHECK((words.starts_with(name + ": ") || words.starts_with(name + " is ")));
     CHECK(same(zoo.world, as_before.world));
   };
   const auto check_all = [&](auto solver) {
@@ -309,9 +309,9 @@ TEST_CASE("a refused setting is named and nothing has moved") {
     for (const real bad : {real(-1), nan, inf})
       CHECK(refusal([&] {
               step(zoo.world, solver, h, {.frequency = bad});
-            }).starts_with("frequency: "));
+            }).starts_with("frequency is "));
     for (const real bad : {real(0), real(-0.1), nan, inf})
-      CHECK(refusal([&] { step(zoo.world, solver, bad); }).starts_with("h: "));
+      CHECK(refusal([&] { step(zoo.world, solver, bad); }).starts_with("h is "));
     CHECK(same(zoo.world, as_before.world));
     Zoo another(1);
     solver.relaxation = real(1.9);

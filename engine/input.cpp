@@ -1,0 +1,78 @@
+// The looks are quick: one sum over all numbers of a body, which no NaN and no infinity passes.
+// Only what is then in doubt is looked at closely.
+#include "engine/input.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace joints {
+
+namespace {
+
+// Runs a check. What it refuses is told with the name of what was checked, as in "joint 3: ".
+template <class Check>
+void named(const char* what, std::size_t number, const Check& check) {
+  try {
+    check();
+  } catch (const std::invalid_argument& error) {
+    refuse(what + (" " + std::to_string(number)) + ": " + error.what());
+  }
+}
+
+// True if check() accepts this body, which can move. A static one is always looked at closely.
+bool is_good(const Body& body) {
+  const vec3& inverse = body.inverse_inertia_local;
+  return finite(sum(body.x + body.v + body.w + body.force + body.torque + inverse) +
+                body.inverse_mass) &&
+         is_unit(body.q) && body.inverse_mass > 0 && inverse.x > 0 && inverse.y > 0 &&
+         inverse.z > 0;
+}
+
+bool is_step(real h) { return h >= shortest_step && h <= longest_step; }
+
+}  // namespace
+
+void check_input(const World& world, real h) {
+  require(is_step(h), "h", h, "must be from 1e-9 to 1e9 [s]");
+  require(world.last_h == 0 || is_step(world.last_h), "last_h", world.last_h,
+          "must be 0 or the length of a step [s]");
+  require(finite(world.gravity), "gravity", world.gravity, "must be finite [m/s^2]");
+  require(world.max_displacement > 0, "max_displacement", world.max_displacement,
+          "must be positive [m]");
+  const Bodies& bodies = world.bodies;
+  for (int slot = 0, end = bodies.slots(); slot < end; ++slot)
+    if (const Body& body = bodies.at(slot); !is_good(body))
+      named("body", std::size_t(slot), [&] { check(body); });
+  std::size_t number = 0;
+  for (const auto& joint : world.joints())
+    named("joint", number++, [&] { joint->check_input(bodies); });
+}
+
+void check_input(const World& world, const Solver& solver, real h, const Stepping& how) {
+  solver.check();
+  require(how.projections >= 0, "projections: must not be negative");
+  require(finite(how.frequency) && how.frequency >= 0, "frequency", how.frequency,
+          "must be finite and not negative [Hz]");
+  require(finite(how.damping) && how.damping >= 0, "damping", how.damping,
+          "must be finite and not negative [1]");
+  check_input(world, h);
+  const auto [rate, softness] =
+      feedback({.beta = 1, .frequency = how.frequency, .damping = how.damping}, h);
+  require(finite(rate) && finite(softness), "frequency", how.frequency,
+          "a spring of this frequency and damping must be possible in a step of this length [Hz]");
+}
+
+void check_motion(const Bodies& bodies) {
+  for (int slot = 0, end = bodies.slots(); slot < end; ++slot) {
+    const Body& body = bodies.at(slot);
+    if (finite(sum(body.x + body.v + body.w) + sum(body.q))) continue;
+    try {
+      check(body);
+    } catch (const std::invalid_argument& error) {
+      throw std::overflow_error("body " + std::to_string(slot) + ": " + error.what() +
+                                "; a number has overflowed in this step");
+    }
+  }
+}
+
+}  // namespace joints

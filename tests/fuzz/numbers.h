@@ -1,0 +1,76 @@
+// All numbers of bodies and joints that anybody may change between two steps.
+#pragma once
+
+#include <vector>
+
+#include "chapters/01_distance/distance_joint.h"
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/05_fixed/fixed_joint.h"
+#include "chapters/08_ground/ground_contact.h"
+
+namespace joints::testing {
+
+/// Where the numbers stand.
+using Places = std::vector<real*>;
+
+inline void take(Places& out, real& a) { out.push_back(&a); }
+inline void take(Places& out, vec3& a) { for (int k = 0; k < 3; ++k) out.push_back(&a[k]); }
+inline void take(Places& out, quat& q) { out.insert(out.end(), {&q.w, &q.x, &q.y, &q.z}); }
+inline void take(Places& out, CentreDistance& rod) { take(out, rod.length); }
+inline void take(Places& out, Distance& rod) {
+  take(out, rod.anchor1_local), take(out, rod.anchor2_local), take(out, rod.length);
+}
+template <class Rod>
+void take(Places& out, Rope<Rod>& rope) { take(out, rope.rod); }
+inline void take(Places& out, Point& p) { take(out, p.anchor1_local), take(out, p.anchor2_local); }
+inline void take(Places& out, Axis& a) {
+  take(out, a.a1_local), take(out, a.b_local), take(out, a.c_local);
+}
+inline void take(Places& out, HingeAngle& a) {
+  take(out, a.a1_local), take(out, a.start), take(out, a.expected);
+}
+inline void take(Places& out, Line& a) {
+  take(out, a.anchor1_local), take(out, a.anchor2_local), take(out, a.n1_local);
+  take(out, a.n2_local);
+}
+inline void take(Places& out, RotationLock& lock) { take(out, lock.start); }
+inline void take(Places& out, Slide& a) {
+  take(out, a.anchor1_local), take(out, a.anchor2_local), take(out, a.a1_local);
+}
+inline void take(Places& out, Top& top) {
+  take(out, top.height), take(out, top.half_x), take(out, top.half_z), take(out, top.depth);
+}
+template <class Part>
+void take(Places& out, PartJoint<Part>& joint) { take(out, joint.part); }
+template <class First, class Second, class Coordinate>
+void take(Places& out, DrivenJoint<First, Second, Coordinate>& joint) {
+  take(out, joint.first), take(out, joint.second), take(out, joint.coordinate);
+}
+inline void take(Places& out, FixedJoint& joint) {
+  take(out, joint.weld.first), take(out, joint.weld.second);
+}
+inline void take(Places& out, GroundContact& joint) {
+  take(out, joint.top), take(out, joint.friction), take(out, joint.restitution);
+  take(out, joint.threshold);
+}
+inline void take(Places& out, Body& body) {
+  for (vec3* const a : {&body.x, &body.v, &body.w, &body.inverse_inertia_local, &body.force,
+                        &body.torque})
+    take(out, *a);
+  take(out, body.q), take(out, body.inverse_mass);
+}
+
+template <class... Kinds>
+void take_kinds(Places& out, Joint& joint) {
+  const auto look = [&]<class Kind>(Kind* one) {
+    if (one) take(out, *one);
+  };
+  (look(dynamic_cast<Kinds*>(&joint)), ...);
+}
+inline void take(Places& out, Joint& joint) {
+  take(out, joint.beta);
+  take_kinds<CentreDistanceJoint, DistanceJoint, CentreRopeJoint, RopeJoint, BallJoint, HingeJoint,
+             SliderJoint, FixedJoint, GroundContact>(out, joint);
+}
+
+}  // namespace joints::testing

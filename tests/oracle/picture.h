@@ -1,0 +1,49 @@
+// All bits of a world, to see that nothing in it has changed: also what no test may name, such as
+// the turns that a hinge has counted.
+#pragma once
+
+#include <string>
+
+#include "chapters/01_distance/distance_joint.h"
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/05_fixed/fixed_joint.h"
+#include "chapters/08_ground/ground_contact.h"
+#include "engine/world.h"
+
+namespace joints::testing {
+
+/// The bytes of one object; a joint keeps everything in itself.
+template <class T>
+std::string bytes_of(const T& object) {
+  return {reinterpret_cast<const char*>(&object), sizeof object};
+}
+
+/// Those of a joint if it is of one of these kinds, the bytes of what all joints have if of none.
+template <class... Kinds>
+std::string bytes_of_kinds(const Joint& joint) {
+  std::string out = bytes_of(joint);
+  const auto look = [&]<class Kind>(const Kind* one) {
+    if (one) out = bytes_of(*one);
+  };
+  (look(dynamic_cast<const Kinds*>(&joint)), ...);
+  return out;
+}
+
+inline std::string bits_of(const Joint& joint) {
+  return bytes_of_kinds<CentreDistanceJoint, DistanceJoint, CentreRopeJoint, RopeJoint, BallJoint,
+                        HingeJoint, SliderJoint, FixedJoint, GroundContact>(joint);
+}
+
+/// Bodies, joints, gravity, the blocks of the last step and its length.
+inline std::string bits_of(const World& world) {
+  std::string out = bytes_of(world.gravity) + bytes_of(world.last_h);
+  for (int slot = 0; slot < world.bodies.slots(); ++slot)
+    out += char(world.bodies.used(slot)) + bytes_of(world.bodies.at(slot));
+  for (const auto& joint : world.joints()) out += bits_of(*joint);
+  for (const Block& block : world.blocks.list) out += bytes_of(block);
+  for (const Row& row : world.blocks.J) out += bytes_of(row);
+  for (const real& error : world.blocks.C) out += bytes_of(error);
+  return out;
+}
+
+}  // namespace joints::testing

@@ -24,8 +24,8 @@ class Joint {
   real beta = real(0.2);
   /// Above 0: a spring of this natural frequency [Hz] takes the place of beta in every row of the
   /// joint that holds a position, rigid or one-sided, limits too, but not in that of a motor. 0:
-  /// the rows are hard, unless Stepping::frequency makes them soft. Must be finite and not negative,
-  /// as damping. Projection leaves a soft joint alone.
+  /// the rows are hard, unless Stepping::frequency makes them soft. Must be finite and not
+  /// negative, as damping. Projection leaves a soft joint alone.
   real frequency = 0;
   real damping = 1;       ///< damping ratio of that spring [1]; 1 is critical
   bool projected = true;  ///< takes part in position projection (Stepping::projections)

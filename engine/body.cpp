@@ -51,9 +51,16 @@ void require_finite(const char* what, const vec3& value, const char* must) {
   require(finite(value), what, value, must);
 }
 
+void require_unit(const char* what, const vec3& value) {
+  require(is_unit(value), what, value, "must have the length 1");
+}
+void require_unit(const char* what, const quat& value) {
+  require(is_unit(value), what, value, "must have the length 1");
+}
+
 void check(const Body& body) {
   require_finite("x", body.x);
-  require(is_unit(body.q), "q", body.q, "must have the length 1");
+  require_unit("q", body.q);
   require_finite("v", body.v);
   require_finite("w", body.w);
   require_finite("force", body.force);

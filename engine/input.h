@@ -7,8 +7,8 @@
 /// @{
 namespace joints {
 
-/// The shortest and the longest step [s].
-constexpr real shortest_step = real(1e-9), longest_step = real(1e9);
+constexpr real shortest_step = real(1e-9);  ///< [s]
+constexpr real longest_step = real(1e9);    ///< [s]
 
 /// Looks over a world that is about to be moved: gravity, each body by check(const Body&), each
 /// joint by Joint::check_input(). \param h step [s], from shortest_step to longest_step

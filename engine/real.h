@@ -89,6 +89,10 @@ void require(bool good, const char* what, const Value& value, const char* must) 
 void require_finite(const char* what, const real& value, const char* must = "must be finite");
 /// The same for three numbers.
 void require_finite(const char* what, const vec3& value, const char* must = "must be finite");
+/// Refuses a direction that is not of length 1.
+void require_unit(const char* what, const vec3& value);
+/// Refuses a rotation that is not of length 1.
+void require_unit(const char* what, const quat& value);
 
 }  // namespace joints
 /// @}

@@ -12,18 +12,16 @@ namespace joints {
 inline void check(const Line& line) {
   require_finite("anchor1_local", line.anchor1_local, "must be finite [m]");
   require_finite("anchor2_local", line.anchor2_local, "must be finite [m]");
-  require(is_unit(line.n1_local), "n1_local", line.n1_local, "must have the length 1");
-  require(is_unit(line.n2_local), "n2_local", line.n2_local, "must have the length 1");
+  require_unit("n1_local", line.n1_local);
+  require_unit("n2_local", line.n2_local);
 }
 /// \throws std::invalid_argument unless `start` is a rotation
-inline void check(const RotationLock& lock) {
-  require(is_unit(lock.start), "start", lock.start, "must have the length 1");
-}
+inline void check(const RotationLock& lock) { require_unit("start", lock.start); }
 /// \throws std::invalid_argument unless the anchors are finite and the direction is of length 1
 inline void check(const Slide& slide) {
   require_finite("anchor1_local", slide.anchor1_local, "must be finite [m]");
   require_finite("anchor2_local", slide.anchor2_local, "must be finite [m]");
-  require(is_unit(slide.a1_local), "a1_local", slide.a1_local, "must have the length 1");
+  require_unit("a1_local", slide.a1_local);
 }
 
 /// A slider: a line and the orientation are held (five degrees of freedom), the displacement along

@@ -117,7 +117,7 @@ TEST_CASE("X16 a moment of inertia larger than the sum of the other two is refus
   }
 }
 
-TEST_CASE("X16 an orientation that is nearly of length 1 is normalised, so that no gap comes of it") {
+TEST_CASE("X16 an orientation that is nearly of length 1 is normalised: no gap comes of it") {
   World world;
   Body body = box(1, vec3(1), vec3(0));
   body.q = real(1.0004) * rotation(vec3(1, 2, 3));

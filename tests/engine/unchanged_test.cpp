@@ -134,6 +134,27 @@ TEST_CASE("a step refuses a joint by number, member and value and changes no bit
              StartsWith("joint 1: length is 0"));
 }
 
+TEST_CASE("a contact with a top or an outline that is no number is not added") {
+  Zoo zoo;
+  const auto add = [&](const Top& top, const Outline& outline) {
+    const std::string before = bits_of(zoo.world);
+    const std::string words =
+        refusal([&] { zoo.world.add<GroundContact>(zoo.ground, zoo.free, top, outline); });
+    const bool unchanged = bits_of(zoo.world) == before;
+    CHECK(unchanged);
+    return words;
+  };
+  const Outline good = box_outline(vec3(1));
+  Outline bad = good;
+  bad.corners[3].y = no_number;
+  CHECK_THAT(add(Top{}, bad), StartsWith("outline.corners is ("));
+  CHECK_THAT(add(Top{}, {.count = 1, .radius = no_number}), StartsWith("outline.radius is nan"));
+  CHECK_THAT(add({.height = unbounded}, good), StartsWith("top.height is inf"));
+  CHECK_THAT(add({.half_x = no_number}, good), StartsWith("top.half_x is nan"));
+  CHECK_THAT(add({.half_z = -1}, good), StartsWith("top.half_z is -1"));
+  CHECK_THAT(add({.depth = no_number}, good), StartsWith("top.depth is nan"));
+}
+
 TEST_CASE("a step refuses bad gravity and bad settings before its first substep") {
   CHECK_THAT(said([](Zoo& zoo) { zoo.world.gravity.x = unbounded; }), StartsWith("gravity is ("));
   for (const real bad : {no_number, real(-1), std::numeric_limits<real>::denorm_min()})

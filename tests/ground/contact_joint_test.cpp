@@ -132,22 +132,6 @@ TEST_CASE("who is far off is not looked at, and nobody who comes within a step i
   CHECK(none > 300);
 }
 
-TEST_CASE("X16 a top or an outline with a number that is none is refused") {
-  Grounded box = standing();
-  const auto add = [&](const Top& top, const Outline& outline) {
-    return refusal([&] { box.world.add<GroundContact>(box.ground, box.body, top, outline); });
-  };
-  Outline outline = box_outline(brick);
-  outline.corners[3].y = no_number;
-  CHECK_THAT(add(Top{}, outline), StartsWith("outline.corners is ("));
-  CHECK_THAT(add(Top{}, {.count = 1, .radius = no_number}), StartsWith("outline.radius is nan"));
-  CHECK_THAT(add({.height = unbounded}, box_outline(brick)), StartsWith("top.height is inf"));
-  CHECK_THAT(add({.half_x = no_number}, box_outline(brick)), StartsWith("top.half_x is nan"));
-  CHECK_THAT(add({.half_z = -1}, box_outline(brick)), StartsWith("top.half_z is -1"));
-  CHECK_THAT(add({.depth = no_number}, box_outline(brick)), StartsWith("top.depth is nan"));
-  CHECK(box.world.joints().size() == 1);
-}
-
 TEST_CASE("X16 a friction that is negative or no number is refused when the step begins") {
   for (const real bad : {real(-0.1), no_number, unbounded}) {
     Grounded box = standing();

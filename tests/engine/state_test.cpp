@@ -185,7 +185,7 @@ TEST_CASE("a world can be restored at every moment of a bounce into one at any o
 }
 
 TEST_CASE("a restored world goes on to the bit with every packing with lanes or without") {
-  for (const Packing packing : {Packing::islands, Packing::colours, Packing::list})
+  for (const Packing packing : {Packing::automatic, Packing::colours, Packing::list})
     for (const bool lanes : {false, true})
       for (const Stepping& how : {warm, all}) {
         CAPTURE(int(packing), lanes, how.substeps);

@@ -173,7 +173,8 @@ class DrivenJoint : public Joint {
   /// Counts turns, and chooses the limit that has a row in this step.
   void choose_rows(const Bodies& bodies, real h) override {
     if (!drive_) return;
-    const bool near = drive_->leeway.still_near(at(bodies, body1), at(bodies, body2));
+    const Body &a = at(bodies, body1), &b = at(bodies, body2);
+    const bool near = drive_->leeway.is_slow(a, b, h) && drive_->leeway.still_near(a, b);
     if (!near || drive_->measured || drive_->limit.live || drive_->late.live)
       choose_limit(bodies, h, near);
   }

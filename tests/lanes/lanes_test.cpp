@@ -160,7 +160,7 @@ TEST_CASE("what overflows in one joint does not reach another through a static b
     }
     const real huge = std::numeric_limits<real>::max();
     world.bodies[ids[0]].v = vec3(huge);
-    world.bodies[ids[0]].w = vec3(huge, -huge, huge);
+    world.bodies[ids[0]].w = vec3(huge);
     begin_step(world, solver, h);
     solver.solve(world.bodies);
     CHECK_FALSE((finite(world.bodies[ids[0]].v) && finite(world.bodies[ids[0]].w)));

@@ -97,8 +97,6 @@ Body body_with(real mass, const vec3& inertia_local, const vec3& x, const quat& 
   require(finite(inertia_local) && inertia_local.x > 0 && inertia_local.y > 0 &&
               inertia_local.z > 0,
           "inertia: the three moments must be positive and finite [kg m^2]");
-  require(are_moments(inertia_local), "inertia", inertia_local,
-          "no moment may be larger than the sum of the other two");
   Body body = static_body(x, q);
   body.inverse_mass = 1 / mass;
   body.inverse_inertia_local = real(1) / inertia_local;

@@ -62,8 +62,7 @@ Body box(real mass, const vec3& size, const vec3& x, const quat& q = quat(1, 0, 
 /// \throws std::invalid_argument unless mass and radius are positive and finite
 Body ball(real mass, real radius, const vec3& x);
 /// A body with the given principal moments of inertia [kg m^2].
-/// \throws std::invalid_argument unless mass and moments are positive and finite, and no moment is
-/// larger than the sum of the other two
+/// \throws std::invalid_argument unless mass and moments are positive and finite
 Body body_with(real mass, const vec3& inertia_local, const vec3& x,
                const quat& q = quat(1, 0, 0, 0));
 
@@ -101,7 +100,7 @@ struct BodyId {
 class Bodies {
  public:
   /// Adds a body; a q whose length is 1 within 5e-4 is normalised. \throws std::invalid_argument as
-  /// check(const Body&), and for moments of inertia that no body can have, see body_with()
+  /// check(const Body&), or if a moment of inertia is larger than the sum of the other two
   BodyId add(const Body& body);
   void remove(BodyId id);        ///< \throws std::invalid_argument for a stale id
   /// True if this id still names a body.

@@ -157,7 +157,7 @@ TEST_CASE("a body of isotropic inertia keeps its angular velocity to the last bi
 TEST_CASE("world force and torque act on a body that is turned") {
   // a quarter turn about z: the body's x axis points along the world's y
   const quat quarter = rotation(vec3(0, 0, std::numbers::pi_v<real> / 2));
-  Body body = body_with(2, vec3(1, 4, 4), vec3(0), quarter);
+  Body body = body_with(2, vec3(1, 4, 8), vec3(0), quarter);
   body.force = vec3(6, 0, -4);
   body.torque = vec3(0, 12, 0);
   integrate_forces(body, vec3(0, -10, 0), real(0.5));

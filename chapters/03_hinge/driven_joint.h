@@ -188,7 +188,8 @@ class DrivenJoint : public Joint {
     Drive none;
     Drive& drive = drive_ ? *drive_ : none;
     stream(drive.range.lower, drive.range.upper, drive.motor.speed, drive.motor.strength,
-           drive.next, drive.counting, drive.motor_impulse, drive.late_impulse, impulse_);
+           drive.next, drive.counting, drive.measured, drive.motor_impulse, drive.late_impulse,
+           impulse_);
     for (LimitRow* row : {&drive.limit, &drive.late}) stream(row->sign, row->live);
     exchange_turns(coordinate_, stream);
     drive.leeway.exchange(stream);

@@ -232,9 +232,11 @@ std::string overflow(const std::function<void()>& step) {
 
 }  // namespace
 
-TEST_CASE("a number that overflows within a step is told with its body and spreads no further") {
+// A number of one body overflows in a step.
+template <class S>
+void spreads_no_further() {
   Shared spoilt, whole;
-  DirectSolver solver, other;
+  S solver, other;
   const Stepping how{.warm_start = true};
   spoilt.world.bodies[spoilt.pushed].force.x = std::numeric_limits<real>::max();
   const std::string words = overflow([&] { step(spoilt.world, solver, h, how); });
@@ -261,6 +263,12 @@ TEST_CASE("a number that overflows within a step is told with its body and sprea
   CHECK(same(spoilt.ceiling));
   CHECK(same(spoilt.quiet));
   CHECK(same(spoilt.falling));
+}
+
+TEST_CASE("a number that overflows within a step is told with its body and spreads no further") {
+  spreads_no_further<SequentialImpulses>();
+  spreads_no_further<PackedImpulses>();
+  spreads_no_further<DirectSolver>();
 }
 
 TEST_CASE("what overflows is told at the end of its substep, whichever solver moved the bodies") {

@@ -193,16 +193,18 @@ inline void prepare_record(Record<Rows, N, hard, Number>& record, const Velociti
   }
 }
 
-// Applies `ratio` times the accumulated impulses; a row that depends on others gets none.
+// Applies `ratio` times the accumulated impulses; a row that depends on others gets none. With 0
+// they are forgotten, whatever they were.
 template <class Rows, int N, bool hard, class Number>
 inline void warm_record(Record<Rows, N, hard, Number>& record, Velocities<Number>& body1,
                         Velocities<Number>& body2, real ratio) {
   Number* const lambda = record.impulses.lambda;
   for (int i = 0; i < N; ++i) {
     const Number& diagonal = record.impulses.inverse_K[lower_index(i, i)];
+    if (ratio == 0) lambda[i] = Number::of(0);
     lambda[i] = where_above(diagonal, Number::of(0), ratio * lambda[i]);
   }
-  apply(record.rows, lambda, body1, body2);
+  if (ratio != 0) apply(record.rows, lambda, body1, body2);
 }
 
 // ---- in every iteration -------------------------------------------------------------------------

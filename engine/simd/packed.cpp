@@ -255,7 +255,7 @@ void PackedImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int, re
 
 void PackedImpulses::warm_start(Bodies& bodies, real ratio) {
   blocks_of(bodies);  // refuses other bodies
-  packed_.run(Pass::warm, ratio);  // with 0 all impulses become 0
+  packed_.run(Pass::warm, ratio);
   if (ratio != 0) packed_.give_back(bodies);
 }
 

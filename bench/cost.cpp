@@ -131,6 +131,7 @@ struct Candidate {
 const Candidate candidates[] = {
     {"engine rows", {.loop = Loop::rows}},
     {"engine packed", {.loop = Loop::packed}},
+    {"library default", {.loop = Loop::lanes}},
     {"chapter 7", {.loop = Loop::hinges, .visits = Visits::chain_order}, true}};
 
 // ---- rows and memory ----------------------------------------------------------------------------

@@ -134,7 +134,10 @@ void PackedBlocks::arrange(const Bodies& bodies) {
     found = one_by_one(int(pairs.size()));
   }
   records_.arrange(found, pairs, columns, moves, width_);
+  groups.reserve(found.size());
+  blocks.reserve(found.size() * std::size_t(width_));
   for (const auto& group : found) add_group(group);
+  numbers_.shrink_to_fit();
   for (int k = int(groups.size()) - 2; k >= 0; --k)
     if (static_cast<BlockKind&>(groups[k]) == groups[k + 1]) groups[k].alike += groups[k + 1].alike;
   find_followed();

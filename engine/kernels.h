@@ -10,8 +10,23 @@
 /// @{
 namespace joints {
 
+#ifdef REAL_HEADER  // numbers of one's own kind go one by one
 /// Four numbers side by side.
-typedef real Four __attribute__((vector_size(4 * sizeof(real)), aligned(alignof(real)), may_alias));
+struct Four {
+  real n[4];  ///< the numbers
+  real operator[](int k) const { return n[k]; }  ///< one of them
+  friend Four operator*(const Four& a, const Four& b) {
+    return {{a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3]}};
+  }
+  friend Four operator+(const Four& a, const Four& b) {
+    return {{a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]}};
+  }
+};
+#else
+/// Four numbers side by side.
+typedef real Four
+    __attribute__((vector_size(4 * sizeof(real)), aligned(alignof(real)), may_alias));
+#endif
 /// The sum of all four.
 inline real sum(const Four& a) { return (a[0] + a[2]) + (a[1] + a[3]); }
 /// The cosine of half the rotation between two orientations, of either sign.
@@ -28,10 +43,6 @@ inline const Twelve& twelve(const Row& row) { return reinterpret_cast<const Twel
 /// J V of a row.
 inline real dot(const Twelve& J, const Twelve& V) {
   return sum(J.part[0] * V.part[0] + J.part[1] * V.part[1] + J.part[2] * V.part[2]);
-}
-/// sum += factor * row.
-inline void add(Twelve& sum, real factor, const Twelve& row) {
-  for (int k = 0; k < 3; ++k) sum.part[k] += factor * row.part[k];
 }
 
 /// 1 / a where a > least, else 0.

@@ -10,7 +10,9 @@ namespace {
 template <int N>
 void form(const Row* J, const Row* response, real* K) {
   unrolled<N>([&](auto i) {
-    unrolled<i + 1>([&](auto j) { K[i * N + j] = K[j * N + i] = dot(twelve(J[i]), twelve(response[j])); });
+    unrolled<i + 1>([&](auto j) {
+      K[i * N + j] = K[j * N + i] = dot(twelve(J[i]), twelve(response[j]));
+    });
   });
 }
 

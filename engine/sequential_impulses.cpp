@@ -22,6 +22,11 @@ void set_velocities(Body& body1, Body& body2, const Twelve& twelve) {
   if (!body2.is_static()) body2.v = V.v2, body2.w = V.w2;
 }
 
+// V += lambda M^-1 J^T.
+void push(Twelve& V, real lambda, const Row& response) {
+  for (int k = 0; k < 3; ++k) V.part[k] += lambda * twelve(response).part[k];
+}
+
 }  // namespace
 
 // ---- once per step ------------------------------------------------------------------------------
@@ -82,7 +87,7 @@ void SequentialImpulses::warm_start(Bodies& bodies, real ratio) {
       real& lambda = block.impulse[i];
       const bool live = prepared_.inverse_K[block.first_K + i * block.rows + i] > 0;
       lambda = live ? ratio * lambda : 0;
-      joints::add(V, lambda, twelve(prepared_.rows[std::size_t(block.first + i)].response));
+      push(V, lambda, prepared_.rows[std::size_t(block.first + i)].response);
     }
     set_velocities(body1, body2, V);
   }
@@ -150,7 +155,7 @@ void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedB
 
   for (int i = 0; i < N; ++i) {
     block.impulse[i] += dlambda[i];
-    joints::add(V, dlambda[i], twelve(row[i].response));  // V += M^-1 J^T dlambda
+    push(V, dlambda[i], row[i].response);  // V += M^-1 J^T dlambda
   }
   set_velocities(body1, body2, V);
 }

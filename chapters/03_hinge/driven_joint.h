@@ -6,58 +6,12 @@
 #include <memory>
 #include <numbers>
 
-#include "chapters/03_hinge/hinge.h"
+#include "chapters/03_hinge/free_coordinate.h"
 #include "engine/composite.h"
-#include "engine/joint.h"
 
 /// \addtogroup chapter3
 /// @{
 namespace joints {
-
-/// One limit of a coordinate as a part: C = sign (x - bound) >= 0.
-template <class Coordinate>
-struct Limit {
-  Coordinate coordinate;  ///< the part whose error is x
-  real bound = 0;         ///< the value of x at the limit [rad or m]
-  real sign = 1;          ///< +1 for a lower limit, -1 for an upper one
-
-  static constexpr int rows = 1;           ///< one
-  static constexpr bool one_sided = true;  ///< it only pushes C up
-  static constexpr Form form = form_of<Coordinate>();  ///< of its row
-  /// C, the gap to the limit [rad or m]; negative beyond it.
-  real error(const Body& body1, const Body& body2) const {
-    return sign * (coordinate.error(body1, body2) - bound);
-  }
-  /// The coordinate's row with the limit's sign.
-  Row jacobian(const Body& body1, const Body& body2) const {
-    const Row J = coordinate.jacobian(body1, body2);
-    return {sign * J.v1, sign * J.w1, sign * J.v2, sign * J.w2};
-  }
-};
-
-/// The farthest limit of a coordinate [rad or m].
-constexpr real max_limit = real(1e9);
-
-/// Tells an angle to count its turns to within half a turn of `expected`. A length has no turns.
-template <class Coordinate>
-void count_from(Coordinate&, [[maybe_unused]] real expected) {}
-/// Carries what an angle keeps of its count (Joint::exchange). A length keeps nothing.
-template <class Coordinate>
-void exchange_turns(Coordinate&, StateStream&) {}
-
-/// Says when a step need not measure the coordinate, because its limits are out of reach. This
-/// general one never skips; hinge_joint.h has the one that skips the hinge's atan2.
-template <class Coordinate>
-struct Leeway {
-  /// Called after each measurement. \param slack to the nearer limit [rad or m]
-  void measured(const Coordinate&, const Body&, const Body&, [[maybe_unused]] real slack) {}
-  void forget() {}  ///< the next step measures in any case
-  void exchange(StateStream&) {}  ///< carries the measurement (Joint::exchange)
-  /// True if the rotations since the measurement cannot have used up half of the slack.
-  bool still_near(const Body&, const Body&) const { return false; }
-  /// True if this step at the present velocities cannot use up half of the slack. \param h step [s]
-  bool is_slow(const Body&, const Body&, [[maybe_unused]] real h) const { return false; }
-};
 
 /// Two rigid parts, and the part whose error is the coordinate that they leave free.
 /// The order of its blocks is motor, limit, rigid rows: what is solved last is most nearly true.

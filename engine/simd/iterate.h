@@ -1,5 +1,5 @@
-// What is done with a record: its K^-1, its warm start, its solve. Each file that is compiled for an
-// instruction set includes it.
+// What is done with a record: its K^-1, its warm start, its solve. Each file that is compiled for
+// an instruction set includes it.
 #pragma once
 
 #include "engine/simd/lanes.h"

@@ -26,17 +26,11 @@ inline void take(Places& out, Point& p) { take(out, p.anchor1_local), take(out, 
 inline void take(Places& out, Axis& a) {
   take(out, a.a1_local), take(out, a.b_local), take(out, a.c_local);
 }
-inline void take(Places& out, HingeAngle& a) {
-  take(out, a.a1_local), take(out, a.start), take(out, a.expected);
-}
 inline void take(Places& out, Line& a) {
   take(out, a.anchor1_local), take(out, a.anchor2_local), take(out, a.n1_local);
   take(out, a.n2_local);
 }
 inline void take(Places& out, RotationLock& lock) { take(out, lock.start); }
-inline void take(Places& out, Slide& a) {
-  take(out, a.anchor1_local), take(out, a.anchor2_local), take(out, a.a1_local);
-}
 inline void take(Places& out, Top& top) {
   take(out, top.height), take(out, top.half_x), take(out, top.half_z), take(out, top.depth);
 }
@@ -44,7 +38,7 @@ template <class Part>
 void take(Places& out, PartJoint<Part>& joint) { take(out, joint.part); }
 template <class First, class Second, class Coordinate>
 void take(Places& out, DrivenJoint<First, Second, Coordinate>& joint) {
-  take(out, joint.first), take(out, joint.second), take(out, joint.coordinate);
+  take(out, joint.first), take(out, joint.second);
 }
 inline void take(Places& out, FixedJoint& joint) {
   take(out, joint.weld.first), take(out, joint.weld.second);

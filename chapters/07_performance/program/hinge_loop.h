@@ -114,8 +114,10 @@ class HingeLoop {
     }
     invert_lower<5>(K.data());
     for (int i = 0; i < 5; ++i)
-      for (int j = 0; j <= i; ++j)
-        out.inverse_K[std::size_t(out.place(i, j))] = relaxation * K[std::size_t(lower_index(i, j))];
+      for (int j = 0; j <= i; ++j) {
+        const Number& entry = K[std::size_t(lower_index(i, j))];
+        out.inverse_K[std::size_t(out.place(i, j))] = relaxation * entry;
+      }
   }
 
   BodyRecords records_;

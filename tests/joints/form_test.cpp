@@ -1,4 +1,5 @@
 // What the type of a part promises of its rows is true of them: packed solvers rely on it.
+#include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
 #include "tests/checker/catch.h"

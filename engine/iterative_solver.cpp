@@ -35,10 +35,12 @@ void IterativeSolver::check() const {
           "must be above 0 and below 2 [1]");
 }
 
-void IterativeSolver::prepared_for(const Bodies& bodies, const Blocks& blocks) {
+void IterativeSolver::prepared_for(const Bodies& bodies, const Blocks& blocks, int first) {
+  const std::size_t k = std::size_t(first), rows = blocks.J.size();
+  const std::size_t known = k < blocks.list.size() ? std::size_t(blocks.list[k].first) : rows;
   bodies_ = &bodies;
   blocks_ = &blocks;
-  rows_ = blocks.J.size();
+  if (first == 0 || rows_ == known) rows_ = rows;  // else some were left out
 }
 
 const Blocks& IterativeSolver::blocks_of(const Bodies& bodies) const {

@@ -40,7 +40,8 @@ class IterativeSolver : public Solver {
   void check() const override;
 
  protected:
-  void prepared_for(const Bodies& bodies, const Blocks& blocks);  ///< called by prepare()
+  /// Called by prepare(), with what it was called with.
+  void prepared_for(const Bodies& bodies, const Blocks& blocks, int first);
   /// The blocks of the last prepare(). \throws std::logic_error if it was called with other bodies,
   /// or if rows were appended or removed since
   const Blocks& blocks_of(const Bodies& bodies) const;

@@ -32,7 +32,7 @@ void push(Twelve& V, real lambda, const Row& response) {
 // ---- once per step ------------------------------------------------------------------------------
 
 void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {
-  prepared_for(bodies, blocks);
+  prepared_for(bodies, blocks, first);
   if (first == 0) {
     prepared_.blocks.clear();
     prepared_.rows.clear();

@@ -251,8 +251,9 @@ std::string PackedImpulses::plan(const Bodies& bodies, const Blocks& blocks) con
   return packed.words();
 }
 
-void PackedImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int, real h) {
-  prepared_for(bodies, blocks);
+void PackedImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int first,
+                             real h) {
+  prepared_for(bodies, blocks, first);
   packed_.pack(bodies, blocks, h, relaxation, packing, lanes);
 }
 

@@ -232,6 +232,8 @@ std::string overflow(const std::function<void()>& step) {
 
 }  // namespace
 
+namespace {
+
 // A number of one body overflows in a step.
 template <class S>
 void spreads_no_further() {
@@ -264,6 +266,8 @@ void spreads_no_further() {
   CHECK(same(spoilt.quiet));
   CHECK(same(spoilt.falling));
 }
+
+}  // namespace
 
 TEST_CASE("a number that overflows within a step is told with its body and spreads no further") {
   spreads_no_further<SequentialImpulses>();

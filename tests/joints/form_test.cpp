@@ -42,7 +42,7 @@ TEST_CASE("at any pose rows have the form that the type of their part promises")
       for (const BodyId id : {a, b}) world.bodies[id].q = random.turn();
       Blocks blocks;
       for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
-      for (const Block& block : blocks.list) {
+      for (const joints::Block& block : blocks.list) {
         const Row* const J = &blocks.J[std::size_t(block.first)];
         ++forms[int(block.form)];
         if (block.form == Form::point) CHECK(of_a_point(J));

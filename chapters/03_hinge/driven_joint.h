@@ -113,8 +113,9 @@ class DrivenJoint : public Joint {
   void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Appends a limit that the new velocities would pass within this step.
   void late_limits(const Bodies& bodies, real h, Blocks& blocks) override {
-    if (!drive_ || drive_->leeway.is_slow(at(bodies, body1), at(bodies, body2), h)) return;
-    if (drive_->counted()) add_late_limit(bodies, h, blocks);
+    if (!drive_ || drive_->off) return;
+    if (!drive_->leeway.is_slow(at(bodies, body1), at(bodies, body2), h))
+      add_late_limit(bodies, h, blocks);
   }
   /// A limit if there are bounds, a motor if it has strength.
   Extras extras() const override {
@@ -126,7 +127,7 @@ class DrivenJoint : public Joint {
  protected:
   /// Counts turns, and chooses the limit that has a row in this step.
   void choose_rows(const Bodies& bodies, real h) override {
-    if (!drive_) return;
+    if (!drive_ || drive_->off) return;
     const Body &a = at(bodies, body1), &b = at(bodies, body2);
     const bool near = drive_->leeway.is_slow(a, b, h) && drive_->leeway.still_near(a, b);
     if (!near || drive_->measured || drive_->limit.live || drive_->late.live)
@@ -147,6 +148,7 @@ class DrivenJoint : public Joint {
     for (LimitRow* row : {&drive.limit, &drive.late}) stream(row->sign, row->live);
     exchange_turns(coordinate_, stream);
     drive.leeway.exchange(stream);
+    drive.off = false;  // limits and motor may be others now
     if (none.counted() || none.counting) drive_ = std::make_unique<Drive>(none);
   }
   /// From the parts as they stand now.
@@ -163,6 +165,7 @@ class DrivenJoint : public Joint {
     real x = 0, next = 0;   // the coordinate when measured; its expected value after the step
     bool measured = false;  // x was measured in this step
     bool counting = false;  // next is known: measured, or told by expect()
+    bool off = false;       // neither limit nor motor: nothing to do until a setting changes
     Leeway<Coordinate> leeway;
     real motor_impulse = 0, late_impulse = 0;  // written by the solver through the blocks
 
@@ -178,6 +181,7 @@ class DrivenJoint : public Joint {
   Drive& drive() {
     if (!drive_) drive_ = std::make_unique<Drive>();
     drive_->leeway.forget();
+    drive_->off = false;
     return *drive_;
   }
 
@@ -223,7 +227,8 @@ void DrivenJoint<First, Second, Coordinate>::choose_limit(const Bodies& bodies, 
   const LimitRow before = drive.limit;
   drive.measured = false;
   drive.limit = drive.late = {};
-  if (!drive.counted()) drive.counting = false;
+  drive.off = !drive.counted();
+  if (drive.off) drive.counting = false;
   if (drive.counted() && !near) {
     measure(bodies);
     drive.leeway.measured(coordinate_, a, b, drive.slack());

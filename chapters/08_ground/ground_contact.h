@@ -141,6 +141,8 @@ class GroundContact : public Joint {
     vec3 n;            // up, world
     vec3 gap, rate;    // factors of corner_local
     real gap0, rate0;  // of the centre [m] and [m/s]
+    real gap_of(const vec3& corner) const { return gap0 + dot(gap, corner); }
+    real rate_of(const vec3& corner) const { return rate0 + dot(rate, corner); }
   };
   Slopes slopes(const Body& body1, const Body& body2) const {
     const vec3 n = Corner::up(body1), d = body2.x - body1.x;
@@ -182,8 +184,8 @@ inline void GroundContact::choose_rows(const Bodies& bodies, real h) {
   const Slopes now = slopes(a, b);
   for (int k = 0; k < outline.count; ++k) {
     ContactPoint& point = points_[std::size_t(k)];
-    point.C = now.gap0 + dot(now.gap, outline.corners[std::size_t(k)]);
-    point.rate = now.rate0 + dot(now.rate, outline.corners[std::size_t(k)]);
+    point.C = now.gap_of(outline.corners[std::size_t(k)]);
+    point.rate = now.rate_of(outline.corners[std::size_t(k)]);
     point.live = point.gap_after(h) < reserve && over_top(k, point.C, a, b);  // Eq. 8-4
     live_ += point.live;
   }
@@ -221,8 +223,8 @@ inline void GroundContact::late_limits(const Bodies& bodies, real h, Blocks& blo
   const Slopes now = slopes(a, b);
   for (int k = 0; k < outline.count; ++k) {
     ContactPoint& point = points_[std::size_t(k)];
-    point.C = now.gap0 + dot(now.gap, outline.corners[std::size_t(k)]);
-    const real rate = now.rate0 + dot(now.rate, outline.corners[std::size_t(k)]);
+    point.C = now.gap_of(outline.corners[std::size_t(k)]);
+    const real rate = now.rate_of(outline.corners[std::size_t(k)]);
     point.last_rate = rate;
     point.has_last = true;
     if (point.live || live_ == most_corners || point.C + h * rate >= 0 ||

@@ -24,16 +24,15 @@ enum class Packing {
 class PackedBlocks {
  public:
   std::vector<LaneGroup> groups;  ///< in the order in which they are solved
-  std::vector<int> blocks;        ///< the prepared block of each group's lanes; -1: unused lane
+  std::vector<int> blocks;        ///< the block of each lane of each group; -1: unused lane
 
   /// Fills the records from the blocks of a step and prepares them for its iterations.
   /// \param h step [s] \param relaxation of the solver [1]
   /// \param lanes false: every group is one block
   void pack(const Bodies& bodies, const Blocks& list, real h, real relaxation, Packing packing,
             bool lanes);
-  /// Copies the bodies' velocities into the records, or back.
-  void take(const Bodies& bodies);
-  void give_back(Bodies& bodies) const;  ///< see take()
+  void take(const Bodies& bodies);       ///< copies the bodies' velocities into the records
+  void give_back(Bodies& bodies) const;  ///< copies them back to the bodies that can move
   /// A pass over all groups, with the best instruction set of this processor.
   void run(Pass pass, real parameter = 0);
   /// Copies the accumulated impulses back into the joints. \param list as given to pack()
@@ -77,7 +76,7 @@ class PackedBlocks {
 
   std::vector<Signature> signatures_;
   std::vector<LaneNumber> numbers_;
-  std::vector<int> followed_;  // LaneIteration::followed
+  std::vector<int> followed_;  // LaneWork::followed
   BodyRecords records_;
   Packing packing_ = Packing::automatic;  // as wanted
   bool lanes_ = true;                     // as wanted

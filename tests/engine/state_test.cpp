@@ -267,6 +267,28 @@ TEST_CASE("the force that a joint tells of is that of the step before the world 
   CHECK(wheel.coordinate().expected == restored.coordinate().expected);
 }
 
+TEST_CASE("limits come back to a joint whose motor had been switched off") {
+  const auto door = [](real lower, real upper, real speed) {
+    World world;
+    const BodyId post = world.add(static_body(vec3(0)));
+    const BodyId leaf = world.add(box(3, vec3(1, real(0.1), 2), vec3(real(0.5), 0, 0)));
+    auto& hinge = world.add<HingeJoint>(world.bodies, post, leaf, vec3(0), vec3(0, 0, 1));
+    if (lower < upper) hinge.set_limits(lower, upper);
+    hinge.set_motor(speed, 0);
+    return world;
+  };
+  World limited = door(real(-0.3), real(0.3), 0), off = door(0, 0, 1);
+  SequentialImpulses solver;
+  step(limited, solver, h);
+  for (int n = 0; n < 3; ++n) step(off, solver, h);
+  restore(off, save(limited));
+  for (World* world : {&limited, &off})
+    for (int n = 0; n < 120; ++n) step(*world, solver, h);
+  const auto& hinge = static_cast<const HingeJoint&>(*off.joints().front());
+  CHECK(double(hinge.position(off.bodies)) == Approx(-0.3).margin(0.01));
+  CHECK(same(save(off), save(limited)));
+}
+
 TEST_CASE("the state of a world of another shape is refused and nothing has changed") {
   const State good = save(machine());
   World world = machine();

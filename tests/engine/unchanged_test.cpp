@@ -275,6 +275,26 @@ TEST_CASE("a number that overflows within a step is told with its body and sprea
   spreads_no_further<DirectSolver>();
 }
 
+TEST_CASE("put right again, a body that overflowed goes on cold as if nothing had been") {
+  const auto check = [](auto solver) {
+    Shared spoilt, whole;
+    const Body good = whole.world.bodies[whole.pushed];
+    spoilt.world.bodies[spoilt.pushed].force.x = std::numeric_limits<real>::max();
+    CHECK(overflow([&] { step(spoilt.world, solver, h, {.warm_start = true}); }) != "");
+    for (int slot = 0; slot < whole.world.bodies.slots(); ++slot)
+      spoilt.world.bodies.at(slot) = whole.world.bodies.at(slot);
+    spoilt.world.bodies[spoilt.pushed] = good;
+    for (int n = 0; n < 10; ++n) {
+      CHECK(overflow([&] { step(spoilt.world, solver, h); }) == "");
+      step(whole.world, solver, h);
+    }
+    CHECK(bytes_of(spoilt.world.bodies[spoilt.pushed]) ==
+          bytes_of(whole.world.bodies[whole.pushed]));
+  };
+  check(SequentialImpulses());
+  check(PackedImpulses());
+}
+
 TEST_CASE("what overflows is told at the end of its substep, whichever solver moved the bodies") {
   SequentialImpulses sequential;
   PackedImpulses packed;

@@ -10,39 +10,51 @@
 /// @{
 namespace joints {
 
-#ifdef REAL_HEADER  // numbers of one's own kind go one by one
+/// \cond
+// A register of 16 bytes: four floats, two doubles, or one number of one's own kind. Where there is
+// no AVX, numbers in a wider one would go through memory.
+#ifdef REAL_HEADER
+typedef real Register;
+inline real number(const Register& r, int) { return r; }
+#else
+typedef real Register __attribute__((vector_size(16), aligned(alignof(real)), may_alias));
+inline real number(const Register& r, int k) { return r[k]; }
+#endif
+constexpr int register_size = int(sizeof(Register) / sizeof(real));
+/// \endcond
+
 /// Four numbers side by side.
 struct Four {
-  real n[4];  ///< the numbers
-  real operator[](int k) const { return n[k]; }  ///< one of them
-  friend Four operator*(const Four& a, const Four& b) {
-    return {{a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3]}};
-  }
-  friend Four operator+(const Four& a, const Four& b) {
-    return {{a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]}};
+  Register part[4 / register_size];  ///< the numbers
+  real operator[](int k) const {     ///< one of them
+    return number(part[k / register_size], k % register_size);
   }
 };
-#else
-/// Four numbers side by side.
-typedef real Four
-    __attribute__((vector_size(4 * sizeof(real)), aligned(alignof(real)), may_alias));
-#endif
 /// The sum of all four.
 inline real sum(const Four& a) { return (a[0] + a[2]) + (a[1] + a[3]); }
 /// The cosine of half the rotation between two orientations, of either sign.
 inline real half_cosine(const quat& p, const quat& q) {
-  return sum(reinterpret_cast<const Four&>(p) * reinterpret_cast<const Four&>(q));
+  Four product;
+  for (int k = 0; k < 4 / register_size; ++k)
+    product.part[k] = reinterpret_cast<const Register*>(&p)[k] *
+                      reinterpret_cast<const Register*>(&q)[k];
+  return sum(product);
 }
 
-/// The numbers of a row, in three registers.
+/// The numbers of a row.
 struct Twelve {
-  Four part[3];  ///< of v1, w1, v2 and w2, in this order
+  Register part[12 / register_size];  ///< of v1, w1, v2 and w2, in this order
 };
 /// Where a row is stored.
 inline const Twelve& twelve(const Row& row) { return reinterpret_cast<const Twelve&>(row); }
 /// J V of a row.
 inline real dot(const Twelve& J, const Twelve& V) {
-  return sum(J.part[0] * V.part[0] + J.part[1] * V.part[1] + J.part[2] * V.part[2]);
+  constexpr int parts = 4 / register_size;
+  Four out;
+  for (int k = 0; k < parts; ++k)
+    out.part[k] = J.part[k] * V.part[k] + J.part[k + parts] * V.part[k + parts] +
+                  J.part[k + 2 * parts] * V.part[k + 2 * parts];
+  return sum(out);
 }
 
 /// 1 / a where a > least, else 0.

@@ -24,7 +24,7 @@ void set_velocities(Body& body1, Body& body2, const Twelve& twelve) {
 
 // V += lambda M^-1 J^T.
 void push(Twelve& V, real lambda, const Row& response) {
-  for (int k = 0; k < 3; ++k) V.part[k] += lambda * twelve(response).part[k];
+  for (int k = 0; k < 12 / register_size; ++k) V.part[k] += lambda * twelve(response).part[k];
 }
 
 }  // namespace

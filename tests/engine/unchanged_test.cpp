@@ -290,6 +290,10 @@ TEST_CASE("put right again, a body that overflowed goes on cold as if nothing ha
     }
     CHECK(bytes_of(spoilt.world.bodies[spoilt.pushed]) ==
           bytes_of(whole.world.bodies[whole.pushed]));
+    const auto forces = [](const Shared& shared) {
+      return static_cast<const HingeJoint&>(*shared.world.joints().front()).forces();
+    };
+    CHECK(forces(spoilt) == forces(whole));
   };
   check(SequentialImpulses());
   check(PackedImpulses());

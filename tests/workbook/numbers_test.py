@@ -1,0 +1,75 @@
+"""The numbers and the length of the texts: numbers_test.py ROOT BUILD"""
+import re
+import sys
+
+import tied
+from proofs import files, house, main, notes, read
+
+MOST_WORDS = 1700  # of a main path: about a quarter of an hour of reading, without the exercises
+
+
+def texts(root):
+    """Every text that may hold a number of a run, and its chapter (0: none)."""
+    for path in files(root, ".md"):
+        chapter = re.match(r"(?:chapters|solutions)/(\d\d)_", str(path.relative_to(root)))
+        yield path, int(chapter[1]) if chapter else 0
+
+
+def numbers_are_what_the_runs_say(root, build):
+    """every number that is tied to a table is what the table says, to the digits shown"""
+    tables = tied.Tables(root, build)
+    count = 0
+    for path, chapter in texts(root):
+        text = read(path)
+        count += sum(1 for _ in tied.ties_of(text))
+        for line, words in tied.faults_of(text, chapter, tables):
+            yield f"{path.relative_to(root)}:{line}: {words}"
+    notes.append(f"{count} numbers of the texts are tied to tables")
+
+
+def changed_digits_are_found(root, build):
+    """a digit changed in a text is found: a decimal, a whole number, a number of a table"""
+    tables = tied.Tables(root, build)
+    planted = 0
+    for path, chapter in texts(root):
+        text = read(path)
+        good = [tie for _, tie in tied.ties_of(text) if isinstance(tie, tied.Tie)]
+        for tie in good[:: max(1, len(good) // 3)]:
+            lines = text.split("\n")
+            digit = next(c for c in reversed(tie.shown) if c.isdigit())
+            at = lines[tie.line - 1].rindex(tie.shown) + tie.shown.rindex(digit)
+            line = lines[tie.line - 1]
+            lines[tie.line - 1] = line[:at] + str((int(digit) + 2) % 10) + line[at + 1:]
+            planted += 1
+            if not any(at == tie.line and ".csv" in words or "printed" in words
+                       for at, words in tied.faults_of("\n".join(lines), chapter, tables)):
+                yield f"{path.relative_to(root)}:{tie.line}: {tie.shown} may be anything"
+    if planted < 3:
+        yield f"only {planted} mistakes could be planted"
+
+
+def main_path(text):
+    """What a reader reads at first: no folds, code, formulas of their own line, tables, captions."""
+    text = re.sub(r"<!--.*?-->", "", text, flags=re.S)
+    while re.search(r"<details>", text):
+        text = re.sub(r"<details>(?:(?!<details>).)*?</details>", "", text, flags=re.S)
+    text = re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)
+    text = re.sub(r"^\s*(?:\||#|!\[|<).*$", "", text, flags=re.M)
+    return re.sub(r"\$[^$]+\$", "x", text)
+
+
+def main_paths_fit_one_sitting(root, build):
+    """the main path of a chapter has at most 1,700 words"""
+    counts = []
+    for chapter in house.chapters():
+        words = len(main_path(read(chapter.text)).split())
+        counts.append(f"{chapter.number}: {words}")
+        if words > MOST_WORDS:
+            yield f"{chapter.folder}/README.md: {words} words outside of folds, code and tables"
+    notes.append("words of the main paths: " + ", ".join(counts))
+
+
+PROOFS = [numbers_are_what_the_runs_say, changed_digits_are_found]
+
+if __name__ == "__main__":
+    sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

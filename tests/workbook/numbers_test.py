@@ -49,7 +49,7 @@ def changed_digits_are_found(root, build):
 
 
 def main_path(text):
-    """What a reader reads at first: no folds, code, formulas of their own line, tables, captions."""
+    """What a reader reads at first: no folds, code, formulas on their own, tables, captions."""
     text = re.sub(r"<!--.*?-->", "", text, flags=re.S)
     while re.search(r"<details>", text):
         text = re.sub(r"<details>(?:(?!<details>).)*?</details>", "", text, flags=re.S)

@@ -14,7 +14,8 @@ namespace joints {
 /// factor serves the velocities, their refinement and the positions. Bounds are kept by an active
 /// set. Rows whose bound follows another impulse (friction), and those that they follow, stay
 /// outside of A: iterations over them and corrections of all others alternate.
-/// It works on numbers of type double, whatever `real` is. Best with beta = 1 in every joint.
+/// It works on numbers of type double, whatever `real` is, and on two islands that are alike side
+/// by side (JointMatrixMaker). Best with beta = 1 in every joint.
 /// Source: Baraff 1996 for the idea; Davis 2006 for sparse factors; Judice and Pires 1994 for the
 /// passes of the active set.
 class DirectSolver : public Solver {

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "chapters/09_direct/direct.h"
+
 /// \addtogroup chapter9
 /// @{
 namespace joints {
@@ -23,15 +25,27 @@ inline void with_size(int n, const F& f) {
 }
 /// \endcond
 
+/// \cond
+// What becomes of a pivot; of two lanes, one by one.
+template <class PivotInverse>
+inline double inverse_of(double pivot, double original, PivotInverse inverse) {
+  return inverse(pivot, original);
+}
+template <class PivotInverse>
+inline TwoLanes inverse_of(const TwoLanes& pivot, const TwoLanes& original, PivotInverse inverse) {
+  return TwoLanes{inverse(pivot[0], original[0]), inverse(pivot[1], original[1])};
+}
+/// \endcond
+
 /// D = L d L^T in place, of the lower triangle of a symmetric n x n block. Below the diagonal stays
 /// L, whose own diagonal is 1; on it stays inverse(d, original).
-template <class PivotInverse>
-inline void factor_block(double* D, int n, const double* original, PivotInverse inverse) {
+template <class Number, class PivotInverse>
+inline void factor_block(Number* D, int n, const Number* original, PivotInverse inverse) {
   with_size(n, [&](auto N) {
     for (int j = 0; j < N; ++j) {
-      const double over = inverse(D[j * N + j], original[j]);
+      const Number over = inverse_of(D[j * N + j], original[j], inverse);
       for (int i = j + 1; i < N; ++i) {
-        const double l = D[i * N + j] * over;
+        const Number l = D[i * N + j] * over;
         for (int k = i; k < N; ++k) D[k * N + i] -= l * D[k * N + j];
       }
       for (int i = j + 1; i < N; ++i) D[i * N + j] *= over;
@@ -40,29 +54,44 @@ inline void factor_block(double* D, int n, const double* original, PivotInverse 
   });
 }
 
+/// \cond
+// x = D^-1 x of known size, from numbers of its own, which can stay in registers.
+template <int N, class Number>
+inline void divide_by(const Number* D, const Number* from, Number* x) {
+  Number y[N];
+  for (int i = 0; i < N; ++i) {
+    y[i] = from[i];
+    for (int k = 0; k < i; ++k) y[i] -= D[i * N + k] * y[k];
+  }
+  for (int i = N - 1; i >= 0; --i) {
+    y[i] *= D[i * N + i];
+    for (int k = i + 1; k < N; ++k) y[i] -= D[k * N + i] * y[k];
+  }
+  for (int i = 0; i < N; ++i) x[i] = y[i];
+}
+/// \endcond
+
 /// x = D^-1 x, with the factor of the n x n block D.
-inline void divide(const double* D, int n, double* x) {
-  with_size(n, [&](auto N) {
-    for (int i = 1; i < N; ++i)
-      for (int k = 0; k < i; ++k) x[i] -= D[i * N + k] * x[k];
-    for (int i = 0; i < N; ++i) x[i] *= D[i * N + i];
-    for (int i = N - 2; i >= 0; --i)
-      for (int k = i + 1; k < N; ++k) x[i] -= D[k * N + i] * x[k];
-  });
+template <class Number>
+inline void divide(const Number* D, int n, Number* x) {
+  with_size(n, [&](auto N) { divide_by<N>(D, x, x); });
 }
 
 /// B = A D^-1 for m x n numbers A, with the factor of the n x n block D.
-inline void divide_rows(const double* A, int m, const double* D, int n, double* B) {
-  for (int i = 0; i < m * n; ++i) B[i] = A[i];
-  for (int i = 0; i < m; ++i) divide(D, n, B + i * n);
+template <class Number>
+inline void divide_rows(const Number* A, int m, const Number* D, int n, Number* B) {
+  with_size(n, [&](auto N) {
+    for (int i = 0; i < m; ++i) divide_by<N>(D, A + i * N, B + i * N);
+  });
 }
 
 /// C -= A B^T, of m x n numbers A and p x n numbers B.
-inline void subtract_product(const double* A, int m, const double* B, int p, int n, double* C) {
+template <class Number>
+inline void subtract_product(const Number* A, int m, const Number* B, int p, int n, Number* C) {
   with_size(n, [&](auto N) {
     for (int i = 0; i < m; ++i)
       for (int j = 0; j < p; ++j) {
-        double sum = 0;
+        Number sum{};
         for (int k = 0; k < N; ++k) sum += A[i * N + k] * B[j * N + k];
         C[i * p + j] -= sum;
       }
@@ -70,7 +99,8 @@ inline void subtract_product(const double* A, int m, const double* B, int p, int
 }
 
 /// y -= A x, of m x n numbers A.
-inline void subtract_times(const double* A, int m, int n, const double* x, double* y) {
+template <class Number>
+inline void subtract_times(const Number* A, int m, int n, const Number* x, Number* y) {
   with_size(n, [&](auto N) {
     for (int i = 0; i < m; ++i)
       for (int k = 0; k < N; ++k) y[i] -= A[i * N + k] * x[k];
@@ -78,7 +108,8 @@ inline void subtract_times(const double* A, int m, int n, const double* x, doubl
 }
 
 /// y -= A^T x, of m x n numbers A.
-inline void subtract_transposed_times(const double* A, int m, int n, const double* x, double* y) {
+template <class Number>
+inline void subtract_transposed_times(const Number* A, int m, int n, const Number* x, Number* y) {
   with_size(n, [&](auto N) {
     for (int i = 0; i < m; ++i)
       for (int k = 0; k < N; ++k) y[k] -= A[i * N + k] * x[i];

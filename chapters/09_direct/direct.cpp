@@ -13,7 +13,9 @@ namespace joints {
 
 // ---- the matrix of the joints -------------------------------------------------------------------
 
-void add_coupling(const HalfRow* J, int n, const HalfRow* response, int m, double* A) {
+template <class Number>
+void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* response, int m,
+                  Number* A) {
   // begin [exercise 9.1]
   // Eq. 9-2: entry (i, j) grows by dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w). Entry
   // (i, j) stands at A[i * m + j].
@@ -21,8 +23,9 @@ void add_coupling(const HalfRow* J, int n, const HalfRow* response, int m, doubl
   // end [exercise 9.1]
 }
 
-void factor(JointMatrix& A, PivotInverse inverse) {
-  double* const number = A.numbers.data();
+template <class Number>
+void factor(JointMatrixOf<Number>& A, PivotInverse inverse) {
+  Number* const number = A.numbers.data();
   const int* target = A.targets.data();
   // begin [exercise 9.2]
   // For each node k but the one behind the last: factor_block() its diagonal block. Then, for each
@@ -34,8 +37,9 @@ void factor(JointMatrix& A, PivotInverse inverse) {
   // end [exercise 9.2]
 }
 
-void solve(const JointMatrix& A, double* x) {
-  const double* const number = A.numbers.data();
+template <class Number>
+void solve(const JointMatrixOf<Number>& A, Number* x) {
+  const Number* const number = A.numbers.data();
   // begin [exercise 9.2]
   // Forward, for each node k: subtract_times() of its edges' blocks and of its own numbers from the
   // numbers of the edge's other node; then divide() its own by the diagonal block. Back, from the
@@ -44,6 +48,15 @@ void solve(const JointMatrix& A, double* x) {
   todo("9.2");
   // end [exercise 9.2]
 }
+
+// Numbers of both kinds.
+template void add_coupling(const HalfRow*, int, const HalfRow*, int, double*);
+template void add_coupling(const HalfRowOf<TwoLanes>*, int, const HalfRowOf<TwoLanes>*, int,
+                           TwoLanes*);
+template void factor(JointMatrix&, PivotInverse);
+template void factor(JointMatrixOf<TwoLanes>&, PivotInverse);
+template void solve(const JointMatrix&, double*);
+template void solve(const JointMatrixOf<TwoLanes>&, TwoLanes*);
 
 std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours) {
   std::vector<int> order;

@@ -16,19 +16,27 @@ namespace joints {
 
 // ---- the matrix of the joints -------------------------------------------------------------------
 
+/// Two numbers side by side (SIMD lanes), each of another island: + - * act lane by lane.
+typedef double TwoLanes __attribute__((vector_size(2 * sizeof(double))));
+
 /// The half of a row that belongs to one body: the factors of its velocities, or of M^-1 J^T the
-/// changes of them.
-struct HalfRow {
-  Triple<double> v;  ///< linear
-  Triple<double> w;  ///< angular
+/// changes of them. Number is double or TwoLanes.
+template <class Number>
+struct HalfRowOf {
+  Triple<Number> v;  ///< linear
+  Triple<Number> w;  ///< angular
 };
+/// Of plain numbers.
+using HalfRow = HalfRowOf<double>;
 
 /// Exercise 9.1: the coupling of two blocks through a body that both hold, Eq. 9-2. Adds to A[i][j]
 /// the rate of row i of one block per unit impulse along row j of the other.
 /// \param J the halves of the first block's n rows at that body
 /// \param response the halves of M^-1 J^T at that body, of the second block's m rows
 /// \param A n x m numbers, row by row
-void add_coupling(const HalfRow* J, int n, const HalfRow* response, int m, double* A);
+template <class Number>
+void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* response, int m,
+                  Number* A);
 
 /// A block of rows as a node of the joint graph, in the order of elimination.
 struct Node {
@@ -46,23 +54,29 @@ struct Edge {
 
 /// A = J M^-1 J^T of all joints: symmetric, and zero wherever two blocks share no body. It keeps
 /// the diagonal blocks and the blocks below them, also those that are zero now and will be filled.
-struct JointMatrix {
+/// Number is double, or TwoLanes for the matrices of two alike sets of joints.
+template <class Number>
+struct JointMatrixOf {
   std::vector<Node> nodes;        ///< in the order of elimination, and one more behind the last
   std::vector<Edge> edges;        ///< of all nodes; those of a node by the order of elimination
   std::vector<int> targets;       ///< where elimination subtracts, in the order of doing so
-  std::vector<double> numbers;    ///< of all blocks
-  std::vector<double> original;   ///< the diagonal at first; a node's begins at original[node.row]
+  std::vector<Number> numbers;    ///< of all blocks
+  std::vector<Number> original;   ///< the diagonal at first; a node's begins at original[node.row]
 };
+/// Of plain numbers.
+using JointMatrix = JointMatrixOf<double>;
 
 /// What 1 / pivot is. \param original the pivot's diagonal entry before any elimination
 using PivotInverse = double (*)(double pivot, double original);
 
 /// Exercise 9.2, first half: factors A = L D L^T in place, node after node, Eq. 9-4. What is left
 /// in a diagonal block is its own factor (factor_block), and in an edge the block of L.
-void factor(JointMatrix& A, PivotInverse inverse);
+template <class Number>
+void factor(JointMatrixOf<Number>& A, PivotInverse inverse);
 
 /// Exercise 9.2, second half: solves A x = b with the factor, Eq. 9-5. \param x b, then x
-void solve(const JointMatrix& A, double* x);
+template <class Number>
+void solve(const JointMatrixOf<Number>& A, Number* x);
 
 /// Exercise 9.3: an order of elimination that makes little fill: always the node with the fewest
 /// neighbours left, and of those the one with the least number.

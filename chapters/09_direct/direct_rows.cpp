@@ -26,12 +26,17 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   const bool iterated = report_.iterated;  // before late limits came
   report_.iterated = iterated || is_hub();
   if (!report_.iterated) {
-    if (maker_.follow(pattern_, int(blocks.C.size()))) expected_.assign(blocks.C.size(), 0);
+    if (maker_.follow(pattern_) || expected_.size() != blocks.C.size()) {
+      expected_.assign(blocks.C.size(), 0);
+      J_.assign(std::size_t(2 * maker_.rows()), HalfRowOf<TwoLanes>{});
+      on_lanes_.assign(std::size_t(maker_.rows()), TwoLanes{});
+    }
     report_.multiplications = maker_.multiplications();
     report_.fill = maker_.fill();
     report_.iterated = report_.multiplications > most_work * double(blocks.C.size());
   }
   if (report_.iterated) return instead.prepare(bodies, blocks, iterated ? first : 0, h);
+  place_rows();
   contacts_.iterations = 1;
   contacts_.prepare(bodies, outside_, 0, h);
 }
@@ -40,14 +45,14 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
 // dearer than it may be. Then not even its order is looked for.
 bool DirectSolver::is_hub() const {
   double most = 0;  // rows
-  for (const Mass& mass : masses_) most = std::max(most, double(mass.rows));
+  for (const int rows : rows_) most = std::max(most, double(rows));
   return most * most * most / 6 > most_work * double(bias_.size());
 }
 
 void DirectSolver::warm_start(Bodies& bodies, real ratio) {
   if (report_.iterated) return instead.warm_start(bodies, ratio);
   for (int slot = 0; slot < bodies.slots(); ++slot)
-    if (masses_[slot].force_lever > 0) bodies.at(slot).w = masses_[slot].w;
+    if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].w;
   contacts_.warm_start(bodies, ratio);
   for (const Inside& one : inside_) {
     const Block& block = *one.block;
@@ -61,23 +66,24 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
 // ---- bodies -------------------------------------------------------------------------------------
 
 void DirectSolver::collect_masses(const Bodies& bodies, real h) {
-  masses_.assign(std::size_t(bodies.slots()), Mass{});
+  masses_.assign(std::size_t(bodies.slots()), BodyMass{});
+  pulls_.assign(std::size_t(bodies.slots()), Pull{});
   if (stiffness > 0) find_force_levers(h);
   for (int slot = 0; slot < bodies.slots(); ++slot) {
     if (bodies.at(slot).is_static()) {
-      masses_[slot].force_lever = 0;
+      pulls_[slot].force_lever = 0;
       continue;
     }
     Body body = bodies.at(slot);
-    Mass& mass = masses_[slot];
-    if (mass.force_lever > 0) {
-      const Stiffened more = stiffened(body, mass.force_lever, mass.lever, stiffness, h);
+    Pull& pull = pulls_[slot];
+    if (pull.force_lever > 0) {
+      const Stiffened more = stiffened(body, pull.force_lever, pull.lever, stiffness, h);
       body.inverse_inertia_local = more.inverse_inertia_local;
-      mass.w = more.w;
+      pull.w = more.w;
     }
     const mat3 I = inverse_inertia(body);
-    mass.linear = body.inverse_mass;
-    mass.angular = {I[0][0], I[1][1], I[2][2], I[1][0], I[2][0], I[2][1]};
+    masses_[slot].linear = body.inverse_mass;
+    masses_[slot].angular = {I[0][0], I[1][1], I[2][2], I[1][0], I[2][0], I[2][1]};
   }
 }
 
@@ -97,8 +103,8 @@ void DirectSolver::find_force_levers(real h) {
     const real force = length(F);
     for (const auto& [slot, square] : {std::pair{block.body1, square1}, {block.body2, square2}}) {
       const real lever = std::sqrt(square);
-      masses_[slot].force_lever += force * lever;
-      masses_[slot].lever = std::max(masses_[slot].lever, lever);
+      pulls_[slot].force_lever += force * lever;
+      pulls_[slot].lever = std::max(pulls_[slot].lever, lever);
     }
   }
 }
@@ -107,11 +113,9 @@ void DirectSolver::find_force_levers(real h) {
 
 void DirectSolver::collect_blocks(const Bodies& bodies, real h) {
   const std::size_t rows = blocks_->C.size();
-  J_.resize(2 * rows);
-  response_.resize(2 * rows);
   bias_.resize(rows);
   x_.resize(rows);
-  for (Mass& mass : masses_) mass.rows = 0;
+  rows_.assign(masses_.size(), 0);
   inside_.clear();
   pattern_.clear();
   bounded_.clear();
@@ -138,19 +142,16 @@ void DirectSolver::collect_block(const Bodies& bodies, const Block& block, real 
   inside_.push_back({&block, double(softness)});
   pattern_.push_back({block.rows, block.first, moving(block.body1), moving(block.body2)});
   for (const int body : {pattern_.back().body1, pattern_.back().body2})
-    if (body >= 0) masses_[body].rows += block.rows;
+    if (body >= 0) rows_[body] += block.rows;
   for (int i = 0; i < block.rows; ++i)
     bias_[block.first + i] = bias(block, i, blocks_->C[block.first + i], rate, h);
-  bool live = true;
   if (block.target.lower > -unbounded || block.target.upper < unbounded) {
     BoundedRow row{int(inside_.size()) - 1, double(h * block.target.lower),
                    double(h * block.target.upper)};
     const double impulse = double(block.impulse[block.rows - 1]);  // of the last step
     row.side = impulse <= row.lower ? Side::lower : impulse >= row.upper ? Side::upper : Side::free;
-    live = row.side == Side::free;
     bounded_.push_back(row);
   }
-  for (int i = 0; i < block.rows; ++i) place_row(block, i, live || i + 1 < block.rows);
 }
 
 // Rows whose bound follows another impulse, and those that they follow.
@@ -160,21 +161,24 @@ bool DirectSolver::is_outside(const Block& block) const {
   return next != followed_.end() && *next < block.impulse + block.rows;
 }
 
+// All rows in the matrix; those at their bounds have no part in it.
+void DirectSolver::place_rows() {
+  for (int k = 0; k < int(inside_.size()); ++k)
+    for (int i = 0; i < inside_[k].block->rows; ++i) place_row(k, i, true);
+  for (const BoundedRow& row : bounded_)
+    if (row.side != Side::free) place_row(row.inside, inside_[row.inside].block->rows - 1, false);
+}
+
 // Row i of a block in the matrix; of one that is not live, zeros.
-void DirectSolver::place_row(const Block& block, int i, bool live) {
-  const Row& J = blocks_->J[block.first + i];
-  const auto place = [&](int half, int slot, const vec3& v, const vec3& w) {
-    const std::size_t at = std::size_t(2 * block.first + half + i);
-    const Mass& mass = masses_[slot];
-    if (!live || mass.linear == 0) {
-      J_[at] = response_[at] = {};
-      return;
-    }
-    J_[at] = {{double(v.x), double(v.y), double(v.z)}, {double(w.x), double(w.y), double(w.z)}};
-    response_[at] = {mass.linear * J_[at].v, mass.angular * J_[at].w};
+void DirectSolver::place_row(int inside, int i, bool live) {
+  const Block& block = *inside_[inside].block;
+  const Row J = live ? blocks_->J[block.first + i] : Row{};
+  HalfRowOf<TwoLanes>* const place = &J_[2 * maker_.row(inside) + i];
+  const auto put = [lane = maker_.lane(inside)](Triple<TwoLanes>& to, const vec3& a) {
+    to.x[lane] = double(a.x), to.y[lane] = double(a.y), to.z[lane] = double(a.z);
   };
-  place(0, block.body1, J.v1, J.w1);
-  place(block.rows, block.body2, J.v2, J.w2);
+  put(place[0].v, J.v1), put(place[0].w, J.w1);
+  put(place[block.rows].v, J.v2), put(place[block.rows].w, J.w2);
 }
 
 }  // namespace joints

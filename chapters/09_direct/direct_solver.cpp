@@ -15,27 +15,30 @@ constexpr double bound_softness = sizeof(real) == 4 ? 1e-6 : 1e-9;
 // After so many passes in which no fewer rows were wrong, only the last wrong one changes sides.
 constexpr int patience = 3;
 
+Triple<double> of(const vec3& a) { return {double(a.x), double(a.y), double(a.z)}; }
+
 }  // namespace
 
 // ---- the factor ---------------------------------------------------------------------------------
 
 void DirectSolver::factor_now() {
-  maker_.assemble(J_, response_);
-  JointMatrix& A = maker_.A;
-  const auto diagonal = [&](int k, int i) -> double& {
-    return A.numbers[maker_.diagonal(k) + i * (inside_[k].block->rows + 1)];
-  };
+  maker_.assemble(J_, masses_);
+  JointMatrixOf<TwoLanes>& A = maker_.A;
   for (BoundedRow& row : bounded_) {
-    double& entry = diagonal(row.inside, inside_[row.inside].block->rows - 1);
-    row.softness = bound_softness * entry;
-    entry += row.softness;
+    const int rows = inside_[row.inside].block->rows, lane = maker_.lane(row.inside);
+    TwoLanes& entry = A.numbers[maker_.diagonal(row.inside) + rows * rows - 1];
+    row.softness = bound_softness * entry[lane];
+    entry[lane] += row.softness;
   }
   for (int k = 0; k < int(inside_.size()); ++k) {
-    const int n = inside_[k].block->rows;
-    if (inside_[k].spring > 0)
-      for (int i = 0; i < n * n; ++i) A.numbers[maker_.diagonal(k) + i] *= 1 + inside_[k].spring;
-    for (int i = 0; i < n; ++i) A.original[inside_[k].block->first + i] = diagonal(k, i);
+    if (inside_[k].spring == 0) continue;
+    const int n = inside_[k].block->rows, lane = maker_.lane(k);
+    TwoLanes* const block = &A.numbers[maker_.diagonal(k)];
+    for (int i = 0; i < n * n; ++i) block[i][lane] *= 1 + inside_[k].spring;
   }
+  for (const Node& node : A.nodes)
+    for (int i = 0; i < node.rows; ++i)
+      A.original[node.row + i] = A.numbers[node.diagonal + i * (node.rows + 1)];
   factor(A, inverse);
   factored_ = true;
 }
@@ -43,43 +46,56 @@ void DirectSolver::factor_now() {
 int DirectSolver::dropped() const {
   if (report_.iterated) return 0;  // there is no factor
   int count = 0;
-  for (int k = 0; k < int(pattern_.size()); ++k)
+  for (int k = 0; k < int(pattern_.size()); ++k) {
+    const TwoLanes* const block = &maker_.A.numbers[maker_.diagonal(k)];
     for (int i = 0; i < pattern_[k].rows; ++i)
-      count += maker_.A.numbers[maker_.diagonal(k) + i * (pattern_[k].rows + 1)] == 0;
+      count += block[i * (pattern_[k].rows + 1)][maker_.lane(k)] == 0;
+  }
   for (const BoundedRow& row : bounded_) count -= row.side != Side::free;
   return count;
 }
 
 // ---- corrections --------------------------------------------------------------------------------
 
+std::array<HalfRow, 2> DirectSolver::changes(const Block& block, const double* impulse) const {
+  double sum[12] = {};  // J^T times the impulses
+  for (int i = 0; i < block.rows; ++i) {
+    const real* const J = reinterpret_cast<const real*>(&blocks_->J[block.first + i]);
+    for (int k = 0; k < 12; ++k) sum[k] += impulse[i] * double(J[k]);
+  }
+  const BodyMass &mass1 = masses_[block.body1], &mass2 = masses_[block.body2];
+  const auto triple_at = [&](int k) { return Triple<double>{sum[k], sum[k + 1], sum[k + 2]}; };
+  return {HalfRow{mass1.linear * triple_at(0), mass1.angular * triple_at(3)},
+          HalfRow{mass2.linear * triple_at(6), mass2.angular * triple_at(9)}};
+}
+
 void DirectSolver::change_impulses(Bodies& bodies, const Block& block,
                                    const double* change) const {
-  Triple<double> v1{}, w1{}, v2{}, w2{};
-  const auto add = [](Triple<double>& sum, double factor, const vec3& a) {
-    sum.x += factor * a.x, sum.y += factor * a.y, sum.z += factor * a.z;
-  };
-  for (int i = 0; i < block.rows; ++i) {
-    const Row& J = blocks_->J[block.first + i];
-    block.impulse[i] += real(change[i]);
-    add(v1, change[i], J.v1), add(w1, change[i], J.w1);
-    add(v2, change[i], J.v2), add(w2, change[i], J.w2);
-  }
-  const auto push = [&](int slot, const Triple<double>& P, const Triple<double>& L) {
-    const Mass& mass = masses_[slot];
-    if (mass.linear == 0) return;
+  for (int i = 0; i < block.rows; ++i) block.impulse[i] += real(change[i]);
+  const auto push = [&](int slot, const HalfRow& by) {
+    if (masses_[slot].linear == 0) return;
     Body& body = bodies.at(slot);
-    const Triple<double> w = mass.angular * L;
-    body.v += vec3(real(mass.linear * P.x), real(mass.linear * P.y), real(mass.linear * P.z));
-    body.w += vec3(real(w.x), real(w.y), real(w.z));
+    body.v += vec3(real(by.v.x), real(by.v.y), real(by.v.z));
+    body.w += vec3(real(by.w.x), real(by.w.y), real(by.w.z));
   };
-  push(block.body1, v1, w1);
-  push(block.body2, v2, w2);
+  const auto [by1, by2] = changes(block, change);
+  push(block.body1, by1);
+  push(block.body2, by2);
 }
 
 void DirectSolver::change_rates(Bodies& bodies, std::vector<double>& rates) {
-  joints::solve(maker_.A, rates.data());
-  for (const Inside& one : inside_)
-    change_impulses(bodies, *one.block, &rates[one.block->first]);
+  for (int k = 0; k < int(inside_.size()); ++k) {
+    const Block& block = *inside_[k].block;
+    TwoLanes* const place = &on_lanes_[maker_.row(k)];
+    for (int i = 0; i < block.rows; ++i) place[i][maker_.lane(k)] = rates[block.first + i];
+  }
+  joints::solve(maker_.A, on_lanes_.data());
+  for (int k = 0; k < int(inside_.size()); ++k) {
+    const Block& block = *inside_[k].block;
+    const TwoLanes* const place = &on_lanes_[maker_.row(k)];
+    for (int i = 0; i < block.rows; ++i) rates[block.first + i] = place[i][maker_.lane(k)];
+    change_impulses(bodies, block, &rates[block.first]);
+  }
 }
 
 // J V + bias of a row.
@@ -97,14 +113,14 @@ void DirectSolver::correct_velocities(Bodies& bodies) {
     for (int i = 0; i < block.rows; ++i)
       x_[block.first + i] = expected_[block.first + i] - rate_left(bodies, block, i);
     if (one.spring == 0) continue;
-    for (int i = 0; i < block.rows; ++i)  // K lambda of a spring
-      for (int j = 0; j < block.rows; ++j)
-        for (const int half : {0, block.rows}) {
-          const HalfRow& a = J_[2 * block.first + half + i];
-          const HalfRow& b = response_[2 * block.first + half + j];
-          x_[block.first + i] -=
-              one.spring * (dot(a.v, b.v) + dot(a.w, b.w)) * double(block.impulse[j]);
-        }
+    double impulse[6];
+    std::copy(block.impulse, block.impulse + block.rows, impulse);
+    const auto [by1, by2] = changes(block, impulse);
+    for (int i = 0; i < block.rows; ++i) {  // K lambda of a spring
+      const Row& J = blocks_->J[block.first + i];
+      x_[block.first + i] -= one.spring * (dot(of(J.v1), by1.v) + dot(of(J.w1), by1.w) +
+                                           dot(of(J.v2), by2.v) + dot(of(J.w2), by2.w));
+    }
   }
   for (const BoundedRow& row : bounded_) {
     const Block& block = *inside_[row.inside].block;
@@ -143,7 +159,7 @@ int DirectSolver::flip_wrong_ones(Bodies& bodies, bool only_last) {
     if (next == row->side) continue;
     if (++wrong > 1 && only_last) continue;
     row->side = next;
-    place_row(block, last, next == Side::free);
+    place_row(row->inside, last, next == Side::free);
   }
   if (wrong > 0) factored_ = false;
   return wrong;

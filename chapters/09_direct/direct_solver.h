@@ -1,6 +1,8 @@
 // The direct solver: finds the impulses of all joints at once. Given, there is nothing to edit.
 #pragma once
 
+#include <array>
+
 #include "chapters/09_direct/joint_matrix.h"
 #include "engine/sequential_impulses.h"
 
@@ -12,7 +14,8 @@ namespace joints {
 /// factor serves the velocities, their refinement and the positions. Bounds are kept by an active
 /// set. Rows whose bound follows another impulse (friction), and those that they follow, stay
 /// outside of A: iterations over them and corrections of all others alternate.
-/// It works on numbers of type double, whatever `real` is. Best with beta = 1 in every joint.
+/// It works on numbers of type double, whatever `real` is, and on two islands that are alike side
+/// by side (JointMatrixMaker). Best with beta = 1 in every joint.
 /// Source: Baraff 1996 for the idea; Davis 2006 for sparse factors; Judice and Pires 1994 for the
 /// passes of the active set.
 class DirectSolver : public Solver {
@@ -56,13 +59,10 @@ class DirectSolver : public Solver {
   void change_rates(Bodies& bodies, std::vector<double>& rates);
 
  private:
-  struct Mass {  // of a body
-    double linear = 0;            // inverse mass
-    Symmetric<double> angular{};  // inverse inertia, world
-    real force_lever = 0;         // the sum of |F||r| in the last step [N m]
-    real lever = 0;               // the longest |r| [m]
-    vec3 w{0};                    // the angular velocity that it has with more inertia
-    int rows = 0;                 // of all blocks that hold it
+  struct Pull {  // at a body
+    real force_lever = 0;  // the sum of |F||r| in the last step [N m]
+    real lever = 0;        // the longest |r| [m]
+    vec3 w{0};             // the angular velocity that it has with more inertia
   };
   struct Inside {  // a block that has a place in A
     const Block* block;
@@ -81,17 +81,22 @@ class DirectSolver : public Solver {
   void collect_block(const Bodies& bodies, const Block& block, real h);
   bool is_outside(const Block& block) const;
   bool is_hub() const;
-  void place_row(const Block& block, int i, bool live);
+  void place_rows();
+  void place_row(int inside, int i, bool live);
   void solve_joints(Bodies& bodies);
   void correct_velocities(Bodies& bodies);
   int flip_wrong_ones(Bodies& bodies, bool only_last);
   void go_to_bounds(Bodies& bodies);
   double rate_left(const Bodies& bodies, const Block& block, int i) const;
+  // M^-1 J^T times some impulses of a block: what they change of its bodies' velocities.
+  std::array<HalfRow, 2> changes(const Block& block, const double* impulse) const;
   void change_impulses(Bodies& bodies, const Block& block, const double* change) const;
 
   const Blocks* blocks_ = nullptr;
-  std::vector<Mass> masses_;
-  std::vector<HalfRow> J_, response_;  // as JointMatrixMaker::assemble() wants them
+  std::vector<BodyMass> masses_;
+  std::vector<Pull> pulls_;
+  std::vector<int> rows_;  // of each body, those of all blocks that hold it
+  std::vector<HalfRowOf<TwoLanes>> J_;  // as JointMatrixMaker::assemble() wants them
   std::vector<double> bias_;           // minus the wanted J V, by rows
   std::vector<Inside> inside_;
   std::vector<BlockPattern> pattern_;  // of those
@@ -102,6 +107,7 @@ class DirectSolver : public Solver {
   JointMatrixMaker maker_;
   bool factored_ = false;
   std::vector<double> x_;              // the right-hand side, then the change of the impulses
+  std::vector<TwoLanes> on_lanes_;     // the same on lanes
   Blocks poses_;                       // errors at the new poses
   // The rates by which the last step's poses were corrected: this step's velocities begin with
   // them, for it will nearly be the same.

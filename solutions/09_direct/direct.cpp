@@ -13,7 +13,9 @@ namespace joints {
 
 // ---- the matrix of the joints -------------------------------------------------------------------
 
-void add_coupling(const HalfRow* J, int n, const HalfRow* response, int m, double* A) {
+template <class Number>
+void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* response, int m,
+                  Number* A) {
   // begin [exercise 9.1]
   // Eq. 9-2: entry (i, j) grows by dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w). Entry
   // (i, j) stands at A[i * m + j].
@@ -23,8 +25,9 @@ void add_coupling(const HalfRow* J, int n, const HalfRow* response, int m, doubl
   // end [exercise 9.1]
 }
 
-void factor(JointMatrix& A, PivotInverse inverse) {
-  double* const number = A.numbers.data();
+template <class Number>
+void factor(JointMatrixOf<Number>& A, PivotInverse inverse) {
+  Number* const number = A.numbers.data();
   const int* target = A.targets.data();
   // begin [exercise 9.2]
   // For each node k but the one behind the last: factor_block() its diagonal block. Then, for each
@@ -32,15 +35,15 @@ void factor(JointMatrix& A, PivotInverse inverse) {
   // subtract_product() of the block of every edge i, from j on, and of L, at number[*target++]
   // (Eq. 9-4); at last the edge's block becomes L. Where each target lies has been worked out
   // before, in just this order.
-  double L[36];
+  Number L[36];
   for (std::size_t k = 0; k + 1 < A.nodes.size(); ++k) {
     const Node& node = A.nodes[k];
     const int n = node.rows, end = A.nodes[k + 1].first_edge;
-    double* const D = number + node.diagonal;
+    Number* const D = number + node.diagonal;
     factor_block(D, n, &A.original[std::size_t(node.row)], inverse);
     for (int j = node.first_edge; j < end; ++j) {
       const int m = A.nodes[std::size_t(A.edges[j].to)].rows;
-      double* const block = number + A.edges[j].at;
+      Number* const block = number + A.edges[j].at;
       divide_rows(block, m, D, n, L);
       for (int i = j; i < end; ++i)
         subtract_product(number + A.edges[i].at, A.nodes[A.edges[i].to].rows, L, m, n,
@@ -51,8 +54,9 @@ void factor(JointMatrix& A, PivotInverse inverse) {
   // end [exercise 9.2]
 }
 
-void solve(const JointMatrix& A, double* x) {
-  const double* const number = A.numbers.data();
+template <class Number>
+void solve(const JointMatrixOf<Number>& A, Number* x) {
+  const Number* const number = A.numbers.data();
   // begin [exercise 9.2]
   // Forward, for each node k: subtract_times() of its edges' blocks and of its own numbers from the
   // numbers of the edge's other node; then divide() its own by the diagonal block. Back, from the
@@ -77,6 +81,15 @@ void solve(const JointMatrix& A, double* x) {
   }
   // end [exercise 9.2]
 }
+
+// Numbers of both kinds.
+template void add_coupling(const HalfRow*, int, const HalfRow*, int, double*);
+template void add_coupling(const HalfRowOf<TwoLanes>*, int, const HalfRowOf<TwoLanes>*, int,
+                           TwoLanes*);
+template void factor(JointMatrix&, PivotInverse);
+template void factor(JointMatrixOf<TwoLanes>&, PivotInverse);
+template void solve(const JointMatrix&, double*);
+template void solve(const JointMatrixOf<TwoLanes>&, TwoLanes*);
 
 std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours) {
   std::vector<int> order;

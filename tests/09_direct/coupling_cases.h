@@ -262,9 +262,7 @@ inline CaseTable<CouplingCase> coupling_table() {
              for (int j = 0; j < c.m; ++j)
                A[i * c.m + j] += sum += both(c.J[std::size_t(i)], c.response[std::size_t(j)]);
          });
-       }},
-      {"cut to a whole number: an int has no fraction",
-       product([=](const HalfRow& a, const HalfRow& b) { return std::trunc(both(a, b)); })}};
+       }}};
   for (const auto& mistake : other_halves()) table.mistakes.push_back(mistake);
   table.cases = coupling_cases();
   read_off(table, {[yours = table.yours, cases = table.cases] {

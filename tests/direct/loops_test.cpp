@@ -40,7 +40,8 @@ double plain_inverse(double pivot, double) { return 1 / pivot; }
 // A of the blocks of a world's last step, and both half-rows of every row.
 struct Assembled {
   std::vector<BlockPattern> pattern;
-  std::vector<HalfRow> J, response;
+  std::vector<HalfRowOf<TwoLanes>> J;
+  std::vector<BodyMass> masses;
   JointMatrixMaker maker;
 
   explicit Assembled(const World& world) {
@@ -50,12 +51,18 @@ struct Assembled {
       for (const bool second : {false, true})
         for (int i = 0; i < block.rows; ++i) {
           const Row& row = world.blocks.J[std::size_t(block.first + i)];
-          if (second) add(world.bodies.at(block.body2), row.v2, row.w2);
-          else add(world.bodies.at(block.body1), row.v1, row.w1);
+          J.push_back({lanes(second ? row.v2 : row.v1), lanes(second ? row.w2 : row.w1)});
         }
     }
-    maker.follow(pattern, int(world.blocks.C.size()));
-    maker.assemble(J, response);
+    for (int slot = 0; slot < world.bodies.slots(); ++slot) {
+      const Body& body = world.bodies.at(slot);
+      const mat3 I = inverse_inertia(body);
+      masses.push_back({double(body.inverse_mass),
+                        {double(I[0][0]), double(I[1][1]), double(I[2][2]), double(I[1][0]),
+                         double(I[2][0]), double(I[2][1])}});
+    }
+    maker.follow(pattern);
+    maker.assemble(J, masses);
     for (int k = 0; k < int(pattern.size()); ++k)
       for (int i = 0; i < pattern[std::size_t(k)].rows; ++i) {
         const BlockPattern& block = pattern[std::size_t(k)];
@@ -65,27 +72,21 @@ struct Assembled {
   }
   // The largest multiplier that a right-hand side of any numbers up to 1 gives.
   double largest_multiplier(PivotInverse inverse) const {
-    JointMatrix A = maker.A;
+    JointMatrixOf<TwoLanes> A = maker.A;
     factor(A, inverse);
-    std::vector<double> x(A.original.size());
+    std::vector<TwoLanes> x(A.original.size());
     Random random(911);
-    for (double& entry : x) entry = double(random.uniform(-1, 1));
+    for (TwoLanes& entry : x) entry[0] = double(random.uniform(-1, 1));
     solve(A, x.data());
     double out = 0;
-    for (const double a : x) out = std::isfinite(a) ? std::max(out, std::abs(a)) : INFINITY;
+    for (const TwoLanes& a : x)
+      out = std::isfinite(a[0]) ? std::max(out, std::abs(a[0])) : INFINITY;
     return out;
   }
 
  private:
-  void add(const Body& body, const vec3& v, const vec3& w) {
-    const auto triple = [](const vec3& a) {
-      return Triple<double>{double(a.x), double(a.y), double(a.z)};
-    };
-    const mat3 I = inverse_inertia(body);
-    const Symmetric<double> in_double{double(I[0][0]), double(I[1][1]), double(I[2][2]),
-                                      double(I[1][0]), double(I[2][0]), double(I[2][1])};
-    J.push_back({triple(v), triple(w)});
-    response.push_back({double(body.inverse_mass) * triple(v), in_double * triple(w)});
+  static Triple<TwoLanes> lanes(const vec3& a) {
+    return {TwoLanes{double(a.x)}, TwoLanes{double(a.y)}, TwoLanes{double(a.z)}};
   }
 };
 

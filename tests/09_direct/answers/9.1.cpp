@@ -119,18 +119,8 @@
 
 // ---- wrong: sum goes on
 // expects: Likely mistake: a sum goes on from entry to entry: begin with 0 for each
-// change: for (int i ==> double sum = 0; for (int i
+// change: for (int i ==> Number sum{}; for (int i
 // change: += dot ==> += sum += dot
-
-// ---- wrong: product in an int
-// expects: Likely mistake: cut to a whole number: an int has no fraction
-// change: += dot(J[i].v ==> += int(dot(J[i].v
-// change: response[j].w); ==> response[j].w));
-
-// ---- wrong: product in float
-// expects: Likely mistake: right to a few digits only: is there a float among the reals, such as
-// change: += dot(J[i].v ==> += float(dot(J[i].v
-// change: response[j].w); ==> response[j].w));
 
 // ---- wrong: both triangles at once
 // expects: Likely mistake: something is written behind the n x m numbers of A: do the loops end
@@ -151,7 +141,7 @@
 
 // ---- wrong: a pointer that goes on by n
 // expects: Likely mistake: a row is n numbers long, it has m: entry (i, j) stands at A[i * m +
-  double* a = A;
+  Number* a = A;
   for (int i = 0; i < n; ++i, a += n)
     for (int j = 0; j < m; ++j)
       a[j] += dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w);
@@ -169,7 +159,7 @@
 // ---- right: columns outside
   for (int j = 0; j < m; ++j)
     for (int i = 0; i < n; ++i) {
-      double sum = A[i * m + j];
+      Number sum = A[i * m + j];
       sum = sum + dot(J[i].w, response[j].w);
       sum += dot(J[i].v, response[j].v);
       A[i * m + j] = sum;

@@ -6,14 +6,14 @@
 
 // ---- wrong: diagonal factored at last
 // expects: Likely mistake: the diagonal block is factored at last: the division needs its factor
-  double L[36];
+  Number L[36];
   for (std::size_t k = 0; k + 1 < A.nodes.size(); ++k) {
     const Node& node = A.nodes[k];
     const int n = node.rows, end = A.nodes[k + 1].first_edge;
-    double* const D = number + node.diagonal;
+    Number* const D = number + node.diagonal;
     for (int j = node.first_edge; j < end; ++j) {
       const int m = A.nodes[std::size_t(A.edges[j].to)].rows;
-      double* const block = number + A.edges[j].at;
+      Number* const block = number + A.edges[j].at;
       divide_rows(block, m, D, n, L);
       for (int i = j; i < end; ++i)
         subtract_product(number + A.edges[i].at, A.nodes[A.edges[i].to].rows, L, m, n,
@@ -67,15 +67,15 @@
 
 // ---- wrong: L not stored
 // expects: Likely mistake: L is not stored: the edge's block becomes L at last
-  double L[36];
+  Number L[36];
   for (std::size_t k = 0; k + 1 < A.nodes.size(); ++k) {
     const Node& node = A.nodes[k];
     const int n = node.rows, end = A.nodes[k + 1].first_edge;
-    double* const D = number + node.diagonal;
+    Number* const D = number + node.diagonal;
     factor_block(D, n, &A.original[std::size_t(node.row)], inverse);
     for (int j = node.first_edge; j < end; ++j) {
       const int m = A.nodes[std::size_t(A.edges[j].to)].rows;
-      double* const block = number + A.edges[j].at;
+      Number* const block = number + A.edges[j].at;
       divide_rows(block, m, D, n, L);
       for (int i = j; i < end; ++i)
         subtract_product(number + A.edges[i].at, A.nodes[A.edges[i].to].rows, L, m, n,
@@ -145,15 +145,15 @@
 
 // ---- wrong: only the last edge stored
 // expects: Likely mistake: L is stored behind the loop over the edges: each edge has its own
-  double L[36];
+  Number L[36];
   for (std::size_t k = 0; k + 1 < A.nodes.size(); ++k) {
     const Node& node = A.nodes[k];
     const int n = node.rows, end = A.nodes[k + 1].first_edge;
-    double* const D = number + node.diagonal;
+    Number* const D = number + node.diagonal;
     factor_block(D, n, &A.original[std::size_t(node.row)], inverse);
     for (int j = node.first_edge; j < end; ++j) {
       const int m = A.nodes[std::size_t(A.edges[j].to)].rows;
-      double* const block = number + A.edges[j].at;
+      Number* const block = number + A.edges[j].at;
       divide_rows(block, m, D, n, L);
       for (int i = j; i < end; ++i)
         subtract_product(number + A.edges[i].at, A.nodes[A.edges[i].to].rows, L, m, n,
@@ -382,12 +382,12 @@
   for (std::size_t k = 0; k + 1 < A.nodes.size(); ++k) {
     const Node& node = A.nodes[k];
     const int n = node.rows, end = A.nodes[k + 1].first_edge;
-    double* const D = number + node.diagonal;
+    Number* const D = number + node.diagonal;
     factor_block(D, n, &A.original[std::size_t(node.row)], inverse);
-    std::vector<std::vector<double>> L(std::size_t(end - node.first_edge));
+    std::vector<std::vector<Number>> L(std::size_t(end - node.first_edge));
     for (int j = node.first_edge; j < end; ++j) {
       const int m = A.nodes[std::size_t(A.edges[j].to)].rows;
-      std::vector<double>& own = L[std::size_t(j - node.first_edge)];
+      std::vector<Number>& own = L[std::size_t(j - node.first_edge)];
       own.resize(std::size_t(m * n));
       divide_rows(number + A.edges[j].at, m, D, n, own.data());
       for (int i = j; i < end; ++i)
@@ -395,7 +395,7 @@
                          number + *target++);
     }
     for (int j = node.first_edge; j < end; ++j) {
-      const std::vector<double>& own = L[std::size_t(j - node.first_edge)];
+      const std::vector<Number>& own = L[std::size_t(j - node.first_edge)];
       std::copy(own.begin(), own.end(), number + A.edges[j].at);
     }
   }

@@ -1,0 +1,134 @@
+// Islands side by side on the lanes of the direct solver: each moves as it does alone.
+#include "tests/checker/catch.h"
+#include "tests/direct/rigs.h"
+
+using namespace joints;
+using namespace joints::testing;
+
+namespace {
+
+constexpr int bodies_of_arm = 4;
+
+// An arm of three bodies on a wall, with a motion of its own by its number. All arms have one
+// pattern, but for `links` more at the end; listed from the end an arm has another one, too.
+struct Arm {
+  int number;
+  int links = 0;
+  bool bounded = false;   // a motor that pushes into a limit, and a soft joint
+  bool from_end = false;  // the joints are listed from there
+};
+
+void add(World& world, const Arm& arm) {
+  Random random(unsigned(70 + arm.number));
+  std::vector<BodyId> ids{world.add(static_body(vec3(0, 0, real(3 * arm.number))))};
+  std::vector<vec3> axes;
+  for (int k = 1; k < bodies_of_arm + arm.links; ++k) {
+    const vec3 x(real(k), 0, real(3 * arm.number));
+    ids.push_back(world.add(box(random.uniform(1, 3), vec3(1, real(0.3), real(0.4)), x)));
+    axes.push_back(vec3(random.uniform(-1, 1), 0, 1));
+    Body& body = world.bodies[ids.back()];
+    if (!arm.bounded) body.v = random.vector(1), body.w = random.vector(2);
+  }
+  std::vector<HingeJoint*> hinges(axes.size());
+  for (std::size_t n = 0; n < axes.size(); ++n) {
+    const std::size_t k = arm.from_end ? axes.size() - 1 - n : n;
+    const vec3 anchor = world.bodies[ids[k + 1]].x - vec3(real(0.5), 0, 0);
+    hinges[k] = &world.add<HingeJoint>(world.bodies, ids[k], ids[k + 1], anchor, axes[k]);
+  }
+  feed_back_all(world);
+  if (!arm.bounded) return;
+  hinges[0]->set_limits(real(-0.1) * real(arm.number), real(0.1));
+  hinges[0]->set_motor(arm.number % 2 == 0 ? real(2) : real(-2), 200);
+  hinges[2]->frequency = 3;
+}
+
+// How far the bodies from `slot` on are from those of a world that has nothing else.
+double difference(const World& together, int slot, const World& alone) {
+  double most = 0;
+  for (int k = 0; k < alone.bodies.slots(); ++k) {
+    const Body &a = together.bodies.at(slot + k), &b = alone.bodies.at(k);
+    const vec3 v = a.v - b.v, w = a.w - b.w, x = a.x - b.x;
+    most = std::max({most, double(length(v)), double(length(w)), double(length(x))});
+  }
+  return most;
+}
+
+// A world of arms after 60 steps.
+World moved(const std::vector<Arm>& arms, int newton = 0) {
+  World world;
+  for (const Arm& arm : arms) add(world, arm);
+  DirectSolver solver = with(newton);
+  for (int n = 0; n < 60; ++n) step(world, solver, sixtieth, second_order);
+  return world;
+}
+
+double difference_from_alone(const std::vector<Arm>& arms) {
+  const World together = moved(arms);
+  double most = 0;
+  int slot = 0;
+  for (const Arm& arm : arms) {
+    const World alone = moved({arm});
+    most = std::max(most, difference(together, slot, alone));
+    slot += alone.bodies.slots();
+  }
+  return most;
+}
+
+// A body on two rods from a wall: side by side, or one beside the other's end.
+void add_rods(World& world, real apart, real z) {
+  const BodyId wall = world.add(static_body(vec3(0, 0, z)));
+  const BodyId body = world.add(box(2, vec3(real(0.5)), vec3(2, 0, z)));
+  for (const real y : {real(0), apart})
+    world.add<DistanceJoint>(wall, body, Distance{.anchor1_local = vec3(0, y, 0),
+                                                  .anchor2_local = vec3(0, y, 0), .length = 2});
+  world.bodies[body].v = vec3(0, 1, 0);
+  feed_back_all(world);
+}
+
+}  // namespace
+
+TEST_CASE("islands on lanes move as each does alone, to the last digit") {
+  CHECK(difference_from_alone({{0}, {1}}) == 0);
+  CHECK(difference_from_alone({{0}, {1}, {2}}) == 0);  // one is left over
+  CHECK(difference_from_alone({{0}, {1, 1}, {2}, {3, 2}, {4, 1}}) == 0);
+}
+
+TEST_CASE("limits, motors, springs and exact positions are the same on lanes and without") {
+  for (const int newton : {0, 8}) {
+    CAPTURE(newton);
+    const World on_lanes = moved({{0, 0, true}, {1, 0, true}}, newton);
+    const World without = moved({{0, 0, true}, {1, 0, true, true}}, newton);
+    CHECK(difference(on_lanes, 0, without) < tolerance(1e-9, 1e-2));
+  }
+}
+
+TEST_CASE("a row that depends on others in one island alone is dropped in that one alone") {
+  for (const bool second : {false, true}) {
+    CAPTURE(second);
+    World together, dependent, free;
+    add_rods(together, second ? real(0.1) : real(0), 0);
+    add_rods(together, second ? real(0) : real(0.1), 5);
+    add_rods(dependent, 0, second ? 5 : 0);
+    add_rods(free, real(0.1), second ? 0 : 5);
+    DirectSolver both, one, other;
+    step(together, both, sixtieth, second_order);
+    step(dependent, one, sixtieth, second_order);
+    step(free, other, sixtieth, second_order);
+    CHECK(both.dropped() == 1);
+    CHECK(one.dropped() == 1);
+    CHECK(other.dropped() == 0);
+    CHECK(difference(together, second ? 2 : 0, dependent) == 0);
+    CHECK(difference(together, second ? 0 : 2, free) == 0);
+  }
+}
+
+TEST_CASE("the report counts every island, whichever lanes they have") {
+  World one, three;
+  add(one, {0});
+  for (int k = 0; k < 3; ++k) add(three, {k});
+  DirectSolver solver_of_one, solver_of_three;
+  step(one, solver_of_one, sixtieth, second_order);
+  step(three, solver_of_three, sixtieth, second_order);
+  CHECK(solver_of_one.report().multiplications > 0);
+  CHECK(solver_of_three.report().multiplications == 3 * solver_of_one.report().multiplications);
+}

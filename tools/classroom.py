@@ -181,7 +181,8 @@ def tell_chapter(chapter, submissions):
              [COLOURS.get(state, str) for state in states])
     if len(submissions) > 1:
         total = [str(sum(one.done([id_]) for one in submissions)) for id_ in ids]
-        line("done in all", total, f"{sum(map(int, total))} of {len(ids) * len(submissions)}")
+        line("done in all", total,
+             f"{sum(map(int, total))} of {len(ids) * len(submissions)}")
     print()
 
 
@@ -229,7 +230,8 @@ def grade(folders):
     table = house.OUT / "grades.csv"
     write(table, submissions, ids)
     print(f"{len(submissions)} submission{'s' * (len(submissions) > 1)}: "
-          + ", ".join(f"{states[state]} {SUMMED.get(state, state)}" for state in grading.ORDER if states[state]))
+          + ", ".join(f"{states[state]} {SUMMED.get(state, state)}"
+                      for state in grading.ORDER if states[state]))
     print(f"the table: {house.short(table)}; processor time: {checking.processor_time():.0f} s")
     if len(submissions) > 1 and states[grading.WRONG] + states[grading.BROKEN]:
         print("Why: ./wb grade with the folder of one submission prints its reports.")

@@ -60,7 +60,7 @@ def ended(id_, look):
     if id_ not in look.written():
         return grading.Grade(id_, grading.OPEN)
     return grading.Grade(id_, grading.WRONG, failures=[
-        ("", "its tests did not end, or have ended what runs them: a loop without an end, kill()?")])
+        ("", "its tests did not end, or ended what runs them: a loop without an end, kill()?")])
 
 
 if __name__ == "__main__":

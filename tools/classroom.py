@@ -205,8 +205,8 @@ def write(path, submissions, ids):
         table.writerow(["submission", *ids, "done"])
         for one in submissions:
             table.writerow([one.name, *map(one.words, ids), one.done(ids)])
-        table.writerow(["done in all", *(sum(one.done([id_]) for one in submissions)
-                                         for id_ in ids), sum(one.done(ids) for one in submissions)])
+        total = [sum(one.done([id_]) for one in submissions) for id_ in ids]
+        table.writerow(["done in all", *total, sum(total)])
 
 
 def grade(folders):

@@ -72,7 +72,7 @@ def process(command, limit, env=None):
     _, status, used = os.wait4(child.pid, 0)
     child.returncode = os.waitstatus_to_exitcode(status)
     alarm.cancel()
-    listener.join()
+    listener.join(1)  # what it has left running in the background may print for ever
     os.close(ours)
     size = used.ru_maxrss / (1 << 20 if sys.platform == "darwin" else 1 << 10)
     return child.returncode, b"".join(kept).decode(errors="replace"), size > 0.8 * STACK

@@ -36,8 +36,13 @@ HELP = """The Joint Workbook
   ./wb bench --loop    a joint and iteration, from the textbook's loop to lanes
   ./wb bench --cost    rows, bytes and instructions of every kind of joint
   ./wb docs            the documentation as a site, with every motion
+
+  ./wb grade DIR       of a class: what is done in every submission, also as
+                       out/grades.csv. DIR is a submission or a folder of them;
+                       a submission: a folder with distance.cpp and so on
 """
 ANY = None
+CALLED_FROM = Path.cwd()
 # Of each command: the fewest and the most words that it takes, what they are, and its options.
 # Those of check, run and bench are read where they are known.
 TAKES = {"": (0, 0, "", []), "tour": (0, 0, "no argument", []), "docs": (0, 0, "no argument", []),
@@ -45,6 +50,7 @@ TAKES = {"": (0, 0, "", []), "tour": (0, 0, "no argument", []), "docs": (0, 0, "
          "run": (1, ANY, "a chapter and options: ./wb run 2 --help", ANY),
          "test": (1, 1, "one exercise or chapter: ./wb test 1.1", []),
          "watch": (0, 1, "one exercise or chapter or none: ./wb watch 1.1", []),
+         "grade": (1, ANY, "folders of submissions: ./wb grade class", []),
          "hint": (1, 2, "an exercise and 1, 2 or 3: ./wb hint 1.1", []),
          "show": (1, 1, "one exercise: ./wb show 1.1 (--yes: do not ask)", ["--yes"]),
          "reset": (1, 1, "one exercise or chapter (--yes, --keep)",
@@ -139,6 +145,9 @@ def call(command, words, rest):
         case "check":
             import checking
             return checking.check(rest)
+        case "grade":
+            import classroom
+            return classroom.grade([CALLED_FROM / word for word in words])
         case "tour":
             import tour
             return tour.tour()

@@ -4,7 +4,6 @@ What a reader's file is linked with is taken from a build that is there: only th
 compiled, as that build would compile it.
 """
 import os
-import re
 import resource
 import shutil
 import subprocess
@@ -14,12 +13,12 @@ from pathlib import Path
 
 from proofs import exercises, house
 
+import lend
+
 CHAPTER = "01_distance"
 # What is built in the copy, and where it lies in the build folder.
 TARGETS = {f"{CHAPTER}_test_mine": f"tests/{CHAPTER}_test_mine",
            f"{CHAPTER}_run_mine": f"{CHAPTER}_run_mine"}
-# The commands that make them from the reader's file: compile it, put it into a library, link.
-OWN = re.compile(r"/distance\.cpp$|/where\.cpp$| qc \S+_(mine|mixed)\.a | -o \S+_mine ")
 
 
 class Door:
@@ -74,33 +73,14 @@ class Door:
 
     def lend_build(self):
         """A build folder in which the reader's file, and nothing else, is compiled."""
-        build = self.root / "build"
-        build.mkdir()
-        (build / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={self.root}\n")
-        lines = ["rule make", "  command = $line", "  description = $out"]
-        for target, product in TARGETS.items():
-            commands = subprocess.run(["ninja", "-C", self.source_build, "-t", "commands", target],
-                                      capture_output=True, text=True, check=True).stdout
-            own = [command.removeprefix(": && ").removesuffix(" && :")
-                   for command in commands.splitlines() if OWN.search(command)]
-            line = self.moved(" && ".join(own)).replace("$", "$$")
-            of = "mixed" if "run" in target else "../chapters"
-            lines += [f"build {product}: make {of}/{CHAPTER}/distance.cpp", f"  line = {line}"]
-            lines += [f"build {target}: phony {product}"] if product != target else []
-        (build / "build.ninja").write_text("\n".join(lines) + "\n")
-        for folder in re.findall(r"--dependency-file=(\S+)/", "\n".join(lines)):
-            (build / folder).mkdir(parents=True, exist_ok=True)  # where a linker writes of itself
+        lend.lend(self.source_build, self.root / "build", self.root, [
+            (target, product, self.root / ("build/mixed" if "run" in target else "chapters")
+             / CHAPTER / "distance.cpp",
+             self.moved(lend.commands(self.source_build, target, "distance")))
+            for target, product in TARGETS.items()])
 
     def moved(self, line):
-        """A command line for the copy: what it does not make itself lies in the source's build."""
-        made = re.findall(r" (?:-o|qc) (\S+)", line)
-        for path in made:
-            (self.root / "build" / path).parent.mkdir(parents=True, exist_ok=True)
-
-        def where(word):
-            there = self.source_build / word[0].replace("_run_mine.dir", "_run.dir")
-            return str(there) if word[0] not in made and there.is_file() else word[0]
-        line = re.sub(r"(?<=\s)[\w./]+(?=\s|$)", where, line)
+        """A line of commands for the files of the copy."""
         return line.replace(f"{self.source_build}/mixed", f"{self.root}/build/mixed").replace(
             f"-I{self.source}", f"-I{self.root}").replace(
             f"{self.source}/chapters", f"{self.root}/chapters")

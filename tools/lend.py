@@ -1,0 +1,52 @@
+"""A build folder in which a reader's file, and nothing else, is compiled: as another build would
+compile it, and linked with what lies there."""
+import re
+import subprocess
+
+
+def commands(lender, target, name):
+    """The commands that make a target from the exercise file of this name alone: compile it, put it
+    into a library, link."""
+    own = re.compile(rf"/{name}\.cpp$|/where\.cpp$| qc \S+_(mine|mixed)\.a | -o \S+_mine ")
+    said = subprocess.run(["ninja", "-C", lender, "-t", "commands", target],
+                          capture_output=True, text=True, check=True).stdout
+    return " && ".join(command.removeprefix(": && ").removesuffix(" && :")
+                       for command in said.splitlines() if own.search(command))
+
+
+def made(line):
+    """What a line of commands makes."""
+    return re.findall(r" (?:-o|-MF|qc) (\S+)", line)
+
+
+def needs(line):
+    """The objects and libraries that the lender must have built."""
+    return [path for path in re.findall(r"(?<=\s)(?!/)[\w./]+\.[oa](?=\s|$)", line)
+            if path not in made(line)]
+
+
+def lend(lender, build, root, makes):
+    """Writes the build folder of the workbook at `root`. `makes`: (target, what it makes, the file
+    it makes that from, its commands)."""
+    build.mkdir()
+    (build / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={root}\n")
+    lines = ["rule make", "  command = $line", "  description = $out"]
+    for target, product, file, line in makes:
+        line = moved(line, lender, build)
+        lines += [f"build {product}: make {file}", f"  line = {line.replace('$', '$$')}"]
+        lines += [f"build {target}: phony {product}"] if product != target else []
+    (build / "build.ninja").write_text("\n".join(lines) + "\n")
+    for folder in re.findall(r"--dependency-file=(\S+)/", "\n".join(lines)):
+        (build / folder).mkdir(parents=True, exist_ok=True)  # where a linker writes of itself
+
+
+def moved(line, lender, build):
+    """A line of commands for the new folder: what it does not make itself lies in the lender's."""
+    own = made(line)
+    for path in own:
+        (build / path).parent.mkdir(parents=True, exist_ok=True)
+
+    def where(word):
+        there = lender / word[0].replace("_run_mine.dir", "_run.dir")
+        return str(there) if word[0] not in own and there.is_file() else word[0]
+    return re.sub(r"(?<=\s)[\w./]+(?=\s|$)", where, line)

@@ -27,7 +27,7 @@ COMMENT = re.compile(r"<!--\s*=\s*(.*?)-->", re.S)
 TIED = re.compile(r"<!--\s*(?:=.*?|given\s*)-->", re.S)
 NUMBER = re.compile(
     r"(?<![\w.^{/])(?P<sign>[-−+]?)(?P<digits>\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+(?:\.\d+)?)"
-    r"(?:\s*\\cdot\s*10\^\{?(?P<power>-?\d+)\}?)?(?![\w{])"
+    r"(?:\s*\\cdot\s*10\^\{?(?P<power>-?\d+)\}?)?(?![\w{^])"
     r"|(?<![\w.\\^{])10\^\{?(?P<ten>-?\d+)\}?")
 CELL = re.compile(r"(?P<file>(?:\d\d[^/\[\]]*/|[a-z]+(?:/[a-z]+)*/)?\w+\.csv)"
                   r"\[(?P<where>[^\]]*)\]\.(?P<column>\w+)")

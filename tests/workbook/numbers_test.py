@@ -41,7 +41,7 @@ def changed_digits_are_found(root, build):
             line = lines[tie.line - 1]
             lines[tie.line - 1] = line[:at] + str((int(digit) + 2) % 10) + line[at + 1:]
             planted += 1
-            if not any(at == tie.line and tie.expression in words
+            if not any(at == tie.line and words.startswith("says ")
                        for at, words in tied.faults_of("\n".join(lines), chapter, tables)):
                 yield f"{path.relative_to(root)}:{tie.line}: {tie.shown} may be anything"
     if planted < 3:

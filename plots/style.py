@@ -98,18 +98,26 @@ def rows(table, **where):
     return {name: np.asarray(column)[chosen] for name, column in table.items()}
 
 
-def chapter(number, tables, draws):
+def chapter(number, tables, draws, result=None):
     """A chapter's script: reads its tables, the solution's and yours, and draws its figures.
 
     tables(folder, command) gives what each draw(solution, mine, out) is called with, in order.
+    `result` is the one of them that the chapter's text shows: with --result it alone is drawn, of
+    the solution, into that file.
     """
     given = arguments(f"Draws the figures of chapter {number}.",
                       solution="folder of the solution's tables",
-                      mine="optional: folder of your tables", out="folder of the figures")
+                      mine="optional: folder of your tables", out="optional: folder of the figures",
+                      result="optional: the file of the text's figure, alone")
     solution = tables(given.solution, f"./wb plot {number}")
     mine = tables(given.mine, f"./wb run {number}") if given.mine else (None,) * len(draws)
+    if given.result and result not in draws:
+        trouble(f"chapter {number} has no figure for its text")
     for draw, theirs, own in zip(draws, solution, mine):
-        draw(theirs, own, given.out)
+        if given.result and draw is result:
+            draw(theirs, None, given.result)
+        elif not given.result:
+            draw(theirs, own, given.out)
 
 
 def figure(title, panels=1, rows=1, **options):
@@ -121,13 +129,17 @@ def figure(title, panels=1, rows=1, **options):
 
 
 def save(made, path):
-    """Writes path.png: the same bytes for the same data."""
-    path.parent.mkdir(parents=True, exist_ok=True)
+    """Writes path.png, or x.svg if path is x.svg/name: the same bytes for the same data."""
+    kept = path.parent if path.parent.suffix == ".svg" else None
+    (kept or path).parent.mkdir(parents=True, exist_ok=True)
     arrange(made)  # once more as it is drawn: by then labels have their sizes
     title = made._suptitle.get_window_extent(made.canvas.get_renderer())
     room = 0.976 * made.bbox.width / title.width
     made._suptitle.set_fontsize(made._suptitle.get_fontsize() * min(1, room))
-    made.savefig(path.with_name(path.name + ".png"), metadata={"Software": None})
+    if kept:
+        made.savefig(kept, metadata={"Date": None})
+    else:
+        made.savefig(path.with_name(path.name + ".png"), metadata={"Software": None})
     plt.close(made)
 
 

@@ -13,8 +13,8 @@ import proving
 # What Python can see, and what it runs: script and topic.
 PROOFS = {f"tests/{path}_test.py": path.split("/")[0] for path in (
     "workbook/programs", "workbook/exercises", "workbook/texts", "workbook/sources",
-    "workbook/numbers", "workbook/contacts", "workbook/direct_solver", "workbook/front_door",
-    "workbook/grade",
+    "workbook/numbers", "workbook/pictures", "workbook/contacts", "workbook/direct_solver",
+    "workbook/front_door", "workbook/grade",
     "bench/cost", "library/library", "library/pkg_config")}
 
 

@@ -4,13 +4,9 @@ import sys
 
 from proofs import files, folded, house, main, prose, read, regions, section, sections
 
-
 HEADINGS = ["Goal", "Derivation", "Numbers", "Code", "Exercises", "Check", "Predict", "See it",
             "A printed formula that is wrong: find it", "Questions", "Further reading"]
 OPTIONAL = {"A printed formula that is wrong: find it"}
-QUOTED = {"docs/library.md": ["CMakeLists.txt", "main.cpp", "crate.cpp", "arm.cpp",
-                              "universal_joint.h", "symmetric_impulses.h", "shafts.cpp",
-                              "saved.cpp"]}  # of its consumer
 
 
 def texts_have_their_headings(root, build):
@@ -82,12 +78,22 @@ def errata_are_shown(root, build):
 
 
 def quotations_are_exact(root, build):
-    """a file that a text quotes stands there as it is"""
-    for text, sources in QUOTED.items():
-        blocks = re.findall(r"^```\w+\n(.*?)^```$", read(root / text), re.M | re.S)
-        for source in sources:
-            if read(root / "tests/library/consumer" / source) not in filter(None, blocks):
-                yield f"{text} does not quote {source} as it is"
+    """code that a text quotes from a file, <!-- from FILE -->, stands there as it is"""
+    quotation = re.compile(r"<!-- from (\S+) -->\n+```\w+\n(.*?)^```$", re.M | re.S)
+    for path in files(root, ".md"):
+        text = read(path)
+        found = quotation.findall(text)
+        if len(found) != text.count("<!-- from "):
+            yield f"{path.relative_to(root)}: <!-- from FILE --> stands before no code"
+        for source, code in found:
+            whole = read(root / source)
+            if not any("\n" + indented(code, depth) in "\n" + whole for depth in (0, 2, 4, 6)):
+                yield f"{path.relative_to(root)}: {code.splitlines()[0]} stands not so in {source}"
+
+
+def indented(code, depth):
+    return re.sub(r"^(?=.)", " " * depth, code, flags=re.M)
+
 
 
 PROOFS = [texts_have_their_headings, questions_have_answers, equations_exist,

@@ -1,0 +1,68 @@
+"""The pictures of the texts are what their scripts draw today: pictures_test.py ROOT BUILD"""
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import tied
+from proofs import house, main, read
+
+MOST_BYTES = 60_000  # of a result: it is read on a code host, over a network
+MADE_BY = re.compile(r"Matplotlib v([\d.]+)")
+
+
+def differences(root, pairs, jobs):
+    """A line for every kept file that is not, byte for byte, what was drawn now."""
+    for (kept, made), (script, *arguments) in zip(pairs, jobs):
+        result = subprocess.run([sys.executable, "-B", root / "plots" / script, *arguments],
+                                capture_output=True, text=True)
+        there, now = read(kept), read(made)
+        again = f"python3 plots/{script} " + " ".join(
+            str(kept.relative_to(root) if word == made else word) for word in arguments)
+        if result.returncode:
+            yield result.stderr.strip()
+        elif not there:
+            yield f"{kept.relative_to(root)} is missing; draw it: {again}"
+        elif MADE_BY.findall(there) == MADE_BY.findall(now) and there != now:
+            yield f"{kept.relative_to(root)} is not what its script draws; draw it anew: {again}"
+
+
+def geometry_is_what_its_script_draws(root, build):
+    """the geometry of every chapter is what its script draws"""
+    with tempfile.TemporaryDirectory() as folder:
+        pairs, jobs = [], []
+        for chapter in house.chapters():
+            made = Path(folder) / f"{chapter.number}.svg"
+            pairs.append((chapter.text.parent / "geometry.svg", made))
+            jobs.append((f"geometry_{chapter.number:02}.py", made))
+        yield from differences(root, pairs, jobs)
+
+
+def results_are_drawn_from_what_the_programs_measure(root, build):
+    """the result of every chapter is drawn from what its program writes, and is small"""
+    tables = tied.Tables(root, build)
+    with tempfile.TemporaryDirectory() as folder:
+        pairs, jobs = [], []
+        for chapter in house.chapters():
+            kept = chapter.text.parent / "result.svg"
+            if "](result.svg)" not in read(chapter.text):
+                continue
+            made = Path(folder) / f"{chapter.number}.svg"
+            try:
+                measured, _ = tables.run(chapter.number, "")
+            except tied.Wrong as wrong:
+                yield f"{chapter.folder}: {wrong}"
+                continue
+            pairs.append((kept, made))
+            jobs.append((f"chapter_{chapter.number:02}.py", "--solution", measured,
+                         "--result", made))
+            if len(read(kept)) > MOST_BYTES:
+                yield f"{kept.relative_to(root)} has {len(read(kept))} bytes: at most {MOST_BYTES}"
+        yield from differences(root, pairs, jobs)
+
+
+PROOFS = [geometry_is_what_its_script_draws, results_are_drawn_from_what_the_programs_measure]
+
+if __name__ == "__main__":
+    sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

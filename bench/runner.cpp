@@ -79,7 +79,9 @@ Result measured(const MakeScene& make_scene, const Setting& setting, const Span&
       sideways = std::max(
           sideways, std::abs(dot(glm::dvec3(now[i].x) - start[i].x, scene.forbidden)));
   });
-  return {measures, tip_error, sideways, status(measures, link)};
+  const auto& value = scene.finding.value;
+  return {measures, tip_error, sideways,
+          value ? value(scene) : std::numeric_limits<double>::quiet_NaN(), status(measures, link)};
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ struct Span {
 struct Result : Measures {
   double tip_error = 0;  ///< after 1 s [m]; 0 where the scene has no reference
   double sideways = 0;   ///< the furthest that a body went in the forbidden direction [m]
+  double found = std::numeric_limits<double>::quiet_NaN();  ///< the scene's finding, if it has one
   std::string status{};  ///< ok, soft, torn, energy+, exploded or nan
 };
 

@@ -9,6 +9,13 @@
 /// @{
 namespace joints::bench {
 
+/// What a scene is for, as a number, and what it would be without any error.
+struct Finding {
+  std::string what{};    ///< in words without a comma, with its unit
+  double expected = 0;
+  std::function<double(const Scene&)> value{};  ///< at the end of a run; empty: nothing is found
+};
+
 /// A scene of the benchmark: alike chains side by side, a tip to follow. All bodies start at rest
 /// unless it says otherwise.
 struct BenchScene : Scene {
@@ -17,6 +24,7 @@ struct BenchScene : Scene {
   glm::dvec3 tip_reference{0};       ///< where it is after 1 s, from a far finer computation [m]
   glm::dvec3 tip_mask{1};            ///< 1 for the coordinates that the reference gives
   glm::dvec3 forbidden{0};           ///< unit direction in which no body can move; 0 where none
+  Finding finding{};
 };
 
 /// How a scene is made: every run needs a fresh one.

@@ -6,7 +6,7 @@ import sys
 import house
 
 TABLE, STABILITY = house.OUT / "work_precision.csv", house.OUT / "stability.csv"
-DIRECT = house.OUT / "direct.csv"
+METHODS = house.OUT / "methods.csv"
 LOOP, SCALING = house.OUT / "loop.csv", house.OUT / "scaling.csv"
 PEERS, THESIS = house.ROOT / "bench" / "peers.csv", house.ROOT / "bench" / "thesis_frames.csv"
 FIGURES = house.OUT / "plots"
@@ -45,9 +45,9 @@ def of_chapter(chapter, solution, mine=None):
             *(["--mine", mine] if mine else []))
 
 
-def draw_direct():
-    """The direct solver against thirty iterations; out/ itself holds the figure."""
-    return draw("direct.py", "--csv", DIRECT, figures=house.OUT)
+def draw_methods():
+    """Every method on every scene; out/ itself holds the figure."""
+    return draw("methods.py", "--csv", METHODS, figures=house.OUT)
 
 
 def draw_loop():

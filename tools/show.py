@@ -196,8 +196,8 @@ def plot(chapter):
     made = figures.draw_all(jobs)
     if not chapter and figures.LOOP.exists():
         made += figures.draw_loop()
-    if not chapter and figures.DIRECT.exists():
-        made += figures.draw_direct()
+    if not chapter and figures.METHODS.exists():
+        made += figures.draw_methods()
     house.progress_done()
     for path in made:
         print(house.short(path))

@@ -32,7 +32,7 @@ HELP = """The Joint Workbook
 
   ./wb bench           error against run time; a joint's cost in larger scenes
   ./wb bench --stability   what is stiff, extreme or redundant: what holds what
-  ./wb bench --direct  all joints at once, against thirty iterations
+  ./wb bench --methods every method on every kind of scene
   ./wb bench --loop    a joint and iteration, from the textbook's loop to lanes
   ./wb bench --cost    rows, bytes and instructions of every kind of joint
   ./wb docs            the documentation as a site, with every motion
@@ -113,16 +113,16 @@ def bench(options):
         case ["--stability"]:
             import stability
             return stability.main()
-        case ["--direct"]:
-            import direct
-            return direct.main()
+        case ["--methods"]:
+            import methods
+            return methods.main()
         case ["--loop"]:
             import loop
             return loop.main()
         case ["--cost"] | ["--cost", "--keep"]:
             import cost
             return cost.main(keep="--keep" in options)
-    raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --direct, --loop or "
+    raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --methods, --loop or "
                         "--cost")
 
 

@@ -6,55 +6,70 @@
 
 namespace joints::chapter8 {
 
-/// The six boxes of chapter 5's ragdoll, with nothing to hang on: balls in shoulders and hips, the
-/// head welded on, every box a contact with the ground. Nothing keeps the boxes off each other: an
-/// arm can lie inside the torso.
-struct Ragdoll {
-  Scene scene{.name = "ragdoll"};  ///< world, solver, what is measured and drawn
-  BodyId ground;  ///< on which it falls
-  BodyId torso;   ///< holds all others
-  BodyId head;    ///< is welded on
+inline const vec3 torso_size{real(0.6), 1, real(0.4)};  ///< of a doll [m]
+inline const vec3 head_size{real(0.35), real(0.4), real(0.35)};  ///< of a doll [m]
+inline const vec3 arm_size{real(0.8), real(0.2), real(0.2)};  ///< of a doll [m]
+inline const vec3 leg_size{real(0.25), 1, real(0.25)};  ///< of a doll [m]
+/// From upright: so that feet and a hand land first.
+inline const quat tilted = rotation(vec3(0, 0, real(1.1))) * rotation(vec3(real(0.4), 0, 0));
+
+/// The bodies of a ragdoll and its contacts with the ground.
+struct Doll {
+  BodyId torso;  ///< holds all others
+  BodyId head;   ///< is welded on
   std::vector<BodyId> parts;             ///< all six
   std::vector<GroundContact*> contacts;  ///< one for each of them
+};
 
-  /// Hangs in the air, arms stretched out along its own x. \param height of the torso's centre [m]
-  /// \param turn of the whole doll from upright; as it is, feet and a hand land first
-  explicit Ragdoll(const Choice& choice, real height = 2,
-                   const quat& turn = rotation(vec3(0, 0, real(1.1))) *
-                                      rotation(vec3(real(0.4), 0, 0))) {
+/// The six boxes of chapter 5's ragdoll, with nothing to hang on: balls in shoulders and hips, the
+/// head welded on, every box a contact with the ground. Nothing keeps the boxes off each other: an
+/// arm can lie inside the torso. Its arms are stretched out along its own x.
+/// \param centre of the torso [m] \param turn of the whole doll from upright \param beta of all
+inline Doll add_doll(Scene& scene, BodyId ground, const vec3& centre, const quat& turn,
+                     real beta) {
+  Doll doll;
+  World& world = scene.world;
+  const auto part = [&](real mass, const vec3& size, const vec3& x) {
+    doll.parts.push_back(scene.box(mass, size, centre + turn * x, turn));
+    return doll.parts.back();
+  };
+  doll.torso = part(100, torso_size, vec3(0));
+  doll.head = part(33, head_size, vec3(0, real(0.7), 0));
+  const vec3 neck = centre + turn * vec3(0, real(0.5), 0);
+  world.add<FixedJoint>(world.bodies, doll.torso, doll.head, neck).beta = beta;
+  scene.mark(doll.torso, doll.head, neck);
+  const auto limb = [&](const vec3& size, const vec3& x, const vec3& joint) {
+    const BodyId id = part(25, size, x);
+    const vec3 anchor = centre + turn * joint;
+    world.add<BallJoint>(doll.torso, id,
+                         point_at(world.bodies[doll.torso], world.bodies[id], anchor)).beta = beta;
+    scene.mark(doll.torso, id, anchor);
+  };
+  for (const real side : {real(1), real(-1)}) {
+    limb(arm_size, vec3(side * real(0.75), real(0.45), 0), vec3(side * real(0.3), real(0.45), 0));
+    limb(leg_size, vec3(side * real(0.17), real(-1.05), 0),
+         vec3(side * real(0.17), real(-0.5), 0));
+  }
+  const std::array<vec3, 6> sizes{torso_size, head_size, arm_size, leg_size, arm_size, leg_size};
+  for (std::size_t k = 0; k < doll.parts.size(); ++k) {
+    doll.contacts.push_back(&stand(scene, ground, doll.parts[k], sizes[k], real(0.5)));
+    doll.contacts.back()->beta = beta;
+  }
+  scene.energy_scale += 233 * 9.81 * double(centre.y);
+  return doll;
+}
+
+/// A ragdoll that hangs in the air.
+struct Ragdoll : Doll {
+  Scene scene{.name = "ragdoll", .energy_scale = 0};  ///< world, solver, what is measured and drawn
+  BodyId ground;  ///< on which it falls
+
+  /// \param height of the torso's centre [m] \param turn of the whole doll from upright
+  explicit Ragdoll(const Choice& choice, real height = 2, const quat& turn = tilted) {
     scene.solver.iterations = choice.iterations;
     scene.stepping.warm_start = true;
     ground = add_ground(scene, 5);
-    const vec3 centre(0, height, 0);
-    const auto part = [&](real mass, const vec3& size, const vec3& x) {
-      parts.push_back(scene.box(mass, size, centre + turn * x, turn));
-      return parts.back();
-    };
-    World& world = scene.world;
-    torso = part(100, torso_size, vec3(0));
-    head = part(33, head_size, vec3(0, real(0.7), 0));
-    const vec3 neck = centre + turn * vec3(0, real(0.5), 0);
-    world.add<FixedJoint>(world.bodies, torso, head, neck).beta = choice.beta;
-    scene.mark(torso, head, neck);
-    const auto limb = [&](const vec3& size, const vec3& x, const vec3& joint) {
-      const BodyId id = part(25, size, x);
-      const vec3 anchor = centre + turn * joint;
-      world.add<BallJoint>(torso, id, point_at(world.bodies[torso], world.bodies[id], anchor))
-          .beta = choice.beta;
-      scene.mark(torso, id, anchor);
-    };
-    for (const real side : {real(1), real(-1)}) {
-      limb(arm_size, vec3(side * real(0.75), real(0.45), 0),
-           vec3(side * real(0.3), real(0.45), 0));
-      limb(leg_size, vec3(side * real(0.17), real(-1.05), 0),
-           vec3(side * real(0.17), real(-0.5), 0));
-    }
-    const std::array<vec3, 6> sizes{torso_size, head_size, arm_size, leg_size, arm_size, leg_size};
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-      contacts.push_back(&stand(scene, ground, parts[k], sizes[k], real(0.5)));
-      contacts.back()->beta = choice.beta;
-    }
-    scene.energy_scale = 233 * 9.81 * double(height);
+    static_cast<Doll&>(*this) = add_doll(scene, ground, vec3(0, height, 0), turn, choice.beta);
   }
   /// The greatest speed of a centre [m/s].
   double fastest() const {
@@ -72,11 +87,6 @@ struct Ragdoll {
   }
   /// Is every box slower than 1 mm/s and 1 mrad/s?
   bool rests() const { return fastest() < 1e-3 && fastest_turn() < 1e-3; }
-
-  inline static const vec3 torso_size{real(0.6), 1, real(0.4)};  ///< [m]
-  inline static const vec3 head_size{real(0.35), real(0.4), real(0.35)};  ///< [m]
-  inline static const vec3 arm_size{real(0.8), real(0.2), real(0.2)};  ///< [m]
-  inline static const vec3 leg_size{real(0.25), 1, real(0.25)};  ///< [m]
 };
 
 }  // namespace joints::chapter8

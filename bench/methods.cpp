@@ -1,11 +1,12 @@
-// The direct solver against thirty iterations, in one run: time, gap, tip, energy, and how many
-// scenes of a random family hold. `./wb bench --direct` calls it.
+// Every method on every kind of scene, in one run: time, gap, tip, energy, what the scene is for, and
+// how many scenes of a random family hold. `./wb bench --methods` calls it.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "bench/random_chains.h"
 #include "bench/settings.h"
+#include "bench/tasks.h"
 #include "chapters/09_direct/program/linkages.h"
 #include "engine/instruments/options.h"
 
@@ -14,13 +15,15 @@ using namespace joints::bench;
 
 namespace {
 
+const std::string iterated = "si30 beta1 4x8 16x2 warm projection omega";
+
 // A scene, or several of a kind that are told in one line.
 struct Entry {
   std::string name{};
   std::vector<MakeScene> makes{};
   Span span{.steps = 300, .timed = 80};
-  double holds = 0;  // a run holds if its largest gap is below this [m]
-  std::string methods = "velocity shake rk4 si30";
+  double holds = 0;  // a run holds if its largest gap is below this [m]; 0: if its status is ok
+  std::string methods = iterated + " velocity shake rk4";
 };
 
 MakeScene of_chapter_9(const std::function<Scene()>& make) {
@@ -33,37 +36,53 @@ MakeScene of_chapter_9(const std::function<Scene()>& make) {
 }
 
 std::vector<Entry> scenes(bool quick) {
-  const std::string stiff = "velocity shake stiff si30", plain = "velocity shake si30";
+  const std::string both = iterated + " velocity shake", stiff = both + " stiff",
+                    plain = "si30 velocity shake";
+  const Span ten_seconds{.steps = 600, .timed = 80}, one_second{.steps = 60, .timed = 60};
   std::vector<Entry> list = {
       {.name = "S1", .makes = {[] { return cubes_on_hinges(10, 100); }},
-       .methods = "velocity shake stiff rk4 si30 chapter7"},
+       .methods = stiff + " rk4 lanes10 lanes chapter7 textbook"},
       {.name = "S1b", .makes = {[] { return cubes_on_balls(10, 100); }}},
       {.name = "S5", .makes = {[] { return cubes_on_hinges(1, 4); }}},
+      {.name = "chain of 20", .makes = {[] { return cubes_on_hinges(1, 20); }}, .methods = both},
       {.name = "S6", .makes = {loaded_axes}},
-      {.name = "S7", .makes = {sideways_gravity}, .span = {.steps = 600, .timed = 80},
-       .methods = plain},
+      {.name = "S7", .makes = {sideways_gravity}, .span = ten_seconds, .methods = both},
       {.name = "S3", .makes = {[] { return hanging_bridge(true); }}, .methods = stiff},
-      {.name = "S3b", .makes = {[] { return hanging_bridge(false); }}, .methods = stiff},
+      {.name = "S3b", .makes = {rope_bridge}, .span = ten_seconds, .methods = stiff},
+      {.name = "hung 10", .makes = {[] { return hung_chain(10, 100); }}, .span = ten_seconds,
+       .methods = both},
+      {.name = "hung 10 with 1 t", .makes = {[] { return hung_chain(10, 1000); }},
+       .span = ten_seconds, .methods = stiff},
+      {.name = "arm", .makes = {arm}, .span = one_second, .methods = both},
+      {.name = "motor", .makes = {driven_crane}, .span = one_second, .methods = both},
+      {.name = "limit", .makes = {stopped_crane}, .span = ten_seconds, .methods = both},
+      {.name = "planks", .makes = {loaded_planks}, .span = ten_seconds, .methods = both},
+      {.name = "ragdoll", .makes = {[] { return ragdolls(1); }}, .span = ten_seconds,
+       .methods = both},
+      {.name = "ragdolls 5000", .makes = {[] { return ragdolls(5000); }},
+       .span = {.steps = 120, .timed = 40}, .methods = "si30 lanes10 velocity"},
       {.name = "chain of 1000", .makes = {[] { return cubes_on_hinges(1, 1001); }},
        .methods = plain},
-      {.name = "beam of 20", .makes = {of_chapter_9([] { return chapter9::beam(20); })},
-       .methods = plain},
+      {.name = "beam of 10", .makes = {[] { return welded_beam(10); }}, .methods = both},
+      {.name = "beam of 20", .makes = {[] { return welded_beam(20); }}, .methods = both},
       {.name = "net 6x6", .makes = {of_chapter_9([] { return chapter9::net(6); })},
-       .methods = plain},
+       .methods = both},
       {.name = "four-bars 10", .makes = {of_chapter_9([] { return chapter9::four_bars(10); })},
        .methods = plain},
       {.name = "four-bars 40", .makes = {of_chapter_9([] { return chapter9::four_bars(40); })},
        .methods = plain},
       {.name = "Bricard", .makes = {of_chapter_9(chapter9::bricard)},
-       .span = {.h = real(1) / 240, .steps = 2400, .timed = 200}}};
+       .span = {.h = real(1) / 240, .steps = 2400, .timed = 200}, .methods = plain}};
   for (const int arms : {12, 40, 100})
     list.push_back({.name = "star of " + std::to_string(arms),
                     .makes = {of_chapter_9([=] { return chapter9::star(arms); })},
-                    .methods = "velocity si30"});
-  for (const int exponent : {2, 4, 5, 6})
+                    .methods = "si30 velocity"});
+  for (const int exponent : {1, 2, 3, 4, 5, 6})
     list.push_back({.name = "heavy end 1e" + std::to_string(exponent),
                     .makes = {[=] { return heavy_end_unreferenced(std::pow(10, exponent)); }},
-                    .span = {.steps = 600, .timed = 80}, .methods = stiff});
+                    .span = ten_seconds, .methods = stiff});
+  if (quick)
+    std::erase_if(list, [](const Entry& one) { return one.name == "ragdolls 5000"; });
   for (const int chains : {1, 10, 100, 1000})
     if (!quick || chains < 100)
       list.push_back({.name = std::to_string(99 * chains) + " hinges",
@@ -85,16 +104,35 @@ std::vector<Entry> scenes(bool quick) {
   return list;
 }
 
-// A method by its word in the table.
+// A method by its word in the table. Those that iterate have 30 iterations, or 32 that the
+// substeps share.
 Setting setting_of(const std::string& method) {
   const Way direct{.loop = Loop::direct, .beta = 1, .leapfrog = true};
-  Way way = direct;
-  if (method == "shake" || method == "stiff") way.newton = 8;
-  if (method == "stiff") way.stiffness = 8;
-  if (method == "rk4") way = {.loop = Loop::runge_kutta, .beta = 1};
-  if (method == "si30") way = {};
-  if (method == "chapter7") return Way{.loop = Loop::hinges, .relaxation = real(1.9)}.setting(20);
-  return way.setting(30);
+  Way shake = direct, stiff = direct;
+  shake.newton = stiff.newton = 8;
+  stiff.stiffness = 8;
+  const struct {
+    std::string word;
+    Way way;
+    int iterations = 30;
+  } known[] = {{"si30", {}},
+               {"beta1", {.beta = 1}},
+               {"4x8", {.beta = 1, .substeps = 4}, 32},
+               {"16x2", {.beta = 1, .substeps = 16}, 32},
+               {"warm", {.warm = true, .projections = 1, .beta = 0}},
+               {"projection", {.projections = 1, .beta = 0}},
+               {"omega", {.loop = Loop::packed, .beta = 1, .relaxation = real(1.9)}},
+               {"lanes", {.loop = Loop::lanes, .beta = 1, .relaxation = real(1.9)}},
+               {"lanes10", {.loop = Loop::lanes, .warm = true, .beta = real(0.1)}, 10},
+               {"chapter7", {.loop = Loop::hinges, .relaxation = real(1.9)}, 20},
+               {"textbook", {.loop = Loop::textbook}},
+               {"velocity", direct},
+               {"shake", shake},
+               {"stiff", stiff},
+               {"rk4", {.loop = Loop::runge_kutta, .beta = 1}}};
+  for (const auto& one : known)
+    if (one.word == method) return one.way.setting(one.iterations);
+  refuse("method " + method + ": there is none of this name");
 }
 
 // The method's runs one after the other; the worst of each measure.
@@ -109,7 +147,10 @@ void add(Outcome& out, const Result& result, double holds) {
     most = std::isnan(most) || number <= most ? most : number;  // NaN stays
   };
   if (out.worst.status.empty()) out.worst = result;
+  raise(out.worst.gap_rms, result.gap_rms);
   raise(out.worst.gap_max, result.gap_max);
+  raise(out.worst.axis_error, result.axis_error);
+  raise(out.worst.sideways, result.sideways);
   raise(out.worst.tip_error, result.tip_error);
   raise(out.worst.energy_peak, result.energy_peak);
   if (std::abs(result.energy_drift) > std::abs(out.worst.energy_drift) || !result.finite)
@@ -135,7 +176,22 @@ std::vector<std::string> words(const std::string& text) {
   return out;
 }
 
-void measure(FILE* file, const Entry& entry, int repetitions) {
+// A number of the table, or nothing where it has no meaning.
+std::string cell(double number, bool means_something = true) {
+  char text[32] = "";
+  if (means_something && !std::isnan(number)) std::snprintf(text, sizeof text, ",%.6g", number);
+  return *text ? text : ",";
+}
+
+// One joint and iteration of the textbook's loop [us]: the unit in which times can be carried from
+// machine to machine.
+double textbook_iteration() {
+  const MakeScene make = [] { return cubes_on_hinges(10, 100); };
+  return time_of_step(make, setting_of("textbook"), {.steps = 120}) / 30 /
+         double(make().world.joints().size());
+}
+
+void measure(FILE* file, const Entry& entry, int repetitions, double unit) {
   const std::vector<std::string> methods = words(entry.methods);
   std::vector<Outcome> outcomes(methods.size());
   for (std::size_t m = 0; m < methods.size(); ++m) {
@@ -151,16 +207,24 @@ void measure(FILE* file, const Entry& entry, int repetitions) {
   double si30 = 0;
   for (std::size_t m = 0; m < methods.size(); ++m)
     if (methods[m] == "si30") si30 = median(outcomes[m].us);
+  const BenchScene scene = entry.makes.front()();
+  const double joints = double(scene.world.joints().size());
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const Result& worst = outcomes[m].worst;
     const double us = median(outcomes[m].us);
-    std::fprintf(file, "%s,%s,%s,%.4f,%.4f,%.6g,", entry.name.c_str(),
-                 sizeof(real) == 8 ? "double" : "float", methods[m].c_str(), us, us / si30,
-                 worst.gap_max);
-    const bool referenced = entry.makes.front()().tip_mask != glm::dvec3(0);
-    if (referenced) std::fprintf(file, "%.6g", worst.tip_error);
-    std::fprintf(file, ",%.6g,%d,%zu,%s\n", worst.energy_drift, outcomes[m].held,
-                 entry.makes.size(), worst.status.c_str());
+    std::fprintf(file, "%s,%s,%s,%.0f,%.4f,%.4f,%.4f", entry.name.c_str(),
+                 sizeof(real) == 8 ? "double" : "float", methods[m].c_str(), joints, us, us / si30,
+                 us / joints / unit);
+    const bool found = !scene.finding.what.empty();
+    const std::string line =
+        cell(worst.gap_rms) + cell(worst.gap_max) + cell(worst.axis_error) +
+        cell(worst.tip_error, scene.tip_mask != glm::dvec3(0)) +
+        cell(worst.sideways, scene.forbidden != glm::dvec3(0)) + "," + scene.finding.what +
+        cell(scene.finding.expected, found) + cell(worst.found) +
+        cell(worst.energy_drift, std::isfinite(scene.energy_scale));
+    std::fprintf(file, "%s,%d,%zu,%s\n", line.c_str(), outcomes[m].held, entry.makes.size(),
+                 worst.status.c_str());
+    std::fflush(file);
   }
 }
 
@@ -168,8 +232,8 @@ void measure(FILE* file, const Entry& entry, int repetitions) {
 
 int main(int argc, char** argv) {
   return run_program([&] {
-    Options options("The direct solver against thirty iterations",
-                    {{"csv", "out/direct.csv", "the table"},
+    Options options("Every method on every kind of scene",
+                    {{"csv", "out/methods.csv", "the table"},
                      {"append", "0", "1: add lines to the table that is there"},
                      {"quick", "0", "1: fewer random scenes, no large ones"},
                      {"scene", "", "one scene alone, by its name in the table"},
@@ -182,9 +246,11 @@ int main(int argc, char** argv) {
     FILE* file = std::fopen(path.c_str(), options.flag("append") ? "a" : "w");
     if (!file) refuse("--csv " + path + ": cannot be written");
     if (!options.flag("append"))
-      std::fputs("scene,real,method,us_per_step,ratio_to_si30,gap_max_m,tip_error_m,energy_drift,"
-                 "held,of,status\n", file);
-    for (const Entry& entry : list) measure(file, entry, options.count("repetitions", 1));
+      std::fputs("scene,real,method,joints,us_per_step,ratio_to_si30,textbook_iterations,gap_rms_m,"
+                 "gap_max_m,axis_error_rad,tip_error_m,sideways_m,finding,expected,found,"
+                 "energy_drift,held,of,status\n", file);
+    const double unit = textbook_iteration();
+    for (const Entry& entry : list) measure(file, entry, options.count("repetitions", 1), unit);
     std::fclose(file);
   });
 }

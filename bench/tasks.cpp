@@ -1,0 +1,147 @@
+// Scenes as readers have them.
+#include "bench/tasks.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "chapters/08_ground/program/bridge.h"
+#include "chapters/08_ground/program/ragdoll.h"
+#include "chapters/09_direct/program/linkages.h"
+
+namespace joints::bench {
+
+namespace {
+
+constexpr double millimetres = 1000;
+
+// A scene of a chapter's program; nothing is known of its tip.
+BenchScene of_chapter(Scene scene) {
+  BenchScene out;
+  static_cast<Scene&>(out) = std::move(scene);
+  out.tip_mask = glm::dvec3(0);
+  return out;
+}
+
+double sum_of_gaps(const Scene& scene) {
+  const std::vector<Pose> now = poses(scene.world.bodies);
+  double sum = 0;
+  for (const Mark& mark : scene.marks) sum += gap(mark, now);
+  return sum;
+}
+
+}  // namespace
+
+BenchScene hung_chain(int cubes, double load) {
+  std::vector<double> masses(std::size_t(cubes), 100.0);
+  masses.push_back(load);
+  BenchScene scene = chain_of_masses(masses, vec3(0, -1, 0));
+  scene.name = "hung chain";
+  scene.finding = {"load has sunk [mm]", 0, [tip = scene.tip, depth = cubes + 1](const Scene& now) {
+                     return -millimetres * (double(now.world.bodies.at(tip).x.y) + depth);
+                   }};
+  return scene;
+}
+
+BenchScene rope_bridge() {
+  BenchScene scene = hanging_bridge(false);
+  scene.finding = {"all links too long by [mm]", 0,
+                   [](const Scene& now) { return millimetres * sum_of_gaps(now); }};
+  return scene;
+}
+
+BenchScene welded_beam(int cubes) {
+  BenchScene scene = of_chapter(chapter9::beam(cubes));
+  scene.finding = {"tip has sunk [mm]", 0, [cubes](const Scene& now) {
+                     return -millimetres * double(now.world.bodies.at(cubes - 1).x.y);
+                   }};
+  return scene;
+}
+
+BenchScene arm() {
+  const double degree = std::numbers::pi / 180;
+  const struct {
+    glm::dvec3 axis;       // unit, world, at the start
+    double length, mass;   // [m, kg]; of the link that it turns
+    double speed;          // [rad/s]
+  } drives[] = {{{0, 1, 0}, 0.3, 8, 40 * degree}, {{0, 0, 1}, 0.6, 6, 25 * degree},
+                {{0, 0, 1}, 0.5, 4, -50 * degree}, {{1, 0, 0}, 0.2, 3, 60 * degree},
+                {{0, 0, 1}, 0.2, 2, 45 * degree},  {{1, 0, 0}, 0.1, 1, -90 * degree}};
+  BenchScene scene;
+  scene.name = "arm";
+  scene.energy_scale = std::numeric_limits<double>::infinity();  // its drives do work
+  BodyId before = scene.box(0, vec3(real(0.2)), vec3(real(-0.1), 0, 0));
+  glm::dvec3 place(0);
+  glm::dquat turned(1, 0, 0, 0);  // by all drives so far, after 1 s
+  glm::dvec3 end(0);              // of the last link, then
+  for (const auto& drive : drives) {
+    const vec3 size(real(drive.length), real(0.1), real(0.1));
+    const glm::dvec3 along(drive.length, 0, 0);
+    const BodyId link = scene.box(real(drive.mass), size, vec3(place + 0.5 * along));
+    HingeJoint& hinge = join_by_hinge(scene, before, link, vec3(place), vec3(drive.axis));
+    hinge.set_motor(real(drive.speed), 5000);
+    turned = turned * glm::angleAxis(drive.speed, drive.axis);
+    place += along;
+    end += turned * along;
+    before = link;
+  }
+  const glm::dvec3 half(0.05, 0, 0);
+  const BodyId tool = scene.box(5, vec3(real(0.1)), vec3(place + half));
+  scene.world.add<FixedJoint>(scene.world.bodies, before, tool, vec3(place));
+  scene.mark(before, tool, vec3(place));
+  scene.tip = int(tool.slot);
+  scene.tip_reference = end + turned * half;
+  scene.finding = {"tool is off after 1 s [mm]", 0,
+                   [tip = scene.tip, where = scene.tip_reference](const Scene& now) {
+                     return millimetres * length(glm::dvec3(now.world.bodies.at(tip).x) - where);
+                   }};
+  return scene;
+}
+
+BenchScene driven_crane() {
+  BenchScene scene = motor();
+  scene.energy_scale = std::numeric_limits<double>::infinity();  // so does its motor
+  const double inertia = 100.0 / 6 + 100 * 1.5 * 1.5;  // about the hinge [kg m^2]
+  scene.finding = {"speed after 1 s [rad/s]", 500 / inertia, [](const Scene& now) {
+                     return double(now.world.bodies.at(1).w.y);
+                   }};
+  return scene;
+}
+
+BenchScene stopped_crane() {
+  BenchScene scene = limit();
+  scene.finding = {"angle at rest [degrees]", 60, [](const Scene& now) {
+                     const Body& cube = now.world.bodies.at(1);
+                     return std::atan2(double(-cube.x.y), double(cube.x.z)) * 180 /
+                            std::numbers::pi;
+                   }};
+  return scene;
+}
+
+BenchScene loaded_planks() {
+  chapter8::Bridge bridge(30);
+  const BodyId crate = bridge.crate;
+  BenchScene scene = of_chapter(std::move(bridge.scene));
+  scene.finding = {"crate still moves at [mm/s]", 0, [crate](const Scene& now) {
+                     return millimetres * double(length(now.world.bodies[crate].v));
+                   }};
+  return scene;
+}
+
+BenchScene ragdolls(int count) {
+  BenchScene scene;
+  scene.name = "ragdolls";
+  scene.tip_mask = glm::dvec3(0);
+  scene.energy_scale = 0;
+  const int in_a_row = int(std::ceil(std::sqrt(double(count))));
+  const BodyId ground = chapter8::add_ground(scene, real(4 * in_a_row));
+  for (int k = 0; k < count; ++k)
+    chapter8::add_doll(scene, ground,
+                       vec3(real(4 * (k % in_a_row)), 2, real(4 * (k / in_a_row))),
+                       chapter8::tilted, real(0.2));
+  scene.finding = {"deepest corner [mm]", 0, [](const Scene& now) {
+                     return millimetres * chapter8::penetration(now.world);
+                   }};
+  return scene;
+}
+
+}  // namespace joints::bench

@@ -160,7 +160,8 @@ def rope_sum(ax):
     def place(iteration, newton_seconds):
         return 402 + 60 * iteration, 138 + 30 * newton_seconds
 
-    ax.add_patch(Rectangle(place(0, -2.6), 60 * 4.5, 2.6 * 30, facecolor=FAINT + "22", edgecolor="none"))
+    ax.add_patch(Rectangle(place(0, -2.6), 60 * 4.5, 2.6 * 30, facecolor=FAINT + "22",
+                           edgecolor="none"))
     words(ax, place(1.4, -1.3), "a rope does not push", FAINT, 11)
     arrow(ax, place(0, -2.6), place(0, 6.4), FAINT, 1.2)
     line(ax, place(0, 0), place(4.5, 0), FAINT, 1.2)

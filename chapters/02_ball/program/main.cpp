@@ -130,8 +130,8 @@ void compare_rows_and_block(int links, const std::string& out) {
 }
 
 // A straight chain at rest; the last rod is struck along the chain, towards the wall. What each
-// joint still lacks after every iteration, for iterations that run from the wall to the tip and from
-// the tip to the wall.
+// joint still lacks after every iteration, for iterations from the wall to the tip and from the tip
+// to the wall.
 void blow(const std::string& out) {
   CsvFile table(out + "/blow.csv", {"order", "iteration", "joint", "error_m_s"});
   for (const std::string order : {"wall to tip", "tip to wall"}) {

@@ -1,19 +1,23 @@
 #!/usr/bin/env python3
-"""Draws the figures of chapter 1: the gaps of the bridge, and what both scenes do to the energy.
+"""Draws the figures of chapter 1: gaps and energy of both scenes, and the text's figure.
 
 chapter_01.py --solution DIR [--mine DIR] --out DIR
+chapter_01.py --solution DIR --result FILE.svg
 """
 import numpy as np
 
 import style
-from style import COLOURS, PALE, label_ends, runs, visible
+from style import COLOURS, INK, PALE, label_ends, runs, visible
 
-COLUMNS = ["iterations", "time_s", "gap_rms_m", "energy_change_j"]
+COLUMNS = ["iterations", "time_s", "gap_rms_m", "gap_max_m", "energy_change_j"]
+FIRST_SWING = 2.0  # [s]; later the bridge's runs have little in common
+PREDICTED = (9.81 * 2) / 60**2 / 2 / 0.2  # [m], of the pendulum: (v h)^2/(2L) over beta
 
 
 def tables(folder, command):
-    return {scene: style.read_csv(folder / f"{scene}.csv", COLUMNS, command=command)
+    both = {scene: style.read_csv(folder / f"{scene}.csv", COLUMNS, command=command)
             for scene in ("bridge", "pendulum")}
+    return both["bridge"], both, both
 
 
 def mean_square(curve):
@@ -117,16 +121,57 @@ def draw_pendulum(ax, pendulum):
     ax.set_title("pendulum, by the number of iterations")
 
 
-def main():
-    given = style.arguments("Draws the figures of chapter 1.",
-                            solution="folder of the solution's tables",
-                            mine="optional: folder of your tables", out="folder of the figures")
-    solution = tables(given.solution, "./wb plot 1")
-    mine = tables(given.mine, "./wb run 1") if given.mine else None
-    style.save(gap_figure("The bridge", "ropes", solution["bridge"], mine and mine["bridge"]),
-               given.out / "01_gap")
-    energy(solution, mine, given.out)
+# ---- the figure of the text ----------------------------------------------------------------------
+
+def first_swing(table):
+    """{iterations: (times, largest gap [mm])} until FIRST_SWING."""
+    return {count: (time[time <= FIRST_SWING], 1000 * gap[time <= FIRST_SWING])
+            for count, (time, gap) in runs(table, "gap_max_m").items()}
+
+
+def largest(curve):
+    return f"{curve[1].max():.3g} mm"
+
+
+def gaps_and_iterations(solution, mine, out):
+    """One row needs one iteration; rows that share bodies need more."""
+    rod, ropes = first_swing(solution["pendulum"]), first_swing(solution["bridge"])
+    few, many = min(ropes), max(ropes)
+    figure, (left, right) = style.figure(
+        f"One rod: {largest(rod[few])} with any number of iterations.\n"
+        f"Nine ropes: {largest(ropes[few])} with {few} iterations, {largest(ropes[many])} with "
+        f"{many}" if not mine else "The largest gap: yours and the solution's", 2)
+    for ax, curves, scene in ((left, rod, "pendulum"), (right, ropes, "bridge")):
+        if mine:
+            own = first_swing(mine[scene])
+            count = style.common_count(own, curves)
+            style.overlay(ax, own[count], curves[count])
+            ax.set_title(f"{scene}, {count} iterations")
+        ax.set(xlabel="time  [s]", ylabel="largest gap  [mm]",
+               xlim=(0, FIRST_SWING), xticks=np.linspace(0, FIRST_SWING, 5))
+    if not mine:
+        left.plot(*rod[few], color=COLOURS[1])
+        left.axhline(1000 * PREDICTED, color=INK, linewidth=1, dashes=(4, 2))
+        left.text(0.02, 1000 * PREDICTED + 0.25, f"predicted: {1000 * PREDICTED:.3g} mm",
+                  fontsize=8.5)
+        left.set(title="pendulum: 1 row", ylim=(0, 1200 * PREDICTED))
+        left.text(0.93, 1, f"{few} to {many} iterations:\none curve", fontsize=8.5,
+                  color=COLOURS[1], ha="center")
+        for (count, curve), colour in zip(ropes.items(), COLOURS):
+            right.plot(*curve, color=colour, label=f"{count}: {largest(curve)}")
+        right.legend(title="iterations", loc="upper left", frameon=False, fontsize=8.5,
+                     labelcolor="linecolor", handlelength=0.7, alignment="left")
+        right.set(title="bridge: 9 rows", ylim=(0, None))
+    else:
+        label_ends(left)
+        label_ends(right)
+    style.save(figure, out / "01_gaps_and_iterations")
+
+
+def bridge_gap(solution, mine, out):
+    style.save(gap_figure("The bridge", "ropes", solution, mine), out / "01_gap")
 
 
 if __name__ == "__main__":
-    style.run(main)
+    style.run(lambda: style.chapter(1, tables, (bridge_gap, energy, gaps_and_iterations),
+                                    result=gaps_and_iterations))

@@ -2,6 +2,7 @@
 """Draws the figures of chapter 2: three rows against a block, the blow, and the swinging chain.
 
 chapter_02.py --solution DIR [--mine DIR] --out DIR
+chapter_02.py --solution DIR --result FILE.svg
 """
 import numpy as np
 from matplotlib.cm import ScalarMappable
@@ -13,18 +14,18 @@ from style import COLOURS, INK, PALE, visible
 
 ROWS = 3         # of a ball joint
 SOLVED = 1e-10   # [m/s]; below it an iteration has nothing left to do
-FAINTEST = 1e-14  # [m/s], end of the colour bar
+FAINTEST = 1e-3  # [m/s], end of the colour bar
 COLOUR = {"rows": COLOURS[0], "block": COLOURS[1]}
-NAME = {"rows": "three rows, one by one", "block": "one 3x3 block a joint"}
+NAME = {"rows": "three rows, one by one", "block": "one 3x3 block per joint"}
 
 
 def tables(folder, command):
     def read(name, *columns):
         return style.read_csv(folder / f"{name}.csv", *columns, command=command)
-    return {"iterations": read("iterations", ["iteration", "error_m_s"], ["method"]),
-            "system": read("system", ["row", "column", "value"]),
-            "blow": read("blow", ["iteration", "joint", "error_m_s"], ["order"]),
-            "chain": read("chain", ["iterations", "time_s", "gap_rms_m"])}
+    solve = {"iterations": read("iterations", ["iteration", "error_m_s"], ["method"]),
+             "system": read("system", ["row", "column", "value"])}
+    return (solve, read("blow", ["iteration", "joint", "error_m_s"], ["order"]),
+            read("chain", ["iterations", "time_s", "gap_rms_m"]))
 
 
 # ---- rows against a block ------------------------------------------------------------------------
@@ -138,10 +139,10 @@ def crossing(errors_of):
 
 
 def blow(solution, mine, out):
-    orders = list(dict.fromkeys(solution["blow"]["order"]))
+    orders = list(dict.fromkeys(solution["order"]))
     sources = [("the solution", solution)] if not mine else [("yours", mine),
                                                               ("the solution", solution)]
-    strips = {(who, order): strip(table["blow"], order) for who, table in sources
+    strips = {(who, order): strip(table, order) for who, table in sources
               for order in orders}
     needs = [crossing(strips["the solution", order]) for order in orders]
     title = "The blow is at joint 2 after " + ", after ".join(
@@ -157,7 +158,7 @@ def blow(solution, mine, out):
                          + (f": {who}" if mine else ""))
         row[0].set_ylabel("joint  (1 at the wall)")
     for ax in axes[-1]:
-        ax.set(xlabel="iteration", xlim=(-0.5, last + 1.5))
+        ax.set(xlabel="iteration", xlim=(-0.5, last + 0.5))
     bar = figure.colorbar(scale, ax=axes, extend="min", aspect=25, pad=0.02)
     bar.set_label("error left at the joint  [m/s]")
     bar.outline.set(edgecolor=PALE, linewidth=0.7)
@@ -188,32 +189,24 @@ def describe(ax, values, touched):
         return
     first, need = count[1] - count[0], int(np.argmax(count >= joints - 1))
     if need > 2:  # a front: along it, in the part not reached
-        ax.text(need / 2 - 0.9, joints / 2 - 0.9, rotation=-45, rotation_mode="anchor",
-                s=f"{(count[need] - count[0]) / need:.2g} joint an iteration", ha="center",
+        ax.text(need / 2 - 0.4, joints / 2 - 0.4, rotation=-45, rotation_mode="anchor",
+                s=f"{(count[need] - count[0]) / need:.2g} joint per iteration", ha="center",
                 va="top",
                 fontsize=9, transform_rotates_text=True)
-        ax.text(0.1 * need, joints * 0.2, "not reached yet:\nexactly 0", color=PALE, fontsize=9)
+        ax.text(0, joints * 0.1, "not reached yet:\nexactly 0", color=PALE, fontsize=8)
     else:
         ax.annotate("", (0, joints - first), (0, joints - 0.4),
                     arrowprops={"arrowstyle": "->", "color": INK, "linewidth": 1.2})
-        ax.text(0.97, 0.2, f"the first iteration\ndisturbs {first} joints", ha="right", fontsize=9,
-                transform=ax.transAxes)
+        ax.text(0.9, 0.2, "the first iteration\nreaches the wall", ha="right", fontsize=9,
+                color="white", transform=ax.transAxes)
     for joint in (0, joints - 1):
         if (values[joint, 1:3] < FAINTEST).all() and touched[joint, 2]:
             ax.text(2, joint + 1, "solved last: exact", va="center", color=PALE, fontsize=8)
 
 
-def main():
-    given = style.arguments("Draws the figures of chapter 2.",
-                            solution="folder of the solution's tables",
-                            mine="optional: folder of your tables", out="folder of the figures")
-    solution = tables(given.solution, "./wb plot 2")
-    mine = tables(given.mine, "./wb run 2") if given.mine else None
-    rows_or_block(solution, mine, given.out)
-    blow(solution, mine, given.out)
-    style.save(gap_figure("The chain", "joints", solution["chain"], mine and mine["chain"]),
-               given.out / "02_chain")
+def chain(solution, mine, out):
+    style.save(gap_figure("The chain", "joints", solution, mine), out / "02_chain")
 
 
 if __name__ == "__main__":
-    style.run(main)
+    style.run(lambda: style.chapter(2, tables, (rows_or_block, blow, chain), result=rows_or_block))

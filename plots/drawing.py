@@ -1,5 +1,6 @@
 """What the chapters' drawings share: the card, its colours, bodies, arrows, dots and words."""
 import sys
+from pathlib import Path
 
 import matplotlib
 
@@ -38,13 +39,16 @@ def words(ax, place, text, colour=INK, size=13, **more):
             zorder=6, **more)
 
 
-def draw(usage, name, panels, dividers, width=700):
+def draw(usage, name, panels, dividers, width=700, more=None):
     """Draws the panels on a card, with a line at each divider, to the path on the command line.
 
-    The same bytes every time, if the path ends in .svg.
+    The same bytes every time, if the path ends in .svg. `more` has the panels and dividers of a
+    script's other pictures, by the name of their file without .svg.
     """
-    if len(sys.argv) != 2:
+    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
         sys.exit(usage)
+    path = Path(sys.argv[1])
+    panels, dividers = (more or {}).get(path.stem, (panels, dividers))
     plt.rcParams.update({"svg.hashsalt": name, "font.family": "DejaVu Sans",
                          "mathtext.fontset": "dejavusans"})
     figure = plt.figure(figsize=(width / 96, HEIGHT / 96))
@@ -58,6 +62,5 @@ def draw(usage, name, panels, dividers, width=700):
         ax.plot((x, x), (45, 330), color=EDGE, linewidth=1.2)
     for panel in panels:
         panel(ax)
-    path = sys.argv[1]
-    metadata = {"Date": None} if path.endswith(".svg") else None
+    metadata = {"Date": None} if path.suffix == ".svg" else None
     figure.savefig(path, transparent=True, metadata=metadata)

@@ -1,20 +1,13 @@
 #!/usr/bin/env python3
-"""Draws the picture of chapter 1: geometry_01.py OUT.svg
+"""Chapter 1's drawings: the rod and its error; an impulse pair, and a rope's sum of impulses.
 
-Left the rod from centre to centre with its error C, right the rod from any point to any point.
+    python3 plots/geometry_01.py geometry.svg
+    python3 plots/geometry_01.py impulses.svg
 """
 import math
-import sys
 
-import matplotlib
-
-matplotlib.use("svg")
-import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.patches import Circle, FancyArrowPatch, FancyBboxPatch, Polygon  # noqa: E402
-
-BODY1, BODY2, VECTOR = "#0072B2", "#D55E00", "#009E73"  # told apart by colour-blind eyes too
-INK, PALE, CARD = "#222222", "#777777", "#FAFAF7"
-WIDTH, HEIGHT = 700, 380  # pixels of the page; the axes count in them
+from drawing import ARROW, BODY1, BODY2, CARD, FAINT, INK, arrow, body, dot, draw, words
+from matplotlib.patches import Circle, Rectangle
 
 
 def along(start, direction, distance, aside=0.0):
@@ -28,20 +21,6 @@ def toward(start, end):
     x, y = end[0] - start[0], end[1] - start[1]
     size = math.hypot(x, y)
     return (x / size, y / size), size
-
-
-def arrow(ax, start, end, colour, width=2.2, layer=4):
-    ax.add_patch(FancyArrowPatch(start, end, arrowstyle="-|>", mutation_scale=13, color=colour,
-                                 linewidth=width, shrinkA=0, shrinkB=0, zorder=layer))
-
-
-def text(ax, at, words, colour=INK, size=12, turn=0):
-    ax.text(*at, words, color=colour, fontsize=size, rotation=turn, rotation_mode="anchor",
-            ha="center", va="center", zorder=6)
-
-
-def dot(ax, at, colour=INK):
-    ax.add_patch(Circle(at, 3.6, facecolor=colour, edgecolor="none", zorder=5))
 
 
 def line(ax, start, end, colour, width, style="-", layer=2):
@@ -58,99 +37,151 @@ def measure(ax, start, end, colour, width=1.4):
              colour, 1.2)
 
 
-def tint(colour):
-    """The same colour, thinned with a lot of white."""
-    return tuple(1 - 0.25 * (1 - part) for part in matplotlib.colors.to_rgb(colour))
+def ball(ax, centre, radius, colour):
+    ax.add_patch(Circle(centre, radius, facecolor=CARD, edgecolor="none", zorder=2.5))
+    ax.add_patch(Circle(centre, radius, facecolor=colour + "26", edgecolor=colour, linewidth=2,
+                        zorder=3))
+    dot(ax, centre, colour)
 
+
+def title(ax, x, text):
+    words(ax, (x, 352), text, size=12.5, weight="bold")
+
+
+# ---- geometry.svg --------------------------------------------------------------------------------
 
 def centre_to_centre(ax):
     metre, n = 112, (0.6, 0.8)
     x1 = (120, 64)
     x2 = along(x1, n, 2 * metre)
-    slant = math.degrees(math.atan2(n[1], n[0]))
-    text(ax, (172, 355), "from centre to centre", size=11.5)
+    slant = {"rotation": math.degrees(math.atan2(n[1], n[0])), "rotation_mode": "anchor"}
+    title(ax, 172, "from centre to centre")
 
-    line(ax, x1, x2, PALE, 5, layer=1)
-    for place, colour in ((x1, BODY1), (x2, BODY2)):
-        ax.add_patch(Circle(place, 28, facecolor=tint(colour), edgecolor=colour, linewidth=2,
-                            zorder=3))
-        dot(ax, place, colour)
-    text(ax, (x1[0] - 62, x1[1] - 20), "body 1", BODY1)
-    text(ax, (x2[0] + 58, x2[1] - 20), "body 2", BODY2)
-    text(ax, (x1[0] - 12, x1[1] - 9), "$x_1$", BODY1)
-    text(ax, (x2[0] + 10, x2[1] - 13), "$x_2$", BODY2)
+    line(ax, x1, x2, FAINT, 5, layer=1)
+    ball(ax, x1, 28, BODY1)
+    ball(ax, x2, 28, BODY2)
+    words(ax, (x1[0] - 62, x1[1] - 20), "body 1", BODY1, 12)
+    words(ax, (x2[0] + 58, x2[1] - 20), "body 2", BODY2, 12)
+    words(ax, (x1[0] - 12, x1[1] - 12), "$x_1$", BODY1, 12)
+    words(ax, (x2[0] + 10, x2[1] - 15), "$x_2$", BODY2, 12)
 
-    arrow(ax, x1, along(x1, n, metre), VECTOR, 3)
-    text(ax, along(x1, n, 0.86 * metre, -17), "$n$", VECTOR, 14)
+    arrow(ax, x1, along(x1, n, metre), width=3)
+    words(ax, along(x1, n, 0.86 * metre, -17), "$n$", ARROW, 14)
     v1, v2 = (x1[0] + 66, x1[1] - 14), (x2[0] + 72, x2[1] + 36)
     arrow(ax, x1, v1, BODY1)
     arrow(ax, x2, v2, BODY2)
-    text(ax, (v1[0] + 14, v1[1] - 1), "$v_1$", BODY1, 13)
-    text(ax, (v2[0] - 2, v2[1] + 17), "$v_2$", BODY2, 13)
+    words(ax, (v1[0] + 14, v1[1] - 1), "$v_1$", BODY1)
+    words(ax, (v2[0] - 2, v2[1] + 17), "$v_2$", BODY2)
 
     near, far = 45, 82  # how far aside the two measures stand
     for place in (x1, x2):
-        line(ax, along(place, n, 0, 30), along(place, n, 0, far + 8), PALE, 0.8, (0, (3, 3)))
+        line(ax, along(place, n, 0, 30), along(place, n, 0, far + 8), FAINT, 0.8, (0, (3, 3)))
     end = along(x1, n, 1.5 * metre, near)
     measure(ax, along(x1, n, 0, near), end, INK)
     measure(ax, end, along(x2, n, 0, near), INK, 4)
     measure(ax, along(x1, n, 0, far), along(x2, n, 0, far), INK)
-    text(ax, along(x1, n, 0.75 * metre, near + 14), "$d$", INK, 13, slant)
-    text(ax, along(x1, n, 1.75 * metre, near + 16), "$C$", INK, 14, slant)
-    text(ax, along(x1, n, metre, far + 15), "$|x_2 - x_1|$", INK, 13, slant)
+    words(ax, along(x1, n, 0.75 * metre, near + 14), "$d$", INK, 13, **slant)
+    words(ax, along(x1, n, 1.75 * metre, near + 16), "$C$", INK, 14, **slant)
+    words(ax, along(x1, n, metre, far + 15), "$|x_2 - x_1|$", INK, 13, **slant)
 
 
-def box(ax, centre, edges, turn, colour):
-    """A turned rectangle. Returns the turn as a function from body space to the page."""
-    c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
-
-    def place(x, y):
-        return centre[0] + c * x - s * y, centre[1] + s * x + c * y
-
-    a, b = edges[0] / 2, edges[1] / 2
-    ax.add_patch(Polygon([place(-a, -b), place(a, -b), place(a, b), place(-a, b)], closed=True,
-                         facecolor=tint(colour), edgecolor=colour, linewidth=2, zorder=1))
-    return place
+def turned(centre, degrees, lever):
+    """Where the end of a lever is when its body is turned."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return centre[0] + c * lever[0] - s * lever[1], centre[1] + s * lever[0] + c * lever[1]
 
 
 def anchor_to_anchor(ax):
-    text(ax, (525, 355), "from any point to any point", size=11.5)
-    x1, x2 = (448, 95), (603, 257)
-    p1 = box(ax, x1, (136, 96), 18, BODY1)(44, -14)
-    p2 = box(ax, x2, (140, 96), -20, BODY2)(-44, -6)
-    text(ax, (x1[0] + 8, x1[1] - 71), "body 1", BODY1)
-    text(ax, (x2[0] + 12, x2[1] + 72), "body 2", BODY2)
+    title(ax, 525, "from any point to any point")
+    x1, x2 = (448, 95), (603, 250)
+    body(ax, x1, (136, 96), 18, BODY1)
+    body(ax, x2, (140, 96), -20, BODY2)
+    p1, p2 = turned(x1, 18, (44, -14)), turned(x2, -20, (-44, -6))
+    words(ax, (x1[0] - 44, x1[1] + 66), "body 1", BODY1, 12)
+    words(ax, (x2[0] + 40, x2[1] - 76), "body 2", BODY2, 12)
 
-    arrow(ax, x1, p1, VECTOR)
-    arrow(ax, x2, p2, VECTOR)
-    arrow(ax, p1, p2, VECTOR, 3)
-    for place, colour in ((x1, BODY1), (x2, BODY2), (p1, INK), (p2, INK)):
+    arrow(ax, x1, p1)
+    arrow(ax, x2, p2)
+    arrow(ax, p1, p2, INK, 3)
+    for place, colour in ((x1, BODY1), (x2, BODY2), (p1, BODY1), (p2, BODY2)):
         dot(ax, place, colour)
-    text(ax, (x1[0] - 15, x1[1] - 2), "$x_1$", BODY1)
-    text(ax, (x2[0] + 15, x2[1] + 4), "$x_2$", BODY2)
-    text(ax, along(x1, toward(x1, p1)[0], 23, 13), "$r_1$", VECTOR, 13)
-    text(ax, along(x2, toward(x2, p2)[0], 24, -14), "$r_2$", VECTOR, 13)
-    text(ax, (p1[0] + 2, p1[1] - 16), "$p_1$", INK, 13)
-    text(ax, (p2[0] - 7, p2[1] + 16), "$p_2$", INK, 13)
-    (a, b), size = toward(p1, p2)
-    text(ax, along(p1, (a, b), size / 2, -16), "$u$", VECTOR, 15)
+    words(ax, (x1[0] - 16, x1[1] - 2), "$x_1$", BODY1, 12)
+    words(ax, (x2[0] + 16, x2[1] + 4), "$x_2$", BODY2, 12)
+    words(ax, along(x1, toward(x1, p1)[0], 23, 14), "$r_1$", ARROW)
+    words(ax, along(x2, toward(x2, p2)[0], 24, -16), "$r_2$", ARROW)
+    words(ax, (p1[0] + 2, p1[1] - 17), "$p_1$", BODY1)
+    words(ax, (p2[0] - 7, p2[1] + 17), "$p_2$", BODY2)
+    direction, size = toward(p1, p2)
+    words(ax, along(p1, direction, size / 2, -16), "$u$", INK, 15)
 
 
-def main():
-    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
-        sys.exit("usage: geometry_01.py OUT.svg")
-    plt.rcParams.update({"svg.hashsalt": "geometry_01", "mathtext.fontset": "dejavusans"})
-    figure = plt.figure(figsize=(WIDTH / 96, HEIGHT / 96))  # 96 pixels of a page are an inch
-    ax = figure.add_axes([0, 0, 1, 1])
-    ax.set(xlim=(0, WIDTH), ylim=(0, HEIGHT))
-    ax.axis("off")
-    ax.add_patch(FancyBboxPatch((14, 14), WIDTH - 28, HEIGHT - 28, boxstyle="round,pad=12",
-                                facecolor=CARD, edgecolor="none", zorder=0))
-    line(ax, (350, 24), (350, HEIGHT - 24), "#CCCCCC", 1)
-    centre_to_centre(ax)
-    anchor_to_anchor(ax)
-    figure.savefig(sys.argv[1], transparent=True, metadata={"Date": None})
+# ---- impulses.svg --------------------------------------------------------------------------------
+
+def pair(ax):
+    """Left: one impulse and its opposite, and how much of K each body is."""
+    title(ax, 176, "one impulse: who yields?")
+    x1, x2, size = (110, 262), (242, 262), 62
+    line(ax, x1, x2, FAINT, 5, layer=1)
+    ball(ax, x1, 24, BODY1)
+    ball(ax, x2, 29, BODY2)
+    arrow(ax, x1, (x1[0] - size, x1[1]), width=3)
+    arrow(ax, x2, (x2[0] + size, x2[1]), width=3)
+    words(ax, (x1[0] - 46, x1[1] + 20), "$-\\lambda n$", ARROW)
+    words(ax, (x2[0] + 50, x2[1] + 20), "$+\\lambda n$", ARROW)
+    words(ax, (x1[0], x1[1] - 42), "body 1: 2 kg", BODY1, 12)
+    words(ax, (x2[0], x2[1] - 46), "body 2: 3 kg", BODY2, 12)
+
+    left, foot, height, one = 42, 104, 30, 312  # [px]; `one` for 1 m/s
+    words(ax, (left, 166), "what 1 N s does to $J V$", INK, 11, ha="left")
+    for start, share, colour, text in ((0, 1 / 2, BODY1, "$1/m_1 = 1/2$"),
+                                       (1 / 2, 1 / 3, BODY2, "$1/m_2 = 1/3$")):
+        ax.add_patch(Rectangle((left + one * start, foot), one * share, height,
+                               facecolor=colour + "26", edgecolor=colour, linewidth=2, zorder=3))
+        words(ax, (left + one * (start + share / 2), foot + height / 2), text, colour, 12)
+    measure(ax, (left, foot - 20), (left + one * 5 / 6, foot - 20), INK)
+    words(ax, (left + one * 5 / 12, foot - 40), "$K = 5/6$ per kg", INK, 13)
+    words(ax, (176, 32), "the lighter body yields more", FAINT, 11)
+
+
+def staircase(ax, place, sums, colour, width, dashes="-"):
+    """A sum that each iteration changes."""
+    points = [place(0, sums[0])]
+    for iteration, value in enumerate(sums[1:], 1):
+        points += [place(iteration, sums[iteration - 1]), place(iteration, value)]
+    points.append(place(len(sums), sums[-1]))
+    ax.plot(*zip(*points), color=colour, linewidth=width, linestyle=dashes, zorder=4,
+            solid_joinstyle="miter")
+
+
+def rope_sum(ax):
+    """Right: asked for +5, -3 and -4; the sum ends at 0, single clamped impulses at 5."""
+    title(ax, 528, "a rope: clamp the sum, at 0")
+
+    def place(iteration, newton_seconds):
+        return 402 + 60 * iteration, 138 + 30 * newton_seconds
+
+    ax.add_patch(Rectangle(place(0, -2.6), 60 * 4.5, 2.6 * 30, facecolor=FAINT + "22",
+                           edgecolor="none"))
+    words(ax, place(1.4, -1.3), "a rope does not push", FAINT, 11)
+    arrow(ax, place(0, -2.6), place(0, 6.4), FAINT, 1.2)
+    line(ax, place(0, 0), place(4.5, 0), FAINT, 1.2)
+    for value in (0, 2, 5):
+        words(ax, (place(0, 0)[0] - 14, place(0, value)[1]), str(value), INK, 11)
+    words(ax, place(0.1, 6.3), "sum of its impulses [N s]", INK, 11, ha="left")
+    staircase(ax, place, (0, 5, 5, 5), BODY2, 2, (0, (4, 2)))
+    words(ax, (place(3, 5)[0] + 10, place(3, 5)[1] - 14), "each clamped: 5", BODY2, 11)
+    staircase(ax, place, (0, 5, 2, 0), ARROW, 3)
+    words(ax, (place(3, 0)[0] + 6, place(3, 0)[1] + 24), "the sum\nclamped: 0", ARROW, 11,
+          ha="left")
+    arrow(ax, place(3, 0), place(3, -2), FAINT, 1.6, dashed=True)
+    for iteration, asked, high in ((1, "+5", 2.5), (2, "$-$3", 3.5), (3, "$-$4", 1.1)):
+        x, y = place(iteration, high)
+        words(ax, (x - 17, y), asked, INK, 12)
+        words(ax, place(iteration, -3.05), str(iteration), INK, 11)
+    words(ax, place(3.12, -1.2), "$-$2 refused", FAINT, 11, ha="left")
+    words(ax, (528, 28), "iteration", INK, 11)
 
 
 if __name__ == "__main__":
-    main()
+    draw(__doc__, "geometry_01", (centre_to_centre, anchor_to_anchor), (350,),
+         more={"impulses": ((pair, rope_sum), (365,))})

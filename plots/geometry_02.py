@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Chapter 2's drawing: two bodies, their levers and the gap; the velocity of a turning anchor.
+"""Chapter 2's drawings: two bodies, their levers and the gap, and the velocity of a turning anchor;
+two rows that undo part of each other's work.
 
-    python3 plots/geometry_02.py OUT.svg
+    python3 plots/geometry_02.py geometry.svg
+    python3 plots/geometry_02.py fight.svg
 """
 import numpy as np
 from drawing import ARROW, BODY1, BODY2, FAINT, INK, arrow, body, dot, draw, words
-from matplotlib.patches import Arc
+from matplotlib.patches import Arc, Rectangle
 
 
 def gap(ax):
@@ -64,5 +66,71 @@ def turning(ax):
     words(ax, (562, 32), "$\\omega$ points out of the page, at you", FAINT, 11)
 
 
+# ---- fight.svg: rows y and z of the pose of Numbers, with its bias -------------------------------
+
+K = np.array([[0.75, -0.5], [-0.5, 1.5]])  # [1/kg]
+BIAS = np.array([0.0, 6.0])                # [m/s]
+
+
+def gauss_seidel(iterations):
+    """The impulses after each single solve, and what is wrong with row y after each iteration."""
+    impulse, places, errors = np.zeros(2), [np.zeros(2)], []
+    for _ in range(iterations):
+        for row in (0, 1):
+            impulse = impulse.copy()
+            impulse[row] -= (K @ impulse + BIAS)[row] / K[row, row]
+            places.append(impulse)
+        errors.append((K @ impulse + BIAS)[0])
+    return places, errors
+
+
+def lines(ax):
+    """Left: each row is true on a line; solving in turns goes from line to line."""
+    words(ax, (196, 352), "solved in turns", size=12.5, weight="bold")
+
+    def place(y, z):
+        return 352 + 76 * y, 306 + 43 * z
+
+    for row, colour in ((0, BODY1), (1, BODY2)):
+        ys = np.array([-3.9, 0.25])
+        zs = -(K[row, 0] * ys + BIAS[row]) / K[row, 1]
+        ax.plot(*place(ys, zs), color=colour, linewidth=1.8, zorder=3)
+    words(ax, (232, 220), "row y is true", BODY1, 12, rotation=40, rotation_mode="anchor")
+    words(ax, (262, 100), "row z is true", BODY2, 12, rotation=11, rotation_mode="anchor")
+    places, _ = gauss_seidel(3)
+    for start, end in zip(places, places[1:]):
+        if np.abs(end - start).max() > 0.05:
+            arrow(ax, place(*start), place(*end), INK, 2)
+    dot(ax, place(0, 0), INK)
+    words(ax, (place(0, 0)[0] - 4, place(0, 0)[1] + 16), "start", INK, 11)
+    goal = np.linalg.solve(K, -BIAS)
+    dot(ax, place(*goal), ARROW, 9)
+    words(ax, (place(*goal)[0] - 36, place(*goal)[1] + 26), "both are\ntrue", ARROW, 11)
+    arrow(ax, (44, 240), (88, 240), FAINT, 1.2)
+    arrow(ax, (44, 240), (44, 284), FAINT, 1.2)
+    words(ax, (104, 240), "$\\lambda_y$", FAINT)
+    words(ax, (44, 298), "$\\lambda_z$", FAINT)
+    words(ax, (210, 32), "each solve undoes part of the other", FAINT, 11)
+
+
+def shrinking(ax):
+    """Right: what the iterations leave of row y's error."""
+    words(ax, (552, 352), "the same share each time", size=12.5, weight="bold")
+    foot, one, width = 86, 110, 48  # [px]; `one` for 1 m/s
+    _, errors = gauss_seidel(3)
+    for number, error in enumerate(errors):
+        x = 452 + 84 * number
+        ax.add_patch(Rectangle((x, foot), width, one * error, facecolor=BODY1 + "26",
+                               edgecolor=BODY1, linewidth=2, zorder=3))
+        words(ax, (x + width / 2, foot + one * error + 13), ("2", "4/9", "8/81")[number], INK, 12)
+        words(ax, (x + width / 2, foot - 16), str(number + 1), INK, 11)
+        if number:
+            words(ax, (x + width / 2, foot + one * error + 42), "$\\times\\;2/9$", ARROW, 13)
+    words(ax, (552, 48), "iteration", INK, 11)
+    words(ax, (512, 290), "what is wrong with\nrow y [m/s]", INK, 11, ha="left")
+    words(ax, (552, 26), "$2/9 = K_{yz}^2 / (K_{yy} K_{zz})$", FAINT, 11)
+
+
 if __name__ == "__main__":
-    draw(__doc__, "geometry_02", (gap, turning), (423,))
+    draw(__doc__, "geometry_02", (gap, turning), (423,),
+         more={"fight": ((lines, shrinking), (423,))})

@@ -1,7 +1,9 @@
 """The style sheet of all figures: colours, sizes, labels at line ends, tables in, pictures out."""
 import argparse
 import csv
+import io
 import pathlib
+import re
 import sys
 
 try:
@@ -137,10 +139,25 @@ def save(made, path):
     room = 0.976 * made.bbox.width / title.width
     made._suptitle.set_fontsize(made._suptitle.get_fontsize() * min(1, room))
     if kept:
-        made.savefig(kept, metadata={"Date": None})
+        drawn = io.StringIO()
+        made.savefig(drawn, format="svg", metadata={"Date": None})
+        kept.write_text(small(drawn.getvalue()), encoding="utf-8")
     else:
         made.savefig(path.with_name(path.name + ".png"), metadata={"Software": None})
     plt.close(made)
+
+
+def small(drawn):
+    """An SVG without indentation, with short names of its glyphs and with places to a tenth of
+    a point: smaller by a third, and the same for numbers that differ by rounding errors."""
+    glyph = re.compile(r'(?<=")(#?)(DejaVu[\w-]+)(?=")')
+    names = list(dict.fromkeys(match[1] for match in glyph.findall(drawn)))
+    drawn = glyph.sub(lambda match: f"{match[1]}g{names.index(match[2])}", drawn)
+    parts = re.split(r"(scale\([^)]*\))", re.sub(r"^ +| +$|xlink:(?=href)", "", drawn,
+                                                     flags=re.M))
+    parts[::2] = [re.sub(r"\d+\.\d{2,}", lambda number: f"{float(number[0]):.1f}", part)
+                  for part in parts[::2]]
+    return "".join(parts)
 
 
 def arrange(made):

@@ -29,13 +29,16 @@ def differences(root, pairs, jobs):
 
 
 def geometry_is_what_its_script_draws(root, build):
-    """the geometry of every chapter is what its script draws"""
+    """the geometry of every chapter, and what else it shows, is what its script draws"""
     with tempfile.TemporaryDirectory() as folder:
         pairs, jobs = [], []
         for chapter in house.chapters():
-            made = Path(folder) / f"{chapter.number}.svg"
-            pairs.append((chapter.text.parent / "geometry.svg", made))
-            jobs.append((f"geometry_{chapter.number:02}.py", made))
+            shown = set(re.findall(r"\]\((\w+\.svg)\)", read(chapter.text))) | {"geometry.svg"}
+            for name in sorted(shown - {"result.svg"}):
+                made = Path(folder) / chapter.folder / name
+                made.parent.mkdir(exist_ok=True)
+                pairs.append((chapter.text.parent / name, made))
+                jobs.append((f"geometry_{chapter.number:02}.py", made))
         yield from differences(root, pairs, jobs)
 
 

@@ -217,7 +217,7 @@ FUNCTIONS = {
     "mean": several(lambda a: sum(a) / len(a)),
     "rms": several(lambda a: math.sqrt(sum(x * x for x in a) / len(a))),
     "abs": abs, "sqrt": math.sqrt, "log": math.log, "exp": math.exp, "cos": math.cos,
-    "sin": math.sin, "pi": math.pi,
+    "sin": math.sin, "atan": math.atan, "pi": math.pi,
 }
 
 

@@ -129,16 +129,17 @@ void compare_rows_and_block(int links, const std::string& out) {
   }
 }
 
-// A straight chain at rest; the last rod is struck sideways. What each joint still lacks after
-// every iteration, for iterations that run from the wall to the tip and from the tip to the wall.
+// A straight chain at rest; the last rod is struck along the chain, towards the wall. What each
+// joint still lacks after every iteration, for iterations from the wall to the tip and from the tip
+// to the wall.
 void blow(const std::string& out) {
   CsvFile table(out + "/blow.csv", {"order", "iteration", "joint", "error_m_s"});
   for (const std::string order : {"wall to tip", "tip to wall"}) {
-    Chain chain = make_chain(20, straight);
-    chain.bodies.back().v = vec3(0, 1, 0);
+    Chain chain = make_chain(10, straight);
+    chain.bodies.back().v = vec3(-1, 0, 0);
     const std::vector<Prepared> joints = prepare(chain, 0);
     const std::size_t n = joints.size();
-    for (int iteration = 0; iteration <= 40; ++iteration) {
+    for (int iteration = 0; iteration <= 20; ++iteration) {
       for (std::size_t k = 0; k < n; ++k)
         table.row({order}, {double(iteration), double(k + 1), joint_error(chain, joints[k], k)});
       for (std::size_t k = 0; k < n; ++k)
@@ -147,7 +148,7 @@ void blow(const std::string& out) {
   }
 }
 
-// Forces, joints, iterations, places: chapter 1's step, with a block for every joint and bodies
+// Forces, joints, iterations, positions: chapter 1's step, with a block for every joint and bodies
 // that turn.
 void step(Chain& chain, int iterations, real beta, real h) {
   for (Body& body : chain.bodies) integrate_forces(body, gravity, h);

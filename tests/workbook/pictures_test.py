@@ -29,13 +29,16 @@ def differences(root, pairs, jobs):
 
 
 def geometry_is_what_its_script_draws(root, build):
-    """the geometry of every chapter is what its script draws"""
+    """the drawings of every chapter, all but its result, are what their script draws"""
     with tempfile.TemporaryDirectory() as folder:
         pairs, jobs = [], []
         for chapter in house.chapters():
-            made = Path(folder) / f"{chapter.number}.svg"
-            pairs.append((chapter.text.parent / "geometry.svg", made))
-            jobs.append((f"geometry_{chapter.number:02}.py", made))
+            drawings = {path.name for path in chapter.text.parent.glob("*.svg")} - {"result.svg"}
+            for name in sorted(drawings | {"geometry.svg"}):
+                made = Path(folder) / str(chapter.number) / name  # some scripts ask for the name
+                made.parent.mkdir(exist_ok=True)
+                pairs.append((chapter.text.parent / name, made))
+                jobs.append((f"geometry_{chapter.number:02}.py", made))
         yield from differences(root, pairs, jobs)
 
 

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Draws the figures of chapter 3: slammed doors, a motor's bound, a chain that curls, and S7.
+"""Draws the figures of chapter 3: doors, a limit, a motor's bound, a chain that curls, and S7.
 
-chapter_03.py --solution DIR [--mine DIR] --out DIR
+chapter_03.py --solution DIR [--mine DIR] --out DIR, or --result FILE in place of --out
 """
 import numpy as np
+from matplotlib.ticker import NullLocator
 
 import style
 from style import COLOURS, INK, PALE, label_ends
@@ -25,44 +26,54 @@ def door(folder, command):
 
 
 def draw_door(solution, mine, out):
-    """Left the doors of the whole joint over time, right what iterations do to blocks apart."""
-    (table, driven), own = solution, mine
+    """The doors of the whole joint over time."""
+    table, own = solution, mine
     speeds = np.unique(table["speed_rad_s"])
-    shown = (own or solution)[0]
-    farthest = max(pick(shown, "angle_deg", blocks=WHOLE, speed_rad_s=speed)[1].max()
+    farthest = max(pick(own or table, "angle_deg", blocks=WHOLE, speed_rad_s=speed)[1].max()
                    for speed in speeds)
-    figure, (left, right) = style.figure(
+    figure, ax = style.figure(
         f"Slammed at up to {speeds.max():g} rad/s, {'your' if own else 'the'} door "
-        + (f"stops at {farthest:.2f}°" if farthest < 111 else f"goes to {farthest:.0f}°, not 110°"),
-        2)
+        + (f"stops at {farthest:.2f}°" if farthest < 111 else f"goes to {farthest:.0f}°, not 110°"))
     for speed, colour in zip(speeds, COLOURS):
         t, angle = pick(table, "angle_deg", blocks=WHOLE, speed_rad_s=speed)
         short = (t > 0) & (t <= 3)
         if own:
-            left.plot(*(values[short] for values in
-                        pick(own[0], "angle_deg", blocks=WHOLE, speed_rad_s=speed)),
-                      color=colour, linewidth=3.2, alpha=0.5, label="_")
-        left.plot(t[short], angle[short], color=colour, label=f"{speed:g} rad/s", marker=".",
-                  markersize=4, linewidth=1, dashes=(4, 2) if own else (None, None))
-    left.axhline(110, color=PALE, linewidth=0.8)
-    left.set(xlabel="time, a dot a step  [s]", ylabel="opening angle  [°]", xscale="log",
-             title="doors, whole joint" + (": yours (thick), the solution's" if own else ""))
-    style.plain_log(left.xaxis)
-    for scene, colour, words in (("S4l", COLOURS[0], "swings down"),
-                                 ("S4ml", COLOURS[1], "driven by\na motor")):
-        chosen = (np.asarray(driven["scene"]) == scene) & (np.asarray(driven["blocks"]) == APART)
-        right.plot(driven["iterations"][chosen], style.visible(driven["overshoot_deg"][chosen]),
-                   color=colour, marker="o", label=words)
-    whole = np.abs(driven["overshoot_deg"][np.asarray(driven["blocks"]) == WHOLE]).max()
-    right.set(xscale="log", yscale="log", xlabel="iterations", ylabel="past the limit  [°]",
-              title="a cube of 100 kg, blocks apart")
-    right.text(0.03, 0.05, f"whole joint: {whole:.0e}° at most,\nwith one iteration too",
-               fontsize=8.5, color=PALE, transform=right.transAxes)
-    style.plain_log(right.xaxis)
-    style.plain_log(right.yaxis)
-    label_ends(left)
-    label_ends(right)
+            ax.plot(*(values[short] for values in
+                      pick(own, "angle_deg", blocks=WHOLE, speed_rad_s=speed)),
+                    color=colour, linewidth=3.2, alpha=0.5, label="_")
+        ax.plot(t[short], angle[short], color=colour, label=f"{speed:g} rad/s", marker=".",
+                markersize=4, linewidth=1, dashes=(4, 2) if own else (None, None))
+    ax.axhline(110, color=PALE, linewidth=0.8)
+    ax.set(xlabel="time, one dot per step  [s]", ylabel="opening angle  [°]", xscale="log",
+           title="doors, whole joint" + (": yours (thick), the solution's" if own else ""))
+    style.plain_log(ax.xaxis)
+    label_ends(ax)
     style.save(figure, out / "03_door")
+
+
+def draw_limit(solution, mine, out):
+    """How far a cube passes its limit, over the number of iterations."""
+    table = mine or solution
+    blocks = np.asarray(table["blocks"])
+    whole = np.abs(table["overshoot_deg"][blocks == WHOLE]).max()
+    figure, ax = style.figure("With blocks apart a cube passes its limit; as a whole joint "
+                              + ("it stops there" if whole < 0.005 else f"by {whole:.2f}°, too"))
+    for scene, colour, words in (("S4l", COLOURS[0], "falls into it"),
+                                 ("S4ml", COLOURS[1], "driven by\na motor")):
+        chosen = (np.asarray(table["scene"]) == scene) & (blocks == APART)
+        ax.plot(table["iterations"][chosen], style.visible(table["overshoot_deg"][chosen]),
+                color=colour, marker="o", label=words)
+    ax.set(xscale="log", yscale="log", xlabel="iterations per step", ylabel="past the limit  [°]",
+           title="a cube of 100 kg, blocks apart" + (", yours" if mine else ""))
+    for axis, places in ((ax.xaxis, np.unique(table["iterations"])),
+                         (ax.yaxis, (0.001, 0.01, 0.1, 1, 10))):
+        axis.set_ticks(places)
+        axis.set_minor_locator(NullLocator())
+        style.plain_log(axis)
+    ax.text(0.03, 0.05, f"whole joint: {whole:.2f}° at any number of iterations", fontsize=8.5,
+            color=PALE, transform=ax.transAxes)
+    label_ends(ax)
+    style.save(figure, out / "03_limit")
 
 
 def draw_motor(solution, mine, out):
@@ -139,15 +150,15 @@ def draw_sideways(solution, mine, out):
     ax.set_ylim(0, 1.15 * table["sideways_m"].max())
     ax.axhline(0, color=INK, linewidth=1.2)
     ax.text(0.02, 0.02, "exact: 0 m, for ever", color=INK, fontsize=8.5, transform=ax.transAxes)
-    ax.set(xlabel="iterations", ylabel="farthest out of the plane in 5 s  [m]")
+    ax.set(xlabel="iterations per step", ylabel="farthest out of the plane in 5 s  [m]")
     label_ends(ax)
     style.save(figure, out / "03_sideways")
 
 
 def tables(folder, command):
-    return ((door(folder, command),
-             style.read_csv(folder / "driven.csv", ["iterations", "overshoot_deg"],
-                            ["scene", "blocks"], command)),
+    return (door(folder, command),
+            style.read_csv(folder / "driven.csv", ["iterations", "overshoot_deg"],
+                           ["scene", "blocks"], command),
             style.read_csv(folder / "motor.csv", ["solves", "time_s", "speed_rad_s"], ["clamped"],
                            command),
             style.read_csv(folder / "curl.csv", ["time_s", "joint", "angle_deg", "motor_nm"], (),
@@ -156,15 +167,7 @@ def tables(folder, command):
                            command))
 
 
-def main():
-    given = style.arguments("Draws the figures of chapter 3.",
-                            solution="folder of the solution's tables",
-                            mine="optional: folder of your tables", out="folder of the figures")
-    solution = tables(given.solution, "./wb plot 3")
-    mine = tables(given.mine, "./wb run 3") if given.mine else (None,) * 4
-    for draw, theirs, own in zip((draw_door, draw_motor, draw_curl, draw_sideways), solution, mine):
-        draw(theirs, own, given.out)
-
-
 if __name__ == "__main__":
-    style.run(main)
+    style.run(lambda: style.chapter(
+        3, tables, (draw_door, draw_limit, draw_motor, draw_curl, draw_sideways),
+        result=draw_limit))

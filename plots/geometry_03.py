@@ -1,8 +1,14 @@
 #!/usr/bin/env python3
-"""Chapter 3's drawing: the shadow of an axis, the vector of the angle's rate, a door's limits.
+"""Chapter 3's drawings, one of three by the name of OUT.svg:
 
     python3 plots/geometry_03.py OUT.svg
+
+geometry: the shadow of an axis, the vector of the angle's rate, a door's limits; twist: a rotation
+as a twist and a swing; couple: what a motor gives to both bodies.
 """
+import pathlib
+import sys
+
 import numpy as np
 from drawing import ARROW, BODY1, BODY2, CARD, FAINT, INK, arrow, draw, words
 from matplotlib.patches import Arc, Ellipse, FancyBboxPatch, Polygon, Wedge
@@ -18,14 +24,18 @@ def at_angle(centre, radius, degrees):
     return np.asarray(centre) + radius * np.array([np.cos(angle), np.sin(angle)])
 
 
+def from_above(right, away, up):
+    """Where a point of space is on the page, seen from 30 degrees above."""
+    return np.array([right, 0.5 * away + 0.87 * up])
+
+
 def shadow(ax):
     """Left: a1 above the plane of b and c, and its shadow there, which is C."""
     words(ax, (142, 350), "the error: a shadow", size=12.5, weight="bold")
     middle, length = np.array([134.0, 156.0]), 112.0
 
-    def place(b, c, up):  # seen from a little above; body 2's axis points up
-        right, away = 0.9 * c - 0.44 * b, -0.9 * b - 0.44 * c
-        return middle + length * np.array([right, 0.5 * away + 0.87 * up])
+    def place(b, c, up):  # body 2's axis points up
+        return middle + length * from_above(0.9 * c - 0.44 * b, -0.9 * b - 0.44 * c, up)
 
     ax.add_patch(Ellipse(middle, 2 * length, length, facecolor=BODY2 + "1c",
                          edgecolor=BODY2, linewidth=1.5))
@@ -101,5 +111,94 @@ def door(ax):
     words(ax, (698, 32), "$C$ is the gap that is left", FAINT, 11)
 
 
+SWING_AXIS = np.array([0.57, -0.82, 0]) / np.hypot(0.57, 0.82)  # right, away, up
+THETA, ALPHA = np.radians(75), np.radians(32)
+
+
+def rotated(vector, axis, angle):
+    """A vector, rotated about a unit vector."""
+    along = axis * np.dot(axis, vector)
+    return (along + (vector - along) * np.cos(angle)
+            + np.cross(axis, vector) * np.sin(angle))
+
+
+def body_with_axis(ax, middle, swing, twist, colour, name):
+    """A disc across its axis, with a mark on it, after a twist and then a swing."""
+    def place(vector):
+        return middle + 105.0 * from_above(*rotated(vector, SWING_AXIS, swing))
+
+    def rim(angle):
+        return 0.85 * np.array([np.cos(angle), np.sin(angle), 0])
+
+    ax.add_patch(Polygon([place(rim(angle)) for angle in np.linspace(0, 2 * np.pi, 73)],
+                         facecolor=colour + "1c", edgecolor=colour, linewidth=1.5, zorder=2))
+    start = np.radians(-60)
+    arrow(ax, place(np.zeros(3)), place(np.array([0, 0, 1.25])), colour, 2.6)
+    line(ax, place(np.zeros(3)), place(rim(start + twist)), colour, "solid", 2.6)
+    words(ax, place(np.array([0, 0, 1.36])), name, colour, 14)
+    return lambda angle, radius: place(radius * rim(start + angle))
+
+
+def curved(ax, points, colour):
+    """A curve with a head at its end."""
+    ax.plot(*np.array(points).T, color=colour, linewidth=2, zorder=4)
+    arrow(ax, points[-2], points[-1] + 3 * (points[-1] - points[-2]), colour, 2)
+
+
+def twist(ax):
+    """Left: a rotation about the axis, which stays."""
+    words(ax, (150, 350), "first the twist", size=12.5, weight="bold")
+    middle = np.array([150.0, 140.0])
+    on_rim = body_with_axis(ax, middle, 0, THETA, BODY2, "$a_1$")
+    line(ax, middle, on_rim(0, 1))
+    curved(ax, [on_rim(angle, 0.72) for angle in np.linspace(0.06, THETA - 0.22, 30)], INK)
+    words(ax, on_rim(0.5 * THETA, 0.42), "$\\theta$", INK, 14)
+    words(ax, (150, 32), "by $\\theta$ about the axis, which stays", FAINT, 11)
+
+
+def swing(ax):
+    """Right: the shortest rotation that tips the axis."""
+    words(ax, (450, 350), "then the swing", size=12.5, weight="bold")
+    middle = np.array([450.0, 140.0])
+    body_with_axis(ax, middle, ALPHA, THETA, BODY2, "$a_2$")
+
+    def place(vector):
+        return middle + 105.0 * from_above(*vector)
+
+    up = np.array([0, 0, 1.25])
+    arrow(ax, middle, place(up), FAINT, 1.6, dashed=True)
+    words(ax, place(1.1 * up) + (4, 0), "$a_1$", FAINT, 14)
+    curved(ax, [place(0.85 * rotated(up, SWING_AXIS, angle))
+                for angle in np.linspace(0.02, ALPHA - 0.1, 30)], INK)
+    words(ax, place(0.66 * rotated(up, SWING_AXIS, 0.5 * ALPHA)), "$\\alpha$", INK, 14)
+    arrow(ax, middle, place(1.3 * SWING_AXIS), ARROW, 2.2)
+    words(ax, place(1.46 * SWING_AXIS), "$n$", ARROW, 14)
+    words(ax, (450, 32), "by $\\alpha$ about $n$, at right angles to both", FAINT, 11)
+
+
+def couple(ax):
+    """A motor between a ring and a wheel, seen along the axle."""
+    words(ax, (210, 350), "a motor's couple", size=12.5, weight="bold")
+    middle = np.array([210.0, 190.0])
+    for radius, colour in ((112, BODY1), (78, CARD), (70, BODY2)):
+        ax.add_patch(Ellipse(middle, 2 * radius, 2 * radius, zorder=1,
+                             facecolor=CARD, edgecolor=BODY1 if colour == CARD else colour,
+                             linewidth=2))
+        if colour != CARD:
+            ax.add_patch(Ellipse(middle, 2 * radius, 2 * radius, zorder=1, edgecolor="none",
+                                 facecolor=colour + "26"))
+    ax.plot(*middle, "o", color=INK, markersize=9, markeredgecolor=CARD, zorder=7)
+    curved(ax, [at_angle(middle, 46, d) for d in np.linspace(20, 145, 40)], BODY2)
+    curved(ax, [at_angle(middle, 126, d) for d in np.linspace(145, 20, 60)], BODY1)
+    words(ax, at_angle(middle, 28, 82), "$\\tau$", BODY2, 15)
+    words(ax, at_angle(middle, 143, 35) + (8, 0), "$-\\tau$", BODY1, 15)
+    words(ax, middle + (0, -40), "body 2", BODY2, 12)
+    words(ax, middle + (0, -95), "body 1", BODY1, 12)
+    words(ax, (210, 32), "equal and opposite: the motor pushes no centre", FAINT, 11)
+
+
 if __name__ == "__main__":
-    draw(__doc__, "geometry_03", (shadow, rate, door), (280, 560), width=840)
+    panels, dividers, width = {
+        "twist": ((twist, swing), (300,), 600), "couple": ((couple,), (), 420),
+    }.get(pathlib.Path(sys.argv[-1]).stem, ((shadow, rate, door), (280, 560), 840))
+    draw(__doc__, "geometry_03", panels, dividers, width=width)

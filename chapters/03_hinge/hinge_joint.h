@@ -33,10 +33,10 @@ inline void count_from(HingeAngle& angle, real expected) { angle.expected = expe
 inline void exchange_turns(HingeAngle& angle, StateStream& stream) { stream(angle.expected); }
 
 /// Skips atan2 while the limits of a hinge are out of reach. The angle's rate is g.(w2 - w1) with
-/// |g| = 1/cos(s/2), where s is the angle between the two axes (Eq. 3-10): while s stays below 83
+/// |g| = 1/cos(alpha/2), alpha being the angle between the axes (Eq. 3-10): while alpha is below 83
 /// degrees, |g| is below 1.34, and the angle changes by less than 1.34 times the rotations of both
 /// bodies together. Half of the slack is for the rotations since the measurement, a quarter for
-/// each body; half is for this step. The two allowances together keep s below 26 + 2 x 28 = 82
+/// each body; half is for this step. The two allowances together keep alpha below 26 + 2 x 28 = 82
 /// degrees.
 template <>
 struct Leeway<HingeAngle> {
@@ -46,7 +46,7 @@ struct Leeway<HingeAngle> {
     q2_ = body2.q;
     const vec3 a1 = to_world(body1, angle.a1_local);
     const vec3 a2 = to_world(body2, conjugate(angle.start) * angle.a1_local);
-    const bool aligned = dot(a1, a2) > real(0.9);  // s below 26 degrees
+    const bool aligned = dot(a1, a2) > real(0.9);  // alpha below 26 degrees
     allowed_ = aligned ? std::min(slack / real(2.7), real(0.49)) : real(0);
     // In float the cosine of a small angle is too inexact: every step measures then.
     least_cosine_ = allowed_ > real(0.02) ? std::cos(allowed_ / 4) : real(2);

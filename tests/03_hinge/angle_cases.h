@@ -74,11 +74,11 @@ inline CaseTable<AngleCase> angle_table() {
     return 2 * std::atan2(p < 0 ? -v : v, s);
   };
   const auto twist = [](real p, real s, real) { return 2 * std::atan2(p, s); };
-  const char* const no_sign = "no sign rule: q and -q are the same turn. Where s < 0 turn all of q";
-  const char* const all_of_it = "the angle of the whole turn: that has the swing in it, and no "
+  const char* const no_sign = "no sign rule: q and -q are the same rotation. Where s < 0 take -q";
+  const char* const all_of_it = "the angle of the whole rotation: that has the swing in it, and no "
                                 "sign. The twist takes only p, the part of v along the axis";
   const char* const world_frame =
-      "the turn as the world sees it (q2 q1^-1): it changes when both bodies turn as one. "
+      "the rotation as the world sees it (q2 q1^-1): it changes when both bodies turn as one. "
       "q1^-1 q2 is body 2 as body 1 sees it";
   const char* const start_inverse = "start is multiplied, not its inverse";
   const char* const axis_frame = "the axis and the turn in different frames: in body 1's frame the "
@@ -94,11 +94,11 @@ inline CaseTable<AngleCase> angle_table() {
   table.right = of(turn);
   table.mistakes = {
       {no_sign, as_it_comes(twist)},
-      {"s alone changes its sign: where s < 0 turn all of q, p too",
+      {"s alone changes its sign: where s < 0 negate all of q, p too",
        as_it_comes([](real p, real s, real) { return 2 * std::atan2(p, std::abs(s)); })},
-      {"v alone changes its sign: where s < 0 turn all of q, s too",
+      {"v alone changes its sign: where s < 0 negate all of q, s too",
        as_it_comes([](real p, real s, real) { return 2 * std::atan2(s < 0 ? -p : p, s); })},
-      {"the turn as the world sees it (take q1^-1 q2), and no sign rule (s < 0: take -q)",
+      {"the rotation as the world sees it (take q1^-1 q2), and no sign rule (s < 0: take -q)",
        [=](const Case& c) {
          return degrees(as_it_stands(c.q2 * conjugate(c.q1) * conjugate(c.start), c.a1_local));
        }},
@@ -115,7 +115,7 @@ inline CaseTable<AngleCase> angle_table() {
          return degrees(angle_of(c.q2 * conjugate(c.q1) * conjugate(c.start),
                                  c.q1 * c.a1_local));
        }},
-      {"the turn as the world sees it, and its whole angle: take q1^-1 q2, and only p",
+      {"the rotation as the world sees it, and its whole angle: take q1^-1 q2, and only p",
        [=](const Case& c) {
          const quat q = c.q2 * conjugate(c.q1) * conjugate(c.start);
          return degrees(total(0, q.w, length(vector(q))));
@@ -161,7 +161,7 @@ inline CaseTable<AngleCase> angle_table() {
        angle([](real p, real s, real) { return std::atan2(2 * p, s); })},
       {"p and s are multiplied: std::atan2 takes both, their quotient is the tangent",
        as_it_comes([](real p, real s, real) { return 2 * std::atan(p * s); })},
-      {"the part of the turn's vector along the axis: that is the twist only where nothing swings",
+      {"the part of the vector along the axis: that is the twist only where nothing swings",
        angle([](real p, real s, real v) { return v > 0 ? 2 * std::atan2(v, s) * p / v : 0; })},
       {"the numbers w, x, y: the vector of q is (q.x, q.y, q.z)",
        [=](const Case& c) {
@@ -194,7 +194,7 @@ inline CaseTable<AngleCase> angle_table() {
        angle([](real p, real s, real v) { return 2 * std::atan2(p / v, s); })},
       {"the quotient the wrong way round: the tangent is p / s",
        as_it_comes([](real p, real s, real) { return 2 * std::atan(s / p); })},
-      {"start is forgotten, and the sign rule (where s < 0 turn all of q)",
+      {"start is forgotten, and the sign rule (where s < 0 negate all of q)",
        [=](const Case& c) {
          return degrees(as_it_stands(conjugate(c.q1) * c.q2, c.a1_local));
        }},
@@ -204,7 +204,7 @@ inline CaseTable<AngleCase> angle_table() {
        of([](const Case& c) { return conjugate(c.start) * conjugate(c.q1) * c.q2; })},
       {"start stands on the wrong side, and not its inverse: q1^-1 q2 start^-1",
        of([](const Case& c) { return c.start * conjugate(c.q1) * c.q2; })},
-      {"body 1's turn is forgotten: q1^-1 q2 start^-1",
+      {"body 1's rotation is forgotten: q1^-1 q2 start^-1",
        of([](const Case& c) { return c.q2 * conjugate(c.start); })},
       {"q1 is multiplied, not its inverse",
        of([](const Case& c) { return c.q1 * c.q2 * conjugate(c.start); })},

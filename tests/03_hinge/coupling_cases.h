@@ -158,7 +158,7 @@ inline CaseTable<RowsCase> coupling_table() {
        with([](const Body& body) { return Mass{body.inverse_mass, mat3(1)}; })},
       {"body 1 is missing", scaled(0, 0, 1, 1)},
       {"body 2 is missing", scaled(1, 1, 0, 0)},
-      {"the turns are missing: the blocks w1 and w2", scaled(1, 0, 1, 0)},
+      {"the angular parts are missing: the blocks w1 and w2", scaled(1, 0, 1, 0)},
       {"the linear blocks v1 and v2 are missing", scaled(0, 1, 0, 1)},
       {"the sign of body 1's share: the shares of both bodies are added", scaled(-1, -1, 1, 1)},
       {"the sign of body 2's share: the shares of both bodies are added", scaled(1, 1, -1, -1)},

@@ -83,7 +83,7 @@ inline CaseTable<MotorCase> motor_table() {
       {"a factor of 0.5 in what is wanted", wanting([=](const Case& c) {
          return c.sum + lack(c) / 2;
        })},
-      {"what lacks to the speed is not all: it comes on top of the sum, and is divided by K",
+      {"the missing speed is not all: it is divided by K, and comes on top of the sum",
        wanting([](const Case& c) { return c.speed - c.rate; })},
       {"the motor gives all it has at once: it gives (speed - rate) / K, at most h strength",
        wanting([=](const Case& c) { return c.sum + std::copysign(1e30, c.speed - c.rate); })},
@@ -199,7 +199,7 @@ inline CaseTable<MotorCase> motor_table() {
        wanting([](const Case& c) { return (c.sum - (c.rate - c.speed)) / c.K; })},
       {"the speed of the motor is missing: this is a brake",
        wanting([](const Case& c) { return c.sum - c.rate / c.K; })},
-      {"the rate is missing: only what lacks to the speed is wanted",
+      {"the rate is missing: the motor wants only what the speed lacks",
        wanting([](const Case& c) { return c.sum + c.speed / c.K; })},
       {"the impulse is multiplied by h: it is an impulse already, not a torque",
        wanting([=](const Case& c) { return c.sum + h * lack(c); })}};

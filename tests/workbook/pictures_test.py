@@ -29,13 +29,13 @@ def differences(root, pairs, jobs):
 
 
 def geometry_is_what_its_script_draws(root, build):
-    """the geometry of every chapter, and what else it shows, is what its script draws"""
+    """the drawings of every chapter, all but its result, are what their script draws"""
     with tempfile.TemporaryDirectory() as folder:
         pairs, jobs = [], []
         for chapter in house.chapters():
-            shown = set(re.findall(r"\]\((\w+\.svg)\)", read(chapter.text))) | {"geometry.svg"}
-            for name in sorted(shown - {"result.svg"}):
-                made = Path(folder) / chapter.folder / name
+            drawings = {path.name for path in chapter.text.parent.glob("*.svg")} - {"result.svg"}
+            for name in sorted(drawings | {"geometry.svg"}):
+                made = Path(folder) / str(chapter.number) / name  # some scripts ask for the name
                 made.parent.mkdir(exist_ok=True)
                 pairs.append((chapter.text.parent / name, made))
                 jobs.append((f"geometry_{chapter.number:02}.py", made))

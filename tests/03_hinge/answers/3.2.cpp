@@ -170,7 +170,7 @@
          body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w1, inverse_inertia(body2) * b.w1);
 
 // ---- wrong: without turns
-// expects: Likely mistake: the turns are missing: the blocks w1 and w2
+// expects: Likely mistake: the angular parts are missing: the blocks w1 and w2
   return body1.inverse_mass * dot(a.v1, b.v1) + body2.inverse_mass * dot(a.v2, b.v2);
 
 // ---- wrong: zero

@@ -74,13 +74,13 @@
   return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), to_world(body1, a1_local)), q.w);
 
 // ---- wrong: glm angle
-// expects: Likely mistake: the angle of the whole turn: that has the swing in it, and no sign. The
-// expects: twist takes only p, the part of v along the axis
+// expects: Likely mistake: the angle of the whole rotation: that has the swing in it, and no sign.
+// expects: The twist takes only p, the part of v along the axis
   quat q = conjugate(body1.q) * body2.q * conjugate(start);
   return glm::angle(q);
 
 // ---- wrong: glm angle with sign
-// expects: Likely mistake: the part of the turn's vector along the axis: that is the twist only
+// expects: Likely mistake: the part of the vector along the axis: that is the twist only
 // expects: where nothing swings
   quat q = conjugate(body1.q) * body2.q * conjugate(start);
   if (q.w < 0) q = -q;
@@ -101,7 +101,7 @@
   return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w) - expected;
 
 // ---- wrong: no sign rule
-// expects: Likely mistake: no sign rule: q and -q are the same turn. Where s < 0 turn all of q
+// expects: Likely mistake: no sign rule: q and -q are the same rotation. Where s < 0 take -q
   const quat q = conjugate(body1.q) * body2.q * conjugate(start);
   return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
 
@@ -117,7 +117,7 @@
   return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), std::abs(q.w));
 
 // ---- wrong: sign rule by conjugate
-// expects: Likely mistake: v alone changes its sign: where s < 0 turn all of q, s too
+// expects: Likely mistake: v alone changes its sign: where s < 0 negate all of q, s too
   quat q = conjugate(body1.q) * body2.q * conjugate(start);
   if (q.w < 0) q = conjugate(q);
   return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
@@ -156,20 +156,20 @@
 // ---- wrong: total angle
 // expects: yours expected error
 // expects: 120.000000 90.000000 30.000000
-// expects: Likely mistake: the angle of the whole turn: that has the swing in it, and no sign. The
-// expects: twist takes only p, the part of v along the axis
+// expects: Likely mistake: the angle of the whole rotation: that has the swing in it, and no sign.
+// expects: The twist takes only p, the part of v along the axis
   const quat q = conjugate(body1.q) * body2.q * conjugate(start);
   return 2 * std::acos(std::clamp(q.w, real(-1), real(1)));
 
 // ---- wrong: total angle in the world
-// expects: Likely mistake: the turn as the world sees it, and its whole angle: take q1^-1 q2, and
-// expects: only p
+// expects: Likely mistake: the rotation as the world sees it, and its whole angle: take q1^-1 q2,
+// expects: and only p
   const quat q = body2.q * conjugate(body1.q) * conjugate(start);
   return 2 * std::atan2(length(vec3(q.x, q.y, q.z)), q.w);
 
 // ---- wrong: turn in the world
-// expects: Likely mistake: the turn as the world sees it (q2 q1^-1): it changes when both bodies
-// expects: turn as one. q1^-1 q2 is body 2 as body 1 sees it
+// expects: Likely mistake: the rotation as the world sees it (q2 q1^-1): it changes when both
+// expects: bodies turn as one. q1^-1 q2 is body 2 as body 1 sees it
   quat q = body2.q * conjugate(body1.q) * conjugate(start);
   if (q.w < 0) q = -q;
   return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);

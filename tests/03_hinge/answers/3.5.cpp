@@ -175,8 +175,8 @@
   return sum - before;
 
 // ---- wrong: lack for the sum
-// expects: Likely mistake: what lacks to the speed is not all: it comes on top of the sum, and is
-// expects: divided by K
+// expects: Likely mistake: the missing speed is not all: it is divided by K, and comes on top of
+// expects: the sum
   const real before = sum, bound = h * motor.strength;
   sum = std::clamp(motor.speed - rate, -bound, bound);
   return sum - before;

@@ -18,23 +18,23 @@ def draw_piston(solution, mine, out):
     table = whole(mine or solution)
     t = table["time_s"]
     figure, (left, right) = style.figure(
-        "The piston: at the limits the limit takes what the motor has too much", 2)
-    left.plot(t, table["way_m"], color=COLOURS[0 if mine else 1],
+        "A piston: the motor gives 80 N at most, the limit the rest", 2)
+    left.plot(t, table["displacement_m"], color=COLOURS[0 if mine else 1],
               label="_", linewidth=3 if mine else 1.6)
     if mine:
-        left.plot(whole(solution)["time_s"], whole(solution)["way_m"], color=INK, linewidth=1.1,
-                  dashes=(4, 2), label="_")
-        left.set_title("way: yours (thick) and the solution's")
+        left.plot(whole(solution)["time_s"], whole(solution)["displacement_m"], color=INK,
+                  linewidth=1.1, dashes=(4, 2), label="_")
+        left.set_title("displacement: yours (thick), the solution's")
     else:
-        left.set_title("way")
+        left.set_title("displacement")
     for limit in (0, 0.4):
         left.axhline(limit, color=PALE, linewidth=0.8)
-    left.set(xlabel="time  [s]", ylabel="way  [m]")
+    left.set(xlabel="time  [s]", ylabel="displacement  [m]")
     for column, colour, label in (("motor_n", COLOURS[0], "motor"),
                                   ("limit_n", COLOURS[1], "limit")):
         right.plot(t[1:], table[column][1:], color=colour, label=label, linewidth=1.3)
     right.axhline(5 * 9.81, color=PALE, linewidth=0.8)
-    right.text(0.33, 5 * 9.81 + 5, "its weight", ha="center", fontsize=8.5, color=PALE,
+    right.text(0.42, 5 * 9.81 + 5, "weight", ha="center", fontsize=8.5, color=PALE,
                transform=right.get_yaxis_transform())
     right.set(xlabel="time  [s]", ylabel="force along the line  [N]", title="forces")
     label_ends(right)
@@ -44,18 +44,18 @@ def draw_piston(solution, mine, out):
 def draw_cannon(solution, mine, out):
     table = whole(mine or solution)
     t, flying = table["time_s"], table["flying"] > 0
-    exit_speed = table["shot_m_s"][flying][0] if flying.any() else float("nan")
+    exit_speed = table["shot_m_s"][~flying][-1]
     acceleration = 5000 / 60 - 9.81 * np.sqrt(0.5)
     figure, (left, right) = style.figure(
         f"The cannon: the carriage stops at the muzzle, the shot leaves with {exit_speed:.1f} m/s",
         2)
     short = t <= 1
-    left.plot(t[short], table["way_m"][short], color=COLOURS[1], label="carriage")
+    left.plot(t[short], table["displacement_m"][short], color=COLOURS[1], label="carriage")
     left.plot(t[short], -1 + acceleration / 2 * t[short] ** 2, color=INK, linewidth=1,
               dashes=(4, 2), label="5000 N,\nno limit")
     left.axhline(10, color=PALE, linewidth=0.8)
-    left.set(xlabel="time  [s]", ylabel="way of the carriage  [m]", ylim=(-2, 14), xlim=(0, 1),
-             title="in the barrel" + (", yours" if mine else ""))
+    left.set(xlabel="time  [s]", ylabel="displacement of the carriage  [m]", ylim=(-2, 14),
+             xlim=(0, 1), title="in the barrel" + (", yours" if mine else ""))
     label_ends(left)
     right.plot(table["shot_x_m"][~flying], table["shot_y_m"][~flying], color=COLOURS[1],
                linewidth=3)
@@ -86,21 +86,23 @@ def draw_momentum(solution, mine, out):
         right.plot(table["time_s"][chosen], table["turn_rad_s"][chosen], color=colour, label=words)
     left.set(xlabel="time  [s]", ylabel="angular momentum of both  [N m s]",
              title="it may not change" + (": yours" if mine else ""))
-    right.set(xlabel="time  [s]", ylabel="how fast the pair turns  [rad/s]",
-              title="so they must turn while they part")
+    right.set(xlabel="time  [s]", ylabel="how fast the pair rotates  [rad/s]",
+              title="so they must rotate while they part")
     label_ends(left)
     label_ends(right)
     style.save(figure, out / "04_momentum")
 
 
 def tables(folder, command):
-    return (style.read_csv(folder / "piston.csv", ["time_s", "way_m", "motor_n", "limit_n"],
-                           ["blocks"], command),
-            style.read_csv(folder / "cannon.csv", ["time_s", "way_m", "shot_x_m", "shot_y_m",
-                                                   "shot_m_s", "flying"], ["blocks"], command),
+    return (style.read_csv(folder / "piston.csv",
+                           ["time_s", "displacement_m", "motor_n", "limit_n"], ["blocks"], command),
+            style.read_csv(folder / "cannon.csv", ["time_s", "displacement_m", "shot_x_m",
+                                                   "shot_y_m", "shot_m_s", "flying"], ["blocks"],
+                           command),
             style.read_csv(folder / "momentum.csv", ["time_s", "angular_momentum", "turn_rad_s"],
                            ["row"], command))
 
 
 if __name__ == "__main__":
-    style.run(lambda: style.chapter(4, tables, (draw_piston, draw_cannon, draw_momentum)))
+    style.run(lambda: style.chapter(4, tables, (draw_piston, draw_cannon, draw_momentum),
+                                    result=draw_piston))

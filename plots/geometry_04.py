@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Chapter 4's drawing: the line, the way and the lever p2 - x1; the rotation that is too much.
+"""Chapter 4's drawing: the line, the displacement and the lever p2 - x1; the excess rotation.
 
     python3 plots/geometry_04.py OUT.svg
 """
@@ -50,7 +50,8 @@ def line(ax):
     ax.annotate("", xy=foot + below, xytext=p1 + below, zorder=4,
                 arrowprops={"arrowstyle": "<|-|>,head_width=0.2,head_length=0.4", "color": FAINT,
                             "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0})
-    words(ax, (p1 + foot) / 2 + 48 * a - 31 * n, "the way $u \\cdot a$", FAINT, 11, rotation=TILT)
+    words(ax, (p1 + foot) / 2 + 46 * a - 31 * n, "displacement $u \\cdot a$", FAINT, 11,
+          rotation=TILT)
     words(ax, foot + 15 * n + 26 * a, "$u \\cdot n_1$", FAINT, 11)
     words(ax, x1 - 13 * n - 13 * a, "$x_1$", BODY1)
     words(ax, p1 - 19 * a + 14 * n, "$p_1$", BODY1)
@@ -68,7 +69,7 @@ def line(ax):
 
 
 def lock(ax):
-    """Right: body 2 as it should lie, and how far it has turned beyond that."""
+    """Right: body 2 as it should lie, and how far it has rotated beyond that."""
     words(ax, (562, 352), "the excess rotation", size=12.5, weight="bold")
     x1, x2 = np.array([540.0, 92.0]), np.array([566.0, 228.0])
     meant, now = TILT + 6, TILT + 38

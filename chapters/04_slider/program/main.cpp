@@ -56,7 +56,7 @@ Summary piston(const Settings& settings, bool whole, CsvFile& table) {
 
 // A carriage of 50 kg on a slider at 45 degrees, limits -1 and 10 m, driven by a motor. It pushes a
 // shot of 10 kg before it: a second slider whose lower limit is the carriage. At the muzzle the
-// carriage stops and the shot goes on; half a metre further its slider is taken away.
+// carriage stops and the shot goes on; half a metre further its slider is removed.
 Summary cannon(const Settings& settings, bool whole, CsvFile& table) {
   const std::string words = whole ? "whole joint" : "blocks apart";
   const real diagonal = std::sqrt(real(0.5));
@@ -160,10 +160,11 @@ int main(int argc, char** argv) {
 
     std::vector<Summary> lines;
     CsvFile piston_table(settings.out + "/piston.csv",
-                         {"blocks", "time_s", "way_m", "speed_m_s", "motor_n", "limit_n"});
-    CsvFile cannon_table(settings.out + "/cannon.csv", {"blocks", "time_s", "way_m", "speed_m_s",
-                                                        "shot_x_m", "shot_y_m", "shot_m_s",
-                                                        "flying"});
+                         {"blocks", "time_s", "displacement_m", "speed_m_s", "motor_n",
+                          "limit_n"});
+    CsvFile cannon_table(settings.out + "/cannon.csv",
+                         {"blocks", "time_s", "displacement_m", "speed_m_s", "shot_x_m", "shot_y_m",
+                          "shot_m_s", "flying"});
     for (bool whole : {false, true}) lines.push_back(piston(settings, whole, piston_table));
     for (bool whole : {false, true}) lines.push_back(cannon(settings, whole, cannon_table));
     CsvFile momentum_table(settings.out + "/momentum.csv",

@@ -1,5 +1,6 @@
-// Chapter 7's program, what the colours look like: a chain, a bridge, a net. Read it; there is
-// nothing to edit here.
+// Chapter 7's program, what the colours look like: a chain, a bridge, a net; and how full they make
+// eight lanes, these and a wheel. Read it; there is nothing to edit here.
+#include <algorithm>
 #include <cmath>
 
 #include "chapters/07_performance/program/program.h"
@@ -61,14 +62,42 @@ Sketch a_net() {
   return net;
 }
 
+// A hub and twelve arms of so many hinges each: arm by arm from the hub outwards, or the list
+// backwards.
+Sketch a_wheel(const std::string& name, int hinges, real hub_mass, bool backwards) {
+  Sketch wheel{name, {}, {}};
+  wheel.add(hub_mass, vec3(0));
+  for (int arm = 0; arm < 12; ++arm)
+    for (int i = 0; i < hinges; ++i) {
+      const int cube = wheel.add(1, vec3(real(arm), real(i), 0));
+      wheel.links.push_back({i == 0 ? 0 : cube - 1, cube});
+    }
+  if (backwards) std::reverse(wheel.links.begin(), wheel.links.end());
+  return wheel;
+}
+
+// A row for each colour: its joints, and how many groups of eight they take.
+void count(const Sketch& sketch, const std::vector<int>& found, CsvFile& table) {
+  for (int colour = 0; colour <= *std::max_element(found.begin(), found.end()); ++colour) {
+    const auto joints = double(std::count(found.begin(), found.end(), colour));
+    table.row({sketch.name}, {double(colour), joints, std::ceil(joints / 8)});
+  }
+}
+
 }  // namespace
 
 void colours(const Choice& choice) {
+  CsvFile groups(choice.out + "/groups.csv", {"scene", "colour", "joints", "groups_of_8"});
+  for (const Sketch& wheel : {a_wheel("wheel", 10, 1, false), a_wheel("rim first", 10, 1, true),
+                              a_wheel("short arms", 1, 1, false),
+                              a_wheel("static hub", 10, 0, false)})
+    count(wheel, checked_colours(wheel.links, wheel.bodies), groups);
   CsvFile table(choice.out + "/colours.csv", {"scene", "body1_x", "body1_y", "body1_z", "body2_x",
                                               "body2_y", "body2_z", "colour"});
   for (const Sketch& sketch : {a_chain(), a_bridge(), a_net()}) {
     print_plan(sketch.name, sketch.bodies, sketch.links.size());
     const std::vector<int> found = checked_colours(sketch.links, sketch.bodies);
+    count(sketch, found, groups);
     for (std::size_t k = 0; k < found.size(); ++k) {
       const vec3 &a = sketch.bodies[sketch.links[k].body1].x,
                  &b = sketch.bodies[sketch.links[k].body2].x;

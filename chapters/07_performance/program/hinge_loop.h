@@ -45,14 +45,13 @@ class HingeLoop {
   }
   const Groups& groups() const { return groups_; }  ///< who comes with whom, and when
 
-  /// Forces, preparation, iterations, places. \param h the step [s]
+  /// Forces, preparation, iterations, positions. \param h the step [s]
   void step(real h) {
     for (Body& body : bodies) integrate_forces(body, gravity, h);
     const auto body = [&](int k) -> Body& { return bodies[std::size_t(k)]; };
     records_.take(body);
     const BodyView view = records_.view();
-    numbers_.resize(groups_.size());
-    for (std::size_t k = 0; k < groups_.size(); ++k) prepare_group(k, h);
+    prepare(h);
     for (int iteration = 0; iteration < iterations; ++iteration)
       for (std::size_t k = 0; k < groups_.size(); ++k) {
         if (!once_a_step) prepare_group(k, h);
@@ -65,15 +64,23 @@ class HingeLoop {
       if (!one.is_static()) integrate_pose(one, h);
   }
 
+  /// All that the iterations of a step read, of every group. \param h the step [s]
+  void prepare(real h) {
+    numbers_.resize(groups_.size());
+    for (std::size_t k = 0; k < groups_.size(); ++k) prepare_group(k, h);
+  }
+  /// What prepare() has found, group by group.
+  const std::vector<HingeNumbers<Number>>& numbers() const { return numbers_; }
+
   /// Gap of a hinge [m].
   real gap(std::size_t k) const {
     return length(hinges[k].point.error(bodies[links[k].body1], bodies[links[k].body2]));
   }
 
-  /// What the last step's iterations left: the greatest |bias + J V| of any row of any hinge, with
-  /// the velocities after them [m/s for the point's rows, rad/s for the axis' rows].
-  real largest_error() const {
-    real largest = 0;
+  /// What the last step's iterations left: bias + J V of every row of every hinge, with the
+  /// velocities after them [m/s for the point's rows, rad/s for the axis' rows].
+  std::vector<real> errors() const {
+    std::vector<real> found;
     for (std::size_t group = 0; group < groups_.size(); ++group)
       for (std::size_t lane = 0; lane < groups_[group].size(); ++lane) {
         const auto one = gather<HingeNumbers<real>>(numbers_[group], int(lane));
@@ -86,10 +93,10 @@ class HingeLoop {
           const Triple<real> w2 = i < 3 ? cross(one.r2, v) : one.axis_row[i - 3];
           const real rate = dot(v, triple(body2.v)) + dot(w2, triple(body2.w)) -
                             dot(v, triple(body1.v)) - dot(w1, triple(body1.w));
-          largest = std::max(largest, std::abs(one.bias[i] + rate));
+          found.push_back(one.bias[i] + rate);
         }
       }
-    return largest;
+    return found;
   }
 
  private:

@@ -20,6 +20,8 @@ int main(int argc, char** argv) {
     steps(choice, lines);
     relaxation(choice);
     colours(choice);
+    needed(choice);
+    at_once(choice);
     whips(choice, lines);
     report(lines, choice.out);
   });

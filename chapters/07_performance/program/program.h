@@ -30,8 +30,14 @@ void steps(const Choice& choice, std::vector<Summary>& lines);
 /// What an iteration leaves: the order of the joints, over-relaxation and when it explodes, the
 /// rows inside one step: order.csv, relaxation.csv, inside_a_step.csv. (relaxation.cpp)
 void relaxation(const Choice& choice);
-/// A chain, a bridge and a net in colours: colours.csv. (colours.cpp)
+/// A chain, a bridge and a net in colours: colours.csv; how full they make eight lanes, these and a
+/// wheel: groups.csv. (colours.cpp)
 void colours(const Choice& choice);
+/// What the questions and folds of the text ask: iterations to an error, what an iteration leaves,
+/// half a kick: needed.csv, rate.csv, kick.csv. (needed.cpp)
+void needed(const Choice& choice);
+/// Joints that all answer what they saw at one moment: at_once.csv, left.csv. (at_once.cpp)
+void at_once(const Choice& choice);
 /// Three chains that whip down, recorded: whips.motion.json. (whips.cpp)
 void whips(const Choice& choice, std::vector<Summary>& lines);
 

@@ -18,7 +18,7 @@ struct Chains {
   std::vector<Body> bodies;    ///< chain after chain, each from its static cube on
   std::vector<BodyPair> links;     ///< in the same order
   std::vector<Hinge> hinges;   ///< one a link
-  double energy_scale = 0;     ///< m g times the way along the chain, over all cubes [J]
+  double energy_scale = 0;     ///< m g times the distance along the chain, over all cubes [J]
 };
 
 /// The thesis' performance scene: cubes of 1 m and 100 kg in rows along z, spacing apart, the first
@@ -41,6 +41,11 @@ HingeLoop<Number> loop_over(const Chains& chains, const Groups& groups, int iter
   return loop;
 }
 
+/// An order of the solves and its name.
+struct Order {
+  std::string name;  ///< as tables have it
+  Groups groups;     ///< who comes with whom, and when
+};
 /// Chain after chain, from the static cube to the end: one lane.
 Groups chain_order(const Chains& chains);
 /// The same list from its end.
@@ -48,7 +53,7 @@ Groups from_the_end(const Chains& chains);
 /// Colour after colour. \param width how many at a time
 Groups colour_order(const Chains& chains, int width);
 
-/// The colours of these links, by exercise 7.3. \param bodies a static one takes part in nothing
+/// The colours of these links, by exercise 7.3. \param bodies a static one blocks no colour
 /// \throws std::invalid_argument unless there is one for each link
 std::vector<int> checked_colours(const std::vector<BodyPair>& links,
                                  const std::vector<Body>& bodies);

@@ -10,7 +10,7 @@ from style import COLOURS, INK, PALE, rows, visible
 
 FORMULA = {"color": INK, "linewidth": 1, "dashes": (4, 2)}
 LOOKS = {"beta 0.2": 0, "beta 0.2 + projection": 1, "beta 1": 2, "projection": 3,
-         "beta 1 + projection": 4, "beta 0.05": 5, "beta 0.2, bent 0.2 rad": 4}
+         "beta 1 + projection": 4, "beta 0.05": 5, "beta 0.2 + bent 0.2 rad": 4}
 
 
 def parts(table, column):
@@ -160,7 +160,7 @@ def draw_beta(solution, mine, out):
     ends = min(one["beta"][np.abs(one["measured"]) > 0.999], default=np.inf)
     few, best = chains[0][0], np.min(np.abs(chains[0][1]["measured"]))
     figure, (left, right) = style.figure(
-        f"One joint is stable up to beta {ends:g}; a chain with {few.split(',')[-1].strip()} keeps "
+        f"One joint is stable up to beta {ends:g}; a chain with {few[11:]} keeps "
         f"{best:.2f} of its error a step at best", 2, sharey=True)
     left.axvspan(0, min(ends, 2), color=COLOURS[2], alpha=0.1, linewidth=0)
     left.text(min(ends, 2) / 2, 0.94, "stable", ha="center", color=COLOURS[2], fontsize=8.5,
@@ -171,7 +171,7 @@ def draw_beta(solution, mine, out):
              title=r"one joint; dashed: $|1-\beta|$")
     for name, part, colour, marker in chains:
         right.plot(part["beta"], np.abs(part["measured"]), color=colour, marker=marker,
-                   linestyle="none", markersize=5, label=name.replace("chain, ", ""))
+                   linestyle="none", markersize=5, label=name[11:])
         right.plot(part["beta"], part["predicted"], label="_", **FORMULA)
     right.set_title("chain of ten, cold; dashed: predicted")
     for ax in (left, right):

@@ -73,9 +73,9 @@ void side_by_side(const Choice& choice, std::vector<Summary>& lines) {
                  {"projection", 0, 1, 1, {5, 10, 30, 100}},
                  {"beta 0.2 + projection", real(0.2), 1, 1, {5, 10, 30, 100}},
                  {"beta 1 + projection", 1, 1, 1, {5, 10, 30, 100}},
-                 {"16 substeps, beta 0.2", real(0.2), 0, 16, {16, 32, 96}},
-                 {"16 substeps, beta 1", 1, 0, 16, {16, 32, 96}},
-                 {"4 substeps, beta 1", 1, 0, 4, {8, 16, 32, 100}}};
+                 {"beta 0.2 + 16 substeps", real(0.2), 0, 16, {16, 32, 96}},
+                 {"beta 1 + 16 substeps", 1, 0, 16, {16, 32, 96}},
+                 {"beta 1 + 4 substeps", 1, 0, 4, {8, 16, 32, 100}}};
   for (const auto& method : methods)
     for (const int iterations : method.counts) {
       CubeChain chain("side by side", 20, 100, vec3(1, 0, 0), method.beta);

@@ -82,7 +82,7 @@ class ChainLoop {
       const Point& joint = chain.joints[k];
       const vec3 C = joint.error(body1, body2);
       rows_.push_back({joint.jacobian(body1, body2), joint.K(body1, body2), vec3(0)});
-      for (int i = 0; i < 3; ++i) rows_.back().bias[i] = bias(C[i], settings.beta, h);
+      for (int i = 0; i < 3; ++i) rows_.back().bias[i] = bias(C[i], settings.beta, h);  // Eq. 6-2
     }
   }
 

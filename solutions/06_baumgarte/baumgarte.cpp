@@ -49,8 +49,9 @@ bool warm_start_is_safe(real rho, int iterations, real beta) {
 void project(const Point& point, Body& body1, Body& body2) {
   // begin [exercise 6.3]
   // Find lambda of Eq. 6-10 from the error and K of the point, at the present poses. The moves of
-  // Eq. 6-11 are M^-1 J^T lambda, which apply_impulse of exercise 2.3 adds to velocities: give it
-  // two copies of the bodies that are at rest. turned(q, w, 1) rotates q by the vector w [rad].
+  // Eq. 6-11 are M^-1 J^T lambda. That is what apply_impulse of exercise 2.3 adds to velocities: so
+  // copy both bodies, set v and w of the copies to zero, and give it the copies. Their v and w are
+  // the moves then. turned(q, w, 1) rotates q by the vector w [rad].
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);  // Eq. 6-10
   Body move1 = body1, move2 = body2;
   move1.v = move1.w = move2.v = move2.w = vec3(0);

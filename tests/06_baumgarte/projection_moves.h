@@ -124,7 +124,7 @@ void add_copies(typename ProjectionRules<Part>::Mistakes& add) {
   using Reference = typename Rules::Reference;
   const auto changed = [](auto change) { return Rules::changed(change); };
   for (int flying = 15; flying > 0; --flying)  // which of the four velocities of the copies
-    add.push_back({"the copies are not at rest: v and w of both must be zero before they are given "
+    add.push_back({"v and w of both copies must be zero before they are given "
                    "lambda",
                    changed([=](const Reference& reference, Moves a) {
                      const Moves b = velocities_of(reference.pair);

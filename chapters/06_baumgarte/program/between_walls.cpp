@@ -142,7 +142,7 @@ void between_walls(const Choice& choice, std::vector<Summary>& lines) {
   lines.push_back(kicked(choice, "beta 1", 1, 0, 0, table));
   lines.push_back(kicked(choice, "projection", 0, 1, 0, table));
   lines.push_back(kicked(choice, "beta 0.2 + projection", real(0.2), 1, 0, table));
-  lines.push_back(kicked(choice, "beta 0.2, bent 0.2 rad", real(0.2), 0, real(0.2), table));
+  lines.push_back(kicked(choice, "beta 0.2 + bent 0.2 rad", real(0.2), 0, real(0.2), table));
 }
 
 }  // namespace joints::chapter6

@@ -13,7 +13,10 @@ struct Stabilisation {
   real beta = 0;        ///< share of the error fed back in a step [1]
   bool warm = false;    ///< begin with the impulses of the last step
   int projections = 0;  ///< iterations of position projection after a step
-  int iterations = 30;  ///< iterations over the velocities
+  int iterations = 30;  ///< iterations over the velocities, at most
+  /// Enough is done when no impulse of an iteration is larger than this share of the largest sum
+  /// [1]; 0 does all iterations that still change something.
+  real enough = 0;
 };
 
 /// A chain, and what it remembers from step to step.
@@ -35,13 +38,19 @@ class ChainLoop {
       else
         impulses_[k] = vec3(0);
     }
-    for (int iteration = 0; iteration < settings.iterations; ++iteration)
+    bool done = false;
+    for (iterated_ = 0; iterated_ < settings.iterations && !done; ++iterated_) {
+      real change = 0, sum = 0;
       for (std::size_t k = 0; k < rows_.size(); ++k) {
         const Rows& rows = rows_[k];
         const vec3 lambda = block_impulse(rows.J, rows.K, rows.bias, bodies[k], bodies[k + 1]);
         apply_impulse(rows.J, lambda, bodies[k], bodies[k + 1]);
         impulses_[k] += lambda;
+        change = glm::max(change, length(lambda));
+        sum = glm::max(sum, length(impulses_[k]));
       }
+      done = change <= settings.enough * sum;
+    }
     for (Body& body : bodies) {
       if (body.is_static()) continue;
       body.x += h * body.v;
@@ -52,6 +61,8 @@ class ChainLoop {
     h_before_ = h;
   }
 
+  /// Iterations of the last step.
+  int iterated() const { return iterated_; }
   /// Gap of a joint [m].
   real gap(std::size_t k) const {
     return length(chain.joints[k].error(chain.bodies[k], chain.bodies[k + 1]));
@@ -71,11 +82,12 @@ class ChainLoop {
       const Point& joint = chain.joints[k];
       const vec3 C = joint.error(body1, body2);
       rows_.push_back({joint.jacobian(body1, body2), joint.K(body1, body2), vec3(0)});
-      for (int i = 0; i < 3; ++i) rows_.back().bias[i] = bias(C[i], settings.beta, h);
+      for (int i = 0; i < 3; ++i) rows_.back().bias[i] = bias(C[i], settings.beta, h);  // Eq. 6-2
     }
   }
 
   std::vector<Rows> rows_;
+  int iterated_ = 0;
   std::vector<vec3> impulses_;  // what each joint gave in the last step [N s]
   real h_before_ = 0;           // the last step [s]
 };

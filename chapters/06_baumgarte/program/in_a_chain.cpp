@@ -65,7 +65,7 @@ void betas(const Choice& choice) {
                               1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0, 2.1, 2.2}) {
       const bool one = iterations == 0;
       const int links = one ? 1 : 10, count = one ? 1 : iterations;
-      table.row({one ? "one joint" : "chain, " + std::to_string(iterations) + " iterations"},
+      table.row({one ? "one joint" : "chain with " + std::to_string(iterations) + " iterations"},
                 {beta, predicted_factor(links, count, beta), measured_factor(links, count, beta)});
     }
 }

@@ -108,21 +108,28 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
 
 // ---- a chain that hangs plumb ------------------------------------------------------------------
 
-// Ten cubes of 1 kg, each on a ball joint at the centre of the one above it; how much too low the
-// last one hangs.
+// Ten cubes of 1 kg, each on a ball joint at the centre of the one before it.
+const int links = 10;
+
+ChainLoop cubes(const vec3& along, const Stabilisation& settings) {
+  ChainLoop own;
+  own.settings = settings;
+  for (int k = 0; k <= links; ++k) {
+    const vec3 place = real(k) * along;
+    own.chain.bodies.push_back(k == 0 ? static_body(place) : box(1, vec3(real(0.4)), place));
+    if (k > 0) own.chain.joints.push_back({vec3(0), -along});
+  }
+  return own;
+}
+
+// How much too low the last one hangs.
 void hanging(const Choice& choice) {
   CsvFile table(choice.out + "/hanging.csv", {"start", "iterations", "time_s", "sag_m"});
-  const int links = 10;
   for (const bool warm : {false, true}) {
     print_plan("hanging", 1, links, warm);
     for (const int iterations : {4, 10}) {
-      ChainLoop own;
-      own.settings = {.beta = choice.beta, .warm = warm, .iterations = iterations};
-      for (int k = 0; k <= links; ++k) {
-        const vec3 place(0, real(-k), 0);
-        own.chain.bodies.push_back(k == 0 ? static_body(place) : box(1, vec3(real(0.4)), place));
-        if (k > 0) own.chain.joints.push_back({vec3(0), vec3(0, 1, 0)});
-      }
+      ChainLoop own = cubes(vec3(0, -1, 0), {.beta = choice.beta, .warm = warm,
+                                             .iterations = iterations});
       const int steps = int(std::lround(5 / double(h)));
       for (int n = 0; n <= steps; ++n) {
         if (n > 0) own.step(h);
@@ -131,6 +138,34 @@ void hanging(const Choice& choice) {
       }
     }
   }
+}
+
+// ---- iterations until the impulses are small ---------------------------------------------------
+
+// Five seconds of a chain that hangs and of one that is let go level, with as many iterations in
+// each step as it takes until an impulse is at most 1/1000 of the largest sum.
+void stop_early(const Choice& choice) {
+  CsvFile table(choice.out + "/early.csv", {"scene", "start", "beta", "iterations_mean",
+                                            "iterations_max", "gap_max_m", "gap_end_m"});
+  for (const bool level : {false, true})
+    for (const auto& [warm, beta] : {std::pair(false, real(0.15)), {true, 0}, {true, real(0.15)}}) {
+      ChainLoop own = cubes(level ? vec3(1, 0, 0) : vec3(0, -1, 0),
+                            {.beta = beta, .warm = warm, .iterations = 1000,
+                             .enough = real(0.001)});
+      double sum = 0, most = 0, widest = 0, last = 0;
+      const int steps = steps_in(5, h);
+      for (int n = 0; n < steps; ++n) {
+        own.step(h);
+        sum += own.iterated();
+        most = std::max(most, double(own.iterated()));
+        last = 0;
+        for (std::size_t k = 0; k < own.chain.joints.size(); ++k)
+          last = std::max(last, double(own.gap(k)));
+        widest = std::max(widest, last);
+      }
+      table.row({level ? "swinging" : "hanging", warm ? "warm" : "cold"},
+                {double(beta), sum / steps, most, widest, last});
+    }
 }
 
 }  // namespace
@@ -147,10 +182,12 @@ int main(int argc, char** argv) {
     std::vector<Summary> lines;
     pendulums(choice, lines);
     hanging(choice);
+    stop_early(choice);
     one_joint(choice, lines);
     in_a_chain(choice);
     many_joints(choice, lines);
     between_walls(choice, lines);
+    questions(choice);
     report(lines, choice.out);
   });
 }

@@ -28,6 +28,8 @@ void one_joint(const Choice& choice, std::vector<Summary>& lines);
 void in_a_chain(const Choice& choice);
 /// Many joints: rods that contradict each other, the methods side by side. (many_joints.cpp)
 void many_joints(const Choice& choice, std::vector<Summary>& lines);
+/// What the answers to the questions say. (questions.cpp)
+void questions(const Choice& choice);
 /// The thesis' chain of four links whose ends cannot move, kicked. (between_walls.cpp)
 void between_walls(const Choice& choice, std::vector<Summary>& lines);
 

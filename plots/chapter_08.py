@@ -208,7 +208,7 @@ def draw_result(solution, mine, out):
             for name, part, _, _ in parts(table, "order") for column in ("gap_m", "penetration_m")}
     figure, axes = style.figure(
         f"Joints first: gaps of {most['joints first', 'gap_m']:.0f} mm. Contacts first: "
-        f"{most['contacts first', 'penetration_m']:.0f} mm deep. One loop: none", 2)
+        f"{most['contacts first', 'penetration_m']:.0f} mm deep. One loop: neither", 2)
     for ax, column, words in zip(axes, ("gap_m", "penetration_m"), (
             "widest gap of a joint  [mm]", "deepest corner  [mm]")):
         for n, name in enumerate(("interleaved", "joints first", "contacts first")):

@@ -198,6 +198,32 @@ def draw_order(solution, mine, out):
     style.save(figure, out / "08_order")
 
 
+def draw_result(solution, mine, out):
+    """For the text alone: what the landing opens and how deep it presses, by the order."""
+    if out.suffix != ".svg":
+        return
+    table = rows(solution, iterations=30)
+    shown = table["time_s"] < 2.51
+    most = {(name, column): 1000 * np.max(part[column][part["time_s"] < 2.51])
+            for name, part, _, _ in parts(table, "order") for column in ("gap_m", "penetration_m")}
+    figure, axes = style.figure(
+        f"Joints first: gaps of {most['joints first', 'gap_m']:.0f} mm. Contacts first: "
+        f"{most['contacts first', 'penetration_m']:.0f} mm deep. One loop: neither", 2)
+    for ax, column, words in zip(axes, ("gap_m", "penetration_m"), (
+            "widest gap of a joint  [mm]", "deepest corner  [mm]")):
+        for n, name in enumerate(("interleaved", "joints first", "contacts first")):
+            part = rows({key: np.asarray(column)[shown] for key, column in table.items()},
+                        order=name)
+            ax.plot(part["time_s"], np.round(1000 * part[column], 2), color=COLOURS[n],
+                    linestyle=("-", "-", (0, (4, 2)))[n], zorder=3 - n,
+                    label=("one loop", "joints\nfirst", "contacts\nfirst")[n])
+        ax.set(xlabel="time  [s]", ylabel=words, xlim=(0, 2.5), ylim=(-1, 65),
+               xticks=(0, 1, 2), yticks=(0, 20, 40, 60))
+        style.label_ends(ax)
+    axes[0].set_title("a chain lands")
+    style.save(figure, out / "08_result")
+
+
 def draw_drift(solution, mine, out):
     table = mine or solution
     ends = {name: part["gap_m"][-1] for name, part, _, _ in parts(table, "scene")}
@@ -259,10 +285,11 @@ def tables(folder, command):
             there(("machines", "iterations gap_rms_m gap_max_m penetration_max_m energy_drift",
                    "machine")),
             there(("wheels", "time_s place_m turned_rad rolled_m motor_nm gap_m")),
-            there(("ragdoll", "time_s fastest_m_s fastest_rad_s gap_m penetration_m")))
+            there(("ragdoll", "time_s fastest_m_s fastest_rad_s gap_m penetration_m")),
+            there(("order", "iterations time_s gap_m penetration_m", "order")))
 
 
 if __name__ == "__main__":
-    style.run(lambda: style.chapter(8, tables, tuple(map(drawn, (
+    style.run(lambda: style.chapter(8, tables, (*map(drawn, (
         draw_rest, draw_friction, draw_slope, draw_bounce, draw_order, draw_drift,
-        draw_machines, draw_wheels, draw_ragdoll)))))
+        draw_machines, draw_wheels, draw_ragdoll)), draw_result), result=draw_result))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Chapter 8's drawing: a corner over the ground; the wedge in which friction has to stay.
+"""Chapter 8's drawing: a corner over the ground; the wedge of friction; a rebound in two steps.
 
     python3 plots/geometry_08.py OUT.svg
 """
@@ -63,11 +63,11 @@ def corner(ax):
     words(ax, (43, x1[1] + 34), "height", INK, 11, rotation=90)
     words(ax, (292, 62), "body 1", BODY1, 12)
     words(ax, (284, 300), "body 2", BODY2, 12)
-    words(ax, (172, 28), "$t_1$ looks where $p$ slides, $t_2 = n \\times t_1$", FAINT, 11)
+    words(ax, (172, 28), "$t_1$ points where $p$ slides, $t_2 = n \\times t_1$", FAINT, 11)
 
 
 def wedge(ax):
-    """Right: normal impulse and friction impulse of a corner, and what a solve does to them."""
+    """Middle: normal impulse and friction impulse of a corner, and what a solve does to them."""
     words(ax, (526, 352), "the bound follows the normal row", size=12.5, weight="bold")
     origin, right, slope = np.array([392.0, 188.0]), 262.0, 0.5
     ends = [origin + (right, sign * slope * right) for sign in (1, -1)]
@@ -97,5 +97,32 @@ def wedge(ax):
     words(ax, (526, 28), "the more $\\lambda_n$, the more friction is allowed", FAINT, 11)
 
 
+def rebound(ax):
+    """Right: a ball before and after the two steps that a rebound takes."""
+    words(ax, (876, 352), "a rebound takes two steps", size=12.5, weight="bold")
+    top, radius, places = 118.0, 17.0, (764.0, 876.0, 988.0)
+    ax.add_patch(Rectangle((718, 62), 316, top - 62, facecolor=BODY1 + "26", linewidth=0))
+    ax.plot((718, 1034), (top, top), color=BODY1, linewidth=2)
+    for x, bottom in zip(places, (top + 62, top, top + 112)):
+        ax.add_patch(Circle((x, bottom + radius), radius, facecolor=BODY2 + "26", edgecolor=BODY2,
+                            linewidth=2, zorder=3))
+        dot(ax, (x, bottom), INK, 6)
+    x = places[0]
+    arrow(ax, (x, top + 62), (x, top - 44), FAINT, dashed=True)
+    arrow(ax, (x + 6, top + 62), (x + 6, top + 1), BODY2, 2.6)
+    measure(ax, x - 26, top, top + 62)
+    words(ax, (x - 37, top + 31), "$C$", INK, 14)
+    words(ax, (x + 11, top - 36), "$h\\,v_n$", FAINT, 12, ha="left")
+    arrow(ax, (places[1], top + 36), (places[1], top + 132), ARROW, 2.6)
+    words(ax, (places[1], top + 146), "asks for $e\\,v_{\\mathrm{hit}}$", ARROW, 12)
+    ax.plot((places[2] - 32, places[2] - 4), (top + 112,) * 2, color=FAINT, linewidth=1,
+            linestyle=(0, (3, 2)))
+    arrow(ax, (places[2] - 24, top), (places[2] - 24, top + 112), ARROW, 1.6)
+    for left, right, said in ((0, 1, "step 1"), (1, 2, "step 2")):
+        arrow(ax, (places[left] + 22, 308), (places[right] - 22, 308), INK, 1.4)
+        words(ax, ((places[left] + places[right]) / 2, 322), said, INK, 11.5)
+    words(ax, (876, 28), "it uses up $C$ and keeps $v_{\\mathrm{hit}}$; then it leaves", FAINT, 11)
+
+
 if __name__ == "__main__":
-    draw(__doc__, "geometry_08", (corner, wedge), (346,))
+    draw(__doc__, "geometry_08", (corner, wedge, rebound), (346, 702), 1050)

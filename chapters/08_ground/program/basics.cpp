@@ -2,43 +2,19 @@
 // there is nothing to edit here.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "chapters/08_ground/program/program.h"
+#include "chapters/08_ground/program/one_box.h"
 
 namespace joints::chapter8 {
 
 namespace {
 
-constexpr real degree = std::numbers::pi_v<real> / 180;
-constexpr double g = 9.81;  // [m/s^2]
-
-// One box on the ground, or on a slope: the ground turned about z.
-struct OneBox {
-  Scene scene;
-  vec3 size;
-  BodyId ground, box;
-  GroundContact* contact;
-
-  OneBox(const std::string& name, const Choice& choice, const vec3& size, real slope = 0)
-      : scene{.name = name}, size(size) {
-    scene.solver.iterations = choice.iterations;
-    const quat turn = rotation(vec3(0, 0, slope));
-    ground = scene.box(0, vec3(12, real(0.2), 12), turn * vec3(0, real(-0.1), 0), turn);
-    box = scene.box(10, size, turn * vec3(0, size.y / 2, 0), turn);
-    contact = &stand(scene, ground, box, size, real(0.5));
-    contact->beta = choice.beta;
-    scene.energy_scale = 10 * g;
-  }
-  Body& body() { return scene.world.bodies[box]; }
-  vec3 corner(int k) { return world_point(body(), contact->outline.corners[std::size_t(k)]); }
-};
-
 // ---- at rest -----------------------------------------------------------------------------------
 
 // A box put down and left alone for a minute: how far a corner gets, how fast one ever moves.
 void rest(const Choice& choice, std::vector<Summary>& lines) {
-  CsvFile table(choice.out + "/rest.csv", {"start", "iterations", "farthest_m", "fastest_m_s"});
+  CsvFile table(choice.out + "/rest.csv", {"start", "iterations", "farthest_m", "fastest_m_s",
+                                           "centre_m"});
   for (const bool warm : {false, true})
     for (const int iterations : {1, 4, 10, 30}) {
       OneBox one("rest", choice, vec3(1, real(0.6), real(0.8)));
@@ -47,6 +23,7 @@ void rest(const Choice& choice, std::vector<Summary>& lines) {
       if (warm && iterations == 1) one.scene.print_plan();
       std::array<vec3, 8> start;
       for (int k = 0; k < 8; ++k) start[std::size_t(k)] = one.corner(k);
+      const vec3 centre = one.body().x;
       double farthest = 0, fastest = 0;
       const std::string name = warm ? "warm" : "cold";
       const Summary line = play(
@@ -58,7 +35,8 @@ void rest(const Choice& choice, std::vector<Summary>& lines) {
                   fastest, double(length(point_velocity(one.body(), p - one.body().x))));
             }
           });
-      table.row({name}, {double(iterations), farthest, fastest});
+      table.row({name}, {double(iterations), farthest, fastest,
+                         double(length(one.body().x - centre))});
       if (iterations == 30) lines.push_back(line);
     }
 }
@@ -76,7 +54,7 @@ double way_of(bool turned, double angle, double speed, double mu, double shorter
 
 void slide(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/slide.csv", {"tangents", "direction_deg", "speed_m_s", "way_m",
-                                            "expected_m", "stepped_m"});
+                                            "expected_m", "stepped_m", "arrives_deg"});
   for (int direction = 0; direction <= 90; direction += 15)
     for (const double speed : {1.0, 2.0, 4.0}) {
       const real angle = real(direction) * degree;
@@ -96,11 +74,14 @@ void slide(const Choice& choice, std::vector<Summary>& lines) {
       const Summary line = play(scene, "both tangents", 2,
                                 seen ? choice.out + "/slide.motion.json" : "");
       const double mu = double(fixed.friction);
-      for (const int k : {0, 1})
+      for (const int k : {0, 1}) {
+        const vec3 way = bodies[ids[k]].x - from[k];
         table.row({k == 0 ? "turned" : "fixed"},
-                  {double(direction), speed, double(length(bodies[ids[k]].x - from[k])),
+                  {double(direction), speed, double(length(way)),
                    way_of(k == 0, double(angle), speed, mu, 0),
-                   way_of(k == 0, double(angle), speed, mu, double(h) / 2)});
+                   way_of(k == 0, double(angle), speed, mu, double(h) / 2),
+                   double(std::atan2(way.z, way.x) / degree)});
+      }
       if (seen) lines.push_back(line);
     }
 }

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
       by_hand(choice);
       order(choice, lines);
       drift(choice, lines);
+      questions(choice);
     }
     for (const auto& [name, run] : machines)
       if (choice.machine == "all" || choice.machine == name) run(choice, lines);

@@ -18,6 +18,7 @@ class OwnGround {
   real friction = real(0.5);    ///< coefficient mu [1]
   real beta = real(0.2);        ///< share of a penetration fed back in a step [1]
   int iterations = 30;          ///< iterations a step
+  bool normal_first = false;    ///< the normal row before the friction of its corner (question 2)
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
 
   /// Forces, rows of the corners that touch, iterations, places. \param h the step [s]
@@ -26,14 +27,9 @@ class OwnGround {
     prepare(h);
     for (int iteration = 0; iteration < iterations; ++iteration)
       for (Rows& rows : touching_) {
-        for (std::size_t i = 0; i < 2; ++i) {
-          const Row& J = rows.along[i];
-          const real change = friction_impulse(rate(J), rows.K_along[i], friction, rows.normal,
-                                               rows.sideways[i]);
-          apply_impulse(J, change, ground, body);
-        }
-        const real wish = row_impulse(rows.up, rows.K_up, rows.bias, ground, body);
-        apply_impulse(rows.up, clamp_sum(wish, rows.normal), ground, body);
+        if (normal_first) push(rows);
+        rub(rows);
+        if (!normal_first) push(rows);
       }
     body.x += h * body.v;
     body.q = turned(body.q, body.w, h);
@@ -45,7 +41,7 @@ class OwnGround {
     for (const Rows& rows : touching_) sum += rows.normal;
     return sum;
   }
-  /// What all friction rows have given in the last step together, an arrow in the world [N s].
+  /// What all friction rows have given in the last step together, a vector in the world [N s].
   vec3 sideways() const {
     vec3 sum(0);
     for (const Rows& rows : touching_)
@@ -65,6 +61,18 @@ class OwnGround {
   };
   real rate(const Row& J) const {
     return dot(J.v1, ground.v) + dot(J.w1, ground.w) + dot(J.v2, body.v) + dot(J.w2, body.w);
+  }
+  void rub(Rows& rows) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Row& J = rows.along[i];
+      const real change = friction_impulse(rate(J), rows.K_along[i], friction, rows.normal,
+                                           rows.sideways[i]);
+      apply_impulse(J, change, ground, body);
+    }
+  }
+  void push(Rows& rows) {
+    const real wish = row_impulse(rows.up, rows.K_up, rows.bias, ground, body);
+    apply_impulse(rows.up, clamp_sum(wish, rows.normal), ground, body);
   }
   void prepare(real h) {
     touching_.clear();

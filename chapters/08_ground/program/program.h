@@ -69,6 +69,8 @@ void by_hand(const Choice& choice);
 void order(const Choice& choice, std::vector<Summary>& lines);
 /// Thesis fig. 3.2: a hinge without correction that is hit.
 void drift(const Choice& choice, std::vector<Summary>& lines);
+/// What the chapter's questions and their answers count on.
+void questions(const Choice& choice);
 /// The machines, each for itself.
 void ragdoll(const Choice& choice, std::vector<Summary>& lines);
 void wheels(const Choice& choice, std::vector<Summary>& lines);

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
     newton(choice);
     bounds(choice, lines);
     heavy(choice, lines);
+    questions(choice);
     report(lines, choice.out);
   });
 }

@@ -73,6 +73,9 @@ void newton(const Choice& choice);
 void bounds(const Choice& choice, std::vector<Summary>& lines);
 /// A chain with a heavy end: heavy.csv. (heavy.cpp)
 void heavy(const Choice& choice, std::vector<Summary>& lines);
+/// What the answers to the chapter's questions count on: needed.csv, rings.csv, kept.csv.
+/// (questions.cpp)
+void questions(const Choice& choice);
 
 }  // namespace joints::chapter9
 /// @}

@@ -14,6 +14,8 @@ import sys
 from math import isfinite
 from pathlib import Path
 
+import pages
+
 TEMPLATE = Path(__file__).resolve().parent.parent / "docs" / "motion.html"
 SLOT = ">PLACEHOLDER<"
 
@@ -83,7 +85,7 @@ def write_page(page, title, solution_dir, mine_dir=None, back=None):
     data = json.dumps({"title": title, **({"back": back} if back else {}), "scenes": scenes},
                       separators=(",", ":"), allow_nan=False)
     try:
-        before, after = TEMPLATE.read_text(encoding="utf-8").split(SLOT)
+        before, after = pages.whole(TEMPLATE).split(SLOT)
         Path(page).parent.mkdir(parents=True, exist_ok=True)
         Path(page).write_text(before + ">" + data.replace("<", "\\u003c") + "<" + after,
                               encoding="utf-8")

@@ -4,36 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "chapters/08_ground/program/program.h"
+#include "chapters/08_ground/program/one_box.h"
 
 namespace joints::chapter8 {
 
 namespace {
 
 constexpr real degree = std::numbers::pi_v<real> / 180;
-constexpr double g = 9.81;  // [m/s^2]
-
-// One box on the ground, or on a slope: the ground turned about z.
-struct OneBox {
-  Scene scene;
-  vec3 size;
-  BodyId ground, box;
-  GroundContact* contact;
-
-  OneBox(const std::string& name, const Choice& choice, const vec3& size, real slope = 0)
-      : scene{.name = name}, size(size) {
-    scene.solver.iterations = choice.iterations;
-    const quat turn = rotation(vec3(0, 0, slope));
-    ground = scene.box(0, vec3(12, real(0.2), 12), turn * vec3(0, real(-0.1), 0), turn);
-    box = scene.box(10, size, turn * vec3(0, size.y / 2, 0), turn);
-    contact = &stand(scene, ground, box, size, real(0.5));
-    contact->beta = choice.beta;
-    scene.energy_scale = 10 * g;
-  }
-  Body& body() { return scene.world.bodies[box]; }
-  vec3 corner(int k) { return world_point(body(), contact->outline.corners[std::size_t(k)]); }
-};
-
 // ---- at rest -----------------------------------------------------------------------------------
 
 // A box put down and left alone for a minute: how far a corner gets, how fast one ever moves.
@@ -146,9 +123,7 @@ void bounce(const Choice& choice, std::vector<Summary>& lines) {
     std::vector<Ball> balls;
     for (const double restitution : restitutions) {
       const vec3 x(real(balls.size()) - 2, real(drop) + radius, 0);
-      scene.shapes.push_back({"ball", {2 * double(radius), 2 * double(radius),
-                                       2 * double(radius)}});
-      balls.push_back({scene.world.add(ball(1, radius, x))});
+      balls.push_back({scene.ball(1, radius, x)});
       auto& contact = scene.world.add<GroundContact>(
           ground, balls.back().id, Top{.height = real(0.1)}, ball_outline(radius));
       contact.restitution = real(restitution);

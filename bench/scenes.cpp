@@ -83,10 +83,8 @@ BenchScene heavy_end_unreferenced(double ratio) {
   BodyId before;
   for (int i = 0; i <= 21; ++i) {
     const vec3 place(real(0.5) * real(i), 0, 0);
-    const Body body = i == 0    ? static_body(place)
-                      : i == 21 ? ball(real(ratio), real(0.25), place)
-                                : box(1, vec3(real(0.4)), place);
-    const BodyId id = scene.world.add(body);
+    const BodyId id = i < 21 ? scene.box(i == 0 ? 0 : 1, vec3(real(0.4)), place)
+                             : scene.ball(real(ratio), real(0.25), place);
     if (i > 0) {
       join_by_ball(scene, before, id, place - vec3(real(0.25), 0, 0));
       scene.energy_scale += (i == 21 ? ratio : 1.0) * 9.81 * 0.5 * i;

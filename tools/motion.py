@@ -14,8 +14,9 @@ import sys
 from math import isfinite
 from pathlib import Path
 
+import pages
+
 TEMPLATE = Path(__file__).resolve().parent.parent / "docs" / "motion.html"
-SLOT = ">PLACEHOLDER<"
 
 
 class MotionError(Exception):
@@ -79,14 +80,10 @@ def write_page(page, title, solution_dir, mine_dir=None, back=None):
             scenes.append({"name": name, "title": runs[-1]["title"] or name, "runs": runs})
     if not scenes:
         raise MotionError(f"nothing to show: no *.motion.json with a good frame in {solution_dir}")
-    # Inside a script element a "<" could end it early; to JSON \u003c is the same.
-    data = json.dumps({"title": title, **({"back": back} if back else {}), "scenes": scenes},
-                      separators=(",", ":"), allow_nan=False)
+    data = {"title": title, **({"back": back} if back else {}), "scenes": scenes}
     try:
-        before, after = TEMPLATE.read_text(encoding="utf-8").split(SLOT)
         Path(page).parent.mkdir(parents=True, exist_ok=True)
-        Path(page).write_text(before + ">" + data.replace("<", "\\u003c") + "<" + after,
-                              encoding="utf-8")
+        Path(page).write_text(pages.filled(TEMPLATE, data), encoding="utf-8")
     except OSError as error:
         raise MotionError(f"cannot write {page}: {error.strerror}") from error
 

@@ -110,12 +110,20 @@ def prepare_mine(chapter):
                             f"Next: ./wb test {chapter.number}")
     if wrong := red(chapter, written):
         print(f"{bad('Beware')}: {wrong}", flush=True)
-    waiting = [id_ for id_ in chapter.ids() if id_ not in written]
-    mixed = house.BUILD / "mixed" / chapter.folder / f"{chapter.name}.cpp"
-    exercises.write_if_new(mixed, exercises.fill(chapter.mine_text(),
-                                                 exercises.read(chapter.solution), waiting))
+    write_mixed(chapter, written)
     house.must_build([f"{chapter.folder}_run_mine"])
     return written
+
+
+def mixed_file(chapter):
+    """The reader's file with what is not written yet taken from the solution."""
+    return house.BUILD / "mixed" / chapter.folder / f"{chapter.name}.cpp"
+
+
+def write_mixed(chapter, written):
+    waiting = [id_ for id_ in chapter.ids() if id_ not in written]
+    exercises.write_if_new(mixed_file(chapter), exercises.fill(
+        chapter.mine_text(), exercises.read(chapter.solution), waiting))
 
 
 def run(chapter, options):
@@ -225,9 +233,14 @@ def see(chapter):
     solution, mine = both_runs(chapter)
     page = make_page(chapter, solution, mine)
     print(f"{house.short(page)}" + ("" if mine else "   (the solution; yours is not written yet)"))
+    open_page(page)
+    return 0
+
+
+def open_page(page):
+    """In a browser, where there is a screen for one."""
     if house.TERMINAL and ("DISPLAY" in os.environ or "WAYLAND_DISPLAY" in os.environ
                            or sys.platform == "darwin"):
         webbrowser.open(page.as_uri())
     else:
         print("open it in a browser: it needs no network")
-    return 0

@@ -29,6 +29,8 @@ HELP = """The Joint Workbook
                        ./wb run 2 --help, such as ./wb run 8 --machine wheels
   ./wb plot [2]        draw the figures: your curve over the solution's
   ./wb see [2]         the page that plays the motion, beside the solution's
+  ./wb live [2]        the page in which the engine runs, with your code beside
+                       the solution's: change settings, drag, iterate singly
 
   ./wb bench           error against run time; a joint's cost in larger scenes
   ./wb bench --stability   what is stiff, extreme or redundant: what holds what
@@ -56,7 +58,8 @@ TAKES = {"": (0, 0, "", []), "tour": (0, 0, "no argument", []), "docs": (0, 0, "
          "reset": (1, 1, "one exercise or chapter (--yes, --keep)",
                    ["--yes", "--keep"]),
          "plot": (0, 1, "one chapter or none: ./wb plot 1", []),
-         "see": (0, 1, "one chapter or none: ./wb see 1", [])}
+         "see": (0, 1, "one chapter or none: ./wb see 1", []),
+         "live": (0, 1, "one chapter or none: ./wb live 1", [])}
 
 
 def refuse_unknown(command):
@@ -156,6 +159,9 @@ def call(command, words, rest):
             return docs.command()
         case "bench":
             return bench(rest)
+        case "live":
+            import live
+            return live.live(house.chapter_of(words[0]) if words else None)
     import show
     if command == "run":
         return show.run(house.chapter_of(rest[0]), rest[1:])

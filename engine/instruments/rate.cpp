@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/sequential_impulses.h"
 #include "engine/state.h"
-#include "engine/step.h"
 
 namespace joints {
 
@@ -23,10 +21,10 @@ double contraction_rate(const std::function<double()>& iterate, int most) {
   return std::pow(sizes[last - 1] / sizes[first], 1.0 / double(last - 1 - first));
 }
 
-double contraction_rate(World& world, int most, real h) {
+double contraction_rate(World& world, int most, real h, SequentialImpulses solver,
+                        const Stepping& how) {
   const State as_it_was = save(world);
-  SequentialImpulses solver;
-  begin_step(world, solver, h);
+  begin_step(world, solver, h, how);
   std::vector<double> before(world.blocks.J.size(), 0.0);
   const double rounding = std::max(1e-11, 200 * double(epsilon));  // of a change, by the impulses
   const double rate = contraction_rate(

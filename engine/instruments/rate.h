@@ -3,7 +3,8 @@
 
 #include <functional>
 
-#include "engine/world.h"
+#include "engine/sequential_impulses.h"
+#include "engine/step.h"
 
 /// \addtogroup measuring
 /// @{
@@ -17,8 +18,10 @@ double contraction_rate(const std::function<double()>& iterate, int most);
 
 /// The same of the next step of a world as it stands, by what Sequential Impulses change of the
 /// impulses. The world is left as it was, but for World::blocks, which are empty.
-/// \param h length of that step [s]
-double contraction_rate(World& world, int most, real h = real(1) / 60);
+/// \param h length of that step [s] \param solver with its settings, of which `iterations` is not
+/// used \param how warm or cold, hard or soft
+double contraction_rate(World& world, int most, real h = real(1) / 60,
+                        SequentialImpulses solver = {}, const Stepping& how = {});
 
 }  // namespace joints
 /// @}

@@ -13,6 +13,12 @@ BodyId Scene::box(real mass, const vec3& size, const vec3& x, const quat& q) {
   return world.add(mass > 0 ? joints::box(mass, size, x, q) : static_body(x, q));
 }
 
+BodyId Scene::ball(real mass, real radius, const vec3& x) {
+  const double edge = 2 * double(radius);
+  shapes.push_back({"ball", {edge, edge, edge}});
+  return world.add(joints::ball(mass, radius, x));
+}
+
 void Scene::mark(BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis) {
   const Body &body1 = world.bodies[id1], &body2 = world.bodies[id2];
   marks.push_back({int(id1.slot), int(id2.slot), glm::dvec3(to_local(body1, anchor - body1.x)),

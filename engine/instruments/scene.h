@@ -25,6 +25,8 @@ struct Scene {
 
   /// Adds a box of uniform density. \param mass [kg], 0 for a static one \param size edges [m]
   BodyId box(real mass, const vec3& size, const vec3& x, const quat& q = quat(1, 0, 0, 0));
+  /// Adds a ball of uniform density. \param mass [kg] \param radius [m]
+  BodyId ball(real mass, real radius, const vec3& x);
   /// Remembers a place and a direction of the world that a joint holds together.
   /// \param axis zero where there is none
   void mark(BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis = vec3(0));

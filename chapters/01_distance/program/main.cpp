@@ -4,55 +4,25 @@
 #include <cmath>
 #include <cstdio>
 
-#include "chapters/01_distance/distance.h"
+#include "chapters/01_distance/program/scenes.h"
 #include "engine/instruments/plan.h"
 #include "engine/instruments/options.h"
-#include "engine/instruments/record.h"
 #include "engine/instruments/summary.h"
 
 using namespace joints;
+using namespace joints::chapter1;
 
 namespace {
 
-// Bodies, the links between them, and how they look.
-struct Scene {
-  std::string name;
-  std::vector<Body> bodies;
-  std::vector<Link> links;
-  Shape shape;
-  double energy_scale = 1;  // [J]
-};
-
-// A ball of 1 kg on a rod of 2 m, let go where the rod is level.
-Scene pendulum() {
-  Scene scene{"pendulum", {static_body(vec3(0)), ball(1, real(0.2), vec3(2, 0, 0))},
-              {Link{0, 1, 2}}, {"ball", {0.4, 0.4, 0.4}}, 9.81 * 2};
-  return scene;
-}
-
-// The thesis' bridge (fig. 5.6): ten cubes of 100 kg, 2 m apart, the outer two static, hung from
-// ropes of 2.3 m. Every cube first falls freely until its ropes are taut.
-Scene bridge() {
-  Scene scene{"bridge", {}, {}, {"box", {1, 1, 1}}, 0};
-  for (int i = 0; i < 10; ++i) {
-    const vec3 place(real(2 * i - 9), 0, 0);
-    const bool end = i == 0 || i == 9;
-    scene.bodies.push_back(end ? static_body(place) : box(100, vec3(1), place));
-    if (i > 0) scene.links.push_back({i - 1, i, real(2.3), true});
-    if (!end) scene.energy_scale += 100 * 9.81 * 2.3 * std::min(i, 9 - i);
-  }
-  return scene;
-}
-
 // How far a link is from what it allows [m]: a slack rope is not in error.
-double gap(const Scene& scene, const Link& link) {
+double gap(const LinkScene& scene, const Link& link) {
   const double stretch =
       CentreDistance{link.length}.error(scene.bodies[link.body1], scene.bodies[link.body2]);
   return link.rope ? std::max(stretch, 0.0) : std::abs(stretch);
 }
 
 // Runs a scene; one line of the table a step, a motion if its path is given.
-Summary run(Scene scene, const StepSettings& settings, double seconds, CsvFile& table,
+Summary run(LinkScene scene, const StepSettings& settings, double seconds, CsvFile& table,
             const std::string& motion_path) {
   Motion motion(scene.name, settings.h);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) motion.body(scene.shape);
@@ -78,7 +48,7 @@ Summary run(Scene scene, const StepSettings& settings, double seconds, CsvFile& 
   return {measures, scene.name, std::to_string(settings.iterations) + " iterations"};
 }
 
-void print_plan(const Scene& scene) {
+void print_plan(const LinkScene& scene) {
   Plan plan;
   plan.bodies = int(scene.bodies.size());
   for (const Body& body : scene.bodies) plan.static_bodies += body.is_static();
@@ -107,7 +77,7 @@ int main(int argc, char** argv) {
     std::vector<int> counts{5, 10, 30, 100};
     if (std::find(counts.begin(), counts.end(), chosen) == counts.end()) counts.push_back(chosen);
     for (const auto& make : {pendulum, bridge}) {
-      const Scene scene = make();
+      const LinkScene scene = make();
       CsvFile table(out + "/" + scene.name + ".csv",
                     {"iterations", "time_s", "gap_rms_m", "gap_max_m", "energy_change_j"});
       for (int iterations : counts) {

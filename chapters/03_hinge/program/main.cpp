@@ -2,49 +2,28 @@
 // and limit scenes of the published engines, and a chain under sideways gravity.
 // Read it; there is nothing to edit here.
 #include <algorithm>
-#include <numbers>
 
-#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/03_hinge/program/door.h"
 #include "engine/instruments/options.h"
-#include "engine/instruments/scene.h"
 
 using namespace joints;
+using namespace joints::chapter3;
 
 namespace {
 
-const real degree = std::numbers::pi_v<real> / 180;
-
 std::string words(bool whole) { return whole ? "whole joint" : "blocks apart"; }
-
-HingeJoint& hinge(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis,
-                  const Settings& settings, bool whole) {
-  auto& joint = scene.world.add<HingeJoint>(scene.world.bodies, id1, id2, anchor, axis);
-  joint.beta = settings.beta;
-  joint.whole = whole;
-  scene.mark(id1, id2, anchor, axis);
-  return joint;
-}
 
 // ---- doors --------------------------------------------------------------------------------------
 
-// Four doors of 20 kg that can open to 110 degrees, each pushed open with another speed.
+// Four doors, each pushed open with another speed.
 Summary doors(const Settings& settings, bool whole, CsvFile& table) {
   const std::array<real, 4> speeds{1, 5, 20, 80};
   Scene scene{.name = whole ? "doors" : "doors apart"};
   scene.solver.iterations = settings.iterations;
   std::vector<HingeJoint*> hinges;
-  for (int k = 0; k < 4; ++k) {
-    const vec3 post(real(2.5) * real(k), 0, 0);
-    const BodyId frame = scene.box(0, vec3(real(0.1), 2, real(0.1)), post);
-    const BodyId door = scene.box(20, vec3(1, 2, real(0.05)), post + vec3(real(0.5), 0, 0));
-    HingeJoint& joint = hinge(scene, frame, door, post, vec3(0, 1, 0), settings, whole);
-    joint.set_limits(0, 110 * degree);
-    Body& body = scene.world.bodies[door];
-    body.w = vec3(0, speeds[std::size_t(k)], 0);
-    body.v = cross(body.w, body.x - post);
-    scene.energy_scale += kinetic_energy(body);
-    hinges.push_back(&joint);
-  }
+  for (int k = 0; k < 4; ++k)
+    hinges.push_back(&add_door(scene, vec3(real(2.5) * real(k), 0, 0), speeds[std::size_t(k)],
+                               settings, whole));
   scene.print_plan();
   const std::string motion = whole == settings.whole ? settings.out + "/doors.motion.json" : "";
   return play(scene, words(whole), settings.seconds, motion, [&](double time) {

@@ -1,54 +1,27 @@
 // Chapter 4's program: a piston between two limits, a cannon, and what a motor without levers does
 // to the angular momentum. Read it; there is nothing to edit here.
-#include <algorithm>
-
-#include "chapters/04_slider/slider_joint.h"
+#include "chapters/04_slider/program/piston.h"
 #include "engine/instruments/options.h"
-#include "engine/instruments/scene.h"
 
 using namespace joints;
+using namespace joints::chapter4;
 
 namespace {
 
-SliderJoint& slider(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor,
-                    const vec3& direction, const Settings& settings, bool whole) {
-  auto& joint = scene.world.add<SliderJoint>(scene.world.bodies, id1, id2, anchor, direction);
-  joint.beta = settings.beta;
-  joint.whole = whole;
-  return joint;
-}
-
-// How far the anchor of body 2 is off the line, or beyond a limit [m].
-double gap(const SliderJoint& joint, const Bodies& bodies) {
-  const Vector<2> C = joint.first.error(bodies[joint.body1], bodies[joint.body2]);
-  const double x = double(joint.position(bodies));
-  const double beyond = std::max({double(joint.limits().lower) - x,
-                                  x - double(joint.limits().upper), 0.0});
-  return std::hypot(double(C[0]), double(C[1]), beyond);
-}
-
 // ---- the piston ---------------------------------------------------------------------------------
 
-// A piston of 5 kg that a motor of 80 N drives up and down between 0 and 0.4 m, 1 m/s at most; it
-// is held 0.3 m beside its centre. The motor turns round every 1.5 s.
+// The piston runs; its motor turns round every 1.5 s.
 Summary piston(const Settings& settings, bool whole, CsvFile& table) {
   const std::string words = whole ? "whole joint" : "blocks apart";
-  Scene scene{.name = "piston"};
-  scene.solver.iterations = settings.iterations;
-  scene.energy_scale = 5 * 9.81 * 0.4;
-  const BodyId cylinder = scene.box(0, vec3(real(0.1), real(1.2), real(0.1)), vec3(0));
-  const BodyId body = scene.box(5, vec3(real(0.4), real(0.2), real(0.4)), vec3(real(0.3), 0, 0));
-  SliderJoint& joint = slider(scene, cylinder, body, vec3(0), vec3(0, 1, 0), settings, whole);
-  joint.set_limits(0, real(0.4));
-  joint.set_motor(1, 80);
-  if (whole) scene.print_plan();
-  scene.gaps = [&](GapMeter& meter) { meter.add(gap(joint, scene.world.bodies)); };
+  Piston piston(settings, whole);
+  SliderJoint& joint = *piston.joint;
+  if (whole) piston.scene.print_plan();
+  const Bodies& bodies = piston.scene.world.bodies;
   const std::string motion = whole == settings.whole ? settings.out + "/piston.motion.json" : "";
-  return play(scene, words, settings.seconds, motion, [&](double time) {
-    table.row({words}, {time, double(joint.position(scene.world.bodies)),
-                        double(joint.speed(scene.world.bodies)), double(joint.motor_force()),
-                        double(joint.limit_force())});
-    joint.set_motor(int(time / 1.5) % 2 == 0 ? 1 : -1, 80);
+  return play(piston.scene, words, settings.seconds, motion, [&](double time) {
+    table.row({words}, {time, double(joint.position(bodies)), double(joint.speed(bodies)),
+                        double(joint.motor_force()), double(joint.limit_force())});
+    piston.turn_round(time);
   });
 }
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "chapters/05_fixed/fixed_joint.h"
+#include "chapters/05_fixed/program/hung_ragdoll.h"
 #include "engine/instruments/options.h"
 #include "engine/instruments/rate.h"
-#include "engine/instruments/scene.h"
 
 using namespace joints;
+using namespace joints::chapter5;
 
 namespace {
 
@@ -131,45 +131,17 @@ Summary breaking(const Settings& settings, CsvFile& table) {
 
 // ---- a ragdoll hung by one hand -----------------------------------------------------------------
 
-// The six boxes of the thesis' fig. 5.5: balls in shoulders and hips, the head welded on.
 Summary ragdoll(const Settings& settings) {
-  Scene scene{.name = "ragdoll"};
-  scene.solver.iterations = settings.iterations;
-  const BodyId torso = scene.box(100, vec3(real(0.6), 1, real(0.4)), vec3(0));
-  const BodyId head = scene.box(33, vec3(real(0.35), real(0.4), real(0.35)), vec3(0, real(0.7), 0));
-  const vec3 arm(real(0.8), real(0.2), real(0.2)), leg(real(0.25), 1, real(0.25));
-  const auto limb = [&](const vec3& size, const vec3& x, const vec3& anchor) {
-    const BodyId id = scene.box(25, size, x);
-    auto& joint = scene.world.add<BallJoint>(
-        torso, id, point_at(scene.world.bodies[torso], scene.world.bodies[id], anchor));
-    joint.beta = settings.beta;
-    scene.mark(torso, id, anchor);
-    return id;
-  };
-  const real side = real(0.3), shoulder = real(0.45);
-  const BodyId right = limb(arm, vec3(real(0.75), shoulder, 0), vec3(side, shoulder, 0));
-  limb(arm, vec3(real(-0.75), shoulder, 0), vec3(-side, shoulder, 0));
-  for (const real x : {real(0.17), real(-0.17)})
-    limb(leg, vec3(x, real(-1.05), 0), vec3(x, real(-0.5), 0));
-  auto& neck = scene.world.add<FixedJoint>(scene.world.bodies, torso, head, vec3(0, real(0.5), 0));
-  neck.beta = settings.beta;
-  neck.whole = settings.whole;
-  scene.mark(torso, head, vec3(0, real(0.5), 0));
-  const vec3 hand(real(1.15), shoulder, 0);
-  const BodyId hook = scene.box(0, vec3(real(0.1)), hand);
-  auto& grip = scene.world.add<BallJoint>(
-      hook, right, point_at(scene.world.bodies[hook], scene.world.bodies[right], hand));
-  grip.beta = settings.beta;
-  scene.mark(hook, right, hand);
-  scene.energy_scale = 233 * 9.81 * 1.5;
+  HungRagdoll doll(settings);
+  Scene& scene = doll.scene;
   scene.print_plan();
   CsvFile table(settings.out + "/ragdoll.csv", {"time_s", "hand_n", "weight_n"});
-  const double weight = 233 * 9.81;
+  const double weight = doll.mass * 9.81;
   double sum = 0;
   int count = 0;
   Summary line = play(scene, "", settings.seconds, settings.out + "/ragdoll.motion.json",
                       [&](double time) {  // what the grip gives to the arm, upwards
-                        const double carried = double(grip.forces()[1]);
+                        const double carried = double(doll.grip->forces()[1]);
                         table.row({time, carried, weight});
                         sum += carried;
                         ++count;

@@ -4,31 +4,13 @@
 #include <array>
 #include <cmath>
 
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/06_baumgarte/baumgarte.h"
+#include "chapters/06_baumgarte/program/between_walls.h"
 #include "chapters/06_baumgarte/program/program.h"
 #include "engine/instruments/rate.h"
 
 namespace joints::chapter6 {
 
 namespace {
-
-// Each joint sits at the centre of the link before it. The first free link leads 1 m from the
-// centre of the left wall, the second from there to a point that the right wall holds. With the
-// bend 0 the two are stretched straight: there is one place for them and no other. Bent by an angle
-// they have some room.
-Chain bent_chain(real bend) {
-  const real along = std::cos(bend), down = std::sin(bend);
-  const quat first = rotation(vec3(0, 0, -bend)), second = rotation(vec3(0, 0, bend));
-  Chain chain;
-  chain.bodies = {static_body(vec3(0)),
-                  box(100, vec3(real(0.4)), vec3(along, -down, 0), first),
-                  box(100, vec3(real(0.4)), vec3(2 * along, 0, 0), second),
-                  static_body(vec3(2 * along + 1, 0, 0))};
-  for (std::size_t k = 0; k < 3; ++k)
-    chain.joints.push_back(point_at(chain.bodies[k], chain.bodies[k + 1], chain.bodies[k].x));
-  return chain;
-}
 
 // ---- what the rows can do ----------------------------------------------------------------------
 
@@ -101,30 +83,19 @@ double contraction(Chain chain) {
 
 Summary kicked(const Choice& choice, const std::string& method, real beta, int projections,
                real bend, CsvFile& table) {
-  const Chain chain = bent_chain(bend);
-  Scene scene{.name = "between"};
+  BetweenWalls between(bend, beta);
+  Scene& scene = between.scene;
   scene.solver.iterations = choice.iterations;
   scene.stepping.projections = projections;
-  scene.energy_scale = 200 * 9.81;
-  std::vector<BodyId> ids;
-  for (const Body& body : chain.bodies)
-    ids.push_back(scene.box(body.is_static() ? 0 : 100, vec3(real(0.4)), body.x, body.q));
-  for (std::size_t k = 0; k < 3; ++k) {
-    scene.world.add<BallJoint>(ids[k], ids[k + 1], chain.joints[k]).beta = beta;
-    scene.mark(ids[k], ids[k + 1], chain.bodies[k].x);
-  }
   if (method == "beta 0.05") scene.print_plan();  // the others have the same
-  // Three blows, as from cubes that are shot at the second link, then time to come to rest.
-  const vec3 blows[] = {vec3(3, 5, -8), vec3(-6, 4, 5), vec3(2, -9, 3)};
   Bodies& bodies = scene.world.bodies;
   const std::string motion = method == "beta 0.2" ? choice.out + "/between.motion.json" : "";
   return play(scene, method, choice.seconds, motion, [&](double time) {
-    const int n = int(std::lround(time / double(h)));
     double gap = 0, speed = 0;
     for (const Mark& mark : scene.marks) gap = std::max(gap, joints::gap(mark, poses(bodies)));
-    for (const BodyId id : ids) speed = std::max(speed, double(length(bodies[id].v)));
+    for (const BodyId id : between.ids) speed = std::max(speed, double(length(bodies[id].v)));
     table.row({method}, {time, gap, speed});
-    if (n % 60 == 30 && n / 60 < 3) bodies[ids[1]].v += blows[n / 60];
+    between.kick(time);
   });
 }
 

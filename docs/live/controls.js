@@ -1,0 +1,108 @@
+// The settings as sliders, numbers and ticks, and the address that holds them all.
+"use strict";
+
+// Name in the address, words, unit, slider [least, most, step], and how many stand open.
+const controls = [
+  {name: "beta", words: "beta", unit: "share of the error fed back in a step",
+   range: [0, 2.5, 0.05]},
+  {name: "iterations", words: "iterations", unit: "a step", range: [1, 100, 1]},
+  {name: "h", words: "h", unit: "step [ms]", range: [1, 50, 0.5], scale: 1000},
+  {name: "substeps", words: "substeps", unit: "of each step", range: [1, 20, 1]},
+  {name: "warm", words: "warm start", tick: true},
+  {name: "projections", words: "projections", unit: "of the positions after a step",
+   range: [0, 20, 1]},
+  {name: "relaxation", words: "relaxation", unit: "factor of every impulse", range: [0.1, 2, 0.05]},
+  {name: "frequency", words: "soft frequency", unit: "[Hz], 0 is hard", range: [0, 30, 0.5]},
+  {name: "damping", words: "soft damping", unit: "ratio", range: [0, 3, 0.1]},
+  {name: "direct", words: "direct solver", tick: true},
+  {name: "ratio", words: "mass ratio", unit: "of one body, for a new run", range: [-2, 4, 0.1],
+   log: true},
+  {name: "tilt", words: "gravity", unit: "tilted by [degrees]", range: [-90, 90, 1]},
+  {name: "speed", words: "motor speed", unit: "[rad/s or m/s]", motor: 5},
+  {name: "strength", words: "motor strength", unit: "[N m or N]", motor: 3},
+];
+const open_controls = 3;
+
+// What the address says, "?..." and "#..." alike: the latter has the last word.
+function read_address() {
+  return new URLSearchParams([location.search.slice(1), location.hash.slice(1)]
+    .filter(Boolean).join("&"));
+}
+const last_of = (address, name) => address.getAll(name).at(-1);
+
+// The settings of a scene with what the address changes of them.
+function settings_from(address, about, entry) {
+  const settings = Object.fromEntries(about.settings.map((name, k) => [name, entry.begin[k]]));
+  for (const name of about.settings)
+    if (address.has(name)) settings[name] = Number(last_of(address, name));
+  return settings;
+}
+
+// The whole state in the address, as little as tells it.
+function write_address(state, about, entry) {
+  const parts = [`scene=${entry.name}`];
+  about.settings.forEach((name, k) => {
+    if (state.settings[name] !== entry.begin[k])
+      parts.push(`${name}=${Number(state.settings[name].toPrecision(12))}`);
+  });
+  for (const name of ["view", "theme"]) if (state[name]) parts.push(`${name}=${state[name]}`);
+  if (state.t !== undefined) parts.push(`t=${Number(state.t.toPrecision(9))}`);
+  if (state.iteration !== undefined) parts.push(`iteration=${state.iteration}`);
+  if (state.block) parts.push(`block=${state.block}`);
+  const hash = `#${parts.join("&")}`;
+  if (hash !== location.hash) history.replaceState(null, "", hash);
+}
+
+// Makes the form once. changed(name, value) is called for every change.
+function make_controls(form, changed) {
+  const more = Object.assign(document.createElement("details"), {id: "more"});
+  more.innerHTML = "<summary>more settings</summary>";
+  controls.forEach((control, k) => {
+    const label = document.createElement("label");
+    label.innerHTML = `<span>${control.words} <small>${control.unit || ""}</small></span>` +
+      (control.tick ? `<input type="checkbox">`
+        : `<input type="range" aria-label="${control.words}"><input type="number" step="any">`);
+    label.classList.toggle("tick", Boolean(control.tick));
+    label.dataset.name = control.name;
+    const [, first, second] = label.children;
+    if (control.tick) first.onchange = () => changed(control.name, first.checked ? 1 : 0);
+    else {
+      first.oninput = () => {
+        const value = control.log ? 10 ** first.value : Number(first.value);
+        changed(control.name, Number(value.toPrecision(3)) / (control.scale || 1));
+      };
+      second.onchange = () => changed(control.name, second.value.trim() === "" ? NaN
+        : Number(second.value) / (control.scale || 1));
+    }
+    (k < open_controls ? form : more).append(label);
+    control.label = label;
+  });
+  const back = Object.assign(document.createElement("button"),
+                             {type: "button", textContent: "the scene's own settings"});
+  back.onclick = () => changed(null);
+  form.append(more, back);
+  form.onsubmit = e => e.preventDefault();
+}
+
+// Shows settings in the form. `wrong` is the name of what was refused, or "".
+function show_controls(settings, entry, about, wrong) {
+  for (const control of controls) {
+    const {label, name} = control, [, first, second] = label.children;
+    label.classList.toggle("off", Boolean(control.motor) && !entry.motor);
+    label.classList.toggle("bad", wrong === name);
+    const value = settings[name] * (control.scale || 1);
+    if (control.tick) {
+      first.checked = value !== 0;
+      continue;
+    }
+    let range = control.range;
+    if (control.motor) {
+      const most = control.motor * Math.abs(entry.begin[about.settings.indexOf(name)]);
+      range = [name === "speed" ? -most : 0, most, most / 100];
+    }
+    Object.assign(first, {min: range[0], max: range[1], step: range[2]});
+    first.value = control.log ? Math.log10(value) : value;
+    if (document.activeElement !== second || wrong !== name)
+      second.value = Number(value.toPrecision(5));
+  }
+}

@@ -1,0 +1,46 @@
+// The engine of a panel, in a worker. What does not answer in time is ended and begun anew: code
+// that never ends must not take the page with it.
+"use strict";
+
+class Refused extends Error {}  // a sentence of the engine, or about it
+
+class Engine {
+  constructor(label, wasm) {
+    this.label = label;
+    this.bytes = Uint8Array.from(atob(wasm), c => c.charCodeAt(0));
+    this.begin();
+  }
+  // Returns what the module tells of its settings and scenes.
+  begin() {
+    this.worker?.terminate();
+    this.waiting = new Map();
+    this.next = 0;
+    const code = new Blob([$("worker").textContent], {type: "text/javascript"});
+    const address = URL.createObjectURL(code);
+    this.worker = new Worker(address);
+    this.worker.onmessage = ({data}) => {
+      const {resolve, reject, clock} = this.waiting.get(data.id);
+      clearTimeout(clock);
+      this.waiting.delete(data.id);
+      data.refused === undefined ? resolve(data) : reject(new Refused(data.refused));
+    };
+    return this.about = this.ask("load", {bytes: this.bytes}, 20000);
+  }
+  // \param patience for the answer [ms]
+  ask(what, more = {}, patience = 1000) {
+    return new Promise((resolve, reject) => {
+      const id = this.next++;
+      const clock = setTimeout(() => {
+        const all = [...this.waiting.values()];
+        this.begin();
+        for (const one of all) {
+          clearTimeout(one.clock);
+          one.reject(new Refused("no answer for a second: the code seems never to end. " +
+                                 "It was stopped."));
+        }
+      }, patience);
+      this.waiting.set(id, {resolve, reject, clock});
+      this.worker.postMessage({id, what, ...more});
+    });
+  }
+}

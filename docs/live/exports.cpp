@@ -1,0 +1,130 @@
+// What the page calls. Texts go through one buffer, numbers through another: the page copies them
+// out before its next call.
+#include <cstring>
+
+#include "docs/live/run.h"
+
+using namespace joints;
+using namespace joints::live;
+
+#define EXPORT(name) extern "C" __attribute__((export_name(#name), used)) auto name
+
+namespace {
+
+std::unique_ptr<LiveRun> live_run;
+std::string text;
+std::vector<double> numbers;
+PageSettings page_settings;
+
+// A list of JSON, of what `one` appends for each.
+template <class List, class One>
+std::string listed(const List& list, const One& one) {
+  std::string out = "[";
+  for (const auto& item : list) out += (out.size() > 1 ? "," : "") + one(item);
+  return out + "]";
+}
+std::string quoted(const std::string& words) { return '"' + words + '"'; }
+std::string number(double x) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.17g", x);
+  return digits;
+}
+std::string triple(const std::array<double, 3>& a) { return listed(a, number); }
+
+std::string line(int body1, const std::array<double, 3>& anchor1, int body2,
+                 const std::array<double, 3>& anchor2) {
+  return "[" + std::to_string(body1) + "," + triple(anchor1) + "," + std::to_string(body2) + "," +
+         triple(anchor2) + "]";
+}
+
+}  // namespace
+
+/// The text of the last call that gave one.
+EXPORT(wb_text)() -> const char* { return text.c_str(); }
+/// The numbers of the last call that gave some.
+EXPORT(wb_numbers)() -> const double* { return numbers.data(); }
+/// Where the page writes the settings.
+EXPORT(wb_settings)() -> double* { return &page_settings.beta; }
+
+/// Names of settings, scenes and what each of them begins with, as JSON.
+EXPORT(wb_about)() -> void {
+  text = "{\"settings\":" + listed(setting_names, [](const char* name) { return quoted(name); });
+  text += ",\"scenes\":" + listed(entries(), [](const Entry& entry) {
+    const LiveRun fresh(entry);
+    const PageSettings settings = fresh.settings();
+    const double* first = &settings.beta;
+    const std::vector<double> begin(first, first + std::size(setting_names));
+    return "{\"name\":" + quoted(entry.name) + ",\"title\":" + quoted(entry.title) +
+           ",\"chapter\":" + std::to_string(entry.chapter) + ",\"watch\":" + quoted(entry.watch) +
+           ",\"motor\":" + (fresh.has_motor() ? "true" : "false") +
+           ",\"energy_scale\":" + number(fresh.scene().energy_scale) +
+           ",\"begin\":" + listed(begin, number) + "}";
+  });
+  text += "}";
+}
+
+/// A fresh run of a scene, with the settings; its bodies and lines as JSON.
+EXPORT(wb_make)(int scene) -> void {
+  live_run.reset();
+  live_run = std::make_unique<LiveRun>(entries().at(std::size_t(scene)), page_settings.ratio);
+  live_run->set(page_settings);
+  const Scene& made = live_run->scene();
+  text = "{\"bodies\":" + listed(made.shapes, [](const Shape& shape) {
+    return "{\"kind\":" + quoted(shape.kind) + ",\"size\":" + triple(shape.size) + "}";
+  });
+  std::vector<std::string> lines;
+  for (const Mark& mark : made.marks) {
+    const glm::dvec3 &a = mark.anchor1_local, &b = mark.anchor2_local;
+    lines.push_back(line(mark.body1, {0, 0, 0}, mark.body1, {a.x, a.y, a.z}));
+    lines.push_back(line(mark.body2, {0, 0, 0}, mark.body2, {b.x, b.y, b.z}));
+  }
+  for (const Segment& segment : made.segments)
+    lines.push_back(line(segment.body1, segment.anchor1, segment.body2, segment.anchor2));
+  text += ",\"lines\":" + listed(lines, [](const std::string& one) { return one; }) + "}";
+}
+
+/// The settings of the page for the run that is there.
+EXPORT(wb_set)() -> void { live_run->set(page_settings); }
+
+/// So many steps.
+EXPORT(wb_step)(int count) -> void {
+  for (int k = 0; k < count; ++k) live_run->step();
+}
+
+/// Time, gap, energy gained, then the pose of each body; returns how many numbers.
+EXPORT(wb_state)() -> int {
+  numbers = {live_run->time(), live_run->gap(), live_run->energy()};
+  for (std::size_t k = 0; k < live_run->scene().shapes.size(); ++k) {
+    const Body& b = live_run->scene().world.bodies.at(int(k));
+    for (const real x : {b.x.x, b.x.y, b.x.z, b.q.w, b.q.x, b.q.y, b.q.z})
+      numbers.push_back(double(x));
+  }
+  return int(numbers.size());
+}
+
+/// A hand takes a body at a point, moves, lets go.
+EXPORT(wb_grab)(int body, double x, double y, double z) -> void {
+  live_run->grab(body, vec3(real(x), real(y), real(z)));
+}
+EXPORT(wb_move)(double x, double y, double z) -> void {
+  live_run->move_hand(vec3(real(x), real(y), real(z)));
+}
+EXPORT(wb_let_go)() -> void { live_run->let_go(); }
+
+/// The joints within the next step, 10 numbers each; returns how many numbers.
+EXPORT(wb_look)(int iterations, int blocks) -> int {
+  numbers.clear();
+  for (const JointLook& one : live_run->look(iterations, blocks))
+    numbers.insert(numbers.end(), {one.body1, one.body2, one.place.x, one.place.y, one.place.z,
+                                   one.error, one.impulse.x, one.impulse.y, one.impulse.z,
+                                   one.next});
+  return int(numbers.size());
+}
+/// The number of blocks of the next step.
+EXPORT(wb_blocks)() -> int { return live_run->blocks(); }
+/// The errors after 0, 1 ... iterations, and last the rate; returns how many numbers.
+EXPORT(wb_errors)(int most) -> int {
+  numbers = live_run->errors(most);
+  numbers.push_back(live_run->rate(1000));
+  return int(numbers.size());
+}

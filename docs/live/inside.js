@@ -1,0 +1,58 @@
+// Within a step: each joint coloured by what is left of its velocity error, impulses as arrows.
+"use strict";
+
+const numbers_of_joint = 10;  // body1, body2, place, error, impulse, next
+
+// From little error to much: dark to bright would be lost on the bodies, so the size tells it too.
+const error_colours = [[0, 158, 115], [240, 228, 66], [213, 94, 0]];
+function error_place(error) {  // 0 at 1 mm/s and less, 1 at 10 m/s and more
+  return clamp((Math.log10(Math.max(error, 1e-9)) + 3) / 4, 0, 1);
+}
+function error_colour(error) {
+  const place = 2 * error_place(error), k = Math.min(Math.floor(place), 1), s = place - k;
+  return `rgb(${error_colours[k].map((c, i) => Math.round(c + s * (error_colours[k + 1][i] - c)))})`;
+}
+
+function joints_of(numbers) {
+  const found = [];
+  for (let k = 0; k < numbers.length; k += numbers_of_joint) {
+    const part = Array.from(numbers.slice(k, k + numbers_of_joint));
+    found.push({place: part.slice(2, 5), error: part[5], impulse: part.slice(6, 9),
+                next: part[9] === 1});
+  }
+  return found;
+}
+
+function arrow(pen, [x1, y1], [x2, y2]) {
+  const length = Math.hypot(x2 - x1, y2 - y1);
+  if (length < 3) return;
+  const [u, v] = [(x2 - x1) / length, (y2 - y1) / length], head = Math.min(9, 0.5 * length);
+  pen.beginPath();
+  pen.moveTo(x1, y1);
+  pen.lineTo(x2, y2);
+  for (const side of [-1, 1]) {
+    pen.moveTo(x2, y2);
+    pen.lineTo(x2 - head * (u + side * 0.5 * v), y2 - head * (v - side * 0.5 * u));
+  }
+  pen.stroke();
+}
+
+// Paints over a picture; `painted` is what draw() of the player returned.
+function paint_inside({pen, view}, joints) {
+  const largest = Math.max(...joints.map(joint => size(joint.impulse)), 1e-12);
+  const metre = view.focal / view.distance, reach = 70 / metre / largest;  // 70 pixels the longest
+  for (const {place, error, impulse, next} of joints) {
+    const at = project(view, place);
+    if (at[2] < view.near) continue;
+    pen.strokeStyle = style("--ink");
+    pen.lineWidth = 1.8;
+    arrow(pen, at, project(view, plus(place, reach, impulse)));
+    pen.fillStyle = error_colour(error);
+    pen.lineWidth = next ? 3 : 1;
+    pen.beginPath();
+    pen.arc(at[0], at[1], 4 + 5 * error_place(error) + (next ? 2 : 0), 0, 2 * Math.PI);
+    pen.fill();
+    pen.stroke();
+  }
+  return largest;
+}

@@ -1,0 +1,246 @@
+// Steps with the settings of the page, and looks into a step.
+#include "docs/live/run.h"
+
+#include <numbers>
+
+#include "chapters/02_ball/ball_joint.h"
+#include "chapters/08_ground/ground_contact.h"
+#include "engine/input.h"
+#include "engine/instruments/rate.h"
+#include "engine/kernels.h"
+#include "engine/state.h"
+
+namespace joints::live {
+
+LiveRun::LiveRun(const Entry& entry, std::optional<double> ratio)
+    : live_(entry.make()), ratio_(ratio.value_or(double(live_.ratio))), speed_(live_.speed),
+      strength_(live_.strength), beta_(live_.beta) {
+  require(std::isfinite(ratio_) && ratio_ > 0, "ratio", real(ratio_),
+          "must be positive and finite [1]");
+  Body& heavy = world().bodies.at(live_.heavy);
+  heavy.inverse_mass /= real(ratio_);
+  heavy.inverse_inertia_local /= real(ratio_);
+  energy_0_ = joints::energy(all_of(world().bodies), world().gravity);
+}
+
+PageSettings LiveRun::settings() const {
+  const Scene& scene = *live_.scene;
+  const Stepping& how = scene.stepping;
+  return {beta_, double(scene.solver.iterations), double(scene.h), double(how.substeps),
+          double(how.warm_start), double(how.projections), double(scene.solver.relaxation),
+          double(how.frequency), double(how.damping), double(is_direct_), ratio_, tilt_, speed_,
+          strength_};
+}
+
+void LiveRun::set(const PageSettings& to) {
+  Scene& scene = *live_.scene;
+  world().set_beta(real(to.beta));
+  beta_ = to.beta;
+  scene.solver.iterations = int(to.iterations);
+  scene.solver.relaxation = real(to.relaxation);
+  scene.h = real(to.h);
+  scene.stepping = {.warm_start = to.warm != 0,
+                    .substeps = int(to.substeps),
+                    .projections = int(to.projections),
+                    .frequency = real(to.frequency),
+                    .damping = real(to.damping)};
+  direct_.instead = scene.solver;
+  is_direct_ = to.direct != 0;
+  if (to.tilt != tilt_) {
+    const real size = length(world().gravity), angle = real(to.tilt * std::numbers::pi / 180);
+    const double before = joints::energy(all_of(world().bodies), world().gravity);
+    world().gravity = size * vec3(std::sin(angle), -std::cos(angle), 0);
+    energy_0_ += joints::energy(all_of(world().bodies), world().gravity) - before;
+    tilt_ = to.tilt;
+  }
+  speed_ = to.speed;
+  strength_ = to.strength;
+  if (live_.drive) live_.drive(real(speed_), real(strength_));
+  require(scene.stepping.substeps > 0, "substeps: there must be at least one");
+  check_input(world(), solver(), h_sub(), scene.stepping);
+}
+
+Solver& LiveRun::solver() {
+  if (is_direct_) return direct_;
+  return live_.scene->solver;
+}
+
+void LiveRun::step() {
+  if (live_.before) live_.before(time_);
+  Scene& scene = *live_.scene;
+  joints::step(world(), solver(), scene.h, scene.stepping);
+  time_ += double(scene.h);
+}
+
+double LiveRun::gap() const {
+  GapMeter meter;
+  if (scene().gaps)
+    scene().gaps(meter);
+  else
+    meter.look(scene().marks, poses(world().bodies));
+  return meter.maximum();
+}
+
+double LiveRun::energy() const {
+  return joints::energy(all_of(world().bodies), world().gravity) - energy_0_;
+}
+
+// ---- the hand -----------------------------------------------------------------------------------
+
+void LiveRun::grab(int slot, const vec3& point) {
+  let_go();
+  Bodies& bodies = world().bodies;
+  require(slot >= 0 && slot < int(scene().shapes.size()) && bodies.used(slot),
+          "body: there is none of this number");
+  BodyId held;
+  for (const auto& joint : world().joints())  // a joint knows the ids of its bodies
+    for (const BodyId id : {joint->body1, joint->body2})
+      if (int(id.slot) == slot) held = id;
+  hand_ = world().add(static_body(point));
+  auto& joint = world().add<BallJoint>(*hand_, held,
+                                       point_at(bodies[*hand_], bodies[held], point));
+  joint.frequency = real(2.5);
+  joint.projected = false;
+  joint.beta = real(beta_);
+}
+
+void LiveRun::move_hand(const vec3& point) {
+  if (hand_) world().bodies[*hand_].x = point;
+}
+
+void LiveRun::let_go() {
+  if (hand_) world().remove(*hand_);
+  hand_.reset();
+}
+
+// ---- within a step ------------------------------------------------------------------------------
+
+void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, real h,
+               double* out) {
+  const Row* J = &blocks.J[std::size_t(block.first)];
+  const Body &a = bodies.at(block.body1), &b = bodies.at(block.body2);
+  const Feedback feedback = joints::feedback(block.target, h);
+  Row response[6];
+  real K[36];
+  if (feedback.softness != 0) {
+    form_responses(J, block.rows, a, b, response);
+    form_K(J, response, block.rows, K);
+  }
+  for (int i = 0; i < block.rows; ++i) {
+    const real C = blocks.C[std::size_t(block.first + i)];
+    real e = row_velocity(J[i], a, b) + bias(block, i, C, feedback.rate, h);
+    for (int j = 0; feedback.softness != 0 && j < block.rows; ++j)
+      e += feedback.softness * K[i * block.rows + j] * block.impulse[j];
+    if (i == block.rows - 1) {  // at a bound it may have any rate that leads away from it
+      const RowTarget& target = block.target;
+      const bool follows = target.follows != 0;
+      const real upper = target.upper * (follows ? block.impulse[target.follows] : h);
+      const real lower = follows ? -upper : h * target.lower;
+      if (block.impulse[i] <= lower && e > 0) e = 0;
+      if (block.impulse[i] >= upper && e < 0) e = 0;
+    }
+    out[i] = double(e);
+  }
+}
+
+// Begins the next step, iterates, lets `use` look, and sets everything back. The direct solver has
+// no iterations: any number of them solves.
+template <class Use>
+void LiveRun::within(int iterations, int blocks, const Use& use) {
+  Scene& scene = *live_.scene;
+  const State as_it_was = save(world());
+  if (live_.before) live_.before(time_);
+  begin_step(world(), solver(), h_sub(), scene.stepping);
+  if (is_direct_) {
+    if (iterations > 0) direct_.solve(world().bodies);
+  } else {
+    for (int k = 0; k < iterations; ++k) scene.solver.iterate(world().bodies);
+    scene.solver.iterate(world().bodies, 0, std::min(blocks, scene.solver.prepared_count()));
+  }
+  use(world());
+  restore(world(), as_it_was);
+}
+
+int LiveRun::blocks() {
+  int count = 0;
+  within(0, 0, [&](const World& now) { count = int(now.blocks.list.size()); });
+  return count;
+}
+
+namespace {
+
+// Where a joint holds, and with what: the blocks [from, to) of a world are its own.
+JointLook look_of(const World& world, const Scene& scene, std::size_t number, std::size_t from,
+                  std::size_t to, real h) {
+  const Joint& joint = *world.joints()[number];
+  const Body &a = world.bodies[joint.body1], &b = world.bodies[joint.body2];
+  JointLook out{double(joint.body1.slot), double(joint.body2.slot), {}, 0, {}, 0};
+  vec3 place = (a.x + b.x) / real(2), weighed(0);
+  real weight = 0;
+  if (number < scene.marks.size()) place = world_point(a, vec3(scene.marks[number].anchor1_local));
+  const auto* contact = dynamic_cast<const GroundContact*>(&joint);
+  double sum = 0, left[6];
+  for (std::size_t k = from; k < to; ++k) {
+    const Block& block = world.blocks.list[k];
+    residuals(world.bodies, world.blocks, block, h, left);
+    for (int i = 0; i < block.rows; ++i) {
+      const Row& J = world.blocks.J[std::size_t(block.first + i)];
+      sum += left[i] * left[i];
+      out.impulse += glm::dvec3(block.impulse[i] * J.v2);
+      if (!contact || block.target.follows != 0) continue;
+      // v2 is n and w2 is r2 x n: the corner is beside the centre by n x w2, on the top of body 1.
+      const vec3 n = J.v2;
+      const real height = contact->top.height + dot(n, a.x - b.x);
+      const real push = std::max(block.impulse[i], real(1e-12));
+      weighed += push * (b.x + cross(n, J.w2) + height * n);
+      weight += push;
+    }
+  }
+  out.place = glm::dvec3(weight > 0 ? weighed / weight : place);
+  out.error = std::sqrt(sum);
+  return out;
+}
+
+}  // namespace
+
+std::vector<JointLook> LiveRun::look(int iterations, int blocks) {
+  std::vector<JointLook> found;
+  within(iterations, blocks, [&](const World& now) {
+    Blocks scratch;
+    std::size_t from = 0;
+    for (std::size_t k = 0; k < now.joints().size(); ++k) {
+      scratch.clear();
+      now.joints()[k]->append(now.bodies, scratch);
+      const std::size_t to = from + scratch.list.size();
+      if (to > from && (!hand_ || !(now.joints()[k]->body1 == *hand_))) {
+        found.push_back(look_of(now, scene(), k, from, to, h_sub()));
+        found.back().next = std::size_t(blocks) >= from && std::size_t(blocks) < to;
+      }
+      from = to;
+    }
+  });
+  return found;
+}
+
+std::vector<double> LiveRun::errors(int most) {
+  std::vector<double> sizes;
+  const int last = is_direct_ ? 1 : most;
+  within(0, 0, [&](World& now) {
+    for (int k = 0; k <= last; ++k) {
+      double sum = 0, left[6];
+      for (const Block& block : now.blocks.list) {
+        residuals(now.bodies, now.blocks, block, h_sub(), left);
+        for (int i = 0; i < block.rows; ++i) sum += left[i] * left[i];
+      }
+      sizes.push_back(std::sqrt(sum));
+      if (k < last) is_direct_ ? direct_.solve(now.bodies) : live_.scene->solver.iterate(now.bodies);
+    }
+  });
+  return sizes;
+}
+
+double LiveRun::rate(int most) {
+  return contraction_rate(world(), most, h_sub(), live_.scene->solver, live_.scene->stepping);
+}
+
+}  // namespace joints::live

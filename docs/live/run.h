@@ -1,0 +1,95 @@
+// A run of the live page: a scene with the settings of the page, its steps, and a look into one.
+#pragma once
+
+#include <optional>
+
+#include "chapters/09_direct/direct_solver.h"
+#include "docs/live/scenes.h"
+
+/// \addtogroup live
+/// @{
+namespace joints::live {
+
+/// What the page sets, as numbers; the names are those of the address.
+struct PageSettings {
+  double beta = 0;        ///< of all joints [1]
+  double iterations = 0;  ///< a step
+  double h = 0;           ///< the step [s]
+  double substeps = 1;    ///< of each step
+  double warm = 0;        ///< 1: begin with the impulses of the last step
+  double projections = 0;  ///< iterations of position projection after a step
+  double relaxation = 1;  ///< over-relaxation [1]
+  double frequency = 0;   ///< of the soft rows [Hz]; 0: hard
+  double damping = 1;     ///< of the soft rows [1]
+  double direct = 0;      ///< 1: the direct solver
+  double ratio = 1;       ///< the mass of the scene's heavy body by its own [1]; only for a new run
+  double tilt = 0;        ///< of gravity from straight down, towards +x [degrees]
+  double speed = 0;       ///< of the motors [rad/s or m/s]
+  double strength = 0;    ///< of the motors [N m or N]
+};
+/// The names of its members, in their order.
+inline constexpr const char* setting_names[] = {
+    "beta", "iterations", "h", "substeps", "warm", "projections", "relaxation", "frequency",
+    "damping", "direct", "ratio", "tilt", "speed", "strength"};
+static_assert(sizeof(PageSettings) == sizeof(setting_names) / sizeof(char*) * sizeof(double));
+
+/// A joint within a step.
+struct JointLook {
+  double body1, body2;       ///< slots
+  glm::dvec3 place;          ///< where it holds [m, world]
+  double error;              ///< velocity error of its rows, root of the sum of squares [m/s, rad/s]
+  glm::dvec3 impulse;        ///< on body 2 [N s]
+  double next;               ///< 1 if the next block to be solved is one of its
+};
+
+/// A scene, its solver, its time.
+class LiveRun {
+ public:
+  explicit LiveRun(const Entry& entry, std::optional<double> ratio = {});
+  /// The settings that its scene begins with.
+  PageSettings settings() const;
+  /// \throws std::invalid_argument for what no step can use
+  void set(const PageSettings& settings);
+  /// One step. \throws std::overflow_error after a number has overflowed
+  void step();
+
+  double time() const { return time_; }  ///< since the beginning [s]
+  const Scene& scene() const { return *live_.scene; }  ///< what runs
+  bool has_motor() const { return bool(live_.drive); }  ///< speed and strength mean something
+  double gap() const;     ///< the largest of all joints [m]
+  double energy() const;  ///< what the bodies have gained since the beginning [J]
+
+  /// A hand holds a body by a soft joint. \param point of the body [m, world]
+  void grab(int slot, const vec3& point);
+  void move_hand(const vec3& point);  ///< \param point [m, world]
+  void let_go();                      ///< the hand is gone
+
+  /// The joints within the next step, after so many iterations and blocks more. The run is left as
+  /// it was.
+  std::vector<JointLook> look(int iterations, int blocks);
+  int blocks();  ///< the number of blocks of the next step's beginning
+  /// What is left of the velocity error after 0, 1, 2 ... iterations of the next step [m/s, rad/s].
+  std::vector<double> errors(int most);
+  /// The share that an iteration leaves in the long run [1].
+  double rate(int most);
+
+ private:
+  template <class Use>
+  void within(int iterations, int blocks, const Use& use);
+  Solver& solver();
+  real h_sub() const { return live_.scene->h / real(live_.scene->stepping.substeps); }
+  World& world() const { return live_.scene->world; }
+
+  LiveScene live_;
+  DirectSolver direct_;
+  bool is_direct_ = false;
+  double ratio_, tilt_ = 0, speed_, strength_, beta_, time_ = 0, energy_0_ = 0;
+  std::optional<BodyId> hand_;
+};
+
+/// What is left of the velocity error of each row of a block [m/s, rad/s].
+void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, real h,
+               double* out);
+
+}  // namespace joints::live
+/// @}

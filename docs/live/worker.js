@@ -1,0 +1,106 @@
+// The engine in a worker: one module, one run. Each message {id, what, ...} is answered by {id, ...}
+// or by {id, refused: sentence}; after a sentence the module is a fresh one.
+"use strict";
+
+let compiled, module, memory, about, scene;
+
+// The module wants a few functions of the system, for files, which it never uses.
+const system = new Proxy({}, {get: () => () => 0});
+
+function use(instance) {
+  module = instance.exports;
+  memory = module.memory;  // it grows: look at its buffer anew each time
+}
+function begin() {
+  use(new WebAssembly.Instance(compiled, {wasi_snapshot_preview1: system, env: system}));
+  module._initialize();
+}
+function text(pointer) {
+  const bytes = new Uint8Array(memory.buffer, pointer);
+  return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+}
+const numbers = count =>
+  new Float64Array(memory.buffer, module.wb_numbers(), count).slice();
+function give(settings) {  // an object by names; what it does not name is zero
+  about.settings.forEach((name, k) => {
+    new Float64Array(memory.buffer, module.wb_settings(), k + 1)[k] = settings[name];
+  });
+}
+// A second module tries the settings first, so that a refusal costs nothing of the run.
+function try_settings(settings) {
+  const running = module;
+  try {
+    begin();
+    give(settings);
+    module.wb_make(scene);
+  } catch (error) {
+    throw Object.assign(error, {sentence: text(module.wb_sentence()), harmless: true});
+  } finally {
+    use({exports: running});
+  }
+}
+const state = () => ({state: numbers(module.wb_state())});
+
+// So many steps; of each of them time, gap and energy.
+function steps({count}) {
+  const samples = [];
+  let used = 0;
+  for (let k = 0; k < count; ++k) {
+    const start = performance.now();
+    module.wb_step(1);
+    used += performance.now() - start;
+    samples.push(...numbers(module.wb_state()).slice(0, 3));
+  }
+  return {samples, used, ...state()};
+}
+
+const answers = {
+  load({bytes}) {
+    compiled = new WebAssembly.Module(bytes);
+    begin();
+    module.wb_about();
+    about = JSON.parse(text(module.wb_text()));
+    return about;
+  },
+  make({name, settings}) {
+    scene = about.scenes.findIndex(each => each.name === name);
+    give(settings);
+    module.wb_make(scene);
+    return {...JSON.parse(text(module.wb_text())), ...state()};
+  },
+  set({settings}) {
+    try_settings(settings);
+    give(settings);
+    module.wb_set();
+    return state();
+  },
+  steps,
+  // A recording of a run's beginning, for the camera.
+  record({count, every}) {
+    const frames = [];
+    for (let k = 0; k <= count; ++k) {
+      if (k) module.wb_step(1);
+      if (k % every === 0) frames.push(Array.from(numbers(module.wb_state()).slice(3)));
+    }
+    return {frames};
+  },
+  grab({body, point}) { module.wb_grab(body, ...point); return {}; },
+  move({point}) { module.wb_move(...point); return {}; },
+  let_go() { module.wb_let_go(); return {}; },
+  look: ({iterations, blocks}) =>
+    ({joints: numbers(module.wb_look(iterations, blocks)), blocks: module.wb_blocks()}),
+  errors({most}) {
+    const found = Array.from(numbers(module.wb_errors(most)));
+    return {rate: found.pop(), errors: found};
+  },
+};
+
+self.onmessage = ({data}) => {
+  try {
+    self.postMessage({id: data.id, ...answers[data.what](data)});
+  } catch (error) {
+    const sentence = error.sentence || (module ? text(module.wb_sentence()) : "");
+    if (compiled && !error.harmless) begin();
+    self.postMessage({id: data.id, refused: sentence || String(error.message || error)});
+  }
+};

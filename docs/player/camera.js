@@ -1,0 +1,149 @@
+// Where the camera stands, what it sees of a scene, and what hides what. `ask()` of the page paints
+// at the next chance.
+"use strict";
+
+// ------------------------------------------------------------------------------------ the camera
+const camera = {yaw: 0, pitch: 0, zoom: 1, follow: false};  // one for both pictures
+
+// Where the camera looks when it follows, and how much it must see across and upward: always the
+// ground, too, so that a ball is seen to bounce and a shot to fly.
+function followed(scene, bodies) {
+  if (!camera.follow || !bodies.length || !scene.travellers.length) return null;
+  const x = centre_of(scene, bodies), ground = grounds(bodies)[0], [across, upward] = scene.window;
+  const floor = ground ? drop(ground, x)[1] : scene.low[1];
+  const above = Math.max(x[1] - floor, 0), half = Math.max(upward, 0.6 * above);
+  const y = clamp(floor + 0.6 * half, x[1] - 0.4 * half, x[1] + 0.4 * half);
+  return {centre: [x[0], y, x[2]], across: Math.max(across, half), upward: half};
+}
+
+function view_of(scene, width, height, {yaw, pitch, zoom}, target = null) {
+  const [sy, cy, sp, cp] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
+  const view = {width, height, right: [cy, 0, -sy], up: [-sy * sp, cp, -cy * sp],
+                back: [sy * cp, sp, cy * cp], focal: 1.6 * Math.max(width, height)};
+  view.light = plus(plus([0, 0.85, 0], 0.45, view.back), -0.3, view.right);
+  const shape = width / height;
+  if (scene.shape !== shape) {  // from the first direction, every point of every frame in view
+    scene.shape = shape;
+    const home = view_of(scene, width, height, {yaw: scene.yaw, pitch: first_pitch, zoom: 1});
+    scene.distance = scene.points.reduce((far, p) => {
+      const d = sub(p, scene.centre), across = Math.abs(dot(d, home.right)) / (0.45 * width);
+      const upward = Math.abs(dot(d, home.up)) / (0.40 * height);
+      return Math.max(far, dot(d, home.back) + home.focal * Math.max(across, upward));
+    }, 0.01);
+  }
+  view.distance = (!target ? scene.distance : view.focal * Math.max(
+    target.across / (0.45 * width), target.upward / (0.4 * height))) / zoom;
+  view.near = 0.02 * view.distance;
+  view.centre = target ? target.centre : scene.centre;
+  view.reach = target ? 2.5 * target.across : scene.reach;
+  view.eye = plus(view.centre, view.distance, view.back);
+  return view;
+}
+const first_pitch = 0.26;
+
+// Where a point stands on the picture, and how far before the camera it is.
+function project(view, p) {
+  const d = sub(p, view.eye), depth = -dot(d, view.back), scale = view.focal / depth;
+  return [view.width / 2 + scale * dot(d, view.right), view.height / 2 - scale * dot(d, view.up),
+          depth];
+}
+
+// An outline on the picture, without the part that lies behind the camera.
+function outline(view, points) {
+  const ahead = points.map(p => dot(sub(view.eye, p), view.back) - view.near);
+  if (ahead.every(depth => depth > 0)) return points.map(p => project(view, p));
+  return points.flatMap((p, i) => {
+    const j = (i + 1) % points.length, kept = ahead[i] > 0 ? [p] : [];
+    if (ahead[i] > 0 !== ahead[j] > 0)
+      kept.push(plus(p, ahead[i] / (ahead[i] - ahead[j]), sub(points[j], p)));
+    return kept.map(p => project(view, p));
+  });
+}
+
+// ----------------------------------------------------------------------------- what hides what
+const reach_along = (thing, n) =>
+  thing.axes.reduce((sum, axis, k) => sum + Math.abs(dot(axis, n)) * thing.half[k], 0);
+
+// Does b hide a? The plane that parts the two best decides: whatever is on the camera's side of
+// it can only be in front. For a ball that plane faces its centre, for boxes it is one of their
+// faces. Distance from the camera alone would be wrong for a small thing upon a large one.
+function hides(b, a, eye) {
+  if (a.line && b.line || a.ball && b.ball) return b.depth < a.depth;
+  if (a.ball) return !hides(a, b, eye);
+  if (b.ball) {
+    const d = sub(b.x, a.x), nearest = a.axes.reduce(
+      (p, n, k) => plus(p, clamp(dot(n, d), -a.half[k], a.half[k]), n), a.x);
+    return dot(sub(b.x, nearest), sub(eye, nearest)) > 0;
+  }
+  let widest = -Infinity, answer = false;
+  for (const [p, q, q_is_b] of [[a, b, true], [b, a, false]])
+    p.axes.forEach((n, k) => {
+      const d = dot(n, q.x) - dot(n, p.x), gap = Math.abs(d) - p.half[k] - reach_along(q, n);
+      if (gap <= widest) return;
+      widest = gap;
+      answer = (Math.sign(d) * (dot(n, eye) - dot(n, p.x)) > p.half[k]) === q_is_b;
+    });
+  return answer;
+}
+
+// The painter's order, far to near: each thing after all that it hides.
+function painters_order(things, eye) {
+  things.sort((a, b) => a.left - b.left);
+  things.forEach((a, i) => {
+    for (let j = i + 1; j < things.length && things[j].left < a.right; ++j) {
+      const b = things[j];
+      if (a.top > b.bottom || b.top > a.bottom) continue;
+      if (hides(b, a, eye)) b.under.push(a); else a.under.push(b);
+    }
+  });
+  const order = [];
+  const visit = thing => {  // a ring in which each hides the next is cut where it is entered
+    if (thing.seen) return;
+    thing.seen = true;
+    thing.under.forEach(visit);
+    order.push(thing);
+  };
+  things.sort((a, b) => b.depth - a.depth).forEach(visit);
+  return order;
+}
+
+// ------------------------------------------------------------------------- turned by hand
+function look({yaw = camera.yaw, pitch = camera.pitch, zoom = camera.zoom}) {
+  Object.assign(camera, {yaw, pitch: clamp(pitch, -0.3, 1.55), zoom: clamp(zoom, 0.2, 20)});
+  ask();
+}
+const look_home = () => look({yaw: scene.yaw, pitch: first_pitch, zoom: 1});
+
+// One finger turns, two zoom. take(e) may return what to do with a finger instead: {move, drop}.
+function listen(canvas, take = () => null) {
+  const fingers = new Map(), taken = new Map();
+  const spread = ([a, b]) => Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+  canvas.onpointerdown = e => {
+    canvas.setPointerCapture(e.pointerId);
+    const held = !fingers.size && take(e);
+    if (held) return taken.set(e.pointerId, held);
+    fingers.set(e.pointerId, e);
+  };
+  canvas.onpointermove = e => {
+    if (taken.has(e.pointerId)) return taken.get(e.pointerId).move(e);
+    const old = fingers.get(e.pointerId), two = fingers.size === 2;
+    if (!old) return;
+    const was = two && spread([...fingers.values()]);
+    fingers.set(e.pointerId, e);
+    if (two) look({zoom: camera.zoom * spread([...fingers.values()]) / (was || 1)});
+    else look({yaw: camera.yaw - (e.clientX - old.clientX) / 160,
+               pitch: camera.pitch + (e.clientY - old.clientY) / 160});
+  };
+  canvas.onpointerup = canvas.onpointercancel = e => {
+    if (taken.has(e.pointerId)) taken.get(e.pointerId).drop(e);
+    taken.delete(e.pointerId);
+    fingers.delete(e.pointerId);
+  };
+  canvas.ondblclick = look_home;
+  if (framed) canvas.style.touchAction = "pan-y";
+  canvas.addEventListener("wheel", e => {
+    if (framed && document.activeElement !== canvas) return;  // a click first, then the wheel
+    e.preventDefault();
+    look({zoom: camera.zoom * Math.exp(-clamp(e.deltaY, -100, 100) / 600)});
+  }, {passive: false});
+}

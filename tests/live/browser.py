@@ -1,0 +1,159 @@
+"""A headless Chromium that is told what to do over a pair of pipes, with its own clock running:
+real clicks, keys and fingers. No package of Python's is needed."""
+import base64
+import json
+import os
+import select
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+from check_docs import BROWSERS, FLAGS  # noqa: E402
+
+
+def there():
+    """The browser's name, or None."""
+    return next(filter(None, map(shutil.which, BROWSERS)), None)
+
+
+class Browser:
+    """One page; what the console says and what is asked of the network is kept."""
+
+    def __init__(self):
+        self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        read_end, self.out = os.pipe()
+        self.back, write_end = os.pipe()
+        flags = [flag for flag in FLAGS if "budget" not in flag and "dump" not in flag]
+        command = [there(), *flags, "--remote-debugging-pipe", "--hide-scrollbars",
+                   f"--user-data-dir={self.profile.name}", "about:blank"]
+        self.process = subprocess.Popen(  # the browser reads at 3 and writes at 4
+            ["sh", "-c", f'exec "$@" 3<&{read_end} 4>&{write_end}', "sh", *command],
+            pass_fds=(read_end, write_end), stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(read_end)
+        os.close(write_end)
+        self.text, self.number, self.session = b"", 0, None
+        self.console, self.requests = [], []
+        target = self.call("Target.createTarget", url="about:blank")["targetId"]
+        self.session = self.call("Target.attachToTarget", targetId=target,
+                                 flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime", "Network", "Log"):
+            self.call(f"{domain}.enable")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        self.process.kill()
+        self.process.wait()
+        os.close(self.out)
+        os.close(self.back)
+        self.profile.cleanup()
+
+    def call(self, method, **parameters):
+        self.number += 1
+        message = {"id": self.number, "method": method, "params": parameters}
+        if self.session:
+            message["sessionId"] = self.session
+        os.write(self.out, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self.receive()
+            if answer.get("id") == self.number:
+                if "error" in answer:
+                    raise RuntimeError(f"{method}: {answer['error']}")
+                return answer["result"]
+
+    def receive(self, patience=60):
+        while b"\0" not in self.text:
+            if not select.select([self.back], [], [], patience)[0]:
+                raise TimeoutError("the browser does not answer")
+            self.text += os.read(self.back, 1 << 20)
+        one, self.text = self.text.split(b"\0", 1)
+        message = json.loads(one)
+        said, method = message.get("params", {}), message.get("method")
+        if method == "Runtime.exceptionThrown":
+            self.console.append(json.dumps(said["exceptionDetails"])[:600])
+        elif method == "Runtime.consoleAPICalled":
+            self.console.append(" ".join(str(one.get("value", one.get("description")))
+                                         for one in said["args"]))
+        elif method == "Log.entryAdded":
+            self.console.append(said["entry"]["text"])
+        elif method == "Network.requestWillBeSent":
+            self.requests.append(said["request"]["url"])
+        return message
+
+    # ---- a page ----------------------------------------------------------------------------------
+
+    def open(self, address, width=1280, height=900, dark=False):
+        """Opens a page and waits until it says that it is ready; returns the seconds it took."""
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                  deviceScaleFactor=1, mobile=width < 600)
+        self.call("Emulation.setEmulatedMedia", features=[
+            {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
+        self.call("Page.navigate", url="about:blank")
+        self.console, self.requests = [], []
+        began = time.time()
+        self.call("Page.navigate", url=address)
+        self.wait("document.documentElement?.dataset.ready === 'yes'")
+        return time.time() - began
+
+    def ask(self, code):
+        """The value of an expression of the page's."""
+        answer = self.call("Runtime.evaluate", expression=code, returnByValue=True,
+                           awaitPromise=True)
+        if "exceptionDetails" in answer:
+            raise RuntimeError(json.dumps(answer["exceptionDetails"])[:500])
+        return answer["result"].get("value")
+
+    def wait(self, code, patience=20):
+        end = time.time() + patience
+        while not self.ask(code):
+            if time.time() > end:
+                raise TimeoutError(f"never true: {code}; console: {self.console}")
+            time.sleep(0.05)
+
+    def text_of(self, id_):
+        return self.ask(f"document.getElementById('{id_}').textContent")
+
+    def place_of(self, selector):
+        """The middle of an element, scrolled into view."""
+        return self.ask(f"""(() => {{ const e = document.querySelector({json.dumps(selector)});
+          e.scrollIntoView({{block: "center"}}); const b = e.getBoundingClientRect();
+          return [b.left + b.width / 2, b.top + b.height / 2]; }})()""")
+
+    def mouse(self, kind, x, y, **more):
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left",
+                  buttons=0 if kind == "mouseReleased" else 1, clickCount=1, **more)
+
+    def click(self, selector):
+        x, y = self.place_of(selector)
+        self.mouse("mousePressed", x, y)
+        self.mouse("mouseReleased", x, y)
+
+    def type(self, selector, text):
+        """Puts a text into a field and leaves it."""
+        self.ask(f"""(() => {{ const e = document.querySelector({json.dumps(selector)});
+          e.focus(); e.value = {json.dumps(text)};
+          e.dispatchEvent(new Event("input", {{bubbles: true}}));
+          e.dispatchEvent(new Event("change", {{bubbles: true}})); }})()""")
+
+    def drag(self, points, finger=False, pause=0.02):
+        """With the mouse or a finger from the first point to the last."""
+        for k, (x, y) in enumerate([*points, points[-1]]):
+            last = k == len(points)
+            if finger:
+                self.call("Input.dispatchTouchEvent",
+                          type="touchEnd" if last else "touchMove" if k else "touchStart",
+                          touchPoints=[] if last else [{"x": x, "y": y}])
+            else:
+                self.mouse("mouseReleased" if last else "mouseMoved" if k else "mousePressed", x, y)
+            time.sleep(pause)
+
+    def picture(self, path):
+        """The whole page as it stands."""
+        data = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=True)["data"]
+        Path(path).write_bytes(base64.b64decode(data))

@@ -42,13 +42,13 @@ def words(ax, place, text, colour=INK, size=13, **more):
 def draw(usage, name, panels, dividers, width=700, more=None):
     """Draws the panels on a card, with a line at each divider, to the path on the command line.
 
-    The same bytes every time, if the path ends in .svg. `more` has the panels and dividers of a
-    script's other pictures, by the name of their file without .svg.
+    The same bytes every time, if the path ends in .svg. `more` has the panels, dividers and, if it
+    is another, width of a script's other pictures, by the name of their file without .svg.
     """
     if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
         sys.exit(usage)
     path = Path(sys.argv[1])
-    panels, dividers = (more or {}).get(path.stem, (panels, dividers))
+    panels, dividers, width = (*(more or {}).get(path.stem, (panels, dividers)), width)[:3]
     plt.rcParams.update({"svg.hashsalt": name, "font.family": "DejaVu Sans",
                          "mathtext.fontset": "dejavusans"})
     figure = plt.figure(figsize=(width / 96, HEIGHT / 96))

@@ -6,9 +6,6 @@
 geometry: the shadow of an axis, the vector of the angle's rate, a door's limits; twist: a rotation
 as a twist and a swing; couple: what a motor gives to both bodies.
 """
-import pathlib
-import sys
-
 import numpy as np
 from drawing import ARROW, BODY1, BODY2, CARD, FAINT, INK, arrow, draw, words
 from matplotlib.patches import Arc, Ellipse, FancyBboxPatch, Polygon, Wedge
@@ -198,7 +195,5 @@ def couple(ax):
 
 
 if __name__ == "__main__":
-    panels, dividers, width = {
-        "twist": ((twist, swing), (300,), 600), "couple": ((couple,), (), 420),
-    }.get(pathlib.Path(sys.argv[-1]).stem, ((shadow, rate, door), (280, 560), 840))
-    draw(__doc__, "geometry_03", panels, dividers, width=width)
+    draw(__doc__, "geometry_03", (shadow, rate, door), (280, 560), width=840,
+         more={"twist": ((twist, swing), (300,), 600), "couple": ((couple,), (), 420)})

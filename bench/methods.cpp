@@ -1,5 +1,5 @@
-// Every method on every kind of scene, in one run: time, gap, tip, energy, what the scene is for, and
-// how many scenes of a random family hold. `./wb bench --methods` calls it.
+// Every method on every kind of scene, in one run: time, gap, tip, energy, what the scene is for,
+// and how many scenes of a random family hold. `./wb bench --methods` calls it.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -8,8 +8,8 @@
 /// @{
 namespace joints::bench {
 
-/// Cubes of 100 kg and 0.4 m that hang below each other, 1 m apart, and one of `load` kg at the end.
-/// Nothing should move. Finding: how far the load has gone down.
+/// Cubes of 100 kg and 0.4 m that hang below each other, 1 m apart, and one of `load` kg at the
+/// end. Nothing should move. Finding: how far the load has gone down.
 BenchScene hung_chain(int cubes, double load);
 /// S3b. Finding: by how much all of its links together are too long at the end.
 BenchScene rope_bridge();

@@ -40,7 +40,7 @@ def slack_until(ax, curves):
 
 
 def gap_figure(place, joints, solution, mine):
-    """Gaps over time: one curve a number of iterations, or yours over the solution's."""
+    """Gaps over time: one curve per number of iterations, or yours over the solution's."""
     curves = millimetres(solution)
     if mine:
         own = millimetres(mine)

@@ -155,7 +155,7 @@ def small(drawn):
     drawn = glyph.sub(lambda match: f"{match[1]}g{names.index(match[2])}", drawn)
     parts = re.split(r"(scale\([^)]*\))", re.sub(r"^ +| +$|xlink:(?=href)", "", drawn,
                                                      flags=re.M))
-    parts[::2] = [re.sub(r"\d+\.\d{2,}", lambda number: f"{float(number[0]):.1f}", part)
+    parts[::2] = [re.sub(r"(?<![\w.])\d+\.\d{2,}", lambda number: f"{float(number[0]):.1f}", part)
                   for part in parts[::2]]
     return "".join(parts)
 

@@ -15,7 +15,7 @@ Way way_with(Change change) {
   return way;
 }
 
-/// Forces, rows, impulses and places in the wrong order.
+/// Forces, rows, impulses and positions in the wrong order.
 inline Ways orders_of_pieces() {
   Ways out;
   std::string pieces = "FIPR";
@@ -24,10 +24,10 @@ inline Ways orders_of_pieces() {
     if (before('I', 'R') || (before('F', 'I') && before('I', 'P'))) continue;
     std::vector<std::string> words;
     if (before('P', 'F'))
-      words.push_back("places before the forces: the old velocity moves the body. Change v first, "
-                      "then x");
+      words.push_back("positions before the forces: the old velocity moves the body. Change v "
+                      "first, then x");
     if (before('P', 'I'))
-      words.push_back("places before the impulses: velocities that are not right yet move them");
+      words.push_back("positions before the impulses: velocities that are not right yet move them");
     if (before('I', 'F'))
       words.push_back("forces after the impulses: the rods cannot answer to gravity any more");
     std::string all;
@@ -88,23 +88,23 @@ inline Ways wrong_places() {
     out.push_back({words, way_with([&](Way& w) { w.travel = travel; })});
   };
   using S = const StepSettings&;
-  add("the place does not change. Is it a copy that moves (write Body& body)?", [](Body&, S) {});
+  add("the position does not change. Is it a copy that moves (write Body& body)?", [](Body&, S) {});
   add("x grows by v, not by h v", [](Body& b, S s) { b.x += b.v; (void)s; });
   add("x is set, which must grow: += and not =", [](Body& b, S s) { b.x = s.h * b.v; });
-  add("the sign of the place: x grows by h v", [](Body& b, S s) { b.x -= s.h * b.v; });
+  add("the sign of the position: x grows by h v", [](Body& b, S s) { b.x -= s.h * b.v; });
   for (const real half : {real(-0.5), real(0.5)})
     add("h h g / 2 does not belong here: x grows by h times the new v, Eq. 1-10",
         [half](Body& b, S s) {
           b.x += s.h * b.v;
           if (!b.is_static()) b.x += half * s.h * s.h * s.gravity;
         });
-  out.push_back({"where there are no links the places do not change: is there a return before "
+  out.push_back({"where there are no links the positions do not change: is there a return before "
                  "them?", way_with([](Way& w) { w.needs_links = true; })});
-  out.push_back({"places move in every iteration: they belong after them", way_with([](Way& w) {
+  out.push_back({"positions move in every iteration: they belong after them", way_with([](Way& w) {
                    w.pieces = "FRI";
                    w.in_iteration = "P";
                  })});
-  out.push_back({"places move in every iteration: they belong after them", way_with([](Way& w) {
+  out.push_back({"positions move in every iteration: they belong after them", way_with([](Way& w) {
                    w.pieces = "FRI";
                    w.gives = [](real lambda, const Turn& t) {
                      Way::push(lambda, t.row.J, t.body1, t.body2);
@@ -137,7 +137,7 @@ inline Ways fixed_steps() {
                    })});
     out.push_back({words + " for gravity: take settings.h",
                    way_with([&](Way& w) { w.fall = fall; })});
-    out.push_back({words + " for the places: take settings.h",
+    out.push_back({words + " for the positions: take settings.h",
                    way_with([&](Way& w) { w.travel = travel; })});
   }
   return out;

@@ -27,7 +27,7 @@ struct Turn {
 };
 
 struct Way {
-  /// The four pieces in their order: forces, rows, impulses, places.
+  /// The four pieces in their order: forces, rows, impulses, positions.
   std::string pieces = "FRIP";
   /// Pieces that are done (again) in every iteration.
   std::string in_iteration;

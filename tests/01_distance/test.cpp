@@ -107,7 +107,7 @@ TEST_CASE("1.4 a rod loses the share beta of its error and all that changes its 
   table.check();
 }
 
-TEST_CASE("1.4 the order is forces then rows then impulses then places", "[1.4]") {
+TEST_CASE("1.4 the order is forces then rows then impulses then positions", "[1.4]") {
   const CaseTable<Scene> table = step_table(falling_rod_scenes());
   table.check(table.cases[0], filled_up({0, 0, 0, 0, 0, 0, 1, 0, 0, 1.0 / 60, -1, 0}));
   table.check();

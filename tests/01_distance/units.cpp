@@ -24,13 +24,13 @@ TEST_CASE("1.3 an impulse over a mass is a velocity", "[1.3]") {
   });
 }
 
-TEST_CASE("1.4 a step adds velocities to velocities and ways to places", "[1.4]") {
+TEST_CASE("1.4 a step adds velocities to velocities and displacements to positions", "[1.4]") {
   std::vector<Body> bodies{body1, body2};
   const StepSettings settings{.gravity = vec3(0, -10, 1) * (m / (s * s)), .h = h, .iterations = 2};
   const std::vector<Link> links{{0, 1, 2 * m, true}, {0, 1, 2 * m, false}};
   in("the step", [&] { step(bodies, links, settings); });
   expect_unit("the velocity v", bodies[1].v, m / s);
-  expect_unit("the place x", bodies[1].x, m);
+  expect_unit("the position x", bodies[1].x, m);
 }
 
 TEST_CASE("1.5 a sum of impulses is an impulse", "[1.5]") {

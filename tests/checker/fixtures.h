@@ -33,7 +33,7 @@ struct CentreDistanceFixture {
     const RodParts rod{one.x, two.x, vec3(0), vec3(0), part.length, part.error(one, two)};
     WrongRows out = wrong_directions(rod);
     const vec3 n = direction(rod.u());
-    const char* const turned = "n is turned with a body: places are in the world already";
+    const char* const turned = "n is turned with a body: positions are in the world already";
     for (const Body& body : {one, two})
       for (const quat& q : {body.q, conjugate(body.q)}) out.push_back({turned, rod.along(q * n)});
     out.push_back({"the blocks w1 and w2 should be zero: nothing turns",

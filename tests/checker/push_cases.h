@@ -209,7 +209,7 @@ inline std::string velocity_by_velocity(const CaseTable<PushCase>& table) {
       if (!known && !no_number(numbers).empty()) return "";
   }
   if (!fits(4, nullptr) || !fits(5, nullptr))
-    found.push_back({"an impulse changes velocities and not places", {"x"}});
+    found.push_back({"an impulse changes velocities and not positions", {"x"}});
   std::string out;
   for (const auto& [words, where] : found)
     out += (out.empty() ? "" : "; ") + words + " (" + joined(where) + ")";

@@ -43,13 +43,13 @@
   const vec3 n = direction(body2.x - body1.x);
   return {vec3(0), vec3(0), n, vec3(0)};
 
-// ---- wrong: places added
-// expects: Likely mistake: the places are added: the direction is their difference
+// ---- wrong: positions added
+// expects: Likely mistake: the positions are added: the direction is their difference
   const vec3 n = direction(body2.x + body1.x);
   return {-n, vec3(0), n, vec3(0)};
 
-// ---- wrong: place of body 1 left out
-// expects: Likely mistake: the place of body 1 is missing in the direction
+// ---- wrong: position of body 1 left out
+// expects: Likely mistake: the position of body 1 is missing in the direction
   const vec3 n = direction(body2.x);
   return {-n, vec3(0), n, vec3(0)};
 

@@ -245,9 +245,9 @@
   b.v += body2.inverse_mass * lambda * J.v2;
   b.w += inverse_inertia(body2) * (lambda * J.w2);
 
-// ---- wrong: places moved, too
+// ---- wrong: positions moved, too
 // region: 2
-// expects: Likely mistake: an impulse changes velocities and not places (x)
+// expects: Likely mistake: an impulse changes velocities and not positions (x)
   body1.v += body1.inverse_mass * lambda * J.v1;
   body1.w += inverse_inertia(body1) * (lambda * J.w1);
   body2.v += body2.inverse_mass * lambda * J.v2;

@@ -33,8 +33,8 @@
 // expects: Likely mistake: lambda is an impulse, not a force: it is not multiplied by h
 // change: , lambda, ==> , settings.h * lambda,
 
-// ---- wrong: old velocity moves the places
-// expects: Likely mistake: places before the forces: the old velocity moves the body.
+// ---- wrong: old velocity moves the positions
+// expects: Likely mistake: positions before the forces: the old velocity moves the body.
   for (Body& body : bodies) body.x += settings.h * body.v;
   for (Body& body : bodies)
     if (!body.is_static()) body.v += settings.h * settings.gravity;
@@ -125,15 +125,15 @@
     } }
   for (Body& body : bodies) body.x += settings.h * body.v;
 
-// ---- wrong: places stay
-// expects: Likely mistake: the place does not change.
+// ---- wrong: positions stay
+// expects: Likely mistake: the position does not change.
 // change: for (Body& body : bodies) body.x += settings.h * body.v; ==>
 
-// ---- wrong: places set
+// ---- wrong: positions set
 // expects: Likely mistake: x is set, which must grow
 // change: x += ==> x =
 
-// ---- wrong: places without h
+// ---- wrong: positions without h
 // expects: Likely mistake: x grows by v, not by h v
 // change: settings.h * body ==> body
 
@@ -143,8 +143,8 @@
 //         (!body.is_static()) body.x += settings.h * body.v + settings.h * settings.h / 2 *
 //         settings.gravity;
 
-// ---- wrong: places before the impulses
-// expects: Likely mistake: places before the impulses: velocities that are not right yet move them
+// ---- wrong: positions before the impulses
+// expects: Likely mistake: positions before the impulses: velocities that are not right yet move them
   for (Body& body : bodies)
     if (!body.is_static()) body.v += settings.h * settings.gravity;
   std::vector<LinkRow> rows;
@@ -158,13 +158,13 @@
       apply_impulse(rows[k].J, lambda, body1, body2);
     }
 
-// ---- wrong: places in every iteration
-// expects: Likely mistake: places move in every iteration
+// ---- wrong: positions in every iteration
+// expects: Likely mistake: positions move in every iteration
 // change: } ==> body1.x += settings.h * body1.v; body2.x += settings.h * body2.v; }
 // change: for (Body& body : bodies) body.x += settings.h * body.v; ==>
 
 // ---- wrong: forces last
-// expects: Likely mistake: places before the forces: the old velocity moves the body. Change v
+// expects: Likely mistake: positions before the forces: the old velocity moves the body. Change v
   std::vector<LinkRow> rows;
   for (const Link& link : links) rows.push_back(set_up(link, bodies, settings));
   for (int iteration = 0; iteration < settings.iterations; ++iteration)
@@ -277,7 +277,7 @@
 // change: row_impulse(rows[k].J, rows[k].K, rows[k].bias, body1, body2) ==> once[k]
 
 // ---- wrong: nothing without links
-// expects: Likely mistake: where there are no links the places do not change
+// expects: Likely mistake: where there are no links the positions do not change
 // change: std::vector ==> if (links.empty()) return; std::vector
 
 // ---- wrong: bodies turn, too

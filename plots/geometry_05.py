@@ -62,7 +62,7 @@ def load(ax):
 
 def shares(ax):
     """Right: a push at a far anchor moves the body a little and turns it a lot."""
-    words(ax, (520, 350), "two that fight", size=12.5, weight="bold")
+    words(ax, (520, 350), "two blocks that fight", size=12.5, weight="bold")
     p, x = np.array([388.0, 140.0]), np.array([628.0, 140.0])
     moving, turning = np.array([0, 34.0]), np.array([0, 100.0])  # shares of the anchor's speed
     wall(ax, p[0] - 12, 75, 305)
@@ -77,11 +77,11 @@ def shares(ax):
     words(ax, p - (0, 16), "$p$", size=12)
     words(ax, (p + x) / 2 - (0, 14), "$r$", FAINT)
     words(ax, p + moving / 2 + (10, 2), "$P/m$ moves the body", ARROW, 11.5, ha="left")
-    words(ax, p + moving + turning / 2 + (10, 12), "$P\\,r^2/i$ turns it", BODY2, 11.5, ha="left")
+    words(ax, p + moving + turning / 2 + (10, 12), "$P\\,r^2/i$ rotates it", BODY2, 11.5, ha="left")
     words(ax, p + moving + turning / 2 + (10, -8), "and the lock takes that back", BODY2, 10,
           ha="left")
     words(ax, x - (0, 60), "body 2", BODY2, 12)
-    words(ax, (520, 32), "a push $P$ at the anchor, and the speed it gives", FAINT, 11)
+    words(ax, (520, 32), "what an impulse $P$ at the anchor does", FAINT, 11)
 
 
 if __name__ == "__main__":

@@ -16,7 +16,8 @@ std::string words(bool whole) { return whole ? "6x6" : "3+3"; }
 
 // ---- a beam of cubes ----------------------------------------------------------------------------
 
-// `n` cubes of 1 kg and 1 m in a row, the first welded to a wall at the origin.
+// `n` cubes of 1 kg and 1 m in a row, the first welded to a wall at the origin. Its tip is the
+// centre of the last cube.
 struct Beam {
   Scene scene{.name = "beam"};
   std::vector<FixedJoint*> welds;
@@ -70,6 +71,15 @@ Summary cantilever(const Settings& settings, int iterations, bool whole, bool wa
             {double(iterations), rho, kept * (1 + double(settings.beta)) < 1 ? 1.0 : 0.0,
              sag / count, force / count, torque / count, 10 * 9.81, 100 * 9.81 / 2});
   return line;
+}
+
+// What an iteration leaves of the error in the long run, by the number of cubes.
+void beam_rates(const Settings& settings) {
+  CsvFile table(settings.out + "/rates.csv", {"cubes", "rho"});
+  for (const int n : {5, 10, 20}) {
+    Beam beam(n, settings, 1, true, false);
+    table.row({double(n), contraction_rate(beam.scene.world, 100 * n * n)});
+  }
 }
 
 // ---- a far anchor -------------------------------------------------------------------------------
@@ -179,6 +189,7 @@ int main(int argc, char** argv) {
           if (!warm && iterations <= 100) lines.push_back(line);
         }
     }
+    beam_rates(settings);
     far_anchor(settings.out);
     CsvFile breaking_table(settings.out + "/breaking.csv",
                            {"time_s", "pull_n", "wall_n", "wall_nm", "statics_nm", "strength_nm",

@@ -266,7 +266,8 @@ def draw_side_by_side(solution, mine, out):
                                                    table["gap_rms_m"]) if count in (30, 32)}
     worst = max(gap, key=gap.get)
     figure, (left, right) = style.figure(
-        f"Gaps of {metres(gap['beta 1'])} with beta 1, of {metres(gap[worst])} with {worst}", 2)
+        f"30 iterations leave {metres(gap[worst])} with {worst}, {metres(gap['beta 0.2'])} with "
+        f"beta 0.2, {metres(gap['beta 1'])} with beta 1", 2)
     figure.supxlabel("iterations per step", fontsize=9)
     for name, part, _, _ in parts(table, "method"):
         alone, _, beside = name.partition(" + ")

@@ -62,7 +62,7 @@ def leave(ax):
 
 
 def cures(ax):
-    """Middle: a gap is walked off in many steps, or closed by a move."""
+    """Middle: a gap is closed by velocities in many steps, or by a move."""
     words(ax, (420, 352), "two cures of one gap", size=12.5, weight="bold")
     wall, gap, size = 306.0, 152.0, 32.0
     names = ("$C_0$", "$(1-\\beta)\\,C_0$", "$(1-\\beta)^2\\,C_0$")
@@ -89,7 +89,7 @@ def cures(ax):
 
 
 def rotation(ax):
-    """Right: the answer to a slanted gap turns the body, and some of the turning stays."""
+    """Right: the correction of a slanted gap turns the body, and an angular velocity stays."""
     words(ax, (700, 352), "the free axis", size=12.5, weight="bold")
     r, gap = 112.0, np.array([44.0, 46.0])
     pivot = np.array([606.0, 226.0])
@@ -108,7 +108,7 @@ def rotation(ax):
     words(ax, pivot + gap / 2 + (16, -8), "$C_0$")
     words(ax, (anchor + x) / 2 + (-8, 13), "$r$", FAINT)
     words(ax, anchor + aside + (-34, 13), "$-\\beta\\,C_0/h$", ARROW, 12)
-    words(ax, (826, 212), "the first answer turns it", BODY2, 11, ha="right")
+    words(ax, (826, 212), "the first velocity turns it", BODY2, 11, ha="right")
 
     pivot = np.array([606.0, 96.0])
     tilt = 22  # what it has turned by

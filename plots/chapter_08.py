@@ -18,7 +18,7 @@ def draw_rest(solution, mine, out):
     ends = [f"{metres(np.max(rows(table, start=name, iterations=few)['farthest_m']))} {name}"
             for name in dict.fromkeys(table["start"])]
     figure, (left, right) = style.figure(
-        f"In a minute at rest, with {few:g} iterations a step, a box creeps {', '.join(ends)}", 2)
+        f"In a minute at rest, with {few:g} iterations per step, a box creeps {', '.join(ends)}", 2)
     for ax, column, words in ((left, "farthest_m", "farthest from where it was put  [m]"),
                               (right, "fastest_m_s", "fastest corner of the minute  [m/s]")):
         for name, part, colour, marker in parts(table, "start"):
@@ -180,7 +180,7 @@ def draw_order(solution, mine, out):
         over_time(ax, rows(given, iterations=count), mine and rows(table, iterations=count),
                   column, "order", visible)
         ax.set(yscale="log", ylabel=words, ylim=(1e-6, None),
-               title=f"{count:g} iterations a step" + whose(mine))
+               title=f"{count:g} iterations per step" + whose(mine))
     for ax, column, words in zip(axes[1], ("gap_rms_m", "penetration_max_m"),
                                  ("gaps, RMS of the whole run  [m]", "deepest of the run  [m]")):
         for name, part, colour, marker in parts(ends, "order"):

@@ -62,8 +62,9 @@ def draw_result(solution, mine, out):
     left.set(xlabel="time  [s]", ylabel="a cube went sideways by  [m]", xticks=(0, 2, 4),
              yticks=(0, 20, 40), title="100 hinges")
     for n, (name, part, _, _) in enumerate(parts(convergence, "step")):
-        right.plot(part["h_s"], np.round(1000 * part["error_m"], 3), color=COLOURS[3 + n],
-                   marker="so"[n], markersize=4, label=name)
+        order = np.argsort(part["h_s"])
+        right.plot(part["h_s"][order], np.round(1000 * part["error_m"], 3)[order],
+                   color=COLOURS[3 + n], marker="so"[n], markersize=4, label=name)
     right.set(xscale="log", yscale="log", xlabel="step h  [s]", ylabel="off after 1 s  [mm]",
               xticks=(0.001, 0.01), yticks=(0.1, 1, 10, 100), title="three slabs")
     right.minorticks_off()
@@ -200,7 +201,7 @@ def draw_bounds(solution, mine, out):
                                   limits["steps_with_wrong"], limits["steps"]):
         right.annotate(f"{wrong:.0f} of {steps:.0f}", (x, y), xytext=(2, 7), ha="right",
                        textcoords="offset points", fontsize=8, color=COLOURS[0])
-    right.set(xscale="log", xlabel="hinges of a chain, each with limits", ylabel="passes a step",
+    right.set(xscale="log", xlabel="hinges of a chain, each with limits", ylabel="passes per step",
               ylim=(0, 1.15 * limits["passes_max"].max()), xlim=(2.4, 90),
               title="above: steps that end with a row wrong")
     right.yaxis.get_major_locator().set_params(integer=True)

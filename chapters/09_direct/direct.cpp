@@ -62,8 +62,9 @@ std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours) {
   std::vector<int> order;
   // begin [exercise 9.3]
   // Keep the neighbours that are left of each node in a std::set<int>, and the nodes themselves in
-  // a std::set of pairs (number of neighbours, node), whose first one is next. Who is eliminated
-  // leaves the sets of its neighbours, and these become neighbours of each other: the fill.
+  // a std::set of pairs (number of neighbours, node), whose first one is next. A node
+  // that is eliminated leaves the sets of its neighbours, and these become neighbours of each
+  // other: the fill-in.
   todo("9.3");
   // end [exercise 9.3]
   return order;

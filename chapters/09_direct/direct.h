@@ -78,7 +78,7 @@ void factor(JointMatrixOf<Number>& A, PivotInverse inverse);
 template <class Number>
 void solve(const JointMatrixOf<Number>& A, Number* x);
 
-/// Exercise 9.3: an order of elimination that makes little fill: always the node with the fewest
+/// Exercise 9.3: an order of elimination with little fill-in: always the node with the fewest
 /// neighbours left, and of those the one with the least number.
 /// \param neighbours of each node, without itself; each pair is in both lists
 /// \return the nodes in that order

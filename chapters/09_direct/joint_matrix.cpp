@@ -71,8 +71,8 @@ std::vector<std::vector<int>> JointMatrixMaker::neighbours_of() const {
   return out;
 }
 
-// Nodes and edges, the filled ones included: who is eliminated makes its later neighbours
-// neighbours of each other.
+// Nodes and edges, the filled ones included: a node that is eliminated makes its later
+// neighbours neighbours of each other.
 void JointMatrixMaker::place_blocks(const std::vector<int>& order) {
   place_.assign(blocks_.size(), 0);
   for (int k = 0; k < int(order.size()); ++k) place_[order[k]] = k;

@@ -27,7 +27,7 @@ struct Bridge {
   std::vector<HingeJoint*> hinges;        ///< from left to right, those at the posts too
   std::vector<GroundContact*> contacts;  ///< of the crate, one a plank
 
-  /// \param iterations iterations a step \param loaded with the crate?
+  /// \param iterations iterations per step \param loaded with the crate?
   /// \param rub greatest torque of a hinge's friction [N m] \param beta of all joints [1]
   explicit Bridge(int iterations, bool loaded = true, real rub = 20, real beta = real(0.02)) {
     scene.solver.iterations = iterations;

@@ -9,7 +9,7 @@ using namespace joints::chapter8;
 int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 8: the ground, and five machines on it",
-                    {{"iterations", "30", "iterations a step"},
+                    {{"iterations", "30", "iterations per step"},
                      {"beta", "0.2", "share of the error fed back in a step"},
                      {"seconds", "10", "how long the machines run"},
                      {"machine", "all", "all, none, ragdoll, wheels, cannon, bridge or curl"}});

@@ -19,7 +19,7 @@ enum class Turns {
   no_ground        ///< there are no contacts
 };
 
-/// One step; whatever the turns, every block is visited in as many iterations. Without a look for
+/// One step; whatever the turns, every block is solved in as many iterations. It does not look for
 /// late limits: a corner that a neighbour drives into the ground gets its rows in the next step.
 /// \param joint_blocks how many blocks of the list belong to joints; those of contacts follow them
 inline void step_in_turns(Scene& scene, int joint_blocks, Turns turns) {

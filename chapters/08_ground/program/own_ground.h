@@ -17,7 +17,7 @@ class OwnGround {
   std::vector<Corner> corners;  ///< of the body, those that can touch
   real friction = real(0.5);    ///< coefficient mu [1]
   real beta = real(0.2);        ///< share of a penetration fed back in a step [1]
-  int iterations = 30;          ///< iterations a step
+  int iterations = 30;          ///< iterations per step
   bool normal_first = false;    ///< the normal row before the friction of its corner (question 2)
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
 

@@ -12,7 +12,7 @@ namespace joints::chapter8 {
 
 /// What the command line chose.
 struct Choice {
-  int iterations = 30;      ///< iterations a step
+  int iterations = 30;      ///< iterations per step
   real beta = real(0.2);    ///< share of the error fed back in a step [1]
   double seconds = 10;      ///< how long the machines run [s]
   std::string machine;      ///< one of them by name, or "all"
@@ -49,7 +49,7 @@ inline double widest(const Scene& scene) {
   return meter.maximum();
 }
 /// A row of machines.csv, which holds the rows of all machines that ran: how the machine's joints
-/// held with so many iterations a step, and how deep a corner was in the ground at the worst [m].
+/// held with so many iterations per step, and how deep a corner was in the ground at the worst [m].
 void machine_row(const Choice& choice, const std::string& machine, int iterations,
                  const Summary& line, double penetration);
 

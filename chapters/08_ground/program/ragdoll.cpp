@@ -1,4 +1,4 @@
-// The ragdoll falls, with 10 and with 30 iterations a step. Read it; there is nothing to edit here.
+// The ragdoll falls, with 10 and with 30 iterations. Read it; there is nothing to edit here.
 #include "chapters/08_ground/program/ragdoll.h"
 
 #include <cstdio>

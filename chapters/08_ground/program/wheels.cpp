@@ -9,7 +9,7 @@ namespace joints::chapter8 {
 namespace {
 
 struct Drive {
-  int iterations;   // iterations a step
+  int iterations;   // iterations per step
   real speed;       // of the motors [rad/s]
   real strength;    // of each [N m]
   bool recorded = false, compared = false;  // motion and table; a row of machines.csv

@@ -62,7 +62,7 @@ void many_limits(const Choice& choice, std::vector<Summary>& lines) {
     lines.push_back(line);
     table.row({double(hinges), double(passes) / steps, double(most), double(steps), double(wrong),
                line.gap_max});
-    std::printf("limits in %2d hinges: %.2f passes a step, %d at most; a row on the wrong side "
+    std::printf("limits in %2d hinges: %.2f passes per step, %d at most; a row on the wrong side "
                 "in %d of %d steps\n", hinges, double(passes) / steps, most, wrong, steps);
   }
 }

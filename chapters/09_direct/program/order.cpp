@@ -63,7 +63,8 @@ struct Count {
   double fill = 0, multiplications = 0;
 };
 
-// Eliminates in an order, as a game on the graph: whoever goes joins its neighbours to each other.
+// Eliminates in an order, as a game on the graph: a node that goes makes its neighbours neighbours
+// of each other.
 // \param pattern gets the places of all blocks below the diagonal, and whether they were filled in
 Count eliminate(const Graph& graph, const std::vector<int>& order,
                 const std::function<void(int, int, bool)>& pattern) {
@@ -96,7 +97,7 @@ std::vector<int> shuffled(std::vector<int> list) {
   return list;
 }
 
-// The dearest of all: joints that hold one body are all neighbours of each other.
+// What costs most: joints that hold one body are all neighbours of each other.
 void hubs(const Choice& choice) {
   CsvFile table(choice.out + "/hub.csv", {"arms", "multiplications_per_row", "iterated"});
   int most = 0;

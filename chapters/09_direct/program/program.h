@@ -18,7 +18,7 @@ struct Choice {
   std::string out;      ///< folder of tables and recordings
 };
 
-/// Sequential Impulses with so many iterations a step, or the direct solver.
+/// Sequential Impulses with so many iterations per step, or the direct solver.
 struct Method {
   int iterations = 0;  ///< 0: direct
   /// As tables and figures call it.

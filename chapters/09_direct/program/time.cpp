@@ -57,7 +57,7 @@ std::vector<vec3> slabs_after(real h, const std::function<void(World&, real)>& a
 
 void time_steps(const Choice& choice) {
   CsvFile table(choice.out + "/convergence.csv", {"step", "h_s", "error_m", "order"});
-  const int finest = 960;  // steps a second
+  const int finest = 960;  // steps per second
   RungeKutta reference;
   const std::vector<vec3> truth = slabs_after(
       real(1) / real(finest), [&](World& world, real h) { reference.step(world, h); });

@@ -1,5 +1,5 @@
-// Relax iterations and split impulses with limits, motors, contacts, springs and soft rows, and what
-// they leave alone.
+// Relax iterations and split impulses with limits, motors, contacts, springs and soft rows, and
+// what they leave alone.
 #include <numbers>
 
 #include "chapters/04_slider/slider_joint.h"

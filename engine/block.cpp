@@ -5,6 +5,11 @@
 
 namespace joints {
 
+RowTarget without_feedback(RowTarget target) {
+  target.beta = target.frequency = 0;
+  return target;
+}
+
 Feedback feedback(const RowTarget& target, real h) {
   if (target.frequency == 0) return {target.beta / h, 0};
   const real omega = 2 * std::numbers::pi_v<real> * target.frequency;
@@ -33,7 +38,7 @@ bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form fo
     std::fill_n(impulse, rows, real(0));
     return false;
   }
-  list.push_back({slot1, slot2, rows, form, int(C.size()), target, impulse});
+  list.push_back({slot1, slot2, rows, form, false, int(C.size()), target, impulse});
   static const Row no_rows[6];  // faster to copy than to construct one by one
   static const real no_errors[6] = {};
   C.insert(C.end(), no_errors, no_errors + rows);

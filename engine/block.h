@@ -31,6 +31,8 @@ struct RowTarget {
   /// The last row keeps C >= 0 and only pushes: it is speculative while there is a gap.
   bool one_sided() const { return holds_position && follows == 0 && lower == 0; }
 };
+/// The same target with nothing fed back: hard, with its bounds and its target rate.
+RowTarget without_feedback(RowTarget target);
 
 /// What a target asks of the rows' rates in a step of one length.
 struct Feedback {
@@ -47,9 +49,15 @@ struct Block {
   int body1 = 0, body2 = 0;         ///< slots of the two bodies
   int rows = 0;                     ///< 1 to 6
   Form form = Form::any;            ///< what is known of its rows
+  bool softened = false;            ///< frequency and damping are those of Stepping
   int first = 0;                    ///< where its rows begin in Blocks::J and Blocks::C
   RowTarget target;                 ///< feedback, target rate and bounds
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint
+
+  /// Its C is an error of the joint that has to go, and not the length of a spring of its own.
+  bool corrects() const {
+    return target.holds_position && target.follows == 0 && (target.frequency == 0 || softened);
+  }
 };
 
 /// Minus the wanted J V of row `i` of a block, by its error C. \param rate Feedback::rate

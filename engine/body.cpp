@@ -162,10 +162,14 @@ static void clamp_speed(vec3& velocity) {
   if (top > max_speed) velocity *= max_speed / top;
 }
 
-void integrate_pose(Body& body, real h) {
-  if (body.is_static()) return;
+void clamp_speed(Body& body) {
   clamp_speed(body.v);
   clamp_speed(body.w);
+}
+
+void integrate_pose(Body& body, real h) {
+  if (body.is_static()) return;
+  clamp_speed(body);
   body.x += h * body.v;
   if (body.w != vec3(0)) body.q = normalize(rotation(h * body.w) * body.q);
 }

@@ -76,10 +76,12 @@ void kick(Body& body, const vec3& gravity, real h);
 void turn(Body& body, real h);
 /// The beginning of a step: kick() and turn(). \param gravity [m/s^2] \param h step [s]
 void integrate_forces(Body& body, const vec3& gravity, real h);
-/// Speed clamp: integrate_pose() scales a finite velocity down so that no component exceeds this
-/// [m/s or rad/s]. A diverging run goes on until its impulses overflow, which step() reports.
+/// No component of a velocity is larger than this at the end of a step [m/s or rad/s]. A diverging
+/// run goes on until its impulses overflow, which step() reports.
 constexpr real max_speed = real(3e8);
-/// The end of a step: the velocities change position and orientation. \param h step [s]
+/// Speed clamp: scales finite velocities down to max_speed.
+void clamp_speed(Body& body);
+/// The end of a step: the velocities, clamped, change position and orientation. \param h step [s]
 void integrate_pose(Body& body, real h);
 /// The angular velocity after a torque-free step of length h: implicit midpoint rule in the body's
 /// axes by three Newton iterations. Once converged it keeps the energy w.(I w)/2 exactly.

@@ -29,6 +29,14 @@ void push(Twelve& V, real lambda, const Row& response) {
 
 }  // namespace
 
+void SequentialImpulses::check() const {
+  IterativeSolver::check();
+  require(relax_iterations >= 0, "relax_iterations: must not be negative");
+  require(split_iterations >= 0, "split_iterations: must not be negative");
+  require(relax_iterations == 0 || split_iterations == 0,
+          "relax_iterations: a split impulse leaves nothing to relax; one of the two must be 0");
+}
+
 // ---- once per step ------------------------------------------------------------------------------
 
 void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {
@@ -55,6 +63,8 @@ void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const B
   PreparedBlock out{block.body1, block.body2, n, first, int(inverse_K.size()),
                     has_last ? block.target.follows : 0, step_target(block.target, h, relaxation),
                     block.impulse + from};
+  if (split_iterations > 0 && block.corrects())
+    out.target = step_target(without_feedback(block.target), h, relaxation);
   if (!has_last) out.target.lower = -unbounded, out.target.upper = unbounded;
   prepared.push_back(out);
 
@@ -91,6 +101,83 @@ void SequentialImpulses::warm_start(Bodies& bodies, real ratio) {
     }
     set_velocities(body1, body2, V);
   }
+}
+
+// ---- the end of a step --------------------------------------------------------------------------
+
+void SequentialImpulses::advance(Bodies& bodies, real h, const Append& append) {
+  if (split_iterations > 0) return advance_split(bodies, h);
+  Solver::advance(bodies, h, append);
+  if (relax_iterations > 0) relax(bodies, h);
+}
+
+// Gives a prepared block the scales and biases of another target with the same bounds.
+void SequentialImpulses::aim(PreparedBlock& prepared, const Blocks& blocks, const Block& block,
+                             const RowTarget& target, real h) {
+  const StepTarget now = step_target(target, h, relaxation);
+  const real scale = now.mass_scale / prepared.target.mass_scale;
+  for (int i = 0; i < prepared.rows * prepared.rows; ++i)
+    prepared_.inverse_K[std::size_t(prepared.first_K + i)] *= scale;
+  prepared.target.mass_scale = now.mass_scale;
+  prepared.target.impulse_scale = now.impulse_scale;
+  for (int row = prepared.first; row < prepared.first + prepared.rows; ++row)
+    prepared_.rows[std::size_t(row)].bias =
+        bias(block, row - block.first, blocks.C[std::size_t(row)], now.rate, h);
+}
+
+// Calls f(prepared block, block) where C is an error; with row_by_row for each of its rows.
+template <class F>
+void SequentialImpulses::for_corrections(const Blocks& blocks, const F& f) {
+  auto prepared = prepared_.blocks.begin();
+  for (const Block& block : blocks.list)
+    for (int rows = 0; rows < block.rows; rows += prepared++->rows)
+      if (block.corrects()) f(*prepared, block);
+}
+
+void SequentialImpulses::relax(Bodies& bodies, real h) {
+  const Blocks& blocks = blocks_of(bodies);
+  for_corrections(blocks, [&](PreparedBlock& prepared, const Block& block) {
+    aim(prepared, blocks, block, without_feedback(block.target), h);
+  });
+  for (int i = 0; i < relax_iterations; ++i) iterate(bodies);
+}
+
+void SequentialImpulses::advance_split(Bodies& bodies, real h) {
+  const Blocks& blocks = blocks_of(bodies);
+  split_impulses_.assign(blocks.J.size(), real(0));
+  split_blocks_.clear();
+  for_corrections(blocks, [&](PreparedBlock& prepared, const Block& block) {
+    aim(prepared, blocks, block, block.target, h);
+    split_blocks_.push_back(prepared);
+    split_blocks_.back().impulse = &split_impulses_[std::size_t(prepared.first)];
+    const std::size_t last = std::size_t(block.first + block.rows - 1);
+    if (prepared.first + prepared.rows <= int(last)) return;
+    // a limit minds both velocities together, an equality only what corrects it
+    prepared_.rows[last].bias +=
+        block.target.one_sided()
+            ? row_velocity(blocks.J[last], bodies.at(block.body1), bodies.at(block.body2))
+            : block.target.rate;
+  });
+
+  const auto for_bodies = [&](const auto& f) {
+    for (int slot = 0; slot < bodies.slots(); ++slot) f(bodies.at(slot), velocities_[slot]);
+  };
+  velocities_.resize(std::size_t(bodies.slots()));
+  for_bodies([](Body& body, auto& kept) {
+    if (!body.is_static()) clamp_speed(body);
+    kept = {body.v, body.w};
+    body.v = body.w = vec3(0);
+  });
+  prepared_.blocks.swap(split_blocks_);
+  for (int i = 0; i < split_iterations; ++i) iterate(bodies);
+  prepared_.blocks.swap(split_blocks_);
+  for_bodies([h](Body& body, const auto& kept) {
+    body.v += kept.first;
+    body.w += kept.second;
+    integrate_pose(body, h);
+    body.v = kept.first;
+    body.w = kept.second;
+  });
 }
 
 // ---- the iterations -----------------------------------------------------------------------------

@@ -22,7 +22,7 @@ struct PreparedBlock {
   int rows;             ///< 1 to 6
   int first, first_K;   ///< its first row in Blocks::J and Prepared::rows; first number of K^-1
   int follows;          ///< RowTarget::follows
-  StepTarget target;    ///< scales and bounds; without any for rows that are not the last
+  StepTarget target;    ///< scales and bounds; no bounds for rows that are not the last
   real* impulse;        ///< the accumulated impulses, owned by the joint
 };
 
@@ -43,12 +43,25 @@ struct Prepared {
 class SequentialImpulses : public IterativeSolver {
  public:
   bool row_by_row = false;  ///< solve each row as a block of its own (chapter 2)
+  /// Relax iterations: as many after the bodies have moved, with the J of the step's beginning and
+  /// nothing fed back (without_feedback()). They take the velocity out again that the feedback put
+  /// in; the accumulated impulses and their bounds are those of both. Springs of a joint's own stay
+  /// as they are. Source: Catto, "Solver2D", 2024 (soft step).
+  int relax_iterations = 0;
+  /// Split impulse: the velocities see no feedback. As many iterations find a second velocity per
+  /// body that does, from zero in every step. It moves the bodies together with the first one, and
+  /// is then gone, with its impulses. Not together with relax iterations.
+  /// Source: Bullet, btSequentialImpulseConstraintSolver (m_splitImpulse).
+  int split_iterations = 0;
 
+  void check() const override;
   /// \throws std::invalid_argument if a bound follows an impulse that no row has
   void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
   /// Zeroes the impulse of a row whose Jacobian is zero or that depends on others of its block.
   void warm_start(Bodies& bodies, real ratio) override;
   void solve(Bodies& bodies) override;
+  /// Moves the bodies; relax iterations after it, split impulses before it.
+  void advance(Bodies& bodies, real h, const Append& append) override;
 
   // Pieces of solve(), to measure between iterations or to choose another order.
 
@@ -66,8 +79,19 @@ class SequentialImpulses : public IterativeSolver {
  private:
   void add(const Bodies& bodies, const Blocks& blocks, const Block& block, int from, int to,
            real h);
+  void aim(PreparedBlock& prepared, const Blocks& blocks, const Block& block,
+           const RowTarget& target, real h);
+  template <class F>
+  void for_corrections(const Blocks& blocks, const F& f);
+  void relax(Bodies& bodies, real h);
+  void advance_split(Bodies& bodies, real h);
   template <int N>
   void solve_block(Body* bodies, const Row* J, const PreparedBlock& block);
+
+  // Of the split impulses: the blocks, an impulse per row, v and w of each body.
+  std::vector<PreparedBlock> split_blocks_;
+  std::vector<real> split_impulses_;
+  std::vector<std::pair<vec3, vec3>> velocities_;
 };
 
 }  // namespace joints

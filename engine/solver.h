@@ -30,8 +30,8 @@ class Solver {
   virtual std::string plan(const Bodies&, const Blocks&) const { return {}; }
   /// Appends the blocks of the step once more, at the bodies' present poses.
   using Append = std::function<void(Blocks&)>;
-  /// Moves the bodies by their velocities. A solver that can make the errors at the new poses zero
-  /// may do so here, by changing the velocities first. \param h step [s]
+  /// Moves the bodies by their velocities. A solver that corrects errors by more than impulses does
+  /// it here, before or after. \param h step [s]
   virtual void advance(Bodies& bodies, real h, [[maybe_unused]] const Append& append) {
     integrate_poses(bodies, h);
   }

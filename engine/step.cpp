@@ -16,6 +16,7 @@ void soften(Blocks& blocks, int first, const Stepping& how) {
         target.holds_position && target.frequency == 0) {
       target.frequency = how.frequency;
       target.damping = how.damping;
+      blocks.list[k].softened = true;
     }
 }
 

@@ -85,7 +85,7 @@ class PackedBlocks {
 
 /// Sequential Impulses over packed blocks: the same solve of each block, in another order. By
 /// islands each island keeps the order of the list; by colours it does not. The joints' accumulated
-/// impulses are written when solve() ends.
+/// impulses are written when solve() ends. It has neither relax iterations nor split impulses.
 class PackedImpulses : public IterativeSolver {
  public:
   Packing packing = Packing::automatic;  ///< how blocks are grouped and ordered

@@ -15,7 +15,7 @@ using namespace joints::bench;
 
 namespace {
 
-const std::string iterated = "si30 beta1 4x8 16x2 warm projection omega";
+const std::string iterated = "si30 beta1 4x8 16x2 warm projection split relax omega";
 
 // A scene, or several of a kind that are told in one line.
 struct Entry {
@@ -121,6 +121,8 @@ Setting setting_of(const std::string& method) {
                {"16x2", {.beta = 1, .substeps = 16}, 32},
                {"warm", {.warm = true, .projections = 1, .beta = 0}},
                {"projection", {.projections = 1, .beta = 0}},
+               {"split", {.warm = true, .beta = 1, .substeps = 4, .split = 4}, 16},
+               {"relax", {.warm = true, .substeps = 16, .relax = 1, .frequency = 60}, 16},
                {"omega", {.loop = Loop::packed, .beta = 1, .relaxation = real(1.9)}},
                {"lanes", {.loop = Loop::lanes, .beta = 1, .relaxation = real(1.9)}},
                {"lanes10", {.loop = Loop::lanes, .warm = true, .beta = real(0.1)}, 10},

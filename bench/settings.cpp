@@ -123,7 +123,7 @@ namespace {
 
 Stepping stepping_of(const Way& way) {
   return {.warm_start = way.warm, .substeps = way.substeps, .projections = way.projections,
-          .leapfrog = way.leapfrog};
+          .leapfrog = way.leapfrog, .frequency = way.frequency};
 }
 
 template <class Kind>
@@ -140,6 +140,8 @@ Step of_the_engine(const Way& way, int iterations) {
     OrderedImpulses solver;
     solver.order = way.order;
     solver.row_by_row = way.row_by_row;
+    solver.relax_iterations = way.relax;
+    solver.split_iterations = way.split;
     return step_with(solver, way, iterations);
   }
   PackedImpulses solver;

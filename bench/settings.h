@@ -44,6 +44,9 @@ struct Way {
   real beta = real(0.2);    ///< of every joint [1]
   real relaxation = 1;      ///< over-relaxation [1]; not the textbook's
   int substeps = 1;         ///< they share the iterations of a step
+  int relax = 0;            ///< relax iterations of a substep, rows only
+  int split = 0;            ///< iterations of a substep on split impulses, rows only
+  real frequency = 0;       ///< of springs in place of beta [Hz]
   bool leapfrog = false;    ///< half a kick in the first step
   int newton = 0;           ///< direct only: iterations on the positions
   real stiffness = 0;       ///< direct only

@@ -10,10 +10,12 @@ from style import EMPTY, INK
 
 NUMBERS = ["us_per_step", "gap_max_m", "held", "of"]
 WORDS = ["scene", "real", "method", "status"]
-ORDER = ["si30", "beta1", "4x8", "16x2", "warm", "projection", "omega", "velocity", "shake",
+ORDER = ["si30", "beta1", "4x8", "16x2", "warm", "projection", "split", "relax",
+         "omega", "velocity", "shake",
          "stiff", "rk4"]
 TITLES = {"si30": "30\niterations", "beta1": "beta 1", "4x8": "4 substeps\nof 8",
           "16x2": "16 substeps\nof 2", "warm": "warm and\nprojection", "projection": "projection",
+          "split": "split\nimpulse", "relax": "soft and\nrelax",
           "omega": "over-relaxed\n1.9", "velocity": "direct", "shake": "direct,\npositions",
           "stiff": "direct,\nstiffness", "rk4": "Runge-\nKutta"}
 LEAST, MOST = 1e-3, 1e3  # of the colours [mm]

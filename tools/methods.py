@@ -11,6 +11,8 @@ WORDS = {
     "4x8": "4 substeps of 8 iterations, beta 1", "16x2": "16 substeps of 2, beta 1",
     "warm": "30 iterations, warm, beta 0, one of projection",
     "projection": "the same, cold",
+    "split": "4 substeps of 4 iterations and 4 on split impulses, warm, beta 1",
+    "relax": "16 substeps of 1 iteration and 1 to relax, warm, soft (60 Hz)",
     "omega": "30 iterations, over-relaxed by 1.9, beta 1",
     "lanes": "omega on lanes", "lanes10": "10 iterations on lanes, warm, beta 0.1",
     "chapter7": "chapter 7's loop on lanes, 20 iterations, over-relaxed by 1.9",

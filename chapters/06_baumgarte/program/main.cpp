@@ -186,6 +186,7 @@ int main(int argc, char** argv) {
     one_joint(choice, lines);
     in_a_chain(choice);
     many_joints(choice, lines);
+    budget(choice);
     between_walls(choice, lines);
     questions(choice);
     report(lines, choice.out);

@@ -30,6 +30,8 @@ void in_a_chain(const Choice& choice);
 void many_joints(const Choice& choice, std::vector<Summary>& lines);
 /// What the answers to the questions say. (questions.cpp)
 void questions(const Choice& choice);
+/// Every method with the same number of iterations, in one step or in many. (budget.cpp)
+void budget(const Choice& choice);
 /// The thesis' chain of four links whose ends cannot move, kicked. (between_walls.cpp)
 void between_walls(const Choice& choice, std::vector<Summary>& lines);
 

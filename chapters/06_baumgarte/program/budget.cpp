@@ -1,0 +1,60 @@
+// Chapter 6's program, a fixed budget: 32 iterations for every 1/60 s, in one step or in many. Read
+// it; there is nothing to edit here.
+#include "chapters/06_baumgarte/program/cube_chain.h"
+#include "chapters/06_baumgarte/program/program.h"
+
+namespace joints::chapter6 {
+
+namespace {
+
+constexpr int total = 32;  // iterations in 1/60 s, of all kinds together
+
+// What the second half of the iterations does, where a method has two kinds.
+enum class Second { none, projection, split, relax };
+
+struct Method {
+  std::string name;
+  Second second;
+  real beta;
+  real frequency = 0;  // [Hz]
+};
+
+}  // namespace
+
+// Twenty cubes of 100 kg let go level, measured as side by side.
+void budget(const Choice& choice) {
+  CsvFile table(choice.out + "/budget.csv", {"method", "substeps", "iterations", "gap_rms_m",
+                                             "gap_max_m", "energy_drift"});
+  const Method methods[] = {{"beta 0.2", Second::none, real(0.2)},
+                            {"beta 1", Second::none, 1},
+                            {"projection", Second::projection, 0},
+                            {"split impulse", Second::split, 1},
+                            {"relax", Second::relax, 1},
+                            {"soft + relax", Second::relax, 0, 60}};
+  for (const Method& method : methods)
+    for (const bool warm : {false, true})
+      for (int substeps = 1; substeps <= total; substeps *= 2) {
+        const int all = total / substeps;
+        const int second = method.second == Second::none ? 0 : all / 2;
+        if (method.second != Second::none && second == 0) continue;  // one iteration, two kinds
+        CubeChain chain("budget", 20, 100, vec3(1, 0, 0), method.beta);
+        chain.scene.h = h / real(substeps);
+        Stepping& stepping = chain.scene.stepping;
+        SequentialImpulses& solver = chain.scene.solver;
+        stepping.warm_start = warm;
+        stepping.frequency = method.frequency;
+        stepping.damping = 2;  // the numbers of Box2D 3
+        solver.iterations = all - second;
+        if (method.second == Second::projection) stepping.projections = second;
+        if (method.second == Second::split) solver.split_iterations = second;
+        if (method.second == Second::relax) solver.relax_iterations = second;
+        Experiment experiment = experiment_of(chain.scene, steps_in(5, chain.scene.h));
+        experiment.settling = last_two_thirds(experiment.steps);
+        const Measures line = run(experiment);
+        table.row({method.name + (warm ? " warm" : "")},
+                  {double(substeps), double(total), line.gap_rms, line.gap_max,
+                   line.energy_drift});
+      }
+}
+
+}  // namespace joints::chapter6

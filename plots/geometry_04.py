@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Chapter 4's drawing: the line, the displacement and the lever p2 - x1; the excess rotation.
+"""Chapter 4's drawings: the line, the displacement and the lever p2 - x1; the excess rotation. And
+couple.svg: the impulses of an open ball joint act along two lines, those of a slider along one.
 
-    python3 plots/geometry_04.py OUT.svg
+    python3 plots/geometry_04.py geometry.svg|couple.svg
 """
 import numpy as np
 from drawing import ARROW, BODY1, BODY2, FAINT, INK, arrow, body, dot, draw, words
@@ -94,5 +95,58 @@ def lock(ax):
     words(ax, (562, 28), "the axis of $q_e$, and $C$, point at you", FAINT, 11)
 
 
+def pushed(ax, place, across, colour, text, side):
+    """An impulse at a place, with its name beside its tip."""
+    arrow(ax, place, place + across, colour, 3)
+    words(ax, place + 0.86 * across + np.array([side, 0]), text, colour, 14)
+
+
+def two_lines(ax):
+    """Left: the gap of a ball joint is open, and its two impulses are a couple."""
+    words(ax, (178, 352), "an open ball joint: two lines", size=12.5, weight="bold")
+    p1, p2, up = np.array([118.0, 168.0]), np.array([228.0, 204.0]), np.array([0, 92.0])
+    body(ax, p1 - (36, 26), (132, 82), 8, BODY1)
+    body(ax, p2 + (34, 10), (124, 76), -6, BODY2)
+    for place in (p1, p2):
+        ax.plot((place[0], place[0]), (64, 318), color=FAINT, linewidth=1.2, linestyle=":")
+    arrow(ax, p1, p2, INK, 3)
+    pushed(ax, p2, up, BODY2, "$\\lambda$", 18)
+    pushed(ax, p1, -up, BODY1, "$-\\lambda$", 26)
+    for place, colour in ((p1, BODY1), (p2, BODY2)):
+        dot(ax, place, colour)
+    words(ax, p1 + (-17, 8), "$p_1$", BODY1)
+    words(ax, p2 + (18, -10), "$p_2$", BODY2)
+    words(ax, (p1 + p2) / 2 + (-6, 16), "$u$", INK, 15)
+    words(ax, p1 + (-60, -34), "body 1", BODY1, 12)
+    words(ax, p2 + (58, 28), "body 2", BODY2, 12)
+    words(ax, (178, 28), "angular momentum from nothing: $u \\times \\lambda$", FAINT, 11)
+
+
+def one_line(ax):
+    """Right: the lever of a slider's body 1 ends where body 2 touches the line."""
+    words(ax, (530, 352), "a slider: one line", size=12.5, weight="bold")
+    p1, p2, up = np.array([430.0, 190.0]), np.array([570.0, 190.0]), np.array([0, 92.0])
+    x1 = p1 + (18, -62)
+    body(ax, x1, (132, 72), 0, BODY1)
+    body(ax, p2 + (18, 16), (124, 72), 0, BODY2)
+    ax.plot((p1[0] - 32, p1[0] - 32), (x1[1] + 36, p1[1]), color=BODY1, linewidth=2.6)
+    ax.plot((p1[0] - 32, 672), (p1[1], p1[1]), color=BODY1, linewidth=2.6, zorder=3)
+    ax.plot((p2[0], p2[0]), (64, 318), color=FAINT, linewidth=1.2, linestyle=":")
+    arrow(ax, x1, p2, LEVER, 2.6)
+    arrow(ax, p1, p2, INK, 3)
+    pushed(ax, p2, up, BODY2, "$\\lambda\\, n$", 26)
+    pushed(ax, p2, -up, BODY1, "$-\\lambda\\, n$", 34)
+    for place, colour in ((p1, BODY1), (x1, BODY1), (p2, BODY2)):
+        dot(ax, place, colour)
+    words(ax, p1 + (-4, 15), "$p_1$", BODY1)
+    words(ax, p2 + (17, -31), "$p_2$", BODY2)
+    words(ax, (p1 + p2) / 2 + (-8, 14), "$u$", INK, 15)
+    words(ax, x1 + (-15, 0), "$x_1$", BODY1)
+    words(ax, x1 + (30, -18), "body 1", BODY1, 12)
+    words(ax, p2 + (48, 28), "body 2", BODY2, 12)
+    words(ax, (530, 28), "both impulses act at $p_2$: they cancel", FAINT, 11)
+
+
 if __name__ == "__main__":
-    draw(__doc__, "geometry_04", (line, lock), (423,))
+    draw(__doc__, "geometry_04", (line, lock), (423,),
+         more={"couple": ((two_lines, one_line), (356,))})

@@ -33,7 +33,7 @@ inline std::vector<BiasCase> bias_cases() {
 using BiasRule = std::function<double(double, double, double)>;
 inline std::vector<std::pair<std::string, BiasRule>> wrong_biases() {
   return {
-      {"h is forgotten: beta C is the way that a step shall take back, b is a velocity",
+      {"h is forgotten: beta C is a length, b is a velocity",
        [](double C, double beta, double) { return beta * C; }},
       {"times h where it must be divided by h",
        [](double C, double beta, double h) { return beta * C * h; }},
@@ -55,7 +55,7 @@ inline std::vector<std::pair<std::string, BiasRule>> wrong_biases() {
        [](double C, double beta, double h) { return C / (beta * h); }},
       {"divided by h twice: that is an acceleration",
        [](double C, double beta, double h) { return beta * C / (h * h); }},
-      {"the size of C: an error has a sign, and so has the way back",
+      {"the size of C: an error has a sign, and so has its correction",
        [](double C, double beta, double h) { return beta * std::abs(C) / h; }},
       {"only positive errors are fed back",
        [](double C, double beta, double h) { return beta * std::max(C, 0.0) / h; }},

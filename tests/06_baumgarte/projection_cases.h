@@ -70,7 +70,7 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
   });
 
   CaseTable<Case> table{subject,
-                        {"move of 1", "turn of 1", "move of 2", "turn of 2", "change of v1",
+                        {"move of 1", "rotation of 1", "move of 2", "rotation of 2", "change of v1",
                          "change of w1", "change of v2", "change of w2"},
                         yours, right, {}, cases};
   table.tolerance = difference_tolerance;
@@ -114,23 +114,23 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
        {"times K where its inverse belongs", pushed([](const Reference& reference) {
           return Reference::times(reference.K, reference.C);
         })},
-       {"K without the turns: it holds the masses only", pushed([](const Reference& reference) {
+       {"K without the rotations: it holds the masses only", pushed([](const Reference& reference) {
           return Reference::solved(product_K(reference.J, reference.pair.body1.inverse_mass,
                                              mat3(0), reference.pair.body2.inverse_mass, mat3(0)),
                                    reference.C);
         })},
-       {"the turns are missing: the other half of Eq. 6-11",
+       {"the rotations are missing: the other half of Eq. 6-11",
         turns([](const Body&, const vec3&) { return vec3(0); })},
        {"a body turns in its own axes: exp(w) q and not q exp(w), w is in world axes",
         turns([](const Body& body, const vec3& turn) { return body.q * turn; })},
-       {"the sign of the turns", turns([](const Body&, const vec3& turn) { return -turn; })},
-       {normal ? "half the turn: turned(q, w, 1) halves the angle itself" : no_sum,
+       {"the sign of the rotations", turns([](const Body&, const vec3& turn) { return -turn; })},
+       {normal ? "half the rotation: turned(q, w, 1) halves the angle itself" : no_sum,
         turns([](const Body&, const vec3& turn) { return turn / real(2); })},
-       {"twice the turn: turned(q, w, 1) halves the angle itself",
+       {"twice the rotation: turned(q, w, 1) halves the angle itself",
         turns([](const Body&, const vec3& turn) { return real(2) * turn; })},
-       {"the turn is multiplied by h: turned(q, w, 1), for w is an angle already",
+       {"the rotation is multiplied by h: turned(q, w, 1), for w is an angle already",
         turns([](const Body&, const vec3& turn) { return turn / real(60); })},
-       {normal ? "q + (0, w) q/2 is only the first term of the turn: take turned(q, w, 1)" : no_sum,
+       {normal ? "q + (0, w) q/2 is only the first term of it: take turned(q, w, 1)" : no_sum,
         turns([](const Body&, const vec3& turn) {
           const real half = length(turn) / 2;
           return half > 0 ? std::atan(half) / half * turn : turn;
@@ -152,11 +152,11 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
        {"the moves of the two bodies are exchanged", changed([](const Reference&, const Moves& a) {
           return Moves{a.way2, a.turn2, a.way1, a.turn1};
         })},
-       {"the moves of the two bodies are exchanged, their turns are not",
+       {"the moves of the two bodies are exchanged, their rotations are not",
         changed([](const Reference&, const Moves& a) {
           return Moves{a.way2, a.turn1, a.way1, a.turn2};
         })},
-       {"the turns of the two bodies are exchanged, their moves are not",
+       {"the rotations of the two bodies are exchanged, their moves are not",
         changed([](const Reference&, const Moves& a) {
           return Moves{a.way1, a.turn2, a.way2, a.turn1};
         })},

@@ -87,8 +87,8 @@ void add_single_moves(typename ProjectionRules<Part>::Mistakes& add) {
     const std::string who = which == 3 ? "both bodies" : "body " + std::to_string(which);
     add.push_back({"the place of " + who + " is replaced by the move: += and not =",
                    replaced(which & 1, which & 2, true)});
-    add.push_back({"the orientation of " + who + " is replaced by the turn: turned(q, w, 1) turns "
-                   "the old one", replaced(which & 1, which & 2, false)});
+    add.push_back({"the orientation of " + who + " is replaced by the rotation: turned(q, w, 1) "
+                   "rotates the old one", replaced(which & 1, which & 2, false)});
     add.push_back({"the move of " + who + " is added to its v, not to its x",
                    Rules::velocities(
                        [=](Moves a, const Moves&) {

@@ -21,9 +21,9 @@ struct OneMove {
   std::string words;
 };
 inline const OneMove four_moves[] = {{&Moves::way1, "the move of body 1"},
-                                     {&Moves::turn1, "the turn of body 1"},
+                                     {&Moves::turn1, "the rotation of body 1"},
                                      {&Moves::way2, "the move of body 2"},
-                                     {&Moves::turn2, "the turn of body 2"}};
+                                     {&Moves::turn2, "the rotation of body 2"}};
 inline Moves sum(const Moves& a, const Moves& b) {
   return {a.way1 + b.way1, a.turn1 + b.turn1, a.way2 + b.way2, a.turn2 + b.turn2};
 }

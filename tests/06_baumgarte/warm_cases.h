@@ -185,7 +185,7 @@ inline CaseTable<WarmCase> warm_table() {
       {"the ratio is taken twice", shares([](double r) {
          return A{r * r, r * r, r * r};
        })},
-      {"only body 2 feels it: body 1 gets the opposite push, and a turn of its own",
+      {"only body 2 feels it: body 1 gets the opposite push, and a rotation of its own",
        shares([](double r) {
          return A{r, 0, r};
        })},

@@ -47,8 +47,8 @@ struct Pair {
 // ---- drift and decay ---------------------------------------------------------------------------
 
 // Thesis fig. 3.1: a hinge without correction. Each step moves the cube's end of the hinge
-// outwards, along the arrow from there to the centre, by Eq. 6-1; the gap is the sum of these
-// arrows.
+// outwards, along the vector from there to the centre, by Eq. 6-1; the gap is the sum of these
+// vectors.
 Summary drift(const Choice& choice) {
   Pair pair("drift", choice.iterations);
   const HingeJoint& joint = pair.hinge(vec3(0, 0, 1), 0);
@@ -98,7 +98,7 @@ void correction(Pair& pair, const AnyJoint& joint, const std::string& path) {
   }
 }
 
-// ---- energy and the spin that is left ----------------------------------------------------------
+// ---- energy, and the angular velocity that is left ---------------------------------------------
 
 void energies(const Choice& choice) {
   CsvFile table(choice.out + "/energy.csv",
@@ -126,7 +126,7 @@ double predicted_spin(const vec3& gap, double beta) {
   return G * G * beta / double(h) / (2 - beta) * double(cross(r, gap).y) * double(dot(r, gap));
 }
 
-// The spin that is left when a gap has been corrected.
+// The angular velocity that is left when a gap has been corrected.
 vec3 spin_left(const vec3& gap, real beta, int iterations) {
   Pair pair("spin", iterations);
   pair.scene.world.gravity = vec3(0);
@@ -141,9 +141,9 @@ void spins(const Choice& choice) {
                 {"beta", "gap_m", "predicted_rad_s", "measured_rad_s"});
   for (const double beta : {0.05, 0.15, 0.5, 1.0})
     for (const double gap : {0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 2.0}) {
-      const vec3 arrow = real(gap / std::sqrt(2.0)) * vec3(1, 0, -1);
-      table.row({beta, gap, predicted_spin(arrow, beta),
-                 double(spin_left(arrow, real(beta), choice.iterations).y)});
+      const vec3 offset = real(gap / std::sqrt(2.0)) * vec3(1, 0, -1);
+      table.row({beta, gap, predicted_spin(offset, beta),
+                 double(spin_left(offset, real(beta), choice.iterations).y)});
     }
 }
 

@@ -22,7 +22,7 @@ struct Choice {
   std::string out;         ///< folder of tables and recordings
 };
 
-/// One joint and an error: drift, decay, energy, leftover spin, a rope. (one_joint.cpp)
+/// One joint and an error: drift, decay, energy, the angular velocity left, a rope. (one_joint.cpp)
 void one_joint(const Choice& choice, std::vector<Summary>& lines);
 /// Beta and the warm start in a chain. (in_a_chain.cpp)
 void in_a_chain(const Choice& choice);

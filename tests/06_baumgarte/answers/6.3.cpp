@@ -32,8 +32,8 @@
 // change: -inverse ==> real(-2) * inverse
 
 // ---- wrong: point body 1 not turned
-// expects: turn of 1 (upright)
-// expects: Likely mistake: the turn of body 1 is missing
+// expects: rotation of 1 (upright)
+// expects: Likely mistake: the rotation of body 1 is missing
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
   Body move1 = body1, move2 = body2;
   move1.v = move1.w = move2.v = move2.w = vec3(0);
@@ -69,7 +69,7 @@
 // change: lambda, move1, move2 ==> lambda, move2, move1
 
 // ---- wrong: point copies not at rest
-// expects: Likely mistake: the copies are not at rest
+// expects: Likely mistake: v and w of both copies must be zero
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
   Body move1 = body1, move2 = body2;
   apply_impulse(point.jacobian(body1, body2), lambda, move1, move2);
@@ -123,7 +123,7 @@
   body2.q = turned(body2.q, move2.w, 1);
 
 // ---- wrong: point first order turn
-// expects: Likely mistake: q + (0, w) q/2 is only the first term of the turn
+// expects: Likely mistake: q + (0, w) q/2 is only the first term of it
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
   Body move1 = body1, move2 = body2;
   move1.v = move1.w = move2.v = move2.w = vec3(0);
@@ -164,7 +164,7 @@
   body2.q = turned(body2.q, move2.w, 1);
 
 // ---- wrong: point orientation replaced
-// expects: Likely mistake: the orientation of body 2 is replaced by the turn
+// expects: Likely mistake: the orientation of body 2 is replaced by the rotation
 // change: turned(body2.q, move2.w, 1) ==> rotation(move2.w)
 
 // ---- wrong: point quaternions added
@@ -222,11 +222,11 @@
   body2.q = turned(body2.q, move2.w, h);
 
 // ---- wrong: point turned by the move
-// expects: Likely mistake: turn of 2 is what belongs to move of 2
+// expects: Likely mistake: rotation of 2 is what belongs to move of 2
 // change: turned(body2.q, move2.w, 1) ==> turned(body2.q, move2.v, 1)
 
 // ---- wrong: point turned in body axes
-// expects: turn of 2 (upright)
+// expects: rotation of 2 (upright)
 // expects: Likely mistake: a body turns in its own axes
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
   Body move1 = body1, move2 = body2;
@@ -251,8 +251,8 @@
 // change: body1.x += move1.v; ==> body1.x += move1.v; body1.v = body2.v = vec3(0);
 
 // ---- wrong: point without turns
-// expects: turn of 2 (on paper).z
-// expects: Likely mistake: the turns are missing
+// expects: rotation of 2 (on paper).z
+// expects: Likely mistake: the rotations are missing
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
   Body move1 = body1, move2 = body2;
   move1.v = move1.w = move2.v = move2.w = vec3(0);

@@ -37,14 +37,12 @@ template <class Number>
 double arithmetic(int lanes) {
   constexpr int count = 12, rounds = 1000;
   const double ns = least_ns([] {
-    Number numbers[count] = {};
     const Number factor = Number{} + real(0.5), term = Number{} + real(1);
-    for (int round = 0; round < rounds; ++round)
-#pragma GCC unroll 12
-      for (int k = 0; k < count; ++k) {
-        numbers[k] = numbers[k] * factor + term;
-        keep(numbers[k]);
-      }
+    const auto next = [&](auto&... number) {
+      ((number = number * factor + term, keep(number)), ...);
+    };
+    Number a{}, b{}, c{}, d{}, e{}, f{}, g{}, i{}, j{}, k{}, l{}, m{};
+    for (int round = 0; round < rounds; ++round) next(a, b, c, d, e, f, g, i, j, k, l, m);
   });
   return 2.0 * count * rounds * lanes / ns;
 }

@@ -75,7 +75,8 @@ void inside_one_step(const Choice& choice, const Chains& chains, const std::vect
 
 // The tip of a level chain falls freely at first: how far off its height is after 1 s.
 void half_a_kick(const Choice& choice, const Chains& chains, const Order& order) {
-  CsvFile table(choice.out + "/kick.csv", {"omega", "iterations", "first_kick", "tip_height_error_m"});
+  CsvFile table(choice.out + "/kick.csv",
+                {"omega", "iterations", "first_kick", "tip_height_error_m"});
   for (const double omega : {1.0, 1.9})
     for (const double kick : {1.0, 0.5}) {
       HingeLoop<real> loop = loop_over<real>(chains, order.groups, 4 * choice.iterations);

@@ -2,8 +2,10 @@
 // in each, and what a step takes, all in one run. `./wb bench --loop` calls it.
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "bench/counted.h"
+#include "bench/roofs.h"
 #include "bench/settings.h"
 #include "engine/instruments/options.h"
 #include "engine/simd/records.h"
@@ -121,6 +123,16 @@ void write(FILE* file, const std::vector<Row>& rows) {
                    point.iterations, kind, median(point.us), median(row.slope), point.gap);
 }
 
+// The limits of the machine, beside the table.
+void write_roofs(const std::string& path) {
+  FILE* file = std::fopen(path.c_str(), "w");
+  if (!file) refuse(path + ": cannot be written");
+  std::fputs("roof,lanes,per_ns\n", file);
+  for (const Roof& roof : roofs())
+    std::fprintf(file, "%s,%d,%.1f\n", roof.name.c_str(), roof.lanes, roof.per_ns);
+  std::fclose(file);
+}
+
 // ---- counting -----------------------------------------------------------------------------------
 
 // A line for each variant, in the order of the counts that callgrind keeps.
@@ -166,5 +178,6 @@ int main(int argc, char** argv) {
                  "instructions_per_joint_iteration,gap_rms_m,instructions_per_joint_step\n", file);
     write(file, measure(options.count("rounds", 1), options.flag("all-counts")));
     std::fclose(file);
+    if (!append) write_roofs(std::filesystem::path(path).replace_filename("roofs.csv").string());
   });
 }

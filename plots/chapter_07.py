@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Draws the figures of chapter 7: the steps of the loop, order, over-relaxation, colours.
+"""Draws the figures of chapter 7: the steps of the loop, order, over-relaxation, colours, and how
+many iterations an error takes.
 
-chapter_07.py --solution DIR [--mine DIR] --out DIR
+chapter_07.py --solution DIR [--mine DIR] --out DIR | --result FILE
 """
 import numpy as np
 
@@ -40,7 +41,7 @@ def draw_steps(solution, mine, out):
     good = np.where(np.isfinite(ns) & (ns > 0), ns, np.nan)
     first, least = good[0], int(np.argmin(np.nan_to_num(good, nan=np.inf)))
     figure, ax = style.figure(
-        f"A hinge and iteration takes {first:.3g} ns {names[0]}, "
+        f"Per hinge and iteration: {first:.3g} ns {names[0]}, "
         f"{good[least]:.3g} ns with {names[least]}" + (": yours" if mine else ""))
     places = np.arange(len(names))[::-1]
     ax.barh(places, good, height=0.62, color=[COLOURS[1 if count == 1 else 2]
@@ -65,7 +66,7 @@ def draw_steps(solution, mine, out):
     ax.tick_params(axis="y", length=0)
     ax.grid(axis="y", visible=False)
     far = np.max(np.nan_to_num(table["off_m"], nan=np.inf))
-    ax.set(xlabel="time of a hinge and iteration, a linear axis  [ns]", xlim=(0, 1.03 * right),
+    ax.set(xlabel="time per hinge and iteration, a linear axis  [ns]", xlim=(0, 1.03 * right),
            title=("|: the solution's" if mine
                   else f"gap: RMS, with {table['iterations'][0]:g} iterations")
            + f"; off one lane in the same order by {length(far)}")
@@ -90,7 +91,7 @@ def draw_order(solution, mine, out):
         if mine:
             for _, part in parts(solution, "order"):
                 theirs(ax, part["iterations"], 1000 * visible(part[column]))
-        ax.set(xscale="log", yscale="log", xlabel="iterations a step", ylabel=f"{words}  [mm]",
+        ax.set(xscale="log", yscale="log", xlabel="iterations per step", ylabel=f"{words}  [mm]",
                title=words + (": yours; dashed: the solution's" if mine else ""))
         if mine:
             style.hold(ax, 1000 * mine[column], 1000 * solution[column])
@@ -236,6 +237,36 @@ def draw_colours(solution, mine, out):
     style.save(figure, out / "07_colours")
 
 
+# ---- iterations to an error --------------------------------------------------------------------
+
+def draw_needed(solution, mine, out):
+    table = mine or solution
+    said = []
+    for order, part in parts(table, "order"):
+        plain, best = part["iterations"][0], np.nanmin(part["iterations"])
+        said.append(f"{'chain order' if order == 'chain' else order} {plain:.0f}, over-relaxed "
+                    f"{best:.0f}")
+    figure, ax = style.figure(f"Iterations to a gap of {length(table['gap_rms_m'][0])}: "
+                              + "; ".join(said) + (" (yours)" if mine else ""))
+    for order, part in parts(table, "order"):
+        colour, marker = look(order)
+        ax.plot(part["omega"], visible(part["iterations"]), color=colour, marker=marker,
+                markersize=5, label="chain order" if order == "chain" else "by colours")
+        for omega, count in list(zip(part["omega"], part["iterations"]))[::2]:
+            ax.annotate(f"{count:g}", (omega, count), xytext=(0, 6), textcoords="offset points",
+                        ha="center", fontsize=8.5, color=colour)
+    if mine:
+        for _, part in parts(solution, "order"):
+            theirs(ax, part["omega"], visible(part["iterations"]))
+    ax.set(yscale="log", xlabel=r"$\omega_{\mathrm{SOR}}$, factor of every impulse",
+           ylabel="iterations per step", ylim=(7, 260), xlim=(0.95, 2),
+           title="one chain of 100 cubes, gap: RMS over the last two thirds of 5 s"
+           + ("; dashed: the solution's" if mine else ""))
+    style.plain_log(ax.yaxis)
+    style.label_ends(ax)
+    style.save(figure, out / "07_needed")
+
+
 def tables(folder, command):
     def read(name, numbers, *words):
         return style.read_csv(folder / f"{name}.csv", numbers.split(), words, command)
@@ -243,9 +274,11 @@ def tables(folder, command):
             read("order", "iterations gap_rms_m gap_max_m", "order"),
             read("relaxation", "omega iterations gap_rms_m energy_change", "order", "status"),
             read("inside_a_step", "omega iteration largest_e", "order"),
-            read("colours", "body1_x body1_y body2_x body2_y colour", "scene"))
+            read("colours", "body1_x body1_y body2_x body2_y colour", "scene"),
+            read("needed", "omega gap_rms_m iterations", "order"))
 
 
 if __name__ == "__main__":
     style.run(lambda: style.chapter(7, tables, (
-        draw_steps, draw_order, draw_relaxation, draw_inside, draw_colours)))
+        draw_steps, draw_order, draw_relaxation, draw_inside, draw_colours, draw_needed),
+        result=draw_needed))

@@ -1,8 +1,13 @@
 #!/usr/bin/env python3
-"""Chapter 7's drawing: colours of joints, records turned into columns, one product on eight lanes.
+"""Chapter 7's drawings: geometry.svg with colours of joints, records turned into columns and one
+product on eight lanes; order.svg (order_07.py) and roofline.svg (roofline_07.py). The file's name
+chooses.
 
     python3 plots/geometry_07.py OUT.svg
 """
+import pathlib
+import sys
+
 import matplotlib
 import numpy as np
 from drawing import ARROW, BODY1, BODY2, CARD, EDGE, FAINT, INK, arrow, body, draw, words
@@ -101,4 +106,13 @@ def lanes(ax):
 
 
 if __name__ == "__main__":
-    draw(__doc__, "geometry_07", (colours, turned_round, lanes), (345,), width=840)
+    match pathlib.Path(sys.argv[-1]).name:
+        case "order.svg":
+            import order_07
+            order_07.picture(__doc__)
+        case "roofline.svg":
+            import roofline_07
+            roofline_07.picture(pathlib.Path(sys.argv[-1]))
+        case _:
+            draw(__doc__, "geometry_07", (colours, turned_round, lanes), (345,),
+                 width=840)

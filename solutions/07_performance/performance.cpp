@@ -63,8 +63,8 @@ Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inve
 std::vector<int> colours_of(const std::vector<BodyPair>& links, const std::vector<bool>& moves) {
   // begin [exercise 7.3]
   // For each body keep the colours that its joints have so far, for example as taken[body][colour].
-  // Each joint in turn takes the least colour that is free at both its bodies. A body that cannot
-  // move has no colours.
+  // Each joint in turn takes the least colour that is free at both its bodies. A static body blocks
+  // no colour; its joints get theirs all the same.
   std::vector<std::vector<bool>> taken(moves.size());
   std::vector<int> colours;
   for (const BodyPair& link : links) {

@@ -60,7 +60,7 @@ inline std::string explain_size(const ColourScene& scene, const Colours& yours) 
   if (yours.empty()) return "nothing is returned";
   if (yours.size() == 2 * joints)
     return "the vector has its size already and is pushed to as well: either [k] = or push_back";
-  if (yours.size() == scene.moves.size()) return "this is a colour a body: each joint has one";
+  if (yours.size() == scene.moves.size()) return "this is one colour per body: each joint has one";
   const auto both_move = [&](const BodyPair& link) {
     return scene.moves[std::size_t(link.body1)] && scene.moves[std::size_t(link.body2)];
   };

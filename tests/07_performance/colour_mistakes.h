@@ -168,8 +168,8 @@ inline std::vector<ColourMistake> colour_mistakes() {
            return colour;
          }, [](const BodyPair&, int) { return true; });
        }},
-      {"a joint with a static body takes part in nothing: only the static body does, the other one "
-       "moves",
+      {"a joint with a static body blocks no colour at all: its static body alone blocks none, "
+       "the other one moves",
        [](const Scene& scene) {
          const auto both_move = [&](const BodyPair& link) {
            return scene.moves[std::size_t(link.body1)] && scene.moves[std::size_t(link.body2)];

@@ -152,7 +152,7 @@ TEST_CASE("7.3 the order of the joints decides and may cost a colour", "[7.3]") 
                 {0, 0, 1, 2});
 }
 
-TEST_CASE("7.3 no joints take no colours and a body without joints takes part in nothing",
+TEST_CASE("7.3 no joints take no colours and a body without joints changes none",
           "[7.3]") {
   check_colours({"nothing at all", {}, {}}, {});
   check_colours({"bodies without joints", {}, {true, false, true}}, {});

@@ -30,7 +30,7 @@ class HingeLoop {
   std::vector<BodyPair> links;     ///< a hinge each
   std::vector<Hinge> hinges;       ///< their geometry
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
-  int iterations = 30;             ///< iterations a step
+  int iterations = 30;             ///< iterations per step
   real relaxation = 1;             ///< over-relaxation: factor of every impulse [1], below 2
   bool once_a_step = true;         ///< false: prepare anew before every solve
 

@@ -8,8 +8,8 @@ using namespace joints::chapter7;
 int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 7: the performance loop, step by step",
-                    {{"iterations", "30", "iterations a step"},
-                     {"beta", "0.2", "share of the error fed back in a step"},
+                    {{"iterations", "30", "iterations per step"},
+                     {"beta", "0.2", "share of the error fed back per step"},
                      {"seconds", "5", "how long the scenes run"},
                      {"chains", "10", "chains of 100 cubes"}});
     if (!options.read(argc, argv)) return;

@@ -1,6 +1,6 @@
 // Chapter 7's program, what its text says of itself: how many iterations an error takes, what an
-// iteration leaves of it, and what half a kick mends. One chain is enough. Read it; there is nothing
-// to edit here.
+// iteration leaves of it, and what half a kick mends. One chain is enough. Read it; there is
+// nothing to edit here.
 #include <algorithm>
 #include <cmath>
 
@@ -53,8 +53,8 @@ void to_an_error(const Choice& choice, const Chains& chains, const std::vector<O
                 {omega, 0.01, iterations_to(0.01, choice, chains, order, omega)});
 }
 
-// All orders and omegas from one state: where plain iterations in chain order have brought the chain
-// in 1 s. The error is the root of the sum of the squares of all e.
+// All orders and omegas from one state: where plain iterations in chain order have brought the
+// chain in 1 s. The error is the root of the sum of the squares of all e.
 void inside_one_step(const Choice& choice, const Chains& chains, const std::vector<Order>& list) {
   CsvFile table(choice.out + "/rate.csv", {"order", "omega", "iteration", "error"});
   HingeLoop<real> start = loop_over<real>(chains, list.front().groups, choice.iterations);
@@ -73,9 +73,10 @@ void inside_one_step(const Choice& choice, const Chains& chains, const std::vect
       }
 }
 
-// The tip of a level chain falls freely at first: how far from there its height is after 1 s.
+// The tip of a level chain falls freely at first: how far off its height is after 1 s.
 void half_a_kick(const Choice& choice, const Chains& chains, const Order& order) {
-  CsvFile table(choice.out + "/kick.csv", {"omega", "iterations", "first_kick", "tip_height_error_m"});
+  CsvFile table(choice.out + "/kick.csv",
+                {"omega", "iterations", "first_kick", "tip_height_error_m"});
   for (const double omega : {1.0, 1.9})
     for (const double kick : {1.0, 0.5}) {
       HingeLoop<real> loop = loop_over<real>(chains, order.groups, 4 * choice.iterations);

@@ -18,8 +18,8 @@ constexpr real h = real(1) / 60;  ///< the step of its scenes [s]
 
 /// What the command line says.
 struct Choice {
-  int iterations = 30;    ///< iterations a step
-  real beta = real(0.2);  ///< share of the error fed back in a step [1]
+  int iterations = 30;    ///< iterations per step
+  real beta = real(0.2);  ///< share of the error fed back per step [1]
   double seconds = 5;     ///< how long the scenes run [s]
   int chains = 10;        ///< of the performance scene
   std::string out;        ///< folder of tables and recordings

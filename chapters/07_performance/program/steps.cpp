@@ -66,7 +66,7 @@ struct Race {
     const Measures found[] = {runs[0].measures(), runs[1].measures()};
     const double ns = 1000 * (found[0].us_per_step - found[1].us_per_step) /
                       (double(chains.links.size()) * (counts[0] - counts[1]));  // Eq. 7-2
-    std::printf("              %-24s %6.1f ns a hinge and iteration\n", name.c_str(), ns);
+    std::printf("              %-24s %6.1f ns per hinge and iteration\n", name.c_str(), ns);
     if (const double most = std::max(off[0], off[1]); most > 1e-3)
       std::printf("              off by %.3g m from one lane in the same order: two neighbours of "
                   "one colour? ./wb test 7.3\n", most);

@@ -21,7 +21,7 @@ void whips(const Choice& choice, std::vector<Summary>& lines) {
   for (HingeLoop<real>& loop : all) runs.emplace_back(experiment_of(loop, one, steps));
   print_plan("whips", one.bodies, one.links.size());
 
-  Motion motion("whips, " + std::to_string(iterations) + " iterations a step", double(h));
+  Motion motion("whips, " + std::to_string(iterations) + " iterations per step", double(h));
   for (std::size_t k = 0; k < all.size(); ++k) {
     for (std::size_t i = 0; i < one.bodies.size(); ++i)
       motion.body({"box", {1, 1, 1}, i == 0 ? names[k] : ""});

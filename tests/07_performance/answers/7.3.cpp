@@ -1,6 +1,6 @@
 // Known answers of exercise 7.3, each put in the place of the solution's.
 
-// ---- wrong: a colour a body
+// ---- wrong: one colour per body
 // expects: There are 10 colours for 4 joints.
   std::vector<int> colours(moves.size() + links.size() + 1);
   for (std::size_t k = 0; k < links.size(); ++k) colours[k] = int(k % 2);
@@ -354,7 +354,7 @@
   return colours;
 
 // ---- wrong: nothing taken beside a static body
-// expects: Likely mistake: a joint with a static body takes part in nothing
+// expects: Likely mistake: a joint with a static body blocks no colour at all
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
   std::vector<int> colours;
   for (const BodyPair& link : links) {

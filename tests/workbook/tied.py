@@ -9,7 +9,8 @@ before the comment, in their order. `FILE[CONDITIONS].COLUMN` is a cell of a tab
 that the text belongs to, of another (`06/beta.csv`), of a run with options
 (`03 --iterations 300/curl.csv`), or of a table that is kept (`bench/peers.csv`). A condition is the
 value of the next column, or `column=value`, `column>=value` and so on; `10|30|100` stands for three
-expressions. A selection of more than one row goes into first, last, max, min, mean, rms, count.
+expressions (in a row of a table `10\\|30\\|100`: a bare bar would begin a cell there). A selection
+of more than one row goes into first, last, max, min, mean, rms, count.
 `printed("limits (\\d+) of 4")` is what the chapter's program says on the terminal. A number counts
 as right if it is the value rounded to the digits that the text shows. `<!-- given -->` marks
 numbers that are chosen, not found.
@@ -29,7 +30,8 @@ NUMBER = re.compile(
     r"(?<![\w.^{/])(?P<sign>[-−+]?)(?P<digits>\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+(?:\.\d+)?)"
     r"(?:\s*\\cdot\s*10\^\{?(?P<power>-?\d+)\}?)?(?![\w{^])"
     r"|(?<![\w.\\^{])10\^\{?(?P<ten>-?\d+)\}?")
-CELL = re.compile(r"(?P<file>(?:\d\d[^/\[\]]*/|[a-z]+(?:/[a-z]+)*/)?\w+\.csv)"
+CHAPTER = r"(?<![\w.])\d\d(?: --[a-z-]+ [\w.]+)*/"  # with options of its program
+CELL = re.compile(rf"(?P<file>(?:{CHAPTER}|[a-z]+(?:/[a-z]+)*/)?\w+\.csv)"
                   r"\[(?P<where>[^\]]*)\]\.(?P<column>\w+)")
 CONDITION = re.compile(r"^(\w+)\s*(>=|<=|!=|=|>|<)\s*(.+)$")
 
@@ -80,8 +82,11 @@ def ties_of(text):
         begin = max([0, *(m.end() for m in TIED.finditer(text, 0, comment.start()))])
         numbers = list(NUMBER.finditer(blanked(text[begin:comment.start()])))
         line = text.count("\n", 0, comment.start()) + 1
+        in_row = text[text.rfind("\n", 0, comment.start()) + 1] == "|"
         try:
-            expressions = list(expressions_of(comment[1]))
+            if in_row and re.search(r"(?<!\\)\|", comment[1]):
+                raise Wrong(f"a bar begins a cell of the table, write \\|: {comment[1].strip()}")
+            expressions = list(expressions_of(comment[1].replace("\\|", "|")))
             if len(expressions) > len(numbers):
                 raise Wrong(f"{len(expressions)} expressions for {len(numbers)} numbers: "
                             f"{comment[1].strip()}")

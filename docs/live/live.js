@@ -133,6 +133,8 @@ async function change(name, value) {
     return restart();
   }
   const tried = {...settings, [name]: value};
+  for (const [other, best] of name === "direct" ? Object.entries(with_direct) : [])
+    tried[other] = value ? best : entry.begin[about.settings.indexOf(other)];
   try {
     for (const panel of alive()) await panel.engine.ask("set", {settings: tried});
   } catch (error) {

@@ -17,6 +17,7 @@ LiveRun::LiveRun(const Entry& entry, std::optional<double> ratio)
       strength_(live_.strength), beta_(live_.beta) {
   require(std::isfinite(ratio_) && ratio_ > 0, "ratio", real(ratio_),
           "must be positive and finite [1]");
+  direct_.stiffness = live_.stiffness;
   Body& heavy = world().bodies.at(live_.heavy);
   heavy.inverse_mass /= real(ratio_);
   heavy.inverse_inertia_local /= real(ratio_);
@@ -28,7 +29,8 @@ PageSettings LiveRun::settings() const {
   const Stepping& how = scene.stepping;
   return {beta_, double(scene.solver.iterations), double(scene.h), double(how.substeps),
           double(how.warm_start), double(how.projections), double(scene.solver.relaxation),
-          double(how.frequency), double(how.damping), double(is_direct_), ratio_, tilt_, speed_,
+          double(how.frequency), double(how.damping), double(is_direct_), double(direct_.newton),
+          double(direct_.stiffness), double(how.leapfrog), ratio_, tilt_, speed_,
           strength_};
 }
 
@@ -42,9 +44,12 @@ void LiveRun::set(const PageSettings& to) {
   scene.stepping = {.warm_start = to.warm != 0,
                     .substeps = int(to.substeps),
                     .projections = int(to.projections),
+                    .leapfrog = to.leapfrog != 0,
                     .frequency = real(to.frequency),
                     .damping = real(to.damping)};
   direct_.instead = scene.solver;
+  direct_.newton = int(to.newton);
+  direct_.stiffness = real(to.stiffness);
   is_direct_ = to.direct != 0;
   if (to.tilt != tilt_) {
     const real size = length(world().gravity), angle = real(to.tilt * std::numbers::pi / 180);

@@ -22,6 +22,9 @@ struct PageSettings {
   double frequency = 0;   ///< of the soft rows [Hz]; 0: hard
   double damping = 1;     ///< of the soft rows [1]
   double direct = 0;      ///< 1: the direct solver
+  double newton = 0;      ///< iterations of the direct solver on the positions, at most
+  double stiffness = 0;   ///< more inertia, for the direct solver (Eq. 9-14)
+  double leapfrog = 0;    ///< 1: second order in time (Eq. 9-9)
   double ratio = 1;       ///< the mass of the scene's heavy body by its own [1]; only for a new run
   double tilt = 0;        ///< of gravity from straight down, towards +x [degrees]
   double speed = 0;       ///< of the motors [rad/s or m/s]
@@ -30,7 +33,7 @@ struct PageSettings {
 /// The names of its members, in their order.
 inline constexpr const char* setting_names[] = {
     "beta", "iterations", "h", "substeps", "warm", "projections", "relaxation", "frequency",
-    "damping", "direct", "ratio", "tilt", "speed", "strength"};
+    "damping", "direct", "newton", "stiffness", "leapfrog", "ratio", "tilt", "speed", "strength"};
 static_assert(sizeof(PageSettings) == sizeof(setting_names) / sizeof(char*) * sizeof(double));
 
 /// A joint within a step.

@@ -74,6 +74,7 @@ LiveScene heavy() {
   LiveScene live = held(holder);
   live.heavy = holder->scene.tip;
   live.ratio = 100;
+  live.stiffness = 8;
   return live;
 }
 

@@ -19,6 +19,7 @@ struct LiveScene {
   real beta = real(0.2);         ///< that it begins with [1]
   int heavy = 0;                 ///< slot of the body whose mass can be changed
   real ratio = 1;                ///< that its mass is multiplied by at the beginning [1]
+  real stiffness = 0;            ///< more inertia for the direct solver, where it needs it (Eq. 9-14)
   std::function<void(real speed, real strength)> drive{};  ///< sets the motors; empty: it has none
   real speed = 0, strength = 0;  ///< of the motors at the beginning [rad/s, N m; m/s, N]
   std::function<void(double time)> before{};  ///< called before each step with its time [s]

@@ -17,7 +17,6 @@ FLAGS = ["--target=wasm32-wasi", "-std=c++20", "-O2", "-fexceptions", "-ffp-cont
          "-ffunction-sections", "-fdata-sections", "-DGLM_FORCE_CTOR_INIT",
          "-DGLM_FORCE_EXPLICIT_CTOR", "-w"]
 LINK = ["--target=wasm32-wasi", "-mexec-model=reactor", "-Wl,--gc-sections", "-Wl,--strip-all"]
-LANES = 7  # the chapter whose functions no joint uses: its loop has a program of its own
 # A reader's file is looked at more closely: an index outside a vector stops the module.
 LENIENT = ["-D_LIBCPP_DEBUG=0", "-ftrivial-auto-var-init=pattern"]
 
@@ -34,8 +33,7 @@ def sources():
                       if path not in mine],
             "bench": [root / "bench" / "scenes.cpp"],
             **{path.stem: [path] for path in sorted((root / "docs" / "live").glob("*.cpp"))},
-            **{chapter.folder: [chapter.solution] for chapter in chapters
-               if chapter.number != LANES}}
+            **{chapter.folder: [chapter.solution] for chapter in chapters}}
 
 
 def missing():

@@ -24,6 +24,9 @@ const controls = [
   {name: "speed", words: "motor speed", unit: "[rad/s or m/s]", motor: 5},
   {name: "strength", words: "motor strength", unit: "[N m or N]", motor: 3},
 ];
+const own_loop = {name: "own", words: "the chapter's own loop <small>its exercises alone</small>",
+                  tick: true};
+controls.push(own_loop);
 const open_controls = 3;
 // What goes with the direct solver: as chapter 9 uses it.
 const with_direct = {beta: 1, newton: 8, leapfrog: 1};
@@ -93,7 +96,8 @@ function make_controls(form, changed) {
 function show_controls(settings, entry, about, wrong) {
   for (const control of controls) {
     const {label, name} = control, [, first, second] = label.children;
-    label.classList.toggle("off", Boolean(control.motor) && !entry.motor);
+    label.classList.toggle("off", (control.motor && !entry.motor) ||
+                                  (control === own_loop && !entry.own));
     label.classList.toggle("bad", wrong === name);
     const value = settings[name] * (control.scale || 1);
     if (control.tick) {

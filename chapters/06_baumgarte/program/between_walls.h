@@ -13,8 +13,8 @@ namespace joints::chapter6 {
 
 /// Each joint sits at the centre of the link before it. The first free link leads 1 m from the
 /// centre of the left wall, the second from there to a point that the right wall holds. With the
-/// bend 0 the two are stretched straight: there is one place for them and no other. Bent by an angle
-/// they have some room.
+/// bend 0 the two are stretched straight: there is one place for them and no other. Bent by an
+/// angle they have some room.
 inline Chain bent_chain(real bend) {
   const real along = std::cos(bend), down = std::sin(bend);
   const quat first = rotation(vec3(0, 0, -bend)), second = rotation(vec3(0, 0, bend));

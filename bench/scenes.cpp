@@ -18,7 +18,7 @@ BenchScene cubes(const std::string& name, int chains, int length, Join join) {
     BodyId before;
     for (int i = 0; i < length; ++i) {
       const vec3 place(real(3 * c), 0, real(1.5) * real(i));
-      const BodyId id = scene.world.add(i == 0 ? static_body(place) : box(100, vec3(1), place));
+      const BodyId id = scene.box(i == 0 ? 0 : 100, vec3(1), place);
       if (i > 0) {
         join(scene, before, id, place - vec3(0, 0, real(1.5)));
         scene.energy_scale += 100 * 9.81 * 1.5 * i;

@@ -22,16 +22,18 @@ LENIENT = ["-D_LIBCPP_DEBUG=0", "-ftrivial-auto-var-init=pattern"]
 
 
 def sources():
-    """What the module is made of, as seen from the root."""
-    engine = [house.ROOT / "engine" / f"{name}.cpp" for name in (
-        "body", "matrix", "block", "world", "iterative_solver", "sequential_impulses",
-        "projection", "step", "state", "input", "reaction", "simd/arrange",
-        "instruments/measure", "instruments/rate", "instruments/scene")]
-    given = sorted((house.ROOT / "chapters").glob("*/*.cpp"))
-    mine = {chapter.mine for chapter in house.chapters()}
-    return engine + [path for path in given if path not in mine] + \
-        [chapter.solution for chapter in house.chapters() if chapter.number != 7] + \
-        [house.ROOT / "bench" / "scenes.cpp"] + sorted((house.ROOT / "docs" / "live").glob("*.cpp"))
+    """What the module is made of: {name of an object: the sources that are compiled as one}."""
+    root, chapters = house.ROOT, house.chapters()
+    mine = {chapter.mine for chapter in chapters}
+    engine = ("body", "matrix", "block", "world", "iterative_solver", "sequential_impulses",
+              "projection", "step", "state", "input", "reaction", "simd/arrange",
+              "instruments/measure", "instruments/rate", "instruments/scene")
+    return {"engine": [root / "engine" / f"{name}.cpp" for name in engine],
+            "given": [path for path in sorted((root / "chapters").glob("*/*.cpp"))
+                      if path not in mine],
+            "bench": [root / "bench" / "scenes.cpp"],
+            **{path.stem: [path] for path in sorted((root / "docs" / "live").glob("*.cpp"))},
+            **{chapter.folder: [chapter.solution] for chapter in chapters}}
 
 
 def missing():
@@ -64,37 +66,45 @@ def glm_folder():
 
 
 def write_ninja(folder, swaps):
-    """build.ninja of the modules: the solutions' as solution.wasm, and one for each swap, a name
-    and which source is compiled in the place of which."""
+    """build.ninja of the modules: the solutions' as solution.wasm, and one for each swap: its name,
+    and which source takes the place of which object. All paths are seen from the folder, so that it
+    can be copied together with the workbook."""
+    def seen(path):
+        return os.path.relpath(path, folder)
     include = folder / "include"
     include.mkdir(parents=True, exist_ok=True)
-    link = include / "glm"
-    if not link.is_symlink() or link.readlink() != glm_folder():
-        link.unlink(missing_ok=True)
-        link.symlink_to(glm_folder())
-    flags = " ".join([*FLAGS, f"-isystem {include}", f"-I{house.ROOT}"])
-    lines = ["rule compile", f"  command = clang++ {flags} $more -MMD -MF $out.d -c $in -o $out",
+    (include / "glm").unlink(missing_ok=True)
+    (include / "glm").symlink_to(glm_folder())
+    launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
+    flags = " ".join([*FLAGS, "-isystem include", f"-I{seen(house.ROOT)}"])
+    lines = ["rule compile",
+             f"  command = {launcher} clang++ {flags} $more -MMD -MF $out.d -c $in -o $out",
              "  deps = gcc", "  depfile = $out.d", "rule link",
              f"  command = clang++ {' '.join(LINK)} $in -o $out"]
 
-    def compiled(source, more=""):
-        name = source.relative_to(house.ROOT) if source.is_relative_to(house.ROOT) else source
-        target = f"{str(name).replace('/', '.')}.o"
-        lines.append(f"build {target}: compile {source}" + (f"\n  more = {more}" if more else ""))
-        return target
-    objects = {source: compiled(source) for source in sources()}
+    def compiled(name, paths, more=""):
+        source = seen(paths[0])
+        if len(paths) > 1:
+            source = f"{name}.cpp"
+            exercises.write_if_new(folder / source, "".join(
+                f'#include "{path.relative_to(house.ROOT)}"\n' for path in paths))
+        lines.extend([f"build {name}.o: compile {source}", f"  more = {more}"])
+        return f"{name}.o"
+    objects = {name: compiled(name, paths) for name, paths in sources().items()}
     for name, swap in {"solution": {}, **swaps}.items():
-        mine = {source: compiled(new, " ".join(LENIENT)) for source, new in swap.items()}
+        mine = {which: compiled(f"{name}.{which}", [path], " ".join(LENIENT))
+                for which, path in swap.items()}
         lines.append(f"build {name}.wasm: link {' '.join({**objects, **mine}.values())}")
     exercises.write_if_new(folder / "build.ninja", "\n".join(lines) + "\n")
 
 
 def build(swaps=None, folder=None):
     """Builds the modules; returns the folder in which they are."""
-    folder = folder or house.BUILD / "live"
+    folder, swaps = folder or house.BUILD / "live", swaps or {}
     folder.mkdir(parents=True, exist_ok=True)
-    write_ninja(folder, swaps or {})
-    result = subprocess.run(["ninja", "-C", folder], capture_output=True, text=True)
+    write_ninja(folder, swaps)
+    result = subprocess.run(["ninja", "-C", folder, "solution.wasm",
+                             *(f"{name}.wasm" for name in swaps)], capture_output=True, text=True)
     if result.returncode:
         raise house.Trouble("the live page's module cannot be built:\n"
                             + house.compiler_words(result.stdout))
@@ -130,7 +140,7 @@ def live(chapter):
     house.progress("building the live page")
     if written:
         name = f"mine_{chapter.number}"
-        folder = build({name: {chapter.solution: show.mixed_file(chapter)}})
+        folder = build({name: {chapter.folder: show.mixed_file(chapter)}})
         rest = [id_ for id_ in chapter.ids() if id_ not in written]
         note = f"your {' '.join(written)}" + (
             f"; the solution's {' '.join(rest)}" if rest else "")

@@ -14,14 +14,22 @@ const controls = [
   {name: "relaxation", words: "relaxation", unit: "factor of every impulse", range: [0.1, 2, 0.05]},
   {name: "frequency", words: "soft frequency", unit: "[Hz], 0 is hard", range: [0, 30, 0.5]},
   {name: "damping", words: "soft damping", unit: "ratio", range: [0, 3, 0.1]},
-  {name: "direct", words: "direct solver", tick: true},
+  {name: "direct", words: "direct solver <small>sets beta, newton, leapfrog</small>", tick: true},
+  {name: "newton", words: "newton", unit: "on the positions, direct solver", range: [0, 12, 1]},
+  {name: "stiffness", words: "more inertia", unit: "direct solver, Eq. 9-14", range: [0, 16, 1]},
+  {name: "leapfrog", words: "leapfrog <small>second order in time</small>", tick: true},
   {name: "ratio", words: "mass ratio", unit: "of one body, for a new run", range: [-2, 4, 0.1],
    log: true},
   {name: "tilt", words: "gravity", unit: "tilted by [degrees]", range: [-90, 90, 1]},
   {name: "speed", words: "motor speed", unit: "[rad/s or m/s]", motor: 5},
   {name: "strength", words: "motor strength", unit: "[N m or N]", motor: 3},
 ];
+const own_loop = {name: "own", words: "the chapter's own loop <small>its exercises alone</small>",
+                  tick: true};
+controls.push(own_loop);
 const open_controls = 3;
+// What goes with the direct solver: as chapter 9 uses it.
+const with_direct = {beta: 1, newton: 8, leapfrog: 1};
 
 // What the address says, "?..." and "#..." alike: the latter has the last word.
 function read_address() {
@@ -88,7 +96,8 @@ function make_controls(form, changed) {
 function show_controls(settings, entry, about, wrong) {
   for (const control of controls) {
     const {label, name} = control, [, first, second] = label.children;
-    label.classList.toggle("off", Boolean(control.motor) && !entry.motor);
+    label.classList.toggle("off", (control.motor && !entry.motor) ||
+                                  (control === own_loop && !entry.own));
     label.classList.toggle("bad", wrong === name);
     const value = settings[name] * (control.scale || 1);
     if (control.tick) {

@@ -55,8 +55,10 @@ EXPORT(wb_about)() -> void {
     const double* first = &settings.beta;
     const std::vector<double> begin(first, first + std::size(setting_names));
     return "{\"name\":" + quoted(entry.name) + ",\"title\":" + quoted(entry.title) +
-           ",\"chapter\":" + std::to_string(entry.chapter) + ",\"watch\":" + quoted(entry.watch) +
+           ",\"opens\":" + listed(entry.opens, [](int n) { return std::to_string(n); }) +
+           ",\"watch\":" + quoted(entry.watch) +
            ",\"motor\":" + (fresh.has_motor() ? "true" : "false") +
+           ",\"own\":" + (fresh.has_own() ? "true" : "false") +
            ",\"energy_scale\":" + number(fresh.scene().energy_scale) +
            ",\"begin\":" + listed(begin, number) + "}";
   });

@@ -10,7 +10,8 @@ function error_place(error) {  // 0 at 1 mm/s and less, 1 at 10 m/s and more
 }
 function error_colour(error) {
   const place = 2 * error_place(error), k = Math.min(Math.floor(place), 1), s = place - k;
-  return `rgb(${error_colours[k].map((c, i) => Math.round(c + s * (error_colours[k + 1][i] - c)))})`;
+  const [from, to] = error_colours.slice(k, k + 2);
+  return `rgb(${from.map((c, i) => Math.round(c + s * (to[i] - c)))})`;
 }
 
 function joints_of(numbers) {

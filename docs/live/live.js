@@ -86,6 +86,7 @@ async function look_inside(iteration, block) {
   });
 }
 async function next_inside(blockwise) {
+  if (settings.own) return;
   playing = false;
   const last = settings.direct ? 1 : settings.iterations;
   if (!inside) return look_inside(0, 0);
@@ -99,6 +100,7 @@ async function next_inside(blockwise) {
 }
 
 async function find_errors() {
+  if (settings.own) return;
   const most = clamp(settings.iterations, 30, 200);
   await ask_all("errors", {most}, (panel, found) => { panel.errors = found; });
 }
@@ -124,7 +126,7 @@ async function choose(name, wanted, {t = 0, iteration, block = 0} = {}) {
   look_home();
   await restart();
   await steps(Math.round(t / settings.h));
-  if (iteration !== undefined) await look_inside(iteration, block);
+  if (iteration !== undefined && !settings.own) await look_inside(iteration, block);
 }
 
 async function change(name, value) {
@@ -133,6 +135,8 @@ async function change(name, value) {
     return restart();
   }
   const tried = {...settings, [name]: value};
+  for (const [other, best] of name === "direct" ? Object.entries(with_direct) : [])
+    tried[other] = value ? best : entry.begin[about.settings.indexOf(other)];
   try {
     for (const panel of alive()) await panel.engine.ask("set", {settings: tried});
   } catch (error) {
@@ -172,6 +176,8 @@ function says() {
                 "there was to gain. Set it right and press again.");
   }
   if (said.length) return [said.join("\n"), true];
+  if (settings.own) return ["The chapter's own loop moves the bodies: it knows no hand, and one " +
+                            "cannot look into its steps.", false];
   if (!inside) return ["", false];
   const worst = panels.at(-1).joints?.reduce((most, one) => Math.max(most, one.error), 0) ?? 0;
   return [`Within the step from t = ${time.toFixed(2)} s, after iteration ${inside.iteration}` +
@@ -203,8 +209,8 @@ function show() {
 function settled() {  // what changes only when something was pressed
   show_controls(settings, entry, about, wrong);
   const still = !playing && straight && time > 0;
-  write_address({settings, view: view === "energy" ? "" : view, theme: last_of(first_address, "theme"),
-                 t: still || inside ? time : undefined, iteration: inside?.iteration,
+  write_address({settings, view: view === "energy" ? "" : view,
+                 theme: last_of(first_address, "theme"), t: still || inside ? time : undefined, iteration: inside?.iteration,
                  block: inside?.block}, about, entry);
 }
 function ask() {
@@ -223,7 +229,7 @@ function tick(now) {
       in_line(() => steps(count)).then(() => { busy = false; });
     }
   }
-  if (view === "errors" && scene && (now - looked > 500 || !playing) &&
+  if (view === "errors" && scene && !settings.own && (now - looked > 500 || !playing) &&
       alive().some(panel => !panel.errors)) {
     looked = now;
     in_line(find_errors).then(show);
@@ -251,7 +257,7 @@ function under_finger({painted, canvas}, e) {
     const within = x > body.left && x < body.right && y > body.top && y < body.bottom;
     if ((within || far < 30) && (!best || far < best.far)) best = {k, far, depth: at[2], within};
   });
-  return best && {...best, x, y};
+  return best;
 }
 // The point of the world under a finger, as deep in the picture as that.
 function point_at_depth({view}, x, y, depth) {
@@ -260,7 +266,7 @@ function point_at_depth({view}, x, y, depth) {
               (view.height / 2 - y) * metre, view.up);
 }
 function take(panel, e) {
-  const found = panel.painted && !panel.stopped && under_finger(panel, e);
+  const found = panel.painted && !panel.stopped && !settings.own && under_finger(panel, e);
   if (!found) return null;
   const box = panel.canvas.getBoundingClientRect(), {view} = panel.painted;
   const point = at => point_at_depth({view}, at.clientX - box.left, at.clientY - box.top,
@@ -291,11 +297,16 @@ function make_panel({label, wasm}) {
 async function from_address() {
   const address = read_address(), name = last_of(address, "scene");
   const found = about.scenes.find(each => each.name === name) ||
-    about.scenes.find(each => each.chapter === data.chapter) || about.scenes[1];
+    about.scenes.find(each => each.opens.includes(data.chapter || 2));
+  const wanted = settings_from(address, about, found);
+  if (data.chapter && !name) {  // what the chapter's exercises do most in
+    wanted.own = Number(found.own);
+    if (data.chapter === 9) Object.assign(wanted, {direct: 1}, with_direct);
+  }
   const number = key => address.has(key) ? Number(last_of(address, key)) : undefined;
   view = plots[last_of(address, "view")] ? last_of(address, "view") : "energy";
-  await choose(found.name, settings_from(address, about, found),
-               {t: number("t"), iteration: number("iteration"), block: number("block")});
+  await choose(found.name, wanted, {t: number("t"), iteration: number("iteration"),
+                                    block: number("block")});
   return address;
 }
 const keys = {" ": () => play(!playing), ArrowRight: () => $("one").click(),

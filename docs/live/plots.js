@@ -120,6 +120,7 @@ const plots = {
     const y = values.length ? [Math.max(Math.min(...values, 0) - 0.2, bottom),
                                Math.ceil(Math.max(...values, -3) + 0.01)] : [-3, 1];
     const rate = panels.map(panel => panel.errors && panel.errors.rate.toFixed(4)).join(" and ");
-    plot(canvas, {title: `velocity error by iteration [m/s]; dashed: each leaves ${rate}`, x: [0, count], y, log: short, curves, x_unit: ""});
+    const title = `velocity error by iteration [m/s]; dashed: each leaves ${rate}`;
+    plot(canvas, {title, x: [0, count], y, log: short, curves, x_unit: ""});
   },
 };

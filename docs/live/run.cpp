@@ -17,6 +17,7 @@ LiveRun::LiveRun(const Entry& entry, std::optional<double> ratio)
       strength_(live_.strength), beta_(live_.beta) {
   require(std::isfinite(ratio_) && ratio_ > 0, "ratio", real(ratio_),
           "must be positive and finite [1]");
+  direct_.stiffness = live_.stiffness;
   Body& heavy = world().bodies.at(live_.heavy);
   heavy.inverse_mass /= real(ratio_);
   heavy.inverse_inertia_local /= real(ratio_);
@@ -28,8 +29,9 @@ PageSettings LiveRun::settings() const {
   const Stepping& how = scene.stepping;
   return {beta_, double(scene.solver.iterations), double(scene.h), double(how.substeps),
           double(how.warm_start), double(how.projections), double(scene.solver.relaxation),
-          double(how.frequency), double(how.damping), double(is_direct_), ratio_, tilt_, speed_,
-          strength_};
+          double(how.frequency), double(how.damping), double(is_direct_), double(direct_.newton),
+          double(direct_.stiffness), double(how.leapfrog), ratio_, tilt_, speed_,
+          strength_, double(is_own_)};
 }
 
 void LiveRun::set(const PageSettings& to) {
@@ -42,9 +44,13 @@ void LiveRun::set(const PageSettings& to) {
   scene.stepping = {.warm_start = to.warm != 0,
                     .substeps = int(to.substeps),
                     .projections = int(to.projections),
+                    .leapfrog = to.leapfrog != 0,
                     .frequency = real(to.frequency),
                     .damping = real(to.damping)};
   direct_.instead = scene.solver;
+  direct_.newton = int(to.newton);
+  direct_.stiffness = real(to.stiffness);
+  is_own_ = to.own != 0 && live_.own;
   is_direct_ = to.direct != 0;
   if (to.tilt != tilt_) {
     const real size = length(world().gravity), angle = real(to.tilt * std::numbers::pi / 180);
@@ -68,7 +74,10 @@ Solver& LiveRun::solver() {
 void LiveRun::step() {
   if (live_.before) live_.before(time_);
   Scene& scene = *live_.scene;
-  joints::step(world(), solver(), scene.h, scene.stepping);
+  if (is_own_)
+    live_.own(world().bodies, settings(), world().gravity);
+  else
+    joints::step(world(), solver(), scene.h, scene.stepping);
   time_ += double(scene.h);
 }
 
@@ -233,7 +242,8 @@ std::vector<double> LiveRun::errors(int most) {
         for (int i = 0; i < block.rows; ++i) sum += left[i] * left[i];
       }
       sizes.push_back(std::sqrt(sum));
-      if (k < last) is_direct_ ? direct_.solve(now.bodies) : live_.scene->solver.iterate(now.bodies);
+      if (k == last) break;
+      is_direct_ ? direct_.solve(now.bodies) : live_.scene->solver.iterate(now.bodies);
     }
   });
   return sizes;

@@ -10,34 +10,11 @@
 /// @{
 namespace joints::live {
 
-/// What the page sets, as numbers; the names are those of the address.
-struct PageSettings {
-  double beta = 0;        ///< of all joints [1]
-  double iterations = 0;  ///< a step
-  double h = 0;           ///< the step [s]
-  double substeps = 1;    ///< of each step
-  double warm = 0;        ///< 1: begin with the impulses of the last step
-  double projections = 0;  ///< iterations of position projection after a step
-  double relaxation = 1;  ///< over-relaxation [1]
-  double frequency = 0;   ///< of the soft rows [Hz]; 0: hard
-  double damping = 1;     ///< of the soft rows [1]
-  double direct = 0;      ///< 1: the direct solver
-  double ratio = 1;       ///< the mass of the scene's heavy body by its own [1]; only for a new run
-  double tilt = 0;        ///< of gravity from straight down, towards +x [degrees]
-  double speed = 0;       ///< of the motors [rad/s or m/s]
-  double strength = 0;    ///< of the motors [N m or N]
-};
-/// The names of its members, in their order.
-inline constexpr const char* setting_names[] = {
-    "beta", "iterations", "h", "substeps", "warm", "projections", "relaxation", "frequency",
-    "damping", "direct", "ratio", "tilt", "speed", "strength"};
-static_assert(sizeof(PageSettings) == sizeof(setting_names) / sizeof(char*) * sizeof(double));
-
 /// A joint within a step.
 struct JointLook {
   double body1, body2;       ///< slots
   glm::dvec3 place;          ///< where it holds [m, world]
-  double error;              ///< velocity error of its rows, root of the sum of squares [m/s, rad/s]
+  double error;              ///< of its rows, root of the sum of squares [m/s, rad/s]
   glm::dvec3 impulse;        ///< on body 2 [N s]
   double next;               ///< 1 if the next block to be solved is one of its
 };
@@ -56,6 +33,7 @@ class LiveRun {
   double time() const { return time_; }  ///< since the beginning [s]
   const Scene& scene() const { return *live_.scene; }  ///< what runs
   bool has_motor() const { return bool(live_.drive); }  ///< speed and strength mean something
+  bool has_own() const { return bool(live_.own); }  ///< a loop of the exercises can do the steps
   double gap() const;     ///< the largest of all joints [m]
   double energy() const;  ///< what the bodies have gained since the beginning [J]
 
@@ -82,7 +60,7 @@ class LiveRun {
 
   LiveScene live_;
   DirectSolver direct_;
-  bool is_direct_ = false;
+  bool is_direct_ = false, is_own_ = false;
   double ratio_, tilt_ = 0, speed_, strength_, beta_, time_ = 0, energy_0_ = 0;
   std::optional<BodyId> hand_;
 };

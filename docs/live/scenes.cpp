@@ -8,9 +8,12 @@
 #include "chapters/04_slider/program/piston.h"
 #include "chapters/05_fixed/program/hung_ragdoll.h"
 #include "chapters/06_baumgarte/program/between_walls.h"
+#include "chapters/06_baumgarte/program/chain_loop.h"
 #include "chapters/06_baumgarte/program/cube_chain.h"
+#include "chapters/07_performance/program/hinge_loop.h"
 #include "chapters/08_ground/program/bridge.h"
 #include "chapters/08_ground/program/one_box.h"
+#include "chapters/08_ground/program/own_ground.h"
 #include "chapters/08_ground/program/wheels.h"
 
 namespace joints::live {
@@ -34,8 +37,17 @@ struct Held {
 const Settings usual;
 const chapter8::Choice usual8;
 
-LiveScene pendulum() {
-  const chapter1::LinkScene from = chapter1::pendulum();
+// All bodies of an array, for a loop that has an array of its own; and back.
+std::vector<Body> taken(const Bodies& bodies) {
+  const std::span<const Body> all = all_of(bodies);
+  return {all.begin(), all.end()};
+}
+void give_back(const std::vector<Body>& from, Bodies& bodies) {
+  for (std::size_t k = 0; k < from.size() && int(k) < bodies.slots(); ++k)
+    bodies.at(int(k)) = from[k];
+}
+
+LiveScene linked(const chapter1::LinkScene& from) {
   const auto holder = std::make_shared<Held<Scene>>();
   Scene& scene = holder->scene;
   scene.energy_scale = from.energy_scale;
@@ -44,27 +56,75 @@ LiveScene pendulum() {
     ids.push_back(scene.world.add(body));
     scene.shapes.push_back(from.shape);
   }
-  std::vector<const CentreDistanceJoint*> rods;
   for (const Link& link : from.links) {
     const BodyId id1 = ids[std::size_t(link.body1)], id2 = ids[std::size_t(link.body2)];
-    rods.push_back(&scene.world.add<CentreDistanceJoint>(id1, id2, CentreDistance{link.length}));
+    const CentreDistance rod{link.length};
+    if (link.rope)
+      scene.world.add<CentreRopeJoint>(id1, id2, Rope<CentreDistance>{rod});
+    else
+      scene.world.add<CentreDistanceJoint>(id1, id2, rod);
     scene.segments.push_back({link.body1, link.body2, {}, {}});
   }
-  scene.gaps = [&scene, rods](GapMeter& meter) {
+  scene.gaps = [&scene, links = from.links](GapMeter& meter) {
     const Bodies& bodies = scene.world.bodies;
-    for (const CentreDistanceJoint* rod : rods)
-      meter.add(std::abs(double(rod->part.error(bodies[rod->body1], bodies[rod->body2]))));
+    for (const Link& link : links)
+      meter.add(chapter1::gap(link, bodies.at(link.body1), bodies.at(link.body2)));
   };
   LiveScene live = held(holder);
-  live.heavy = 1;
+  live.heavy = int(ids.size()) / 2;
+  live.own = [links = from.links](Bodies& bodies, const PageSettings& page, const vec3& gravity) {
+    std::vector<Body> all = taken(bodies);
+    step(all, links, {gravity, real(page.h), int(page.iterations), real(page.beta)});
+    give_back(all, bodies);
+  };
   return live;
 }
+
+LiveScene pendulum() { return linked(chapter1::pendulum()); }
+
+LiveScene ropes() { return linked(chapter1::bridge()); }
 
 LiveScene chain() {
   auto holder = std::make_shared<chapter6::CubeChain>("chain", 12, real(1), vec3(1, 0, 0),
                                                       usual.beta);
   LiveScene live = held(holder);
   live.heavy = 12;
+  live.own = [&world = holder->scene.world, loop = ChainLoop()](
+                 Bodies& bodies, const PageSettings& page, const vec3& gravity) mutable {
+    loop.chain.bodies = taken(bodies);
+    loop.chain.joints.clear();
+    for (const auto& joint : world.joints())
+      loop.chain.joints.push_back(static_cast<const BallJoint&>(*joint).part);
+    loop.settings = {real(page.beta), page.warm != 0, int(page.projections),
+                     int(page.iterations)};
+    loop.gravity = gravity;
+    loop.step(real(page.h));
+    give_back(loop.chain.bodies, bodies);
+  };
+  return live;
+}
+
+LiveScene hinges() {
+  auto holder = std::make_shared<Held<bench::BenchScene>>();
+  holder->scene = bench::cubes_on_hinges(1, 12);
+  LiveScene live = held(holder);
+  live.heavy = 11;
+  live.own = [&world = holder->scene.world](Bodies& bodies, const PageSettings& page,
+                                            const vec3& gravity) {
+    HingeLoop<real> loop;
+    loop.bodies = taken(bodies);
+    for (const auto& joint : world.joints()) {
+      const auto& hinge = static_cast<const HingeJoint&>(*joint);
+      loop.links.push_back({int(hinge.body1.slot), int(hinge.body2.slot)});
+      loop.hinges.push_back({hinge.first, hinge.second, real(page.beta)});
+    }
+    loop.gravity = gravity;
+    loop.iterations = int(page.iterations);
+    loop.relaxation = real(page.relaxation);
+    loop.arrange(one_by_one(int(loop.links.size())));
+    loop.step(real(page.h));
+    give_back(loop.bodies, bodies);
+  };
   return live;
 }
 
@@ -74,6 +134,7 @@ LiveScene heavy() {
   LiveScene live = held(holder);
   live.heavy = holder->scene.tip;
   live.ratio = 100;
+  live.stiffness = 8;
   return live;
 }
 
@@ -128,6 +189,20 @@ LiveScene box() {
   body.q = rotation(vec3(real(0.3), 0, real(0.5)));
   LiveScene live = held(holder);
   live.heavy = int(holder->box.slot);
+  live.own = [&one = *holder](Bodies& bodies, const PageSettings& page, const vec3& gravity) {
+    OwnGround loop;
+    loop.ground = bodies[one.ground];
+    loop.body = bodies[one.box];
+    for (int k = 0; k < one.contact->outline.count; ++k)
+      loop.corners.push_back({one.contact->outline.corners[std::size_t(k)], 0,
+                              one.contact->top.height});
+    loop.friction = one.contact->friction;
+    loop.beta = real(page.beta);
+    loop.iterations = int(page.iterations);
+    loop.gravity = gravity;
+    loop.step(real(page.h));
+    bodies[one.box] = loop.body;
+  };
   return live;
 }
 
@@ -147,23 +222,28 @@ LiveScene wheels() {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-      {"pendulum", "pendulum", 1, "One rod, one row. With beta 0 the rod drifts; above 2 it tears.",
-       pendulum},
-      {"chain", "chain of 12", 2, "Gauss-Seidel passes the load on link by link: watch the gap.",
-       chain},
-      {"heavy", "heavy end", 9,
+      {"pendulum", "pendulum", {1}, pendulum,
+       "One rod, one row. With beta 0 the rod drifts; above 2 it tears."},
+      {"ropes", "ropes", {}, ropes,
+       "The thesis' bridge: eight cubes on nine ropes, which only pull."},
+      {"chain", "chain of 12", {2, 6}, chain,
+       "Each iteration passes the load on from link to link: watch the gap."},
+      {"hinges", "hinges", {7}, hinges, "Twelve cubes on hinges: five rows a joint."},
+      {"heavy", "heavy end", {9}, heavy,
        "A ball of 100 times a link's mass: iterations stretch the chain, the direct solver does "
-       "not.", heavy},
-      {"bridge", "bridge", 8, "Ten planks, eleven hinges that rub, and a crate that falls on them.",
-       bridge},
-      {"door", "door", 3, "Pushed open, held by a limit at 110 degrees, closed by a motor.", door},
-      {"piston", "piston", 4, "A motor drives it between two limits, beside its centre.", piston},
-      {"ragdoll", "ragdoll", 5, "Hung by one hand: four balls, one weld, one grip.", ragdoll},
-      {"between", "between walls", 6,
-       "Three blows at a chain that has hardly room to move: a loop of joints.", between},
-      {"box", "box", 8, "It falls, tips, slides and comes to rest: rows that only push.", box},
-      {"wheels", "wheels", 8, "Fourteen cubes on two motors. With a warm start and fewer than 80 "
-       "iterations they fly apart.", wheels}};
+       "not."},
+      {"bridge", "bridge", {}, bridge,
+       "Ten planks, eleven hinges that rub, and a crate that falls on them."},
+      {"door", "door", {3}, door,
+       "Pushed open, held by a limit at 110 degrees, closed by a motor."},
+      {"piston", "piston", {4}, piston,
+       "A motor drives it between two limits, beside its centre."},
+      {"ragdoll", "ragdoll", {5}, ragdoll, "Hung by one hand: four balls, one weld, one grip."},
+      {"between", "between walls", {}, between,
+       "Three blows at a chain that has hardly room to move: a loop of joints."},
+      {"box", "box", {8}, box, "It falls, tips and comes to rest: rows that only push, and rub."},
+      {"wheels", "wheels", {}, wheels,
+       "Fourteen bodies on two motors. With a warm start and 60 iterations they fly apart."}};
   return all;
 }
 

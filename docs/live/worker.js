@@ -1,5 +1,5 @@
-// The engine in a worker: one module, one run. Each message {id, what, ...} is answered by {id, ...}
-// or by {id, refused: sentence}; after a sentence the module is a fresh one.
+// The engine in a worker: one module, one run. A message {id, what, ...} is answered by {id, ...} or
+// by {id, refused: sentence}; after a sentence the module is a fresh one.
 "use strict";
 
 let compiled, module, memory, about, scene;

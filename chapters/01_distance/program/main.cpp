@@ -14,13 +14,6 @@ using namespace joints::chapter1;
 
 namespace {
 
-// How far a link is from what it allows [m]: a slack rope is not in error.
-double gap(const LinkScene& scene, const Link& link) {
-  const double stretch =
-      CentreDistance{link.length}.error(scene.bodies[link.body1], scene.bodies[link.body2]);
-  return link.rope ? std::max(stretch, 0.0) : std::abs(stretch);
-}
-
 // Runs a scene; one line of the table a step, a motion if its path is given.
 Summary run(LinkScene scene, const StepSettings& settings, double seconds, CsvFile& table,
             const std::string& motion_path) {
@@ -28,7 +21,8 @@ Summary run(LinkScene scene, const StepSettings& settings, double seconds, CsvFi
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) motion.body(scene.shape);
   for (const Link& link : scene.links) motion.line({link.body1, link.body2, {}, {}});
   const auto gaps = [&](GapMeter& meter) {
-    for (const Link& link : scene.links) meter.add(gap(scene, link));
+    for (const Link& link : scene.links)
+      meter.add(gap(link, scene.bodies[link.body1], scene.bodies[link.body2]));
   };
   const Experiment experiment{.step = [&] { step(scene.bodies, scene.links, settings); },
                               .bodies = [&] { return std::span<const Body>(scene.bodies); },

@@ -1,5 +1,5 @@
-// The scenes of chapter 1's program: a pendulum and the thesis' bridge. Read it; there is nothing to
-// edit here.
+// The scenes of chapter 1's program: a pendulum and the thesis' bridge. Read it; there is nothing
+// to edit here.
 #pragma once
 
 #include <algorithm>
@@ -39,6 +39,12 @@ inline LinkScene bridge() {
     if (!end) scene.energy_scale += 100 * 9.81 * 2.3 * std::min(i, 9 - i);
   }
   return scene;
+}
+
+/// How far a link is from what it allows [m]: a slack rope is not in error.
+inline double gap(const Link& link, const Body& body1, const Body& body2) {
+  const double stretch = CentreDistance{link.length}.error(body1, body2);
+  return link.rope ? std::max(stretch, 0.0) : std::abs(stretch);
 }
 
 }  // namespace joints::chapter1

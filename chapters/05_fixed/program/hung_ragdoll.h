@@ -17,7 +17,8 @@ struct HungRagdoll {
   explicit HungRagdoll(const Settings& settings) {
     scene.solver.iterations = settings.iterations;
     const BodyId torso = scene.box(100, vec3(real(0.6), 1, real(0.4)), vec3(0));
-    const BodyId head = scene.box(33, vec3(real(0.35), real(0.4), real(0.35)), vec3(0, real(0.7), 0));
+    const BodyId head = scene.box(33, vec3(real(0.35), real(0.4), real(0.35)),
+                                  vec3(0, real(0.7), 0));
     const vec3 arm(real(0.8), real(0.2), real(0.2)), leg(real(0.25), 1, real(0.25));
     const auto limb = [&](const vec3& size, const vec3& x, const vec3& anchor) {
       const BodyId id = scene.box(25, size, x);
@@ -32,7 +33,8 @@ struct HungRagdoll {
     limb(arm, vec3(real(-0.75), shoulder, 0), vec3(-side, shoulder, 0));
     for (const real x : {real(0.17), real(-0.17)})
       limb(leg, vec3(x, real(-1.05), 0), vec3(x, real(-0.5), 0));
-    auto& neck = scene.world.add<FixedJoint>(scene.world.bodies, torso, head, vec3(0, real(0.5), 0));
+    auto& neck = scene.world.add<FixedJoint>(scene.world.bodies, torso, head,
+                                             vec3(0, real(0.5), 0));
     neck.beta = settings.beta;
     neck.whole = settings.whole;
     scene.mark(torso, head, vec3(0, real(0.5), 0));

@@ -29,7 +29,7 @@ NUMBER = re.compile(
     r"(?<![\w.^{/])(?P<sign>[-−+]?)(?P<digits>\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+(?:\.\d+)?)"
     r"(?:\s*\\cdot\s*10\^\{?(?P<power>-?\d+)\}?)?(?![\w{^])"
     r"|(?<![\w.\\^{])10\^\{?(?P<ten>-?\d+)\}?")
-CELL = re.compile(r"(?P<file>(?:\d\d[^/\[\]]*/|[a-z]+(?:/[a-z]+)*/)?\w+\.csv)"
+CELL = re.compile(r"(?P<file>(?:\b\d\d(?: --[^/\[\]]*)?/|[a-z]+(?:/[a-z]+)*/)?\w+\.csv)"
                   r"\[(?P<where>[^\]]*)\]\.(?P<column>\w+)")
 CONDITION = re.compile(r"^(\w+)\s*(>=|<=|!=|=|>|<)\s*(.+)$")
 

@@ -19,6 +19,7 @@ import layers  # noqa: E402
 # Of each group of folders: where its box stands, what is written below its name.
 GROUPS = {"tests": (620, 340, "what holds"),
           "bench": (620, 278, "error and time"),
+          "live": (400, 309, "docs/live"),
           "programs": (620, 216, "chapters/*/program"),
           "library": (475, 216, "engine/library"),
           "solutions": (335, 216, "the exercises"),

@@ -2,7 +2,7 @@
 import re
 from pathlib import Path
 
-FOLDERS = ("engine", "chapters", "solutions", "bench", "tests")
+FOLDERS = ("engine", "chapters", "solutions", "bench", "docs", "tests")
 
 
 def group_of(path):
@@ -10,6 +10,8 @@ def group_of(path):
     parts = Path(path).parts
     if parts[0] == "engine":
         return parts[1] if len(parts) > 2 else "core"
+    if parts[0] == "docs":
+        return parts[1]
     return "programs" if "program" in parts else parts[0]
 
 

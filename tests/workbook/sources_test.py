@@ -27,7 +27,7 @@ def may_include(path):
     chapter = re.match(r"(?:chapters|solutions)/(\d\d)_", name)
     last = int(chapter[1]) if chapter else 99
     folders = ["engine"] + [f"chapters/{n:02}_" for n in range(1, last + 1)]
-    folders += {"bench": ["bench"], "tests": ["bench", "tests"],
+    folders += {"bench": ["bench"], "tests": ["bench", "tests", "docs"],
                 "docs": ["bench", "docs"]}.get(path.parts[0], [])
     return lambda folder: folder.startswith(tuple(folders))
 

@@ -62,8 +62,8 @@ Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inve
 
 /// Exercise 7.3: a colour for every joint, such that no two joints of one colour share a body that
 /// moves. Each joint, from the first to the last, takes the least colour that is free at both of
-/// its bodies; a static body blocks none. \param links the bodies of each joint \param moves for each body, if it can move
-/// \return colours, counted from 0
+/// its bodies; a static body blocks none. \param links the bodies of each joint \param moves for
+/// each body, if it can move \return colours, counted from 0
 std::vector<int> colours_of(const std::vector<BodyPair>& links, const std::vector<bool>& moves);
 
 /// Exercise 7.4: one solve of the whole block. The velocities change so that all five rows are

@@ -84,6 +84,9 @@ def ties_of(text):
         line = text.count("\n", 0, comment.start()) + 1
         in_row = text[text.rfind("\n", 0, comment.start()) + 1] == "|"
         try:
+            if not text[text.rfind("\n", 0, comment.start()) + 1:comment.start()].strip():
+                raise Wrong("a comment that begins a line ends the formulas of its paragraph: "
+                            f"put it behind a word: {comment[1].strip()}")
             if in_row and re.search(r"(?<!\\)\|", comment[1]):
                 raise Wrong(f"a bar begins a cell of the table, write \\|: {comment[1].strip()}")
             expressions = list(expressions_of(comment[1].replace("\\|", "|")))

@@ -6,7 +6,8 @@ chapter_06.py --solution DIR [--mine DIR] --out DIR
 import numpy as np
 
 import style
-from style import COLOURS, INK, PALE, rows, visible
+from budget_06 import draw_budget
+from style import COLOURS, INK, PALE, metres, rows, visible
 
 FORMULA = {"color": INK, "linewidth": 1, "dashes": (4, 2)}
 LOOKS = {"beta 0.2": 0, "beta 0.2 + projection": 1, "beta 1": 2, "projection": 3,
@@ -18,13 +19,6 @@ def parts(table, column):
     return [(value, rows(table, **{column: value}), COLOURS[look], "os^Dvp"[look])
             for n, value in enumerate(dict.fromkeys(table[column]))
             for look in [LOOKS.get(value, n % 6)]]
-
-
-def metres(size):
-    """A length as one says it."""
-    if 1e-4 < size < 1:
-        return f"{1000 * size:.3g} mm"
-    return f"{size:.3g} m" if size >= 1 else f"{size:.1g} m".replace("e-0", "e-")
 
 
 def over_time(ax, solution, mine, column, by, clean=np.asarray, decades=16):
@@ -285,32 +279,6 @@ def draw_side_by_side(solution, mine, out):
     finish(figure, out / "06_side_by_side", right)
 
 
-def draw_budget(solution, mine, out):
-    table = mine or solution
-    gap = {name: size for name, cut, size in zip(table["method"], table["substeps"],
-                                                 table["gap_rms_m"]) if cut == 16}
-    figure, (left, right) = style.figure(
-        f"{table['iterations'][0]:g} iterations per 1/60 s in 16 parts: {metres(gap['beta 1'])} "
-        f"with beta 1, {metres(gap['split impulse'])} with a cold split impulse", 2)
-    figure.supxlabel("substeps that share them; solid: cold, dashed: warm", fontsize=9)
-    names = list(dict.fromkeys(name.removesuffix(" warm") for name in table["method"]))
-    for name, part, _, _ in parts(table, "method"):
-        cold, warm = name.removesuffix(" warm"), name.endswith(" warm")
-        for ax, column, scale in ((left, "gap_rms_m", 1000), (right, "energy_drift", 100)):
-            ax.plot(part["substeps"], scale * part[column], color=COLOURS[names.index(cold)],
-                    linestyle="--" if warm else "-", label="_" if warm else cold)
-    left.set(ylabel="gap, RMS  [mm]", yscale="log", ylim=(0.03, 200))
-    right.set_yscale("symlog", linthresh=0.1)
-    right.set(ylabel="change of energy  [%]", ylim=(-150, 1500))
-    for ax in (left, right):
-        ax.set_xscale("log", base=2)
-        cuts = np.unique(table["substeps"])
-        ax.set_xticks(cuts, [f"{cut:g}" for cut in cuts])
-        ax.minorticks_off()
-    style.plain_log(left.yaxis)
-    finish(figure, out / "06_budget", right)
-
-
 def draw_rope(solution, mine, out):
     ends = [f"{name} gives it {np.max(part['speed_m_s']):.2g} m/s"
             for name, part, _, _ in parts(mine or solution, "method")]
@@ -350,4 +318,5 @@ def tables(folder, command):
 if __name__ == "__main__":
     style.run(lambda: style.chapter(6, tables, (
         draw_pendulums, draw_drift, draw_correction, draw_energy_and_spin, draw_beta, draw_warm,
-        draw_rods, draw_between, draw_side_by_side, draw_budget, draw_rope), result=draw_side_by_side))
+        draw_rods, draw_between, draw_side_by_side, draw_budget, draw_rope),
+        result=draw_side_by_side))

@@ -165,6 +165,13 @@ def arrange(made):
     made.get_layout_engine().execute(made)
 
 
+def metres(size):
+    """A length as one says it."""
+    if 1e-4 < size < 1:
+        return f"{1000 * size:.3g} mm"
+    return f"{size:.3g} m" if size >= 1 else f"{size:.1g} m".replace("e-0", "e-")
+
+
 def visible(values):
     """For a log axis: what is zero, negative or not finite is not drawn."""
     values = np.asarray(values, float)

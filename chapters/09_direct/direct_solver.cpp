@@ -248,7 +248,7 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   errors_met_.reserve(std::size_t(std::min(newton, 64)));  // hardly ever more
   if (newton == 0 || report_.iterated || !factored_) {  // no factor: sides were still wrong
     std::fill(expected_.begin(), expected_.end(), 0.0);
-    return integrate_poses(bodies, h);
+    return report_.iterated ? instead.advance(bodies, h, append) : integrate_poses(bodies, h);
   }
   impulses_.clear();
   for (const Inside& one : inside_)

@@ -3,6 +3,7 @@
 #include "chapters/02_ball/ball_joint.h"
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
+#include "chapters/09_direct/direct_solver.h"
 #include "engine/reaction.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/track.h"
@@ -247,6 +248,24 @@ TEST_CASE("over-relaxed iterations settle both where plain ones do") {
       for (int slot = 0; slot < over.world.bodies.slots(); ++slot)
         CHECK(double(length(over.world.bodies.at(slot).x - plain.world.bodies.at(slot).x)) <
               tolerance(1e-10, 1e-4));
+    }
+  }
+}
+
+TEST_CASE("where a direct solver has to iterate, a split impulse or relax iterations correct") {
+  for (const SequentialImpulses& kind : {relaxing(), splitting()}) {
+    Track track({0, real(1.1)}, {1});
+    track.join(0, 1, 1);
+    DirectSolver solver;
+    solver.instead = kind;
+    for (const bool iterated : {false, true}) {
+      solver.most_work = iterated ? 0 : 3000;
+      track.world.bodies[track.ids[1]].x.x = real(1.1);
+      track.v(1) = 0;
+      step(track.world, solver, h);
+      CHECK(solver.report().iterated == iterated);
+      CHECK(track.x(1) == Approx(1.08).epsilon(tolerance(1e-12, 1e-6)));
+      CHECK(double(track.v(1)) == Approx(iterated ? 0 : -1.2).margin(tolerance(1e-12, 1e-5)));
     }
   }
 }

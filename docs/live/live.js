@@ -66,6 +66,7 @@ async function steps(count) {
     const us = Math.max(...alive().map(panel => panel.us)) || 1e4;
     const piece = Math.min(count, Math.max(1, Math.floor(33000 / us)));
     await ask_all("steps", {count: piece}, (panel, done) => {
+      panel.printed = done.printed;
       time_steps(panel, done.used, piece);
       for (let k = 0; k < piece; ++k)
         panel.samples.push([...done.samples.slice(3 * k, 3 * k + 3), panel.us]);
@@ -176,6 +177,8 @@ function says() {
                 "there was to gain. Set it right and press again.");
   }
   if (said.length) return [said.join("\n"), true];
+  const talk = panels.find(panel => panel.printed)?.printed.trim().split("\n").at(-1);
+  if (talk) return [`Your code prints: ${talk}`, false];
   if (settings.own) return ["The chapter's own loop moves the bodies: it knows no hand, and one " +
                             "cannot look into its steps.", false];
   if (!inside) return ["", false];

@@ -4,8 +4,23 @@
 
 let compiled, module, memory, about, scene;
 
-// The module wants a few functions of the system, for files, which it never uses.
-const system = new Proxy({}, {get: () => () => 0});
+// The module wants a few functions of the system. What it prints is kept; files it never uses.
+let printed = "";
+const system = new Proxy({
+  fd_write(_, parts, count, written) {
+    const view = new DataView(memory.buffer);
+    let sum = 0;
+    for (let k = 0; k < count; ++k) {
+      const [from, size] = [0, 4].map(place => view.getUint32(parts + 8 * k + place, true));
+      printed += new TextDecoder().decode(new Uint8Array(memory.buffer, from, size).slice());
+      sum += size;
+    }
+    printed = printed.slice(-500);
+    view.setUint32(written, sum, true);
+    return 0;
+  },
+  proc_exit() { throw new Error("the code ended the program"); },
+}, {get: (known, name) => known[name] || (() => 0)});
 
 function use(instance) {
   module = instance.exports;
@@ -51,7 +66,7 @@ function steps({count}) {
     used += performance.now() - start;
     samples.push(...numbers(module.wb_state()).slice(0, 3));
   }
-  return {samples, used, ...state()};
+  return {samples, used, printed, ...state()};
 }
 
 const answers = {
@@ -95,12 +110,20 @@ const answers = {
   },
 };
 
+// What the browser says when a module stops without a sentence, in plain words.
+const plainly = [
+  [/unreachable/, "the code stopped: an index outside a vector, or a function without its return"],
+  [/out of bounds/, "the code reached for memory that is not its own"],
+  [/by zero/, "a whole number was divided by zero"],
+  [/call stack/, "the code calls itself without end"]];
+const in_words = message => plainly.find(([what]) => what.test(message))?.[1] || message;
+
 self.onmessage = ({data}) => {
   try {
     self.postMessage({id: data.id, ...answers[data.what](data)});
   } catch (error) {
     const sentence = error.sentence || (module ? text(module.wb_sentence()) : "");
     if (compiled && !error.harmless) begin();
-    self.postMessage({id: data.id, refused: sentence || String(error.message || error)});
+    self.postMessage({id: data.id, refused: sentence || in_words(String(error.message || error))});
   }
 };

@@ -45,7 +45,7 @@ def a_fresh_copy_leads_to_the_first_exercise(root, build):
             yield "./wb does not fit a terminal"
         yield from typed(door, "test 1.1", 1, "not written yet", "./wb hint 1.1")
         yield from typed(door, "test 1", 1, "1.6 Distance::jacobian, Distance::K: not written yet")
-        yield from typed(door, "help", 0, "./wb test 2.1", "./wb tour")
+        yield from typed(door, "help", 0, "./wb test 2.1", "./wb tour", "./wb live")
         yield from typed(door, "test --help", 0, "test one exercise", hidden=["./wb tour"])
         yield from typed(door, "hint 1.1", 0, "more: ./wb hint 1.1 2")
         if (door.root / "build").exists() or (door.root / "out").exists():
@@ -63,7 +63,8 @@ def bad_words_are_refused(root, build):
                 ("hint 19.9", "19.9: no such chapter"), ("hint 1.9", "chapter 1 has 1.1 1.2"),
                 ("hint 1.1 4", "1, 2 and 3"), ("run", "run takes a chapter"),
                 ("run --foo", "run takes a chapter"), ("run 1 --out x", "--out"),
-                ("plot 1 2", "2 is too much"), ("reset", "--keep"),
+                ("plot 1 2", "2 is too much"), ("live 1 2", "2 is too much"),
+                ("live 19", "19: no such chapter"), ("reset", "--keep"),
                 ("tour now", "tour takes no"), ("reset 1.1 --all", "--all")):
             code, out, err, _ = door.type(words)
             if code != 2 or out or err.count("\n") != 1 or said not in err:
@@ -185,7 +186,7 @@ def bare(door, words, user, answer, *programs):
 
 
 def nothing_is_installed_unasked(root, build):
-    """packages are installed by a yes, or by a root's check, tour or docs; all others name them"""
+    """packages are installed by a yes, or by a root's check, tour, docs or live; else named"""
     missing = "g++ cmake ninja-build"
     command = f"apt-get install --no-install-recommends {missing}"
     with Door(root, build) as door:
@@ -203,6 +204,8 @@ def nothing_is_installed_unasked(root, build):
                 ("check", 0, None, [], f"installing {missing}", True),
                 ("tour", 0, None, [], f"installing {missing}", True),
                 ("docs", 0, None, [], f"installing {missing}", True),
+                ("live", 0, None, [], f"installing {missing} clang lld", True),
+                ("live 3", 1000, None, [], "Without them: ./wb see plays the recorded", False),
                 ("check", 0, "n", [], "Nothing was installed.", False),
                 ("check", 1000, None, ["sudo"], f"Install them: sudo {command}", False),
                 ("check", 1000, None, [], f"Install them as root: {command}", False)):

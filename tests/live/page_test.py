@@ -1,0 +1,215 @@
+"""The live page in a browser, with clicks, keys and fingers: page_test.py ROOT BUILD
+
+Skipped, with exit status 77, where Chromium or the packages that make WebAssembly are missing.
+"""
+import sys
+import time
+
+import browser
+from made import live, page, skip_without
+
+from proofs import main
+
+WIDE, PHONE = (1280, 900), (390, 844)
+
+
+def shown(here):
+    """What the page says of its state, without the time that a step took."""
+    return here.text_of("reading").rsplit("·", 1)[0]
+
+
+def hash_of(here):
+    return here.ask("location.hash")
+
+
+def said(here):
+    return here.text_of("said")
+
+
+def it_opens(root, build):
+    """ready within 5 s, wide and narrow, light and dark; silent, without the network, no panning"""
+    page(build)
+    address = live.write_page(build / "live" / "alone.html", "alone", [
+        ("the solution", build / "live" / "solution.wasm")]).as_uri()
+    with browser.Browser() as here:
+        for width, height in (WIDE, PHONE):
+            for dark in (False, True):
+                took = here.open(f"{address}#scene=bridge&t=1", width, height, dark)
+                name = f"{width} pixels, {'dark' if dark else 'light'}"
+                if took > 5:
+                    yield f"{name}: ready after {took:.1f} s"
+                if not shown(here).startswith("t = 1.00 s"):
+                    yield f"{name}: shows {shown(here)}"
+                if here.console:
+                    yield f"{name}: the console says {here.console}"
+                if outside := [url for url in here.requests
+                               if not url.startswith(("file:", "blob:", "data:"))]:
+                    yield f"{name}: asks for {outside}"
+                if here.ask("document.documentElement.scrollWidth") > width:
+                    yield f"{name}: pans sideways"
+                if here.ask("document.documentElement.dataset.theme") != (
+                        "dark" if dark else "light"):
+                    yield f"{name}: not in its colours"
+
+
+def an_address_is_a_state(root, build):
+    """an address leads to its state, again and again, and stays the page's address"""
+    address = (build / "live" / "alone.html").as_uri()
+    with browser.Browser() as here:
+        for state in ("scene=chain&beta=2.1&t=3", "scene=pendulum&t=5",
+                      "scene=box&iterations=4&view=errors&t=0.5&iteration=3&block=2",
+                      "scene=heavy&beta=1&direct=1&newton=8&leapfrog=1&t=2",
+                      "scene=chain&own=1&t=2"):
+            readings = []
+            for _ in range(2):
+                here.open(f"{address}#{state}")
+                readings.append((shown(here), said(here)))
+            if readings[0] != readings[1]:
+                yield f"#{state}: {readings[0]}, then {readings[1]}"
+            if hash_of(here) != f"#{state}":
+                yield f"#{state}: the page calls it {hash_of(here)}"
+        here.open(f"{address}#scene=chain&beta=2.1&t=3")
+        if "blown up" not in said(here):
+            yield f"beta 2.1 is said to be: {said(here)}"
+        here.ask("location.hash = '#scene=pendulum&t=1'")
+        here.wait("document.getElementById('reading').textContent.startsWith('t = 1.00 s')")
+
+
+def settings_work(root, build):
+    """sliders, numbers, ticks, tabs and curves do what they say; a refusal leaves a working page"""
+    address = (build / "live" / "alone.html").as_uri()
+    with browser.Browser() as here:
+        here.open(f"{address}#scene=chain&t=0.1")
+        here.click("summary")
+        here.type("[data-name=beta] [type=range]", "0.5")
+        here.wait("location.hash.includes('beta=0.5')")
+        here.click("[data-name=warm] input")
+        here.wait("location.hash.includes('warm=1')")
+        here.click("[data-name=direct] input")
+        here.wait("location.hash.includes('newton=8')")
+        here.type("[data-name=relaxation] [type=number]", "2")
+        here.wait("document.getElementById('said').textContent.includes('below 2')")
+        if "Refused: relaxation is 2; must be above 0" not in said(here):
+            yield f"relaxation 2: {said(here)}"
+        if "relaxation" in hash_of(here):
+            yield f"relaxation 2 is in the address: {hash_of(here)}"
+        here.click("#one")
+        here.wait("document.getElementById('reading').textContent.startsWith('t = 0.12 s')")
+        here.click("#controls button")
+        here.wait("location.hash === '#scene=chain'")
+        if said(here):
+            yield f"the scene's own settings: {said(here)}"
+        for view in ("errors", "cost", "energy"):
+            here.click(f"[data-view={view}]")
+            here.wait(f"document.querySelector('[data-view={view}]').ariaPressed === 'true'")
+        here.click("#play")
+        here.wait("time > 0.5")
+        here.click("#keep")
+        here.wait("panels[0].kept.length > 20 && time < 0.5 && playing")
+        for tab in range(here.ask("document.getElementById('scenes').children.length")):
+            here.click(f"#scenes button:nth-child({tab + 1})")
+            here.wait("playing && time > 0.1 && "
+                      f"entry === about.scenes[{tab}] && !panels[0].stopped")
+        if here.console:
+            yield f"the console says {here.console}"
+
+
+def one_looks_into_a_step(root, build):
+    """one iteration and one block at a time, with keys too; then the step is done"""
+    address = (build / "live" / "alone.html").as_uri()
+    with browser.Browser() as here:
+        here.open(f"{address}#scene=chain&iterations=2&t=0.5")
+        for click, state in (("iteration", "iteration=0"), ("block", "iteration=0&block=1"),
+                             ("iteration", "iteration=1"), ("iteration", "iteration=2"),
+                             ("iteration", "t=0.516666667&iteration=0")):
+            here.click(f"#{click}")
+            here.wait(f"location.hash.endsWith('&{state}')")
+        if "arrows: impulses" not in said(here):
+            yield f"says {said(here)}"
+        here.ask("document.activeElement.blur()")
+        here.call("Input.dispatchKeyEvent", type="keyDown", key="i")
+        here.wait("location.hash.endsWith('&iteration=1')")
+        painted = here.ask("panels[0].joints.filter(joint => joint.error > 1e-6).length")
+        if painted < 5:
+            yield f"{painted} joints have an error after one iteration"
+
+
+def bodies_are_dragged(root, build):
+    """mouse and finger take a body along; beside it they turn the picture"""
+    address = (build / "live" / "alone.html").as_uri()
+    with browser.Browser() as here:
+        for finger, (width, height) in ((False, WIDE), (True, PHONE)):
+            here.open(f"{address}#scene=chain&t=3", width, height)
+            if finger:
+                here.call("Emulation.setTouchEmulationEnabled", enabled=True)
+            here.ask("scrollTo(0, 0)")
+            x, y = here.ask("""(() => { const {painted, canvas} = panels[0];
+                const b = canvas.getBoundingClientRect();
+                const [x, y] = project(painted.view, painted.bodies[12].x);
+                return [b.left + x, b.top + y]; })()""")
+            before = here.ask("[...panels[0].painted.bodies[12].x, camera.yaw]")
+            # Towards the middle of the picture, and held there.
+            path = [(x + 2 * k, y - 3 * k) for k in range(30)] + [(x + 60, y - 90)] * 20
+            here.drag(path, finger)
+            after = here.ask("[...panels[0].painted.bodies[12].x, camera.yaw]")
+            way = sum((a - b) ** 2 for a, b in zip(before[:3], after[:3])) ** 0.5
+            name = "the finger" if finger else "the mouse"
+            if way < 0.5:
+                yield f"{name} moves the last link by {way:.2f} m"
+            if before[3] != after[3]:
+                yield f"{name} turns the picture as well"
+            if "t=" in hash_of(here):
+                yield f"after a drag the address has a time: {hash_of(here)}"
+            here.click("#play")
+            time.sleep(0.2)
+            here.drag([(width / 4 + 3 * k, y) for k in range(10)], finger)
+            if here.ask("camera.yaw") == after[3]:
+                yield f"{name} beside the bodies does not turn the picture"
+            if here.console:
+                yield f"the console says {here.console}"
+
+
+def a_question_comes_first(root, build):
+    """the first question is asked, tried and answered; it can be skipped"""
+    address = (build / "live" / "alone.html").as_uri()
+    with browser.Browser() as here:
+        here.open(address)
+        if here.ask("getComputedStyle(document.getElementById('controls')).display") != "none":
+            yield "the settings are open before the question"
+        here.click("#question button:nth-of-type(2)")
+        here.wait("document.getElementById('question').textContent.includes('Just so')")
+        if "beta=2.1" not in hash_of(here) or "blown up" not in said(here):
+            yield f"after the guess: {hash_of(here)}, {said(here)}"
+        here.click("#question button")
+        here.wait("getComputedStyle(document.getElementById('controls')).display !== 'none'")
+        here.open(address)
+        here.click("#question .skip")
+        here.wait("getComputedStyle(document.getElementById('controls')).display !== 'none'")
+
+
+def an_endless_loop_stops_alone(root, build):
+    """a reader's loop without end stops after a second; the solution beside it runs on"""
+    folder = build / "live"
+    address = live.write_page(folder / "pair.html", "pair", [
+        ("yours", folder / "endless.wasm"), ("the solution", folder / "solution.wasm")],
+        note="your 1.1", chapter=1).as_uri()
+    with browser.Browser() as here:
+        here.open(f"{address}#scene=box&t=1")
+        if shown(here).count("gap") != 2 or said(here):
+            yield f"without the loop: {shown(here)}, {said(here)}"
+        here.click("#scenes button:nth-child(1)")
+        here.wait("document.getElementById('said').textContent.includes('never to end')")
+        here.wait("time > 1 && playing")
+        if "yours: stopped at" not in said(here) or here.ask("panels[1].stopped"):
+            yield f"with the loop: {said(here)}"
+        here.click("#scenes button:nth-child(11)")
+        here.wait("entry.name === 'box' && time > 0.5 && !panels[0].stopped")
+
+
+PROOFS = [it_opens, an_address_is_a_state, settings_work, one_looks_into_a_step,
+          bodies_are_dragged, a_question_comes_first, an_endless_loop_stops_alone]
+
+if __name__ == "__main__":
+    skip_without("the live page in a browser",
+                 live.missing() + ["chromium"] * (browser.there() is None))
+    sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -12,8 +12,10 @@ target_compile_options(workbook_options INTERFACE
 target_link_options(workbook_options INTERFACE -Wl,--gc-sections)
 target_link_libraries(workbook_options INTERFACE glm::glm)
 if(WORKBOOK_SANITIZE)
+  # A null pointer stops a program anyway; the checks that are left out take a third of the time.
   target_compile_options(workbook_options INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    -fsanitize=address,undefined -fno-sanitize=null,alignment,vptr -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
   target_link_options(workbook_options INTERFACE -fsanitize=address,undefined)
 endif()
 

@@ -75,7 +75,7 @@ def main_paths_fit_one_sitting(root, build):
     notes.append("words of the main paths: " + ", ".join(counts))
 
 
-PROOFS = [numbers_are_what_the_runs_say, changed_digits_are_found]
+PROOFS = [numbers_are_what_the_runs_say, changed_digits_are_found, main_paths_fit_one_sitting]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

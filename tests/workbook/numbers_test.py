@@ -34,11 +34,13 @@ def changed_digits_are_found(root, build):
     planted = 0
     for path, chapter in texts(root):
         text = read(path)
+        seen = re.sub(r"<!--.*?-->", lambda comment: re.sub(r"[^\n]", " ", comment[0]), text,
+                      flags=re.S).split("\n")
         good = [tie for _, tie in tied.ties_of(text) if isinstance(tie, tied.Tie)]
         for tie in good[:: max(1, len(good) // 3)]:
             lines = text.split("\n")
             digit = next(c for c in reversed(tie.shown) if c.isdigit())
-            at = lines[tie.line - 1].rindex(tie.shown) + tie.shown.rindex(digit)
+            at = seen[tie.line - 1].rindex(tie.shown) + tie.shown.rindex(digit)
             line = lines[tie.line - 1]
             lines[tie.line - 1] = line[:at] + str((int(digit) + 2) % 10) + line[at + 1:]
             planted += 1

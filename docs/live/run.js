@@ -1,7 +1,6 @@
 // The run: what the engines of all panels are asked, one question after the other.
 "use strict";
 
-
 let about, entry, settings, scene, panels = [];
 let time = 0, playing = false, busy = false, asked = false, before = 0, owed = 0;
 let inside = null;    // {iteration, block} while the page looks into a step

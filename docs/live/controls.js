@@ -105,6 +105,7 @@ function show_controls(settings, entry, about, wrong) {
       continue;
     }
     let range = control.range;
+    if (name === "iterations" && entry.begin[1] > range[1]) range = [1, entry.begin[1], 1];
     if (control.motor) {
       const most = control.motor * Math.abs(entry.begin[about.settings.indexOf(name)]);
       range = [name === "speed" ? -most : 0, most, most / 100];

@@ -5,11 +5,14 @@ const numbers_of_joint = 10;  // body1, body2, place, error, impulse, next
 
 // From little error to much: dark to bright would be lost on the bodies, so the size tells it too.
 const error_colours = [[0, 158, 115], [240, 228, 66], [213, 94, 0]];
-function error_place(error) {  // 0 at 1 mm/s and less, 1 at 10 m/s and more
-  return clamp((Math.log10(Math.max(error, 1e-9)) + 3) / 4, 0, 1);
+// Where an error stands among those of its step: 1 as large as the largest at the beginning, 0 a
+// thousandth of that and less.
+function error_place(error, first) {
+  return clamp(1 + Math.log10(Math.max(error, 1e-12) / Math.max(first, 1e-9)) / 3, 0, 1);
 }
-function error_colour(error) {
-  const place = 2 * error_place(error), k = Math.min(Math.floor(place), 1), s = place - k;
+const largest_error = joints => joints.reduce((most, one) => Math.max(most, one.error), 0);
+function error_colour(of_first) {
+  const place = 2 * of_first, k = Math.min(Math.floor(place), 1), s = place - k;
   const [from, to] = error_colours.slice(k, k + 2);
   return `rgb(${from.map((c, i) => Math.round(c + s * (to[i] - c)))})`;
 }
@@ -38,8 +41,8 @@ function arrow(pen, [x1, y1], [x2, y2]) {
   pen.stroke();
 }
 
-// Paints over a picture; `painted` is what draw() of the player returned.
-function paint_inside({pen, view}, joints) {
+// Paints over a picture; the first argument is what draw() of the player returned.
+function paint_inside({pen, view}, joints, first) {
   const largest = Math.max(...joints.map(joint => size(joint.impulse)), 1e-12);
   const metre = view.focal / view.distance, reach = 70 / metre / largest;  // 70 pixels the longest
   for (const {place, error, impulse, next} of joints) {
@@ -48,12 +51,12 @@ function paint_inside({pen, view}, joints) {
     pen.strokeStyle = style("--ink");
     pen.lineWidth = 1.8;
     arrow(pen, at, project(view, plus(place, reach, impulse)));
-    pen.fillStyle = error_colour(error);
+    const much = error_place(error, first);
+    pen.fillStyle = error_colour(much);
     pen.lineWidth = next ? 3 : 1;
     pen.beginPath();
-    pen.arc(at[0], at[1], 4 + 5 * error_place(error) + (next ? 2 : 0), 0, 2 * Math.PI);
+    pen.arc(at[0], at[1], 4 + 5 * much + (next ? 2 : 0), 0, 2 * Math.PI);
     pen.fill();
     pen.stroke();
   }
-  return largest;
 }

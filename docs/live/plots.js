@@ -9,8 +9,16 @@ const short = x => {  // a number for an axis or a reading
   return String(Number(x.toPrecision(3)));
 };
 const metres = x => x < floor ? "below 1 µm" : x < 1e-3 ? `${short(1e6 * x)} µm`
-  : x < 1 ? `${short(1000 * x)} mm` : `${short(x)} m`;
+  : x < 1 ? `${short(1000 * x)} mm` : x < 1000 ? `${short(x)} m` : `${short(x / 1000)} km`;
 
+// Logarithms of round values between two ends: whole decades, or less where there are few.
+function log_ticks(low, high) {
+  if (high - low > 2) return ticks(low, high, Math.min(4, high - low)).filter(x => x % 1 === 0);
+  const found = [];
+  for (let k = Math.floor(low); k <= high; ++k)
+    for (const digit of [1, 2, 5]) found.push(k + Math.log10(digit));
+  return found.filter(x => x >= low && x <= high);
+}
 // Round values between two ends, about `count` of them.
 function ticks(low, high, count) {
   const raw = (high - low) / count || 1, ten = 10 ** Math.floor(Math.log10(raw));
@@ -37,9 +45,8 @@ function plot(canvas, {title, x, y, log, curves, x_unit}) {
   pen.fillStyle = style("--quiet");
   pen.strokeStyle = style("--rule");
   pen.textAlign = "right";
-  for (const value of ticks(y[0], y[1], log ? Math.min(4, y[1] - y[0]) : 3)) {
+  for (const value of log ? log_ticks(...y) : ticks(y[0], y[1], 3)) {
     const [, py] = at([x[0], value]);
-    if (log && value % 1) continue;
     pen.fillText(log ? log(10 ** value) : short(value), left - 6, py);
     pen.beginPath();
     pen.moveTo(left, py);
@@ -117,8 +124,8 @@ const plots = {
     });
     const values = curves.flatMap(one => one.points.map(point => point[1])), count = Math.max(
       1, ...panels.map(panel => panel.errors ? panel.errors.errors.length - 1 : 1));
-    const y = values.length ? [Math.max(Math.min(...values, 0) - 0.2, bottom),
-                               Math.ceil(Math.max(...values, -3) + 0.01)] : [-3, 1];
+    const y = values.length ? [Math.max(Math.min(...values) - 0.2, bottom),
+                               Math.max(...values, bottom + 1) + 0.2] : [-3, 1];
     const rate = panels.map(panel => panel.errors && panel.errors.rate.toFixed(4)).join(" and ");
     const title = `velocity error by iteration [m/s]; dashed: each leaves ${rate}`;
     plot(canvas, {title, x: [0, count], y, log: short, curves, x_unit: ""});

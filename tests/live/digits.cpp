@@ -1,5 +1,5 @@
-// Runs every scene of the live page and prints where its bodies are: digits STEPS. The page's module
-// has to print the same.
+// Runs every scene of the live page and prints where its bodies are: live_digits STEPS. The page's
+// module has to print the same.
 #include <cstdio>
 #include <cstdlib>
 

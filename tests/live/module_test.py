@@ -1,7 +1,7 @@
 """The live page's module does what a native program does: module_test.py ROOT BUILD
 
-Without a browser: node takes worker and modules out of the page. Skipped, with exit status 77, where
-node or the packages that make WebAssembly are missing.
+Without a browser: node takes worker and modules out of the page. Skipped, with exit status 77,
+where node or the packages that make WebAssembly are missing.
 """
 import json
 import re
@@ -68,7 +68,7 @@ def the_digits_are_the_same(root, build):
             off = max(abs(a - b) for a, b in zip(done["state"][3:], wanted[name]))
             if not off < CLOSE:
                 yield f"{name}: {off:.2g} off after {steps} steps"
-            for a, b in zip(here[-12:], wanted[name][-12:]):  # a rate is a quotient of small numbers
+            for a, b in zip(here[-12:], wanted[name][-12:]):  # quotients of small numbers too
                 if not abs(a - b) <= 1e-3 * max(abs(b), 1e-6):
                     yield f"{name}: error or rate within the step {a:.6g}, native {b:.6g}"
 

@@ -1,0 +1,163 @@
+// The run: what the engines of all panels are asked, one question after the other.
+"use strict";
+
+let about, entry, settings, scene, panels = [];
+let time = 0, playing = false, busy = false, asked = false, before = 0, owed = 0;
+let inside = null;    // {iteration, block} while the page looks into a step
+let straight = true;  // the run is what its address says: nothing was changed or dragged on the way
+let view = "energy", wrong = "", refusal = "", looked = 0;
+
+// One thing after the other: whoever wants something of the engines stands in line.
+let line = Promise.resolve();
+const in_line = job => line = line.then(job).catch(error => {
+  refusal = error.message;
+  if (!(error instanceof Refused)) console.error(error);
+  ask();
+});
+
+const alive = () => panels.filter(panel => !panel.stopped);
+
+// Asks the engines of all panels that run; one that refuses stops with its sentence.
+async function ask_all(what, more, use = () => {}, patience) {
+  await Promise.all(alive().map(async panel => {
+    try {
+      use(panel, await panel.engine.ask(what, more, patience));
+    } catch (error) {
+      if (!(error instanceof Refused)) throw error;
+      panel.stopped = error.message;
+      playing = panels.some(one => !one.stopped) && playing;
+    }
+  }));
+}
+function take_state(panel, {state}) {
+  panel.now = Array.from(state.slice(0, 3));
+  panel.run.frames = [Array.from(state.slice(3))];
+}
+
+async function restart() {
+  time = owed = 0;
+  inside = null;
+  straight = true;
+  wrong = refusal = "";
+  for (const panel of panels)
+    Object.assign(panel, {stopped: "", samples: [], errors: null, joints: null, us: 0, used: 0,
+                          counted: 0});
+  await ask_all("make", {name: entry.name, settings}, (panel, made) => {
+    const known = scene.runs[0];
+    panel.run = {label: panel.label, dt: 1, lines: made.lines, endless: known.endless,
+                 bodies: made.bodies.map((body, k) => ({...known.bodies[k], ...body}))};
+    take_state(panel, made);
+  });
+}
+
+// A browser's clock is coarse: microseconds come from twenty steps or more.
+function time_steps(panel, used, count) {
+  panel.used += used;
+  panel.counted += count;
+  if (panel.counted < 20 && panel.used < 20) return;
+  panel.us = 1000 * panel.used / panel.counted;
+  panel.used = panel.counted = 0;
+}
+// So many steps, in pieces that take about a thirtieth of a second.
+async function steps(count) {
+  inside = null;
+  while (count > 0 && alive().length) {
+    const us = Math.max(...alive().map(panel => panel.us)) || 1e4;
+    const piece = Math.min(count, Math.max(1, Math.floor(33000 / us)));
+    await ask_all("steps", {count: piece}, (panel, done) => {
+      panel.printed = done.printed;
+      time_steps(panel, done.used, piece);
+      for (let k = 0; k < piece; ++k)
+        panel.samples.push([...done.samples.slice(3 * k, 3 * k + 3), panel.us]);
+      if (panel.samples.length > 20000) panel.samples.splice(0, 5000);
+      panel.errors = panel.joints = null;
+      take_state(panel, done);
+    });
+    count -= piece;
+    time = Math.max(...panels.map(panel => panel.now[0]));
+  }
+}
+
+async function look_inside(iteration, block) {
+  if (!inside)
+    await ask_all("look", {iterations: 0, blocks: 0}, (panel, found) => {
+      panel.first_error = largest_error(joints_of(found.joints));
+    });
+  inside = {iteration, block};
+  await ask_all("look", {iterations: iteration, blocks: block}, (panel, found) => {
+    panel.joints = joints_of(found.joints);
+    panel.blocks = found.blocks;
+  });
+}
+async function next_inside(blockwise) {
+  if (settings.own) return;
+  playing = false;
+  const last = settings.direct ? 1 : settings.iterations;
+  if (!inside) return look_inside(0, 0);
+  const {iteration, block} = inside, blocks = panels.at(-1).blocks;
+  if (iteration >= last) {  // the step is done
+    await steps(1);
+    return look_inside(0, 0);
+  }
+  const whole = !blockwise || settings.direct || block + 1 >= blocks;
+  return whole ? look_inside(iteration + 1, 0) : look_inside(iteration, block + 1);
+}
+
+async function find_errors() {
+  if (settings.own) return;
+  const most = clamp(settings.iterations, 30, 200);
+  await ask_all("errors", {most}, (panel, found) => { panel.errors = found; });
+}
+
+// A recording of the scene as it begins by itself tells the camera how far things go.
+async function choose(name, wanted, {t = 0, iteration, block = 0} = {}) {
+  entry = about.scenes.find(each => each.name === name) || about.scenes[0];
+  settings = wanted || settings_from(new URLSearchParams(), about, entry);
+  const own = settings_from(new URLSearchParams(), about, entry), {engine} = panels.at(-1);
+  // A heavy body may tear the chain that it hangs on: the camera is not to make room for that.
+  const made = await engine.ask("make", {name: entry.name, settings: {...own, ratio: 1}});
+  const every = 6, {frames} = await engine.ask(
+    "record", {count: Math.round(3 / own.h), every}, 20000);
+  scene = {runs: [{label: "the solution", dt: own.h * every, ...made, frames}]};
+  measure(scene);
+  scene.travel = 0;  // the live picture draws no way
+  for (const tab of $("scenes").children) {
+    tab.setAttribute("aria-pressed", tab.name === entry.name);
+    if (tab.name === entry.name)
+      $("scenes").scrollLeft = tab.offsetLeft - $("scenes").offsetLeft - 60;
+  }
+  $("watch").textContent = entry.watch;
+  for (const panel of panels) panel.kept = [];
+  look_home();
+  await restart();
+  await steps(Math.round(t / settings.h));
+  if (iteration !== undefined && !settings.own) await look_inside(iteration, block);
+}
+
+async function change(name, value) {
+  if (name === null) {
+    settings = settings_from(new URLSearchParams(), about, entry);
+    return restart();
+  }
+  const tried = {...settings, [name]: value};
+  for (const [other, best] of name === "direct" ? Object.entries(with_direct) : [])
+    tried[other] = value ? best : entry.begin[about.settings.indexOf(other)];
+  try {
+    for (const panel of alive()) await panel.engine.ask("set", {settings: tried});
+  } catch (error) {
+    if (!(error instanceof Refused)) throw error;
+    for (const panel of alive()) await panel.engine.ask("set", {settings});
+    wrong = name;
+    refusal = error.message;
+    return;
+  }
+  settings = tried;
+  wrong = refusal = "";
+  straight = straight && time === 0;
+  for (const panel of panels) panel.errors = null;
+  if (name === "ratio" || !alive().length) await restart();
+  else if (inside) {
+    inside = null;
+    await look_inside(0, 0);
+  }
+}

@@ -16,6 +16,7 @@ PIECES = re.compile(
     r"|(?P<code>(?P<ticks>`+)(?!`).+?(?<!`)(?P=ticks)(?!`))"
     r"|\$\$(?P<display>.+?)\$\$"
     r"|(?<![\\$\w])\$(?P<inline>[^\s$](?:(?:(?!\n\n)[^$])*?[^\s$])?)\$(?![\d$])"
+    r"|(?P<comment>[ ]*<!--.*?-->)"
     r"|^(?P<heading>##+ +(?P<title>[^\n]+?)) *$"
     r"|^(?P<top># [^\n]+)$"
     r"|^[ ]*(?P<fold></?details[^>]*>(?:\s*<summary>.*?</summary>)?)[ ]*$"
@@ -58,6 +59,8 @@ def translate(text, path):
     def replace(piece):
         if piece["language"] is not None and piece["language"].strip() == "math":
             return f"{piece['indent']}\\f[\n{piece['body']}{piece['indent']}\\f]"
+        if piece["comment"]:  # a tie of a number; Doxygen would look for emphasis in it
+            return ""
         if piece["display"]:
             return f"\\f[{piece['display']}\\f]"
         if piece["inline"]:

@@ -80,14 +80,14 @@ def check_rows(rows, recorded):
             f"{name}.motion.json: take the row out, or call ./wb tour if the recordings are old")
 
 
-def card(row, run):
-    """The HTML of one motion."""
+def card(row, run, folder="motion"):
+    """The HTML of one motion, for a page beside the `folder` of the pages that play."""
     end = (len(run["frames"]) - 1) * run["dt"]
     if any(not 0 <= t <= end + run["dt"] for t in row.moments):
         raise GalleryError(f"{PAGE}: {row.folder}/{row.name} lasts from 0 to {end:.2f} s: "
                            f"{' '.join(map(str, row.moments))} lies outside")
     words = row.name.replace("_", " ")
-    return (f'<figure><a class="recording" href="motion/{row.folder}.html?scene={row.name}" '
+    return (f'<figure><a class="recording" href="{folder}/{row.folder}.html?scene={row.name}" '
             f'aria-label="Play: {escape(words)}">{poster.picture(run, row.moments)}</a>'
             f"<figcaption><b>{escape(words)}</b> {escape(row.sentence)}</figcaption></figure>\n")
 

@@ -14,6 +14,7 @@ struct HungRagdoll {
   Scene scene{.name = "ragdoll"};      ///< world, solver, what is measured and drawn
   BallJoint* grip;                     ///< of the hand that holds it
 
+  /// The scene with these settings.
   explicit HungRagdoll(const Settings& settings) {
     scene.solver.iterations = settings.iterations;
     const BodyId torso = scene.box(100, vec3(real(0.6), 1, real(0.4)), vec3(0));

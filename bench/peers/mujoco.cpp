@@ -204,6 +204,8 @@ class MujocoWorld : public Peer {
     for (const Body& body : scene.bodies) is_static_.push_back(body.is_static());
     model_ = compiled(model.files());
     model_->opt.integrator = choice.integrator;
+    if (choice.integrator == mjINT_IMPLICIT)  // its own guess is too little for a chain of 100
+      model_->nstack += 12 * model_->nv * model_->nv;
     for (int k = 0; k < model_->neq; ++k)
       model_->eq_solref[k * mjNREF] = choice.time_constant;
     data_ = mj_makeData(model_);
@@ -279,9 +281,10 @@ std::vector<PeerSetting> mujoco_settings(bool search) {
   mju_user_error = [](const char* words) { refuse(std::string("MuJoCo: ") + words); };
   std::vector<PeerSetting> out;
   const auto add = [&](const std::string& name, const Choice& choice, bool quick) {
+    const bool is_implicit = choice.integrator == mjINT_IMPLICIT;  // its stack grows as a square
     out.push_back({.engine = "MuJoCo", .version = version(),
                    .number = sizeof(mjtNum) == 8 ? "double" : "float", .name = name,
-                   .quick = quick, .most_joints = 12000,
+                   .quick = quick, .most_joints = is_implicit ? 1000 : 12000,
                    .make = [choice](const PeerScene& scene) {
                      return std::make_unique<MujocoWorld>(scene, choice);
                    }});

@@ -126,7 +126,9 @@ bool PeerSetting::takes(const PeerScene& scene) const {
 }
 
 Setting PeerSetting::setting() const {
-  Setting out{.solver = engine, .name = name};
+  Setting out;
+  out.solver = engine;
+  out.name = name;
   const auto peer = std::make_shared<std::unique_ptr<Peer>>();
   out.make = [peer, make_peer = make] {
     peer->reset();

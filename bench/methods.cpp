@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "bench/random_chains.h"
-#include "bench/settings.h"
+#include "bench/named.h"
 #include "bench/tasks.h"
 #include "chapters/09_direct/program/linkages.h"
 #include "engine/instruments/options.h"
@@ -103,39 +103,6 @@ std::vector<Entry> scenes(bool quick) {
   return list;
 }
 
-// A method by its word in the table. Those that iterate have 30 iterations, or 32 that the
-// substeps share.
-Setting setting_of(const std::string& method) {
-  const Way direct{.loop = Loop::direct, .beta = 1, .leapfrog = true};
-  Way shake = direct, stiff = direct;
-  shake.newton = stiff.newton = 8;
-  stiff.stiffness = 8;
-  const struct {
-    std::string word;
-    Way way;
-    int iterations = 30;
-  } known[] = {{"si30", {}},
-               {"beta1", {.beta = 1}},
-               {"4x8", {.beta = 1, .substeps = 4}, 32},
-               {"16x2", {.beta = 1, .substeps = 16}, 32},
-               {"warm", {.warm = true, .projections = 1, .beta = 0}},
-               {"projection", {.projections = 1, .beta = 0}},
-               {"split", {.warm = true, .beta = 1, .substeps = 4, .split = 4}, 16},
-               {"relax", {.warm = true, .substeps = 16, .relax = 1, .frequency = 60}, 16},
-               {"omega", {.loop = Loop::packed, .beta = 1, .relaxation = real(1.9)}},
-               {"lanes", {.loop = Loop::lanes, .beta = 1, .relaxation = real(1.9)}},
-               {"lanes10", {.loop = Loop::lanes, .warm = true, .beta = real(0.1)}, 10},
-               {"chapter7", {.loop = Loop::hinges, .relaxation = real(1.9)}, 20},
-               {"textbook", {.loop = Loop::textbook}},
-               {"velocity", direct},
-               {"shake", shake},
-               {"stiff", stiff},
-               {"rk4", {.loop = Loop::runge_kutta, .beta = 1}}};
-  for (const auto& one : known)
-    if (one.word == method) return one.way.setting(one.iterations);
-  refuse("method " + method + ": there is none of this name");
-}
-
 // The method's runs one after the other; the worst of each measure.
 struct Outcome {
   std::vector<double> us{};
@@ -175,13 +142,6 @@ std::vector<std::string> words(const std::string& text) {
     at = end + 1;
   }
   return out;
-}
-
-// A number of the table, or nothing where it has no meaning.
-std::string cell(double number, bool means_something = true) {
-  char text[32] = "";
-  if (means_something && !std::isnan(number)) std::snprintf(text, sizeof text, ",%.6g", number);
-  return *text ? text : ",";
 }
 
 // One joint and iteration of the textbook's loop [us]: the unit in which times can be carried from

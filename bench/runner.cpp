@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
 
 namespace joints::bench {
 
@@ -33,23 +36,43 @@ struct Ready {
   }
 };
 
-// Bodies as they were a step ago, with the mean of their velocities then and now.
+// Velocity of a body that was at one pose and is at the other after this time [s].
+void set_velocity(Body& body, const Body& from, const Body& to, real time) {
+  quat q = to.q * conjugate(from.q);
+  if (q.w < 0) q = -q;
+  const vec3 half_sine(q.x, q.y, q.z);
+  const real sine = length(half_sine);
+  body.v = (to.x - from.x) / time;
+  body.w = sine > 0 ? 2 * std::atan2(sine, q.w) / (sine * time) * half_sine : vec3(0);
+}
+
+// Bodies as they were a step ago, with velocities that belong there: the mean of those then and
+// now, or differences of the poses about them.
 class Centred {
  public:
-  explicit Centred(std::span<const Body> now) : before_(now.begin(), now.end()), out_(before_) {}
+  Centred(std::span<const Body> now, bool differences, real h)
+      : differences_(differences), h_(h), before_(now.begin(), now.end()), earlier_(before_),
+        out_(before_) {}
   std::span<const Body> after(std::span<const Body> now, int steps) {
     if (steps > 1)
       for (std::size_t k = 0; k < out_.size(); ++k) {
         out_[k] = before_[k];
+        if (differences_) {
+          set_velocity(out_[k], earlier_[k], now[k], 2 * h_);
+          continue;
+        }
         out_[k].v = (before_[k].v + now[k].v) / real(2);
         out_[k].w = (before_[k].w + now[k].w) / real(2);
       }
+    earlier_ = before_;
     before_.assign(now.begin(), now.end());
     return out_;
   }
 
  private:
-  std::vector<Body> before_, out_;
+  bool differences_;
+  real h_;
+  std::vector<Body> before_, earlier_, out_;
 };
 
 Result measured(const MakeScene& make_scene, const Setting& setting, const Span& span) {
@@ -58,12 +81,13 @@ Result measured(const MakeScene& make_scene, const Setting& setting, const Span&
   const std::vector<Pose> start = poses(scene.world.bodies);
   Experiment experiment = experiment_of(ready.scene, span.steps);
   experiment.step = [&] { ready.step(ready.scene.world, span.h); };
-  Centred centred(all_of(scene.world.bodies));
+  Centred centred(all_of(scene.world.bodies), setting.differences, span.h);
   int looks = 0;
   experiment.bodies = [&] {
     if (setting.show) setting.show(ready.scene.world);
     const std::span<const Body> now = all_of(scene.world.bodies);
-    return setting.leapfrog ? centred.after(now, looks++) : now;
+    const bool later = setting.leapfrog || setting.differences;
+    return later ? centred.after(now, looks++) : now;
   };
   experiment.settling = last_two_thirds(span.steps);
   experiment.untimed = untimed;
@@ -97,10 +121,24 @@ Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
   return result;
 }
 
+void time_steps(StepClock& clock, const MakeScene& make_scene, const Setting& setting,
+                const Span& span) {
+  Ready(make_scene, setting).time(clock, span.steps, span.h);
+}
+
 double time_of_step(const MakeScene& make_scene, const Setting& setting, const Span& span) {
   StepClock clock(StepClock::Time::thread);
-  Ready(make_scene, setting).time(clock, span.steps, span.h);
+  time_steps(clock, make_scene, setting, span);
   return clock.median_us();
+}
+
+double bytes_in_use() {
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
+  const struct mallinfo2 info = mallinfo2();
+  return double(info.uordblks) + double(info.hblkhd);
+#else
+  return 0;
+#endif
 }
 
 }  // namespace joints::bench

@@ -22,6 +22,9 @@ struct Setting {
   /// The velocities belong to the middles of the steps: the energy is that of the poses between two
   /// steps and of the mean of the velocities about them.
   bool leapfrog = false;
+  /// The energy is that of a step ago, with velocities by central differences of the poses: one
+  /// measure for all loops, whatever their velocities belong to. It smears impacts.
+  bool differences = false;
 };
 
 /// How long a run is.
@@ -44,9 +47,16 @@ struct Result : Measures {
 Result run(const MakeScene& make_scene, const Setting& setting, int repetitions,
            const Span& span = {});
 
-/// Median time of a step [us], from step 21 on, of one run in which nothing else is measured. It is
-/// the time that the processor gave to the step: what else runs meanwhile counts little.
+/// Times the steps of one run from step 21 on, in which nothing else is measured.
+void time_steps(StepClock& clock, const MakeScene& make_scene, const Setting& setting,
+                const Span& span);
+/// The median time of such a step [us]. It is the time that the processor gave to the step: what
+/// else runs meanwhile counts little.
 double time_of_step(const MakeScene& make_scene, const Setting& setting, const Span& span);
+
+/// Bytes that the program has taken from the heap and not given back, with what the heap itself
+/// needs for them; 0 where this cannot be asked.
+double bytes_in_use();
 
 }  // namespace joints::bench
 /// @}

@@ -2,9 +2,6 @@
 // time and memory. `./wb bench` calls it.
 #include <algorithm>
 #include <cstdio>
-#if __has_include(<malloc.h>)
-#include <malloc.h>
-#endif
 
 #include "bench/settings.h"
 #include "engine/instruments/options.h"
@@ -30,17 +27,6 @@ std::vector<Candidate> candidates() {
       {"packed", "one at a time", {.loop = Loop::packed}},
       {"lanes", "islands", {.loop = Loop::lanes}, 10},  // of one island seven lanes would be idle
       {"lanes", "colours", {.loop = Loop::lanes, .packing = Packing::colours}}};
-}
-
-// Bytes that the program has taken from the heap and not given back, with what the heap itself
-// needs for them; 0 where this cannot be asked.
-double bytes_in_use() {
-#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33)
-  const struct mallinfo2 info = mallinfo2();
-  return double(info.uordblks) + double(info.hblkhd);
-#else
-  return 0;
-#endif
 }
 
 // What one size and number of iterations takes.

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace joints {
@@ -28,13 +29,16 @@ void StepClock::time(const std::function<void()>& step) {
   times_.push_back(now_us() - before);
 }
 
-double StepClock::median_us() const {
+double StepClock::quantile_us(double share) const {
   if (times_.empty()) return 0;
   std::vector<double> sorted = times_;
-  const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return *middle;
+  const std::size_t place = std::min(sorted.size() - 1, std::size_t(share * double(sorted.size())));
+  const auto there = sorted.begin() + std::ptrdiff_t(place);
+  std::nth_element(sorted.begin(), there, sorted.end());
+  return *there;
 }
+
+double StepClock::total_us() const { return std::accumulate(times_.begin(), times_.end(), 0.0); }
 
 // ---- the run ------------------------------------------------------------------------------------
 

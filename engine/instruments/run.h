@@ -21,7 +21,10 @@ class StepClock {
   };
   explicit StepClock(Time time = Time::wall) : time_(time) {}  ///< nothing timed yet
   void time(const std::function<void()>& step);  ///< does a step
-  double median_us() const;                      ///< [us], 0 before the first step
+  /// The time below which this share of the steps stays [us], 0 before the first step.
+  double quantile_us(double share) const;
+  double median_us() const { return quantile_us(0.5); }  ///< [us], 0 before the first step
+  double total_us() const;                       ///< of all steps [us]
 
  private:
   double now_us() const;

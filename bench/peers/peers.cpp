@@ -1,0 +1,225 @@
+// The published engines and our own solvers on the same scenes, in one run: `./wb bench --peers`.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "bench/named.h"
+#include "bench/peers/peer.h"
+#include "bench/tasks.h"
+#include "chapters/05_fixed/program/hung_ragdoll.h"
+#include "chapters/08_ground/program/program.h"
+#include "engine/instruments/options.h"
+
+using namespace joints;
+using namespace joints::bench;
+
+namespace {
+
+// ---- the scenes ---------------------------------------------------------------------------------
+
+// A scene, how long it runs, and our settings on it.
+struct Entry {
+  std::string name{};
+  MakeScene make{};
+  Span span{.steps = 300, .timed = 80};
+  std::string ours = "si30 beta1 4x8 omega velocity shake";
+  bool quick = true;
+};
+
+BenchScene hung_ragdoll() {
+  BenchScene scene;
+  static_cast<Scene&>(scene) =
+      std::move(chapter5::HungRagdoll({.iterations = 30, .out = ""}).scene);
+  scene.tip_mask = glm::dvec3(0);
+  return scene;
+}
+
+// A box of 10 kg on a slab that is turned by an angle [rad], friction 0.5: it holds below 27
+// degrees. Its mark says how far it has gone from its place.
+BenchScene box_on_slope(double angle) {
+  BenchScene scene;
+  scene.name = "box on a slope";
+  scene.tip_mask = glm::dvec3(0);
+  const quat turn = rotation(vec3(0, 0, real(angle)));
+  const BodyId slab = scene.box(0, vec3(10, real(0.2), 10), turn * vec3(0, real(-0.1), 0), turn);
+  const BodyId crate = scene.box(10, vec3(1), turn * vec3(0, real(0.5), 0), turn);
+  chapter8::stand(scene, slab, crate, vec3(1), real(0.5));
+  scene.mark(slab, crate, turn * vec3(0));
+  scene.energy_scale = 10 * 9.81;
+  return scene;
+}
+
+std::vector<Entry> scenes(bool quick) {
+  const Span ten_seconds{.steps = 600, .timed = 80}, one_second{.steps = 60, .timed = 60};
+  const std::string all = "si30 beta1 4x8 omega velocity shake", stiff = all + " stiff",
+                    contacts = "si30 4x8 lanes10 velocity";
+  std::vector<Entry> list = {
+      {.name = "S1", .make = [] { return cubes_on_hinges(10, 100); },
+       .ours = "si30 beta1 4x8 lanes chapter7 velocity shake stiff rk4"},
+      {.name = "S2 R=1", .make = [] { return heavy_end(1); }, .ours = stiff, .quick = false},
+      {.name = "S2 R=100", .make = [] { return heavy_end(100); }, .ours = stiff},
+      {.name = "S2 R=1000", .make = [] { return heavy_end(1000); }, .ours = stiff},
+      {.name = "S3", .make = [] { return hanging_bridge(true); }, .ours = stiff},
+      {.name = "S3b", .make = rope_bridge, .ours = stiff},
+      {.name = "S4m", .make = driven_crane, .span = one_second},
+      {.name = "S4l", .make = stopped_crane, .span = ten_seconds},
+      {.name = "S5", .make = [] { return cubes_on_hinges(1, 4); }, .ours = all + " rk4"},
+      {.name = "S6", .make = loaded_axes, .ours = all + " rk4"},
+      {.name = "S7", .make = sideways_gravity,
+       .ours = "si30 beta1 4x8 lanes velocity shake stiff"},
+      {.name = "hung chain with 1 t", .make = [] { return hung_chain(10, 1000); },
+       .span = ten_seconds, .ours = stiff},
+      {.name = "hung ragdoll", .make = hung_ragdoll, .span = ten_seconds},
+      {.name = "beam of 20", .make = [] { return welded_beam(20); }, .ours = stiff},
+      {.name = "arm", .make = arm, .span = one_second},
+      {.name = "box at rest", .make = [] { return box_on_slope(0); }, .ours = contacts},
+      {.name = "box on a slope", .make = [] { return box_on_slope(0.35); }, .ours = contacts},
+      {.name = "planks", .make = loaded_planks, .span = ten_seconds, .ours = contacts},
+      {.name = "ragdolls 100", .make = [] { return ragdolls(100); }, .ours = contacts}};
+  if (!quick)
+    list.push_back({.name = "ragdolls 5000", .make = [] { return ragdolls(5000); },
+                    .span = {.steps = 60, .timed = 25}, .ours = contacts, .quick = false});
+  for (const int chains : {1, 10, 101, 1010})
+    list.push_back({.name = std::to_string(99 * chains) + " hinges",
+                    .make = [=] { return cubes_on_hinges(chains, 100); },
+                    .span = {.steps = chains < 100 ? 60 : 26, .timed = chains < 100 ? 60 : 26},
+                    .ours = "si30 lanes velocity", .quick = chains < 100});
+  if (quick) std::erase_if(list, [](const Entry& one) { return !one.quick; });
+  return list;
+}
+
+std::vector<std::string> words(const std::string& text) {
+  std::vector<std::string> out;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    out.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return out;
+}
+
+// ---- who runs -----------------------------------------------------------------------------------
+
+// One line of the table to be.
+struct Contender {
+  PeerSetting who;
+  Setting setting;
+  bool ours = false;
+  Result result{};
+  StepClock clock{StepClock::Time::thread};
+  double wall_us = 0;  // of the same steps
+  double bytes = 0;
+};
+
+std::vector<Contender> contenders(const Entry& entry, bool quick, bool search) {
+  std::vector<Contender> out;
+  const PeerScene scene = peer_scene(entry.make().world);
+  for (const std::string& word : words(entry.ours))
+    out.push_back({{.engine = "ours", .version = "", .number = sizeof(real) == 8 ? "double" : "float",
+                    .name = word}, setting_of(word), true});
+  for (const PeerSetting& peer : peer_settings(search))
+    if (peer.takes(scene) && (!quick || peer.quick)) out.push_back({peer, peer.setting()});
+  for (Contender& one : out) one.setting.differences = true;
+  return out;
+}
+
+// What a world takes of the heap, with all that its solver keeps, after a few steps. Of ours the
+// bodies and joints count; a peer has its own.
+double bytes_of(const Entry& entry, const Contender& one) {
+  one.setting.make();  // the world of the last run goes
+  const double empty = bytes_in_use();
+  BenchScene scene = entry.make();
+  scene.marks = {};
+  const double made = bytes_in_use();
+  if (one.setting.prepare) one.setting.prepare(scene.world);
+  const Step step = one.setting.make();
+  for (int k = 0; k < 3; ++k) step(scene.world, entry.span.h);
+  return std::max(0.0, bytes_in_use() - (one.ours ? empty : made));
+}
+
+constexpr double most_us = 1.2e6;  // of a round of one contender
+constexpr int untimed = 20;        // steps of a run
+
+// A round: each in turn, so that what else runs meanwhile disturbs all alike.
+void time_round(const Entry& entry, std::vector<Contender>& all) {
+  for (Contender& one : all) {
+    const double us = std::max(1.0, one.result.us_per_step);
+    Span span = entry.span;
+    span.steps = std::min(span.steps, untimed + std::clamp(int(most_us / us) - untimed, 5,
+                                                           span.timed));
+    const auto wall = [] { return std::chrono::steady_clock::now(); };
+    const auto began = wall();
+    time_steps(one.clock, entry.make, one.setting, span);
+    one.wall_us += std::chrono::duration<double, std::micro>(wall() - began).count();
+  }
+}
+
+// ---- the table ----------------------------------------------------------------------------------
+
+void write(FILE* file, const Entry& entry, const Contender& one, const std::string& machine) {
+  const BenchScene scene = entry.make();
+  const Result& is = one.result;
+  const double us = one.clock.median_us();
+  const double spread = (one.clock.quantile_us(0.75) - one.clock.quantile_us(0.25)) / us;
+  const bool lost = is.status == "nan";
+  std::fprintf(file, "%s,%s,%s,%s,%s,%.4g,%.3f", one.who.engine.c_str(), one.who.version.c_str(),
+               one.who.number.c_str(), entry.name.c_str(), one.who.name.c_str(), us, spread);
+  const std::string line =
+      cell(is.gap_rms) + cell(is.gap_max) + cell(is.axis_error, !lost) +
+      cell(is.tip_error, scene.tip_mask != glm::dvec3(0) && !lost) +
+      cell(is.energy_drift, std::isfinite(scene.energy_scale)) + cell(one.bytes) + "," + is.status +
+      "," + machine + "," + cell(double(scene.marks.size())).substr(1) + "," + scene.finding.what +
+      cell(scene.finding.expected, !scene.finding.what.empty()) + cell(is.found) +
+      cell(is.sideways, scene.forbidden != glm::dvec3(0) && !lost);
+  std::fprintf(file, "%s\n", line.c_str());
+}
+
+void measure(FILE* file, const Entry& entry, const Options& options) {
+  const bool search = options.flag("search");
+  std::vector<Contender> all = contenders(entry, options.flag("quick"), search);
+  const std::string only = options.text("engine");
+  std::erase_if(all, [&](const Contender& one) { return !only.empty() && one.who.engine != only; });
+  for (Contender& one : all) {
+    std::fprintf(stderr, "%s, %s, %s\n", entry.name.c_str(), one.who.engine.c_str(),
+                 one.who.name.c_str());
+    one.result = run(entry.make, one.setting, 1, entry.span);
+    one.bytes = bytes_of(entry, one);
+  }
+  const int rounds = options.count("rounds", 1);
+  for (int n = 1; n <= rounds; ++n) {
+    std::fprintf(stderr, "%s, round %d of %d\n", entry.name.c_str(), n, rounds);
+    time_round(entry, all);
+  }
+  for (const Contender& one : all) write(file, entry, one, options.text("machine"));
+  std::fflush(file);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program([&] {
+    Options options("The published engines and our solvers on the same scenes",
+                    {{"csv", "out/peers.csv", "the table"},
+                     {"append", "0", "1: add lines to the table that is there"},
+                     {"quick", "0", "1: fewer scenes and settings"},
+                     {"search", "0", "1: many settings of the engines, to find their best"},
+                     {"scene", "", "one scene alone, by its name in the table"},
+                     {"engine", "", "one engine alone, by its name in the table"},
+                     {"machine", "", "what stands in the last column"},
+                     {"rounds", "3", "how often each is timed"}});
+    if (!options.read(argc, argv)) return;
+    const std::string path = options.text("csv"), only = options.text("scene");
+    std::vector<Entry> list = scenes(options.flag("quick"));
+    std::erase_if(list, [&](const Entry& one) { return !only.empty() && one.name != only; });
+    if (list.empty()) refuse("--scene " + only + ": there is none of this name");
+    FILE* file = std::fopen(path.c_str(), options.flag("append") ? "a" : "w");
+    if (!file) refuse("--csv " + path + ": cannot be written");
+    if (!options.flag("append"))
+      std::fputs("engine,version,real,scene,setting,us_per_step,spread,gap_rms_m,gap_max_m,"
+                 "axis_error_rad,tip_error_m,energy_drift,bytes,status,machine,joints,finding,"
+                 "expected,found,sideways_m\n", file);
+    for (const Entry& entry : list) measure(file, entry, options);
+    std::fclose(file);
+  });
+}

@@ -139,7 +139,7 @@ def live(chapter):
     refuse(chapter)
     page = house.OUT / (f"live_{chapter.folder}.html" if chapter else "live.html")
     written = prepare_mine(chapter) if chapter else []
-    house.progress("building the live page")
+    house.progress("building the live page (about a minute, the first time)")
     if written:
         name = f"mine_{chapter.number}"
         folder = build({name: {chapter.folder: show.mixed_file(chapter)}})

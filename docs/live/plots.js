@@ -127,7 +127,8 @@ const plots = {
     const y = values.length ? [Math.max(Math.min(...values) - 0.2, bottom),
                                Math.max(...values, bottom + 1) + 0.2] : [-3, 1];
     const rate = panels.map(panel => panel.errors && panel.errors.rate.toFixed(4)).join(" and ");
-    const title = `velocity error by iteration [m/s]; dashed: each leaves ${rate}`;
+    const title = settings.direct ? "velocity error before and after the direct solver [m/s]"
+      : `velocity error by iteration [m/s]; dashed: each leaves ${rate}`;
     plot(canvas, {title, x: [0, count], y, log: short, curves, x_unit: ""});
   },
 };

@@ -22,6 +22,7 @@ struct JointLook {
 /// A scene, its solver, its time.
 class LiveRun {
  public:
+  /// Makes the scene. \param ratio factor of its heavy body's mass [1]; none: the scene's own
   explicit LiveRun(const Entry& entry, std::optional<double> ratio = {});
   /// The settings that its scene begins with.
   PageSettings settings() const;

@@ -155,7 +155,9 @@ async function change(name, value) {
   wrong = refusal = "";
   straight = straight && time === 0;
   for (const panel of panels) panel.errors = null;
-  if (name === "ratio" || !alive().length) await restart();
+  // Beside a kept curve only whole runs are compared.
+  const fresh = name === "ratio" || !alive().length || panels.some(panel => panel.kept.length);
+  if (fresh) await restart();
   else if (inside) {
     inside = null;
     await look_inside(0, 0);

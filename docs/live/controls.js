@@ -58,7 +58,9 @@ function write_address(state, about, entry) {
   if (state.iteration !== undefined) parts.push(`iteration=${state.iteration}`);
   if (state.block) parts.push(`block=${state.block}`);
   const hash = `#${parts.join("&")}`;
-  if (hash !== location.hash) history.replaceState(null, "", hash);
+  try {
+    if (hash !== location.hash) history.replaceState(null, "", hash);
+  } catch { /* some browsers allow so many in a while: the next one will do */ }
 }
 
 // Makes the form once. changed(name, value) is called for every change.

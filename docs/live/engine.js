@@ -30,17 +30,21 @@ class Engine {
   ask(what, more = {}, patience = 1000) {
     return new Promise((resolve, reject) => {
       const id = this.next++;
-      const clock = setTimeout(() => {
-        const all = [...this.waiting.values()];
-        this.begin();
-        for (const one of all) {
-          clearTimeout(one.clock);
-          one.reject(new Refused("no answer for a second: the code seems never to end. " +
-                                 "It was stopped."));
-        }
+      const one = {resolve, reject};
+      // An answer may lie there and wait while the machine slept: it gets a last chance.
+      one.clock = setTimeout(() => {
+        one.clock = setTimeout(() => this.give_up(), 200);
       }, patience);
-      this.waiting.set(id, {resolve, reject, clock});
+      this.waiting.set(id, one);
       this.worker.postMessage({id, what, ...more});
     });
+  }
+  give_up() {
+    const all = [...this.waiting.values()];
+    this.begin();
+    for (const {clock, reject} of all) {
+      clearTimeout(clock);
+      reject(new Refused("no answer for a second: the code seems never to end. It was stopped."));
+    }
   }
 }

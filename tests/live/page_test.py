@@ -106,6 +106,9 @@ def settings_work(root, build):
         here.wait("time > 0.5")
         here.click("#keep")
         here.wait("panels[0].kept.length > 20 && time < 0.5 && playing")
+        here.wait("time > 1")
+        here.type("[data-name=iterations] [type=number]", "5")  # beside a kept curve: a new run
+        here.wait("settings.iterations === 5 && time < 0.9 && panels[0].kept.length > 20")
         for tab in range(here.ask("document.getElementById('scenes').children.length")):
             here.click(f"#scenes button:nth-child({tab + 1})")
             here.wait("playing && time > 0.1 && "

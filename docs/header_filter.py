@@ -6,7 +6,7 @@ One comment behind several variables is meant for all of them:
     int a = 0, b = 0;  ///< slots    becomes    int a = 0; /**< slots */ int b = 0; /**< slots */
 
 A group that opens before the namespace and closes after it is meant for what is in the namespace,
-so its marks move inside. Line numbers of warnings stay true for the first, nearly for the second.
+so its marks move inside. A chapter's group is called its code, since the text is the chapter. Line numbers of warnings stay true for the first, nearly for the second.
 Used by docs/Doxyfile; by hand: header_filter.py FILE.
 """
 import re
@@ -14,6 +14,7 @@ import sys
 
 SEVERAL = re.compile(r"^(?P<indent>[ ]+)(?P<type>[\w:]+(?:<[^;()\n]*>)?\*?) "
                      r"(?P<names>[^;()\n]*,[^;()\n]*);[ ]*///<(?P<note>.*)$", re.M)
+CHAPTER = re.compile(r"(\\defgroup chapter\d )C(hapter \d)")
 COMMA = re.compile(r",\s*(?![^{]*\})")  # not one inside braces
 OPENS = re.compile(r"^(?P<group>/// \\(?:defgroup|addtogroup) .*\n(?:///.*\n)*?/// @\{\n)"
                    r"(?P<namespace>\n?(?:///.*\n)*namespace \w+ \{\n)", re.M)
@@ -29,6 +30,7 @@ def spread(found):
 
 
 def translate(text):
+    text = CHAPTER.sub(r"\1Code of c\2", text)
     text = OPENS.sub(r"\g<namespace>\g<group>", text)
     text = CLOSES.sub(r"\g<group>\g<namespace>", text)
     return SEVERAL.sub(spread, text)

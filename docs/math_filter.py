@@ -52,9 +52,14 @@ def translate(text, path):
             return f'<img src="{place(url)}" alt="{html.escape(piece["text"])}">'
         if re.fullmatch(r"(engine|chapters/\w+)/\w+\.h", place(url)):
             return f"[{words}](@ref {topic(place(url))})"
-        if not re.fullmatch(r"docs/\w+\.md|chapters/\w+/README\.md", place(url)):
+        if not re.fullmatch(r"docs/\w+\.md|chapters/\w+/(README|hints)\.md"
+                            r"|solutions/\w+/answers\.md", place(url)):
             return words  # not a page of the site
-        return f"[{words}](@ref {label(place(url), heading)})" if heading else f"[{words}]({url})"
+        if heading:
+            return f"[{words}](@ref {label(place(url), heading)})"
+        if place(url) == "docs/mainpage.md":
+            return f"[{words}](@ref index)"
+        return f"[{words}](@ref md_{re.sub(r'/', '_', os.path.splitext(place(url))[0])})"
 
     def replace(piece):
         if piece["language"] is not None and piece["language"].strip() == "math":

@@ -12,17 +12,21 @@ import subprocess
 import sys
 from pathlib import Path
 
+import figures
+import formulas
+import front
 import gallery
+import house
+import links
+import live
 import motion
+import shell
+import show
+import texts
+import words
 
 ROOT = Path(__file__).resolve().parent.parent
 THEME = Path("/usr/share/doxygen-awesome-css/doxygen-awesome.css")
-MATHJAX = Path("/usr/share/javascript/mathjax")
-# As much of MathJax 2 as turns TeX into SVG; the whole is ten times as large.
-MATHJAX_PARTS = ["MathJax.js", "extensions", "jax/input/TeX", "jax/element",
-                 "jax/output/SVG/autoload", "jax/output/SVG/fonts/TeX",
-                 "jax/output/SVG/config.js", "jax/output/SVG/jax.js"]
-
 
 def stop(message, status=2):
     print(f"docs: {message}", file=sys.stderr)
@@ -50,18 +54,42 @@ def make_header(out):
     header.write_text(header.read_text().replace("</head>", extra + "</head>"))
 
 
-def finish_pages(html):
-    """Last touches on the pages: pictures beside them, no blank between a bracket and a formula."""
-    for page in sorted(html.glob("*.html")):
-        text = page.read_text(encoding="utf-8")
-        # The filter names pictures by their place in the repository: put them at the same place.
+def copy_pictures(html, pages):
+    """Pictures beside the pages: the filter names them by their place in the repository."""
+    for page, text in pages.items():
         for name in set(re.findall(r'<img src="([\w./-]+/[\w.-]+)"', text)):
             if not (ROOT / name).is_file():
-                stop(f"{page.name} shows {name}, which does not exist", 1)
+                stop(f"{page} shows {name}, which does not exist", 1)
             copy(ROOT / name, html / name)
-        tidy = re.sub(r'(?<=[(\["]) (?=\\\()', "", text)
-        if tidy != text:
-            page.write_text(tidy, encoding="utf-8")
+    for figure in figures.FIGURES.glob("[0-9]*.png"):
+        copy(figure, html / "plots" / figure.name)
+
+
+def finish(html, recordings, tags):
+    """What Doxygen has written becomes the site: motions, figures, links, formulas, search."""
+    gallery.fill(html, recordings)
+    pages = {path.name: path.read_text(encoding="utf-8") for path in sorted(html.glob("*.html"))
+             if path.name != "live.html"}
+    copy_pictures(html, pages)
+    rows = gallery.read_rows((ROOT / gallery.PAGE).read_text(encoding="utf-8"))
+    for chapter in house.chapters():
+        page = shell.text_of(chapter)
+        pages[page] = texts.finished(pages[page], chapter, rows)
+    pages["index.html"] = front.finished(pages["index.html"], rows, (html / "live.html").exists())
+    pages = {page: re.sub(r'(?<=[(\["]) (?=\\\()', "", text) for page, text in pages.items()}
+    raw = pages
+    pages = formulas.draw(pages)
+    if not formulas.node():
+        for part in formulas.PARTS:
+            copy(formulas.MATHJAX / part, html / "mathjax" / part)
+    targets = links.Targets(pages, tags)
+    pages = {page: links.linked(text, page, targets) for page, text in pages.items()}
+    pages, titles = shell.surround(pages, {path.name for path in html.glob("live.html")})
+    words.write(html, raw, titles)
+    for page in raw:
+        (html / page).unlink()
+    for page, text in pages.items():
+        (html / page).write_text(text, encoding="utf-8")
 
 
 def build(out, recordings):
@@ -77,17 +105,14 @@ def build(out, recordings):
         print(result.stdout.strip().replace(f"{ROOT}/", ""), file=sys.stderr)
     if result.returncode != 0:
         stop("the site has warnings, see above", 1)
-    for part in MATHJAX_PARTS:
-        copy(MATHJAX / part, html / "mathjax" / part)
-    finish_pages(html)
-    gallery.fill(html, recordings)
+    if (house.OUT / "live.html").exists():
+        copy(house.OUT / "live.html", html / "live.html")
+    finish(html, recordings, out / "tags.xml")
     return html / "index.html"
 
 
 def command():
     """./wb docs. Programs that have not run since they were built run first, for the gallery."""
-    import house
-    import show
     chapters = house.chapters()
     house.must_build([f"{chapter.folder}_run" for chapter in chapters], "building")
     for chapter in chapters:
@@ -103,7 +128,7 @@ def main(arguments):
         stop("usage: docs.py OUT_DIR [RECORDINGS]")
     missing = [package for package, there in (("doxygen", shutil.which("doxygen")),
                                               ("doxygen-awesome-css", THEME.exists()),
-                                              ("libjs-mathjax", (MATHJAX / "MathJax.js").exists()))
+                                              ("libjs-mathjax", (formulas.MATHJAX / "MathJax.js").exists()))
                if not there]
     if missing:
         stop("missing: " + " ".join(missing)
@@ -111,7 +136,7 @@ def main(arguments):
     try:
         recordings = Path(arguments[1]) if len(arguments) > 1 else ROOT / "out" / "solutions"
         print(f"site: {build(Path(arguments[0]).resolve(), recordings)}")
-    except (gallery.GalleryError, motion.MotionError) as error:
+    except (gallery.GalleryError, motion.MotionError, formulas.FormulaError) as error:
         stop(str(error), 1)
     except (OSError, subprocess.CalledProcessError) as error:
         stop(str(error))

@@ -92,19 +92,6 @@ def card(row, run, folder="motion"):
             f"<figcaption><b>{escape(words)}</b> {escape(row.sentence)}</figcaption></figure>\n")
 
 
-# The player follows the system, the site has a switch of its own: a link takes its state along.
-THEME = """<script>
-document.addEventListener("click", event => {
-  const link = event.target.closest("a.recording");
-  if (link) {
-    const dark = document.documentElement.classList.contains("dark-mode");
-    link.search = link.search.replace(/&theme=.*/, "") + "&theme=" + (dark ? "dark" : "light");
-  }
-}, true);
-</script>
-"""
-
-
 def fill(html, recordings):
     """Writes the playing pages to html/motion and puts the pictures into the gallery's page.
 
@@ -129,7 +116,7 @@ def fill(html, recordings):
                           Path(recordings) / folder,
                           back={"href": f"../{page.name}#gallery_{folder}",
                                 "textContent": "all motions"})
-    page.write_text(text.replace("</body>", poster.BALLS + THEME + "</body>", 1),
+    page.write_text(text.replace("</body>", poster.BALLS + "</body>", 1),
                     encoding="utf-8")
 
 

@@ -57,7 +57,12 @@ def read_run(path, label):
         raise MotionError(f"{path} is broken: {error}") from error
     if bad is not None:
         run.update(stopped=bad * run["dt"], frames=frames[:bad])
-    return {"label": label, **run}
+    return {"label": label, **run, "frames": [[short(x) for x in frame] for frame in run["frames"]]}
+
+
+def short(x):
+    """A number to a tenth of a millimetre or milliradian, in few letters."""
+    return 0 if abs(x) < 5e-5 else int(x) if x == int(x) else round(x, 4)
 
 
 def write_page(page, title, solution_dir, mine_dir=None, back=None):

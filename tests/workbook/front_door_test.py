@@ -33,6 +33,18 @@ def typed(door, words, status, *expected, hidden=(), wide=False):
         yield f"./wb {words}: {err[-600:]}"
 
 
+def the_front_page_shows_a_real_report(root, build):
+    """the report on docs/mainpage.md is what ./wb test 1.1 says of a forgotten sign"""
+    shown = read(root / "docs" / "mainpage.md").split("```\n")[1]
+    with Door(root, build) as door:
+        door.write(e1_1="""  const vec3 n = direction(body2.x - body1.x);
+  return {n, vec3(0), n, vec3(0)};""")
+        _, out, _, _ = door.type("test 1.1")
+        said = "\n".join(line.rstrip() for line in out.split("\n"))
+        if shown.strip() not in said:
+            yield f"docs/mainpage.md shows another report than {said}"
+
+
 def a_fresh_copy_leads_to_the_first_exercise(root, build):
     """a fresh copy names exercise 1.1 within a second, from its texts alone"""
     with Door(root, build) as door:
@@ -219,7 +231,8 @@ def nothing_is_installed_unasked(root, build):
             yield f"./wb without apt-get: {out!r}"
 
 
-PROOFS = [a_fresh_copy_leads_to_the_first_exercise, bad_words_are_refused, a_damaged_file_is_told,
+PROOFS = [a_fresh_copy_leads_to_the_first_exercise, the_front_page_shows_a_real_report,
+          bad_words_are_refused, a_damaged_file_is_told,
           an_answer_is_judged_alone, crashes_are_told, refusals_of_the_compiler_are_told,
           nothing_is_installed_unasked]
 

@@ -1,0 +1,82 @@
+"""The chapters' pages of the site: figures and motions where the text speaks of them, exercises that
+lead to their code and hints."""
+import re
+from html import escape, unescape
+
+import figures
+import gallery
+import motion
+import report
+import show
+
+PARAGRAPH = re.compile(r"<p\b[^>]*>(?:(?!</p>).)*?</p>", re.S)
+ROW = re.compile(r'<tr class="markdownTableRow\w+">\s*(.*?)</tr>', re.S)
+CELL = re.compile(r'<td class="(\w+)">(.*?)</td>', re.S)
+
+
+def figure(stem, words):
+    return (f'<figure class="result"><a href="plots/{stem}.png"><img loading="lazy" '
+            f'src="plots/{stem}.png" alt="{escape(words, quote=True)}"></a></figure>')
+
+
+def with_figures(text, chapter):
+    """The chapter's drawn figures, each behind the first paragraph that names it."""
+    drawn = [path.stem for path in sorted(figures.FIGURES.glob(f"{chapter.number:02}_*.png"))]
+    names = report.mentioned(chapter.text.read_text(encoding="utf-8"))
+    missing = []
+    for stem in drawn:
+        place = next((p for p in PARAGRAPH.finditer(text)
+                      if re.search(rf"\b{stem}\b", re.sub(r"<[^>]+>", "", p[0]))), None)
+        if place is None:
+            missing.append(stem)
+            continue
+        words = f"Figure {stem}: {names.get(stem, stem[3:].replace('_', ' '))}"
+        text = text[:place.end()] + figure(stem, words) + text[place.end():]
+    more = "".join(figure(stem, stem) for stem in missing)
+    return text, more
+
+
+def with_motions(text, chapter, rows, more):
+    """The chapter's motions, at the beginning of See it; behind them the figures not named."""
+    cards = "".join(gallery.card(row, motion.read_run(
+        show.SOLUTIONS / row.folder / f"{row.name}.motion.json", "the solution"))
+        for row in rows if row.folder == chapter.folder)
+    place = re.search(r'id="[\w-]*_README-see-it"></a>\s*See it</h\d>', text)
+    if not place:
+        raise gallery.GalleryError(f"chapter {chapter.number} has no heading See it")
+    end = re.compile(r"(?=<h1>|</div><!-- contents -->)").search(text, place.end()).start()
+    return (text[:place.end()] + f'<div class="gallery motions">{cards}</div>'
+            + text[place.end():end] + more + text[end:])
+
+
+def exercise_row(row, headings, chapter):
+    """A row of the table of exercises: its cells named, its file and hints a click away."""
+    page = f"md_chapters_{chapter.folder}_hints.html"
+    cells = CELL.findall(row)
+    id_ = unescape(re.sub(r"<[^>]+>", "", cells[0][1])).strip()
+    place = f"{page}#chapters_{chapter.folder}_hints-{id_.replace('.', '')}"
+    inside = [body for _, body in cells]
+    inside[0] = f'<a id="exercise-{id_}" href="{place}">{id_}</a>'
+    inside[2] = re.sub(r"<code>(.*?)</code>", rf'<a href="{place}"><code>\1</code></a>', inside[2]) \
+        + f' <a class="hint" href="{place}">hints</a>'
+    return "".join(f'<td data-label="{escape(heading, quote=True)}">{body}</td>'
+                   for heading, body in zip(headings, inside))
+
+
+def with_exercises(text, chapter):
+    """The table of exercises as one that can become cards."""
+    start = text.index('_README-exercises"></a>')
+    begin = text.index('<table class="markdownTable">', start)
+    end = text.index("</table>", begin)
+    table = text[begin:end]
+    headings = [" ".join(re.sub(r"<[^>]+>", "", head).split())
+                for head in re.findall(r"<th\b.*?>(.*?)</th>", table, re.S)]
+    table = ROW.sub(lambda row: f"<tr>{exercise_row(row[1], headings, chapter)}</tr>", table)
+    table = table.replace('class="markdownTable"', 'class="markdownTable exercises"', 1)
+    return text[:begin] + table + text[end:]
+
+
+def finished(text, chapter, rows):
+    """A chapter's page. `rows` are those of the gallery."""
+    text, more = with_figures(text, chapter)
+    return with_exercises(with_motions(text, chapter, rows, more), chapter)

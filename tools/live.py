@@ -74,8 +74,10 @@ def write_ninja(folder, swaps):
         return os.path.relpath(path, folder)
     include = folder / "include"
     include.mkdir(parents=True, exist_ok=True)
-    (include / "glm").unlink(missing_ok=True)
-    (include / "glm").symlink_to(glm_folder())
+    link, glm = include / "glm", glm_folder()
+    if not link.is_symlink() or link.readlink() != glm:
+        link.unlink(missing_ok=True)
+        link.symlink_to(glm)
     launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
     flags = " ".join([*FLAGS, "-isystem include", f"-I{seen(house.ROOT)}"])
     lines = ["rule compile",

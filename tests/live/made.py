@@ -28,8 +28,8 @@ def skip_without(what, packages):
         sys.exit(SKIPPED)
 
 
-def page(build):
-    """The page; its modules are called the solution and as the answers are."""
+def page(build, test):
+    """The page for a test of this name; its modules are called the solution and as the answers are."""
     folder, chapter = build / "live", house.chapter_of("1")
     solution = exercises.read(chapter.solution)
     swaps = {}
@@ -40,6 +40,6 @@ def page(build):
         exercises.write_if_new(source, "#include <stdexcept>\n" + text)
         swaps[name] = {chapter.folder: source}
     live.build(swaps, folder)
-    return live.write_page(folder / "tried.html", "tried", [
+    return live.write_page(folder / f"{test}.html", "tried", [
         (label, folder / f"{file}.wasm")
         for label, file in [("the solution", "solution"), *((name, name) for name in swaps)]])

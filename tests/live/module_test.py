@@ -51,7 +51,7 @@ def native(build, steps):
 
 def the_digits_are_the_same(root, build):
     """after 300 steps all bodies of every scene are where the native program has them"""
-    where = page(build)
+    where = page(build, "module")
     about = asked(where, [load("the solution")])[0]
     for steps in {STEPS, *EARLY.values()}:
         names = [scene["name"] for scene in about["scenes"]
@@ -75,7 +75,7 @@ def the_digits_are_the_same(root, build):
 
 def a_look_changes_nothing(root, build):
     """looking into a step leaves the run as it was"""
-    where = page(build)
+    where = page(build, "module")
     about = asked(where, [load("the solution")])[0]
     steps = {"what": "steps", "count": 20}
     looks = [{"what": "look", "iterations": 3, "blocks": 2}, {"what": "errors", "most": 30}]
@@ -89,7 +89,7 @@ def a_look_changes_nothing(root, build):
 
 def refusals_are_sentences(root, build):
     """what the engine refuses comes back as its sentence, and the run goes on"""
-    where = page(build)
+    where = page(build, "module")
     about = asked(where, [load("the solution")])[0]
     settings = make(about, "chain")["settings"]
     for name, value, said in (("beta", -1, "beta: is -1"), ("beta", 11, "beta is 11"),
@@ -109,11 +109,12 @@ def refusals_are_sentences(root, build):
 
 def wrong_answers_are_told(root, build):
     """a reader's code that throws, crashes or never ends is told, and the page goes on"""
-    where = page(build)
+    where = page(build, "module")
     about = asked(where, [load("the solution")])[0]
     one = {"what": "steps", "count": 1}
     for label, (_, said) in ANSWERS.items():
-        answers = asked(where, [load(label), make(about, "pendulum"), one, load(label),
+        tried = {**one, "patience": 1000} if said is None else one
+        answers = asked(where, [load(label), make(about, "pendulum"), tried, load(label),
                                 make(about, "box"), one])
         if not (answers[2].get("ended") if said is None else
                 said in answers[2].get("refused", "")):

@@ -28,7 +28,7 @@ def said(here):
 
 def it_opens(root, build):
     """ready within 5 s, wide and narrow, light and dark; silent, without the network, no panning"""
-    page(build)
+    page(build, "page")
     address = live.write_page(build / "live" / "alone.html", "alone", [
         ("the solution", build / "live" / "solution.wasm")]).as_uri()
     with browser.Browser() as here:

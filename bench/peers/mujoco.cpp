@@ -205,7 +205,7 @@ class MujocoWorld : public Peer {
     model_ = compiled(model.files());
     model_->opt.integrator = choice.integrator;
     if (choice.integrator == mjINT_IMPLICIT)  // its own guess is too little for a chain of 100
-      model_->nstack += 12 * model_->nv * model_->nv;
+      model_->nstack += 30 * model_->nv * model_->nv;
     for (int k = 0; k < model_->neq; ++k)
       model_->eq_solref[k * mjNREF] = choice.time_constant;
     data_ = mj_makeData(model_);
@@ -284,7 +284,7 @@ std::vector<PeerSetting> mujoco_settings(bool search) {
     const bool is_implicit = choice.integrator == mjINT_IMPLICIT;  // its stack grows as a square
     out.push_back({.engine = "MuJoCo", .version = version(),
                    .number = sizeof(mjtNum) == 8 ? "double" : "float", .name = name,
-                   .quick = quick, .most_joints = is_implicit ? 1000 : 12000,
+                   .quick = quick, .most_joints = is_implicit ? 300 : 12000,
                    .make = [choice](const PeerScene& scene) {
                      return std::make_unique<MujocoWorld>(scene, choice);
                    }});

@@ -25,6 +25,7 @@ class BulletTrees : public Peer {
     world_->setGravity(to_bullet(scene.gravity));
     world_->getSolverInfo().m_numIterations = choice.iterations;
     world_->getSolverInfo().m_erp = btScalar(choice.erp);
+    world_->getSolverInfo().m_splitImpulse = choice.split;
     for (std::size_t k = 0; k < trees_.order.size();) {
       std::size_t end = k + 1;
       while (end < trees_.order.size() && trees_.parent[at(trees_.order[end])] >= 0) ++end;

@@ -1,5 +1,8 @@
 # The workbook's own tests, on the solutions, in double and float: one program a topic.
 set(topics engine joints stability lanes ground direct bench errata fuzz)
+if(TARGET bench_peers OR TARGET bench_peers_float)  # where published engines are installed
+  list(APPEND topics peers)
+endif()
 # In double alone, and why float would prove nothing more:
 set(double_only
   joints/first_mistakes_test.cpp joints/mistakes_test.cpp joints/later_mistakes_test.cpp
@@ -45,6 +48,9 @@ foreach(number double float)
   target_include_directories(oracle${suffix} PUBLIC ${PROJECT_SOURCE_DIR}/engine/library)
   target_precompile_headers(oracle${suffix} PRIVATE checker/catch.h oracle/oracle.h)
   foreach(topic ${topics})
+    if(topic STREQUAL peers AND NOT TARGET bench_peers${suffix})
+      continue()
+    endif()
     set(target ${topic}_test${suffix})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${topic}/*_test.cpp)
     set(name ${topic})
@@ -58,6 +64,9 @@ foreach(number double float)
     add_executable(${target} ${gathered} checker/where.cpp)
     target_compile_definitions(${target} PRIVATE EXERCISE_FILE="")
     target_link_libraries(${target} PRIVATE oracle${suffix} workbook_strict)
+    if(topic STREQUAL peers)
+      target_link_libraries(${target} PRIVATE bench_peers${suffix})
+    endif()
     target_precompile_headers(${target} REUSE_FROM oracle${suffix})
     list_program(topic ${topic} ${number} ${target})
   endforeach()

@@ -6,7 +6,7 @@ import sys
 import house
 
 TABLE, STABILITY = house.OUT / "work_precision.csv", house.OUT / "stability.csv"
-METHODS = house.OUT / "methods.csv"
+METHODS, OUT_OF_PEERS = house.OUT / "methods.csv", house.OUT / "peers.csv"
 LOOP, SCALING = house.OUT / "loop.csv", house.OUT / "scaling.csv"
 PEERS, THESIS = house.ROOT / "bench" / "peers.csv", house.ROOT / "bench" / "thesis_frames.csv"
 FIGURES = house.OUT / "plots"
@@ -48,6 +48,11 @@ def of_chapter(chapter, solution, mine=None):
 def draw_methods():
     """Every method on every scene; out/ itself holds the figure."""
     return draw("methods.py", "--csv", METHODS, figures=house.OUT)
+
+
+def draw_peers():
+    """Ours beside the published engines, a figure a scene; those stored elsewhere are drawn apart."""
+    return draw("peers.py", "--csv", OUT_OF_PEERS, "--stored", PEERS, figures=house.OUT / "peers")
 
 
 def draw_loop():

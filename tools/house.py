@@ -114,13 +114,15 @@ def use_build(preset):
 _settings = {"preset": "workbook"}
 
 
-def configure():
-    """Runs CMake when the build folder is new or was made for another place."""
+def configure(again=False):
+    """Runs CMake when the build folder is new or was made for another place, or again."""
     cache = BUILD / "CMakeCache.txt"
     if cache.exists() and (BUILD / "build.ninja").exists():
         if f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text():
-            return
-        shutil.rmtree(BUILD)  # a copied build folder points at the place it was copied from
+            if not again:
+                return
+        else:
+            shutil.rmtree(BUILD)  # a copied one points at the place it was copied from
     progress("configuring")
     command = ["cmake", "-S", ROOT, "--preset", _settings["preset"],
                f"-DPython3_EXECUTABLE={sys.executable}"]

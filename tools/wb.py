@@ -35,6 +35,8 @@ HELP = """The Joint Workbook
   ./wb bench           error against run time; a joint's cost in larger scenes
   ./wb bench --stability   what is stiff, extreme or redundant: what holds what
   ./wb bench --methods every method on every kind of scene
+  ./wb bench --peers   ours beside Bullet, ODE and MuJoCo, as Debian packages them;
+                       --quick: fewer scenes, --search: many of their settings
   ./wb bench --loop    a joint and iteration, from the textbook's loop to lanes
   ./wb bench --cost    rows, bytes and instructions of every kind of joint
   ./wb docs            the documentation as a site, with every motion
@@ -119,14 +121,17 @@ def bench(options):
         case ["--methods"]:
             import methods
             return methods.main()
+        case ["--peers", *rest] if set(rest) <= {"--quick", "--search"}:
+            import peers
+            return peers.main("--quick" in rest, "--search" in rest)
         case ["--loop"]:
             import loop
             return loop.main()
         case ["--cost"] | ["--cost", "--keep"]:
             import cost
             return cost.main(keep="--keep" in options)
-    raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --methods, --loop or "
-                        "--cost")
+    raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --methods, --peers, "
+                        "--loop or --cost")
 
 
 def call(command, words, rest):

@@ -144,12 +144,14 @@ std::vector<PeerSetting> bullet_settings(bool search) {
     out.push_back({.engine = "Bullet", .version = version(),
                    .number = sizeof(btScalar) == 8 ? "double" : "float", .name = name,
                    .quick = quick, .most_joints = most_joints,
+                   .exact = choice.solver >= Solver::dantzig,
                    .make = [choice](const PeerScene& scene) {
                      return std::make_unique<BulletWorld>(scene, choice);
                    }});
   };
   const auto add_trees = [&](const std::string& name, const BulletChoice& choice, bool quick) {
     add("multibody" + name, choice, quick);
+    out.back().exact = true;
     out.back().make = [choice](const PeerScene& scene) { return bullet_trees(scene, choice); };
   };
   if (search) {
@@ -177,6 +179,7 @@ std::vector<PeerSetting> bullet_settings(bool search) {
   add_trees("", {}, true);
   add_trees(" 8 substeps", {.substeps = 8}, true);
   add_trees(" Runge-Kutta", {.runge_kutta = true}, true);
+  add_trees(" without split impulses", {.split = false}, true);
   return out;
 }
 

@@ -25,6 +25,7 @@ class BulletTrees : public Peer {
     world_->setGravity(to_bullet(scene.gravity));
     world_->getSolverInfo().m_numIterations = choice.iterations;
     world_->getSolverInfo().m_erp = btScalar(choice.erp);
+    world_->getSolverInfo().m_splitImpulse = choice.split;
     for (std::size_t k = 0; k < trees_.order.size();) {
       std::size_t end = k + 1;
       while (end < trees_.order.size() && trees_.parent[at(trees_.order[end])] >= 0) ++end;
@@ -162,7 +163,7 @@ class BulletTrees : public Peer {
     world_->addMultiBodyConstraint(constraint.get());
     constraints_.push_back(std::move(constraint));
   }
-  btRigidBody* add_static_body(int slot) {
+  void add_static(int slot) {
     const PeerShape& shape = scene_.shapes[at(slot)];
     btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, parts_.add(shape));
     info.m_startWorldTransform = pose_of(scene_.bodies[at(slot)]);
@@ -170,9 +171,7 @@ class BulletTrees : public Peer {
     statics_.push_back(std::make_unique<btRigidBody>(info));
     world_->addRigidBody(statics_.back().get(), BulletParts::group(shape),
                          BulletParts::mask(shape));
-    return statics_.back().get();
   }
-  void add_static(int slot) { add_static_body(slot); }
   // A loop of a ball closes at a point, one of a hinge at two points of its axis.
   void close(const PeerJoint& joint) {
     const bool is_hinge = joint.kind == PeerJoint::Kind::hinge;
@@ -184,12 +183,10 @@ class BulletTrees : public Peer {
       if (a.multibody && b.multibody)
         add(std::make_unique<btMultiBodyPoint2Point>(a.multibody, a.number, b.multibody, b.number,
                                                      on_a, on_b));
-      else if (a.multibody)
-        add(std::make_unique<btMultiBodyPoint2Point>(a.multibody, a.number,
-                                                     add_static_body(joint.body2), on_a, on_b));
-      else
-        add(std::make_unique<btMultiBodyPoint2Point>(b.multibody, b.number,
-                                                     add_static_body(joint.body1), on_b, on_a));
+      else  // the other one is static: a place of the world
+        add(std::make_unique<btMultiBodyPoint2Point>(
+            a.multibody ? a.multibody : b.multibody, a.multibody ? a.number : b.number,
+            static_cast<btRigidBody*>(nullptr), a.multibody ? on_a : on_b, point));
       if (!is_hinge) break;
     }
   }

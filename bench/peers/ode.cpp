@@ -180,7 +180,8 @@ std::vector<PeerSetting> ode_settings(bool search) {
                        int most_joints = 1000000) {
     out.push_back({.engine = "ODE", .version = dODE_VERSION,
                    .number = sizeof(dReal) == 8 ? "double" : "float", .name = name, .quick = quick,
-                   .most_joints = most_joints, .make = [choice](const PeerScene& scene) {
+                   .most_joints = most_joints, .exact = choice.iterations == 0,
+                   .make = [choice](const PeerScene& scene) {
                      return std::make_unique<OdeWorld>(scene, choice);
                    }});
   };

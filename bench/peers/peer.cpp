@@ -121,10 +121,6 @@ Trees trees_of(const PeerScene& scene) {
   return trees;
 }
 
-bool PeerSetting::takes(const PeerScene& scene) const {
-  return int(scene.joints.size()) <= most_joints && (loops || trees_of(scene).loops.empty());
-}
-
 Setting PeerSetting::setting() const {
   Setting out;
   out.solver = engine;

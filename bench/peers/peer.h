@@ -73,10 +73,10 @@ struct PeerSetting {
   std::string name;             ///< what is set, without a comma
   bool quick = false;           ///< also in the short form
   int most_joints = 1000000;    ///< on larger scenes a step takes too long
-  bool loops = true;            ///< takes scenes with loops
+  bool exact = false;           ///< it does not iterate: its first step has the true acceleration
   std::function<std::unique_ptr<Peer>(const PeerScene&)> make{};
 
-  bool takes(const PeerScene& scene) const;
+  bool takes(const PeerScene& scene) const { return int(scene.joints.size()) <= most_joints; }
   Setting setting() const;      ///< for the runner
 };
 

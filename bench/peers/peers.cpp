@@ -5,89 +5,14 @@
 #include <cstdio>
 
 #include "bench/named.h"
+#include "bench/peers/entries.h"
 #include "bench/peers/peer.h"
-#include "bench/tasks.h"
-#include "chapters/05_fixed/program/hung_ragdoll.h"
-#include "chapters/08_ground/program/program.h"
 #include "engine/instruments/options.h"
 
 using namespace joints;
 using namespace joints::bench;
 
 namespace {
-
-// ---- the scenes ---------------------------------------------------------------------------------
-
-// A scene, how long it runs, and our settings on it.
-struct Entry {
-  std::string name{};
-  MakeScene make{};
-  Span span{.steps = 300, .timed = 80};
-  std::string ours = "si30 beta1 4x8 omega velocity shake";
-  bool quick = true;
-};
-
-BenchScene hung_ragdoll() {
-  BenchScene scene;
-  static_cast<Scene&>(scene) =
-      std::move(chapter5::HungRagdoll({.iterations = 30, .out = ""}).scene);
-  scene.tip_mask = glm::dvec3(0);
-  return scene;
-}
-
-// A box of 10 kg on a slab that is turned by an angle [rad], friction 0.5: it holds below 27
-// degrees. Its mark says how far it has gone from its place.
-BenchScene box_on_slope(double angle) {
-  BenchScene scene;
-  scene.name = "box on a slope";
-  scene.tip_mask = glm::dvec3(0);
-  const quat turn = rotation(vec3(0, 0, real(angle)));
-  const BodyId slab = scene.box(0, vec3(10, real(0.2), 10), turn * vec3(0, real(-0.1), 0), turn);
-  const BodyId crate = scene.box(10, vec3(1), turn * vec3(0, real(0.5), 0), turn);
-  chapter8::stand(scene, slab, crate, vec3(1), real(0.5));
-  scene.mark(slab, crate, turn * vec3(0));
-  scene.energy_scale = 10 * 9.81;
-  return scene;
-}
-
-std::vector<Entry> scenes(bool quick) {
-  const Span ten_seconds{.steps = 600, .timed = 80}, one_second{.steps = 60, .timed = 60};
-  const std::string all = "si30 beta1 4x8 omega velocity shake", stiff = all + " stiff",
-                    contacts = "si30 4x8 lanes10 velocity";
-  std::vector<Entry> list = {
-      {.name = "S1", .make = [] { return cubes_on_hinges(10, 100); },
-       .ours = "si30 beta1 4x8 lanes chapter7 velocity shake stiff rk4"},
-      {.name = "S2 R=1", .make = [] { return heavy_end(1); }, .ours = stiff, .quick = false},
-      {.name = "S2 R=100", .make = [] { return heavy_end(100); }, .ours = stiff},
-      {.name = "S2 R=1000", .make = [] { return heavy_end(1000); }, .ours = stiff},
-      {.name = "S3", .make = [] { return hanging_bridge(true); }, .ours = stiff},
-      {.name = "S3b", .make = rope_bridge, .ours = stiff},
-      {.name = "S4m", .make = driven_crane, .span = one_second},
-      {.name = "S4l", .make = stopped_crane, .span = ten_seconds},
-      {.name = "S5", .make = [] { return cubes_on_hinges(1, 4); }, .ours = all + " rk4"},
-      {.name = "S6", .make = loaded_axes, .ours = all + " rk4"},
-      {.name = "S7", .make = sideways_gravity,
-       .ours = "si30 beta1 4x8 lanes velocity shake stiff"},
-      {.name = "hung chain with 1 t", .make = [] { return hung_chain(10, 1000); },
-       .span = ten_seconds, .ours = stiff},
-      {.name = "hung ragdoll", .make = hung_ragdoll, .span = ten_seconds},
-      {.name = "beam of 20", .make = [] { return welded_beam(20); }, .ours = stiff},
-      {.name = "arm", .make = arm, .span = one_second},
-      {.name = "box at rest", .make = [] { return box_on_slope(0); }, .ours = contacts},
-      {.name = "box on a slope", .make = [] { return box_on_slope(0.35); }, .ours = contacts},
-      {.name = "planks", .make = loaded_planks, .span = ten_seconds, .ours = contacts},
-      {.name = "ragdolls 100", .make = [] { return ragdolls(100); }, .ours = contacts}};
-  if (!quick)
-    list.push_back({.name = "ragdolls 5000", .make = [] { return ragdolls(5000); },
-                    .span = {.steps = 60, .timed = 25}, .ours = contacts, .quick = false});
-  for (const int chains : {1, 10, 101, 1010})
-    list.push_back({.name = std::to_string(99 * chains) + " hinges",
-                    .make = [=] { return cubes_on_hinges(chains, 100); },
-                    .span = {.steps = chains < 100 ? 60 : 26, .timed = chains < 100 ? 60 : 26},
-                    .ours = "si30 lanes velocity", .quick = chains < 100});
-  if (quick) std::erase_if(list, [](const Entry& one) { return !one.quick; });
-  return list;
-}
 
 std::vector<std::string> words(const std::string& text) {
   std::vector<std::string> out;
@@ -112,7 +37,7 @@ struct Contender {
   double bytes = 0;
 };
 
-std::vector<Contender> contenders(const Entry& entry, bool quick, bool search) {
+std::vector<Contender> contenders(const PeerEntry& entry, bool quick, bool search) {
   std::vector<Contender> out;
   const PeerScene scene = peer_scene(entry.make().world);
   for (const std::string& word : words(entry.ours))
@@ -126,7 +51,7 @@ std::vector<Contender> contenders(const Entry& entry, bool quick, bool search) {
 
 // What a world takes of the heap, with all that its solver keeps, after a few steps. Of ours the
 // bodies and joints count; a peer has its own.
-double bytes_of(const Entry& entry, const Contender& one) {
+double bytes_of(const PeerEntry& entry, const Contender& one) {
   one.setting.make();  // the world of the last run goes
   const double empty = bytes_in_use();
   BenchScene scene = entry.make();
@@ -142,7 +67,7 @@ constexpr double most_us = 1.2e6;  // of a round of one contender
 constexpr int untimed = 20;        // steps of a run
 
 // A round: each in turn, so that what else runs meanwhile disturbs all alike.
-void time_round(const Entry& entry, std::vector<Contender>& all) {
+void time_round(const PeerEntry& entry, std::vector<Contender>& all) {
   for (Contender& one : all) {
     const double us = std::max(1.0, one.result.us_per_step);
     Span span = entry.span;
@@ -157,7 +82,7 @@ void time_round(const Entry& entry, std::vector<Contender>& all) {
 
 // ---- the table ----------------------------------------------------------------------------------
 
-void write(FILE* file, const Entry& entry, const Contender& one, const std::string& machine) {
+void write(FILE* file, const PeerEntry& entry, const Contender& one, const std::string& machine) {
   const BenchScene scene = entry.make();
   const Result& is = one.result;
   const double us = one.clock.median_us();
@@ -175,7 +100,7 @@ void write(FILE* file, const Entry& entry, const Contender& one, const std::stri
   std::fprintf(file, "%s\n", line.c_str());
 }
 
-void measure(FILE* file, const Entry& entry, const Options& options) {
+void measure(FILE* file, const PeerEntry& entry, const Options& options) {
   const bool search = options.flag("search");
   std::vector<Contender> all = contenders(entry, options.flag("quick"), search);
   const std::string only = options.text("engine");
@@ -210,8 +135,8 @@ int main(int argc, char** argv) {
                      {"rounds", "3", "how often each is timed"}});
     if (!options.read(argc, argv)) return;
     const std::string path = options.text("csv"), only = options.text("scene");
-    std::vector<Entry> list = scenes(options.flag("quick"));
-    std::erase_if(list, [&](const Entry& one) { return !only.empty() && one.name != only; });
+    std::vector<PeerEntry> list = peer_entries(options.flag("quick"));
+    std::erase_if(list, [&](const PeerEntry& one) { return !only.empty() && one.name != only; });
     if (list.empty()) refuse("--scene " + only + ": there is none of this name");
     FILE* file = std::fopen(path.c_str(), options.flag("append") ? "a" : "w");
     if (!file) refuse("--csv " + path + ": cannot be written");
@@ -219,7 +144,7 @@ int main(int argc, char** argv) {
       std::fputs("engine,version,real,scene,setting,us_per_step,spread,gap_rms_m,gap_max_m,"
                  "axis_error_rad,tip_error_m,energy_drift,bytes,status,machine,joints,finding,"
                  "expected,found,sideways_m\n", file);
-    for (const Entry& entry : list) measure(file, entry, options);
+    for (const PeerEntry& entry : list) measure(file, entry, options);
     std::fclose(file);
   });
 }

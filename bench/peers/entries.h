@@ -1,0 +1,22 @@
+// The scenes on which peers are measured.
+#pragma once
+
+#include "bench/runner.h"
+
+/// \addtogroup peers
+/// @{
+namespace joints::bench {
+
+/// A scene, how long it runs, and our methods on it.
+struct PeerEntry {
+  std::string name{};   ///< in the table
+  MakeScene make{};
+  Span span{.steps = 300, .timed = 80};
+  std::string ours{};   ///< words of setting_of(), with blanks between
+  bool quick = true;    ///< also in the short form
+};
+/// All of them. \param quick those of the short form alone
+std::vector<PeerEntry> peer_entries(bool quick);
+
+}  // namespace joints::bench
+/// @}

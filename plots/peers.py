@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Draws our settings and those of the published engines, error against time, one figure a scene.
+
+peers.py --csv out/peers.csv [--stored bench/peers.csv] --out DIR
+"""
+import re
+
+import numpy as np
+
+import style
+from style import COLOURS, INK, PALE
+
+NUMBERS = ["us_per_step", "gap_max_m", "tip_error_m", "expected", "found"]
+WORDS = ["engine", "real", "scene", "setting", "status", "finding"]
+STORED_NUMBERS = ["us_per_step", "gap_max_m", "tip_error_m"]
+STORED_WORDS = ["engine", "setting", "scene"]
+LOOKS = {"ours": (COLOURS[0], "o"), "Bullet": (COLOURS[1], "s"), "ODE": (COLOURS[2], "D"),
+         "MuJoCo": (COLOURS[3], "^")}
+LOST = ("nan", "exploded", "energy+")
+LEAST = 1e-4  # [mm]: what is better stands at the lower edge
+
+
+def errors(table, scene):
+    """What is compared in a scene: its tip where it has one, else its largest gap [mm]."""
+    if np.isfinite(table["tip_error_m"]).any():
+        return 1000 * table["tip_error_m"], "error of the tip after 1 s  [mm]"
+    return 1000 * table["gap_max_m"], "largest gap of a joint  [mm]"
+
+
+def front(x, y):
+    """Which points nothing beats in both."""
+    order, best, out = np.lexsort((y, x)), np.inf, []
+    for k in order:
+        if y[k] < 0.999 * best:
+            best = y[k]
+            out.append(k)
+    return out
+
+
+def draw(table, stored, scene, out):
+    gaps, words = 1000 * table["gap_max_m"], "largest gap of a joint  [mm]"
+    for name, values, words in (("gap", gaps, words), ("tip", *errors(table, scene))):
+        if name == "tip" and not np.isfinite(table["tip_error_m"]).any():
+            continue
+        draw_one(table, values, words, stored, scene, out / f"{slug(scene)}_{name}", name)
+
+
+def slug(scene):
+    return re.sub(r"\W+", "_", scene).strip("_")
+
+
+def draw_one(table, values, words, stored, scene, path, name):
+    x = table["us_per_step"]
+    lost = np.isin(table["status"], LOST) | ~np.isfinite(values)
+    good = ~lost
+    if not good.any():
+        return
+    top = 3 * max(values[good].max(), 10 * LEAST)
+    y = np.where(lost, top, np.clip(values, LEAST, top))
+    figure, ax = style.figure(f"{scene}: ours and the published engines, one run")
+    figure.set_size_inches(style.WIDTH + 1, style.HEIGHT + 1)
+    line = [k for k in front(np.where(good, x, np.inf), np.where(good, y, np.inf)) if good[k]]
+    ax.step(np.append(x[line], x.max() * 1.3), np.append(y[line], y[line[-1]]), where="post",
+            color=PALE, linewidth=1.2, zorder=1, label="_front")
+    for engine, (colour, marker) in LOOKS.items():
+        for real, full in (("float", True), ("double", False)):
+            at = (table["engine"] == engine) & (table["real"] == real)
+            if at.any():
+                ax.plot(x[at & good], y[at & good], marker, color=colour, markersize=6,
+                        markerfacecolor=colour if full else "white", zorder=3,
+                        label=f"{engine}, {real}")
+            if (at & lost).any():
+                ax.plot(x[at & lost], y[at & lost], "x", color=colour, markersize=5, zorder=2)
+    if len(stored["scene"]):
+        theirs = 1000 * stored["gap_max_m" if name == "gap" else "tip_error_m"]
+        ax.plot(stored["us_per_step"], np.clip(theirs, LEAST, top), "+", color=PALE, markersize=6,
+                zorder=1, label="not packaged, another machine")
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.set_ylim(LEAST / 2, top * 1.6)
+    ax.set_xlabel("time of a step  [us]; grey line: nothing is both faster and better; cross: "
+                  "lost or energy gained")
+    ax.set_ylabel(words)
+    told = set()
+    for k in line:
+        ax.annotate(f"{table['setting'][k]}", (x[k], y[k]), xytext=(5, 5), fontsize=7,
+                    textcoords="offset points", color=LOOKS.get(table["engine"][k], (INK,))[0])
+        told.add(k)
+    ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False, fontsize=8)
+    style.save(figure, path)
+
+
+def main():
+    given = style.arguments("Draws ours beside the published engines.",
+                            csv="the table that ./wb bench --peers writes",
+                            stored="optional: figures of engines that are not packaged",
+                            out="folder of the figures")
+    table = style.rows(style.read_csv(given.csv, NUMBERS, WORDS, "./wb bench --peers"))
+    stored = style.rows(style.read_csv(given.stored, STORED_NUMBERS, STORED_WORDS, "")) \
+        if given.stored else None
+    given.out.mkdir(parents=True, exist_ok=True)
+    for scene in dict.fromkeys(table["scene"]):
+        if scene.endswith(" hinges"):
+            continue
+        elsewhere = {name: np.array([]) for name in (*STORED_NUMBERS, *STORED_WORDS)}
+        if stored:
+            packaged = np.array([name.split()[0] in LOOKS for name in stored["engine"]])
+            at = (np.asarray(stored["scene"]) == scene) & ~packaged
+            elsewhere = {name: column[at] for name, column in stored.items()}
+        draw(style.rows(table, scene=scene), elsewhere, scene, given.out)
+
+
+if __name__ == "__main__":
+    style.run(main)

@@ -37,8 +37,19 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   }
   if (report_.iterated) return instead.prepare(bodies, blocks, iterated ? first : 0, h);
   place_rows();
+  prepare_outside(bodies, h);
+}
+
+// Rows outside of A have to see the same masses as those in it: where they did not, the two would
+// give each other energy.
+void DirectSolver::prepare_outside(const Bodies& bodies, real h) {
   contacts_.iterations = 1;
-  contacts_.prepare(bodies, outside_, 0, h);
+  if (outside_.list.empty() || stiffness == 0) return contacts_.prepare(bodies, outside_, 0, h);
+  stiff_bodies_ = bodies;
+  for (int slot = 0; slot < bodies.slots(); ++slot)
+    if (pulls_[slot].force_lever > 0)
+      stiff_bodies_.at(slot).inverse_inertia_local = pulls_[slot].inverse_inertia_local;
+  contacts_.prepare_as(stiff_bodies_, bodies, outside_, h);
 }
 
 // True if the blocks at one body alone, which are all neighbours of each other, make the factor
@@ -78,7 +89,7 @@ void DirectSolver::collect_masses(const Bodies& bodies, real h) {
     Pull& pull = pulls_[slot];
     if (pull.force_lever > 0) {
       const Stiffened more = stiffened(body, pull.force_lever, pull.lever, stiffness, h);
-      body.inverse_inertia_local = more.inverse_inertia_local;
+      body.inverse_inertia_local = pull.inverse_inertia_local = more.inverse_inertia_local;
       pull.w = more.w;
     }
     const mat3 I = inverse_inertia(body);

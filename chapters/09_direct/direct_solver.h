@@ -62,6 +62,7 @@ class DirectSolver : public Solver {
   struct Pull {  // at a body
     real force_lever = 0;  // the sum of |F||r| in the last step [N m]
     real lever = 0;        // the longest |r| [m]
+    vec3 inverse_inertia_local{0};  // with more inertia
     vec3 w{0};             // the angular velocity that it has with more inertia
   };
   struct Inside {  // a block that has a place in A
@@ -74,6 +75,14 @@ class DirectSolver : public Solver {
     Side side = Side::free;
   };
   class Poses;  // the corrector of positions
+  // Iterations that see other masses than those of the bodies that they move.
+  class Outside : public SequentialImpulses {
+   public:
+    void prepare_as(const Bodies& masses, const Bodies& bodies, const Blocks& blocks, real h) {
+      prepare(masses, blocks, 0, h);
+      prepared_for(bodies, blocks, 0);
+    }
+  };
 
   void collect_masses(const Bodies& bodies, real h);
   void find_force_levers(real h);
@@ -81,6 +90,7 @@ class DirectSolver : public Solver {
   void collect_block(const Bodies& bodies, const Block& block, real h);
   bool is_outside(const Block& block) const;
   bool is_hub() const;
+  void prepare_outside(const Bodies& bodies, real h);
   void place_rows();
   void place_row(int inside, int i, bool live);
   void solve_joints(Bodies& bodies);
@@ -103,7 +113,8 @@ class DirectSolver : public Solver {
   std::vector<BoundedRow> bounded_;
   std::vector<const real*> followed_;  // impulses that bounds follow
   Blocks outside_;                     // the other blocks
-  SequentialImpulses contacts_;        // solves them
+  Bodies stiff_bodies_;                // with more inertia, for those
+  Outside contacts_;                   // solves them
   JointMatrixMaker maker_;
   bool factored_ = false;
   std::vector<double> x_;              // the right-hand side, then the change of the impulses

@@ -2,33 +2,37 @@
 import numpy as np
 
 import style
-from style import COLOURS, rows
+from style import COLOURS, metres, rows
+
+SHOWN = {"split impulse": (COLOURS[3], "split impulse,\nprojection"),
+         "soft + relax": (COLOURS[5], "soft + relax"), "beta 0.2": (COLOURS[0], "beta 0.2"),
+         "relax": (COLOURS[4], "beta 1 + relax"), "beta 1": (COLOURS[2], "beta 1")}
 
 
 def draw_budget(solution, mine, out):
+    """Of projection and split impulse, which are one from 4 substeps on, the second is drawn."""
     table = mine or solution
-    gap = {name: style.metres(size)
-           for name, size in zip(*(rows(table, substeps=16)[column]
-                                   for column in ("method", "gap_rms_m")))}
+    gap = {name: metres(size) for name, size in zip(*(rows(table, substeps=16)[column]
+                                                      for column in ("method", "gap_rms_m")))}
     figure, axes = style.figure(
-        f"{table['iterations'][0]:g} iterations per 1/60 s in 16 parts: {gap['beta 1']} with "
-        f"beta 1, {gap['split impulse']} with a cold split impulse", 2)
-    figure.supxlabel("substeps that share them; solid: cold, dashed: warm", fontsize=9)
-    names = list(dict.fromkeys(name.removesuffix(" warm") for name in table["method"]))
+        f"{table['iterations'][0]:g} iterations per 1/60 s, cut into 16 substeps: beta 1 leaves "
+        f"{gap['beta 1']} if it starts cold, a split impulse {gap['split impulse warm']} if it "
+        "starts warm", 2, sharey=True)
     cuts = np.unique(table["substeps"])
-    for ax, column, scale in zip(axes, ("gap_rms_m", "energy_drift"), (1000, 100)):
-        for name in dict.fromkeys(table["method"]):
-            part, cold = rows(table, method=name), name.removesuffix(" warm")
-            ax.plot(part["substeps"], scale * part[column], color=COLOURS[names.index(cold)],
-                    linestyle="-" if name == cold else "--",
-                    label=cold.replace(" + ", "\n+ ") if name == cold else "_")
+    for ax, end, words in zip(axes, ("", " warm"), ("cold", "warm; a cross: energy grows")):
+        for name, (colour, label) in SHOWN.items():
+            part = rows(table, method=name + end)
+            ax.plot(part["substeps"], 1000 * part["gap_rms_m"], color=colour, label=label)
+            for grows, marker in ((False, "o"), (True, "x")):
+                chosen = (part["energy_drift"] > 0.01) == grows
+                ax.plot(part["substeps"][chosen], 1000 * part["gap_rms_m"][chosen], marker,
+                        color=colour, markersize=4 + 3 * grows, markeredgewidth=1 + grows)
         ax.set_xscale("log", base=2)
+        ax.set(xlabel="substeps that share the iterations", yscale="log", ylim=(0.03, 200),
+               title=words)
         ax.set_xticks(cuts, [f"{cut:g}" for cut in cuts])
-    axes[0].set(ylabel="gap, RMS  [mm]", yscale="log", ylim=(0.03, 200))
-    axes[1].set_yscale("symlog", linthresh=0.1)
-    axes[1].set(ylabel="change of energy  [%]", ylim=(-150, 1500))
-    for ax in axes:
+        style.plain_log(ax.yaxis)
         ax.minorticks_off()
-    style.plain_log(axes[0].yaxis)
-    style.label_ends(axes[1])
+        style.label_ends(ax)
+    axes[0].set_ylabel("gap of the joints, RMS  [mm]")
     style.save(figure, out / "06_budget")

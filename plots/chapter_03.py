@@ -26,28 +26,37 @@ def door(folder, command):
 
 
 def draw_door(solution, mine, out):
-    """The doors of the whole joint over time."""
+    """The doors of the whole joint over time: the slow ones, and the first steps of the fast."""
     table, own = solution, mine
     speeds = np.unique(table["speed_rad_s"])
     farthest = max(pick(own or table, "angle_deg", blocks=WHOLE, speed_rad_s=speed)[1].max()
                    for speed in speeds)
-    figure, ax = style.figure(
-        f"Slammed at up to {speeds.max():g} rad/s, {'your' if own else 'the'} door "
-        + (f"stops at {farthest:.2f}°" if farthest < 111 else f"goes to {farthest:.0f}°, not 110°"))
-    for speed, colour in zip(speeds, COLOURS):
-        t, angle = pick(table, "angle_deg", blocks=WHOLE, speed_rad_s=speed)
-        short = (t > 0) & (t <= 3)
-        if own:
-            ax.plot(*(values[short] for values in
-                      pick(own, "angle_deg", blocks=WHOLE, speed_rad_s=speed)),
-                    color=colour, linewidth=3.2, alpha=0.5, label="_")
-        ax.plot(t[short], angle[short], color=colour, label=f"{speed:g} rad/s", marker=".",
-                markersize=4, linewidth=1, dashes=(4, 2) if own else (None, None))
-    ax.axhline(110, color=PALE, linewidth=0.8)
-    ax.set(xlabel="time, one dot per step  [s]", ylabel="opening angle  [°]", xscale="log",
-           title="doors, whole joint" + (": yours (thick), the solution's" if own else ""))
-    style.plain_log(ax.xaxis)
-    label_ends(ax)
+    figure, axes = style.figure(
+        f"Slammed with {speeds.min():g} to {speeds.max():g} rad/s, "
+        + (f"{'your doors stop' if own else 'every door stops'} at its limit, at {farthest:.2f}°"
+           if farthest < 111 else f"a door goes to {farthest:.0f}° and not to 110°"), 2)
+    slow, fast = np.array_split(speeds, 2)
+    for ax, few, longest, words in ((axes[0], slow, 2.5, "slow doors"),
+                                    (axes[1], fast, 0.2, "fast doors, a dot per step")):
+        for speed in few:
+            colour = COLOURS[list(speeds).index(speed)]
+            for given, looks in ((own, {"linewidth": 3.2, "alpha": 0.5}),
+                                 (table, {"dashes": (4, 2) if own else (None, None)})):
+                if given:
+                    t, angle = pick(given, "angle_deg", blocks=WHOLE, speed_rad_s=speed)
+                    ax.plot(t[t <= longest], angle[t <= longest], color=colour, label="_",
+                            marker="." if ax is axes[1] else None, **looks)
+            at = 90 if speed == few[-1] else 50
+            some = np.searchsorted(angle, at) + 1
+            ax.text(np.interp(at, angle[:some], t[:some]) + 0.03 * longest, at,
+                    f"{speed:g} rad/s", color=colour, va="top")
+        ax.axhline(110, color=PALE, linewidth=0.8)
+        ax.text(0.98, 112, "limit, 110°", ha="right", color=PALE, fontsize=8.5,
+                transform=ax.get_yaxis_transform())
+        ax.set(xlabel="time  [s]", xlim=(0, longest), ylim=(0, max(125, 1.05 * farthest)),
+               xticks=np.linspace(0, longest, 5 if longest < 1 else 6),
+               title=words + (": yours (thick), the solution's" if own else ""))
+    axes[0].set_ylabel("opening angle  [°]")
     style.save(figure, out / "03_door")
 
 
@@ -103,20 +112,17 @@ def draw_motor(solution, mine, out):
 
 
 def draw_curl(solution, mine, out):
-    table = mine or solution
+    table, limit, bound = mine or solution, 40, 20
     joints = np.unique(table["joint"])
-    limit = 40
     arrived = [joint for joint in joints
                if pick(table, "angle_deg", joint=joint)[1][-1] > limit - 0.5]
     figure, (left, right) = style.figure(
         f"{'Your seven' if mine else 'Seven'} motors bend a hanging chain: {len(arrived)} hinges "
-        "arrive, the lightest end first", 2)
-    for joint in joints:
-        colour = shade(joint / joints.max())
-        t, angle = pick(table, "angle_deg", joint=joint)
-        left.plot(t, angle, color=colour, label=f"{joint:g}")
-        t, torque = pick(table, "motor_nm", joint=joint)
-        right.plot(t, torque / 1000, color=colour, label=f"{joint:g}", linewidth=1)
+        f"reach {limit}°; the top one does not, though its motor has strength left", 2)
+    for joint in joints[[0, 2, 3, 4, -1]]:
+        end = {joints[0]: " (top)", joints[-1]: " (end)"}.get(joint, "")
+        left.plot(*pick(table, "angle_deg", joint=joint), color=shade(joint / joints.max()),
+                  label=f"hinge {joint:g}{end}")
         if mine:
             left.plot(*pick(solution, "angle_deg", joint=joint), color=INK, linewidth=0.9,
                       dashes=(4, 2), label="_")
@@ -124,10 +130,17 @@ def draw_curl(solution, mine, out):
     left.text(0.02, limit + 0.5, "limit", color=PALE, fontsize=8.5,
               transform=left.get_yaxis_transform())
     left.set(xlabel="time  [s]", ylabel="angle  [°]",
-             title="angle of the hinges, 1 at the top" + ("; dashed: the solution" if mine else ""))
-    right.set(xlabel="time  [s]", ylabel="torque  [kN m]", title="torque of the motors")
+             title="five of the hinges" + ("; dashed: the solution" if mine else ""))
+    means = [np.mean(torque[t >= 4]) / 1000 for t, torque in
+             (pick(table, "motor_nm", joint=joint) for joint in joints)]
+    right.bar(joints, means, color=[shade(joint / joints.max()) for joint in joints])
+    right.axhline(bound, color=PALE, linewidth=0.8)
+    right.text(0.98, bound - 0.4, f"bound of each motor, {bound} kN m", ha="right", va="top",
+               color=PALE, fontsize=8.5, transform=right.get_yaxis_transform())
+    right.grid(axis="x", visible=False)
+    right.set(xlabel="hinge, from the top", ylabel="torque  [kN m]", ylim=(0, 1.08 * bound),
+              title="mean torque of the last second", xticks=joints)
     label_ends(left)
-    label_ends(right)
     style.save(figure, out / "03_curl")
 
 

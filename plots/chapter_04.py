@@ -15,28 +15,39 @@ def whole(table):
 
 
 def draw_piston(solution, mine, out):
-    table = whole(mine or solution)
-    t = table["time_s"]
+    first = {name: np.asarray(column)[np.asarray((mine or solution)["time_s"]) < 3.01]
+             for name, column in (mine or solution).items()}
+    table = whole(first)
+    t, bound = table["time_s"], table["motor_n"].max()
+    limits = table["displacement_m"].min(), table["displacement_m"].max()
     figure, (left, right) = style.figure(
-        "A piston: the motor gives 80 N at most, the limit the rest", 2)
+        f"A piston: the motor gives at most {bound:.0f} N; at both ends the limit holds what is "
+        "left over", 2)
     left.plot(t, table["displacement_m"], color=COLOURS[0 if mine else 1],
-              label="_", linewidth=3 if mine else 1.6)
+              label="_", linewidth=3 if mine else 1.8)
     if mine:
-        left.plot(whole(solution)["time_s"], whole(solution)["displacement_m"], color=INK,
-                  linewidth=1.1, dashes=(4, 2), label="_")
-        left.set_title("displacement: yours (thick), the solution's")
-    else:
-        left.set_title("displacement")
-    for limit in (0, 0.4):
+        theirs = whole(solution)
+        left.plot(theirs["time_s"], theirs["displacement_m"], color=INK, linewidth=1.1,
+                  dashes=(4, 2), label="_")
+    for limit, words in zip(limits, ("lower", "upper")):
         left.axhline(limit, color=PALE, linewidth=0.8)
-    left.set(xlabel="time  [s]", ylabel="displacement  [m]")
-    for column, colour, label in (("motor_n", COLOURS[0], "motor"),
-                                  ("limit_n", COLOURS[1], "limit")):
-        right.plot(t[1:], table[column][1:], color=colour, label=label, linewidth=1.3)
-    right.axhline(5 * 9.81, color=PALE, linewidth=0.8)
-    right.text(0.42, 5 * 9.81 + 5, "weight", ha="center", fontsize=8.5, color=PALE,
-               transform=right.get_yaxis_transform())
-    right.set(xlabel="time  [s]", ylabel="force along the line  [N]", title="forces")
+        left.text(0.98, limit + 0.004, f"{words} limit, {abs(limit):.1f} m", ha="right",
+                  va="bottom", fontsize=8.5, color=PALE, transform=left.get_yaxis_transform())
+    left.set(xlabel="time  [s]", ylabel="displacement  [m]", xlim=(0, 3.6), ylim=(-0.03, 0.45),
+             title="up and down once" + (": yours (thick), the solution's" if mine else ""))
+    for column, colour, label in (("limit_n", COLOURS[1], "limit"),
+                                  ("motor_n", COLOURS[0], "motor")):
+        right.step(t[1:], table[column][1:], color=colour, label=label)
+    for force in (-bound, bound):
+        right.axhline(force, color=PALE, linewidth=0.8, dashes=(4, 2))
+    right.text(0.02, bound + 6, f"bounds of the motor, ±{bound:.0f} N", fontsize=8.5,
+               color=PALE, transform=right.get_yaxis_transform())
+    for stop, words, side in ((np.argmin(table["limit_n"]), "stops it at the top", -1),
+                              (np.argmax(table["limit_n"]), "stops it at the bottom", 1)):
+        right.text(t[stop] - 0.08 * side, table["limit_n"][stop], words, va="center",
+                   ha="right" if side > 0 else "left", fontsize=8.5, color=COLOURS[1])
+    right.set(xlabel="time  [s]", ylabel="force along the line  [N]", xlim=(0, 3),
+              title="forces on the piston, upwards positive")
     label_ends(right)
     style.save(figure, out / "04_piston")
 
@@ -46,25 +57,31 @@ def draw_cannon(solution, mine, out):
     t, flying = table["time_s"], table["flying"] > 0
     exit_speed = table["shot_m_s"][~flying][-1]
     acceleration = 5000 / 60 - 9.81 * np.sqrt(0.5)
+    muzzle = table["displacement_m"][-1]
     figure, (left, right) = style.figure(
-        f"The cannon: the carriage stops at the muzzle, the shot leaves with {exit_speed:.1f} m/s",
-        2)
-    short = t <= 1
-    left.plot(t[short], table["displacement_m"][short], color=COLOURS[1], label="carriage")
+        f"The carriage of the cannon stops at the muzzle, the shot leaves with {exit_speed:.1f} "
+        "m/s", 2)
+    short = t <= 0.8
     left.plot(t[short], -1 + acceleration / 2 * t[short] ** 2, color=INK, linewidth=1,
-              dashes=(4, 2), label="5000 N,\nno limit")
-    left.axhline(10, color=PALE, linewidth=0.8)
+              dashes=(4, 2), label="_")
+    left.plot(t[short], table["displacement_m"][short], color=COLOURS[1], linewidth=2.5)
+    left.axhline(muzzle, color=PALE, linewidth=0.8)
+    left.text(0.02, muzzle + 0.2, f"muzzle: limit at {muzzle:.0f} m", fontsize=8.5, color=PALE,
+              transform=left.get_yaxis_transform())
+    left.text(0.62, 12.6, "by hand, 5000 N,\nwithout a limit", fontsize=8.5, va="center")
+    left.text(0.38, 3.5, "carriage", fontsize=8.5, color=COLOURS[1])
     left.set(xlabel="time  [s]", ylabel="displacement of the carriage  [m]", ylim=(-2, 14),
-             xlim=(0, 1), title="in the barrel" + (", yours" if mine else ""))
-    label_ends(left)
-    right.plot(table["shot_x_m"][~flying], table["shot_y_m"][~flying], color=COLOURS[1],
-               linewidth=3)
-    right.plot(table["shot_x_m"][flying], table["shot_y_m"][flying], color=COLOURS[0], marker=".",
-               markersize=2, linewidth=0.8)
+             xlim=(0, 0.8), title="in the barrel" + (", yours" if mine else ""))
+    for part, colour, words in ((~flying, COLOURS[1], "in the barrel"),
+                                (flying, COLOURS[0], "in free flight")):
+        x, y = table["shot_x_m"][part], table["shot_y_m"][part]
+        right.plot(x, y, color=colour, linewidth=3 if words == "in the barrel" else 1.6)
+        middle = len(x) // 2
+        right.text(x[middle] + 2, y[middle] - 2, words, color=colour, va="top", fontsize=8.5)
     if mine:
         theirs = whole(solution)
         right.plot(theirs["shot_x_m"], theirs["shot_y_m"], color=INK, linewidth=1, dashes=(4, 2))
-    right.set(xlabel="x  [m]", ylabel="y  [m]", aspect="equal",
+    right.set(xlabel="x  [m]", ylabel="height  [m]", aspect="equal",
               title="the shot's path" + ("; dashed: the solution's" if mine else ""))
     style.save(figure, out / "04_cannon")
 

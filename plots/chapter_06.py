@@ -10,8 +10,9 @@ from budget_06 import draw_budget
 from style import COLOURS, INK, PALE, metres, rows, visible
 
 FORMULA = {"color": INK, "linewidth": 1, "dashes": (4, 2)}
+SIDE = COLOURS[3], COLOURS[0], COLOURS[2], COLOURS[4], COLOURS[1]
 LOOKS = {"beta 0.2": 0, "beta 0.2 + projection": 1, "beta 1": 2, "projection": 3,
-         "beta 1 + projection": 4, "beta 0.05": 5, "beta 0.2 + bent 0.2 rad": 4}
+         "beta 1 + projection": 4, "beta 0.05": 5}
 
 
 def parts(table, column):
@@ -56,19 +57,21 @@ def whose(mine):
 
 def draw_pendulums(solution, mine, out):
     table = mine or solution
-    widest = [(name, np.max(part["gap_m"])) for name, part, _, _ in parts(table, "method")]
+    widest = [f"{metres(np.max(part['gap_m']))} with {name}"
+              for name, part, _, _ in parts(table, "method")]
     figure, (left, right) = style.figure(
-        f"In {table['time_s'].max():g} s the joint opens by "
-        + ", ".join(f"{metres(gap)} with {name}" for name, gap in widest), 2)
+        f"A swinging bar: in {table['time_s'].max():g} s its joint opens by up to "
+        + ", ".join(widest), 2)
+
+    def swings(whole):
+        return whole and style.peaks(whole, "method", 30)
     left.set_yscale("log")
-    over_time(left, solution, mine, "gap_m", "method", visible)
+    over_time(left, swings(solution), swings(mine), "gap_m", "method", visible)
     over_time(right, solution, mine, "energy_change", "method")
-    left.set(ylabel="gap of the joint  [m]", title="gap" + whose(mine))
+    left.set(ylabel="gap of the joint", title="widest gap of each half second" + whose(mine))
+    style.metres_log(left.yaxis)
     right.axhline(0, color=PALE, linewidth=0.8)
-    right.set(ylabel="change of energy over $m\\,g\\,l/2$", title="energy, which may not change")
-    right.text(0.03, 0.03, "this loop and the\nengine: bars at most\n"
-               f"{metres(np.max(table['off_engine_m']))} apart", fontsize=8, color=PALE,
-               transform=right.transAxes)
+    right.set(ylabel=r"change of energy  [$m\,g\,l/2$]", title="energy: 0 would be right")
     finish(figure, out / "06_pendulums", left, right)
 
 
@@ -115,37 +118,31 @@ def draw_correction(solution, mine, out):
 
 def draw_energy_and_spin(solution, mine, out):
     energy, spin, thesis = mine or solution
-    most = np.argmax(energy["measured_j"] * (np.abs(energy["beta"] - 0.15) < 1e-6))
+    one = rows(energy, beta=min(energy["beta"], key=lambda beta: np.abs(beta - 0.15)))
+    most = np.argmax(one["gap_m"])
     figure, (left, right) = style.figure(
-        f"Correcting {energy['gap_m'][most]:.2f} m with beta {energy['beta'][most]:g} brings in "
-        f"{energy['measured_j'][most]:.0f} J, and {energy['left_j'][most]:.0f} J stay", 2)
-    for beta, part, colour, marker in parts(energy, "beta"):
-        left.plot(part["gap_m"], part["measured_j"], color=colour, marker=marker, linestyle="none",
-                  label=f"beta {beta:g}")
-        left.plot(part["gap_m"], part["predicted_j"], label="_", **FORMULA)
-        left.plot(part["gap_m"], visible(part["left_j"]), color=colour, marker=marker,
-                  markerfacecolor="white", linewidth=0.8, label="_")
-    left.set(xscale="log", yscale="log", xlabel="gap at the start  [m]", ylabel="energy  [J]",
-             title="first step (dashed: formula); hollow: the end")
-    inset = right.inset_axes((0.6, 0.09, 0.38, 0.31))
+        f"Correcting {one['gap_m'][most]:.2f} m with beta {one['beta'][0]:g} brings in "
+        f"{one['measured_j'][most]:.0f} J, and {one['left_j'][most]:.0f} J stay as rotation", 2)
+    left.plot(one["gap_m"], one["predicted_j"], label="_", **FORMULA)
+    for column, colour, words in (("measured_j", COLOURS[1], "brought in by\nthe first step"),
+                                  ("left_j", COLOURS[0], "left at\nthe end")):
+        left.plot(one["gap_m"], visible(one[column]), color=colour, marker="o", label=words,
+                  linestyle="none" if column == "measured_j" else "-")
+    left.set(ylabel="energy", title=f"beta {one['beta'][0]:g}; dashed: Eq. 6-6")
     for beta, part, colour, marker in parts(spin, "beta"):
         right.plot(part["gap_m"], visible(part["measured_rad_s"]), color=colour, marker=marker,
                    markersize=4, linestyle="none", label=f"beta {beta:g}")
         right.plot(part["gap_m"], part["predicted_rad_s"], label="_", **FORMULA)
-        inset.plot(part["gap_m"], part["measured_rad_s"] / part["predicted_rad_s"], color=colour,
-                   marker=marker, markersize=2.5, linewidth=0.8)
     gap, speed = np.sqrt(2) * np.abs(thesis["offset_m"][0]), np.abs(thesis["wy_rad_s"][0])
     right.plot(gap, speed, color=INK, marker="*", markersize=11, label="_")
-    right.annotate(f"thesis: {speed:g} rad/s", (gap, speed), xytext=(-8, 26), ha="right",
-                   textcoords="offset points", fontsize=8.5,
+    right.annotate(f"thesis, beta 0.15:\n{speed:.2f} rad/s", (gap, speed), xytext=(-28, 10),
+                   ha="right", textcoords="offset points", fontsize=8.5,
                    arrowprops={"arrowstyle": "-", "color": INK, "linewidth": 0.8})
-    inset.plot(gap, speed / np.abs(thesis["predicted_rad_s"][0]), color=INK, marker="*")
-    inset.axhline(1, **FORMULA)
-    inset.set(xscale="log", ylim=(0, 1.8), yticks=(0, 0.5, 1, 1.5))
-    inset.set_title("measured / formula", fontsize=7.5, pad=2)
-    inset.tick_params(labelsize=7)
-    right.set(xscale="log", yscale="log", xlabel="gap at the start  [m]",
-              ylabel="angular velocity left  [rad/s]", title="at the end; dashed: second order")
+    right.set(ylabel="angular velocity left", title="at the end; dashed: Eq. 6-7")
+    for ax, unit in ((left, "J"), (right, "rad/s")):
+        ax.set(xscale="log", yscale="log", xlabel="gap at the start")
+        style.metres_log(ax.xaxis, 1)
+        style.metres_log(ax.yaxis, unit=unit)
     finish(figure, out / "06_energy_and_spin", left, right)
 
 
@@ -179,34 +176,37 @@ def draw_beta(solution, mine, out):
 def draw_warm(solution, mine, out):
     table, warm = mine or solution
     few, many = table["iterations"].min(), table["iterations"].max()
-    links, cold = warm["links"], visible(warm["cold_sag_m"])
-    held = np.nan_to_num(np.abs(warm["warm_sag_m"]), nan=np.inf)
-    held = np.clip(held, 1e-16, 1e4 * style.extent(cold)[1])
+    least, most = 1e-9, 1e3
+    held = np.clip(np.nan_to_num(np.abs(warm["warm_sag_m"]), nan=np.inf), least, most)
 
     def end(start, count):
         return metres(np.max(rows(table, start=start, iterations=count)["size_m"][-60:]))
+
+    def swings(given):
+        return given and style.peaks({name: given[0][name] for name in
+                                      ("setting", "time_s", "size_m")}, "setting", 15)
     figure, (left, right) = style.figure(
-        f"With {many:g} iterations a warm start takes the sag from {end('cold', many)} to "
-        f"{end('warm', many)}; with {few:g} it swings by {end('warm', few)}", 2)
+        f"{many:g} iterations leave a sag of {end('cold', many)} cold, of {end('warm', many)} warm;"
+        f" warm with {few:g} the chain swings by {end('warm', few)}", 2)
     left.set_yscale("log")
-    over_time(left, solution[0], mine and mine[0], "size_m", "setting", decades=12)
-    left.set(ylabel="last cube out of place  [m]", title="ten cubes" + whose(mine))
-    right.plot(warm["kept"], cold, color=COLOURS[1], marker="o", linestyle="none",
-               markerfacecolor="white", markersize=6, label="cold; cross: predicted")
-    right.plot(warm["kept"], visible(warm["predicted_cold_sag_m"]), color=INK, marker="x",
-               linestyle="none", markersize=3.5, markeredgewidth=0.8, label="_")
-    for safe, colour, marker, words in ((1, COLOURS[2], "s", "warm, called safe"),
-                                        (0, COLOURS[0], "^", "warm, called unsafe")):
-        chosen = warm["safe"] == safe
-        right.plot(warm["kept"][chosen], held[chosen], color=colour, marker=marker,
-                   linestyle="none", markersize=5, label=words)
-    right.axvline(1, color=PALE, linewidth=0.8)
-    right.text(1.02, 0.03, "beyond 1\nit grows", fontsize=8.5, color=PALE,
-               transform=right.get_xaxis_transform())
-    right.set(yscale="log", xlabel=r"$\rho^k(1+\beta)$", ylabel="last cube out of place  [m]",
-              title=f"{links.min():g} to {links.max():g} cubes (top: beyond, bottom: 0)")
-    right.legend(frameon=False, labelcolor="linecolor", fontsize=8.5, loc=(0, 0.2),
-                 handlelength=1, handletextpad=0.4)
+    over_time(left, swings(solution), swings(mine), "size_m", "setting", visible, decades=12)
+    left.set(ylabel="last cube out of place", title="ten cubes, most of each half second")
+    for edge, colour, words, at in ((0, COLOURS[2], "foretold to settle", 0.03),
+                                    (1, COLOURS[0], "to grow", 0.97)):
+        right.axvspan(edge, 1 + 0.55 * edge, color=colour, alpha=0.1, linewidth=0)
+        right.text(at, 0.93, words, color=colour, transform=right.transAxes,
+                   ha=("left", "right")[edge], fontsize=8.5)
+        chosen = warm["safe"] != edge
+        right.plot(warm["kept"][chosen], held[chosen], color=colour, marker="o^"[edge],
+                   markersize=5, linestyle="none", clip_on=False, zorder=3)
+    right.set(yscale="log", xlim=(0, 1.55), ylim=(least, most), ylabel="last cube out of place",
+              xlabel=r"share that a warm step keeps, $\rho^k(1+\beta)$",
+              title=f"warm, {warm['links'].min():g} to {warm['links'].max():g} cubes, at the end")
+    style.metres_log(left.yaxis, 2)
+    style.metres_log(right.yaxis)
+    right.set_yticks(right.get_yticks(), ["≤ 1 nm",
+                     *(words.get_text() for words in right.get_yticklabels()[1:-1]),
+                     "≥ 1 km"])
     finish(figure, out / "06_warm", left)
 
 
@@ -230,53 +230,51 @@ def draw_rods(solution, mine, out):
 
 def draw_between(solution, mine, out):
     table, rate = mine or solution
-    table = style.peaks(table, "method")
+    few = np.isin(table["method"], ("beta 0.05", "beta 0.2", "beta 1", "projection"))
+    table = style.peaks({name: np.asarray(column)[few] for name, column in table.items()}, "method")
     calm = [(np.max(part["speed_m_s"][part["time_s"] > part["time_s"].max() - 1]), name)
             for name, part, _, _ in parts(table, "method")]
     figure, (left, right) = style.figure(
-        f"Kicked between two walls: in the last second {max(calm)[1]} still reaches "
-        f"{max(calm)[0]:.1f} m/s, {min(calm)[1]} {min(calm)[0]:.2f} m/s", 2)
-    over_time(left, table, None, "gap_max_m", "method", visible)
-    over_time(right, table, None, "speed_m_s", "method")
-    left.set(yscale="log", ylabel="largest gap  [m]", title="gap, peaks of a third of a second")
-    right.set(ylabel="fastest link  [m/s]", title="speed")
-    inset = right.inset_axes((0.5, 0.64, 0.48, 0.28))
-    inset.plot(rate["bend_rad"], rate["rho"], color=INK, marker="o", markersize=3, linewidth=0.8)
+        f"Kicked between two walls, a straight chain still moves at {max(calm)[0]:.1f} m/s in the "
+        f"last second with {max(calm)[1]}, at {min(calm)[0]:.2f} m/s with {min(calm)[1]}", 2)
+    over_time(left, table, None, "speed_m_s", "method")
+    left.set(ylabel="fastest link  [m/s]", title="three blows, then left alone")
+    right.plot(rate["bend_rad"], 100 * rate["rho"], color=COLOURS[1], marker="o")
     stuck = rate["rank"] < rate["rank"].max()
-    inset.plot(rate["bend_rad"][stuck], rate["rho"][stuck], color=COLOURS[0], marker="o",
-               linestyle="none", markersize=4.5)
     for bend, rho, rank in zip(*(rate[name][stuck] for name in ("bend_rad", "rho", "rank"))):
-        inset.annotate(f"rank\n{rank:g} of {rate['rank'].max():g}", (bend, rho), fontsize=7,
-                       xytext=(-2, -28), textcoords="offset points", color=COLOURS[0])
-    inset.set_title("share left per iteration", fontsize=7.5, pad=3)
-    inset.set_xlabel("bend of the links  [rad]", fontsize=7.5, labelpad=1)
-    inset.tick_params(labelsize=7)
-    finish(figure, out / "06_between", left, right)
+        right.annotate(f"straight: {100 * rho:.0f} %, for only\n{rank:g} of "
+                       f"{rate['rank'].max():g} rows are independent", (bend, 100 * rho),
+                       fontsize=8.5, color=COLOURS[0], xytext=(0.05, 0.42), va="center",
+                       textcoords="axes fraction", arrowprops={
+                           "arrowstyle": "-", "color": COLOURS[0], "linewidth": 0.8})
+    right.set(xlabel="bend of the links  [rad]", ylim=(0, 108),
+              ylabel="error left after an iteration  [%]", title="why: iterations do not get far")
+    finish(figure, out / "06_between", left)
 
 
 def draw_side_by_side(solution, mine, out):
     table = mine or solution
-    gap = {name: size for name, count, size in zip(table["method"], table["iterations"],
-                                                   table["gap_rms_m"]) if count in (30, 32)}
-    worst = max(gap, key=gap.get)
+    shown = {"projection": "projection\nalone", "beta 0.2": "beta 0.2", "beta 1": "beta 1",
+             "beta 1 + 4 substeps": "beta 1,\n4 substeps",
+             "beta 1 + 16 substeps": "beta 1,\n16 substeps"}
+    gap = {name: metres(size) for name, count, size in zip(
+        table["method"], table["iterations"], table["gap_rms_m"]) if count in (30, 32)}
     figure, (left, right) = style.figure(
-        f"30 iterations leave {metres(gap[worst])} with {worst}, {metres(gap['beta 0.2'])} with "
-        f"beta 0.2, {metres(gap['beta 1'])} with beta 1", 2)
-    figure.supxlabel("iterations per step", fontsize=9)
-    for name, part, _, _ in parts(table, "method"):
-        alone, _, beside = name.partition(" + ")
+        f"30 iterations leave gaps of {gap['projection']} with projection alone, {gap['beta 0.2']} "
+        f"with beta 0.2, {gap['beta 1']} with beta 1; in 16 substeps {gap[list(shown)[-1]]}", 2)
+    for (name, words), colour in zip(shown.items(), SIDE):
+        part = rows(table, method=name)
         for ax, column, scale in ((left, "gap_rms_m", 1000), (right, "energy_drift", -100)):
-            ax.plot(part["iterations"], visible(scale * part[column]), label=name,
-                    color=COLOURS[LOOKS.get(alone, 1)],
-                    linestyle="--" if beside == "projection" else ":" if beside else "-")
-    left.set(ylabel="gap, RMS  [mm]")
-    right.set(ylabel="energy lost  [%]")
+            ax.plot(part["iterations"], visible(scale * part[column]), label=words, color=colour,
+                    marker="o", markersize=4)
+    left.set(ylabel="gap of the joints, RMS  [mm]", title="gap")
+    right.set(ylabel="energy lost  [%]", title="energy")
     for ax in (left, right):
-        ax.set(xscale="log", yscale="log")
+        ax.set(xscale="log", yscale="log", xlabel="iterations per step")
         ax.set_xticks((5, 10, 30, 100), ("5", "10", "30", "100"))
         style.plain_log(ax.yaxis)
         ax.minorticks_off()
-    finish(figure, out / "06_side_by_side", right)
+    finish(figure, out / "06_side_by_side", left, right)
 
 
 def draw_rope(solution, mine, out):

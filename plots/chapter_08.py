@@ -40,47 +40,35 @@ def draw_rest(solution, mine, out):
 
 def draw_friction(solution, mine, out):
     slide, hand = mine or solution
-    speeds = np.unique(slide["speed_m_s"])
-    fast = rows(slide, speed_m_s=speeds[-1], direction_deg=45)
-    share = {name: way / rows(fast, tangents="turned")["expected_m"][0]
-             for name, way in zip(fast["tangents"], fast["way_m"])}
-    figure, (left, right) = style.figure(
-        f"At 45° a box slides {share['turned']:.2f} of $v^2/2\\mu g$ with turned tangents, "
-        f"{share['fixed']:.2f} with fixed ones", 2)
-    for name, part, colour, _ in parts(slide, "tangents"):
-        for speed, marker in zip(speeds, "v^o"):
-            one = rows(part, speed_m_s=speed)
-            straight = rows(slide, tangents="turned", speed_m_s=speed)["expected_m"]
-            left.plot(one["direction_deg"], one["way_m"] / straight, color=colour, marker=marker,
-                      markersize=5, linestyle="none", label="_")
-            left.plot(one["direction_deg"], one["stepped_m"] / straight, label="_", **FORMULA)
-            if speed == speeds[-1]:
-                left.plot(one["direction_deg"], one["expected_m"] / straight, color=colour,
-                          linewidth=1, label=f"{name},\n$h$ → 0")
-    for speed, marker in zip(speeds, "v^o"):
-        left.plot([], [], color=PALE, marker=marker, linestyle="none", label=f"_{speed:g}")
-    left.legend([line for line in left.lines if line.get_label() in
-                 {f"_{speed:g}" for speed in speeds}], [f"{speed:g} m/s" for speed in speeds],
-                frameon=False, fontsize=8.5, loc="lower left", ncol=3, handletextpad=0.1,
-                columnspacing=1)
-    left.set(xlabel="direction of sliding, from x  [degrees]", xticks=range(0, 91, 15),
-             ylabel=r"way over $v^2/2\mu g$", ylim=(0.5, 1.05),
-             title=r"dashed: steps of $h$ take $v\,h/2$ less")
-    over_time(right, hand, None, "bound_ns", color=INK, label=r"$\mu$ × normal")
-    over_time(right, hand, None, "friction_ns", color=COLOURS[0], label="friction")
-    over_time(right, hand, None, "speed_m_s", color=COLOURS[1], label="speed [m/s]")
+    fast = rows(slide, speed_m_s=np.max(slide["speed_m_s"]))
+    straight = rows(fast, tangents="turned")["expected_m"]
+    share = {name: 100 * (part["way_m"] / straight)[part["direction_deg"] == 45][0]
+             for name, part, _, _ in parts(fast, "tangents")}
+    figure, panels = style.plt.subplot_mosaic(
+        "as;af", figsize=(style.WIDTH, style.HEIGHT), layout="constrained")
+    left, upper, lower = (panels[name] for name in "asf")
+    style.entitle(figure, f"At 45° a box slides {share['turned']:.0f} % of the way "
+                  f"$v^2/2\\mu g$ if its tangents turn, {share['fixed']:.0f} % if they are fixed")
+    for name, part, colour, marker in parts(fast, "tangents"):
+        left.plot(part["direction_deg"], 100 * part["way_m"] / straight, color=colour,
+                  marker=marker, linestyle="none", label=name + "\ntangents")
+        left.plot(part["direction_deg"], 100 * part["stepped_m"] / straight, label="_", **FORMULA)
+    left.set(xlabel="direction of sliding, from x  [°]", xticks=range(0, 91, 15), ylim=(0, 108),
+             ylabel=r"way, of $v^2/2\mu g$  [%]",
+             title=f"from {fast['speed_m_s'][0]:g} m/s; dashed: Eq. 8-7, 8-11")
+    over_time(upper, hand, None, "speed_m_s", color=COLOURS[1])
+    over_time(lower, hand, None, "bound_ns", color=INK, label="bound,\nµ × normal")
+    over_time(lower, hand, None, "friction_ns", color=COLOURS[0], label="friction")
+    lower.lines[0].set(linewidth=1.2, linestyle=":")
     if mine:
-        for column in ("friction_ns", "speed_m_s"):
-            right.plot(solution[1]["time_s"], solution[1][column], label="_", **FORMULA)
-        style.hold(right, hand["speed_m_s"], solution[1]["speed_m_s"])
-    right.lines[0].set(linewidth=1, linestyle=":")
-    right.set(ylabel="impulse of a step  [N s];  speed  [m/s]",
+        for ax, column in ((upper, "speed_m_s"), (lower, "friction_ns")):
+            ax.plot(solution[1]["time_s"], solution[1][column], label="_", **FORMULA)
+            style.hold(ax, hand[column], solution[1][column])
+    upper.set(ylabel="speed  [m/s]", xlabel="", xticklabels=[],
               title="loop by hand" + (", yours; dashed: the solution's" if mine else ""))
-    right.text(0.97, 0.95, "this loop and the engine:\ncorners at most\n"
-               f"{metres(np.max(hand['off_engine_m']))} apart", fontsize=8, color=PALE,
-               ha="right", va="top", transform=right.transAxes)
+    lower.set(ylabel="impulse  [N s]", ylim=(0, 1.2 * np.max(solution[1]["bound_ns"])))
     style.label_ends(left)
-    style.label_ends(right)
+    style.label_ends(lower)
     style.save(figure, out / "08_friction")
 
 
@@ -94,36 +82,31 @@ def draw_slope(solution, mine, out):
     middle = mus[len(mus) // 2]
     slid = np.min(table["way_m"][close & (table["beyond"] > 0) & (table["mu"] == middle)])
     figure, (left, right) = style.figure(
-        f"{near:.1g}° below arctan µ a box stays (within {metres(held)}), "
-        f"{near:.1g}° above it slides {metres(slid)} (µ {middle:g})", 2, width_ratios=(1.5, 1))
-    left.axvspan(-8, 0, color=COLOURS[2], alpha=0.1, linewidth=0)
-    left.text(0.25, 0.94, "holds", ha="center", color=COLOURS[2], transform=left.transAxes)
-    left.text(0.75, 0.94, "slides", ha="center", color=COLOURS[0], transform=left.transAxes)
+        f"{near:.1g}° below arctan µ a box moves by {metres(held)} in 10 s, "
+        f"{near:.1g}° above it by {metres(slid)} (µ = {middle:g})", 2)
+    left.axvspan(-6, 0, color=COLOURS[2], alpha=0.1, linewidth=0)
     for n, mu in enumerate(mus):
         part = rows(table, mu=mu)
-        left.plot(part["beyond"], np.maximum(part["way_m"], 1e-18), color=COLOURS[n],
-                  marker="os^"[n], markersize=5, linestyle="none", label=f"µ {mu:g}")
         angle = np.radians(part["angle_deg"])
         fall = 0.5 * 9.81 * (np.sin(angle) - mu * np.cos(angle)) * 100
-        left.plot(part["beyond"], visible(fall), label="_", **FORMULA)
-    left.set_xscale("symlog", linthresh=0.1, linscale=0.5)
-    left.set(yscale="log", xlim=(-8, 8), ylim=(1e-19, 1e4), xlabel="angle − arctan µ  [degrees]",
-             ylabel="way in 10 s  [m]",
+        left.plot(part["beyond"], np.maximum(fall, 0), label="_", **FORMULA)
+        left.plot(part["beyond"], part["way_m"], color=COLOURS[n], marker="os^"[n], markersize=5,
+                  linestyle="none", label=f"µ = {mu:g}")
+    left.set(xlim=(-6, 6), xlabel="slope minus arctan µ  [°]", ylabel="way in 10 s  [m]",
              title=r"dashed: $\frac{1}{2}g\,(\sin\alpha-\mu\cos\alpha)\,t^2$")
-    left.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
-    left.legend(frameon=False, labelcolor="linecolor", fontsize=8.5, loc="center right",
-                handletextpad=0.1)
     line = np.linspace(0, 1.15 * mus[-1], 100)
     right.plot(line, np.degrees(np.arctan(line)), label="_", **FORMULA)
-    for holds, marker, colour, word in ((True, "o", COLOURS[2], "holds"),
-                                        (False, "^", COLOURS[0], "slides")):
+    for holds, marker, colour in ((True, "o", COLOURS[2]), (False, "^", COLOURS[0])):
         chosen = (table["way_m"] < 1e-3) == holds
         right.plot(table["mu"][chosen], table["angle_deg"][chosen], marker=marker, color=colour,
-                   linestyle="none", markersize=4, markerfacecolor="white", label=word)
-    right.set(xlabel="coefficient of friction µ", ylabel="angle of the slope  [degrees]",
+                   linestyle="none", markersize=4, markerfacecolor="white")
+    right.set(xlabel="coefficient of friction µ", ylabel="slope  [°]",
               title=r"dashed: $\tan\alpha=\mu$", xlim=(0, line[-1]), ylim=(0, None))
-    right.legend(frameon=False, labelcolor="linecolor", fontsize=8.5, loc="lower right",
-                 handletextpad=0.1)
+    for ax, stays, slides in ((left, (0.25, 0.93), (0.6, 0.93)),
+                              (right, (0.65, 0.25), (0.3, 0.75))):
+        for (x, y), words, colour in ((stays, "stays", COLOURS[2]), (slides, "slides", COLOURS[0])):
+            ax.text(x, y, words, color=colour, ha="center", transform=ax.transAxes)
+    style.label_ends(left)
     style.save(figure, out / "08_slope")
 
 
@@ -227,28 +210,20 @@ def draw_result(solution, mine, out):
 def draw_drift(solution, mine, out):
     table = mine or solution
     ends = {name: part["gap_m"][-1] for name, part, _, _ in parts(table, "scene")}
-    figure, (left, right) = style.figure(
-        f"Uncorrected hinge: open by {metres(ends['gravity'])}; when hit "
-        f"{metres(ends['collision'])}, contact last {metres(ends['contact last'])}", 2)
-    over_time(left, solution, mine, "gap_m", "scene")
-    left.set(ylabel="gap of the hinge  [m]", title="beta 0" + whose(mine))
-    for name, part, colour, marker in parts(table, "scene"):
-        before = part["touching"] > 0
-        hits = np.flatnonzero(before & ~np.roll(before, 1))
-        if name != "contact last":
-            left.plot(part["time_s"][hits], part["gap_m"][hits], color=colour, marker="o",
-                      markersize=4, linestyle="none", label="_")
-        grown = np.diff(part["gap_m"], prepend=0)
-        told = np.diff(part["predicted_m"], prepend=0)
-        right.plot(part["time_s"], visible(np.abs(grown - told)), color=colour, linewidth=1,
-                   label=NAMES.get(name, name))
-    right.set(yscale="log", xlabel="time  [s]", ylim=(1e-9, 1), xlim=(0, 4),
-              ylabel="growth of a step, off the formula  [m]",
-              title=r"what $\omega^2 r\,h^2/2$ does not explain")
-    left.text(0.03, 0.97, "dots: hits", fontsize=8.5, color=COLOURS[1], va="top",
-              transform=left.transAxes)
-    style.label_ends(left)
-    style.label_ends(right)
+    figure, axes = style.figure(
+        f"Uncorrected, a hinge opens by {metres(ends['gravity'])} in 10 s, by "
+        f"{metres(ends['collision'])} if it hits the ground, by {metres(ends['contact last'])} if "
+        "the contact is solved last", 2, sharey=True)
+    for name, part, colour, _ in parts(table, "scene"):
+        ax = axes[int(name == "contact last")]
+        ax.plot(part["time_s"], part["gap_m"], color=colour, linewidth=2.5, alpha=0.8,
+                label=NAMES.get(name, name))
+        ax.plot(part["time_s"], part["predicted_m"], color=INK, linewidth=1, dashes=(4, 2),
+                label="_" if ax is axes[0] else "foretold")
+    for ax, words in zip(axes, ("as Eq. 6-1 foretells (dashed)", "contact after the joint: more")):
+        ax.set(xlabel="time  [s]", title=words)
+        style.label_ends(ax)
+    axes[0].set(ylabel="gap of the hinge  [m]", ylim=(0, 1.1 * max(ends.values())))
     style.save(figure, out / "08_drift")
 
 

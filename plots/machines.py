@@ -3,7 +3,7 @@ import numpy as np
 
 import style
 from chapter_06 import FORMULA, metres, whose
-from style import COLOURS, INK, rows, visible
+from style import COLOURS, INK, PALE, rows
 
 LOOKS = {"cold": 0, "warm": 1, "turned": 1, "fixed": 0, "interleaved": 1, "joints first": 0,
          "contacts first": 5, "no ground": 2, "gravity": 2, "collision": 1, "contact last": 0}
@@ -36,90 +36,81 @@ def over_time(ax, solution, mine, column, by=None, clean=np.asarray, decades=3, 
 def draw_machines(solution, mine, out):
     table = mine or solution
     names = list(dict.fromkeys(table["machine"]))
-    counts = np.unique(table["iterations"])
-    parted = {name: rows(table, machine=name) for name in names}
-    sizes = {name: np.nan_to_num(part["gap_rms_m"][np.argmax(part["iterations"])], nan=np.inf)
-             for name, part in parted.items()}
-    low, high = min(sizes, key=sizes.get), max(sizes, key=sizes.get)
-    words = f"{metres(sizes[low])} ({low})" if low == high else \
-        f"{metres(sizes[low])} ({low}) to {metres(sizes[high])} ({high})"
-    figure, (left, right) = style.figure(
-        f"Gaps of the machines, RMS, each with its most iterations: {words}", 2)
+    counts, edge = np.unique(table["iterations"]), 1e-5
+    thirty = rows(table, iterations=30)
+    sizes = np.nan_to_num(thirty["gap_rms_m"], nan=np.inf)
+    figure, axes = style.figure("Gaps and depths of the machines", 2, sharey=True)
+    if len(sizes):
+        style.entitle(figure, f"With 30 iterations the joints of the machines open by "
+                      f"{metres(np.max(sizes))} (RMS) at most, of the "
+                      f"{thirty['machine'][np.argmax(sizes)]}; corners sink in by at most "
+                      f"{metres(np.max(thirty['penetration_max_m']))}")
 
     def place(name, count):
         """A line for every machine, and on it one above the other each count of iterations."""
-        own = sorted(parted[name]["iterations"])
-        return -names.index(name) + 0.2 * ((own.index(count) if count in own else 0)
-                                           - (len(own) - 1) / 2)
-    for ax, columns in ((left, ("gap_rms_m", "gap_max_m")), (right, ("penetration_max_m",))):
-        for n, count in enumerate(counts):
-            part = rows(table, iterations=count)
-            colour, marker = COLOURS[n % len(COLOURS)], "os^Dvp"[n % 6]
-            y = np.array([place(name, count) for name in part["machine"]])
-            if len(columns) > 1:
-                ax.hlines(y, visible(part[columns[0]]), visible(part[columns[1]]), color=colour,
-                          linewidth=1.2)
-                ax.plot(visible(part[columns[1]]), y, color=colour, marker="|", markersize=9,
-                        markeredgewidth=1.6, linestyle="none", label="_")
-            ax.plot(visible(part[columns[0]]), y, color=colour, marker=marker, markersize=5,
-                    linestyle="none", label=f"{count:g} iterations")
-            if mine and count in solution["iterations"]:
-                theirs = rows(solution, iterations=count)
-                shown = np.isin(theirs["machine"], names)
-                ax.plot(visible(theirs[columns[-1]][shown]),
-                        [place(name, count) for name in theirs["machine"][shown]],
-                        color=INK, marker="x", markersize=4, linestyle="none", label="_")
-        ax.set(xscale="log", ylim=(0.6 - len(names), 0.6))
+        own = sorted(rows(table, machine=name)["iterations"])
+        return -names.index(name) + 0.26 * ((own.index(count) if count in own else 0)
+                                            - (len(own) - 1) / 2)
+    for ax, column in zip(axes, ("gap_rms_m", "penetration_max_m")):
+        for given, hollow in ((table, False), (mine and solution, True)):
+            for n, count in enumerate(counts if given else ()):
+                part = rows(given, iterations=count)
+                for name, size in zip(part["machine"], part[column]):
+                    if name in names and np.isfinite(size):
+                        ax.plot(max(size, edge), place(name, count), clip_on=False,
+                                color=INK if hollow else COLOURS[n % 6], markersize=6,
+                                marker="x" if hollow else "<" if size < edge else "os^Dvp"[n % 6])
+                    if name in names and not hollow and ax is axes[1]:
+                        ax.annotate(f"{count:g} iterations", (1.03, place(name, count)),
+                                    xycoords=("axes fraction", "data"), color=COLOURS[n % 6],
+                                    fontsize=8, va="center", annotation_clip=False)
+        ax.set(xscale="log", ylim=(0.6 - len(names), 0.6), xlim=(edge, 0.2))
+        style.metres_log(ax.xaxis, 1)
         ax.grid(axis="y", visible=False)
         ax.tick_params(axis="y", length=0)
-    left.set_yticks([-n for n in range(len(names))], names)
-    right.set_yticks([])
-    left.set(xlabel="gap of the joints  [m]", title="gap: mark RMS, bar the largest"
-             + ("; x: the solution's" if mine else ""))
-    right.set(xlabel="deepest corner in the ground  [m]", title="penetration, the largest")
-    left.legend(frameon=False, labelcolor="linecolor", fontsize=8.5, loc="lower left",
-                bbox_to_anchor=(0, 1.06), ncol=len(counts), borderaxespad=0, handletextpad=0.1)
+    axes[0].set_yticks([-n for n in range(len(names))], names)
+    less = f"arrow: less than {metres(edge)}"
+    axes[0].set(xlabel="gap of the joints, RMS",
+                title=less + ("; x: the solution's" if mine else ""))
+    axes[1].set(xlabel="deepest corner in the ground")
     style.save(figure, out / "08_machines")
 
 
 def draw_wheels(solution, mine, out):
     table = mine or solution
-    way, rolled = (np.abs(table[column] - table[column][0]) for column in ("place_m", "rolled_m"))
+    way, rolled = (table[column] - table[column][0] for column in ("place_m", "rolled_m"))
+    slip = 100 * (np.abs(way) - np.abs(rolled))
     figure, (left, right) = style.figure(
-        f"Wheels drive out and back: at most {np.max(way):.3g} m away, by their turns "
-        f"{np.max(rolled):.3g} m", 2)
-    left.plot(table["time_s"], way, color=COLOURS[1], linewidth=3, alpha=0.6, label="way")
-    left.plot(table["time_s"], rolled, color=COLOURS[0], linewidth=1.2,
-              label="turns ×\nrolling\nradius")
+        f"Wheels drive {np.max(np.abs(way)):.3g} m out and back on friction alone, at most "
+        f"{np.max(np.abs(slip)):.0f} cm off pure rolling", 2)
+    left.plot(table["time_s"], np.abs(way), color=COLOURS[1], linewidth=2)
     if mine:
         left.plot(solution["time_s"], np.abs(solution["place_m"] - solution["place_m"][0]),
                   label="_", **FORMULA)
-    left.set(xlabel="time  [s]", ylabel="way  [m]",
-             title="way" + ("; dashed: the solution's" if mine else ""))
-    over_time(right, solution, mine, "motor_nm", color=COLOURS[0], label="_")
-    right.set(ylabel="torque, mean of both motors  [N m]",
-              title=f"motors; joints at most {metres(np.max(table['gap_m']))} apart")
-    style.label_ends(left)
+    left.set(xlabel="time  [s]", ylabel="distance from the start  [m]",
+             title="where they are" + ("; dashed: the solution's" if mine else ""))
+    right.plot(table["time_s"], slip, color=COLOURS[0], linewidth=1.2)
+    right.axhline(0, color=PALE, linewidth=0.8)
+    right.set(xlabel="time  [s]", ylabel="distance − turns × rolling radius  [cm]",
+              title="0 is pure rolling")
     style.save(figure, out / "08_wheels")
 
 
 def draw_ragdoll(solution, mine, out):
     table = mine or solution
-    late = table["time_s"] > table["time_s"][-1] - 1
+    moving = np.flatnonzero(table["fastest_m_s"] > 0.01)
+    rest = table["time_s"][moving[-1]] if len(moving) else 0
     figure, (left, right) = style.figure(
-        f"The ragdoll falls at {np.max(table['fastest_m_s']):.2g} m/s and comes to rest: "
-        f"{np.max(table['fastest_m_s'][late]):.2g} m/s in the last second", 2)
-    for ax, columns in ((left, (("fastest_m_s", "fastest centre\n[m/s]"),
-                                ("fastest_rad_s", "fastest rotation\n[rad/s]"))),
-                        (right, (("gap_m", "widest gap"), ("penetration_m", "deepest\ncorner")))):
-        ax.set_yscale("log")
-        for k, (column, words) in enumerate(columns):
-            over_time(ax, solution, mine, column, None, visible, color=COLOURS[1 - k],
-                      label=words)
-        low, high = style.extent(*(solution[column] for column, _ in columns))
-        ax.set_ylim(max(low, 1e-6 * high) / 1.5, 2 * high)
-    left.set(ylabel="speed  [m/s]  or  [rad/s]", title="how fast" + whose(mine))
-    right.set(ylabel="error  [m]", title="gaps and corners in the ground")
-    style.label_ends(left)
+        f"The ragdoll falls at up to {np.max(table['fastest_m_s']):.2g} m/s; after {rest:.1f} s "
+        "nothing moves faster than 1 cm/s", 2)
+    shown = {name: column[table["time_s"] < rest + 1.5] for name, column in table.items()}
+    theirs = {name: column[solution["time_s"] < rest + 1.5] for name, column in solution.items()}
+    over_time(left, theirs, mine and shown, "fastest_m_s", color=COLOURS[1], label="_")
+    for column, colour, words in (("gap_m", COLOURS[1], "widest gap\nof a joint"),
+                                  ("penetration_m", COLOURS[0], "deepest\ncorner")):
+        over_time(right, theirs, mine and shown, column, None, lambda size: 1000 * size,
+                  color=colour, label=words)
+    left.set(ylabel="fastest centre  [m/s]", title="speed" + whose(mine))
+    right.set(ylabel="error  [mm]", title="joints and ground")
     style.label_ends(right)
     style.save(figure, out / "08_ragdoll")

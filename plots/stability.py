@@ -77,7 +77,7 @@ def draw_map(rows, parameter, link, label, title, path,
     in_float = chosen(rows, parameter, "float")[0]
     figure, ax = plt.subplots(figsize=(style.WIDTH, 1.3 + 0.43 * len(methods)),
                               layout="constrained")
-    figure.suptitle(title, x=0.012, ha="left")
+    style.entitle(figure, title)
     for line, method in enumerate(methods):
         for column, value in enumerate(values):
             if (method, value) in table:
@@ -227,7 +227,7 @@ def floor(rows, out):
     if "float" in least:
         title = (f"Rounding: float ends at a gap of {1e6 * least['float']:.1f} µm, double still "
                  f"follows the square of the step at {1e6 * least['double']:.2g} µm")
-    figure.suptitle(title, x=0.012, ha="left")
+    style.entitle(figure, title)
     axes[0].set_title("let go level", color=PALE, fontsize=8.5)
     axes[1].set_title("one ball joint, hanging for 10 s", color=PALE, fontsize=8.5)
     style.save(figure, out / "stability_floor")

@@ -127,18 +127,44 @@ def figure(title, panels=1, rows=1, **options):
     """A figure with its panels side by side; `title` says what is to be seen."""
     made, axes = plt.subplots(rows, panels, figsize=(WIDTH, HEIGHT * (1 + 0.7 * (rows - 1))),
                               layout="constrained", **options)
-    made.suptitle(title, x=0.012, ha="left")
+    entitle(made, title)
     return made, axes
+
+
+def entitle(made, title):
+    """The title, in one size in every figure: what is too long for a line goes into the next."""
+    words, room = made.suptitle("", x=0.012, ha="left"), 0.976 * made.bbox.width
+    lines = []
+    for line in title.split("\n"):
+        lines.append("")
+        for word in line.split(" "):
+            words.set_text(f"{lines[-1]} {word}".strip())
+            if words.get_window_extent(made.canvas.get_renderer()).width > room:
+                lines.append("")
+            lines[-1] = f"{lines[-1]} {word}".strip()
+    words.set_text("\n".join(lines))
+
+
+def ink(colour):
+    """A colour dark enough for words on white: a contrast of at least 4.5 (WCAG 2.2)."""
+    rgb = np.array(matplotlib.colors.to_rgb(colour))
+
+    def contrast():
+        light = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
+        return 1.05 / (light @ (0.2126, 0.7152, 0.0722) + 0.05)
+    while contrast() < 4.5:
+        rgb *= 0.97
+    return tuple(rgb)
 
 
 def save(made, path):
     """Writes path.png, or x.svg if path is x.svg/name: the same bytes for the same data."""
     kept = path.parent if path.parent.suffix == ".svg" else None
     (kept or path).parent.mkdir(parents=True, exist_ok=True)
+    for text in made.findobj(matplotlib.text.Text):
+        if text.get_color() != "white":  # on a dark field
+            text.set_color(ink(text.get_color()))
     arrange(made)  # once more as it is drawn: by then labels have their sizes
-    title = made._suptitle.get_window_extent(made.canvas.get_renderer())
-    room = 0.976 * made.bbox.width / title.width
-    made._suptitle.set_fontsize(made._suptitle.get_fontsize() * min(1, room))
     if kept:
         drawn = io.StringIO()
         made.savefig(drawn, format="svg", metadata={"Date": None})
@@ -174,11 +200,20 @@ def arrange(made):
     made.get_layout_engine().execute(made)
 
 
-def metres(size):
-    """A length as one says it."""
-    if 1e-4 < size < 1:
-        return f"{1000 * size:.3g} mm"
-    return f"{size:.3g} m" if size >= 1 else f"{size:.1g} m".replace("e-0", "e-")
+def metres(size, unit="m"):
+    """A length as one says it, or another size with its unit."""
+    for prefix, scale, least in (("", 1, 1), ("m", 1e3, 1e-4), ("µ", 1e6, 1e-6), ("n", 1e9, 1e-9)):
+        if size >= 0.9995 * least:
+            return f"{float(f'{size * scale:.{3 if scale < 1e6 else 2}g}'):g} {prefix}{unit}"
+    return f"less than 1 n{unit}"
+
+
+def metres_log(axis, every=3, unit="m"):
+    """Writes 1 nm, 1 µm, 1 mm, 1 m on a log axis of lengths, or of another size."""
+    low, high = np.log10(axis.get_view_interval())
+    decades = [n for n in range(int(np.ceil(low)), int(high) + 1) if n % every == 0]
+    axis.set_ticks([10.0**n for n in decades], [metres(10.0**n, unit) for n in decades])
+    axis.set_ticks([], minor=True)
 
 
 def visible(values):

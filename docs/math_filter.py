@@ -26,6 +26,9 @@ PIECES = re.compile(
     r"|(?P<quotation>\")", re.S | re.M)
 
 
+LIVE = "docs/live/README.md?"  # on a code host; behind it a state of the live page
+
+
 def label(path, title):
     """The name of a heading on the whole site; on a code host its second half is enough."""
     slug = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
@@ -50,6 +53,8 @@ def translate(text, path):
             return piece[0]
         if piece["image"]:
             return f'<img src="{place(url)}" alt="{html.escape(piece["text"])}">'
+        if place(url).startswith(LIVE):
+            return f'<a href="live.html#{html.escape(place(url)[len(LIVE):])}">{words}</a>'
         if re.fullmatch(r"(engine|chapters/\w+)/\w+\.h", place(url)):
             return f"[{words}](@ref {topic(place(url))})"
         if not re.fullmatch(r"docs/\w+\.md|chapters/\w+/(README|hints)\.md"

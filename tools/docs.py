@@ -82,6 +82,8 @@ def finish(html, recordings, tags):
     if not formulas.node():
         for part in formulas.PARTS:
             copy(formulas.MATHJAX / part, html / "mathjax" / part)
+    if not (html / "live.html").exists():
+        pages = {page: links.without_live(text) for page, text in pages.items()}
     targets = links.Targets(pages, tags)
     pages = {page: links.linked(text, page, targets) for page, text in pages.items()}
     pages, titles = shell.surround(pages, {path.name for path in html.glob("live.html")})

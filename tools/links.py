@@ -97,6 +97,11 @@ def in_words(text, page, targets):
     return SECTION.sub(lambda t: anchor(THESIS, t[0]), text)
 
 
+def without_live(text):
+    """The page without its links into the live page, which was not built: their words stay."""
+    return re.sub(r'<a href="live\.html#[^"]*">(.*?)</a>', r"\1", text, flags=re.S)
+
+
 def linked(text, page, targets):
     """The page with its references linked; headings, listings and links stay as they are."""
     out, closed, code = [], [], None

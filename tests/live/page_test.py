@@ -2,13 +2,16 @@
 
 Skipped, with exit status 77, where Chromium or the packages that make WebAssembly are missing.
 """
+import re
 import sys
 import time
+from functools import lru_cache
 
 import browser
-from made import live, page, skip_without
+from made import house, live, page, skip_without
 
-from proofs import main
+import tied
+from proofs import main, read
 
 WIDE, PHONE = (1280, 900), (390, 844)
 
@@ -73,6 +76,40 @@ def an_address_is_a_state(root, build):
             yield f"beta 2.1 is said to be: {said(here)}"
         here.ask("location.hash = '#scene=pendulum&t=1'")
         here.wait("document.getElementById('reading').textContent.startsWith('t = 1.00 s')")
+
+
+class Shown(tied.Tables):
+    """Numbers of a text as the page shows them in a browser."""
+    UNITS = {"µm": 1e-6, "mm": 1e-3, "m": 1, "km": 1e3}
+
+    def __init__(self, root, build, here):
+        super().__init__(root, build)
+        self.here, self.address = here, (build / "live" / "alone.html").as_uri()
+
+    @lru_cache(maxsize=None)
+    def states(self, state):
+        self.here.open(f"{self.address}#{state}")
+        size, unit, energy = re.search(r"gap (\S+ \S+|\S+) (µm|mm|m|km) · energy (\S+) J",
+                                       self.here.text_of("reading")).groups()
+        gap = 0.0 if size.startswith("below") else float(size) * self.UNITS[unit]
+        errors = re.findall(r"(?:velocity error is|beginning it was) ([\d.e-]+\d)", said(self.here))
+        return {"gap": gap, "energy": float(energy),
+                **dict(zip(("error", "first_error"), map(float, errors)))}
+
+
+def texts_say_what_is_shown(root, build):
+    """five of the numbers beside the chapters' links are those that the page shows there"""
+    found = []
+    for chapter in house.chapters():
+        found += [tie for _, tie in tied.ties_of(read(chapter.text))
+                  if isinstance(tie, tied.Tie) and tied.LIVE.search(tie.expression)]
+    of_each_kind = {tied.LIVE.search(tie.expression)[2]: tie for tie in found}.values()
+    with browser.Browser() as here:
+        tables = Shown(root, build, here)
+        for tie in [found[0], found[len(found) // 2], *of_each_kind]:
+            value = tables.value(tie.expression, 0)
+            if not abs(value - tie.said) <= 0.5000001 * tie.unit + 1e-12 * abs(value):
+                yield f"a text says {tie.shown}, the page {value:.4g}: {tie.expression}"
 
 
 def settings_work(root, build):
@@ -209,8 +246,9 @@ def an_endless_loop_stops_alone(root, build):
         here.wait("entry.name === 'box' && time > 0.5 && !panels[0].stopped")
 
 
-PROOFS = [it_opens, an_address_is_a_state, settings_work, one_looks_into_a_step,
-          bodies_are_dragged, a_question_comes_first, an_endless_loop_stops_alone]
+PROOFS = [it_opens, an_address_is_a_state, texts_say_what_is_shown, settings_work,
+          one_looks_into_a_step, bodies_are_dragged, a_question_comes_first,
+          an_endless_loop_stops_alone]
 
 if __name__ == "__main__":
     skip_without("the live page in a browser",

@@ -51,6 +51,21 @@ def changed_digits_are_found(root, build):
         yield f"only {planted} mistakes could be planted"
 
 
+def live_links_say_what_is_seen(root, build):
+    """every link to a state of the live page has a number behind it that the page shows there"""
+    count = 0
+    for path, _ in texts(root):
+        text = read(path)
+        links = list(tied.LIVE_LINK.finditer(text))
+        count += len(links)
+        for link, end in zip(links, [*(after.start() for after in links[1:]), len(text)]):
+            states = {state for state, _ in tied.LIVE.findall(text, link.end(), end)}
+            if link[1] not in states:
+                yield (f"{path.relative_to(root)}:{text.count(chr(10), 0, link.start()) + 1}: "
+                       f"no number says what is seen at {link[1]}")
+    notes.append(f"{count} sentences lead to the live page")
+
+
 def main_path(text):
     """What a reader reads at first: no folds, code, formulas on their own, tables, captions."""
     text = re.sub(r"<!--.*?-->", "", text, flags=re.S)
@@ -77,7 +92,8 @@ def main_paths_fit_one_sitting(root, build):
     notes.append("words of the main paths: " + ", ".join(counts))
 
 
-PROOFS = [numbers_are_what_the_runs_say, changed_digits_are_found, main_paths_fit_one_sitting]
+PROOFS = [numbers_are_what_the_runs_say, changed_digits_are_found,
+          live_links_say_what_is_seen, main_paths_fit_one_sitting]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -11,9 +11,10 @@ that the text belongs to, of another (`06/beta.csv`), of a run with options
 value of the next column, or `column=value`, `column>=value` and so on; `10|30|100` stands for three
 expressions (in a row of a table `10\\|30\\|100`: a bare bar would begin a cell there). A selection
 of more than one row goes into first, last, max, min, mean, rms, count.
-`printed("limits (\\d+) of 4")` is what the chapter's program says on the terminal. A number counts
-as right if it is the value rounded to the digits that the text shows. `<!-- given -->` marks
-numbers that are chosen, not found.
+`printed("limits (\\d+) of 4")` is what the chapter's program says on the terminal.
+`live("scene=chain&t=3", "gap")` is what the live page shows at this address: gap [m], energy [J],
+or within a step error and first_error [m/s]. A number counts as right if it is the value rounded to
+the digits that the text shows. `<!-- given -->` marks numbers that are chosen, not found.
 """
 import csv
 import math
@@ -33,6 +34,8 @@ NUMBER = re.compile(
 CHAPTER = r"(?<![\w.])\d\d(?: --[a-z-]+ [\w.]+)*/"  # with options of its program
 CELL = re.compile(rf"(?P<file>(?:{CHAPTER}|[a-z]+(?:/[a-z]+)*/)?\w+\.csv)"
                   r"\[(?P<where>[^\]]*)\]\.(?P<column>\w+)")
+LIVE = re.compile(r"""live\("([^"]*)",\s+"(\w+)"\)""")
+LIVE_LINK = re.compile(r"\]\([./\w]*docs/live/README\.md\?([^)\s]+)\)")
 CONDITION = re.compile(r"^(\w+)\s*(>=|<=|!=|=|>|<)\s*(.+)$")
 
 
@@ -172,6 +175,23 @@ class Tables:
         except ValueError as error:
             raise Wrong(f"{match[0]}: {error}") from error
 
+    @lru_cache(maxsize=None)
+    def states(self, state):
+        """What the live page shows at an address, by a native program."""
+        program = self.build / "tests" / "live_digits"
+        if not program.is_file():
+            raise Wrong("there is no program live_digits")
+        result = subprocess.run([program, "--state", state], capture_output=True, text=True)
+        if result.returncode:
+            raise Wrong(f"{state}: {result.stderr.strip()}")
+        return {name: float(value) for name, value in map(str.split, result.stdout.splitlines())}
+
+    def live(self, state, what):
+        shown = self.states(state)
+        if what not in shown:
+            raise Wrong(f"the live page has {', '.join(shown)} at {state}, no {what}")
+        return shown[what]
+
     def value(self, expression, chapter):
         """What an expression is worth."""
         found = {}
@@ -184,8 +204,8 @@ class Tables:
 
         words = CELL.sub(take, expression)
         try:
-            result = eval(words, {"__builtins__": {}}, {**FUNCTIONS, **found, "printed":
-                          lambda what: printed(self.run(chapter, "")[1], what)})
+            result = eval(words, {"__builtins__": {}}, {**FUNCTIONS, **found, "live": self.live,
+                          "printed": lambda what: printed(self.run(chapter, "")[1], what)})
             return float(result)
         except Wrong:
             raise

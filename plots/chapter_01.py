@@ -14,6 +14,14 @@ FIRST_SWING = 2.0  # [s]; later the bridge's runs have little in common
 PREDICTED = (9.81 * 2) / 60**2 / 2 / 0.2  # [m], of the pendulum: (v h)^2/(2L) over beta
 
 
+def common_count(mine, solution):
+    """The number of iterations to compare at: 30, else the largest that both have."""
+    both = set(mine) & set(solution)
+    if not both:
+        raise style.Trouble("yours and the solution's tables have no number of iterations in common")
+    return 30 if 30 in both else max(both)
+
+
 def tables(folder, command):
     both = {scene: style.read_csv(folder / f"{scene}.csv", COLUMNS, command=command)
             for scene in ("bridge", "pendulum")}
@@ -44,7 +52,7 @@ def gap_figure(place, joints, solution, mine):
     curves = millimetres(solution)
     if mine:
         own = millimetres(mine)
-        count = style.common_count(own, curves)
+        count = common_count(own, curves)
         figure, ax = style.figure(f"{place}, {count} iterations: "
                                   + style.verdict(own[count], curves[count], "mm"))
         ax.set_yscale("log")
@@ -82,7 +90,7 @@ def energy(solution, mine, out):
     if mine:
         own = {n: (t, e / 1000) for n, (t, e) in runs(mine["bridge"], "energy_change_j").items()}
         own2 = runs(mine["pendulum"], "energy_change_j")
-        count, count2 = style.common_count(own, bridge), style.common_count(own2, pendulum)
+        count, count2 = common_count(own, bridge), common_count(own2, pendulum)
         figure, (left, right) = style.figure("Energy: yours and the solution's", 2)
         for ax, name, pair, unit in ((left, "bridge", (own[count], bridge[count]), "kJ"),
                                      (right, "pendulum", (own2[count2], pendulum[count2]), "J")):
@@ -144,7 +152,7 @@ def gaps_and_iterations(solution, mine, out):
     for ax, curves, scene in ((left, rod, "pendulum"), (right, ropes, "bridge")):
         if mine:
             own = first_swing(mine[scene])
-            count = style.common_count(own, curves)
+            count = common_count(own, curves)
             style.overlay(ax, own[count], curves[count])
             ax.set_title(f"{scene}, {count} iterations")
         ax.set(xlabel="time  [s]", ylabel="largest gap  [mm]",

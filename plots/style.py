@@ -5,6 +5,7 @@ import io
 import pathlib
 import re
 import sys
+import textwrap
 
 try:
     import matplotlib
@@ -132,17 +133,14 @@ def figure(title, panels=1, rows=1, **options):
 
 
 def entitle(made, title):
-    """The title, in one size in every figure: what is too long for a line goes into the next."""
-    words, room = made.suptitle("", x=0.012, ha="left"), 0.976 * made.bbox.width
-    lines = []
-    for line in title.split("\n"):
-        lines.append("")
-        for word in line.split(" "):
-            words.set_text(f"{lines[-1]} {word}".strip())
-            if words.get_window_extent(made.canvas.get_renderer()).width > room:
-                lines.append("")
-            lines[-1] = f"{lines[-1]} {word}".strip()
-    words.set_text("\n".join(lines))
+    """The title, in one size in every figure: too long for a line, it is cut into even lines."""
+    title = re.sub(r"(?<=\d) (?=(?:%|[mcµn]?[msJN])(?!\w))", "\u00a0", title)  # 1 mm on one line
+    words, room, count = made.suptitle(title, x=0.012, ha="left"), 0.976 * made.bbox.width, 1
+    while words.get_window_extent(made.canvas.get_renderer()).width > room:
+        count += 1
+        cuts = (textwrap.fill(title, width, break_on_hyphens=False)
+                for width in range(len(title) // count, len(title)))
+        words.set_text(next(cut for cut in cuts if cut.count("\n") < count))
 
 
 def ink(colour):
@@ -211,8 +209,8 @@ def metres(size, unit="m"):
 def metres_log(axis, every=3, unit="m"):
     """Writes 1 nm, 1 µm, 1 mm, 1 m on a log axis of lengths, or of another size."""
     low, high = np.log10(axis.get_view_interval())
-    decades = [n for n in range(int(np.ceil(low)), int(high) + 1) if n % every == 0]
-    axis.set_ticks([10.0**n for n in decades], [metres(10.0**n, unit) for n in decades])
+    decades = [10.0**n for n in range(int(np.ceil(low)), int(high) + 1) if n % every == 0]
+    axis.set_ticks(decades, [metres(size, unit) for size in decades])
     axis.set_ticks([], minor=True)
 
 
@@ -229,13 +227,13 @@ def extent(*arrays):
     return (values.min(), values.max()) if len(values) else (0.1, 1.0)
 
 
-def plain_log(axis):
-    """Writes 2, 5, 10 instead of powers on a log axis of a few decades."""
+def plain_log(axis, words=lambda value: f"{value:g}", most=1500):
+    """Writes 2, 5, 10 instead of powers on a log axis, 10 alone where it has more than `most`."""
     low, high = axis.get_view_interval()
-    axis.set_major_formatter(lambda value, _: f"{value:g}")
-    if high / low < 1500:
+    axis.set_major_formatter(lambda value, _: words(value))
+    if high / low < most:
         axis.set_minor_formatter(
-            lambda value, _: f"{value:g}" if f"{value:.0e}"[0] in "25" else "")
+            lambda value, _: words(value) if f"{value:.0e}"[0] in "25" else "")
 
 
 def spread(places, heights):
@@ -330,11 +328,3 @@ def runs(table, column):
         chosen = table["iterations"] == count
         out[int(count)] = (table["time_s"][chosen], table[column][chosen])
     return out
-
-
-def common_count(mine, solution):
-    """The number of iterations to compare at: 30, else the largest that both have."""
-    both = set(mine) & set(solution)
-    if not both:
-        raise Trouble("yours and the solution's tables have no number of iterations in common")
-    return 30 if 30 in both else max(both)

@@ -4,44 +4,59 @@
 work_precision.py --csv out/work_precision.csv [--peers bench/peers.csv] --out DIR
 """
 import re
+import textwrap
 
 import numpy as np
 
 import style
-from style import COLOURS, INK, PALE
+from style import COLOURS, INK
 
 NUMBERS = ["chains", "iterations", "substeps", "warm", "us_per_step", "gap_rms_m", "gap_max_m",
            "tip_error_m", "sideways_m"]
 WORDS = ["scene", "solver", "setting", "real", "status", "measures", "fronts"]
 PEER_NUMBERS = ["us_per_step", "gap_rms_m", "gap_max_m", "tip_error_m"]
 PEER_WORDS = ["engine", "setting", "scene", "source"]
-FAMILY = {"sequential impulses": COLOURS[1], "packed": COLOURS[2], "lanes": COLOURS[0],
-          "chapter 7": COLOURS[5], "direct": COLOURS[4], "textbook": INK}
-PEER = COLOURS[3]
+FAMILY = {  # of a solver: colour, words
+    "sequential impulses": (COLOURS[1], "sequential impulses"),
+    "packed": (COLOURS[2], "packed rows"), "lanes": (COLOURS[0], "SIMD lanes"),
+    "chapter 7": (COLOURS[5], "hinges of chapter 7"), "direct": (COLOURS[3], "direct solver"),
+    "textbook": (INK, "textbook loop")}
+SETTING = {"half a kick": "leapfrog", "omega": "over-relaxed", "islands": "islands,",
+           "hinges alone": "", "list": "in list order", "velocities": "velocities only"}
+FRONT, REST = "#8A5F00", "#B4B4B4"
+PEERS = [(colour, marker) for marker, colour in zip("DsPph*dX<>", COLOURS + COLOURS)]
 LOOKS = {  # of a status: marker, full or hollow, words
-    "ok": ("o", True, "large: gap max. below 1 % of a link"), "soft": ("o", True, ""),
+    "ok": ("o", True, "large: gaps below 1 % of a link"), "soft": ("o", True, ""),
     "torn": ("o", False, "hollow: torn"), "energy+": ("^", False, "triangle: energy gained"),
     "exploded": ("x", False, "cross: exploded"), "nan": ("x", False, "cross: exploded")}
 LOST = ("nan", "exploded")      # their size says nothing: drawn at the upper edge
 AT_ONCE = "direct"  # the solver without iterations
-EXACT = {"mm": 1e-4, "m": 1e-6}  # what is better than this stands at the lower edge
+EXACT = 1e-7  # [m], what is better than this stands at the lower edge
 FLOOR = 9.81 / 60 * 1.0 / 2     # g h t / 2 [m], h = 1/60 s, t = 1 s: semi-implicit Euler's own
-MEASURES = {  # of a column: words at the axis, factor, unit, end of the file's name
-    "gap_rms_m": ("gap of the joints, RMS  [mm]", 1000, "mm", ""),
-    "gap_max_m": ("largest gap of a joint  [mm]", 1000, "mm", ""),
-    "tip_error_m": ("error of the tip after 1 s  [mm]", 1000, "mm", "_tip"),
-    "sideways_m": ("furthest way in the forbidden direction  [m]", 1, "m", "")}
-SCENES = {"S1": "{chains} chains of 100 cubes on hinges",
-          "S2": "20 cubes of 1 kg on ball joints, at their end {ratio} kg",
-          "S3": "hanging bridge of 40 boxes on hinges, 100 kg in its middle",
-          "S3b": "the bridge on ball joints", "S5": "a chain of 4 cubes on hinges",
-          "S6": "a chain of 11 cubes, axes loaded",
+MEASURES = {  # of a column: words at the axis, end of the file's name
+    "gap_rms_m": ("gap of the joints, RMS", ""), "gap_max_m": ("largest gap of a joint", ""),
+    "tip_error_m": ("error of the tip after 1 s", "_tip"),
+    "sideways_m": ("furthest way in the forbidden direction", "")}
+SCENES = {"S1": "{chains} chains of 100 cubes",
+          "S1b": "{chains} chains of 100 cubes on ball joints",
+          "S2": "20 cubes of 1 kg, {ratio} kg at their end",
+          "S3": "A hanging bridge, 100 kg in its middle",
+          "S3b": "The bridge on ball joints", "S5": "A chain of 4 cubes",
+          "S6": "A chain of 11 cubes, its axes loaded",
           "S7": "{chains} chains of 100 cubes, gravity sideways"}
 
 
 def title_of(row):
     name, _, ratio = row["scene"].partition(" R=")
     return SCENES.get(name, name).format(chains=f"{row['chains']:g}", ratio=ratio)
+
+
+def named(row):
+    """A solver and its setting in words."""
+    setting = row["setting"]
+    for key, word in SETTING.items():
+        setting = setting.replace(key, word)
+    return ", ".join(word for word in (FAMILY[row["solver"]][1], setting.strip()) if word)
 
 
 def groups(rows, *by):
@@ -57,10 +72,6 @@ def limits(values, room):
     low, high = np.multiply(style.extent(values), (1 / room, room))
     wider = max(1.0, np.sqrt(4 * low / high))
     return low / wider, high * wider
-
-
-def number(value):
-    return f"{value:.0f}" if 100 <= value < 1e6 else f"{value:.2g}"
 
 
 # ---- labels --------------------------------------------------------------------------------------
@@ -84,7 +95,7 @@ class Room:
                 i, j = int(x), int(y)
                 self.cells[max(0, i - wide):i + wide + 1, max(0, j - wide):j + wide + 1] = weight
 
-    def place(self, words, colour, anchors, size=7.0):
+    def place(self, words, colour, anchors, size=8):
         """Writes words near one of the anchors, with a leader where that is not close."""
         text = self.ax.text(0, 0, words, transform=self.ax.transAxes, color=colour,
                             fontsize=size, ha="center", va="center", zorder=6)
@@ -123,120 +134,125 @@ class Room:
 
 # ---- a figure ------------------------------------------------------------------------------------
 
-def heights(rows, name, factor, low, high):
+def heights(rows, name, low, high):
     """What is drawn of each row: what exploded stands at the upper edge, no gap at the lower."""
     lost = [row.get("status") in LOST or not np.isfinite(row[name]) for row in rows]
-    return np.array([high if gone else np.clip(factor * row[name], low, high)
+    return np.array([high if gone else np.clip(row[name], low, high)
                      for row, gone in zip(rows, lost)]), np.array(lost)
 
 
-def draw_setting(ax, group, name, factor):
+def draw_setting(ax, group, name, colour):
     """One setting: a thin line, and at each count of iterations a marker that says how it went."""
-    colour, (low, high) = FAMILY[group[0]["solver"]], ax.get_ylim()
+    low, high = ax.get_ylim()
     x = np.array([row["us_per_step"] for row in group])
-    y, lost = heights(group, name, factor, low, high)
-    ax.plot(x, np.where(lost, np.nan, y), color=colour, linewidth=1.0, alpha=0.75)
+    y, lost = heights(group, name, low, high)
+    front = colour != REST
+    ax.plot(x, np.where(lost, np.nan, y), color=colour, linewidth=1.4 if front else 0.7,
+            zorder=3 if front else 1.5)
     for a, b, row in zip(x, y, group):
         shape, full, _ = LOOKS[row["status"]]
-        if factor * row[name] < low:
-            shape = "v"
-        ax.plot(a, b, shape, color=colour, clip_on=False, zorder=4, markeredgewidth=1,
-                markersize=5.5 if row["status"] == "ok" else 3.5,
+        ax.plot(a, b, "v" if row[name] < low else shape, color=colour, clip_on=False,
+                zorder=4 if front else 2, markeredgewidth=1,
+                markersize=(6 if row["status"] == "ok" else 4) if front else 3,
                 markerfacecolor=colour if full else "white")
     return np.column_stack([x, y])
 
 
-def draw_peers(ax, peers, name, factor):
-    """Points that were measured elsewhere: dots join those of one engine, nothing joins ours."""
+def draw_peers(ax, peers, name):
+    """Points that were measured elsewhere: every engine its colour and its marker."""
     low, high = ax.get_ylim()
-    out = []
-    for (engine,), group in groups(peers, "engine").items():
-        group = [row for row in group if np.isfinite(row[name])]
+    for (engine,), (colour, marker) in zip(groups(peers, "engine"), PEERS):
+        group = [row for row in peers if row["engine"] == engine and np.isfinite(row[name])]
         if not group:
             continue
         x = np.array([row["us_per_step"] for row in group])
-        y, _ = heights(group, name, factor, low, high)
-        ax.plot(x, y, ":", color=PEER, linewidth=0.8)
-        none = np.array([factor * row[name] < low for row in group])  # below the picture
-        ax.plot(x[~none], y[~none], "D", color=PEER, markersize=4, zorder=3)
-        if none.any():
-            ax.plot(x[none], y[none], "v", color=PEER, markersize=5, zorder=3, clip_on=False)
-        out.append((engine, np.column_stack([x, y])))
-    return out
+        y, _ = heights(group, name, low, high)
+        ax.plot(x, y, color=colour, linestyle=":", marker=marker, markersize=5, clip_on=False)
+        yield engine, colour, np.column_stack([x, y])
+
+
+def shown(rows, measure):
+    """The settings with a colour and a name: those at the front, and the best of each solver."""
+    best = [min(group, key=lambda row: (row["status"] in LOST, max(row[measure], EXACT),
+                                        row["us_per_step"]))
+            for group in groups(rows, "solver").values()]
+    front = [row for row in rows if measure in row["fronts"].split("+")]
+    return set(groups(front + best, "solver", "setting", "substeps"))
 
 
 def draw(rows, measure, peers, out):
-    words, factor, unit, suffix = MEASURES[measure]
-    real, scene = rows[0]["real"], rows[0]["scene"]
-    figure, ax = style.figure(headline(rows, measure, factor, unit))
-    figure.set_size_inches(style.WIDTH, 6.4)
+    words, suffix = MEASURES[measure]
+    real = rows[0]["real"]
+    figure, axes = style.figure(headline(rows, measure), 1 + bool(peers), sharex=True, sharey=True,
+                                squeeze=False)
+    figure.set_size_inches(style.WIDTH, 5.0)
+    ours, axes = axes[0, 0], axes[0]
     kept = [row for row in rows if row["status"] not in LOST]
-    floor = [1000 * FLOOR] if measure == "tip_error_m" else []
-    seen = [max(factor * row[measure], EXACT[unit]) for row in kept] \
-        + [factor * row[measure] for row in peers if row[measure] > 1e-4]
-    ax.set(xscale="log", yscale="log", ylabel=words, ylim=limits(seen + floor, 1.5),
-           xlabel=f"time of a step, one core, {real}  [µs]",
-           xlim=limits([row["us_per_step"] for row in rows + peers], 1.4))
+    floor = [FLOOR] if measure == "tip_error_m" else []
+    seen = [max(row[measure], EXACT) for row in kept] \
+        + [row[measure] for row in peers if row[measure] > EXACT]
+    ours.set(xscale="log", yscale="log", ylabel=words, ylim=limits(seen + floor, 1.5),
+             xlim=limits([row["us_per_step"] for row in rows + peers], 1.4),
+             title=explain(rows, "\n" if peers else "; "))
     front = sorted((row for row in rows if measure in row["fronts"].split("+")),
                    key=lambda row: row["us_per_step"])
-    at_front = np.array([(row["us_per_step"], max(factor * row[measure], EXACT[unit]))
-                         for row in front])
-    if len(front):
-        ax.plot(*at_front.T, color=COLOURS[5], linewidth=7, alpha=0.45, zorder=1,
-                solid_capstyle="round", solid_joinstyle="round")
-    lines = [(group[0], draw_setting(ax, group, measure, factor))
-             for group in groups(rows, "solver", "setting", "substeps").values()]
-    others = draw_peers(ax, peers, measure, factor)
-    if floor:
-        ax.axhline(floor[0], color=INK, linewidth=1, dashes=(2, 2))
-    style.plain_log(ax.xaxis)
-    style.plain_log(ax.yaxis)
-    explain(ax, rows, bool(peers))
+    at_front = np.array([(row["us_per_step"], max(row[measure], EXACT)) for row in front])
+    coloured, lines = shown(rows, measure), []
+    for key, group in groups(rows, "solver", "setting", "substeps").items():
+        colour = FAMILY[key[0]][0] if key in coloured else REST
+        points = draw_setting(ours, group, measure, colour)
+        lines.append((named(group[0]) if key in coloured else "", colour, points))
+    labels = [lines, list(draw_peers(axes[-1], peers, measure)) if peers else []]
+    for ax in axes:
+        if len(front):
+            ax.plot(*at_front.T, color=COLOURS[5], linewidth=7, alpha=0.45, zorder=1,
+                    solid_capstyle="round", solid_joinstyle="round")
+        if floor:
+            ax.axhline(floor[0], color=INK, linewidth=1, dashes=(2, 2))
+        style.plain_log(ax.xaxis, lambda us: style.metres(1e-6 * us, "s"), 30 if peers else 300)
+        style.plain_log(ax.yaxis, style.metres, 300)
+        ax.set_xlabel(f"time of a step, one core, {real}")
+    if peers:
+        axes[1].set(title="other engines,\non another machine", xlabel="time of a step, one core")
     figure.get_layout_engine().execute(figure)
     figure.set_layout_engine("none")
-    label(ax, lines, others, at_front, floor)
+    for ax, named_lines in zip(axes, labels):
+        label(ax, named_lines, at_front, [] if ax is not axes[-1] and len(axes) > 1 else floor)
     style.save(figure, out / (slug(rows[0]) + suffix + "_" + real))
 
 
-def explain(ax, rows, peers):
-    """The families in their colours, and what the markers say: above the panel."""
-    states = list(dict.fromkeys(LOOKS[row["status"]][2] for row in rows))
-    states += ["v: below this picture"]
+def explain(rows, between):
+    """What the points, the markers and grey say: above the panel."""
+    states = dict.fromkeys(LOOKS[row["status"]][2] for row in rows)
     most = max(row["iterations"] for row in rows if row["substeps"] == 1)
-    ax.set_title(f"{title_of(rows[0])}; along a line: 10 to {most:g} iterations a step\n"
-                 + "; ".join(word for word in states if word) + "\n", fontsize=8, color=PALE)
-    at = 0.0
-    families = [(name, colour) for name, colour in FAMILY.items()
-                if any(row["solver"] == name for row in rows)]
-    for name, colour in [*families, *[("measured elsewhere, another machine", PEER)] * peers]:
-        shape = "◆ " if colour == PEER else "● "
-        ax.text(at, 1.012, shape + name, transform=ax.transAxes, color=colour, fontsize=8,
-                in_layout=False)
-        at += 0.0105 * len(name) + 0.035
+    return (f"this engine, 10 to {most:g} iterations per step\n"
+            + between.join(["grey: more settings", *filter(None, states)]))
 
 
-def label(ax, lines, others, at_front, floor):
+def label(ax, lines, at_front, floor):
     """Every line its name, the front and the floor theirs, where there is room."""
     room = Room(ax)
     to_pixels = ax.transData.transform
-    drawn = [(name, colour, to_pixels(points)) for name, colour, points in
-             [(row["setting"], FAMILY[row["solver"]], points) for row, points in lines]
-             + [(name, PEER, points) for name, points in others]]
+    drawn = [(name, colour, to_pixels(points)) for name, colour, points in lines]
     for _, _, points in drawn:
         room.ink(points)
         for point in points:
             room.ink(np.array([point]), 1.5, 2)
+    if len(at_front):
+        room.ink(to_pixels(at_front), 0.5, 2)
     if floor:
         edge = to_pixels([(ax.get_xlim()[1], floor[0])])[0]
         room.ink(to_pixels([(x, floor[0]) for x in ax.get_xlim()]), 2)
-        room.place(f"g h t/2 = {floor[0]:.0f} mm: what the step of 1/60 s itself\nis off "
-                   "in free fall", INK, [edge - (130, 0)], 7.5)
+        room.place(f"dashed: {style.metres(floor[0])}, the error of\na step of 1/60 s in free fall",
+                   INK, [edge - (130, 0)])
     if len(at_front):
-        room.place("front: nothing measured here is\nboth faster and better", "#8A5F00",
-                   list(to_pixels(at_front)[[-1, len(at_front) // 2]]), 7.5)
+        room.place("front of this engine: none of its\nsettings is both faster and closer", FRONT,
+                   list(to_pixels(at_front)[[-1, len(at_front) // 2]]))
     for name, colour, points in sorted(drawn, key=lambda one: one[2][-1][1]):
         ends = [points[-1], points[0], points[len(points) // 2]]
-        room.place(name, colour, [p for p in ends if np.isfinite(p).all()])
+        if name:
+            room.place(textwrap.fill(name, 24, break_on_hyphens=False), colour,
+                       [p for p in ends if np.isfinite(p).all()])
 
 
 # ---- what the title says -------------------------------------------------------------------------
@@ -247,44 +263,38 @@ def fastest(rows):
 
 def called(row):
     if row["solver"] == AT_ONCE:
-        return f"{row['solver']}, {row['setting']}"
+        return named(row)
     iterations = f"{row['iterations']:g}"
     iterations += f" x {row['substeps']:g}" if row["substeps"] > 1 else ""
-    return f"{row['solver']}, {row['setting']}, {iterations} iterations"
+    return f"{named(row)}, {iterations} iterations"
 
 
-def headline(rows, measure, factor, unit):
-    scene = rows[0]["scene"]
+def headline(rows, measure):
+    scene = title_of(rows[0])
     good = [row for row in rows if row["status"] in ("ok", "soft", "torn")]
     if not good:
         return f"{scene}: nothing that was tried keeps its energy"
     best = min(good, key=lambda row: row[measure])
-    least = f"{number(factor * best[measure])} {unit}"
-    if measure == "sideways_m":
-        iterated = min((row for row in good if row["solver"] != AT_ONCE),
-                       key=lambda row: row[measure])
-        exact = fastest([row for row in good if factor * row[measure] < EXACT[unit]])
-        rest = f";\nbelow {EXACT[unit]:g} {unit} is {called(exact)}, in " \
-               f"{number(exact['us_per_step'])} µs" if exact else ""
-        return (f"{scene}: the exact answer is 0; iterations come to "
-                f"{number(factor * iterated[measure])} {unit} at best{rest}")
-    if measure == "tip_error_m":
-        iterated = min((row for row in good if row["solver"] != AT_ONCE),
-                       key=lambda row: row[measure])
-        return (f"{scene}: the tip is {least} off with {called(best)};\nwith iterations "
-                f"{number(factor * iterated[measure])} {unit} at best ({called(iterated)})")
+    least = style.metres(best[measure])
+    if measure in ("sideways_m", "tip_error_m"):
+        iterated = min(row[measure] for row in good if row["solver"] != AT_ONCE)
+        words = "after 1 s the tip is" if measure == "tip_error_m" else "they swing"
+        return (f"{scene}: {words} {least} off ({called(best)}); with iterations at least "
+                f"{style.metres(iterated)}")
     held = [row for row in rows if row["status"] == "ok"]
     if not held:
-        kind = "RMS gap" if measure == "gap_rms_m" else "largest gap"
-        return (f"{scene}: nothing tried keeps every gap below 1 % of a link;\n"
-                f"at best the {kind} is {least} ({called(best)})")
+        return (f"{scene}: nothing tried keeps gaps below 1 % of a link; the best leaves {least} "
+                f"({called(best)})")
     first = fastest(held)
     most = max([row["iterations"] for row in rows if row["setting"] == "cold"], default=0)
     plain = fastest([row for row in held if row["setting"] == "cold"])
-    rest = f"plain cold iterations in {number(plain['us_per_step'])} µs" if plain else \
-        f"plain cold iterations never, up to {most:g}"
-    return (f"{scene}: every gap stays below 1 % of a link in {number(first['us_per_step'])} µs\n"
-            f"by {called(first)}; by {rest}")
+    rest = f"plain cold iterations take {took(plain)}" if plain else \
+        f"{most:g} plain cold iterations do not reach them"
+    return f"{scene}: gaps below 1 % of a link take {took(first)} ({called(first)}); {rest}"
+
+
+def took(row):
+    return style.metres(1e-6 * row["us_per_step"], "s")
 
 
 def slug(row):

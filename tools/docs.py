@@ -78,7 +78,7 @@ def finish(html, recordings, tags):
     pages["index.html"] = front.finished(pages["index.html"], rows, (html / "live.html").exists())
     pages = {page: re.sub(r'(?<=[(\["]) (?=\\\()', "", text) for page, text in pages.items()}
     raw = pages
-    pages = formulas.draw(pages)
+    pages = formulas.draw(pages, html)
     if not formulas.node():
         for part in formulas.PARTS:
             copy(formulas.MATHJAX / part, html / "mathjax" / part)

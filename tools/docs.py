@@ -65,11 +65,24 @@ def copy_pictures(html, pages):
         copy(figure, html / "plots" / figure.name)
 
 
+def short_names(pages, tags):
+    """Pages and tags with short names in place of Doxygen's long ones: a tenth of their size."""
+    names = {}
+
+    def short(name):
+        return names.setdefault(name[0], f"m{len(names)}")
+    long = re.compile(r"\b[ag]a?[0-9a-f]{32}\b")
+    pages = {page: re.sub(r"\n +(?=</?t[adrhb])", "\n", long.sub(short, text))
+             for page, text in pages.items()}
+    return pages, long.sub(short, tags)
+
+
 def finish(html, recordings, tags):
     """What Doxygen has written becomes the site: motions, figures, links, formulas, search."""
     gallery.fill(html, recordings)
     pages = {path.name: path.read_text(encoding="utf-8") for path in sorted(html.glob("*.html"))
              if path.name != "live.html"}
+    pages, tags = short_names(pages, tags.read_text(encoding="utf-8"))
     copy_pictures(html, pages)
     rows = gallery.read_rows((ROOT / gallery.PAGE).read_text(encoding="utf-8"))
     for chapter in house.chapters():

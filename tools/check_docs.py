@@ -39,7 +39,7 @@ class Page(HTMLParser):
 
     def handle_starttag(self, tag, attributes):
         self.open_quiet += tag in QUIET
-        formula = dict(attributes).get("class") == "tex"
+        formula = (dict(attributes).get("class") or "").split(" ")[0] == "tex"
         self.formulas += formula
         self.drawings += tag == "svg" and self.in_tex
         self.in_tex = formula
@@ -67,6 +67,8 @@ def dead_links(site, sources):
     dead = {}
     places = {page: set(re.findall(r'\b(?:id|name)="([^"]+)"', html))
               for page, html in sources.items()}
+    glyphs = site / "glyphs.js"
+    letters = set(re.findall(r'id=\\"(g\d+)', glyphs.read_text() if glyphs.exists() else ""))
     for page, html in sources.items():
         html = re.sub(r'<div class="summary">.*?</div>', "", html, flags=re.S)  # Doxygen's own bar
         for url in set(re.findall(r'\b(?:href|src|data-src)="([^"]+)"', html)):
@@ -74,7 +76,8 @@ def dead_links(site, sources):
             file = file.partition("?")[0]
             target = (site / file).resolve() if file else page
             if not re.match(r"\w+:", file) and (
-                    not target.exists() or (place and place not in places.get(target, {place}))):
+                    not target.exists() or (place and place not in letters
+                                            and place not in places.get(target, {place}))):
                 dead.setdefault(url, []).append(page.name)
     for url, pages in sorted(dead.items()):
         yield f"{pages[0]}{f' and {len(pages) - 1} more' if pages[1:] else ''}: no {url} there"
@@ -146,7 +149,7 @@ def browser_jobs(site, sources):
     width = "document.readyState === 'complete' && document.documentElement.scrollWidth"
     for page in [*sources, *sorted((site / "motion").glob("*.html"))]:
         yield browser.job(page.as_uri(), width, TELEPHONE, 800), lambda wide, page=page: (
-            None if wide == TELEPHONE else f"{page.name}: {wide} pixels wide in {TELEPHONE}")
+            None if wide and wide <= TELEPHONE else f"{page.name}: {wide} pixels wide in {TELEPHONE}")
     for words, chapter in WORDS.items():
         look = ("(all => all.length && all.map(a => a.getAttribute('href')).join(' '))"
                 "([...document.querySelectorAll('#found a')])")

@@ -120,10 +120,23 @@ def build(out, recordings):
         print(result.stdout.strip().replace(f"{ROOT}/", ""), file=sys.stderr)
     if result.returncode != 0:
         stop("the site has warnings, see above", 1)
-    if (house.OUT / "live.html").exists():
+    if (house.OUT / "live.html").exists() and not live.missing():
         copy(house.OUT / "live.html", html / "live.html")
     finish(html, recordings, out / "tags.xml")
     return html / "index.html"
+
+
+def draw_figures(chapters):
+    """The figures of the chapters that have none, or older ones than their tables."""
+    jobs = []
+    for chapter in chapters:
+        drawn = list(figures.FIGURES.glob(f"{chapter.number:02}_*.png"))
+        table = show.SOLUTIONS / chapter.folder / "summary.csv"
+        if not drawn or min(path.stat().st_mtime for path in drawn) < table.stat().st_mtime:
+            jobs.append(figures.of_chapter(chapter, show.SOLUTIONS / chapter.folder))
+    figures.FIGURES.mkdir(parents=True, exist_ok=True)
+    if jobs:
+        figures.draw_all(jobs)
 
 
 def command():
@@ -134,6 +147,13 @@ def command():
         if show.stale(show.SOLUTIONS / chapter.folder, house.BUILD / f"{chapter.folder}_run"):
             house.progress(f"chapter {chapter.number}: running")
             show.run_solution(chapter)
+    draw_figures(chapters)
+    if lacking := live.missing():
+        print(f"without the live page, which needs {' '.join(lacking)}: a recorded motion instead")
+    else:
+        house.progress("building the live page")
+        live.write_page(house.OUT / "live.html", "The engine, live",
+                        [("the solution", live.build() / "solution.wasm")], note="", chapter=0)
     house.progress_done()
     return main([str(house.OUT / "docs"), str(show.SOLUTIONS)])
 

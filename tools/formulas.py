@@ -23,6 +23,8 @@ MATHJAX_LINE = re.compile(r'<script type="text/x-mathjax-config">.*?</script>\s*
                           r'|<script type="text/javascript" async="async" src="mathjax/.*?</script>\s*',
                           re.S)
 
+LONG = 36  # [ex]; a longer one in a line scrolls by itself where the window is narrow
+
 
 class FormulaError(Exception):
     """A formula that cannot be drawn, in words."""
@@ -70,7 +72,9 @@ def element(piece, drawings):
     tex, display = plain(piece["display"] or piece["inline"]), bool(piece["display"])
     words = f'role="img" aria-label="{escape(tex)}"'
     if not display:
-        return f'<span class="tex" {words}>{drawings[tex, False]}</span>'
+        drawing = drawings[tex, False]
+        wide = float(re.search(r'width="([\d.]+)ex"', drawing)[1]) > LONG
+        return f'<span class="tex{" long" if wide else ""}" {words}>{drawing}</span>'
     number = TAG.search(unescape(piece["display"]))
     place = f' id="eq-{number[1]}"' if number else ""
     label = f'<span class="number">({number[1]})</span>' if number else ""

@@ -1,88 +1,65 @@
 #!/usr/bin/env python3
 """Looks at the finished site as a reader's browser does: check_docs.py SITE_DIR.
 
-SITE_DIR is the folder html that docs.py made. Doxygen notices bad references but not bad formulas:
-every page with formulas is opened in headless Chromium, and each formula must have become a
-drawing, none of them an error. Links and pictures of all pages must lead somewhere. The gallery
-must have a drawn picture for every recorded motion, and the page behind it must play that motion.
-Where there is no Chromium formulas and playing are skipped, and the last line says so.
+SITE_DIR is the folder html that docs.py made. Without a browser: links and pictures of all pages
+lead somewhere, every formula is drawn, each chapter shows a figure and a motion and has 15 links,
+the gallery has a picture for every recording, and the site is no larger than it may be. In headless
+Chromium: no page is wider than its window at 390 pixels, ten words of the texts are found, and every
+motion plays. Where there is no Chromium that is skipped, and the last line says so.
 Exit status: 0 good or skipped, 1 something is wrong, 2 no site there.
 """
 import json
 import re
-import shutil
-import subprocess
 import sys
-import tempfile
-from concurrent.futures import ThreadPoolExecutor
 from html import unescape
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
-FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-         "--disable-background-networking", "--disable-component-update", "--disable-sync",
-         "--virtual-time-budget=15000", "--dump-dom"]
-FORMULA = re.compile(r"\\\(.+?\\\)|\\\[.+?\\\]", re.S)
+import browser
+
 QUIET = {"script", "style", "pre", "code", "title"}  # a backslash in there is meant to be read
-ERROR = re.compile(r"merror|mjx-error|MathJax_Error|noError", re.I)
-RED = re.compile(r"\bred\b|rgb\(204, 0, 0\)|rgb\(255, 0, 0\)|#c00|#f00|#ff0000", re.I)
+MEGABYTES = 12  # of the whole site, with the live page
+LINKS = 15      # of a chapter's text into code and other pages
+TELEPHONE = 390  # [pixels]
+# Words, and the chapter whose text must be among what is found.
+WORDS = {"baumgarte": "06", "effective mass": "01", "quaternion": "02", "swing twist": "03",
+         "piston": "04", "cantilever": "05", "roofline": "07", "restitution": "08", "bricard": "09",
+         "erratum": "03"}
 
 
 class Page(HTMLParser):
-    """What a reader sees: the text, how many formulas were understood and drawn, and errors."""
+    """What a reader sees: the text, and how many formulas are drawn."""
 
     def __init__(self, html):
         super().__init__()
-        self.text, self.errors, self.formulas, self.drawings = "", [], 0, 0
-        self.open_quiet = 0
-        self.message = None  # of an error: the red text of the drawing, then comes the TeX
+        self.text, self.formulas, self.drawings, self.open_quiet = "", 0, 0, 0
         self.in_tex = False
         self.feed(html)
 
     def handle_starttag(self, tag, attributes):
-        values = {name: value or "" for name, value in attributes}
         self.open_quiet += tag in QUIET
-        self.in_tex = tag == "script" and values.get("type", "").startswith("math/tex")
-        self.formulas += self.in_tex
-        self.drawings += tag == "svg" and "ex" in values.get("width", "")
-        if ERROR.search(tag + " " + values.get("class", "")) or any(
-                RED.search(values.get(name, "")) for name in ("fill", "stroke", "color", "style")):
-            self.message = self.message or ""
+        formula = (dict(attributes).get("class") or "").split(" ")[0] == "tex"
+        self.formulas += formula
+        self.drawings += tag == "svg" and self.in_tex
+        self.in_tex = formula
 
     def handle_endtag(self, tag):
         self.open_quiet -= tag in QUIET
 
     def handle_data(self, data):
-        if self.in_tex and self.message is not None:
-            self.errors.append(f"{self.message or 'red'}: {data.strip()}")
-            self.message = None
-        elif self.message is not None:
-            self.message += data.strip()
-        elif not self.open_quiet:
+        if not self.open_quiet:
             self.text += data
 
 
-def open_page(browser, address):
-    """The page after its scripts have run."""
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
-        return subprocess.run([browser, *FLAGS, f"--user-data-dir={profile}", address],
-                              capture_output=True, text=True, timeout=120).stdout
-
-
-def bad_formulas(browser, page, wanted):
-    """What is wrong with the formulas of one page, in words."""
-    seen = Page(open_page(browser, page.as_uri()))
-    for raw in re.finditer(r"(\\[(\[]|\\f[$\[]|\$\$|Math Processing Error).{0,60}", seen.text):
-        yield f"{page.name}: not drawn: {raw[0]}"
-    for error in seen.errors[:3] + ([f"{len(seen.errors) - 3} more"] if seen.errors[3:] else []):
-        yield f"{page.name}: {error}"
-    if seen.message is not None:
-        yield f"{page.name}: red: {seen.message[:80]}"
-    if not wanted == seen.formulas == seen.drawings:
-        yield (f"{page.name}: {wanted} formulas, {seen.formulas} understood, "
-               f"{seen.drawings} drawn")
+def bad_formulas(sources):
+    """Formulas that are not drawn."""
+    for page, html in sources.items():
+        seen = Page(html)
+        for raw in re.finditer(r"(\\[(\[]|\\f[$\[]|\$\$).{0,60}", seen.text):
+            yield f"{page.name}: not drawn: {raw[0]}"
+        if seen.formulas != seen.drawings:
+            yield f"{page.name}: {seen.formulas} formulas, {seen.drawings} drawn"
 
 
 def dead_links(site, sources):
@@ -90,44 +67,67 @@ def dead_links(site, sources):
     dead = {}
     places = {page: set(re.findall(r'\b(?:id|name)="([^"]+)"', html))
               for page, html in sources.items()}
+    glyphs = site / "glyphs.js"
+    letters = set(re.findall(r'id=\\"(g\d+)', glyphs.read_text() if glyphs.exists() else ""))
     for page, html in sources.items():
         html = re.sub(r'<div class="summary">.*?</div>', "", html, flags=re.S)  # Doxygen's own bar
-        for url in set(re.findall(r'\b(?:href|src)="([^"]+)"', html)):
+        for url in set(re.findall(r'\b(?:href|src|data-src)="([^"]+)"', html)):
             file, _, place = unquote(unescape(url)).partition("#")
             file = file.partition("?")[0]
             target = (site / file).resolve() if file else page
             if not re.match(r"\w+:", file) and (
-                    not target.exists() or (place and place not in places.get(target, {place}))):
+                    not target.exists() or (place and place not in letters
+                                            and place not in places.get(target, {place}))):
                 dead.setdefault(url, []).append(page.name)
     for url, pages in sorted(dead.items()):
         yield f"{pages[0]}{f' and {len(pages) - 1} more' if pages[1:] else ''}: no {url} there"
 
 
+def chapters_of(sources):
+    return {page: html for page, html in sources.items()
+            if re.fullmatch(r"md_chapters_\w+_README.html", page.name)}
+
+
+def bad_chapters(sources):
+    """Chapters without a figure, a motion, a way on, or enough links."""
+    for page, html in chapters_of(sources).items():
+        body = html[html.index('<div class="textblock">'):]
+        links = set(re.findall(r'<a [^>]*href="([\w.-]+\.html[^"]*)"', body))
+        for what, there in (("figure", '<figure class="result">' in body),
+                            ("motion", '<a class="recording"' in body),
+                            ("way on", body.count('rel="next"') == 2),
+                            ("exercises with hints", '<a class="hint"' in body),
+                            (f"{LINKS} links", len(links) >= LINKS)):
+            if not there:
+                yield f"{page.name}: no {what}"
+
+
 def scenes_of(page):
-    """The motions of a playing page, name and title, and its link back."""
+    """The motions of a playing page, by name: title and what to watch; and its link back."""
     found = re.search(r'<script type="application/json" id="data">(.*?)</script>',
                       page.read_text(encoding="utf-8"), re.S)
     data = json.loads(found[1]) if found else {"scenes": []}
-    return {scene["name"]: scene["title"] for scene in data["scenes"]}, data.get("back")
+    return {scene["name"]: scene for scene in data["scenes"]}, data.get("back")
 
 
 def bad_gallery(site, sources):
     """What is wrong with the gallery: each motion needs one picture that leads to it."""
+    gallery = next(page for page in sources if page.name == "md_docs_gallery.html")
     shown = {}
-    for page, html in sources.items():
-        for url, inside in re.findall(r'<a class="recording" href="([^"]+)"[^>]*>(.*?)</a>', html,
-                                      re.S):
-            shown[url] = shown.get(url, 0) + 1
-            last = inside.rpartition("<g ")[2]
-            if not re.search(r'<svg class="poster" viewBox.*<g .*<(path|circle) ', inside, re.S) \
-                    or not re.search(r"<(path|circle) ", last) or "nan" in inside:
-                yield f"{page.name}: {url} has no picture"
+    for url, inside in re.findall(r'<a class="recording" href="([^"]+)"[^>]*>(.*?)</a>',
+                                  sources[gallery], re.S):
+        shown[url] = shown.get(url, 0) + 1
+        drawn = (site / re.search(r'src="([^"]+)"', inside)[1]).read_text(encoding="utf-8")
+        if not re.search(r"<(path|circle) ", drawn.rpartition("<g ")[2]) or "nan" in drawn:
+            yield f"{url} has no picture"
     there = set()
     for page in sorted((site / "motion").glob("*.html")):
         scenes, back = scenes_of(page)
         there |= {f"motion/{page.name}?scene={name}" for name in scenes}
         if not back or not (page.parent / back["href"].partition("#")[0]).is_file():
-            yield f"motion/{page.name}: no way back to the gallery"
+            yield f"motion/{page.name}: no way back to the chapter"
+        for name in [name for name, scene in scenes.items() if not scene["watch"]]:
+            yield f"motion/{page.name}: does not say what to watch in {name}"
     if not there:
         yield "there is no motion to play: no motion/*.html"
     for url in sorted(there ^ set(shown)):
@@ -138,14 +138,33 @@ def bad_gallery(site, sources):
             yield f"{url}: {times} times in the gallery"
 
 
-def bad_player(browser, page):
-    """A playing page must show each of its motions, at its second frame."""
-    scenes = scenes_of(page)[0]
-    for name, title in scenes.items():
-        seen = open_page(browser, f"{page.as_uri()}?scene={name}&f=1")
-        if f"{title}, the solution: a picture that moves" not in unescape(seen) \
-                or ">frame 1<" not in seen:
-            yield f"motion/{page.name}: does not play {name}"
+def too_large(site):
+    size = sum(path.stat().st_size for path in site.rglob("*") if path.is_file()) / 1e6
+    if size > MEGABYTES:
+        yield f"the site has {size:.1f} MB, more than {MEGABYTES}"
+
+
+def browser_jobs(site, sources):
+    """(job, what is wrong with its answer, in words) for all that only a browser can tell."""
+    width = "document.readyState === 'complete' && document.documentElement.scrollWidth"
+    for page in [*sources, *sorted((site / "motion").glob("*.html"))]:
+        yield browser.job(page.as_uri(), width, TELEPHONE, 800), lambda wide, page=page: (
+            None if wide and wide <= TELEPHONE else f"{page.name}: {wide} pixels wide in {TELEPHONE}")
+    for words, chapter in WORDS.items():
+        look = ("(all => all.length && all.map(a => a.getAttribute('href')).join(' '))"
+                "([...document.querySelectorAll('#found a')])")
+        address = f"{(site / 'index.html').as_uri()}?search={words.replace(' ', '+')}"
+        yield browser.job(address, look), lambda found, words=words, chapter=chapter: (
+            None if f"md_chapters_{chapter}_" in str(found)
+            else f"searching for {words} does not find chapter {chapter} but {found}")
+    for page in sorted((site / "motion").glob("*.html")):
+        for name, scene in scenes_of(page)[0].items():
+            label = f"{scene['title']}, the solution: a picture that moves"
+            look = ("document.querySelector('canvas').getAttribute('aria-label') + "
+                    "document.getElementById('frame').textContent")
+            yield browser.job(f"{page.as_uri()}?scene={name}&f=1", look), (
+                lambda said, page=page, name=name, label=label: None if said == f"{label}frame 1"
+                else f"motion/{page.name}: does not play {name}: {said}")
 
 
 def main():
@@ -154,24 +173,19 @@ def main():
               file=sys.stderr)
         return 2
     site = Path(sys.argv[1]).resolve()
-    sources = {page: page.read_text(encoding="utf-8") for page in sorted(site.glob("*.html"))}
-    bad = [*dead_links(site, sources), *bad_gallery(site, sources)]
-    players = sorted((site / "motion").glob("*.html"))
-
-    wanted = {page: len(FORMULA.findall(Page(html).text)) for page, html in sources.items()}
-    wanted = {page: count for page, count in wanted.items() if count}
-    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
-    if browser:
-        with ThreadPoolExecutor(2) as pool:
-            for found in pool.map(lambda page: list(bad_formulas(browser, page, wanted[page])),
-                                  wanted):
-                bad += found
-            for found in pool.map(lambda page: list(bad_player(browser, page)), players):
-                bad += found
-        motions = sum(len(scenes_of(page)[0]) for page in players)
-        done = f"{sum(wanted.values())} formulas on {len(wanted)} pages, {motions} motions play"
+    sources = {page: page.read_text(encoding="utf-8") for page in sorted(site.glob("*.html"))
+               if page.name != "live.html"}
+    bad = [*dead_links(site, sources), *bad_chapters(sources), *bad_gallery(site, sources),
+           *too_large(site)]
+    if (site / "glyphs.js").exists():
+        bad += bad_formulas(sources)
+    if browser.there():
+        jobs = list(browser_jobs(site, sources))
+        answers = browser.ask([job for job, _ in jobs])
+        bad += filter(None, (wrong(answer) for (_, wrong), answer in zip(jobs, answers)))
+        done = f"{len(jobs)} looks of a browser"
     else:
-        done = "formulas and motions SKIPPED: there is no chromium here (Debian package: chromium)"
+        done = "widths, search and motions SKIPPED: no chromium here (Debian package: chromium)"
     for line in bad:
         print(f"check_docs: {line}", file=sys.stderr)
     print(f"check_docs: {'FAILED' if bad else 'good'}: {len(sources)} pages, {done}")

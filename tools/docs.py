@@ -65,11 +65,24 @@ def copy_pictures(html, pages):
         copy(figure, html / "plots" / figure.name)
 
 
+def short_names(pages, tags):
+    """Pages and tags with short names in place of Doxygen's long ones: a tenth of their size."""
+    names = {}
+
+    def short(name):
+        return names.setdefault(name[0], f"m{len(names)}")
+    long = re.compile(r"\b[ag]a?[0-9a-f]{32}\b")
+    pages = {page: re.sub(r"\n +(?=</?t[adrhb])", "\n", long.sub(short, text))
+             for page, text in pages.items()}
+    return pages, long.sub(short, tags)
+
+
 def finish(html, recordings, tags):
     """What Doxygen has written becomes the site: motions, figures, links, formulas, search."""
     gallery.fill(html, recordings)
     pages = {path.name: path.read_text(encoding="utf-8") for path in sorted(html.glob("*.html"))
              if path.name != "live.html"}
+    pages, tags = short_names(pages, tags.read_text(encoding="utf-8"))
     copy_pictures(html, pages)
     rows = gallery.read_rows((ROOT / gallery.PAGE).read_text(encoding="utf-8"))
     for chapter in house.chapters():
@@ -78,7 +91,7 @@ def finish(html, recordings, tags):
     pages["index.html"] = front.finished(pages["index.html"], rows, (html / "live.html").exists())
     pages = {page: re.sub(r'(?<=[(\["]) (?=\\\()', "", text) for page, text in pages.items()}
     raw = pages
-    pages = formulas.draw(pages)
+    pages = formulas.draw(pages, html)
     if not formulas.node():
         for part in formulas.PARTS:
             copy(formulas.MATHJAX / part, html / "mathjax" / part)
@@ -107,10 +120,23 @@ def build(out, recordings):
         print(result.stdout.strip().replace(f"{ROOT}/", ""), file=sys.stderr)
     if result.returncode != 0:
         stop("the site has warnings, see above", 1)
-    if (house.OUT / "live.html").exists():
+    if (house.OUT / "live.html").exists() and not live.missing():
         copy(house.OUT / "live.html", html / "live.html")
     finish(html, recordings, out / "tags.xml")
     return html / "index.html"
+
+
+def draw_figures(chapters):
+    """The figures of the chapters that have none, or older ones than their tables."""
+    jobs = []
+    for chapter in chapters:
+        drawn = list(figures.FIGURES.glob(f"{chapter.number:02}_*.png"))
+        table = show.SOLUTIONS / chapter.folder / "summary.csv"
+        if not drawn or min(path.stat().st_mtime for path in drawn) < table.stat().st_mtime:
+            jobs.append(figures.of_chapter(chapter, show.SOLUTIONS / chapter.folder))
+    figures.FIGURES.mkdir(parents=True, exist_ok=True)
+    if jobs:
+        figures.draw_all(jobs)
 
 
 def command():
@@ -121,6 +147,13 @@ def command():
         if show.stale(show.SOLUTIONS / chapter.folder, house.BUILD / f"{chapter.folder}_run"):
             house.progress(f"chapter {chapter.number}: running")
             show.run_solution(chapter)
+    draw_figures(chapters)
+    if lacking := live.missing():
+        print(f"without the live page, which needs {' '.join(lacking)}: a recorded motion instead")
+    else:
+        house.progress("building the live page")
+        live.write_page(house.OUT / "live.html", "The engine, live",
+                        [("the solution", live.build() / "solution.wasm")], note="", chapter=0)
     house.progress_done()
     return main([str(house.OUT / "docs"), str(show.SOLUTIONS)])
 

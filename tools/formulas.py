@@ -23,6 +23,8 @@ MATHJAX_LINE = re.compile(r'<script type="text/x-mathjax-config">.*?</script>\s*
                           r'|<script type="text/javascript" async="async" src="mathjax/.*?</script>\s*',
                           re.S)
 
+LONG = 36  # [ex]; a longer one in a line scrolls by itself where the window is narrow
+
 
 class FormulaError(Exception):
     """A formula that cannot be drawn, in words."""
@@ -70,7 +72,9 @@ def element(piece, drawings):
     tex, display = plain(piece["display"] or piece["inline"]), bool(piece["display"])
     words = f'role="img" aria-label="{escape(tex)}"'
     if not display:
-        return f'<span class="tex" {words}>{drawings[tex, False]}</span>'
+        drawing = drawings[tex, False]
+        wide = float(re.search(r'width="([\d.]+)ex"', drawing)[1]) > LONG
+        return f'<span class="tex{" long" if wide else ""}" {words}>{drawing}</span>'
     number = TAG.search(unescape(piece["display"]))
     place = f' id="eq-{number[1]}"' if number else ""
     label = f'<span class="number">({number[1]})</span>' if number else ""
@@ -78,25 +82,31 @@ def element(piece, drawings):
             f"{label}</div>")
 
 
-def draw(texts):
-    """Draws the formulas of these pages, {page: text}; without node MathJax will, when read."""
+def draw(texts, html):
+    """Draws the formulas of these pages, {page: text}, in the folder `html`; without node MathJax
+    will, when they are read."""
     if not node():
         return {page: numbered(text) for page, text in texts.items()}
     formulas = sorted({one for text in texts.values() for one in read(text)})
     drawings, glyphs = drawn(formulas)
-    return {page: finish(text, drawings, glyphs) for page, text in texts.items()}
+    short = {name: f"g{k}" for k, name in enumerate(glyphs)}
+    glyphs = {name: path.replace(f'"{name}"', f'"{short[name]}"') for name, path in glyphs.items()}
+    drawings = {formula: re.sub(r'href="#(MJ[\w-]+)"', lambda at: f'href="#{short[at[1]]}"', svg)
+                for formula, svg in drawings.items()}
+    write_glyphs(html / "glyphs.js", glyphs)
+    return {page: finish(text, drawings) for page, text in texts.items()}
 
 
-def finish(text, drawings, glyphs):
-    text = MATHJAX_LINE.sub("", text)
-    made = PIECES.sub(lambda piece: element(piece, drawings), text)
-    names = {name: f"g{k}" for k, name in enumerate(dict.fromkeys(
-        re.findall(r'href="#(MJ[\w-]+)"', made)))}
-    made = re.sub(r'href="#(MJ[\w-]+)"', lambda at: f'href="#{names[at[1]]}"', made)
-    store = "".join(glyphs[name].replace(f'"{name}"', f'"{short}"')
-                    for name, short in names.items())
-    return made if not names else made.replace(
-        "</body>", f'<svg class="glyphs" aria-hidden="true"><defs>{store}</defs></svg></body>', 1)
+def finish(text, drawings):
+    made = PIECES.sub(lambda piece: element(piece, drawings), MATHJAX_LINE.sub("", text))
+    return made.replace("<body>", '<body><script src="glyphs.js"></script>', 1)
+
+
+def write_glyphs(file, glyphs):
+    """The letters of all pages' formulas, in one script: a page takes it before it is painted."""
+    store = f'<svg class="glyphs" aria-hidden="true"><defs>{"".join(glyphs.values())}</defs></svg>'
+    file.write_text(f"document.body.insertAdjacentHTML('afterbegin', {json.dumps(store)});\n",
+                    encoding="utf-8")
 
 
 def numbered(text):

@@ -4,10 +4,7 @@ from html import escape
 
 import gallery
 import house
-import motion
-import poster
 import shell
-import show
 
 MOVES = {"live.html": "live.html#scene=ragdoll", None: "motion/08_ground.html?scene=ragdoll&play=1"}
 ROW = re.compile(r'<tr class="markdownTableRow\w+">\s*(.*?)</tr>', re.S)
@@ -29,8 +26,7 @@ def top(live):
     return (f'<iframe class="live" title="A scene of the engine that moves" '
             f'data-src="{escape(MOVES["live.html" if live else None])}"></iframe>'), (
         f'<p class="ways"><a class="button" href="{first}">Start with chapter 1</a>'
-        '<a class="button" href="md_docs_gallery.html">See all that moves</a>'
-        + ('<a class="button" href="live.html">The engine, live</a>' if live else "") + "</p>")
+        '<a class="button" href="md_docs_gallery.html">See all that moves</a></p>')
 
 
 def card(chapter, row, rows, plan):
@@ -38,11 +34,10 @@ def card(chapter, row, rows, plan):
     _, name, build, see = CELL.findall(row)
     own = [one for one in rows if one.folder == chapter.folder]
     shown = next((one for one in own if one.name == PICTURES.get(chapter.number)), own[0])
-    run = motion.read_run(show.SOLUTIONS / chapter.folder / f"{shown.name}.motion.json", "")
     count, time = plan[chapter.number]
     words = re.sub(r"<[^>]+>", "", name).strip()
     return (f'<a class="chapter" href="{shell.text_of(chapter)}">'
-            f"{poster.picture(run, shown.moments)}<h3>{chapter.number} {words}</h3>"
+            f"{gallery.image(shown)}<h3>{chapter.number} {words}</h3>"
             f"<p>You build {re.sub('</?a[^>]*>', '', build).strip()}.</p>"
             f"<p>You see {re.sub('</?a[^>]*>', '', see).strip()}.</p>"
             f"<p class=\"plan\">{count} exercises, about {time} hours</p></a>")
@@ -61,6 +56,5 @@ def finished(text, rows, live):
                                    f"the {len(chapters)} chapters")
     cards = "".join(card(chapter, row, rows, plan) for chapter, row in zip(chapters, found))
     text = text[:begin] + f'<div class="cards">{cards}</div>' + text[end:]
-    text = re.sub(r'(<div class="textblock">)(\s*<p\b.*?</p>)',
+    return re.sub(r'(<div class="textblock">)(\s*<p\b.*?</p>)',
                   lambda at: at[1] + moving + at[2] + ways, text, count=1, flags=re.S)
-    return text.replace("</body>", poster.BALLS + "</body>", 1)

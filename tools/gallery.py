@@ -80,16 +80,38 @@ def check_rows(rows, recorded):
             f"{name}.motion.json: take the row out, or call ./wb tour if the recordings are old")
 
 
-def card(row, run, folder="motion"):
-    """The HTML of one motion, for a page beside the `folder` of the pages that play."""
+def check_moments(row, run):
     end = (len(run["frames"]) - 1) * run["dt"]
     if any(not 0 <= t <= end + run["dt"] for t in row.moments):
         raise GalleryError(f"{PAGE}: {row.folder}/{row.name} lasts from 0 to {end:.2f} s: "
                            f"{' '.join(map(str, row.moments))} lies outside")
+
+
+def card(row, picture, folder="motion"):
+    """The HTML of one motion, for a page beside the `folder` of the pages that play."""
     words = row.name.replace("_", " ")
     return (f'<figure><a class="recording" href="{folder}/{row.folder}.html?scene={row.name}" '
-            f'aria-label="Play: {escape(words)}">{poster.picture(run, row.moments)}</a>'
+            f'aria-label="Play: {escape(words)}">{picture}</a>'
             f"<figcaption><b>{escape(words)}</b> {escape(row.sentence)}</figcaption></figure>\n")
+
+
+def inline(row, recordings):
+    """The picture of a motion, for a page of one file."""
+    run = motion.read_run(recordings / row.folder / f"{row.name}.motion.json", "the solution")
+    check_moments(row, run)
+    return poster.picture(run, row.moments)
+
+
+def image(row):
+    """The picture of a motion, of the file that fill() has written."""
+    return (f'<img class="poster" loading="lazy" width="{poster.WIDTH}" height="{poster.HEIGHT}" '
+            f'alt="" src="posters/{row.folder}-{row.name}.svg">')
+
+
+def watch(folder):
+    """What there is to watch in each motion of a chapter: {name: sentence}."""
+    rows = read_rows((ROOT / PAGE).read_text(encoding="utf-8"))
+    return {row.name: row.sentence for row in rows if row.folder == folder}
 
 
 def fill(html, recordings):
@@ -103,21 +125,26 @@ def fill(html, recordings):
     if not paths:
         raise GalleryError(f"no recordings in {recordings}: ./wb docs or ./wb tour makes them")
     check_rows(rows, set(paths))
+    (html / "posters").mkdir(exist_ok=True)
+    for row in rows:
+        run = motion.read_run(paths[row.folder, row.name], "the solution")
+        check_moments(row, run)
+        (html / "posters" / f"{row.folder}-{row.name}.svg").write_text(
+            poster.file_text(run, row.moments), encoding="utf-8")
     page = next(page for page in sorted(html.glob("*.html"))
                 if 'id="gallery_' in page.read_text(encoding="utf-8"))
     text = page.read_text(encoding="utf-8")
     for folder in dict.fromkeys(row.folder for row in rows):
-        cards = "".join(card(row, motion.read_run(paths[row.folder, row.name], "the solution"))
-                        for row in rows if row.folder == folder)
+        cards = "".join(card(row, image(row)) for row in rows if row.folder == folder)
         slot = SLOT.format(folder)
         text = text.replace(slot, slot.replace("></div>", ">\n" + cards + "</div>"))
         number, _, name = folder.partition("_")
         motion.write_page(html / "motion" / f"{folder}.html", f"Chapter {int(number)}: {name}",
-                          Path(recordings) / folder,
-                          back={"href": f"../{page.name}#gallery_{folder}",
-                                "textContent": "all motions"})
-    page.write_text(text.replace("</body>", poster.BALLS + "</body>", 1),
-                    encoding="utf-8")
+                          Path(recordings) / folder, watch=watch(folder),
+                          back={"href": f"../md_chapters_{folder}_README.html"
+                                        f"#chapters_{folder}_README-see-it",
+                                "textContent": "the chapter"})
+    page.write_text(text, encoding="utf-8")
 
 
 def translate(text):

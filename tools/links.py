@@ -27,7 +27,7 @@ class Targets:
         self.errata = {f"E{number}": f"{ERRATA}#{place}" for place, number in
                        re.findall(r'id="(docs_errata-e(\d+)-[^"]*)"', texts[ERRATA])}
         self.names, self.files = {}, {}
-        self.read_tags(xml.parse(tags).getroot())
+        self.read_tags(xml.fromstring(tags))
         for path in [*ROOT.glob("engine/*.h"), *ROOT.glob("chapters/*/*.h")]:
             if group := re.search(r"\\(?:defgroup|addtogroup) (\w+)", path.read_text()):
                 self.files.setdefault(path.name, f"group__{group[1]}.html")

@@ -57,18 +57,21 @@ def read_run(path, label):
         raise MotionError(f"{path} is broken: {error}") from error
     if bad is not None:
         run.update(stopped=bad * run["dt"], frames=frames[:bad])
-    return {"label": label, **run, "frames": [[short(x) for x in frame] for frame in run["frames"]]}
+    return {"label": label, **run}
 
 
-def short(x):
-    """A number to a tenth of a millimetre or milliradian, in few letters."""
-    return 0 if abs(x) < 5e-5 else int(x) if x == int(x) else round(x, 4)
+def packed(run):
+    """A run whose frames are whole numbers of a ten-thousandth, each less the one before."""
+    frames = [[round(1e4 * x) for x in frame] for frame in run["frames"]]
+    changes = [frames[0]] + [[b - a for a, b in zip(*pair)] for pair in zip(frames, frames[1:])]
+    return {**{key: value for key, value in run.items() if key != "frames"}, "changes": changes}
 
 
-def write_page(page, title, solution_dir, mine_dir=None, back=None):
+def write_page(page, title, solution_dir, mine_dir=None, back=None, watch=None):
     """Writes the page. Raises MotionError when there is nothing to show or a file is broken.
 
     `back` is a link beside the heading: {"href": where it leads, "textContent": its words}.
+    `watch` says for each scene by its name what there is to see.
     """
     folders = [(Path(folder), label) for folder, label in
                ((mine_dir, "yours"), (solution_dir, "the solution")) if folder is not None]
@@ -82,7 +85,8 @@ def write_page(page, title, solution_dir, mine_dir=None, back=None):
                 if (folder / path.name).exists()]
         if any(run["frames"] for run in runs):
             name = path.name[:-len(".motion.json")]
-            scenes.append({"name": name, "title": runs[-1]["title"] or name, "runs": runs})
+            scenes.append({"name": name, "title": runs[-1]["title"] or name,
+                           "watch": (watch or {}).get(name, ""), "runs": list(map(packed, runs))})
     if not scenes:
         raise MotionError(f"nothing to show: no *.motion.json with a good frame in {solution_dir}")
     data = {"title": title, **({"back": back} if back else {}), "scenes": scenes}

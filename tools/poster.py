@@ -187,6 +187,18 @@ BALLS = '<svg class="balls" width="0" height="0" aria-hidden="true"><defs>' + ""
     for kind, base in (("moving", MOVING), ("still", STILL))) + "</defs></svg>"
 
 
+# A picture by itself: in light and dark its lines and shadows are seen.
+STYLE = ("<style>.ground{fill:none;stroke:#848f97}.shadow{fill:#0c1a26;opacity:0.22}</style>")
+
+
+def file_text(run, moments=()):
+    """The picture as a file of its own."""
+    balls = BALLS[BALLS.index("<defs>"):BALLS.index("</svg>")]
+    head, _, rest = picture(run, moments).partition(">")
+    return (head.replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"', 1)
+            .replace(' aria-hidden="true"', "") + f">{STYLE}{balls}{rest}")
+
+
 def picture(run, moments=()):
     """The SVG of a run at these moments [s]; of moments of its own choice where none are given."""
     last = len(run["frames"]) - 1

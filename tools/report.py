@@ -9,7 +9,6 @@ from pathlib import Path
 import figures
 import gallery
 import house
-import motion
 import pages
 import poster
 import show
@@ -63,9 +62,8 @@ def table(rows):
 def chapter_part(chapter, rows):
     """A chapter: its motions, its figures, its table. `rows` are those of the gallery."""
     title = f"Chapter {chapter.number}: {chapter.name}"
-    cards = "".join(gallery.card(row, motion.read_run(
-        show.SOLUTIONS / row.folder / f"{row.name}.motion.json", "the solution"), "see")
-        for row in rows if row.folder == chapter.folder)
+    cards = "".join(gallery.card(row, gallery.inline(row, show.SOLUTIONS), "see") for row in rows
+                    if row.folder == chapter.folder)
     drawn = sorted(figures.FIGURES.glob(f"{chapter.number:02}_*.png"))
     return (f'<h2 id="chapter{chapter.number}">{title}</h2><div class="grid">{cards}</div>'
             + figure_grid(drawn, mentioned(chapter.text.read_text(encoding="utf-8")))

@@ -9,6 +9,7 @@ import webbrowser
 import crashes
 import exercises
 import figures
+import gallery
 import grade as grading
 import house
 import motion
@@ -216,7 +217,8 @@ def make_page(chapter, solution, mine):
     page = house.OUT / "see" / f"{chapter.folder}.html"
     page.parent.mkdir(parents=True, exist_ok=True)
     try:
-        motion.write_page(page, f"Chapter {chapter.number}: {chapter.name}", solution, mine)
+        motion.write_page(page, f"Chapter {chapter.number}: {chapter.name}", solution, mine,
+                          watch=gallery.watch(chapter.folder))
     except motion.MotionError as error:
         raise house.Trouble(str(error))
     return page

@@ -5,9 +5,7 @@ from html import escape, unescape
 
 import figures
 import gallery
-import motion
 import report
-import show
 
 PARAGRAPH = re.compile(r"<p\b[^>]*>(?:(?!</p>).)*?</p>", re.S)
 ROW = re.compile(r'<tr class="markdownTableRow\w+">\s*(.*?)</tr>', re.S)
@@ -38,9 +36,8 @@ def with_figures(text, chapter):
 
 def with_motions(text, chapter, rows, more):
     """The chapter's motions, at the beginning of See it; behind them the figures not named."""
-    cards = "".join(gallery.card(row, motion.read_run(
-        show.SOLUTIONS / row.folder / f"{row.name}.motion.json", "the solution"))
-        for row in rows if row.folder == chapter.folder)
+    cards = "".join(gallery.card(row, gallery.image(row)) for row in rows
+                    if row.folder == chapter.folder)
     place = re.search(r'id="[\w-]*_README-see-it"></a>\s*See it</h\d>', text)
     if not place:
         raise gallery.GalleryError(f"chapter {chapter.number} has no heading See it")

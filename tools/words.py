@@ -6,13 +6,13 @@ from collections import Counter
 from html import unescape
 
 NOT_READ = re.compile(r'<(script|style|svg|title|nav)\b.*?</\1>|<div class="(?:toc|tex)".*?</div>'
-                      r'|<span class="tex".*?</span>|<!--.*?-->', re.S)
+                      r'|<span class="tex[^"]*".*?</span>|<!--.*?-->', re.S)
 PLACE = re.compile(r'<a class="anchor" id="([^"]+)"></a>\s*(.*?)</h\d>'
                    r'|<a id="([^"]+)"[^>]*></a>\s*<h2 class="memtitle">(.*?)</h2>', re.S)
 # Too common to tell one place from another.
 COMMON = set("""the a an of and or in on is are to it its that this with for by as at be not no from
     one two what which has have was were if so but than then only all each per into out can""".split())
-TITLE_WEIGHT = 6
+TITLE_WEIGHT, TEXT_WEIGHT = 6, 3  # of a word in a heading; of one in a text, not in the code's pages
 
 
 def words_of(html):
@@ -48,8 +48,9 @@ def index_of(texts, titles):
                 count[word] += TITLE_WEIGHT
             if not count:
                 continue
+            weight = TEXT_WEIGHT if page.startswith(("md_chapters", "md_docs")) else 1
             for word, times in count.items():
-                words.setdefault(word, []).extend((len(places), min(times, 9)))
+                words.setdefault(word, []).extend((len(places), weight * min(times, 9)))
             places.append([f"{page}#{place}" if place else page, title, heading])
     return {"places": places, "words": words}
 

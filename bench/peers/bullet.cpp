@@ -140,7 +140,7 @@ std::vector<PeerSetting> bullet_settings(bool search) {
   using Solver = BulletChoice::Solver;
   std::vector<PeerSetting> out;
   const auto add = [&](const std::string& name, const BulletChoice& choice, bool quick,
-                       int most_joints = 1000000) {
+                       int most_joints = 5000) {
     out.push_back({.engine = "Bullet", .version = version(),
                    .number = sizeof(btScalar) == 8 ? "double" : "float", .name = name,
                    .quick = quick, .most_joints = most_joints,
@@ -149,8 +149,9 @@ std::vector<PeerSetting> bullet_settings(bool search) {
                      return std::make_unique<BulletWorld>(scene, choice);
                    }});
   };
-  const auto add_trees = [&](const std::string& name, const BulletChoice& choice, bool quick) {
-    add("multibody" + name, choice, quick);
+  const auto add_trees = [&](const std::string& name, const BulletChoice& choice, bool quick,
+                             int most_joints = 5000) {
+    add("multibody" + name, choice, quick, most_joints);
     out.back().exact = true;
     out.back().make = [choice](const PeerScene& scene) { return bullet_trees(scene, choice); };
   };
@@ -167,16 +168,19 @@ std::vector<PeerSetting> bullet_settings(bool search) {
     return out;
   }
   const int few = 1000;  // joints: a dense step takes time as their cube
-  add("10 iterations (its default)", {}, true);
+  add("10 iterations (its default)", {}, true, 0);
+  out.back().basic = true;
   add("60 iterations", {.iterations = 60}, true);
   add("200 iterations", {.iterations = 200}, false);
   add("16 substeps of 4 iterations", {.iterations = 4, .substeps = 16}, true);
   add("16 substeps of 15 iterations", {.iterations = 15, .substeps = 16}, false);
   add("conjugate 60 iterations", {.solver = Solver::conjugate, .iterations = 60}, false);
   add("Dantzig", {.solver = Solver::dantzig}, false, few);
+  out.back().slow = true;
   add("Dantzig erp 1", {.solver = Solver::dantzig, .erp = 1}, true, 100);
   add("Lemke", {.solver = Solver::lemke}, false, 50);
-  add_trees("", {}, true);
+  add_trees("", {}, true, 0);
+  out.back().basic = true;
   add_trees(" 8 substeps", {.substeps = 8}, true);
   add_trees(" Runge-Kutta", {.runge_kutta = true}, true);
   add_trees(" without split impulses", {.split = false}, true);

@@ -42,7 +42,8 @@ std::vector<PeerEntry> peer_entries(bool quick) {
                     contacts = "si30 4x8 lanes10 velocity";
   std::vector<PeerEntry> list = {
       {.name = "S1", .make = [] { return cubes_on_hinges(10, 100); },
-       .ours = "si30 beta1 4x8 lanes chapter7 velocity shake stiff rk4"},
+       .ours = "si30 beta1 4x8 lanes chapter7 velocity shake stiff rk4",
+       .slow = true},
       {.name = "S2 R=1", .make = [] { return heavy_end(1); }, .ours = stiff, .quick = false},
       {.name = "S2 R=100", .make = [] { return heavy_end(100); }, .ours = stiff},
       {.name = "S2 R=1000", .make = [] { return heavy_end(1000); }, .ours = stiff},
@@ -62,15 +63,16 @@ std::vector<PeerEntry> peer_entries(bool quick) {
       {.name = "box at rest", .make = [] { return box_on_slope(0); }, .ours = contacts},
       {.name = "box on a slope", .make = [] { return box_on_slope(0.35); }, .ours = contacts},
       {.name = "planks", .make = loaded_planks, .span = ten_seconds, .ours = contacts},
-      {.name = "ragdolls 100", .make = [] { return ragdolls(100); }, .ours = contacts}};
+      {.name = "ragdolls 100", .make = [] { return ragdolls(100); },
+       .span = {.steps = 150, .timed = 130}, .ours = contacts}};
   if (!quick)
     list.push_back({.name = "ragdolls 5000", .make = [] { return ragdolls(5000); },
-                    .span = {.steps = 60, .timed = 25}, .ours = contacts, .quick = false});
+                    .span = {.steps = 75, .timed = 55}, .ours = contacts, .quick = false, .basic = true});
   for (const int chains : {1, 10, 101, 1010})
     list.push_back({.name = std::to_string(99 * chains) + " hinges",
                     .make = [=] { return cubes_on_hinges(chains, 100); },
                     .span = {.steps = chains < 100 ? 60 : 26, .timed = chains < 100 ? 60 : 26},
-                    .ours = "si30 lanes velocity", .quick = chains < 100});
+                    .ours = "si30 lanes velocity", .quick = chains < 100, .basic = true});
   if (quick) std::erase_if(list, [](const PeerEntry& one) { return !one.quick; });
   return list;
 }

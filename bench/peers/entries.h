@@ -14,6 +14,8 @@ struct PeerEntry {
   Span span{.steps = 300, .timed = 80};
   std::string ours{};   ///< words of setting_of(), with blanks between
   bool quick = true;    ///< also in the short form
+  bool basic = false;   ///< only the basic settings of the engines
+  bool slow = false;    ///< also solvers of which a step takes a tenth of a second here
 };
 /// All of them. \param quick those of the short form alone
 std::vector<PeerEntry> peer_entries(bool quick);

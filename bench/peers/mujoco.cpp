@@ -288,7 +288,7 @@ std::vector<PeerSetting> mujoco_settings(bool search) {
     const bool is_implicit = choice.integrator == mjINT_IMPLICIT;  // its stack grows as a square
     out.push_back({.engine = "MuJoCo", .version = version(),
                    .number = sizeof(mjtNum) == 8 ? "double" : "float", .name = name,
-                   .quick = quick, .most_joints = is_implicit ? 300 : 12000, .exact = true,
+                   .quick = quick, .most_joints = is_implicit ? 300 : 2000, .exact = true,
                    .make = [choice](const PeerScene& scene) {
                      return std::make_unique<MujocoWorld>(scene, choice);
                    }});
@@ -304,6 +304,7 @@ std::vector<PeerSetting> mujoco_settings(bool search) {
     return out;
   }
   add("Euler (its default)", {}, true);
+  out.back().basic = true;
   add("implicit", {.integrator = mjINT_IMPLICIT, .gain = at_bound}, true);
   add("Runge-Kutta", {.integrator = mjINT_RK4}, true);
   add("implicit 8 substeps stiff", {mjINT_IMPLICIT, 8, at_bound, 0.002}, false);

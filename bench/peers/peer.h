@@ -72,11 +72,15 @@ struct PeerSetting {
   std::string number;           ///< double or float, what it computes in
   std::string name;             ///< what is set, without a comma
   bool quick = false;           ///< also in the short form
-  int most_joints = 1000000;    ///< on larger scenes a step takes too long
+  int most_joints = 0;          ///< on larger scenes a step takes too long; 0: on none
+  bool basic = false;           ///< measured on large scenes, too
+  bool slow = false;            ///< a step takes a tenth of a second on S1
   bool exact = false;           ///< it does not iterate: its first step has the true acceleration
   std::function<std::unique_ptr<Peer>(const PeerScene&)> make{};
 
-  bool takes(const PeerScene& scene) const { return int(scene.joints.size()) <= most_joints; }
+  bool takes(const PeerScene& scene) const {
+    return most_joints == 0 || int(scene.joints.size()) <= most_joints;
+  }
   Setting setting() const;      ///< for the runner
 };
 

@@ -44,7 +44,9 @@ std::vector<Contender> contenders(const PeerEntry& entry, bool quick, bool searc
     out.push_back({{.engine = "ours", .version = "", .number = sizeof(real) == 8 ? "double" : "float",
                     .name = word}, setting_of(word), true});
   for (const PeerSetting& peer : peer_settings(search))
-    if (peer.takes(scene) && (!quick || peer.quick)) out.push_back({peer, peer.setting()});
+    if (peer.takes(scene) && (!quick || peer.quick) &&
+        (!peer.slow || entry.slow || scene.joints.size() < 200) && (!entry.basic || peer.basic))
+      out.push_back({peer, peer.setting()});
   for (Contender& one : out) one.setting.differences = true;
   return out;
 }
@@ -63,7 +65,7 @@ double bytes_of(const PeerEntry& entry, const Contender& one) {
   return std::max(0.0, bytes_in_use() - (one.ours ? empty : made));
 }
 
-constexpr double most_us = 1.2e6;  // of a round of one contender
+constexpr double most_us = 2.5e5;  // of a round of one contender
 constexpr int untimed = 20;        // steps of a run
 
 // A round: each in turn, so that what else runs meanwhile disturbs all alike.
@@ -111,7 +113,8 @@ void measure(FILE* file, const PeerEntry& entry, const Options& options) {
     one.result = run(entry.make, one.setting, 1, entry.span);
     one.bytes = bytes_of(entry, one);
   }
-  const int rounds = options.count("rounds", 1);
+  const bool large = all.front().result.us_per_step > most_us / 10;
+  const int rounds = large ? 1 : options.count("rounds", 1);
   for (int n = 1; n <= rounds; ++n) {
     std::fprintf(stderr, "%s, round %d of %d\n", entry.name.c_str(), n, rounds);
     time_round(entry, all);

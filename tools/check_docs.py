@@ -74,6 +74,8 @@ def dead_links(site, sources):
         for url in set(re.findall(r'\b(?:href|src|data-src)="([^"]+)"', html)):
             file, _, place = unquote(unescape(url)).partition("#")
             file = file.partition("?")[0]
+            if file == "live.html":
+                place = ""  # the state of the page
             target = (site / file).resolve() if file else page
             if not re.match(r"\w+:", file) and (
                     not target.exists() or (place and place not in letters

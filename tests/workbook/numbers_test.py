@@ -63,7 +63,7 @@ def live_links_say_what_is_seen(root, build):
             if link[1] not in states:
                 yield (f"{path.relative_to(root)}:{text.count(chr(10), 0, link.start()) + 1}: "
                        f"no number says what is seen at {link[1]}")
-    notes.append(f"{count} sentences lead to the live page")
+    notes.append(f"{count} links of the texts lead to states of the live page")
 
 
 def main_path(text):

@@ -40,7 +40,7 @@
 
 // ---- wrong: body space arms
 // expects: Likely mistake: body-space lever: the levers of both bodies are not turned into
-// expects: (upright, turned, moved, broken)
+// expects: the world (upright, turned, moved, broken)
   const vec3 r1 = anchor1_local, r2 = anchor2_local;
   const vec3 n = direction(body2.x + r2 - body1.x - r1);
   return {-n, -cross(r1, n), n, cross(r2, n)};

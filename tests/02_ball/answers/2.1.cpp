@@ -2,7 +2,7 @@
 
 // ---- wrong: body space arms
 // expects: Likely mistake: body-space lever: the levers of both bodies are not turned into
-// expects: (upright, turned, moved, broken)
+// expects: the world (upright, turned, moved, broken)
   return jacobian_from_blocks(mat3(-1), skew(anchor1_local), mat3(1), -skew(anchor2_local));
 
 // ---- wrong: levers exchanged

@@ -154,8 +154,8 @@ def blow(solution, mine, out):
     for row, (who, _) in zip(axes, sources):
         for ax, order in zip(row, orders):
             scale = draw_strip(ax, strips[who, order])
-            ax.set_title(f"iterations from the {order.replace(' to ', ' to the ')}"
-                         + (f": {who}" if mine else ""))
+            way = f"from the {order.replace(' to ', ' to the ')}"
+            ax.set_title(f"{way}: {who}" if mine else f"iterations {way}")
         row[0].set_ylabel("joint  (1 at the wall)")
     for ax in axes[-1]:
         ax.set(xlabel="iteration", xlim=(-0.5, last + 0.5))

@@ -69,7 +69,10 @@ def plainly(words):
 
 
 def refused(words):
-    """What the compiler's first error means, or "": the others often follow from it."""
+    """What the compiler's first error means, or "": the others often follow from it. What stands
+    before the first place in a file is a command line."""
+    place = re.search(r"^\S+:\d+:", words, re.M)
+    words = words[place.start():] if place else words
     first = re.split(r"^(?=\S+:\d+:\d+: error: )", words, flags=re.M)[:2]
     return next((meaning for pattern, meaning in REFUSED.items()
                  if re.search(pattern, "".join(first))), "")

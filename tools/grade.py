@@ -170,7 +170,8 @@ def printed(chapter, grade, run):
 def units(chapter, id_):
     """What the units say to a wrong exercise, in a sentence; "" where they have nothing to say or
     cannot follow the answer. An exercise whose numbers are right is not asked for its units."""
-    if house.build([f"{chapter.folder}_units_mine"], "asking the units"):
+    if house.build([f"{chapter.folder}_units_mine"],
+                   "no known mistake fits; checking the units (half a minute, once)"):
         return ""
     return units_of(runs.run(program_of(chapter, "units"), [id_]))
 

@@ -181,6 +181,6 @@ def must_build(targets, what="building"):
 def compiler_words(log, most=25):
     """The compiler's errors without the command lines."""
     lines = [line for line in log.split("\n")
-             if line and not re.match(r"\[\d+/\d+\]|ninja:|FAILED:|-- |/\S*c\+\+|\S*g\+\+ ", line)]
+             if line and not re.match(r"\[\d+/\d+\]|ninja:|FAILED:|-- |\S.* -o \S", line)]
     lines = [line.replace(str(ROOT) + "/", "") for line in lines]
     return "\n".join(lines[:most] + (["..."] if len(lines) > most else []))

@@ -95,7 +95,8 @@ def tell(look, one):
         if name:
             print(folded(name.removeprefix(one.id).strip(), 2) + "\n")
         if report.startswith("Exercise") and "Likely mistake:" not in report:
-            report = with_units(report, grading.units(chapter, one.id))
+            report = with_units(report, grading.units(chapter, one.id)
+                                or "Units: no fault that can be seen.")
         print(indented(report))
         if len(one.failures) > 1:
             others = len(one.failures) - 1

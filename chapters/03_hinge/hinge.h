@@ -80,7 +80,7 @@ struct HingeAngle {
   static constexpr int rows = 1;            ///< the one row of limit and motor
   static constexpr bool one_sided = false;  ///< a limit makes it so
   static constexpr Form form = Form::angular;  ///< of its row
-  real twist(const Body& body1, const Body& body2) const;  ///< exercise 3.3, in (-pi, pi] [rad]
+  real twist(const Body& body1, const Body& body2) const;  ///< exercise 3.3, in [-pi, pi] [rad]
   /// C, the angle with its turns counted [rad].
   real error(const Body& body1, const Body& body2) const {
     return unwrapped(twist(body1, body2), expected);

@@ -93,7 +93,7 @@ inline Pieces<CrossReference> wrong_shares() {
     return inverse_inertia(body);
   };
   const std::pair<const char*, Change> levers[] = {
-      {"body-space arm, it is not turned into the world: to_world(body, anchor)",
+      {"body-space lever, it is not turned into the world: to_world(body, anchor)",
        lever([](const CrossCase& c, int k) { return c.anchor(k); })},
       {"turned the wrong way: to_world, not to_local",
        lever([](const CrossCase& c, int k) { return to_local(c.body(k), c.anchor(k)); })},

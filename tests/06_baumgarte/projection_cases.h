@@ -227,7 +227,7 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
     for (const bool place : {false, true})
       add.push_back({place ? "the place of an anchor is no lever: that begins at the centre, "
                              "to_world(body, anchor)"
-                           : "body-space arm: the levers are not turned into the world",
+                           : "body-space lever: the levers are not turned into the world",
                      [=](const Case& c) {
                        Reference reference(c.part, c.pair);
                        if (Part::one_sided && reference.C[0] >= 0) return of({});

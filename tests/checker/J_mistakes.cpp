@@ -44,7 +44,7 @@ Wrong wrong_levers(const Rows& J, const Pair& pair) {
       [](Row& row) { row.w1 = -row.w1, row.w2 = -row.w2; });
   add("the blocks w1 and w2 are missing: they hold the levers",
       [](Row& row) { row.w1 = row.w2 = vec3(0); });
-  add("the arms are missing: w1 and w2 hold r x n, not n",
+  add("the levers are missing: w1 and w2 hold r x n, not n",
       [](Row& row) { row.w1 = row.v1, row.w2 = row.v2; });
   add("a point where a lever belongs: r runs from the body's centre to the anchor "
       "(to_world, not world_point)",
@@ -159,7 +159,7 @@ std::vector<std::string> wrong_turns(const Pair& pair,
                                   : levers[which];
     if (holds(turned(pair, which, half_turn)))
       out.push_back(what + "turned the wrong way round: to_world, not to_local");
-    else out.push_back((more ? "" : "body-space arm: ") + what + "not turned into the world");
+    else out.push_back((more ? "" : "body-space lever: ") + what + "not turned into the world");
   }
   return out;
 }

@@ -75,7 +75,7 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 void Table::entry(const std::string& name, double yours, double right, double tolerance) {
-  if (lines_.size() > 8) ++hidden_;
+  if (lines_.size() > 9) ++hidden_;
   else line(name, text(yours, tolerance), text(right, tolerance), text(yours - right, tolerance));
 }
 
@@ -83,13 +83,14 @@ std::string Table::words() const {
   std::size_t width = 0;
   for (const auto& line : lines_) width = std::max(width, line[0].size());
   std::string out;
-  for (const auto& line : lines_) {
+  for (std::size_t i = 0; i < lines_.size() - (hidden_ > 0); ++i) {  // at most 9: no "1 more"
+    const auto& line = lines_[i];
     std::string row = "  " + line[0] + std::string(width - line[0].size(), ' ') +
                       padded(line[1], 14) + padded(line[2], 14) + padded(line[3], 14);
     row.erase(row.find_last_not_of(' ') + 1);
     out += row + "\n";
   }
-  return out + (hidden_ > 0 ? "  and " + std::to_string(hidden_) + " more\n" : "");
+  return out + (hidden_ > 0 ? "  and " + std::to_string(hidden_ + 1) + " more\n" : "");
 }
 
 std::string folded(std::string line) {

@@ -33,7 +33,7 @@ std::string joined(const std::vector<std::string>& words);
 std::string folded(std::string line);
 std::string likely(const std::string& mistake);
 
-/// Yours beside what is right, a line an entry; at most eight lines where all are wrong.
+/// Yours beside what is right, a line an entry; at most nine lines, the last may be "and 2 more".
 class Table {
  public:
   explicit Table(const std::string& reference) { line("entry", "yours   ", reference, "error   "); }

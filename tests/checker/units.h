@@ -38,9 +38,9 @@ struct Reason {
   const char* too_many;
 };
 inline constexpr std::array reasons{
-    Reason{m, "an arm is missing, or another length",
-           "a length too many: an arm, or a direction that is not a unit vector"},
-    Reason{m * m, "the arms are missing, r x n on both sides", "a squared length too many"},
+    Reason{m, "a lever is missing, or another length",
+           "a length too many: a lever, or a direction that is not a unit vector"},
+    Reason{m * m, "the levers are missing, r x n on both sides", "a squared length too many"},
     Reason{s, "h is missing (an impulse is h times a force, a bias is C/h)",
            "a time too many: is a division by h missing?"},
     Reason{1 / kg, "the inverse mass is missing", "an inverse mass too many"},
@@ -56,7 +56,7 @@ struct OfTime {
   const char* too_many = nullptr;
 };
 
-/// ": an arm is missing", or nothing. \param sum of `wants` and `has`: either of them may be the
+/// ": a lever is missing", or nothing. \param sum of `wants` and `has`: either of them may be the
 /// wrong one, and a length or a mass is missing more often than it is too many
 inline std::string reason(const Unit& has, const Unit& wants, bool sum, const OfTime& time) {
   const Unit missing = combined(wants, 1, has, -1), too_many = combined(has, 1, wants, -1);

@@ -127,7 +127,7 @@ TEST_CASE("the blocks of a body that are another body's or frame's are named") {
        [](const Pair& at) { return at.body2.q; });
   says("the lever of body 1 is turned the wrong way round: to_world, not to_local",
        [](const Pair& at) { return conjugate(at.body1.q); });
-  says("body-space arm: the lever of body 1 is not turned into the world",
+  says("body-space lever: the lever of body 1 is not turned into the world",
        [](const Pair&) { return quat(1, 0, 0, 0); });
 }
 

@@ -23,24 +23,24 @@
   const vec3 n = direction(body2.x + r2 - body1.x - r1);
   return {n, cross(r2, n), -n, -cross(r1, n)};
 
-// ---- wrong: body space arm of body 1
+// ---- wrong: body space lever of body 1
 // expects: Fails at turned, moved and broken; holds at upright.
-// expects: Likely mistake: body-space arm: the lever of body 1 is not turned into the world
+// expects: Likely mistake: body-space lever: the lever of body 1 is not turned into the world
 // expects: (turned, moved, broken)
   const vec3 r1 = anchor1_local, r2 = to_world(body2, anchor2_local);
   const vec3 n = direction(body2.x + r2 - body1.x - r1);
   return {-n, -cross(r1, n), n, cross(r2, n)};
 
-// ---- wrong: body space arm of body 2
-// expects: Likely mistake: body-space arm: the lever of body 2 is not turned into the world
+// ---- wrong: body space lever of body 2
+// expects: Likely mistake: body-space lever: the lever of body 2 is not turned into the world
 // expects: (upright, turned, moved, broken)
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   const vec3 n = direction(body2.x + r2 - body1.x - r1);
   return {-n, -cross(r1, n), n, cross(anchor2_local, n)};
 
 // ---- wrong: body space arms
-// expects: Likely mistake: body-space arm: the levers of both bodies are not turned into the world
-// expects: (upright, turned, moved, broken)
+// expects: Likely mistake: body-space lever: the levers of both bodies are not turned into
+// expects: the world (upright, turned, moved, broken)
   const vec3 r1 = anchor1_local, r2 = anchor2_local;
   const vec3 n = direction(body2.x + r2 - body1.x - r1);
   return {-n, -cross(r1, n), n, cross(r2, n)};
@@ -235,7 +235,7 @@
 
 // ---- wrong: K body space levers
 // region: 2
-// expects: Likely mistake: body-space arm: the levers of both bodies
+// expects: Likely mistake: body-space lever: the levers of both bodies
   const vec3 r1 = anchor1_local, r2 = anchor2_local;
   const vec3 n = direction(body2.x + r2 - body1.x - r1);
   const vec3 a1 = cross(r1, n), a2 = cross(r2, n);
@@ -301,7 +301,7 @@
 
 // ---- wrong units: K arms forgotten
 // region: 2
-// expects: Units: in K, adding 1/(kg m^2) to 1/kg: the arms are missing
+// expects: Units: in K, adding 1/(kg m^2) to 1/kg: the levers are missing
   const vec3 n = direction(world_point(body2, anchor2_local) - world_point(body1, anchor1_local));
   return body1.inverse_mass + body2.inverse_mass + dot(n, inverse_inertia(body1) * n) +
          dot(n, inverse_inertia(body2) * n);

@@ -1,8 +1,8 @@
 // Known answers of exercise 2.1, each put in the place of the solution's.
 
 // ---- wrong: body space arms
-// expects: Likely mistake: body-space arm: the levers of both bodies are not turned into the world
-// expects: (upright, turned, moved, broken)
+// expects: Likely mistake: body-space lever: the levers of both bodies are not turned into
+// expects: the world (upright, turned, moved, broken)
   return jacobian_from_blocks(mat3(-1), skew(anchor1_local), mat3(1), -skew(anchor2_local));
 
 // ---- wrong: levers exchanged

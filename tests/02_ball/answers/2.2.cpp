@@ -67,7 +67,7 @@
          s2 * world(body2) * transpose(s2);
 
 // ---- wrong: body space levers
-// expects: Likely mistake: body-space arm: the levers of both bodies
+// expects: Likely mistake: body-space lever: the levers of both bodies
   const mat3 s1 = skew(anchor1_local), s2 = skew(anchor2_local);
   return mat3(body1.inverse_mass + body2.inverse_mass) +
          s1 * inverse_inertia(body1) * transpose(s1) +

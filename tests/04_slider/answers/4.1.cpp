@@ -156,7 +156,7 @@
 
 // ---- wrong: J no arms, n in the turns
 // region: 2
-// expects: Likely mistake: the arms are missing: w1 and w2 hold r x n, not n (pencil and paper,
+// expects: Likely mistake: the levers are missing: w1 and w2 hold r x n, not n (pencil and paper,
 // expects: upright, turned, moved, broken)
   Jacobian<2> J;
   for (int i = 0; i < 2; ++i) J[i] = {-n[i], -n[i], n[i], n[i]};
@@ -304,7 +304,7 @@
 
 // ---- wrong: body space lever
 // region: 2
-// expects: Likely mistake: body-space arm: the lever of body 1 is not turned into the world
+// expects: Likely mistake: body-space lever: the lever of body 1 is not turned into the world
 // expects: (turned, moved, broken)
   const vec3 r1 = anchor1_local, r2 = to_world(body2, anchor2_local);
   Jacobian<2> J;
@@ -381,5 +381,5 @@
 
 // ---- wrong units: arms forgotten
 // region: 2
-// expects: Units: J.w1 is a pure number and should be in m: an arm is missing
+// expects: Units: J.w1 is a pure number and should be in m: a lever is missing
   return {{Row{-n[0], -n[0], n[0], n[0]}, Row{-n[1], -n[1], n[1], n[1]}}};

@@ -65,8 +65,8 @@
 
 // ---- wrong: J r2 local
 // region: 2
-// expects: Likely mistake: body-space arm: the lever of body 2 is not turned into the world (pencil
-// expects: and paper, upright, turned, moved, broken)
+// expects: Likely mistake: body-space lever: the lever of body 2 is not turned into the world
+// expects: (pencil and paper, upright, turned, moved, broken)
   const vec3 a = to_world(body1, a1_local), r1 = to_world(body1, anchor1_local), r2 = anchor2_local;
   return {-a, -cross(r1 + u, a), a, cross(r2, a)};
 

@@ -35,7 +35,7 @@
 
 // ---- wrong: lever in body axes
 // expects: holds at upright and 1 static
-// expects: Likely mistake: r1: body-space arm, it is not turned into the world
+// expects: Likely mistake: r1: body-space lever, it is not turned into the world
 // change: to_world(body1, point.anchor1_local) ==> point.anchor1_local
 
 // ---- wrong: lever to the other anchor

@@ -43,7 +43,7 @@
   body2.q = turned(body2.q, move2.w, 1);
 
 // ---- wrong: point body space arms
-// expects: Likely mistake: body-space arm
+// expects: Likely mistake: body-space lever
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
   body1.x -= body1.inverse_mass * lambda;
   body2.x += body2.inverse_mass * lambda;

@@ -376,11 +376,11 @@
   return {-direction, direction, -cross(r1, direction), cross(r2, direction)};
 
 // ---- wrong units: square for length
-// expects: Units: in C, taking m from m^2: an arm is missing, or another length
+// expects: Units: in C, taking m from m^2: a lever is missing, or another length
   const vec3 r1 = point(body1, body2) - body1.x;
   return dot(r1, r1) - height;
 
 // ---- wrong units: without levers
 // region: 2
-// expects: Units: J along n.w1 is a pure number and should be in m: an arm is missing
+// expects: Units: J along n.w1 is a pure number and should be in m: a lever is missing
   return {-direction, -direction, direction, direction};

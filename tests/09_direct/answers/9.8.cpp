@@ -227,7 +227,7 @@
 // change: kappa * h * h * force_lever ==> kappa * h * h * h * force_lever
 
 // ---- wrong units: lever not squared
-// expects: Units: in stiffened, taking kg m from kg m^2: an arm is missing, or another length
+// expects: Units: in stiffened, taking kg m from kg m^2: a lever is missing, or another length
 // change: lever * lever / body ==> lever / body
 
 // ---- wrong units: mass forgotten

@@ -7,7 +7,7 @@ import house
 # The list of pages, in its order; chapters stand behind "Before you start".
 BEFORE = ["index.html", "md_docs_before_you_start.html"]
 AFTER = ["md_docs_gallery.html", "md_docs_notation.html", "md_docs_errata.html",
-         "md_docs_references.html", "md_docs_stabilisation.html", "md_docs_library.html",
+         "md_docs_references.html", "md_docs_which_method.html", "md_docs_library.html",
          "md_docs_teaching.html", "md_docs_architecture.html"]
 CODE = [("modules.html", "The code, by topic"), ("annotated.html", "All types")]
 BAR = """<a id="home" href="index.html">The Joint Workbook</a>
@@ -71,7 +71,7 @@ def surround(texts, extra=()):
     chapters = house.chapters()
     titles = {page: title_of(text) for page, text in texts.items()}
     titles["index.html"] = "Start"
-    titles["md_docs_stabilisation.html"] = "Which stabilisation"
+    titles["md_docs_which_method.html"] = "Which method"
     made = {}
     for page, text in texts.items():
         side = BAR + page_list(page, titles, chapters, extra)

@@ -65,7 +65,8 @@ def draw_friction(solution, mine, out):
             ax.plot(solution[1]["time_s"], solution[1][column], label="_", **FORMULA)
             style.hold(ax, hand[column], solution[1][column])
     upper.set(ylabel="speed  [m/s]", xlabel="", xticklabels=[],
-              title="loop by hand" + (", yours; dashed: the solution's" if mine else ""))
+              title=("yours" if mine else "loop by hand")
+              + f", {metres(np.max(hand['off_engine_m']))} off the engine")
     lower.set(ylabel="impulse  [N s]", ylim=(0, 1.2 * np.max(solution[1]["bound_ns"])))
     style.label_ends(left)
     style.label_ends(lower)

@@ -33,7 +33,7 @@ def draw_door(solution, mine, out):
                    for speed in speeds)
     figure, axes = style.figure(
         f"Slammed with {speeds.min():g} to {speeds.max():g} rad/s, "
-        + (f"{'your doors stop' if own else 'every door stops'} at its limit, at {farthest:.2f}°"
+        + (f"{'your doors stop' if own else 'the doors stop'} at their limit, at {farthest:.2f}°"
            if farthest < 111 else f"a door goes to {farthest:.0f}° and not to 110°"), 2)
     slow, fast = np.array_split(speeds, 2)
     for ax, few, longest, words in ((axes[0], slow, 2.5, "slow doors"),
@@ -55,7 +55,7 @@ def draw_door(solution, mine, out):
                 transform=ax.get_yaxis_transform())
         ax.set(xlabel="time  [s]", xlim=(0, longest), ylim=(0, max(125, 1.05 * farthest)),
                xticks=np.linspace(0, longest, 5 if longest < 1 else 6),
-               title=words + (": yours (thick), the solution's" if own else ""))
+               title=words + (": yours (thick)" if own else ""))
     axes[0].set_ylabel("opening angle  [°]")
     style.save(figure, out / "03_door")
 

@@ -27,8 +27,8 @@ def draw_piston(solution, mine, out):
               label="_", linewidth=3 if mine else 1.8)
     if mine:
         theirs = whole(solution)
-        left.plot(theirs["time_s"], theirs["displacement_m"], color=INK, linewidth=1.1,
-                  dashes=(4, 2), label="_")
+        left.plot(theirs["time_s"][:len(t)], theirs["displacement_m"][:len(t)], color=INK,
+                  linewidth=1.1, dashes=(4, 2), label="_")
     for limit, words in zip(limits, ("lower", "upper")):
         left.axhline(limit, color=PALE, linewidth=0.8)
         left.text(0.98, limit + 0.004, f"{words} limit, {abs(limit):.1f} m", ha="right",

@@ -191,7 +191,7 @@ def draw_warm(solution, mine, out):
     left.set_yscale("log")
     over_time(left, swings(solution), swings(mine), "size_m", "setting", visible, decades=12)
     left.set(ylabel="last cube out of place", title="ten cubes, most of each half second")
-    for edge, colour, words, at in ((0, COLOURS[2], "foretold to settle", 0.03),
+    for edge, colour, words, at in ((0, COLOURS[2], "predicted to settle", 0.03),
                                     (1, COLOURS[0], "to grow", 0.97)):
         right.axvspan(edge, 1 + 0.55 * edge, color=colour, alpha=0.1, linewidth=0)
         right.text(at, 0.93, words, color=colour, transform=right.transAxes,

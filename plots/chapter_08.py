@@ -55,7 +55,7 @@ def draw_friction(solution, mine, out):
         left.plot(part["direction_deg"], 100 * part["stepped_m"] / straight, label="_", **FORMULA)
     left.set(xlabel="direction of sliding, from x  [°]", xticks=range(0, 91, 15), ylim=(0, 108),
              ylabel=r"way, of $v^2/2\mu g$  [%]",
-             title=f"from {fast['speed_m_s'][0]:g} m/s; dashed: Eq. 8-7, 8-11")
+             title=f"from {fast['speed_m_s'][0]:g} m/s; dashed: predicted")
     over_time(upper, hand, None, "speed_m_s", color=COLOURS[1])
     over_time(lower, hand, None, "bound_ns", color=INK, label="bound,\nµ × normal")
     over_time(lower, hand, None, "friction_ns", color=COLOURS[0], label="friction")
@@ -65,7 +65,8 @@ def draw_friction(solution, mine, out):
             ax.plot(solution[1]["time_s"], solution[1][column], label="_", **FORMULA)
             style.hold(ax, hand[column], solution[1][column])
     upper.set(ylabel="speed  [m/s]", xlabel="", xticklabels=[],
-              title="loop by hand" + (", yours; dashed: the solution's" if mine else ""))
+              title=("yours" if mine else "loop by hand")
+              + f", {metres(np.max(hand['off_engine_m']))} off the engine")
     lower.set(ylabel="impulse  [N s]", ylim=(0, 1.2 * np.max(solution[1]["bound_ns"])))
     style.label_ends(left)
     style.label_ends(lower)
@@ -219,8 +220,8 @@ def draw_drift(solution, mine, out):
         ax.plot(part["time_s"], part["gap_m"], color=colour, linewidth=2.5, alpha=0.8,
                 label=NAMES.get(name, name))
         ax.plot(part["time_s"], part["predicted_m"], color=INK, linewidth=1, dashes=(4, 2),
-                label="_" if ax is axes[0] else "foretold")
-    for ax, words in zip(axes, ("as Eq. 6-1 foretells (dashed)", "contact after the joint: more")):
+                label="_" if ax is axes[0] else "predicted")
+    for ax, words in zip(axes, ("as Eq. 6-1 predicts (dashed)", "contact after the joint: more")):
         ax.set(xlabel="time  [s]", title=words)
         style.label_ends(ax)
     axes[0].set(ylabel="gap of the hinge  [m]", ylim=(0, 1.1 * max(ends.values())))

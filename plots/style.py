@@ -203,7 +203,7 @@ def metres(size, unit="m"):
     for prefix, scale, least in (("", 1, 1), ("m", 1e3, 1e-4), ("µ", 1e6, 1e-6), ("n", 1e9, 1e-9)):
         if size >= 0.9995 * least:
             return f"{float(f'{size * scale:.{3 if scale < 1e6 else 2}g}'):g} {prefix}{unit}"
-    return f"less than 1 n{unit}"
+    return f"less than 1 n{unit}" if size < 1 else f"{size} {unit}"
 
 
 def metres_log(axis, every=3, unit="m"):

@@ -56,7 +56,7 @@ def named(row):
     setting = row["setting"]
     for key, word in SETTING.items():
         setting = setting.replace(key, word)
-    return ", ".join(word for word in (FAMILY[row["solver"]][1], setting.strip()) if word)
+    return ", ".join(word for word in (FAMILY[row["solver"]][1], setting.strip(" ,")) if word)
 
 
 def groups(rows, *by):
@@ -172,12 +172,14 @@ def draw_peers(ax, peers, name):
 
 
 def shown(rows, measure):
-    """The settings with a colour and a name: those at the front, and the best of each solver."""
-    best = [min(group, key=lambda row: (row["status"] in LOST, max(row[measure], EXACT),
-                                        row["us_per_step"]))
-            for group in groups(rows, "solver").values()]
+    """The settings with a colour and a name: plain iterations, the best of each solver that has a
+    point at the front, and of the direct solver all that have one."""
     front = [row for row in rows if measure in row["fronts"].split("+")]
-    return set(groups(front + best, "solver", "setting", "substeps"))
+    best = [min(group, key=lambda row: (max(row[measure], EXACT), row["us_per_step"]))
+            for group in groups(front, "solver").values()]
+    named = [row for row in rows if row["solver"] == "sequential impulses"
+             and row["setting"] == "cold" or row in front and row["solver"] == AT_ONCE]
+    return set(groups(best + named, "solver", "setting", "substeps"))
 
 
 def draw(rows, measure, peers, out):

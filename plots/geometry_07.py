@@ -47,7 +47,7 @@ def colours(ax):
     words(ax, (180, 142), "five joints on a hub:", FAINT, 11, ha="left")
     words(ax, (180, 122), "five colours, with", FAINT, 11, ha="left")
     words(ax, (180, 102), "one joint in each", FAINT, 11, ha="left")
-    words(ax, (172, 28), "no body that moves twice in one colour", FAINT, 11)
+    words(ax, (172, 28), "in one colour no moving body occurs twice", FAINT, 11)
 
 
 def cells(ax, corner, rows, columns, colour_of):
@@ -68,7 +68,8 @@ def frame(ax, corner, rows, columns):
 def turned_round(ax):
     """Right, above: eight records of eight numbers become eight columns."""
     words(ax, (594, 352), "eight records become columns", size=12.5, weight="bold")
-    names = ("$v_x$", "$v_y$", "$v_z$", "$1/m$", "$\\omega_x$", "$\\omega_y$", "$\\omega_z$")
+    names = ("$v_x$", "$v_y$", "$v_z$", "$1/m$", "$\\omega_x$", "$\\omega_y$", "$\\omega_z$",
+             "unused")
     left, right = np.array([404.0, 310.0]), np.array([644.0, 310.0])
     side = 8 * CELL
     cells(ax, left, 8, 8, lambda i, j: LANES[i])

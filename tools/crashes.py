@@ -41,8 +41,8 @@ CLUES = {r"an index outside an array of \d+ rows": r"\bJacobian\b",
          "a whole number": r"[/%]", "assert": r"\bassert\("}
 
 REFUSED = {  # of the compiler's words
-    "LanesFor": "lanes have only + - * with other lanes: no if, no comparison, no division, no "
-                "plain number such as 2.",
+    "LanesFor": "lanes have only + - * with other lanes: no if, no comparison, no division, "
+                "and a plain number is allowed only to the left of a *.",
     r"-W(error=)?(maybe-|sometimes-)?uninitialized":
         "a variable is read before it is set: give it a value where it is declared.",
     r"-W(error=)?return-type":

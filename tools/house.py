@@ -179,8 +179,16 @@ def must_build(targets, what="building"):
 
 
 def compiler_words(log, most=25):
-    """The compiler's errors without the command lines."""
-    lines = [line for line in log.split("\n")
-             if line and not re.match(r"\[\d+/\d+\]|ninja:|FAILED:|-- |\S.* -o \S", line)]
+    """The compiler's errors without the command lines and without mere warnings."""
+    command = r"\[\d+/\d+\]|ninja:|FAILED:|-- |\S.* -o \S"
+    lines, warns = [], False
+    for line in log.split("\n"):
+        if re.match(rf"{command}|In file included|\S+: In |collect2", line) or ": error:" in line \
+                or "fatal error:" in line or "undefined reference" in line:
+            warns = False
+        elif re.match(r"\S+:\d+:\d+: warning:", line):
+            warns = True
+        if line and not warns and not re.match(command, line):
+            lines.append(line)
     lines = [line.replace(str(ROOT) + "/", "") for line in lines]
     return "\n".join(lines[:most] + (["..."] if len(lines) > most else []))

@@ -11,8 +11,11 @@ def status():
     """Every exercise of the chapters that are begun, and the next thing to do."""
     looks = [reading.look(chapter) for chapter in house.chapters()]
     grades = grades_of(looks)
-    upcoming = next(((look, one) for look in looks for one in grades[look.chapter.number]
-                     if one.status != grading.DONE), None)
+    still = [(look, one) for look in looks for one in grades[look.chapter.number]
+             if one.status != grading.DONE]
+    last = max((look.chapter.number for look in looks if look.begun()), default=0)
+    upcoming = next((each for each in still if each[0].chapter.number >= last),
+                    still[0] if still else None)  # it goes on where the reader was last
     for look in looks:
         tell_chapter(look, grades[look.chapter.number],
                      look.begun() or (upcoming and look is upcoming[0]))
@@ -21,6 +24,8 @@ def status():
         print("Every exercise is done. See what you built: ./wb run N, ./wb plot N, ./wb see N")
         return 0
     tell_next(*upcoming)
+    if upcoming != still[0]:
+        print(faint(f"That is after what you did last. The first that is open: {still[0][1].id}"))
     if not any(look.begun() for look in looks):
         print(faint("./wb help lists what else it can do"))
     return 0

@@ -7,7 +7,7 @@
 
 #include "chapters/02_ball/ball.h"
 #include "chapters/03_hinge/hinge.h"
-#include "engine/simd/arrange.h"  // BodyPair
+#include "engine/simd/body_pair.h"
 #include "engine/simd/triple.h"
 
 /// \defgroup chapter7 Chapter 7: the performance loop

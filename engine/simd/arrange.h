@@ -5,16 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "engine/simd/body_pair.h"
+
 /// \addtogroup world
 /// @{
 namespace joints {
-
-/// The indices of the two bodies of a joint or block.
-struct BodyPair {
-  int body1 = 0;  ///< index of body 1
-  int body2 = 0;  ///< index of body 2
-  bool operator==(const BodyPair&) const = default;  ///< the same bodies in the same roles
-};
 
 /// Indices of pairs in groups. Groups are solved in order, the pairs of one group side by side.
 using Groups = std::vector<std::vector<int>>;

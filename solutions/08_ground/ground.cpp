@@ -55,7 +55,8 @@ real friction_impulse(real rate, real K, real mu, real normal, real& sum) {
 // ---- given ----------------------------------------------------------------------------------
 
 real impact_speed(real C, real rate, real kick, real h) {
-  const real now = rate - kick / 2;  // velocity at this position: half a kick earlier (leapfrog)
+  // Leapfrog: velocities live halfway between positions, so here half of the kick has not acted.
+  const real now = rate - kick / 2;
   return std::sqrt(std::max(real(0), now * now - 2 * kick / h * C));  // Eq. 8-9
 }
 

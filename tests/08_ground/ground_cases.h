@@ -84,7 +84,7 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_corner_rows(
   for (const real part : {real(1), real(-1)})
     levers("r1 ends on the top, below the corner" + of_1,
            r1 - part * gap(corner, one, two) * n, r2);
-  levers((N == 1 ? "w1 is zero: has body 1 no lever, or does r1 end in the middle of the top"
+  levers((N == 1 ? "w1 is zero, as if r1 ended in the middle of the top"
                  : "r1 ends in the middle of the top") + of_1, corner.height * n, r2);
   levers("height is taken from r1" + of_1, r1 - corner.height * n, r2);
   levers("r1 ends at the centre of body 2" + of_1, two.x - one.x, r2);

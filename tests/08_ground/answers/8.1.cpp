@@ -221,7 +221,7 @@
 
 // ---- wrong: J middle of the top
 // region: 2
-// expects: does r1 end in the middle of the top
+// expects: as if r1 ended in the middle of the top
 // expects: Likely mistake: r1 ends in the middle of the top
   const vec3 r1 = height * up(body1), r2 = point(body1, body2) - body2.x;
   return {-direction, -cross(r1, direction), direction, cross(r2, direction)};
@@ -334,7 +334,7 @@
 
 // ---- wrong: J without w1
 // region: 2
-// expects: Likely mistake: w1 is zero: has body 1 no lever
+// expects: Likely mistake: w1 is zero, as if r1 ended in the middle
 // expects: Likely mistake: the block w1 is missing
   const vec3 p = point(body1, body2), r2 = p - body2.x;
   return {-direction, vec3(0), direction, cross(r2, direction)};

@@ -1,4 +1,4 @@
-// The two bodies of a joint, as indices. Apart from arrange.h, which has the engine's graph colouring:
+// The two bodies of a joint, as indices. Not in arrange.h, which has the engine's graph colouring:
 // exercise 7.3 asks for one.
 #pragma once
 

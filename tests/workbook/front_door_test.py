@@ -167,8 +167,18 @@ def refusals_of_the_compiler_are_told(root, build):
         yield from typed(door, "test 1.2", 1, "not written yet")
         yield from typed(door, "test 1.1", 1, "does not compile", "lies in exercise 1.1, line",
                          "a variable is read before it is set", "./wb hint 1.1",
-                         wide=True)
+                         hidden=["-std=", "warning:"], wide=True)
         yield from typed(door, "run 1", 2, "does not compile")
+
+
+def who_skips_chapters_goes_on_there(root, build):
+    """whoever begins with chapter 2 is led on in chapter 2, and told what is open before it"""
+    with Door(root, build) as door:
+        file = door.root / "chapters" / "02_ball" / "ball.cpp"
+        text = read(file)
+        file.write_text(text.replace('todo("2.1");', 'const int k = 3;\n  todo("2.1");', 1),
+                        encoding="utf-8")
+        yield from typed(door, "", 0, "Next: exercise 2.1", "The first that is open: 1.1")
 
 
 def bare(door, words, user, answer, *programs):
@@ -234,7 +244,7 @@ def nothing_is_installed_unasked(root, build):
 PROOFS = [a_fresh_copy_leads_to_the_first_exercise, the_front_page_shows_a_real_report,
           bad_words_are_refused, a_damaged_file_is_told,
           an_answer_is_judged_alone, crashes_are_told, refusals_of_the_compiler_are_told,
-          nothing_is_installed_unasked]
+          who_skips_chapters_goes_on_there, nothing_is_installed_unasked]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

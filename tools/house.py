@@ -180,7 +180,7 @@ def must_build(targets, what="building"):
 
 def compiler_words(log, most=25):
     """The compiler's errors without the command lines and without mere warnings."""
-    command = r"\[\d+/\d+\]|ninja:|FAILED:|-- |(\S*ccache )?(/\S*c\+\+|\S*g\+\+|\S*clang\+\+-?\d*) "
+    command = r"\[\d+/\d+\]|ninja:|FAILED:|-- |\S.* -o \S"
     lines, warns = [], False
     for line in log.split("\n"):
         if re.match(rf"{command}|In file included|\S+: In |collect2", line) or ": error:" in line \

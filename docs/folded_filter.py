@@ -45,7 +45,8 @@ def hints(text, folder):
            f"The text: [chapter {number}](README.md). In a terminal: `./wb hint {number}.1`.\n"]
     for part in re.split(r"^## ", text, flags=re.M)[1:]:
         id_, _, rest = part.partition("\n")
-        out += [f"## {id_}\n", about.get(id_.strip(), "") + "\n", stub(solution, id_.strip()) + "\n"]
+        out += [f"## {id_}\n", about.get(id_.strip(), "") + "\n",
+                stub(solution, id_.strip()) + "\n"]
         out += [fold(HINTS[step], body) for step, body in
                 re.findall(r"^### (\d)\n(.*?)(?=^### |\Z)", rest, re.M | re.S)]
     return "\n".join(out)

@@ -4,8 +4,8 @@
 SITE_DIR is the folder html that docs.py made. Without a browser: links and pictures of all pages
 lead somewhere, every formula is drawn, each chapter shows a figure and a motion and has 15 links,
 the gallery has a picture for every recording, and the site is no larger than it may be. In headless
-Chromium: no page is wider than its window at 390 pixels, ten words of the texts are found, and every
-motion plays. Where there is no Chromium that is skipped, and the last line says so.
+Chromium: no page is wider than its window at 390 pixels, ten words of the texts are found, and
+every motion plays. Where there is no Chromium that is skipped, and the last line says so.
 Exit status: 0 good or skipped, 1 something is wrong, 2 no site there.
 """
 import json
@@ -151,7 +151,8 @@ def browser_jobs(site, sources):
     width = "document.readyState === 'complete' && document.documentElement.scrollWidth"
     for page in [*sources, *sorted((site / "motion").glob("*.html"))]:
         yield browser.job(page.as_uri(), width, TELEPHONE, 800), lambda wide, page=page: (
-            None if wide and wide <= TELEPHONE else f"{page.name}: {wide} pixels wide in {TELEPHONE}")
+            None if wide and wide <= TELEPHONE else
+            f"{page.name}: {wide} pixels wide in {TELEPHONE}")
     for words, chapter in WORDS.items():
         look = ("(all => all.length && all.map(a => a.getAttribute('href')).join(' '))"
                 "([...document.querySelectorAll('#found a')])")

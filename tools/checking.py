@@ -15,7 +15,8 @@ PROOFS = {f"tests/{path}_test.py": path.split("/")[0] for path in (
     "workbook/programs", "workbook/exercises", "workbook/texts", "workbook/sources",
     "workbook/numbers", "workbook/pictures", "workbook/contacts", "workbook/direct_solver",
     "workbook/front_door", "workbook/grade",
-    "live/module", "live/page", "bench/cost", "peers/packages", "library/library", "library/pkg_config")}
+    "live/module", "live/page", "bench/cost", "peers/packages",
+    "library/library", "library/pkg_config")}
 
 
 @dataclass

@@ -163,7 +163,8 @@ def main(arguments):
         stop("usage: docs.py OUT_DIR [RECORDINGS]")
     missing = [package for package, there in (("doxygen", shutil.which("doxygen")),
                                               ("doxygen-awesome-css", THEME.exists()),
-                                              ("libjs-mathjax", (formulas.MATHJAX / "MathJax.js").exists()))
+                                              ("libjs-mathjax",
+                                               (formulas.MATHJAX / "MathJax.js").exists()))
                if not there]
     if missing:
         stop("missing: " + " ".join(missing)

@@ -1,5 +1,5 @@
 """Formulas of the site's pages as drawings, made when the site is built: nothing moves when a page
-is opened. docs/tex.js draws them with the MathJax of the system, in node; where there is no node the
+is opened. docs/tex.js draws them with the MathJax of the system, in node; where there is none, the
 pages take MathJax along and draw them when they are opened.
 """
 import json
@@ -20,7 +20,8 @@ PIECES = re.compile(
     r'|<p class="formulaDsp">\s*\\\[(?P<display>.+?)\\\]\s*</p>|\\\((?P<inline>.+?)\\\)', re.S)
 TAG = re.compile(r"\s*\\tag\{([\w-]+)\}")
 MATHJAX_LINE = re.compile(r'<script type="text/x-mathjax-config">.*?</script>\s*'
-                          r'|<script type="text/javascript" async="async" src="mathjax/.*?</script>\s*',
+                          r'|<script type="text/javascript" async="async" src="mathjax/'
+                          r'.*?</script>\s*',
                           re.S)
 
 LONG = 36  # [ex]; a longer one in a line scrolls by itself where the window is narrow

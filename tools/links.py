@@ -1,4 +1,4 @@
-"""Cross references of the site's texts: equations, errata, sections of the thesis, names in the code
+"""Links inside the site's texts: equations, errata, sections of the thesis, names in the code
 and files become links when the site is built."""
 import re
 import xml.etree.ElementTree as xml

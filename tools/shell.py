@@ -81,7 +81,8 @@ def surround(texts, extra=()):
         way = way_on(page, titles, chapters)
         text = text.replace("</div><!-- top -->", '</div><!-- top --><div id="doc-content">', 1)
         text = text.replace('<hr class="footer"/>', '</div><hr class="footer"/>', 1)
-        text = re.sub(r"(</div>\s*</div><!-- contents -->)", lambda end: way + end[1], text, count=1)
+        text = re.sub(r"(</div>\s*</div><!-- contents -->)", lambda end: way + end[1], text,
+                      count=1)
         made[page] = text.replace('<div class="textblock">', '<div class="textblock">' + way, 1)
     kept = reachable(made)
     return {page: made[page] for page in kept}, {page: titles[page] for page in kept}

@@ -1,4 +1,4 @@
-"""The chapters' pages of the site: figures and motions where the text speaks of them, exercises that
+"""The chapters' pages of the site: figures and motions where the text names them, exercises that
 lead to their code and hints."""
 import re
 from html import escape, unescape
@@ -54,7 +54,8 @@ def exercise_row(row, headings, chapter):
     place = f"{page}#chapters_{chapter.folder}_hints-{id_.replace('.', '')}"
     inside = [body for _, body in cells]
     inside[0] = f'<a id="exercise-{id_}" href="{place}">{id_}</a>'
-    inside[2] = re.sub(r"<code>(.*?)</code>", rf'<a href="{place}"><code>\1</code></a>', inside[2]) \
+    inside[2] = re.sub(r"<code>(.*?)</code>", rf'<a href="{place}"><code>\1</code></a>',
+                       inside[2]) \
         + f' <a class="hint" href="{place}">hints</a>'
     return "".join(f'<td data-label="{escape(heading, quote=True)}">{body}</td>'
                    for heading, body in zip(headings, inside))

@@ -11,8 +11,9 @@ PLACE = re.compile(r'<a class="anchor" id="([^"]+)"></a>\s*(.*?)</h\d>'
                    r'|<a id="([^"]+)"[^>]*></a>\s*<h2 class="memtitle">(.*?)</h2>', re.S)
 # Too common to tell one place from another.
 COMMON = set("""the a an of and or in on is are to it its that this with for by as at be not no from
-    one two what which has have was were if so but than then only all each per into out can""".split())
-TITLE_WEIGHT, TEXT_WEIGHT = 6, 3  # of a word in a heading; of one in a text, not in the code's pages
+    one two what which has have was were if so but than then only all each per into out
+    can""".split())
+TITLE_WEIGHT, TEXT_WEIGHT = 6, 3  # of a word in a heading, and in a text
 
 
 def words_of(html):

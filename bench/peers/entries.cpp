@@ -67,7 +67,8 @@ std::vector<PeerEntry> peer_entries(bool quick) {
        .span = {.steps = 150, .timed = 130}, .ours = contacts}};
   if (!quick)
     list.push_back({.name = "ragdolls 5000", .make = [] { return ragdolls(5000); },
-                    .span = {.steps = 75, .timed = 55}, .ours = contacts, .quick = false, .basic = true});
+                    .span = {.steps = 75, .timed = 55}, .ours = contacts, .quick = false,
+                    .basic = true});
   for (const int chains : {1, 10, 101, 1010})
     list.push_back({.name = std::to_string(99 * chains) + " hinges",
                     .make = [=] { return cubes_on_hinges(chains, 100); },

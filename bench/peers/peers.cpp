@@ -41,7 +41,8 @@ std::vector<Contender> contenders(const PeerEntry& entry, bool quick, bool searc
   std::vector<Contender> out;
   const PeerScene scene = peer_scene(entry.make().world);
   for (const std::string& word : words(entry.ours))
-    out.push_back({{.engine = "ours", .version = "", .number = sizeof(real) == 8 ? "double" : "float",
+    out.push_back({{.engine = "ours", .version = "",
+                    .number = sizeof(real) == 8 ? "double" : "float",
                     .name = word}, setting_of(word), true});
   for (const PeerSetting& peer : peer_settings(search))
     if (peer.takes(scene) && (!quick || peer.quick) &&

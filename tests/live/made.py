@@ -29,7 +29,7 @@ def skip_without(what, packages):
 
 
 def page(build, test):
-    """The page for a test of this name; its modules are called the solution and as the answers are."""
+    """The page for a test of this name; its modules have the names of the answers."""
     folder, chapter = build / "live", house.chapter_of("1")
     solution = exercises.read(chapter.solution)
     swaps = {}

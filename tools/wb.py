@@ -35,8 +35,7 @@ HELP = """The Joint Workbook
   ./wb bench           error against run time; a joint's cost in larger scenes
   ./wb bench --stability   what is stiff, extreme or redundant: what holds what
   ./wb bench --methods every method on every kind of scene
-  ./wb bench --peers   ours beside Bullet, ODE and MuJoCo, as Debian packages them;
-                       --quick: fewer scenes, --search: many of their settings
+  ./wb bench --peers   ours beside Bullet, ODE and MuJoCo of Debian (--quick)
   ./wb bench --loop    a joint and iteration, from the textbook's loop to lanes
   ./wb bench --cost    rows, bytes and instructions of every kind of joint
   ./wb docs            the documentation as a site, with every motion

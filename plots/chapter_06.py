@@ -122,7 +122,7 @@ def draw_energy_and_spin(solution, mine, out):
     most = np.argmax(one["gap_m"])
     figure, (left, right) = style.figure(
         f"Correcting {one['gap_m'][most]:.2f} m with beta {one['beta'][0]:g} brings in "
-        f"{one['measured_j'][most]:.0f} J, and {one['left_j'][most]:.0f} J stay as rotation", 2)
+        f"{one['measured_j'][most]:.0f} J, and {one['left_j'][most]:.0f} J stay", 2)
     left.plot(one["gap_m"], one["predicted_j"], label="_", **FORMULA)
     for column, colour, words in (("measured_j", COLOURS[1], "brought in by\nthe first step"),
                                   ("left_j", COLOURS[0], "left at\nthe end")):

@@ -224,7 +224,7 @@ def draw_drift(solution, mine, out):
     for ax, words in zip(axes, ("as Eq. 6-1 predicts (dashed)", "contact after the joint: more")):
         ax.set(xlabel="time  [s]", title=words)
         style.label_ends(ax)
-    axes[0].set(ylabel="gap of the hinge  [m]", ylim=(0, 1.1 * max(ends.values())))
+    axes[0].set(ylabel="gap of the hinge  [m]", ylim=(0, 1.1 * np.max(solution["gap_m"])))
     style.save(figure, out / "08_drift")
 
 

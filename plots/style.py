@@ -208,7 +208,7 @@ def metres(size, unit="m"):
 
 def metres_log(axis, every=3, unit="m"):
     """Writes 1 nm, 1 µm, 1 mm, 1 m on a log axis of lengths, or of another size."""
-    low, high = np.log10(axis.get_view_interval())
+    low, high = np.nan_to_num(np.log10(axis.get_view_interval()))
     decades = [10.0**n for n in range(int(np.ceil(low)), int(high) + 1) if n % every == 0]
     axis.set_ticks(decades, [metres(size, unit) for size in decades])
     axis.set_ticks([], minor=True)

@@ -12,6 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import classes
 import figures
 import formulas
 import front
@@ -90,7 +91,7 @@ def finish(html, recordings, tags):
         pages[page] = texts.finished(pages[page], chapter, rows)
     pages["index.html"] = front.finished(pages["index.html"], rows, (html / "live.html").exists())
     pages = {page: re.sub(r'(?<=[(\["]) (?=\\\()', "", text) for page, text in pages.items()}
-    raw = pages
+    pages = raw = classes.with_formulas(pages)
     pages = formulas.draw(pages, html)
     if not formulas.node():
         for part in formulas.PARTS:

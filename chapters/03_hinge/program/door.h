@@ -2,6 +2,7 @@
 #pragma once
 
 #include <numbers>
+#include <string>
 
 #include "chapters/03_hinge/hinge_joint.h"
 #include "engine/instruments/scene.h"
@@ -28,6 +29,7 @@ inline HingeJoint& add_door(Scene& scene, const vec3& post, real speed, const Se
                             bool whole) {
   const BodyId frame = scene.box(0, vec3(real(0.1), 2, real(0.1)), post);
   const BodyId door = scene.box(20, vec3(1, 2, real(0.05)), post + vec3(real(0.5), 0, 0));
+  scene.shapes.back().label = std::to_string(int(speed)) + " rad/s";
   HingeJoint& joint = hinge(scene, frame, door, post, vec3(0, 1, 0), settings, whole);
   joint.set_limits(0, 110 * degree);
   Body& body = scene.world.bodies[door];

@@ -128,7 +128,8 @@ void bounce(const Choice& choice, std::vector<Summary>& lines) {
     for (const double restitution : restitutions) {
       const vec3 x(real(balls.size()) - 2, real(drop) + radius, 0);
       scene.shapes.push_back({"ball", {2 * double(radius), 2 * double(radius),
-                                       2 * double(radius)}});
+                                       2 * double(radius)},
+                              "e = " + std::to_string(restitution).substr(0, 4)});
       balls.push_back({scene.world.add(ball(1, radius, x))});
       auto& contact = scene.world.add<GroundContact>(
           ground, balls.back().id, Top{.height = real(0.1)}, ball_outline(radius));

@@ -1,9 +1,9 @@
 // Turns TeX into SVG without a browser: node tex.js FOLDER_OF_MATHJAX < formulas > drawings
 //
-// The formulas are a JSON list of [TeX, true for a display]. The answer is a JSON object: "drawings",
-// for each formula an <svg>, or what is wrong with it as {"error": words}; and "glyphs", the letters
-// that the drawings refer to, {id: its <path>}. MathJax 2 asks for a page: the few things that it
-// asks of one are here, and none of them measures anything.
+// The formulas are a JSON list of [TeX, true for a display]. The answer is a JSON object:
+// "drawings", for each formula an <svg>, or what is wrong with it as {"error": words}; and "glyphs",
+// the letters that the drawings refer to, {id: its <path>}. MathJax 2 asks for a page: the few
+// things that it asks of one are here, and none of them measures anything.
 "use strict";
 const fs = require("fs"), path = require("path"), vm = require("vm");
 const folder = process.argv[2], formulas = JSON.parse(fs.readFileSync(0, "utf8"));
@@ -13,7 +13,8 @@ const run = file => vm.runInThisContext(fs.readFileSync(file, "utf8"), file);
 // -------------------------------------------------------------------------------- what a page is
 class Node {
   constructor(name, text) {
-    Object.assign(this, {nodeName: name.toUpperCase(), tagName: name, localName: name, childNodes: [],
+    Object.assign(this, {nodeName: name.toUpperCase(), tagName: name, localName: name,
+                         childNodes: [],
                          attributes: {}, parentNode: null, nodeType: text === undefined ? 1 : 3,
                          nodeValue: text, style: {}, className: "", ownerDocument: document,
                          offsetWidth: 480, offsetHeight: 480, clientWidth: 480, scrollWidth: 0});
@@ -22,11 +23,14 @@ class Node {
   get firstChild() { return this.childNodes[0] || null; }
   get lastChild() { return this.childNodes.at(-1) || null; }
   get place() { return this.parentNode ? this.parentNode.childNodes.indexOf(this) : -1; }
-  get nextSibling() { return this.parentNode && this.parentNode.childNodes[this.place + 1] || null; }
-  get previousSibling() { return this.parentNode && this.parentNode.childNodes[this.place - 1] || null; }
+  beside(k) { return this.parentNode && this.parentNode.childNodes[this.place + k] || null; }
+  get nextSibling() { return this.beside(1); }
+  get previousSibling() { return this.beside(-1); }
   get id() { return this.attributes.id || ""; }
   set id(id) { this.attributes.id = id; }
-  get text() { return this.nodeType === 3 ? this.nodeValue : this.childNodes.map(c => c.text).join(""); }
+  get text() {
+    return this.nodeType === 3 ? this.nodeValue : this.childNodes.map(c => c.text).join("");
+  }
   set text(text) { this.childNodes = []; this.appendChild(new Node("#text", text)); }
   get innerHTML() { return this.text; }
   set innerHTML(text) { this.text = text; }

@@ -3,7 +3,6 @@ import argparse
 import csv
 import io
 import pathlib
-import re
 import sys
 import textwrap
 
@@ -12,7 +11,8 @@ try:
     matplotlib.use("agg")
     import matplotlib.pyplot as plt
     import numpy as np
-    from PIL import Image
+
+    import files
 except ImportError as problem:
     print(f"{problem}: install python3-matplotlib", file=sys.stderr)
     sys.exit(2)
@@ -166,31 +166,10 @@ def save(made, path):
     if kept:
         drawn = io.StringIO()
         made.savefig(drawn, format="svg", metadata={"Date": None})
-        kept.write_text(small(drawn.getvalue()), encoding="utf-8")
+        kept.write_text(files.small(drawn.getvalue()), encoding="utf-8")
     else:
-        save_png(made, path.with_name(path.name + ".png"))
+        files.save_png(made, path.with_name(path.name + ".png"))
     plt.close(made)
-
-
-def save_png(made, path):
-    """A PNG with as many colours as a figure needs: less than half the size."""
-    drawn = io.BytesIO()
-    made.savefig(drawn, metadata={"Software": None})
-    with Image.open(drawn) as picture:
-        picture.convert("RGB").quantize(128, dither=Image.Dither.NONE).save(path, optimize=True)
-
-
-def small(drawn):
-    """An SVG without indentation, with short names of its glyphs and with places to a tenth of
-    a point: smaller by a third, and the same for numbers that differ by rounding errors."""
-    glyph = re.compile(r'(?<=")(#?)(DejaVu[\w-]+)(?=")')
-    names = list(dict.fromkeys(match[1] for match in glyph.findall(drawn)))
-    drawn = glyph.sub(lambda match: f"{match[1]}g{names.index(match[2])}", drawn)
-    parts = re.split(r"(scale\([^)]*\))", re.sub(r"^ +| +$|xlink:(?=href)", "", drawn,
-                                                     flags=re.M))
-    parts[::2] = [re.sub(r"(?<![\w.])\d+\.\d{2,}", lambda number: f"{float(number[0]):.1f}", part)
-                  for part in parts[::2]]
-    return "".join(parts)
 
 
 def arrange(made):

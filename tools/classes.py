@@ -44,8 +44,8 @@ def with_formulas(pages):
     """The pages, those of types with the equations of their code behind their first paragraph."""
     tex, made = equations(pages), dict(pages)
     for owner, numbers in named().items():
-        shown = "".join(f'<div class="of"><span>Eq. {number}</span><p class="formulaDsp">\\[{tex[number]}\\]</p>'
-                        "</div>" for number in numbers[:MOST] if number in tex)
+        shown = "".join(f'<div class="of"><span>Eq. {number}</span><p class="formulaDsp">'
+                        f"\\[{tex[number]}\\]</p></div>" for number in numbers[:MOST] if number in tex)
         for page in (f"structjoints_1_1{owner}.html", f"classjoints_1_1{owner}.html"):
             if page in pages:
                 made[page] = re.sub(r'(<a name="details"[^>]*>.*?<div class="textblock">.*?</p>)',

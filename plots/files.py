@@ -1,0 +1,26 @@
+"""Files of the figures: few colours in a PNG, few letters in an SVG."""
+import io
+import re
+
+from PIL import Image
+
+
+def save_png(made, path):
+    """A PNG with as many colours as a figure needs: less than half the size."""
+    drawn = io.BytesIO()
+    made.savefig(drawn, metadata={"Software": None})
+    with Image.open(drawn) as picture:
+        picture.convert("RGB").quantize(128, dither=Image.Dither.NONE).save(path, optimize=True)
+
+
+def small(drawn):
+    """An SVG without indentation, with short names of its glyphs and with places to a tenth of
+    a point: smaller by a third, and the same for numbers that differ by rounding errors."""
+    glyph = re.compile(r'(?<=")(#?)(DejaVu[\w-]+)(?=")')
+    names = list(dict.fromkeys(match[1] for match in glyph.findall(drawn)))
+    drawn = glyph.sub(lambda match: f"{match[1]}g{names.index(match[2])}", drawn)
+    parts = re.split(r"(scale\([^)]*\))", re.sub(r"^ +| +$|xlink:(?=href)", "", drawn,
+                                                     flags=re.M))
+    parts[::2] = [re.sub(r"(?<![\w.])\d+\.\d{2,}", lambda number: f"{float(number[0]):.1f}", part)
+                  for part in parts[::2]]
+    return "".join(parts)

@@ -11,6 +11,8 @@ PARAGRAPH = re.compile(r"<p\b[^>]*>(?:(?!</p>).)*?</p>", re.S)
 ROW = re.compile(r'<tr class="markdownTableRow\w+">\s*(.*?)</tr>', re.S)
 CELL = re.compile(r'<td class="(\w+)">(.*?)</td>', re.S)
 
+RESULT = re.compile(r'\s*<p\b[^>]*><img src="chapters/\w+/result\.svg"')
+
 
 def figure(stem, words):
     return (f'<figure class="result"><a href="plots/{stem}.png"><img loading="lazy" '
@@ -28,6 +30,8 @@ def with_figures(text, chapter):
         if place is None:
             missing.append(stem)
             continue
+        if RESULT.match(text, place.end()):
+            continue  # the text has drawn it
         words = f"Figure {stem}: {names.get(stem, stem[3:].replace('_', ' '))}"
         text = text[:place.end()] + figure(stem, words) + text[place.end():]
     more = "".join(figure(stem, stem) for stem in missing)

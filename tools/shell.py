@@ -79,6 +79,7 @@ def surround(texts, extra=()):
                       lambda _: f'<div id="side">{side}</div><!-- end header part -->', text,
                       flags=re.S)
         way = way_on(page, titles, chapters)
+        text = re.sub(r'<div id="nav-path".*?</ul>\s*</div>', "", text, flags=re.S)
         text = text.replace("</div><!-- top -->", '</div><!-- top --><div id="doc-content">', 1)
         text = text.replace('<hr class="footer"/>', '</div><hr class="footer"/>', 1)
         text = re.sub(r"(</div>\s*</div><!-- contents -->)", lambda end: way + end[1], text,

@@ -81,11 +81,9 @@ def draw_one(table, values, words, stored, scene, path, name):
     ax.set_xlabel("time of a step  [us]; grey line: nothing is both faster and better; cross: "
                   "lost or energy gained")
     ax.set_ylabel(words)
-    told = set()
     for k in line:
         ax.annotate(f"{table['setting'][k]}", (x[k], y[k]), xytext=(5, 5), fontsize=7,
                     textcoords="offset points", color=LOOKS.get(table["engine"][k], (INK,))[0])
-        told.add(k)
     ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False, fontsize=8)
     style.save(figure, path)
 

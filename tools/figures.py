@@ -51,7 +51,7 @@ def draw_methods():
 
 
 def draw_peers():
-    """Ours beside the published engines, a figure per scene; stored ones are drawn apart."""
+    """Ours beside the published engines, a figure a scene; stored figures are drawn apart."""
     return draw("peers.py", "--csv", OUT_OF_PEERS, "--stored", PEERS, figures=house.OUT / "peers")
 
 

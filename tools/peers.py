@@ -15,6 +15,7 @@ OURS = "ours"
 BUSY = 0.5       # of the load average: what else runs is said above it
 ROUGH = 0.25     # of the spread: above it the times of a row are said to be rough
 HOLDS = 10       # [mm]; below it ours should be on the front
+EXACT = 1e-7     # [m]; what is better counts as alike: rounding is no merit
 MEASURES = {"gap_max_m": ("largest gap", 1000, "mm"), "tip_error_m": ("tip error", 1000, "mm"),
             "found": ("finding", 1, "")}
 
@@ -63,7 +64,7 @@ def size(row, measure):
     if row["status"] in ("nan", "exploded", "energy+") or not row[measure]:
         return float("inf")
     expected = float(row["expected"]) if measure == "found" and row["expected"] else 0.0
-    return abs(float(row[measure]) - expected)
+    return max(EXACT, abs(float(row[measure]) - expected))
 
 
 def front(rows, measure):
@@ -140,7 +141,7 @@ def main(quick=False, search=False):
               "--no-install-recommends " + " ".join(missing))
     if len(missing) == len(PACKAGES):
         raise house.Trouble("bench --peers: none of the engines is installed")
-    print("the published engines beside ours: about " + ("two" if quick else "eight")
+    print("the published engines beside ours: about " + ("four" if quick else "eight")
           + " minutes; leave the machine alone meanwhile", flush=True)
     busy = load()
     if busy > BUSY:

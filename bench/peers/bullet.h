@@ -36,7 +36,7 @@ struct BulletChoice {
   int substeps = 1;
   double erp = 0.2;   // share of the error fed back in a step
   bool runge_kutta = false;  // of multibodies
-  bool split = true;  // with split impulses a multibody's limit is not regained once passed
+  bool split = true;  // split impulses: with them a multibody does not regain a limit it passed
 };
 
 // What every world of Bullet consists of; all shapes that it has.

@@ -80,8 +80,8 @@ class BulletTrees : public Peer {
     const int root = trees_.order[k];
     const Body& base = scene_.bodies[at(root)];
     if (base.is_static() && end == k + 1) return add_static(root);
-    multibodies_.push_back(std::make_unique<btMultiBody>(int(end - k) - 1, mass_of(base),
-                                                       inertia_of(base), base.is_static(), false));
+    multibodies_.push_back(std::make_unique<btMultiBody>(
+        int(end - k) - 1, mass_of(base), inertia_of(base), base.is_static(), false));
     btMultiBody& tree = *multibodies_.back();
     tree.setUserIndex(int(slots_.size()));
     slots_.push_back({trees_.order.begin() + std::ptrdiff_t(k),

@@ -305,6 +305,7 @@ std::vector<PeerSetting> mujoco_settings(bool search) {
   }
   add("Euler (its default)", {}, true);
   out.back().basic = true;
+  add("Euler 8 substeps", {.substeps = 8}, true);
   add("implicit", {.integrator = mjINT_IMPLICIT, .gain = at_bound}, true);
   add("Runge-Kutta", {.integrator = mjINT_RK4}, true);
   add("implicit 8 substeps stiff", {mjINT_IMPLICIT, 8, at_bound, 0.002}, false);

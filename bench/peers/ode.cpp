@@ -202,11 +202,13 @@ std::vector<PeerSetting> ode_settings(bool search) {
   add("10 iterations", {.iterations = 10}, true);
   add("60 iterations", {.iterations = 60}, true);
   add("200 iterations", {.iterations = 200}, false);
-  add("16 substeps of 4 iterations", {.iterations = 4, .substeps = 16}, true);
-  add("16 substeps of 15 iterations", {.iterations = 15, .substeps = 16}, false);
+  add("16 substeps of 4 iterations", {.iterations = 4, .substeps = 16}, false);
+  add("16 substeps of 4 iterations erp 1", {.iterations = 4, .substeps = 16, .erp = 1}, true);
+  add("16 substeps of 15 iterations erp 1", {.iterations = 15, .substeps = 16, .erp = 1}, false);
   add("dense", {.iterations = 0}, false, few);
   out.back().slow = true;
   add("dense erp 1", {.iterations = 0, .erp = 1}, true, 100);
+  add("dense 4 substeps erp 1", {.iterations = 0, .substeps = 4, .erp = 1}, false, 100);
   add("dense 16 substeps", {.iterations = 0, .substeps = 16}, true, 100);
   return out;
 }

@@ -1,6 +1,5 @@
 // The published engines and our own solvers on the same scenes, in one run: `./wb bench --peers`.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 
@@ -33,7 +32,6 @@ struct Contender {
   bool ours = false;
   Result result{};
   StepClock clock{StepClock::Time::thread};
-  double wall_us = 0;  // of the same steps
   double bytes = 0;
 };
 
@@ -42,8 +40,8 @@ std::vector<Contender> contenders(const PeerEntry& entry, bool quick, bool searc
   const PeerScene scene = peer_scene(entry.make().world);
   for (const std::string& word : words(entry.ours))
     out.push_back({{.engine = "ours", .version = "",
-                    .number = sizeof(real) == 8 ? "double" : "float",
-                    .name = word}, setting_of(word), true});
+                    .number = sizeof(real) == 8 ? "double" : "float", .name = word},
+                   setting_of(word), true});
   for (const PeerSetting& peer : peer_settings(search))
     if (peer.takes(scene) && (!quick || peer.quick) &&
         (!peer.slow || entry.slow || scene.joints.size() < 200) && (!entry.basic || peer.basic))
@@ -76,10 +74,7 @@ void time_round(const PeerEntry& entry, std::vector<Contender>& all) {
     Span span = entry.span;
     span.steps = std::min(span.steps, untimed + std::clamp(int(most_us / us) - untimed, 5,
                                                            span.timed));
-    const auto wall = [] { return std::chrono::steady_clock::now(); };
-    const auto began = wall();
     time_steps(one.clock, entry.make, one.setting, span);
-    one.wall_us += std::chrono::duration<double, std::micro>(wall() - began).count();
   }
 }
 

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace joints {
@@ -38,7 +37,6 @@ double StepClock::quantile_us(double share) const {
   return *there;
 }
 
-double StepClock::total_us() const { return std::accumulate(times_.begin(), times_.end(), 0.0); }
 
 // ---- the run ------------------------------------------------------------------------------------
 

@@ -24,7 +24,6 @@ class StepClock {
   /// The time below which this share of the steps stays [us], 0 before the first step.
   double quantile_us(double share) const;
   double median_us() const { return quantile_us(0.5); }  ///< [us], 0 before the first step
-  double total_us() const;                       ///< of all steps [us]
 
  private:
   double now_us() const;

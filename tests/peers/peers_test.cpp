@@ -29,7 +29,7 @@ bench::BenchScene after(const bench::PeerSetting& peer, const bench::MakeScene& 
   return scene;
 }
 
-// The largest difference of two worlds' velocities, with what a body's rotation adds at 1 m.
+// The largest difference of two worlds' velocities, of turns [rad/s] as well [m/s].
 double difference(const World& a, const World& b) {
   double most = 0;
   for (int k = 0; k < a.bodies.slots(); ++k)

@@ -32,7 +32,7 @@ plt.rcParams.update({
     "axes.spines.top": False, "axes.spines.right": False, "axes.axisbelow": True,
     "xtick.minor.pad": 5.0, "ytick.minor.pad": 5.0,
     "axes.grid": True, "grid.color": GRID, "grid.linewidth": 0.7, "lines.linewidth": 1.6,
-    "figure.facecolor": "white", "savefig.facecolor": "white", "savefig.dpi": 160,
+    "figure.facecolor": "white", "savefig.facecolor": "white", "savefig.dpi": 144,
     "figure.constrained_layout.h_pad": 0.06, "figure.constrained_layout.w_pad": 0.08,
     "svg.hashsalt": "joint workbook", "svg.fonttype": "path",
 })

@@ -45,7 +45,8 @@ def with_formulas(pages):
     tex, made = equations(pages), dict(pages)
     for owner, numbers in named().items():
         shown = "".join(f'<div class="of"><span>Eq. {number}</span><p class="formulaDsp">'
-                        f"\\[{tex[number]}\\]</p></div>" for number in numbers[:MOST] if number in tex)
+                        f"\\[{tex[number]}\\]</p></div>"
+                        for number in numbers[:MOST] if number in tex)
         for page in (f"structjoints_1_1{owner}.html", f"classjoints_1_1{owner}.html"):
             if page in pages:
                 made[page] = re.sub(r'(<a name="details"[^>]*>.*?<div class="textblock">.*?</p>)',

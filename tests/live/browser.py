@@ -1,23 +1,19 @@
 """A headless Chromium that is told what to do over a pair of pipes, with its own clock running:
 real clicks, keys and fingers. No package of Python's is needed."""
 import base64
+import importlib.util
 import json
 import os
 import select
-import shutil
 import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
-from check_docs import BROWSERS, FLAGS  # noqa: E402
-
-
-def there():
-    """The browser's name, or None."""
-    return next(filter(None, map(shutil.which, BROWSERS)), None)
+SITE = Path(__file__).resolve().parents[2] / "tools/browser.py"  # this file has its name, too
+looks = importlib.util.module_from_spec(importlib.util.spec_from_file_location("looks", SITE))
+looks.__spec__.loader.exec_module(looks)
+there = looks.there
 
 
 class Browser:
@@ -27,7 +23,7 @@ class Browser:
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         read_end, self.out = os.pipe()
         self.back, write_end = os.pipe()
-        flags = [flag for flag in FLAGS if "budget" not in flag and "dump" not in flag]
+        flags = [flag for flag in looks.FLAGS if "budget" not in flag and "dump" not in flag]
         command = [there(), *flags, "--remote-debugging-pipe", "--hide-scrollbars",
                    f"--user-data-dir={self.profile.name}", "about:blank"]
         self.process = subprocess.Popen(  # the browser reads at 3 and writes at 4

@@ -37,6 +37,7 @@ def the_front_page_shows_a_real_report(root, build):
     """the report on docs/mainpage.md is what ./wb test 1.1 says of a forgotten sign"""
     shown = read(root / "docs" / "mainpage.md").split("```\n")[1]
     with Door(root, build) as door:
+        door.lend_build()
         door.write(e1_1="""  const vec3 n = direction(body2.x - body1.x);
   return {n, vec3(0), n, vec3(0)};""")
         _, out, _, _ = door.type("test 1.1")

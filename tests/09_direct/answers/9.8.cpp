@@ -264,7 +264,7 @@
 // change: moments / more * ==> real(1) / more *
 
 // ---- wrong units: linear velocity
-// expects: Units: the angular velocity w is in m/s and should be in 1/s: a length too many: an
+// expects: Units: the angular velocity w is in m/s and should be in 1/s: a length too many: a
 // change: body.w) ==> body.v)
 
 // ---- right: in the world's axes with a matrix

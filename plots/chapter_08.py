@@ -8,7 +8,7 @@ import numpy as np
 import style
 from chapter_06 import FORMULA, counts, metres, whose
 from machines import NAMES, draw_machines, draw_ragdoll, draw_wheels, over_time, parts
-from style import COLOURS, INK, PALE, rows, visible
+from style import COLOURS, INK, rows, visible
 
 # ---- one body ----------------------------------------------------------------------------------
 

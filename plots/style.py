@@ -3,6 +3,7 @@ import argparse
 import csv
 import io
 import pathlib
+import re
 import sys
 import textwrap
 

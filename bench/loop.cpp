@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "bench/counted.h"
+#include "bench/named.h"
 #include "bench/roofs.h"
-#include "bench/settings.h"
 #include "engine/instruments/options.h"
 #include "engine/simd/records.h"
 
@@ -125,9 +125,7 @@ void write(FILE* file, const std::vector<Row>& rows) {
 
 // The limits of the machine, beside the table.
 void write_roofs(const std::string& path) {
-  FILE* file = std::fopen(path.c_str(), "w");
-  if (!file) refuse(path + ": cannot be written");
-  std::fputs("roof,lanes,per_ns\n", file);
+  FILE* file = open_table(path, false, "roof,lanes,per_ns");
   for (const Roof& roof : roofs())
     std::fprintf(file, "%s,%d,%.1f\n", roof.name.c_str(), roof.lanes, roof.per_ns);
   std::fclose(file);
@@ -167,15 +165,14 @@ int main(int argc, char** argv) {
     if (options.flag("count")) return count_all();
     const bool append = options.flag("append");
     const std::string path = options.text("csv");
-    FILE* file = std::fopen(path.c_str(), append ? "a" : "w");
-    if (!file) refuse("--csv " + path + ": cannot be written");
     std::printf("%s: whole-joint to lanes coloured are compiled for %s; the rest for any such "
                 "processor,\n  and the engine's lanes (%d) choose their instructions where they "
                 "run\n", kind, own_instructions().c_str(), lane_count);
     std::fflush(stdout);
-    if (!append)
-      std::fputs("variant,chains,iterations,real,us_per_step,ns_per_joint_iteration,"
-                 "instructions_per_joint_iteration,gap_rms_m,instructions_per_joint_step\n", file);
+    FILE* file = open_table(path, append,
+                            "variant,chains,iterations,real,us_per_step,ns_per_joint_iteration,"
+                            "instructions_per_joint_iteration,gap_rms_m,"
+                            "instructions_per_joint_step");
     write(file, measure(options.count("rounds", 1), options.flag("all-counts")));
     std::fclose(file);
     if (!append) write_roofs(std::filesystem::path(path).replace_filename("roofs.csv").string());

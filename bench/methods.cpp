@@ -134,16 +134,6 @@ double median(std::vector<double> numbers) {
   return numbers[numbers.size() / 2];
 }
 
-std::vector<std::string> words(const std::string& text) {
-  std::vector<std::string> out;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    out.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return out;
-}
-
 // One joint and iteration of the textbook's loop [us]: the unit in which times can be carried from
 // machine to machine.
 double textbook_iteration() {
@@ -176,15 +166,8 @@ void measure(FILE* file, const Entry& entry, int repetitions, double unit) {
     std::fprintf(file, "%s,%s,%s,%.0f,%.4f,%.4f,%.4f", entry.name.c_str(),
                  sizeof(real) == 8 ? "double" : "float", methods[m].c_str(), joints, us, us / si30,
                  us / joints / unit);
-    const bool found = !scene.finding.what.empty();
-    const std::string line =
-        cell(worst.gap_rms) + cell(worst.gap_max) + cell(worst.axis_error) +
-        cell(worst.tip_error, scene.tip_mask != glm::dvec3(0)) +
-        cell(worst.sideways, scene.forbidden != glm::dvec3(0)) + "," + scene.finding.what +
-        cell(scene.finding.expected, found) + cell(worst.found) +
-        cell(worst.energy_drift, std::isfinite(scene.energy_scale));
-    std::fprintf(file, "%s,%d,%zu,%s\n", line.c_str(), outcomes[m].held, entry.makes.size(),
-                 worst.status.c_str());
+    std::fprintf(file, "%s,%d,%zu,%s\n", measure_cells(scene, worst).c_str(), outcomes[m].held,
+                 entry.makes.size(), worst.status.c_str());
     std::fflush(file);
   }
 }
@@ -200,16 +183,11 @@ int main(int argc, char** argv) {
                      {"scene", "", "one scene alone, by its name in the table"},
                      {"repetitions", "5", "how often each step is timed"}});
     if (!options.read(argc, argv)) return;
-    const std::string path = options.text("csv"), only = options.text("scene");
     std::vector<Entry> list = scenes(options.flag("quick"));
-    std::erase_if(list, [&](const Entry& one) { return !only.empty() && one.name != only; });
-    if (list.empty()) refuse("--scene " + only + ": there is none of this name");
-    FILE* file = std::fopen(path.c_str(), options.flag("append") ? "a" : "w");
-    if (!file) refuse("--csv " + path + ": cannot be written");
-    if (!options.flag("append"))
-      std::fputs("scene,real,method,joints,us_per_step,ratio_to_si30,textbook_iterations,gap_rms_m,"
-                 "gap_max_m,axis_error_rad,tip_error_m,sideways_m,finding,expected,found,"
-                 "energy_drift,held,of,status\n", file);
+    keep_named(list, options.text("scene"), &Entry::name);
+    FILE* file = open_table(options.text("csv"), options.flag("append"),
+                            "scene,real,method,joints,us_per_step,ratio_to_si30,"
+                            "textbook_iterations," + measure_columns + ",held,of,status");
     const double unit = textbook_iteration();
     for (const Entry& entry : list) measure(file, entry, options.count("repetitions", 1), unit);
     std::fclose(file);

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <sstream>
 
 namespace joints::bench {
 
@@ -37,10 +39,31 @@ Setting setting_of(const std::string& method) {
   refuse("method " + method + ": there is none of this name");
 }
 
+std::vector<std::string> words(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+FILE* open_table(const std::string& path, bool append, const std::string& columns) {
+  FILE* file = std::fopen(path.c_str(), append ? "a" : "w");
+  if (!file) refuse("--csv " + path + ": cannot be written");
+  if (!append) std::fprintf(file, "%s\n", columns.c_str());
+  return file;
+}
+
 std::string cell(double number, bool means_something) {
   char text[32] = "";
   if (means_something && !std::isnan(number)) std::snprintf(text, sizeof text, ",%.6g", number);
   return *text ? text : ",";
+}
+
+std::string measure_cells(const BenchScene& scene, const Result& result) {
+  const bool lost = result.status == "nan";
+  return cell(result.gap_rms) + cell(result.gap_max) + cell(result.axis_error, !lost) +
+         cell(result.tip_error, scene.tip_mask != glm::dvec3(0) && !lost) +
+         cell(result.sideways, scene.forbidden != glm::dvec3(0) && !lost) + "," +
+         scene.finding.what + cell(scene.finding.expected, !scene.finding.what.empty()) +
+         cell(result.found) + cell(result.energy_drift, std::isfinite(scene.energy_scale));
 }
 
 }  // namespace joints::bench

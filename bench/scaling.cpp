@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "bench/settings.h"
+#include "bench/named.h"
 #include "engine/instruments/options.h"
 
 using namespace joints;
@@ -78,11 +78,9 @@ int main(int argc, char** argv) {
                     {{"csv", "out/scaling.csv", "the table"},
                      {"repetitions", "1", "as many times the steps that each run is timed over"}});
     if (!options.read(argc, argv)) return;
-    const std::string path = options.text("csv");
-    FILE* file = std::fopen(path.c_str(), "w");
-    if (!file) refuse("--csv " + path + ": cannot be written");
-    std::fputs("joints,solver,setting,real,us_per_step,ns_per_joint_iteration,ns_per_joint_step,"
-               "bytes_per_joint,iterations,chains\n", file);
+    FILE* file = open_table(options.text("csv"), false,
+                            "joints,solver,setting,real,us_per_step,ns_per_joint_iteration,"
+                            "ns_per_joint_step,bytes_per_joint,iterations,chains");
     for (const int chains : {1, 10, 101, 1010})
       for (const Candidate& candidate : candidates())
         if (chains >= candidate.least)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "bench/named.h"
 #include "engine/instruments/options.h"
 
 using namespace joints;
@@ -14,7 +15,7 @@ namespace {
 
 const char* const columns =
     "case,method,real,parameter,value,expected,measured,status,gap_rms_m,gap_max_m,energy_drift,"
-    "energy_peak,rho,criterion,rho_any\n";
+    "energy_peak,rho,criterion,rho_any";
 
 // A number, or nothing where there is none.
 std::string field(double number) {
@@ -63,14 +64,12 @@ int main(int argc, char** argv) {
       for (const Case& one : cases()) std::printf("%s %s\n", one.id.c_str(), one.what.c_str());
       return;
     }
-    const bool append = options.flag("append"), quick = options.flag("quick");
-    const std::string only = options.text("case"), path = options.text("csv");
+    const bool quick = options.flag("quick");
+    const std::string only = options.text("case");
     bool known = only.empty();
     for (const Case& one : cases()) known = known || one.id == only;
     if (!known) refuse("--case " + only + ": no such case; there are X1 to X17");
-    FILE* file = std::fopen(path.c_str(), append ? "a" : "w");
-    if (!file) refuse("--csv " + path + ": cannot be written");
-    if (!append) std::fputs(columns, file);
+    FILE* file = open_table(options.text("csv"), options.flag("append"), columns);
     for (const auto& [one, directly] : runs()) {
       if (!only.empty() && one.id != only) continue;
       Watch::directly = directly;

@@ -2,7 +2,7 @@
 // `./wb bench` calls it. A scene more is a line more below, a setting more one in settings.cpp.
 #include <cstdio>
 
-#include "bench/settings.h"
+#include "bench/named.h"
 #include "engine/instruments/options.h"
 
 using namespace joints;
@@ -61,7 +61,7 @@ double value(const Result& r, const std::string& measure) {
 const char* const columns =
     "scene,chains,solver,setting,real,iterations,substeps,warm,us_per_step,ns_per_joint_iteration,"
     "gap_rms_m,gap_max_m,axis_error_rad,energy_drift,tip_error_m,status,sideways_m,measures,"
-    "fronts\n";
+    "fronts";
 
 void write(FILE* file, const BenchScene& scene, const std::string& measures, const Point& point) {
   const Result& r = point.result;
@@ -159,18 +159,13 @@ int main(int argc, char** argv) {
     if (!options.read(argc, argv)) return;
     if (const int steps = options.count("only-steps", 0); steps > 0)
       return only_steps(options.count("iterations", 1), steps);
-    const bool append = options.flag("append"), quick = options.flag("quick");
+    const bool quick = options.flag("quick");
     const std::vector<int> counts = quick ? std::vector<int>{10, 30, 120}
                                           : std::vector<int>{10, 20, 30, 60, 120, 200};
-    const std::string path = options.text("csv"), only = options.text("scene");
     std::vector<Entry> list = scenes(options.count("repetitions", 1));
-    std::erase_if(list, [&](const Entry& one) {
-      return (quick && !one.quick) || (!only.empty() && one.key != only);
-    });
-    if (list.empty()) refuse("--scene " + only + ": there is none of this name");
-    FILE* file = std::fopen(path.c_str(), append ? "a" : "w");
-    if (!file) refuse("--csv " + path + ": cannot be written");
-    if (!append) std::fputs(columns, file);
+    std::erase_if(list, [&](const Entry& one) { return quick && !one.quick; });
+    keep_named(list, options.text("scene"), &Entry::key);
+    FILE* file = open_table(options.text("csv"), options.flag("append"), columns);
     for (const Entry& entry : list) measure(file, entry, counts, quick);
     std::fclose(file);
   });

@@ -139,7 +139,7 @@ void SequentialImpulses::relax(Bodies& bodies, real h) {
   for_corrections(blocks, [&](PreparedBlock& prepared, const Block& block) {
     aim(prepared, blocks, block, without_feedback(block.target), h);
   });
-  for (int i = 0; i < relax_iterations; ++i) iterate(bodies);
+  for (int i = 0; i < relax_iterations; ++i) iterate(bodies);  // Eq. 6-15
 }
 
 void SequentialImpulses::advance_split(Bodies& bodies, real h) {
@@ -169,12 +169,12 @@ void SequentialImpulses::advance_split(Bodies& bodies, real h) {
     body.v = body.w = vec3(0);
   });
   prepared_.blocks.swap(split_blocks_);
-  for (int i = 0; i < split_iterations; ++i) iterate(bodies);
+  for (int i = 0; i < split_iterations; ++i) iterate(bodies);  // Eq. 6-13
   prepared_.blocks.swap(split_blocks_);
   for_bodies([h](Body& body, const auto& kept) {
     body.v += kept.first;
     body.w += kept.second;
-    integrate_pose(body, h);
+    integrate_pose(body, h);  // Eq. 6-14
     body.v = kept.first;
     body.w = kept.second;
   });

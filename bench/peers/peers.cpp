@@ -13,16 +13,6 @@ using namespace joints::bench;
 
 namespace {
 
-std::vector<std::string> words(const std::string& text) {
-  std::vector<std::string> out;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    out.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return out;
-}
-
 // ---- who runs -----------------------------------------------------------------------------------
 
 // One line of the table to be.
@@ -85,17 +75,10 @@ void write(FILE* file, const PeerEntry& entry, const Contender& one, const std::
   const Result& is = one.result;
   const double us = one.clock.median_us();
   const double spread = (one.clock.quantile_us(0.75) - one.clock.quantile_us(0.25)) / us;
-  const bool lost = is.status == "nan";
   std::fprintf(file, "%s,%s,%s,%s,%s,%.4g,%.3f", one.who.engine.c_str(), one.who.version.c_str(),
                one.who.number.c_str(), entry.name.c_str(), one.who.name.c_str(), us, spread);
-  const std::string line =
-      cell(is.gap_rms) + cell(is.gap_max) + cell(is.axis_error, !lost) +
-      cell(is.tip_error, scene.tip_mask != glm::dvec3(0) && !lost) +
-      cell(is.energy_drift, std::isfinite(scene.energy_scale)) + cell(one.bytes) + "," + is.status +
-      "," + machine + "," + cell(double(scene.marks.size())).substr(1) + "," + scene.finding.what +
-      cell(scene.finding.expected, !scene.finding.what.empty()) + cell(is.found) +
-      cell(is.sideways, scene.forbidden != glm::dvec3(0) && !lost);
-  std::fprintf(file, "%s\n", line.c_str());
+  std::fprintf(file, "%s%s,%s,%s,%zu\n", measure_cells(scene, is).c_str(), cell(one.bytes).c_str(),
+               is.status.c_str(), machine.c_str(), scene.marks.size());
 }
 
 void measure(FILE* file, const PeerEntry& entry, const Options& options) {
@@ -133,16 +116,11 @@ int main(int argc, char** argv) {
                      {"machine", "", "what stands in the last column"},
                      {"rounds", "3", "how often each is timed"}});
     if (!options.read(argc, argv)) return;
-    const std::string path = options.text("csv"), only = options.text("scene");
     std::vector<PeerEntry> list = peer_entries(options.flag("quick"));
-    std::erase_if(list, [&](const PeerEntry& one) { return !only.empty() && one.name != only; });
-    if (list.empty()) refuse("--scene " + only + ": there is none of this name");
-    FILE* file = std::fopen(path.c_str(), options.flag("append") ? "a" : "w");
-    if (!file) refuse("--csv " + path + ": cannot be written");
-    if (!options.flag("append"))
-      std::fputs("engine,version,real,scene,setting,us_per_step,spread,gap_rms_m,gap_max_m,"
-                 "axis_error_rad,tip_error_m,energy_drift,bytes,status,machine,joints,finding,"
-                 "expected,found,sideways_m\n", file);
+    keep_named(list, options.text("scene"), &PeerEntry::name);
+    FILE* file = open_table(options.text("csv"), options.flag("append"),
+                            "engine,version,real,scene,setting,us_per_step,spread," +
+                                measure_columns + ",bytes,status,machine,joints");
     for (const PeerEntry& entry : list) measure(file, entry, options);
     std::fclose(file);
   });

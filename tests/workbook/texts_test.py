@@ -100,6 +100,12 @@ def words_are_those_of_the_field(root, build):
 def quotations_are_exact(root, build):
     """code that a text quotes from a file, <!-- from FILE -->, stands there as it is"""
     quotation = re.compile(r"<!-- from (\S+) -->\n+```\w+\n(.*?)^```$", re.M | re.S)
+    for path in sorted((root / "tests/library/consumer").iterdir()):
+        name = str(path.relative_to(root))
+        quoted = [code for source, code in quotation.findall(read(root / "docs/library.md"))
+                  if source == name]
+        if quoted != [read(path)]:
+            yield f"docs/library.md does not quote {name} whole"
     for path in files(root, ".md"):
         text = read(path)
         found = quotation.findall(text)

@@ -17,7 +17,8 @@ namespace {
 
 const std::string iterated = "si30 beta1 4x8 16x2 warm projection split relax omega";
 
-// A scene, or several of a kind that are told in one line.
+// A scene, or several of a kind that are told in one line. Scenes whose names end in ": " and a
+// value are the columns of a map: one number changes, all else stays.
 struct Entry {
   std::string name{};
   std::vector<MakeScene> makes{};
@@ -77,9 +78,21 @@ std::vector<Entry> scenes(bool quick) {
                     .makes = {of_chapter_9([=] { return chapter9::star(arms); })},
                     .methods = "si30 velocity"});
   for (const int exponent : {1, 2, 3, 4, 5, 6})
-    list.push_back({.name = "heavy end 1e" + std::to_string(exponent),
+    list.push_back({.name = "heavy end: 1e" + std::to_string(exponent),
                     .makes = {[=] { return heavy_end_unreferenced(std::pow(10, exponent)); }},
                     .span = ten_seconds, .methods = both});
+  for (const int cubes : {5, 10, 20, 50, 100})
+    list.push_back({.name = "links: " + std::to_string(cubes),
+                    .makes = {[=] { return cubes_on_hinges(1, cubes + 1); }}, .methods = both});
+  for (const int hertz : {30, 60, 120, 240, 480})
+    list.push_back({.name = "steps per s: " + std::to_string(hertz),
+                    .makes = {[] { return heavy_end_unreferenced(100); }},
+                    .span = {.h = real(1) / real(hertz), .steps = 10 * hertz, .timed = 80},
+                    .methods = both});
+  for (const int hertz : {20, 60, 200, 1000})
+    list.push_back({.name = "springs in Hz: " + std::to_string(hertz),
+                    .makes = {[=] { return sprung_chain(10, hertz); }}, .span = ten_seconds,
+                    .methods = both});
   if (quick)
     std::erase_if(list, [](const Entry& one) { return one.name == "ragdolls 5000"; });
   for (const int chains : {1, 10, 100, 1000})
@@ -128,11 +141,13 @@ void add(Outcome& out, const Result& result, double holds) {
   out.held += holds > 0 ? result.gap_max < holds : ok;
 }
 
-double median(std::vector<double> numbers) {
+// The number below which this share of them lies.
+double quantile(std::vector<double> numbers, double share) {
   if (numbers.empty()) return std::numeric_limits<double>::quiet_NaN();
   std::sort(numbers.begin(), numbers.end());
-  return numbers[numbers.size() / 2];
+  return numbers[std::size_t(share * double(numbers.size() - 1) + 0.5)];
 }
+double median(const std::vector<double>& numbers) { return quantile(numbers, 0.5); }
 
 // One joint and iteration of the textbook's loop [us]: the unit in which times can be carried from
 // machine to machine.
@@ -163,9 +178,10 @@ void measure(FILE* file, const Entry& entry, int repetitions, double unit) {
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const Result& worst = outcomes[m].worst;
     const double us = median(outcomes[m].us);
-    std::fprintf(file, "%s,%s,%s,%.0f,%.4f,%.4f,%.4f", entry.name.c_str(),
-                 sizeof(real) == 8 ? "double" : "float", methods[m].c_str(), joints, us, us / si30,
-                 us / joints / unit);
+    const double spread = (quantile(outcomes[m].us, 0.75) - quantile(outcomes[m].us, 0.25)) / us;
+    std::fprintf(file, "%s,%s,%s,%.0f,%.4f,%.3f,%.4f,%.4f", entry.name.c_str(),
+                 sizeof(real) == 8 ? "double" : "float", methods[m].c_str(), joints, us, spread,
+                 us / si30, us / joints / unit);
     std::fprintf(file, "%s,%d,%zu,%s\n", measure_cells(scene, worst).c_str(), outcomes[m].held,
                  entry.makes.size(), worst.status.c_str());
     std::fflush(file);
@@ -186,7 +202,7 @@ int main(int argc, char** argv) {
     std::vector<Entry> list = scenes(options.flag("quick"));
     keep_named(list, options.text("scene"), &Entry::name);
     FILE* file = open_table(options.text("csv"), options.flag("append"),
-                            "scene,real,method,joints,us_per_step,ratio_to_si30,"
+                            "scene,real,method,joints,us_per_step,spread,ratio_to_si30,"
                             "textbook_iterations," + measure_columns + ",held,of,status");
     const double unit = textbook_iteration();
     for (const Entry& entry : list) measure(file, entry, options.count("repetitions", 1), unit);

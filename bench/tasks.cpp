@@ -42,6 +42,19 @@ BenchScene hung_chain(int cubes, double load) {
   return scene;
 }
 
+BenchScene sprung_chain(int cubes, double frequency) {
+  BenchScene scene = hung_chain(cubes, 100);
+  const double omega = 2 * std::numbers::pi * frequency;
+  for (int k = 0; k <= cubes; ++k) {
+    scene.world.joints()[std::size_t(k)]->frequency = real(frequency);
+    // Its springs carry cubes + 1 - k masses, and m_eff omega^2 is their stiffness.
+    const double load = cubes + 1 - k, m_eff = k == 0 ? 1 : 0.5;
+    scene.finding.expected += millimetres * 9.81 * load / (m_eff * omega * omega);
+  }
+  scene.energy_scale = std::numeric_limits<double>::infinity();  // springs keep some, dampers none
+  return scene;
+}
+
 BenchScene rope_bridge() {
   BenchScene scene = hanging_bridge(false);
   scene.finding = {"all links too long by [mm]", 0,

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Draws a map of every method on every scene: its colour the largest gap, its words gap and time.
+"""Draws maps of every method: its colour the largest gap, its words gap and time; once over all
+scenes, once over mass ratio, step, length and stiffness.
 
 methods.py --csv out/methods.csv --out DIR
 """
@@ -8,7 +9,7 @@ import numpy as np
 import style
 from style import EMPTY, INK
 
-NUMBERS = ["us_per_step", "gap_max_m", "held", "of"]
+NUMBERS = ["us_per_step", "gap_max_m", "expected", "found"]
 WORDS = ["scene", "real", "method", "status"]
 ORDER = ["si30", "beta1", "4x8", "16x2", "warm", "projection", "split", "relax",
          "omega", "velocity", "shake",
@@ -18,6 +19,10 @@ TITLES = {"si30": "30\niterations", "beta1": "beta 1", "4x8": "4 substeps\nof 8"
           "split": "split\nimpulse", "relax": "soft and\nrelax",
           "omega": "over-relaxed\n1.9", "velocity": "direct", "shake": "direct,\npositions",
           "stiff": "direct,\nstiffness", "rk4": "Runge-\nKutta"}
+MAPS = {"heavy end": ("mass ratio of the end of 20 links", "gap_max_m"),
+        "steps per s": ("steps per second, the end 100 links heavy", "gap_max_m"),
+        "links": ("hinges of a chain that swings", "gap_max_m"),
+        "springs in Hz": ("springs in place of ten joints [Hz]", "found")}
 LEAST, MOST = 1e-3, 1e3  # of the colours [mm]
 
 
@@ -26,48 +31,97 @@ def short(value):
     return f"{value:.0f}" if value >= 99.5 else f"{value:.2g}"
 
 
+def colours():
+    map_of = style.plt.cm.viridis_r.copy()
+    map_of.set_bad(EMPTY)
+    return map_of
+
+
+def paint(ax, cells, width, height):
+    """Cells {(column, row): (error [mm] or nan for lost, words of the time)}; yellow is exact."""
+    errors = np.full((height, width), np.nan)
+    for (column, row), (error, time) in cells.items():
+        errors[row, column] = np.clip(error, LEAST, MOST) if np.isfinite(error) else MOST
+        words = "lost" if not error <= MOST else "0" if error < LEAST else short(error)
+        colour = "white" if errors[row, column] > 3 else INK
+        ax.text(column, row - 0.17, words, ha="center", va="center", fontsize=7.5, color=colour,
+                fontweight="bold")
+        ax.text(column, row + 0.24, time, ha="center", va="center", fontsize=6.5, color=colour)
+    ax.imshow(np.log10(errors), cmap=colours(), aspect="auto", vmin=np.log10(LEAST),
+              vmax=np.log10(MOST))
+    ax.xaxis.tick_top()
+    ax.tick_params(length=0)
+    ax.grid(False)
+    for spine in ax.spines.values():
+        spine.set_visible(False)
+
+
+def error_of(row, what="gap_max_m"):
+    """What a cell shows [mm]: NaN where the run was lost or gained energy."""
+    if row["status"] in ("energy+", "exploded", "nan"):
+        return np.nan
+    return abs(row["found"] - row["expected"]) if what == "found" else 1000 * row["gap_max_m"]
+
+
+def draw_scenes(rows, methods, path):
+    """Every scene a row, every method a column."""
+    scenes = [name for name in dict.fromkeys(row["scene"] for row in rows)
+              if ": " not in name and sum(row["scene"] == name for row in rows) > 3]
+    figure, ax = style.figure("No iteration holds everywhere; all joints at once hold nearly "
+                              "everywhere")
+    figure.set_size_inches(style.WIDTH + 1.5, 0.31 * len(scenes) + 1.1)
+    paint(ax, {(methods.index(row["method"]), scenes.index(row["scene"])):
+               (error_of(row), f"{short(row['us_per_step'])} us")
+               for row in rows if row["scene"] in scenes and row["method"] in methods},
+          len(methods), len(scenes))
+    ax.set_xticks(range(len(methods)), [TITLES[name] for name in methods], fontsize=7.5)
+    ax.set_yticks(range(len(scenes)), scenes, fontsize=8)
+    ax.set_xlabel("above: largest gap of a joint [mm], the darker the wider; lost: above 1 m, or "
+                  "energy gained\nbelow: time of a step; of random families the worst of all",
+                  fontsize=8)
+    style.save(figure, path)
+
+
+def draw_maps(rows, methods, path):
+    """A panel for each number that changes: its values are the columns, the methods the rows."""
+    methods = [name for name in methods if any(
+        row["method"] == name and ": " in row["scene"] for row in rows)]
+    figure, axes = style.figure("What each method bears: mass ratio, step, length, stiffness",
+                                panels=2, rows=2, sharey=True)
+    figure.set_size_inches(style.WIDTH + 1.5, 0.62 * len(methods) + 1.6)
+    for ax, (family, (title, measure)) in zip(axes.flat, MAPS.items()):
+        mine = [row for row in rows if row["scene"].startswith(family + ": ")]
+        values = list(dict.fromkeys(row["scene"].partition(": ")[2] for row in mine))
+        cells = {}
+        for row in mine:
+            value = row["scene"].partition(": ")[2]
+            if row["method"] in methods:
+                steps = float(value) / 60 if family == "steps per s" else 1
+                cells[values.index(value), methods.index(row["method"])] = (
+                    error_of(row, measure), f"{short(row['us_per_step'] * steps)} us")
+        paint(ax, cells, len(values), len(methods))
+        names = [f"$10^{value[2:]}$" if value.startswith("1e") else value for value in values]
+        ax.set_xticks(range(len(values)), names, fontsize=8)
+        ax.set_yticks(range(len(methods)), [TITLES[name].replace("\n", " ") for name in methods],
+                      fontsize=7.5)
+        ax.set_title(title, fontsize=9, loc="left")
+    figure.supxlabel("above: largest gap [mm], for the springs how far the load is off its place; "
+                     "lost: above 1 m, or energy gained\nbelow: time for a sixtieth of a second",
+                     fontsize=8)
+    style.save(figure, path)
+
+
 def main():
     given = style.arguments("Draws a map of every method on every scene.",
                             csv="the table that ./wb bench --methods writes",
                             out="folder of the figures")
     table = style.rows(style.read_csv(given.csv, NUMBERS, WORDS, "./wb bench --methods"),
                        real="double")
+    rows = [dict(zip(table, cells)) for cells in zip(*table.values())]
     methods = [name for name in ORDER if name in table["method"]]
-    scenes = [name for name in dict.fromkeys(table["scene"])
-              if np.sum(table["scene"] == name) > 3]
-    figure, ax = style.figure("No iteration holds everywhere; all joints at once hold nearly "
-                              "everywhere")
-    figure.set_size_inches(style.WIDTH + 1.5, 0.31 * len(scenes) + 1.1)
-    colours = style.plt.cm.viridis_r.copy()
-    colours.set_bad(EMPTY)
-    gaps = np.full((len(scenes), len(methods)), np.nan)
-    for scene, method, gap, us, status in zip(*(table[name] for name in (
-            "scene", "method", "gap_max_m", "us_per_step", "status"))):
-        if scene not in scenes or method not in methods:
-            continue
-        at = scenes.index(scene), methods.index(method)
-        gap = 1000 * gap
-        gaps[at] = np.clip(gap, LEAST, MOST) if np.isfinite(gap) else MOST
-        lost = not np.isfinite(gap) or gap > MOST or status in ("energy+", "exploded", "nan")
-        words = "lost" if lost else "0" if gap < LEAST else short(gap)
-        dark = gaps[at] > 3
-        ax.text(at[1], at[0] - 0.17, words, ha="center", va="center", fontsize=7.5,
-                color="white" if dark else INK, fontweight="bold")
-        ax.text(at[1], at[0] + 0.24, f"{short(us)} us", ha="center", va="center", fontsize=6.5,
-                color="white" if dark else INK)
-    ax.imshow(np.log10(gaps), cmap=colours, aspect="auto", vmin=np.log10(LEAST),
-              vmax=np.log10(MOST))
-    ax.set_xticks(range(len(methods)), [TITLES[name] for name in methods], fontsize=7.5)
-    ax.set_yticks(range(len(scenes)), scenes, fontsize=8)
-    ax.xaxis.tick_top()
-    ax.tick_params(length=0)
-    ax.grid(False)
-    for spine in ax.spines.values():
-        spine.set_visible(False)
-    ax.set_xlabel("above: largest gap of a joint [mm], the darker the wider; lost: above 1 m, or "
-                  "energy gained\nbelow: time of a step; of random families the worst of all",
-                  fontsize=8)
-    style.save(figure, given.out / "methods")
+    draw_scenes(rows, methods, given.out / "methods")
+    if any(": " in row["scene"] for row in rows):
+        draw_maps(rows, methods, given.out / "methods_maps")
 
 
 if __name__ == "__main__":

@@ -35,10 +35,11 @@ def print_table():
         found = mine[0]["finding"]
         print(f"\n{scene}, {real}, {mine[0]['joints']} joints"
               + (f"; {found}, expected {float(mine[0]['expected']):.4g}" if found else ""))
-        print(f"  {'method':11}{'us':>9}{'of si30':>9}{'gap mm':>9}{'RMS mm':>9}{'tip mm':>9}"
+        print(f"  {'method':11}{'us':>9}{'spread':>8}{'of si30':>9}{'gap mm':>9}{'RMS mm':>9}{'tip mm':>9}"
               f"{'energy':>9}{'found':>9}  held")
         for row in mine:
             print(f"  {row['method']:11}{number(row['us_per_step'], form='9.1f')}"
+                  f"{number(row['spread'], 100, '7.0f')}%"
                   f"{number(row['ratio_to_si30'], form='9.2f')}{number(row['gap_max_m'], 1000)}"
                   f"{number(row['gap_rms_m'], 1000)}{number(row['tip_error_m'], 1000)}"
                   f"{number(row['energy_drift'], form='9.1e')}{number(row['found'])}"
@@ -46,9 +47,10 @@ def print_table():
     print("\nthe methods:")
     for word in dict.fromkeys(row["method"] for row in rows):
         print(f"  {word:11}{WORDS[word]}")
-    print("gap: the largest of all joints in the last two thirds of a run; energy: what was gained"
-          "\nor lost at the end, by the scene's own scale; of a random family the worst of its "
-          "scenes.")
+    print("gap: the largest of all joints in the last two thirds of a run; spread: between the "
+          "quartiles of\nthe times, by their median; energy drift: energy at the end less that of "
+          "the start, by the scene's\nown scale; of a random family the worst of its scenes; '-': "
+          "has no meaning here.")
 
 
 def main():
@@ -56,7 +58,7 @@ def main():
           "meanwhile", flush=True)
     house.must_build(["methods", "methods_float"])
     run_bench("methods", [], figures.METHODS)
-    run_bench("methods_float", ["--append", "1"], figures.METHODS)
+    run_bench("methods_float", ["--scene", "S1", "--append", "1"], figures.METHODS)
     print_table()
     print()
     for path in figures.draw_methods():

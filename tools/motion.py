@@ -34,7 +34,7 @@ def read_run(path, label):
         # C++ prints nan, -nan and inf; Python reads NaN; a browser reads neither.
         text = re.sub(r"(?<=[\[,])-?(nan|inf)(?=[,\]])", "NaN", path.read_text(encoding="utf-8"))
         whole = json.loads(text)
-        run = {key: whole[key] for key in ("title", "dt", "bodies", "lines", "frames")}
+        run = {key: whole[key] for key in ("title", "dt", "bodies", "lines", "frames", "readings")}
         count, frames = len(run["bodies"]), run["frames"]
         check(isinstance(run["title"], str), "its title is not a text")
         check(isfinite(run["dt"]) and run["dt"] > 0, "dt is not a positive number")
@@ -48,6 +48,11 @@ def read_run(path, label):
                   "an anchor is wrong")
         check(count and frames, "it has no frames")
         check(all(len(frame) == 7 * count for frame in frames), "a frame is too short or too long")
+        readings = run["readings"]
+        check(len(readings) == len(frames), "there is not one list of readings for each frame")
+        names = [of for of, _, _ in readings[0]]
+        check(all(isinstance(of, str) for of in names), "a reading is not of a scene")
+        check(all([of for of, _, _ in row] == names for row in readings), "readings change names")
         bad = next((i for i, frame in enumerate(frames) if not all(map(isfinite, frame))), None)
     except OSError as error:
         raise MotionError(f"cannot read {path}: {error.strerror}") from error
@@ -56,7 +61,7 @@ def read_run(path, label):
     except (ValueError, TypeError, OverflowError) as error:
         raise MotionError(f"{path} is broken: {error}") from error
     if bad is not None:
-        run.update(stopped=bad * run["dt"], frames=frames[:bad])
+        run.update(stopped=bad * run["dt"], frames=frames[:bad], readings=readings[:bad])
     return {"label": label, **run}
 
 
@@ -64,7 +69,10 @@ def packed(run):
     """A run whose frames are whole numbers of a ten-thousandth, each less the one before."""
     frames = [[round(1e4 * x) for x in frame] for frame in run["frames"]]
     changes = [frames[0]] + [[b - a for a, b in zip(*pair)] for pair in zip(frames, frames[1:])]
-    return {**{key: value for key, value in run.items() if key != "frames"}, "changes": changes}
+    whole = {key: value for key, value in run.items() if key not in ("frames", "readings")}
+    return {**whole, "changes": changes, "of": [of for of, _, _ in run["readings"][0]],
+            "readings": [[x if isfinite(x) else None for _, *pair in row for x in pair]
+                         for row in run["readings"]]}
 
 
 def write_page(page, title, solution_dir, mine_dir=None, back=None, watch=None):

@@ -1,8 +1,10 @@
 // Writing tables and motions.
 #include "engine/instruments/record.h"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
 
 namespace joints {
 
@@ -81,18 +83,32 @@ Motion::Motion(std::string title, double h, int every)
 void Motion::body(const Shape& shape) { shapes_.push_back(shape); }
 void Motion::line(const Segment& segment) { segments_.push_back(segment); }
 
-void Motion::frame(const Body* bodies) {
-  if (calls_++ % every_ != 0) return;
+void Motion::frame(const Body* bodies, const std::vector<Reading>& readings) {
+  require(readings_.empty() || readings.size() == readings_[0].size(),
+          "readings: every frame has as many");
+  readings_.push_back(readings);
+  std::vector<float>& pose = poses_.emplace_back();
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const Body& b = bodies[i];
     for (real number : {b.x.x, b.x.y, b.x.z, b.q.w, b.q.x, b.q.y, b.q.z})
-      poses_.push_back(float(number));
+      pose.push_back(float(number));
   }
+}
+
+bool Motion::turns_fast() const {
+  const float most = std::cos(0.25f);  // of half the angle between two frames that are kept
+  for (std::size_t n = std::size_t(every_); n < poses_.size(); n += std::size_t(every_))
+    for (std::size_t k = 3; k < poses_[n].size(); k += 7) {
+      const auto q = poses_[n].begin() + long(k), before = poses_[n - every_].begin() + long(k);
+      if (std::abs(std::inner_product(q, q + 4, before, 0.0f)) < most) return true;
+    }
+  return false;
 }
 
 void Motion::write(const std::string& path) const {
   std::ofstream file = open(path);
-  file << "{\"title\":" << json(title_) << ",\"dt\":" << text(h_ * every_) << ",\"bodies\":[";
+  const int every = turns_fast() ? 1 : every_;
+  file << "{\"title\":" << json(title_) << ",\"dt\":" << text(h_ * every) << ",\"bodies\":[";
   for (std::size_t i = 0; i < shapes_.size(); ++i)
     file << (i ? "," : "") << "{\"kind\":\"" << shapes_[i].kind
          << "\",\"size\":" << triple(shapes_[i].size)
@@ -101,14 +117,25 @@ void Motion::write(const std::string& path) const {
   for (std::size_t i = 0; i < segments_.size(); ++i)
     file << (i ? "," : "") << "[" << segments_[i].body1 << "," << triple(segments_[i].anchor1)
          << "," << segments_[i].body2 << "," << triple(segments_[i].anchor2) << "]";
+  // A row of numbers for each frame that is kept.
+  const auto rows = [&](const auto& write_row) {
+    for (std::size_t n = 0; n < poses_.size(); n += std::size_t(every)) {
+      file << (n ? ",\n[" : "\n[");
+      write_row(n);
+      file << "]";
+    }
+  };
   file << "],\"frames\":[";
-  const std::size_t width = 7 * shapes_.size();
-  for (std::size_t begin = 0; width > 0 && begin < poses_.size(); begin += width) {
-    file << (begin ? ",\n[" : "\n[");
-    for (std::size_t i = 0; i < width; ++i)
-      file << (i ? "," : "") << text(poses_[begin + i], "%.6g");
-    file << "]";
-  }
+  rows([&](std::size_t n) {
+    for (std::size_t i = 0; i < poses_[n].size(); ++i)
+      file << (i ? "," : "") << text(poses_[n][i], "%.6g");
+  });
+  file << "],\"readings\":[";
+  rows([&](std::size_t n) {
+    for (const Reading& one : readings_[n])
+      file << (&one == readings_[n].data() ? "" : ",") << "[" << json(one.of) << ","
+           << text(one.gap, "%.3g") << "," << text(one.energy, "%.6g") << "]";
+  });
   file << "]}\n";
 }
 

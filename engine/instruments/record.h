@@ -41,27 +41,38 @@ struct Segment {
   std::array<double, 3> anchor1{}, anchor2{};           ///< [m, body space]
 };
 
-/// A recorded run: shapes once, then a pose of every body for each frame. Written as JSON, which
-/// tools/motion.py puts into a page that plays it.
+/// What is shown beside a picture of bodies: how well it holds at this moment.
+struct Reading {
+  std::string of{};       ///< which of several scenes side by side; empty where there is one
+  double gap = 0;         ///< the largest of its joints [m]
+  double energy = 0;      ///< of motion and of position [J]
+};
+
+/// A recorded run: shapes once, then a pose of every body for each frame, and readings. Written as
+/// JSON, which tools/motion.py puts into a page that plays it.
 class Motion {
  public:
   /// \param title shown on the page \param h time between two calls of frame() [s]
-  /// \param every keep one frame of so many
+  /// \param every keep one frame of so many; all are kept if a body turns by more than half a
+  /// radian from one that is kept to the next
   Motion(std::string title, double h, int every = 2);
   void body(const Shape& shape);  ///< the next body of the array
   void line(const Segment& segment);    ///< one more line to draw
   /// Remembers the poses of the first n bodies, n = how many shapes there are.
-  void frame(const Body* bodies);
+  /// \param readings of this moment, as many in every frame
+  void frame(const Body* bodies, const std::vector<Reading>& readings = {});
   /// \throws std::invalid_argument if the file cannot be made
   void write(const std::string& path) const;
 
  private:
   std::string title_;
   double h_;
-  int every_, calls_ = 0;
+  int every_;
+  bool turns_fast() const;
   std::vector<Shape> shapes_;
   std::vector<Segment> segments_;
-  std::vector<float> poses_;  // 7 numbers a body and frame
+  std::vector<std::vector<float>> poses_;  // 7 numbers a body
+  std::vector<std::vector<Reading>> readings_;
 };
 
 }  // namespace joints

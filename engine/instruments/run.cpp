@@ -49,6 +49,12 @@ std::string status(const Measures& m, double link) {
   return m.gap_max < 0.01 * link ? "ok" : m.gap_max < 0.5 * link ? "soft" : "torn";
 }
 
+Reading reading_of(const Experiment& experiment, const std::string& of) {
+  GapMeter gaps;
+  experiment.gaps(gaps);
+  return {of, gaps.maximum(), energy(experiment.bodies(), experiment.gravity)};
+}
+
 int steps_in(double seconds, real h) {
   return std::max(1, int(std::lround(seconds / double(h))));
 }

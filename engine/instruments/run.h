@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/instruments/measure.h"
+#include "engine/instruments/record.h"
 
 /// \addtogroup measuring
 /// @{
@@ -61,6 +62,9 @@ struct Experiment {
   int settling = 0;         ///< the gaps count from the moment after so many steps
   int untimed = 0;          ///< how many steps come before those that are timed
 };
+
+/// The experiment as it stands. \param of which of several side by side
+Reading reading_of(const Experiment& experiment, const std::string& of = "");
 
 /// How many steps of length h make up a time, at least one. \param seconds [s]
 int steps_in(double seconds, real h);

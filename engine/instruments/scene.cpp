@@ -77,7 +77,8 @@ Summary play(Scene& scene, const std::string& setting, double seconds,
   Experiment experiment = experiment_of(scene, steps_in(seconds, scene.h));
   if (step) experiment.step = step;
   const Measures measures = run(experiment, [&](int n) {
-    motion.frame(scene.world.bodies.data());
+    if (!motion_path.empty())
+      motion.frame(scene.world.bodies.data(), {reading_of(experiment)});
     look(n * double(scene.h));
   });
   if (!motion_path.empty()) motion.write(motion_path);

@@ -1,6 +1,7 @@
 // The measures, on motions whose numbers are known, and the files that runs leave behind.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -188,7 +189,7 @@ TEST_CASE("a recorded motion can be read whatever its title and wherever its bod
   motion.line({0, 1, {0, 1, 0}, {0, 0, 2}});
   Body bodies[] = {ball(1, 1, vec3(real(0.25), 0, 0)), static_body(vec3(3))};
   for (int frame = 0; frame < 4; ++frame) {
-    motion.frame(bodies);
+    motion.frame(bodies, {{"a \"b\"", 0.25, -3}});
     bodies[0].x.y = frame == 1 ? std::numeric_limits<real>::quiet_NaN() : real(1e30) * real(1e8);
   }
   motion.write(path);
@@ -199,6 +200,27 @@ TEST_CASE("a recorded motion can be read whatever its title and wherever its bod
   CHECK(json.text.find(",{\"kind\":\"box\",\"size\":[1,1,1]}") != std::string::npos);
   CHECK(json.text.find("[0,[0,1,0],1,[0,0,2]]") != std::string::npos);
   CHECK(json.text.find("[0.25,0,0,1,0,0,0,3,3,3,1,0,0,0]") != std::string::npos);
+  CHECK(json.text.find("\"readings\":[\n[[\"a \\\"b\\\"\",0.25,-3]],\n[[") != std::string::npos);
+  CHECK_THROWS_AS(motion.frame(bodies), std::invalid_argument);
   CHECK_THROWS_AS(Motion("no frames", 0.01, 0), std::invalid_argument);
   CHECK_THROWS_AS(Motion("no time", no_number, 1), std::invalid_argument);
+}
+
+TEST_CASE("a body that turns fast is recorded in every step, a slow one in every other") {
+  const std::string path = path_of("turning.json");
+  for (const bool fast : {false, true}) {
+    Motion motion("turning", 0.01, 2);
+    motion.body({});
+    Body body = static_body(vec3(0));
+    for (int n = 0; n < 5; ++n) {
+      body.q = rotation(vec3(0, real(n < 4 ? 0 : fast ? 0.52 : 0.48), 0));
+      motion.frame(&body);
+    }
+    motion.write(path);
+    const std::string text = contents(path);
+    CHECK((text.find("\"dt\":0.01,") != std::string::npos) == fast);
+    CHECK((text.find("\"dt\":0.02,") != std::string::npos) == !fast);
+    const std::string frames = text.substr(text.find("\"frames\""));
+    CHECK(std::count(frames.begin(), frames.end(), '\n') == (fast ? 10 : 6) + 1);
+  }
 }

@@ -36,7 +36,7 @@ Summary run(LinkScene scene, const StepSettings& settings, double seconds, CsvFi
     gaps(now);
     table.row({double(settings.iterations), n * double(settings.h), now.rms(), now.maximum(),
                energy(scene.bodies, settings.gravity) - start});
-    motion.frame(scene.bodies.data());
+    motion.frame(scene.bodies.data(), {reading_of(experiment)});
   });
   if (!motion_path.empty()) motion.write(motion_path);
   return {measures, scene.name, std::to_string(settings.iterations) + " iterations"};

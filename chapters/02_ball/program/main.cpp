@@ -186,7 +186,7 @@ Summary swing(int links, int iterations, real beta, double seconds, CsvFile& tab
     gaps(now);
     table.row({double(iterations), n * double(h), now.rms(), now.maximum(),
                energy(chain.bodies, gravity) - start});
-    motion.frame(chain.bodies.data());
+    motion.frame(chain.bodies.data(), {reading_of(experiment)});
   });
   if (!motion_path.empty()) motion.write(motion_path);
   return {measures, "chain",

@@ -87,8 +87,10 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
   std::vector<Run> runs;
   for (Pendulum& pendulum : all) runs.emplace_back(pendulum.experiment());
   std::vector<Body> frame;
+  std::vector<Reading> readings;
   for (int n = 0; n <= steps_in(choice.seconds, h); ++n) {
     frame.clear();
+    readings.clear();
     for (std::size_t k = 0; k < methods.size(); ++k) {
       Pendulum& pendulum = all[k];
       if (n > 0) {
@@ -98,8 +100,9 @@ void pendulums(const Choice& choice, std::vector<Summary>& lines) {
       table.row({methods[k].name}, {n * double(h), pendulum.gap(),
                                     runs[k].now().energy_drift, pendulum.off_engine()});
       for (const Body& body : pendulum.own.chain.bodies) frame.push_back(body);
+      readings.push_back(reading_of(pendulum.experiment(), methods[k].name));
     }
-    motion.frame(frame.data());
+    motion.frame(frame.data(), readings);
   }
   for (std::size_t k = 0; k < methods.size(); ++k)
     lines.push_back({runs[k].measures(), "pendulums", methods[k].name});

@@ -35,16 +35,19 @@ void whips(const Choice& choice, std::vector<Summary>& lines) {
     }
   }
   std::vector<Body> frame;
+  std::vector<Reading> readings;
   for (int n = 0; n <= steps; ++n) {
     frame.clear();
+    readings.clear();
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (n > 0) runs[k].step();
       for (Body body : all[k].bodies) {
         body.x.x += 8 * spacing * real(k);  // side by side
         frame.push_back(body);
       }
+      readings.push_back(reading_of(experiment_of(all[k], one, steps), names[k]));
     }
-    motion.frame(frame.data());
+    motion.frame(frame.data(), readings);
   }
   motion.write(choice.out + "/whips.motion.json");
   for (std::size_t k = 0; k < all.size(); ++k)

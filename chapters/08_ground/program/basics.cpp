@@ -63,6 +63,8 @@ void slide(const Choice& choice, std::vector<Summary>& lines) {
       Scene& scene = both.scene;
       Bodies& bodies = scene.world.bodies;
       const BodyId other = scene.box(10, both.size, both.body().x + real(2) * aside);
+      scene.shapes[both.box.slot].label = "turned";
+      scene.shapes[other.slot].label = "fixed";
       auto& fixed = stand(scene, both.ground, other, both.size, both.contact->friction);
       fixed.beta = choice.beta;
       fixed.turned_tangents = false;

@@ -17,16 +17,19 @@ void record(const std::string& title, const std::vector<Shown>& shown, const vec
     first += one.scene.world.bodies.slots();
   }
   std::vector<Body> frame;
+  std::vector<Reading> readings;
   for (int n = 0; n <= steps_in(seconds, shown[0].scene.h); ++n) {
     frame.clear();
+    readings.clear();
     for (std::size_t k = 0; k < shown.size(); ++k) {
       if (n > 0) shown[k].step();
       for (Body body : all_of(shown[k].scene.world.bodies)) {
         body.x += real(k) * apart;
         frame.push_back(body);
       }
+      readings.push_back(reading_of(experiment_of(shown[k].scene, 0), shown[k].name));
     }
-    motion.frame(frame.data());
+    motion.frame(frame.data(), readings);
   }
   motion.write(path);
 }

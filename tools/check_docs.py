@@ -3,6 +3,7 @@
 
 SITE_DIR is the folder html that docs.py made. Without a browser: links and pictures of all pages
 lead somewhere, every formula is drawn, each chapter shows a figure and a motion and has 15 links,
+each type of rows shows its C, J and K,
 the gallery has a picture for every recording, and the site is no larger than it may be. In headless
 Chromium: no page is wider than its window at 390 pixels, ten words of the texts are found, and
 every motion plays. Where there is no Chromium that is skipped, and the last line says so.
@@ -104,6 +105,15 @@ def bad_chapters(sources):
                 yield f"{page.name}: no {what}"
 
 
+def bad_types(sources):
+    """Types of rows whose pages do not show C, J and K."""
+    for page, html in sources.items():
+        if re.match(r"(struct|class)joints_1_1", page.name) and ">jacobian</a>" in html:
+            shown = html.count('<div class="of">')
+            if shown < 3:
+                yield f"{page.name} shows {shown} equations: name those of C, J and K in its code"
+
+
 def scenes_of(page):
     """The motions of a playing page, by name: title and what to watch; and its link back."""
     found = re.search(r'<script type="application/json" id="data">(.*?)</script>',
@@ -164,7 +174,9 @@ def browser_jobs(site, sources):
         for name, scene in scenes_of(page)[0].items():
             label = f"{scene['title']}, the solution: a picture that moves"
             look = ("document.querySelector('canvas').getAttribute('aria-label') + "
-                    "document.getElementById('frame').textContent")
+                    "document.getElementById('frame').textContent + "
+                    "(document.querySelector('figure output').value.includes('gap') ? '' "
+                    ": ', no readings')")
             yield browser.job(f"{page.as_uri()}?scene={name}&f=1", look), (
                 lambda said, page=page, name=name, label=label: None if said == f"{label}frame 1"
                 else f"motion/{page.name}: does not play {name}: {said}")
@@ -178,8 +190,8 @@ def main():
     site = Path(sys.argv[1]).resolve()
     sources = {page: page.read_text(encoding="utf-8") for page in sorted(site.glob("*.html"))
                if page.name != "live.html"}
-    bad = [*dead_links(site, sources), *bad_chapters(sources), *bad_gallery(site, sources),
-           *too_large(site)]
+    bad = [*dead_links(site, sources), *bad_chapters(sources), *bad_types(sources),
+           *bad_gallery(site, sources), *too_large(site)]
     if (site / "glyphs.js").exists():
         bad += bad_formulas(sources)
     if browser.there():

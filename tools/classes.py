@@ -34,7 +34,8 @@ def named():
             elif line.startswith("}"):
                 owner = None
             numbers = NUMBERS.findall(line)
-            before = before + numbers if line.startswith("///") else []
+            if not line.startswith("template"):
+                before = before + numbers if line.startswith("///") else []
             if owner:
                 found.setdefault(owner, []).extend(numbers)
     return {owner: list(dict.fromkeys(numbers)) for owner, numbers in found.items() if numbers}

@@ -8,6 +8,7 @@ program wrote them; where the learner's folder has a recording of the same name,
 by side.
 """
 import argparse
+import base64
 import json
 import re
 import sys
@@ -65,13 +66,31 @@ def read_run(path, label):
     return {"label": label, **run}
 
 
+def coded(numbers):
+    """Whole numbers as text, the small ones short: seven bits a byte, the sign in the lowest."""
+    out = bytearray()
+    for number in numbers:
+        rest = 2 * number if number >= 0 else -2 * number - 1
+        while rest > 127:
+            out.append(rest & 127 | 128)
+            rest >>= 7
+        out.append(rest)
+    return base64.b64encode(out).decode()
+
+
 def packed(run):
-    """A run whose frames are whole numbers of a ten-thousandth, each less the one before."""
+    """A run for the page: frames in whole ten-thousandths, each less the one before; of readings
+    the gaps and what energy was gained since the first frame, to the digits that are shown."""
     frames = [[round(1e4 * x) for x in frame] for frame in run["frames"]]
-    changes = [frames[0]] + [[b - a for a, b in zip(*pair)] for pair in zip(frames, frames[1:])]
+    before = [[0] * len(frames[0])] + frames
+    changes = [b - a for one, other in zip(before, frames) for a, b in zip(one, other)]
+
+    def rounded(number, digits):
+        return float(f"{number:.{digits}g}") if isfinite(number) else None
     whole = {key: value for key, value in run.items() if key not in ("frames", "readings")}
-    return {**whole, "changes": changes, "of": [of for of, _, _ in run["readings"][0]],
-            "readings": [[x if isfinite(x) else None for _, *pair in row for x in pair]
+    return {**whole, "changes": coded(changes), "of": [of for of, _, _ in run["readings"][0]],
+            "readings": [[cell for (_, gap, energy), first in zip(row, run["readings"][0])
+                          for cell in (rounded(gap, 2), rounded(energy - first[2], 3))]
                          for row in run["readings"]]}
 
 

@@ -60,8 +60,9 @@ struct Distance {
 
 /// A rope: a rod that cannot push. C >= 0 is the slack: the negative of the rod's C.
 ///
-/// C = length - |u| [m]; J is minus the rod's, K the rod's; bias C/h while there is slack, beta C/h
-/// otherwise (Eq. 1-11; set_up does it); its accumulated impulse must not become negative
+/// C = length - |u| [m], the negative of Eq. 1-13; J is minus the rod's (Eq. 1-15), K the rod's
+/// (Eq. 1-16); bias C/h while there is slack, beta C/h otherwise (Eq. 1-11; set_up does it); its
+/// accumulated impulse must not become negative
 /// (exercise 1.5). Removes one degree of freedom while taut.
 template <class Rod>
 struct Rope {

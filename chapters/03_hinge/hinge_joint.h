@@ -72,7 +72,8 @@ struct Leeway<HingeAngle> {
 };
 
 /// A hinge: a point and an axis are held (five degrees of freedom), the angle about the axis stays
-/// free and may have limits [rad] and a motor [rad/s, N m].
+/// free and may have limits [rad] and a motor [rad/s, N m]. What is held: Eq. 2-1 and Eq. 3-2; the
+/// rows: Eq. 2-4, Eq. 3-4, and of limit and motor Eq. 3-10; the whole block's K: Eq. 3-8.
 class HingeJoint : public DrivenJoint<Point, Axis, HingeAngle> {
  public:
   /// A hinge through a point of the world, about a direction of the world; the angle is zero at

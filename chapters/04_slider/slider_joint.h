@@ -25,7 +25,8 @@ inline void check(const Slide& slide) {
 }
 
 /// A slider: a line and the orientation are held (five degrees of freedom), the displacement along
-/// the line stays free and may have limits [m] and a motor [m/s, N].
+/// the line stays free and may have limits [m] and a motor [m/s, N]. What is held: Eq. 4-2 and
+/// Eq. 4-7; the rows: Eq. 4-4, Eq. 4-8, and of limit and motor Eq. 4-11; K: Eq. 3-8.
 class SliderJoint : public DrivenJoint<Line, RotationLock, Slide> {
  public:
   /// A slider along a direction of the world, between the anchors of both bodies (the same point

@@ -9,7 +9,8 @@
 /// @{
 namespace joints {
 
-/// A fixed joint, or weld: no relative motion of the two bodies stays free.
+/// A fixed joint, or weld: no relative motion of the two bodies stays free. What is held and
+/// the rows: Eq. 5-1; K: Eq. 2-6, Eq. 4-9 and between them Eq. 5-2.
 class FixedJoint : public Joint {
  public:
   Weld weld;          ///< the geometry; may be changed between steps

@@ -54,7 +54,8 @@ struct Edge {
 
 /// A = J M^-1 J^T of all joints: symmetric, and zero wherever two blocks share no body. It keeps
 /// the diagonal blocks and the blocks below them, also those that are zero now and will be filled.
-/// Number is double, or TwoLanes for the matrices of two alike sets of joints.
+/// Number is double, or TwoLanes for the matrices of two alike sets of joints. Its blocks: Eq. 9-2;
+/// their elimination: Eq. 9-4.
 template <class Number>
 struct JointMatrixOf {
   std::vector<Node> nodes;        ///< in the order of elimination, and one more behind the last
@@ -143,7 +144,7 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
 
 // ---- stiffness ----------------------------------------------------------------------------------
 
-/// A body that turns more slowly for one step.
+/// A body that turns more slowly for one step: Eq. 9-14, where Eq. 9-13 asks for it.
 struct Stiffened {
   vec3 inverse_inertia_local;  ///< inverse principal moments [1/(kg m^2)], body space
   vec3 w;                      ///< angular velocity [rad/s], world

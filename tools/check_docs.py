@@ -3,10 +3,10 @@
 
 SITE_DIR is the folder html that docs.py made. Without a browser: links and pictures of all pages
 lead somewhere, every formula is drawn, each chapter shows a figure and a motion and has 15 links,
-each type of rows shows its C, J and K,
-the gallery has a picture for every recording, and the site is no larger than it may be. In headless
-Chromium: no page is wider than its window at 390 pixels, ten words of the texts are found, and
-every motion plays. Where there is no Chromium that is skipped, and the last line says so.
+each type of rows shows its C, J and K, the gallery has a picture for every recording, and the site
+is no larger than it may be. In headless Chromium: no page is wider than its window at 390 pixels,
+ten words of the texts are found, and every motion plays. Where there is no Chromium that is
+skipped, and the last line says so.
 Exit status: 0 good or skipped, 1 something is wrong, 2 no site there.
 """
 import json

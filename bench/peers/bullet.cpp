@@ -179,6 +179,7 @@ std::vector<PeerSetting> bullet_settings(bool search) {
   add("Dantzig", {.solver = Solver::dantzig}, false, few);
   add("Dantzig erp 1", {.solver = Solver::dantzig, .erp = 1}, true, 100);
   add("Lemke", {.solver = Solver::lemke}, false, 50);
+  out.back().contacts = false;
   add_trees("", {}, true, 0);
   out.back().basic = true;
   add_trees(" 8 substeps", {.substeps = 8}, true);

@@ -74,12 +74,14 @@ struct PeerSetting {
   bool quick = false;           ///< also in the short form
   int most_joints = 0;          ///< on larger scenes a step takes too long; 0: on none
   bool basic = false;           ///< measured on large scenes, too
+  bool contacts = true;         ///< measured where bodies can touch, too
   bool slow = false;            ///< a step takes a tenth of a second on S1
   bool exact = false;           ///< it does not iterate: its first step has the true acceleration
   std::function<std::unique_ptr<Peer>(const PeerScene&)> make{};
 
   bool takes(const PeerScene& scene) const {
-    return most_joints == 0 || int(scene.joints.size()) <= most_joints;
+    return (most_joints == 0 || int(scene.joints.size()) <= most_joints) &&
+           (contacts || !scene.touches());
   }
   Setting setting() const;      ///< for the runner
 };

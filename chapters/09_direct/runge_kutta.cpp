@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/input.h"
 
 namespace joints {
 
 namespace {
+
+constexpr double exact = 1e-12;  // errors below this are rounding [m or rad]
 
 // Moves a body along its velocities for a while, which may be negative.
 void displace(Body& body, real time) {
@@ -36,7 +39,10 @@ void RungeKutta::step(World& world, real h) {
   sum_.assign(start_.size(), State{vec3(0), quat(0, 0, 0, 0), vec3(0), vec3(0)});
   const real at[] = {0, h / 2, h / 2, h}, share[] = {h / 6, h / 3, h / 3, h / 6};
   for (int stage = 0; stage < 4; ++stage) {
-    if (stage > 0) write(world.bodies, at[stage], slope_);
+    if (stage > 0) {
+      write(world.bodies, at[stage], slope_);
+      collect(world, world.blocks);
+    }
     find_slope(world, slope_);
     for (std::size_t k = 0; k < sum_.size(); ++k) {
       sum_[k].x += share[stage] * slope_[k].x;
@@ -76,21 +82,22 @@ void RungeKutta::collect(World& world, Blocks& blocks) {
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
 }
 
-// J'V of every row, the rate at which J V changes while V stays: a difference of fourth order.
+// J'V of every row, the rate at which J V changes while V stays: a central difference over a time
+// for which curvature and rounding leave about the same error.
 void RungeKutta::find_row_rates(World& world) {
   Bodies& bodies = world.bodies;
   real fastest = 1;
   for (int slot = 0; slot < bodies.slots(); ++slot)
     fastest = std::max(fastest, length(bodies.at(slot).w));
-  const real time = real(1e-3) / fastest;
+  const real time = std::cbrt(std::numeric_limits<real>::epsilon()) / fastest;
   rates_.assign(world.blocks.C.size(), 0);
   real now = 0;
-  for (const int k : {-2, -1, 1, 2}) {
-    const real then = real(k) * time;
+  for (const int side : {-1, 1}) {
+    const real then = real(side) * time;
     for (int slot = 0; slot < bodies.slots(); ++slot) displace(bodies.at(slot), then - now);
     now = then;
     collect(world, displaced_);
-    const double share = (k % 2 == 0 ? -1 : 8) * (k < 0 ? -1 : 1) / (12 * double(time));
+    const double share = side / (2 * double(time));
     for (const Block& block : displaced_.list)
       for (int i = 0; i < block.rows; ++i)
         rates_[block.first + i] += share * double(row_velocity(displaced_.J[block.first + i],
@@ -102,7 +109,6 @@ void RungeKutta::find_row_rates(World& world) {
 
 void RungeKutta::find_slope(World& world, std::vector<State>& slope) {
   Bodies& bodies = world.bodies;
-  collect(world, world.blocks);
   solver_.prepare(bodies, world.blocks, 0, h_);
   solver_.factor_now();
   find_row_rates(world);
@@ -131,18 +137,22 @@ void RungeKutta::find_slope(World& world, std::vector<State>& slope) {
     slope[slot].v = bodies.at(slot).v, slope[slot].w = bodies.at(slot).w;
 }
 
-// Poses by Newton's method, then velocities.
+// Poses by Newton's method, until they are exact or twice, then velocities.
 void RungeKutta::project(World& world) {
   Bodies& bodies = world.bodies;
   read(bodies);  // start_ holds the velocities meanwhile
   for (int slot = 0; slot < bodies.slots(); ++slot) bodies.at(slot).v = bodies.at(slot).w = vec3(0);
-  for (int n = 0; n < 3; ++n) {
+  for (int n = 0;; ++n) {
     collect(world, world.blocks);
     solver_.prepare(bodies, world.blocks, 0, h_);
     solver_.factor_now();
-    if (n == 2) break;
-    rates_.assign(world.blocks.C.begin(), world.blocks.C.end());
-    for (double& rate : rates_) rate = -rate;
+    rates_.clear();
+    double largest = 0;
+    for (const real C : world.blocks.C) {
+      rates_.push_back(-double(C));
+      largest = std::max(largest, std::abs(double(C)));
+    }
+    if (n == 2 || largest < exact) break;
     solver_.change_rates(bodies, rates_);
     for (int slot = 0; slot < bodies.slots(); ++slot) {
       displace(bodies.at(slot), 1);

@@ -10,7 +10,7 @@ namespace joints {
 
 /// Moves a world by the Runge-Kutta method of order 4. The constraint forces are those that make
 /// every C'' zero; after a step, positions and velocities are projected onto the constraints. Rows
-/// are appended 24 times a step: slow, and exact. For rows without bounds: no limits, motors, ropes
+/// are appended about 14 times a step: slow, and exact. For rows without bounds: no limits, motors, ropes
 /// and contacts. Joint forces are not reported.
 class RungeKutta {
  public:

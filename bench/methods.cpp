@@ -37,7 +37,7 @@ MakeScene of_chapter_9(const std::function<Scene()>& make) {
 }
 
 std::vector<Entry> scenes(bool quick) {
-  const std::string both = iterated + " velocity shake stiff", plain = "si30 velocity shake";
+  const std::string both = iterated + " velocity shake stiff", few = "si30 velocity shake";
   const Span ten_seconds{.steps = 600, .timed = 80}, one_second{.steps = 60, .timed = 60};
   std::vector<Entry> list = {
       {.name = "S1", .makes = {[] { return cubes_on_hinges(10, 100); }},
@@ -53,8 +53,9 @@ std::vector<Entry> scenes(bool quick) {
        .methods = both},
       {.name = "hung 10 with 1 t", .makes = {[] { return hung_chain(10, 1000); }},
        .span = ten_seconds, .methods = both},
-      {.name = "arm", .makes = {arm}, .span = one_second, .methods = both},
-      {.name = "motor", .makes = {driven_crane}, .span = one_second, .methods = both},
+      {.name = "arm", .makes = {arm}, .span = one_second, .methods = both + " plain placed"},
+      {.name = "motor", .makes = {driven_crane}, .span = one_second,
+       .methods = both + " plain placed"},
       {.name = "limit", .makes = {stopped_crane}, .span = ten_seconds, .methods = both},
       {.name = "planks", .makes = {loaded_planks}, .span = ten_seconds, .methods = both},
       {.name = "ragdoll", .makes = {[] { return ragdolls(1); }}, .span = ten_seconds,
@@ -62,17 +63,17 @@ std::vector<Entry> scenes(bool quick) {
       {.name = "ragdolls 5000", .makes = {[] { return ragdolls(5000); }},
        .span = {.steps = 120, .timed = 40}, .methods = "si30 lanes10 velocity"},
       {.name = "chain of 1000", .makes = {[] { return cubes_on_hinges(1, 1001); }},
-       .methods = plain},
+       .methods = few},
       {.name = "beam of 10", .makes = {[] { return welded_beam(10); }}, .methods = both},
       {.name = "beam of 20", .makes = {[] { return welded_beam(20); }}, .methods = both},
       {.name = "net 6x6", .makes = {of_chapter_9([] { return chapter9::net(6); })},
        .methods = both},
       {.name = "four-bars 10", .makes = {of_chapter_9([] { return chapter9::four_bars(10); })},
-       .methods = plain},
+       .methods = few},
       {.name = "four-bars 40", .makes = {of_chapter_9([] { return chapter9::four_bars(40); })},
-       .methods = plain},
+       .methods = few},
       {.name = "Bricard", .makes = {of_chapter_9(chapter9::bricard)},
-       .span = {.h = real(1) / 240, .steps = 2400, .timed = 200}, .methods = plain}};
+       .span = {.h = real(1) / 240, .steps = 2400, .timed = 200}, .methods = few}};
   for (const int arms : {12, 40, 100})
     list.push_back({.name = "star of " + std::to_string(arms),
                     .makes = {of_chapter_9([=] { return chapter9::star(arms); })},
@@ -100,7 +101,7 @@ std::vector<Entry> scenes(bool quick) {
       list.push_back({.name = std::to_string(99 * chains) + " hinges",
                       .makes = {[=] { return cubes_on_hinges(chains, 100); }},
                       .span = {.steps = chains < 100 ? 120 : 30, .timed = chains < 100 ? 120 : 30},
-                      .methods = plain});
+                      .methods = few});
   for (const bool tree : {false, true})
     for (const int exponent : {0, 2, 4, 6}) {
       Entry entry{.name = std::string(tree ? "random trees" : "random chains") + " 1e" +

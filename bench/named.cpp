@@ -10,8 +10,11 @@ namespace joints::bench {
 
 Setting setting_of(const std::string& method) {
   const Way direct{.loop = Loop::direct, .beta = 1, .leapfrog = true};
-  Way shake = direct, stiff = direct;
+  Way shake = direct, stiff = direct, plain = direct;
   shake.newton = stiff.newton = 8;
+  plain.leapfrog = false;
+  Way placed = plain;
+  placed.newton = 8;
   stiff.stiffness = 8;
   const struct {
     std::string word;
@@ -32,6 +35,8 @@ Setting setting_of(const std::string& method) {
                {"textbook", {.loop = Loop::textbook}},
                {"velocity", direct},
                {"shake", shake},
+               {"plain", plain},
+               {"placed", placed},
                {"stiff", stiff},
                {"rk4", {.loop = Loop::runge_kutta, .beta = 1}}};
   for (const auto& one : known)

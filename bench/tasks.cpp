@@ -91,7 +91,7 @@ BenchScene arm() {
     const glm::dvec3 along(drive.length, 0, 0);
     const BodyId link = scene.box(real(drive.mass), size, vec3(place + 0.5 * along));
     HingeJoint& hinge = join_by_hinge(scene, before, link, vec3(place), vec3(drive.axis));
-    hinge.set_motor(real(drive.speed), 5000);
+    hinge.set_motor(real(drive.speed), 100000);  // at speed within a thousandth of the first step
     turned = turned * glm::angleAxis(drive.speed, drive.axis);
     place += along;
     end += turned * along;

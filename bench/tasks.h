@@ -11,8 +11,8 @@ namespace joints::bench {
 /// Cubes of 100 kg and 0.4 m that hang below each other, 1 m apart, and one of `load` kg at the
 /// end. Nothing should move. Finding: how far the load has gone down.
 BenchScene hung_chain(int cubes, double load);
-/// The same of 100 kg throughout, on soft joints. Finding: how far the load has gone down, where the
-/// springs' own lengths are expected. \param frequency of each joint and its bodies [Hz]
+/// The same of 100 kg throughout, on soft joints. Finding: how far the load has gone down; what the
+/// springs' own lengths are is expected. \param frequency of each joint and its bodies [Hz]
 BenchScene sprung_chain(int cubes, double frequency);
 /// S3b. Finding: by how much all of its links together are too long at the end.
 BenchScene rope_bridge();

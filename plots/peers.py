@@ -2,6 +2,7 @@
 """Draws our settings and those of the published engines, error against time, one figure a scene.
 
 peers.py --csv out/peers.csv [--stored bench/peers.csv] --out DIR
+peers.py --csv bench/measured/peers.csv --together docs/beside.svg
 """
 import re
 
@@ -16,6 +17,16 @@ STORED_NUMBERS = ["us_per_step", "gap_max_m", "tip_error_m"]
 STORED_WORDS = ["engine", "setting", "scene"]
 LOOKS = {"ours": (COLOURS[0], "o"), "Bullet": (COLOURS[1], "s"), "ODE": (COLOURS[2], "D"),
          "MuJoCo": (COLOURS[3], "^")}
+# What is drawn together: a column, and what the panel is about.
+TOGETHER = {"S1": ("tip_error_m", "ten chains of 100 hinges (S1): the tip after 1 s"),
+            "S5": ("tip_error_m", "three hinges (S5): the tip after 1 s"),
+            "S7": ("gap_max_m", "gravity sideways (S7): largest gap"),
+            "S3b": ("gap_max_m", "rope bridge with 100 kg (S3b): largest gap"),
+            "arm": ("found", "arm with six drives: the tool after 1 s"),
+            "beam of 20": ("gap_max_m", "beam of 20 welded cubes: largest gap")}
+SHORT = {"velocity": "direct", "shake": "direct, positions", "stiff": "direct, stiffness",
+         "si30": "30 iterations", "beta1": "beta 1", "4x8": "4 x 8", "omega": "over-relaxed",
+         "lanes": "lanes", "chapter7": "chapter 7's loop", "rk4": "Runge-Kutta"}
 LOST = ("nan", "exploded", "energy+")
 LEAST = 1e-4  # [mm]: what is better stands at the lower edge
 
@@ -88,12 +99,59 @@ def draw_one(table, values, words, stored, scene, path, name):
     style.save(figure, path)
 
 
+def looks_of(table, engine, real):
+    at = (table["engine"] == engine) & (table["real"] == real)
+    return at & ~np.isin(table["status"], LOST)
+
+
+def draw_together(table, path):
+    """The scenes in small, each with its front and the names on it."""
+    figure, axes = style.figure("Error against time of a step: nothing is both faster and better "
+                                "than the grey line", panels=2, rows=3)
+    figure.set_size_inches(style.WIDTH + 1, 2.3 * style.HEIGHT)
+    for ax, (scene, (column, title)) in zip(axes.flat, TOGETHER.items()):
+        mine = style.rows(table, scene=scene)
+        x, y = mine["us_per_step"], 1000 * mine[column]
+        if column == "found":
+            y = np.abs(mine["found"] - mine["expected"])
+        good = ~np.isin(mine["status"], LOST) & np.isfinite(y) & (y < 1e4)
+        y = np.clip(y, LEAST, None)
+        line = [k for k in front(np.where(good, x, np.inf), np.where(good, y, np.inf)) if good[k]]
+        ax.step(np.append(x[line], x[good].max()), np.append(y[line], y[line[-1]]), where="post",
+                color=PALE, linewidth=1.2, zorder=1)
+        for engine, (colour, marker) in LOOKS.items():
+            for real, full in (("float", True), ("double", False)):
+                at = looks_of(mine, engine, real) & good
+                ax.plot(x[at], y[at], marker, color=colour, markersize=4.5, zorder=3,
+                        markerfacecolor=colour if full else "white",
+                        label=f"{engine}, {real}" if at.any() else None)
+        for k in line:
+            ours = mine["engine"][k] == "ours"
+            words = SHORT[mine["setting"][k]] if ours else mine["setting"][k]
+            ax.annotate(words, (x[k], y[k]), xytext=(4, 4), fontsize=6.5,
+                        textcoords="offset points", color=LOOKS[mine["engine"][k]][0])
+        ax.set_xscale("log")
+        ax.set_yscale("log")
+        ax.set_ylim(LEAST / 3, None)
+        ax.set_title(title, fontsize=9, loc="left")
+        ax.set_ylabel("error  [mm]")
+    for ax in axes[-1]:
+        ax.set_xlabel("time of a step  [us]")
+    axes[0, 0].legend(loc="upper right", fontsize=6.5)
+    style.save(figure, path / path.stem)
+
+
 def main():
     given = style.arguments("Draws ours beside the published engines.",
                             csv="the table that ./wb bench --peers writes",
                             stored="optional: figures of engines that are not packaged",
-                            out="folder of the figures")
+                            together="optional: a drawing of some scenes in small, an SVG",
+                            out="optional: folder of the figures, one a scene")
     table = style.rows(style.read_csv(given.csv, NUMBERS, WORDS, "./wb bench --peers"))
+    if given.together:
+        draw_together(table, given.together)
+    if not given.out:
+        return
     stored = style.rows(style.read_csv(given.stored, STORED_NUMBERS, STORED_WORDS, "")) \
         if given.stored else None
     given.out.mkdir(parents=True, exist_ok=True)

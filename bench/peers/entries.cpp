@@ -38,8 +38,8 @@ BenchScene box_on_slope(double angle) {
 
 std::vector<PeerEntry> peer_entries(bool quick) {
   const Span ten_seconds{.steps = 600, .timed = 80}, one_second{.steps = 60, .timed = 60};
-  const std::string all = "si30 beta1 4x8 omega velocity shake", stiff = all + " stiff",
-                    contacts = "si30 4x8 lanes10 velocity";
+  const std::string all = "si30 beta1 4x8 16x2 omega velocity shake", stiff = all + " stiff",
+                    contacts = "si30 4x8 16x2 lanes10 velocity";
   std::vector<PeerEntry> list = {
       {.name = "S1", .make = [] { return cubes_on_hinges(10, 100); },
        .ours = "si30 beta1 4x8 lanes chapter7 velocity shake stiff rk4",
@@ -49,17 +49,18 @@ std::vector<PeerEntry> peer_entries(bool quick) {
       {.name = "S2 R=1000", .make = [] { return heavy_end(1000); }, .ours = stiff},
       {.name = "S3", .make = [] { return hanging_bridge(true); }, .ours = stiff},
       {.name = "S3b", .make = rope_bridge, .ours = stiff},
-      {.name = "S4m", .make = driven_crane, .span = one_second},
-      {.name = "S4l", .make = stopped_crane, .span = ten_seconds},
+      {.name = "S4m", .make = driven_crane, .span = one_second, .ours = stiff + " plain placed"},
+      {.name = "S4l", .make = stopped_crane, .span = ten_seconds, .ours = stiff},
       {.name = "S5", .make = [] { return cubes_on_hinges(1, 4); }, .ours = all + " rk4"},
       {.name = "S6", .make = loaded_axes, .ours = all + " rk4"},
       {.name = "S7", .make = sideways_gravity,
        .ours = "si30 beta1 4x8 lanes velocity shake stiff"},
       {.name = "hung chain with 1 t", .make = [] { return hung_chain(10, 1000); },
        .span = ten_seconds, .ours = stiff},
-      {.name = "hung ragdoll", .make = hung_ragdoll, .span = ten_seconds},
+      {.name = "hung ragdoll", .make = hung_ragdoll, .span = ten_seconds,
+       .ours = stiff + " split"},
       {.name = "beam of 20", .make = [] { return welded_beam(20); }, .ours = stiff},
-      {.name = "arm", .make = arm, .span = one_second},
+      {.name = "arm", .make = arm, .span = one_second, .ours = stiff + " split plain placed"},
       {.name = "box at rest", .make = [] { return box_on_slope(0); }, .ours = contacts},
       {.name = "box on a slope", .make = [] { return box_on_slope(0.35); }, .ours = contacts},
       {.name = "planks", .make = loaded_planks, .span = ten_seconds, .ours = contacts},

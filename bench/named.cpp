@@ -39,8 +39,15 @@ Setting setting_of(const std::string& method) {
                {"placed", placed},
                {"stiff", stiff},
                {"rk4", {.loop = Loop::runge_kutta, .beta = 1}}};
-  for (const auto& one : known)
-    if (one.word == method) return one.way.setting(one.iterations);
+  const std::size_t slash = method.find('/');
+  for (auto one : known) {
+    if (one.word != method.substr(0, slash)) continue;
+    if (slash != std::string::npos) {
+      one.way.substeps = std::stoi(method.substr(slash + 1));
+      one.iterations *= one.way.substeps;
+    }
+    return one.way.setting(one.iterations);
+  }
   refuse("method " + method + ": there is none of this name");
 }
 

@@ -216,7 +216,8 @@ Step step_of(const Way& way, int iterations) {
 }  // namespace
 
 Setting Way::setting(int iterations_a_step) const {
-  Setting setting{solver(), name, iterations_of(iterations_a_step), warm, {}, {}, {}, leapfrog};
+  Setting setting{solver(), name, iterations_of(iterations_a_step), warm, {}, {}, {},
+                  leapfrog && substeps == 1, leapfrog && substeps > 1};
   const auto loop = std::make_shared<std::unique_ptr<OwnLoop>>();
   setting.make = [way = *this, iterations = setting.iterations, loop] {
     return way.loop == Loop::hinges ? of_chapter_7(way, iterations, loop)

@@ -3,6 +3,7 @@
 scenes, once over mass ratio, step, length and stiffness.
 
 methods.py --csv out/methods.csv --out DIR
+methods.py --csv bench/measured/methods.csv --maps docs/maps.svg
 """
 import numpy as np
 
@@ -13,12 +14,13 @@ NUMBERS = ["us_per_step", "gap_max_m", "expected", "found"]
 WORDS = ["scene", "real", "method", "status"]
 ORDER = ["si30", "beta1", "4x8", "16x2", "warm", "projection", "split", "relax",
          "omega", "velocity", "shake",
-         "stiff", "rk4"]
+         "stiff", "velocity/8", "shake/8", "stiff/8", "rk4"]
 TITLES = {"si30": "30\niterations", "beta1": "beta 1", "4x8": "4 substeps\nof 8",
           "16x2": "16 substeps\nof 2", "warm": "warm and\nprojection", "projection": "projection",
           "split": "split\nimpulse", "relax": "soft and\nrelax",
           "omega": "over-relaxed\n1.9", "velocity": "direct", "shake": "direct,\npositions",
-          "stiff": "direct,\nstiffness", "rk4": "Runge-\nKutta"}
+          "stiff": "direct,\nstiffness", "velocity/8": "direct,\n8 substeps", "shake/8": "positions,\n8 substeps",
+          "stiff/8": "stiffness,\n8 substeps", "rk4": "Runge-\nKutta"}
 MAPS = {"heavy end": ("mass ratio of the end of 20 links", "gap_max_m"),
         "steps per s": ("steps per second, the end 100 links heavy", "gap_max_m"),
         "links": ("hinges of a chain that swings", "gap_max_m"),
@@ -114,14 +116,18 @@ def draw_maps(rows, methods, path):
 def main():
     given = style.arguments("Draws a map of every method on every scene.",
                             csv="the table that ./wb bench --methods writes",
-                            out="folder of the figures")
+                            maps="optional: the maps over one number each, an SVG",
+                            out="optional: folder of the figures")
     table = style.rows(style.read_csv(given.csv, NUMBERS, WORDS, "./wb bench --methods"),
                        real="double")
     rows = [dict(zip(table, cells)) for cells in zip(*table.values())]
     methods = [name for name in ORDER if name in table["method"]]
-    draw_scenes(rows, methods, given.out / "methods")
-    if any(": " in row["scene"] for row in rows):
-        draw_maps(rows, methods, given.out / "methods_maps")
+    if given.maps:
+        draw_maps(rows, methods, given.maps / given.maps.stem)
+    if given.out:
+        draw_scenes(rows, methods, given.out / "methods")
+        if any(": " in row["scene"] for row in rows):
+            draw_maps(rows, methods, given.out / "methods_maps")
 
 
 if __name__ == "__main__":

@@ -132,6 +132,7 @@ def draw_together(table, path):
                         textcoords="offset points", color=LOOKS[mine["engine"][k]][0])
         ax.set_xscale("log")
         ax.set_yscale("log")
+        ax.minorticks_off()
         ax.set_ylim(LEAST / 3, None)
         ax.set_title(title, fontsize=9, loc="left")
         ax.set_ylabel("error  [mm]")

@@ -18,7 +18,9 @@ WORDS = {
     "chapter7": "chapter 7's loop on lanes, 20 iterations, over-relaxed by 1.9",
     "textbook": "a class a joint, 30 iterations",
     "velocity": "direct: one exact solve a step", "shake": "direct, positions too",
-    "plain": "velocity without leapfrog", "placed": "shake without leapfrog",
+    "velocity/8": "velocity in 8 substeps", "shake/8": "shake in 8 substeps",
+    "stiff/8": "stiff in 8 substeps", "plain": "velocity without leapfrog",
+    "placed": "shake without leapfrog",
     "stiff": "direct, positions, stiffness 8", "rk4": "direct, Runge-Kutta"}
 
 

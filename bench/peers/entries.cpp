@@ -38,11 +38,12 @@ BenchScene box_on_slope(double angle) {
 
 std::vector<PeerEntry> peer_entries(bool quick) {
   const Span ten_seconds{.steps = 600, .timed = 80}, one_second{.steps = 60, .timed = 60};
-  const std::string all = "si30 beta1 4x8 16x2 omega velocity shake", stiff = all + " stiff",
-                    contacts = "si30 4x8 16x2 lanes10 velocity";
+  const std::string all = "si30 beta1 4x8 16x2 omega velocity shake velocity/8 shake/8",
+                    stiff = all + " stiff",
+                    contacts = "si30 4x8 16x2 lanes10 velocity velocity/4";
   std::vector<PeerEntry> list = {
       {.name = "S1", .make = [] { return cubes_on_hinges(10, 100); },
-       .ours = "si30 beta1 4x8 lanes chapter7 velocity shake stiff rk4",
+       .ours = "si30 beta1 4x8 lanes chapter7 velocity shake stiff velocity/4 shake/4 rk4",
        .slow = true},
       {.name = "S2 R=1", .make = [] { return heavy_end(1); }, .ours = stiff, .quick = false},
       {.name = "S2 R=100", .make = [] { return heavy_end(100); }, .ours = stiff},
@@ -54,7 +55,7 @@ std::vector<PeerEntry> peer_entries(bool quick) {
       {.name = "S5", .make = [] { return cubes_on_hinges(1, 4); }, .ours = all + " rk4"},
       {.name = "S6", .make = loaded_axes, .ours = all + " rk4"},
       {.name = "S7", .make = sideways_gravity,
-       .ours = "si30 beta1 4x8 lanes velocity shake stiff"},
+       .ours = "si30 beta1 4x8 lanes velocity shake stiff velocity/4 shake/4"},
       {.name = "hung chain with 1 t", .make = [] { return hung_chain(10, 1000); },
        .span = ten_seconds, .ours = stiff},
       {.name = "hung ragdoll", .make = hung_ragdoll, .span = ten_seconds,

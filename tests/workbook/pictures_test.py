@@ -77,7 +77,21 @@ def results_are_drawn_from_what_the_programs_measure(root, build):
         yield from differences(root, pairs, jobs)
 
 
-PROOFS = [geometry_is_what_its_script_draws, results_are_drawn_from_what_the_programs_measure]
+def kept_tables_are_drawn(root, build):
+    """the figures of docs/ are drawn from the measurements that are kept"""
+    measured = root / "bench" / "measured"
+    with tempfile.TemporaryDirectory() as folder:
+        pairs, jobs = [], []
+        for name, script, table, option in (("beside.svg", "peers.py", "peers.csv", "--together"),
+                                            ("maps.svg", "methods.py", "methods.csv", "--maps")):
+            made = Path(folder) / name
+            pairs.append((root / "docs" / name, made))
+            jobs.append((script, "--csv", measured / table, option, made))
+        yield from differences(root, pairs, jobs)
+
+
+PROOFS = [geometry_is_what_its_script_draws, results_are_drawn_from_what_the_programs_measure,
+          kept_tables_are_drawn]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iterator>
 #include <sstream>
 
@@ -43,7 +44,8 @@ Setting setting_of(const std::string& method) {
   for (auto one : known) {
     if (one.word != method.substr(0, slash)) continue;
     if (slash != std::string::npos) {
-      one.way.substeps = std::stoi(method.substr(slash + 1));
+      one.way.substeps = std::atoi(method.c_str() + slash + 1);
+      if (one.way.substeps < 1) refuse("method " + method + ": how many substeps?");
       one.iterations *= one.way.substeps;
     }
     return one.way.setting(one.iterations);

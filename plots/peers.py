@@ -9,7 +9,7 @@ import re
 import numpy as np
 
 import style
-from style import COLOURS, INK, PALE
+from style import COLOURS, PALE
 
 NUMBERS = ["us_per_step", "gap_max_m", "tip_error_m", "expected", "found"]
 WORDS = ["engine", "real", "scene", "setting", "status", "finding"]
@@ -26,7 +26,9 @@ TOGETHER = {"S1": ("tip_error_m", "ten chains of 100 hinges (S1): the tip after 
             "beam of 20": ("gap_max_m", "beam of 20 welded cubes: largest gap")}
 SHORT = {"velocity": "direct", "shake": "direct, positions", "stiff": "direct, stiffness",
          "si30": "30 iterations", "beta1": "beta 1", "4x8": "4 x 8", "omega": "over-relaxed",
-         "lanes": "lanes", "chapter7": "chapter 7's loop", "rk4": "Runge-Kutta"}
+         "16x2": "16 x 2", "split": "split impulse", "lanes": "lanes", "lanes10": "lanes",
+         "chapter7": "chapter 7's loop", "rk4": "Runge-Kutta", "plain": "direct, no leapfrog",
+         "placed": "positions, no leapfrog"}
 LOST = ("nan", "exploded", "energy+")
 LEAST = 1e-4  # [mm]: what is better stands at the lower edge
 
@@ -68,9 +70,12 @@ def draw_one(table, values, words, stored, scene, path, name):
         return
     top = 3 * max(values[good].max(), 10 * LEAST)
     y = np.where(lost, top, np.clip(values, LEAST, top))
-    figure, ax = style.figure(f"{scene}: ours and the published engines, one run")
-    figure.set_size_inches(style.WIDTH + 1, style.HEIGHT + 1)
     line = [k for k in front(np.where(good, x, np.inf), np.where(good, y, np.inf)) if good[k]]
+    winners = list(dict.fromkeys(table["engine"][k] for k in line))
+    figure, ax = style.figure(f"{scene}: " + (
+        "ours is the fastest at every error" if winners == ["ours"]
+        else f"{', '.join(winners)} on the front"))
+    figure.set_size_inches(style.WIDTH + 1, style.HEIGHT + 1)
     ax.step(np.append(x[line], x.max() * 1.3), np.append(y[line], y[line[-1]]), where="post",
             color=PALE, linewidth=1.2, zorder=1, label="_front")
     for engine, (colour, marker) in LOOKS.items():
@@ -92,11 +97,29 @@ def draw_one(table, values, words, stored, scene, path, name):
     ax.set_xlabel("time of a step  [us]; grey line: nothing is both faster and better; cross: "
                   "lost or energy gained")
     ax.set_ylabel(words)
-    for k in line:
-        ax.annotate(f"{table['setting'][k]}", (x[k], y[k]), xytext=(5, 5), fontsize=7,
-                    textcoords="offset points", color=LOOKS.get(table["engine"][k], (INK,))[0])
+    name_front(ax, table, line, x, y)
     ax.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False, fontsize=8)
     style.save(figure, path)
+
+
+def called(engine, setting):
+    """What stands beside a point: direct, 8 substeps."""
+    if engine != "ours":
+        return setting
+    word, _, substeps = setting.partition("/")
+    return SHORT[word] + (f", {substeps} substeps" if substeps else "")
+
+
+def name_front(ax, table, line, x, y):
+    """What stands on the front, beside its points; once where float and double are neighbours."""
+    before, middle = "", np.sqrt(x.min() * x.max())
+    for k in line:
+        words, left = called(table["engine"][k], table["setting"][k]), x[k] > middle
+        if words != before:
+            ax.annotate(words, (x[k], y[k]), xytext=(-4 if left else 4, 4), fontsize=6.5,
+                        ha="right" if left else "left", textcoords="offset points",
+                        color=LOOKS[table["engine"][k]][0])
+        before = words
 
 
 def looks_of(table, engine, real):
@@ -125,11 +148,7 @@ def draw_together(table, path):
                 ax.plot(x[at], y[at], marker, color=colour, markersize=4.5, zorder=3,
                         markerfacecolor=colour if full else "white",
                         label=f"{engine}, {real}" if at.any() else None)
-        for k in line:
-            ours = mine["engine"][k] == "ours"
-            words = SHORT[mine["setting"][k]] if ours else mine["setting"][k]
-            ax.annotate(words, (x[k], y[k]), xytext=(4, 4), fontsize=6.5,
-                        textcoords="offset points", color=LOOKS[mine["engine"][k]][0])
+        name_front(ax, mine, line, x, y)
         ax.set_xscale("log")
         ax.set_yscale("log")
         ax.minorticks_off()

@@ -143,7 +143,7 @@ def main(quick=False, search=False):
               "--no-install-recommends " + " ".join(missing))
     if len(missing) == len(PACKAGES):
         raise house.Trouble("bench --peers: none of the engines is installed")
-    print("the published engines beside ours: about " + ("four" if quick else "eight")
+    print("the published engines beside ours: about " + ("four" if quick else "twenty")
           + " minutes; leave the machine alone meanwhile", flush=True)
     busy = load()
     if busy > BUSY:

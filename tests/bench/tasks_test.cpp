@@ -1,0 +1,78 @@
+// The scenes that are for something: what they find, where it is known, and the methods' words.
+#include "bench/named.h"
+#include "bench/tasks.h"
+#include "tests/checker/catch.h"
+#include "tests/oracle/oracle.h"
+
+using namespace joints;
+using namespace joints::bench;
+using namespace joints::testing;
+
+namespace {
+
+// How far a scene's finding is from what is expected of it.
+double miss(const MakeScene& make, const std::string& method, int steps) {
+  const Finding finding = make().finding;
+  return std::abs(run(make, setting_of(method), 1, {.steps = steps}).found - finding.expected);
+}
+
+}  // namespace
+
+TEST_CASE("an arm whose joints and drives are exact has its tool where their angles put it") {
+  CHECK(miss(arm, "placed", 60) < tolerance(0.02, 0.5));      // [mm]
+  CHECK(miss(arm, "plain", 60) > 0.1);                        // velocities alone drift
+  CHECK(miss(arm, "shake", 60) > 3 * miss(arm, "placed", 60));  // a drive and the gyroscopic torque
+  CHECK(miss(arm, "si30", 60) > 100);
+}
+
+TEST_CASE("a chain of soft joints gives way by the sum of what its springs do") {
+  for (const double hertz : {20.0, 60.0}) {
+    const MakeScene chain = [=] { return sprung_chain(10, hertz); };
+    CHECK(chain().finding.expected ==
+          Approx(9810 / std::pow(2 * 3.14159265358979 * hertz, 2) * (11 + 2 * 55)));
+    CHECK(miss(chain, "velocity", 600) < tolerance(1e-3, 0.05));
+    CHECK(miss(chain, "si30", 600) > 0.01);
+  }
+}
+
+TEST_CASE("what hangs on exact joints stays, and a beam of welds does not sag") {
+  CHECK(miss([] { return hung_chain(10, 1000); }, "velocity", 300) < tolerance(1e-6, 1e-2));
+  CHECK(miss([] { return hung_chain(10, 1000); }, "si30", 300) > 1);
+  CHECK(miss([] { return welded_beam(20); }, "velocity", 300) < tolerance(1e-6, 1));
+  CHECK(miss([] { return welded_beam(20); }, "si30", 300) > 1000);
+}
+
+TEST_CASE("the links of a loaded rope bridge keep their length with stiffness") {
+  CHECK(miss(rope_bridge, "stiff", 300) < tolerance(1e-4, 1));
+  CHECK(miss(rope_bridge, "si30", 300) > 1000);
+}
+
+TEST_CASE("a crane has the speed of its motor after a second, and rests at its limit") {
+  CHECK(miss(driven_crane, "placed", 60) < 1e-4);   // [rad/s]
+  CHECK(miss(stopped_crane, "velocity", 600) < 0.01);  // [degrees]
+}
+
+TEST_CASE("a method's word may name substeps, and one that is none is refused") {
+  const MakeScene chain = [] { return cubes_on_hinges(1, 4); };
+  const auto tip = [&](const std::string& method) {
+    return run(chain, setting_of(method), 1, {.steps = 60}).tip_error;
+  };
+  CHECK(tip("shake/4") < 0.08 * tip("shake"));  // second order: a sixteenth
+  CHECK(tip("shake/1") == tip("shake"));
+  CHECK_THROWS_AS(setting_of("shaken"), std::invalid_argument);
+  CHECK_THROWS_AS(setting_of("shake/none"), std::invalid_argument);
+}
+
+TEST_CASE("a table keeps one scene by its name and refuses one that is not there") {
+  struct Entry {
+    std::string name;
+  };
+  std::vector<Entry> list{{"a"}, {"b"}};
+  CHECK_THROWS_AS(keep_named(list = {{"a"}}, "b", &Entry::name), std::invalid_argument);
+  list = {{"a"}, {"b"}};
+  keep_named(list, "", &Entry::name);
+  CHECK(list.size() == 2);
+  keep_named(list, "b", &Entry::name);
+  CHECK((list.size() == 1 && list[0].name == "b"));
+  CHECK(words("a  bc d") == std::vector<std::string>{"a", "bc", "d"});
+}

@@ -88,7 +88,8 @@ def draw_maps(rows, methods, path):
     """A panel for each number that changes: its values are the columns, the methods the rows."""
     methods = [name for name in methods if any(
         row["method"] == name and ": " in row["scene"] for row in rows)]
-    figure, axes = style.figure("What each method bears: mass ratio, step, length, stiffness",
+    figure, axes = style.figure("Only the direct solver with stiffness bears every mass ratio, step "
+                                "and spring",
                                 panels=2, rows=2, sharey=True)
     figure.set_size_inches(style.WIDTH + 1.5, 0.62 * len(methods) + 1.6)
     for ax, (family, (title, measure)) in zip(axes.flat, MAPS.items()):

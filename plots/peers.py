@@ -111,24 +111,20 @@ def called(engine, setting):
 
 
 def name_front(ax, table, line, x, y):
-    """What stands on the front, beside its points; once where float and double are neighbours."""
-    before, middle = "", np.sqrt(x.min() * x.max())
+    """What stands on the front, beside its points; not where it is hardly better than the last."""
+    last, middle = np.inf, np.sqrt(x.min() * x.max())
     for k in line:
-        words, left = called(table["engine"][k], table["setting"][k]), x[k] > middle
-        if words != before:
-            ax.annotate(words, (x[k], y[k]), xytext=(-4 if left else 4, 4), fontsize=6.5,
-                        ha="right" if left else "left", textcoords="offset points",
-                        color=LOOKS[table["engine"][k]][0])
-        before = words
-
-
-def looks_of(table, engine, real):
-    at = (table["engine"] == engine) & (table["real"] == real)
-    return at & ~np.isin(table["status"], LOST)
+        if y[k] > last / 1.5:
+            continue
+        last, left = y[k], x[k] > middle
+        ax.annotate(called(table["engine"][k], table["setting"][k]), (x[k], y[k]),
+                    xytext=(-4 if left else 4, 4), ha="right" if left else "left", fontsize=6.5,
+                    textcoords="offset points", color=LOOKS[table["engine"][k]][0])
 
 
 def draw_together(table, path):
-    """The scenes in small, each with its front and the names on it."""
+    """The scenes in small, each with its front and the names on it; all in double."""
+    table = style.rows(table, real="double")
     figure, axes = style.figure("Error against time of a step: nothing is both faster and better "
                                 "than the grey line", panels=2, rows=3)
     figure.set_size_inches(style.WIDTH + 1, 2.3 * style.HEIGHT)
@@ -143,11 +139,8 @@ def draw_together(table, path):
         ax.step(np.append(x[line], x[good].max()), np.append(y[line], y[line[-1]]), where="post",
                 color=PALE, linewidth=1.2, zorder=1)
         for engine, (colour, marker) in LOOKS.items():
-            for real, full in (("float", True), ("double", False)):
-                at = looks_of(mine, engine, real) & good
-                ax.plot(x[at], y[at], marker, color=colour, markersize=4.5, zorder=3,
-                        markerfacecolor=colour if full else "white",
-                        label=f"{engine}, {real}" if at.any() else None)
+            at = (mine["engine"] == engine) & good
+            ax.plot(x[at], y[at], marker, color=colour, markersize=4.5, zorder=3, label=engine)
         name_front(ax, mine, line, x, y)
         ax.set_xscale("log")
         ax.set_yscale("log")

@@ -155,7 +155,7 @@ double median(const std::vector<double>& numbers) { return quantile(numbers, 0.5
 // machine to machine.
 double textbook_iteration() {
   const MakeScene make = [] { return cubes_on_hinges(10, 100); };
-  return time_of_step(make, setting_of("textbook"), {.steps = 120}) / 30 /
+  return time_of_step(make, setting_named("textbook"), {.steps = 120}) / 30 /
          double(make().world.joints().size());
 }
 
@@ -165,13 +165,13 @@ void measure(FILE* file, const Entry& entry, int repetitions, double unit) {
   for (std::size_t m = 0; m < methods.size(); ++m) {
     std::fprintf(stderr, "%s, %s\n", entry.name.c_str(), methods[m].c_str());
     for (const MakeScene& make : entry.makes)
-      add(outcomes[m], run(make, setting_of(methods[m]), 1, entry.span), entry.holds);
+      add(outcomes[m], run(make, setting_named(methods[m]), 1, entry.span), entry.holds);
   }
   Span timed = entry.span;  // the methods in turn, so that what else runs disturbs all alike
   timed.steps = std::min(timed.steps, timed.timed);
   for (int n = 0; n < repetitions; ++n)
     for (std::size_t m = 0; m < methods.size(); ++m)
-      outcomes[m].us.push_back(time_of_step(entry.makes.front(), setting_of(methods[m]), timed));
+      outcomes[m].us.push_back(time_of_step(entry.makes.front(), setting_named(methods[m]), timed));
   double si30 = 0;
   for (std::size_t m = 0; m < methods.size(); ++m)
     if (methods[m] == "si30") si30 = median(outcomes[m].us);

@@ -9,7 +9,7 @@
 
 namespace joints::bench {
 
-Setting setting_of(const std::string& method) {
+Setting setting_named(const std::string& method) {
   const Way direct{.loop = Loop::direct, .beta = 1, .leapfrog = true};
   Way shake = direct, stiff = direct, plain = direct;
   shake.newton = stiff.newton = 8;

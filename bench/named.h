@@ -10,8 +10,9 @@
 namespace joints::bench {
 
 /// A method by its word in the tables. Those that iterate have 30 iterations, or 32 that the
-/// substeps share; `shake/8` is `shake` in 8 substeps, each with all of its iterations. \throws std::invalid_argument for a word that is none
-Setting setting_of(const std::string& method);
+/// substeps share; `shake/8` is `shake` in 8 substeps, each with all of its iterations.
+/// \throws std::invalid_argument for a word that is none
+Setting setting_named(const std::string& method);
 
 /// The words of a text, which blanks part.
 std::vector<std::string> words(const std::string& text);

@@ -15,8 +15,8 @@ struct Stepping {
   int substeps = 1;         ///< solve the step as this many substeps of equal length (chapter 6)
   int projections = 0;      ///< iterations of position projection after each substep (chapter 6)
   /// Second order in time (Eq. 9-9): forces act for the mean of the last step and this one, so for
-  /// h/2 in the first; half of the gyroscopic torque acts before the bodies move, half after. A motor
-  /// between long bodies holds its speed before that first half, and is off by what it does.
+  /// h/2 in the first; half of the gyroscopic torque acts before the bodies move, half after. A
+  /// motor between long bodies has its speed before that first half, and is off by what it does.
   bool leapfrog = false;
   /// Constraint softness: natural frequency [Hz] of the spring that takes the place of beta in each
   /// block that holds a position and is not soft already (Catto 2011); 0 leaves all blocks alone.

@@ -38,8 +38,8 @@ def print_table():
         found = mine[0]["finding"]
         print(f"\n{scene}, {real}, {mine[0]['joints']} joints"
               + (f"; {found}, expected {float(mine[0]['expected']):.4g}" if found else ""))
-        print(f"  {'method':11}{'us':>9}{'spread':>8}{'of si30':>9}{'gap mm':>9}{'RMS mm':>9}{'tip mm':>9}"
-              f"{'energy':>9}{'found':>9}  held")
+        print(f"  {'method':11}{'us':>9}{'spread':>8}{'of si30':>9}{'gap mm':>9}{'RMS mm':>9}"
+              f"{'tip mm':>9}{'energy':>9}{'found':>9}  held")
         for row in mine:
             print(f"  {row['method']:11}{number(row['us_per_step'], form='9.1f')}"
                   f"{number(row['spread'], 100, '7.0f')}%"

@@ -31,7 +31,7 @@ std::vector<Contender> contenders(const PeerEntry& entry, bool quick, bool searc
   for (const std::string& word : words(entry.ours))
     out.push_back({{.engine = "ours", .version = "",
                     .number = sizeof(real) == 8 ? "double" : "float", .name = word},
-                   setting_of(word), true});
+                   setting_named(word), true});
   for (const PeerSetting& peer : peer_settings(search))
     if (peer.takes(scene) && (!quick || peer.quick) &&
         (!peer.slow || entry.slow || scene.joints.size() < 200) && (!entry.basic || peer.basic))

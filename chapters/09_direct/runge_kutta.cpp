@@ -13,6 +13,11 @@ namespace {
 
 constexpr double exact = 1e-12;  // errors below this are rounding [m or rad]
 
+// Of length 1, however large it is: the square of its length might overflow.
+quat unit(const quat& q) {
+  return normalize(q / std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)}));
+}
+
 // Moves a body along its velocities for a while, which may be negative.
 void displace(Body& body, real time) {
   if (body.is_static()) return;
@@ -70,7 +75,7 @@ void RungeKutta::write(Bodies& bodies, real c, const std::vector<State>& slope) 
     Body& body = bodies.at(slot);
     const State &from = start_[slot], &by = slope[slot];
     body.x = from.x + c * by.x;
-    body.q = normalize(from.q + c * by.q);
+    body.q = unit(from.q + c * by.q);
     body.v = from.v + c * by.v;
     body.w = from.w + c * by.w;
   }

@@ -10,8 +10,8 @@ namespace joints {
 
 /// Moves a world by the Runge-Kutta method of order 4. The constraint forces are those that make
 /// every C'' zero; after a step, positions and velocities are projected onto the constraints. Rows
-/// are appended about 14 times a step: slow, and exact. For rows without bounds: no limits, motors, ropes
-/// and contacts. Joint forces are not reported.
+/// are appended about 14 times a step: slow, and exact. For rows without bounds: no limits, motors,
+/// ropes and contacts. Joint forces are not reported.
 class RungeKutta {
  public:
   /// \param h step [s] \throws std::invalid_argument unless it is positive and finite, or if a

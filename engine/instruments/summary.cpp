@@ -19,7 +19,7 @@ void report(const std::vector<Summary>& lines, const std::string& folder) {
     file.row({line.scene, line.setting},
              {line.us_per_step, line.gap_rms, line.gap_max, line.energy_drift});
   }
-  std::puts("drift: energy at the end less that at the start, by the scene's scale (else in J)");
+  std::puts("drift: energy at the end less that at the start, by the scene's own scale");
 }
 
 }  // namespace joints

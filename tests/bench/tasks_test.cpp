@@ -13,7 +13,7 @@ namespace {
 // How far a scene's finding is from what is expected of it.
 double miss(const MakeScene& make, const std::string& method, int steps) {
   const Finding finding = make().finding;
-  return std::abs(run(make, setting_of(method), 1, {.steps = steps}).found - finding.expected);
+  return std::abs(run(make, setting_named(method), 1, {.steps = steps}).found - finding.expected);
 }
 
 }  // namespace
@@ -48,19 +48,20 @@ TEST_CASE("the links of a loaded rope bridge keep their length with stiffness") 
 }
 
 TEST_CASE("a crane has the speed of its motor after a second, and rests at its limit") {
-  CHECK(miss(driven_crane, "placed", 60) < 1e-4);   // [rad/s]
+  CHECK(miss(driven_crane, "placed", 60) < 1e-3);      // [rad/s]
+  CHECK(miss(driven_crane, "si30", 60) > 5e-3);
   CHECK(miss(stopped_crane, "velocity", 600) < 0.01);  // [degrees]
 }
 
 TEST_CASE("a method's word may name substeps, and one that is none is refused") {
   const MakeScene chain = [] { return cubes_on_hinges(1, 4); };
   const auto tip = [&](const std::string& method) {
-    return run(chain, setting_of(method), 1, {.steps = 60}).tip_error;
+    return run(chain, setting_named(method), 1, {.steps = 60}).tip_error;
   };
   CHECK(tip("shake/4") < 0.08 * tip("shake"));  // second order: a sixteenth
   CHECK(tip("shake/1") == tip("shake"));
-  CHECK_THROWS_AS(setting_of("shaken"), std::invalid_argument);
-  CHECK_THROWS_AS(setting_of("shake/none"), std::invalid_argument);
+  CHECK_THROWS_AS(setting_named("shaken"), std::invalid_argument);
+  CHECK_THROWS_AS(setting_named("shake/none"), std::invalid_argument);
 }
 
 TEST_CASE("a table keeps one scene by its name and refuses one that is not there") {

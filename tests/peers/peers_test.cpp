@@ -77,7 +77,10 @@ TEST_CASE("the first step of every peer that does not iterate has the exact acce
       DirectSolver solver;
       step(exact.world, solver, real(h));
       const bench::BenchScene there = after(peer, entry.make, h, 1);
-      CHECK(difference(there.world, exact.world) < share * 9.81 * h);
+      // A drive has its speed at once: of that, rounding and the way to the new poses.
+      const double fastest = difference(exact.world, entry.make().world);
+      CHECK(difference(there.world, exact.world) <
+            share * 9.81 * h + tolerance(1e-7, 4e-4) * fastest);
       ++compared;
     }
   }

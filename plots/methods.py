@@ -49,7 +49,8 @@ def paint(ax, cells, width, height):
         colour = "white" if errors[row, column] > 3 else INK
         ax.text(column, row - 0.17, words, ha="center", va="center", fontsize=7.5, color=colour,
                 fontweight="bold")
-        ax.text(column, row + 0.24, time, ha="center", va="center", fontsize=6.5, color=colour)
+        if error <= MOST:
+            ax.text(column, row + 0.24, time, ha="center", va="center", fontsize=6.5, color=colour)
     ax.imshow(np.log10(errors), cmap=colours(), aspect="auto", vmin=np.log10(LEAST),
               vmax=np.log10(MOST))
     ax.xaxis.tick_top()

@@ -79,11 +79,13 @@ def coded(numbers):
 
 
 def packed(run):
-    """A run for the page: frames in whole ten-thousandths, each less the one before; of readings
-    the gaps and what energy was gained since the first frame, to the digits that are shown."""
+    """A run for the page: frames in whole ten-thousandths, each less what the two before let
+    expect; of readings the gaps and what energy was gained since the first frame, to the digits
+    that are shown."""
     frames = [[round(1e4 * x) for x in frame] for frame in run["frames"]]
-    before = [[0] * len(frames[0])] + frames
-    changes = [b - a for one, other in zip(before, frames) for a, b in zip(one, other)]
+    none = [0] * len(frames[0])
+    changes = [c - 2 * b + a for three in zip([none, none, *frames], [none, *frames], frames)
+               for a, b, c in zip(*three)]
 
     def rounded(number, digits):
         return float(f"{number:.{digits}g}") if isfinite(number) else None

@@ -5,8 +5,8 @@ SITE_DIR is the folder html that docs.py made. Without a browser: links and pict
 lead somewhere, every formula is drawn, each chapter shows a figure and a motion and has 15 links,
 each type of rows shows its C, J and K, the gallery has a picture for every recording, and the site
 is no larger than it may be. In headless Chromium: no page is wider than its window at 390 pixels,
-ten words of the texts are found, and every motion plays. Where there is no Chromium that is
-skipped, and the last line says so.
+the letters of drawings are large enough there, ten words of the texts are found, and every motion
+plays. Where there is no Chromium that is skipped, and the last line says so.
 Exit status: 0 good or skipped, 1 something is wrong, 2 no site there.
 """
 import json
@@ -163,6 +163,12 @@ def browser_jobs(site, sources):
         yield browser.job(page.as_uri(), width, TELEPHONE, 800), lambda wide, page=page: (
             None if wide and wide <= TELEPHONE else
             f"{page.name}: {wide} pixels wide in {TELEPHONE}")
+    letters = ("document.readyState === 'complete' && String([...document.querySelectorAll("
+               "'.drawing')].filter(one => one.firstChild.offsetWidth < "
+               "parseInt(one.style.getPropertyValue('--wide'))).length)")
+    for page in chapters_of(sources):
+        yield browser.job(page.as_uri(), letters, TELEPHONE, 800), lambda small, page=page: (
+            None if small == "0" else f"{page.name}: {small} drawings too small for their letters")
     for words, chapter in WORDS.items():
         look = ("(all => all.length && all.map(a => a.getAttribute('href')).join(' '))"
                 "([...document.querySelectorAll('#found a')])")

@@ -89,6 +89,7 @@ def finish(html, recordings, tags):
     for chapter in house.chapters():
         page = shell.text_of(chapter)
         pages[page] = texts.finished(pages[page], chapter, rows)
+    pages = {page: texts.with_drawings(text, ROOT) for page, text in pages.items()}
     pages["index.html"] = front.finished(pages["index.html"], rows, (html / "live.html").exists())
     pages = {page: re.sub(r'(?<=[(\["]) (?=\\\()', "", text) for page, text in pages.items()}
     pages = raw = classes.with_formulas(pages)

@@ -10,6 +10,7 @@ import report
 PARAGRAPH = re.compile(r"<p\b[^>]*>(?:(?!</p>).)*?</p>", re.S)
 ROW = re.compile(r'<tr class="markdownTableRow\w+">\s*(.*?)</tr>', re.S)
 CELL = re.compile(r'<td class="(\w+)">(.*?)</td>', re.S)
+LEAST = 9  # of letters in a drawing [pixels]
 
 RESULT = re.compile(r'\s*<p\b[^>]*><img src="chapters/\w+/result\.svg"')
 
@@ -17,6 +18,23 @@ RESULT = re.compile(r'\s*<p\b[^>]*><img src="chapters/\w+/result\.svg"')
 def figure(stem, words):
     return (f'<figure class="result"><a href="plots/{stem}.png"><img loading="lazy" '
             f'src="plots/{stem}.png" alt="{escape(words, quote=True)}"></a></figure>')
+
+
+def width_for_labels(path):
+    """How wide a drawing must be [pixels] for its smallest letters to be LEAST high."""
+    svg = path.read_text(encoding="utf-8")
+    wide = re.search(r'width="([\d.]+)pt"', svg)
+    letters = [100 * float(size) for size in re.findall(r"scale\((0\.\d+)", svg)]
+    letters = [size for size in letters if size > 3]  # not the glyphs' own units
+    return round(LEAST / min(letters) * float(wide[1])) if wide and letters else 0
+
+
+def with_drawings(text, root):
+    """Drawings that on a telephone stay large enough to be read, and scroll."""
+    def drawing(image):
+        wide = width_for_labels(root / image[1])
+        return f'<span class="drawing" style="--wide: {wide}px">{image[0]}</span>'
+    return re.sub(r'<img src="([\w./-]+/[\w.-]+\.svg)"[^>]*>', drawing, text)
 
 
 def with_figures(text, chapter):

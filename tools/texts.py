@@ -12,7 +12,7 @@ ROW = re.compile(r'<tr class="markdownTableRow\w+">\s*(.*?)</tr>', re.S)
 CELL = re.compile(r'<td class="(\w+)">(.*?)</td>', re.S)
 LEAST = 9  # of letters in a drawing [pixels]
 
-RESULT = re.compile(r'\s*<p\b[^>]*><img src="chapters/\w+/result\.svg"')
+RESULT = re.compile(r'<p\b[^>]*>(?:<span[^>]*>)?<img src="chapters/\w+/result\.svg"')
 
 
 def figure(stem, words):
@@ -41,18 +41,16 @@ def with_figures(text, chapter):
     """The chapter's drawn figures, each behind the first paragraph that names it."""
     drawn = [path.stem for path in sorted(figures.FIGURES.glob(f"{chapter.number:02}_*.png"))]
     names = report.mentioned(chapter.text.read_text(encoding="utf-8"))
-    missing = []
-    for stem in drawn:
-        place = next((p for p in PARAGRAPH.finditer(text)
-                      if re.search(rf"\b{stem}\b", re.sub(r"<[^>]+>", "", p[0]))), None)
-        if place is None:
-            missing.append(stem)
-            continue
-        if RESULT.match(text, place.end()):
-            continue  # the text has drawn it
-        words = f"Figure {stem}: {names.get(stem, stem[3:].replace('_', ' '))}"
-        text = text[:place.end()] + figure(stem, words) + text[place.end():]
-    more = "".join(figure(stem, stem) for stem in missing)
+    paragraphs = [(p.end(), re.sub(r"<[^>]+>", "", p[0])) for p in PARAGRAPH.finditer(text)]
+    places = {stem: next((end for end, words in paragraphs if re.search(rf"\b{stem}\b", words)), 0)
+              for stem in drawn}
+    result = RESULT.search(text)
+    shown = max((end for end in places.values() if result and end <= result.start()), default=-1)
+    for stem, end in sorted(places.items(), key=lambda one: -one[1]):
+        if end and end != shown:  # the text itself shows what it named last before its result
+            words = f"Figure {stem}: {names.get(stem, stem[3:].replace('_', ' '))}"
+            text = text[:end] + figure(stem, words) + text[end:]
+    more = "".join(figure(stem, stem) for stem, end in places.items() if not end)
     return text, more
 
 

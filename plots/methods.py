@@ -73,7 +73,7 @@ def draw_scenes(rows, methods, path):
               if ": " not in name and sum(row["scene"] == name for row in rows) > 3]
     figure, ax = style.figure("No iteration holds everywhere; all joints at once hold nearly "
                               "everywhere")
-    figure.set_size_inches(style.WIDTH + 1.5, 0.31 * len(scenes) + 1.1)
+    figure.set_size_inches(0.72 * len(methods) + 1.2, 0.31 * len(scenes) + 1.1)
     paint(ax, {(methods.index(row["method"]), scenes.index(row["scene"])):
                (error_of(row), f"{short(row['us_per_step'])} us")
                for row in rows if row["scene"] in scenes and row["method"] in methods},

@@ -62,7 +62,7 @@ std::vector<Entry> scenes(bool quick) {
       {.name = "ragdoll", .makes = {[] { return ragdolls(1); }}, .span = ten_seconds,
        .methods = both},
       {.name = "ragdolls 5000", .makes = {[] { return ragdolls(5000); }},
-       .span = {.steps = 120, .timed = 40}, .methods = "si30 lanes10 velocity"},
+       .span = {.steps = 120, .timed = 80}, .methods = "si30 lanes10 velocity"},
       {.name = "chain of 1000", .makes = {[] { return cubes_on_hinges(1, 1001); }},
        .methods = few},
       {.name = "beam of 10", .makes = {[] { return welded_beam(10); }}, .methods = both},

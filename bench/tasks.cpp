@@ -149,7 +149,7 @@ BenchScene ragdolls(int count) {
   const BodyId ground = chapter8::add_ground(scene, real(4 * in_a_row));
   for (int k = 0; k < count; ++k)
     chapter8::add_doll(scene, ground,
-                       vec3(real(4 * (k % in_a_row)), 2, real(4 * (k / in_a_row))),
+                       vec3(real(4 * (k % in_a_row)), real(0.95), real(4 * (k / in_a_row))),
                        chapter8::tilted, real(0.2));
   scene.finding = {"deepest corner [mm]", 0, [](const Scene& now) {
                      return millimetres * chapter8::penetration(now.world);

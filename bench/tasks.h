@@ -29,7 +29,7 @@ BenchScene stopped_crane();
 /// Chapter 8's bridge of planks, and the crate that falls on it. Finding: how fast the crate still
 /// is at the end.
 BenchScene loaded_planks();
-/// Chapter 8's ragdolls, 4 m apart on one ground; they fall from 2 m. Finding: how deep the deepest
+/// Chapter 8's ragdolls, 4 m apart on one ground, let go just above it. Finding: how deep the deepest
 /// corner is in the ground at the end.
 BenchScene ragdolls(int count);
 

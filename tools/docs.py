@@ -90,6 +90,9 @@ def finish(html, recordings, tags):
         page = shell.text_of(chapter)
         pages[page] = texts.finished(pages[page], chapter, rows)
     pages = {page: texts.with_drawings(text, ROOT) for page, text in pages.items()}
+    pages = {page: text if 'name="nested-classes"' in text else
+             re.sub(r'<a href="#nested-classes">.*?</a> &#124;\s*', "", text)
+             for page, text in pages.items()}
     pages["index.html"] = front.finished(pages["index.html"], rows, (html / "live.html").exists())
     pages = {page: re.sub(r'(?<=[(\["]) (?=\\\()', "", text) for page, text in pages.items()}
     pages = raw = classes.with_formulas(pages)
@@ -123,7 +126,9 @@ def build(out, recordings):
     if result.returncode != 0:
         stop("the site has warnings, see above", 1)
     if (house.OUT / "live.html").exists() and not live.missing():
-        copy(house.OUT / "live.html", html / "live.html")
+        live.write_page(html / "live.html", "The engine, live",
+                        [("the solution", house.BUILD / "live" / "solution.wasm")], note="",
+                        chapter=0, back={"href": "index.html", "textContent": "the workbook"})
     finish(html, recordings, out / "tags.xml")
     return html / "index.html"
 

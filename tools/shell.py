@@ -1,6 +1,6 @@
 """What surrounds a page of the site: the bar with search, the list of pages, the way on."""
 import re
-from html import escape
+from html import escape, unescape
 
 import house
 
@@ -11,7 +11,7 @@ AFTER = ["md_docs_gallery.html", "md_docs_notation.html", "md_docs_errata.html",
          "md_docs_teaching.html", "md_docs_architecture.html"]
 CODE = [("modules.html", "The code, by topic"), ("annotated.html", "All types")]
 BAR = """<a id="home" href="index.html">The Joint Workbook</a>
-<div id="MSearchBox"><input id="search" type="search" placeholder="Search all texts and names"
+<div id="MSearchBox"><input id="search" type="search" placeholder="Search"
   aria-label="Search" autocomplete="off" data-words="search_words.js"><ol id="found" hidden></ol>
 </div>
 <input id="menu-open" type="checkbox" aria-label="Show the list of pages">
@@ -63,7 +63,8 @@ def way_on(here, titles, chapters):
 
 def title_of(text):
     found = re.search(r'<div class="title">(.*?)</div>', text, re.S)
-    return " ".join(re.sub(r"<[^>]+>", "", found[1]).split()) if found else ""
+    words = re.sub(r'<div class="ingroups">.*', "", found[1], flags=re.S) if found else ""
+    return unescape(" ".join(re.sub(r"<[^>]+>", "", words).split()))
 
 
 def surround(texts, extra=()):

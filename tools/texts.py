@@ -5,6 +5,7 @@ from html import escape, unescape
 
 import figures
 import gallery
+import house
 import report
 
 PARAGRAPH = re.compile(r"<p\b[^>]*>(?:(?!</p>).)*?</p>", re.S)
@@ -12,7 +13,7 @@ ROW = re.compile(r'<tr class="markdownTableRow\w+">\s*(.*?)</tr>', re.S)
 CELL = re.compile(r'<td class="(\w+)">(.*?)</td>', re.S)
 LEAST = 9  # of letters in a drawing [pixels]
 
-RESULT = re.compile(r'<p\b[^>]*>(?:<span[^>]*>)?<img src="chapters/\w+/result\.svg"')
+RESULT = re.compile(r"\bresult=(?:draw_)?(\w+)")
 
 
 def figure(stem, words):
@@ -37,17 +38,26 @@ def with_drawings(text, root):
     return re.sub(r'<img src="([\w./-]+/[\w.-]+\.svg)"[^>]*>', drawing, text)
 
 
+def result_of(chapter):
+    """The figure that the chapter's text itself shows, as result.svg."""
+    script = house.ROOT / "plots" / f"chapter_{chapter.number:02}.py"
+    found = RESULT.findall(script.read_text(encoding="utf-8"))
+    return f"{chapter.number:02}_{found[-1]}" if found else ""
+
+
 def with_figures(text, chapter):
     """The chapter's drawn figures, each behind the first paragraph that names it."""
     drawn = [path.stem for path in sorted(figures.FIGURES.glob(f"{chapter.number:02}_*.png"))]
     names = report.mentioned(chapter.text.read_text(encoding="utf-8"))
-    paragraphs = [(p.end(), re.sub(r"<[^>]+>", "", p[0])) for p in PARAGRAPH.finditer(text)]
+    paragraphs = [(p, re.sub(r"<[^>]+>", "", p[0]).strip()) for p in PARAGRAPH.finditer(text)]
+    # Behind the paragraph; before it where its sentence goes on in a table.
+    paragraphs = [(p.end() if words.endswith((".", "!", "?", ")")) else p.start(), words)
+                  for p, words in paragraphs]
     places = {stem: next((end for end, words in paragraphs if re.search(rf"\b{stem}\b", words)), 0)
               for stem in drawn}
-    result = RESULT.search(text)
-    shown = max((end for end in places.values() if result and end <= result.start()), default=-1)
+    places.pop(result_of(chapter), None)
     for stem, end in sorted(places.items(), key=lambda one: -one[1]):
-        if end and end != shown:  # the text itself shows what it named last before its result
+        if end:
             words = f"Figure {stem}: {names.get(stem, stem[3:].replace('_', ' '))}"
             text = text[:end] + figure(stem, words) + text[end:]
     more = "".join(figure(stem, stem) for stem, end in places.items() if not end)

@@ -13,6 +13,7 @@ PLACE = re.compile(r'<a class="anchor" id="([^"]+)"></a>\s*(.*?)</h\d>'
 COMMON = set("""the a an of and or in on is are to it its that this with for by as at be not no from
     one two what which has have was were if so but than then only all each per into out
     can""".split())
+BOLD = re.compile(r"<(?:b|strong)>(.*?)</(?:b|strong)>", re.S)
 TITLE_WEIGHT, TEXT_WEIGHT = 6, 3  # of a word in a heading, and in a text
 
 
@@ -43,13 +44,20 @@ def index_of(texts, titles):
     """What search_words.js says. `texts` and `titles`: of each page, by its file's name."""
     places, words = [], {}
     for page, title in titles.items():
+        if page.startswith("namespace"):
+            continue  # it names everything
+        weight = (TEXT_WEIGHT if page.endswith("_README.html") else
+                  2 if page.startswith("md_docs") else 1)
         for place, heading, html in sections(texts[page]):
             count = Counter(words_of(html))
+            for word in words_of(" ".join(BOLD.findall(html))):  # where a word is explained
+                count[word] += TITLE_WEIGHT
             for word in words_of(heading or title):
                 count[word] += TITLE_WEIGHT
             if not count:
                 continue
-            weight = TEXT_WEIGHT if page.startswith(("md_chapters", "md_docs")) else 1
+            if page.endswith("_hints.html") and re.match(r"\d\.\d", heading):
+                heading = f"Exercise {heading}"
             for word, times in count.items():
                 words.setdefault(word, []).extend((len(places), weight * min(times, 9)))
             places.append([f"{page}#{place}" if place else page, title, heading])

@@ -88,7 +88,7 @@ function make_controls(form, changed) {
     control.label = label;
   });
   const back = Object.assign(document.createElement("button"),
-                             {type: "button", textContent: "the scene's own settings"});
+                             {type: "button", textContent: "reset settings"});
   back.onclick = () => changed(null);
   form.append(more, back);
   form.onsubmit = e => e.preventDefault();

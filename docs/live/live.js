@@ -21,7 +21,7 @@ function says() {
     else if (gained > 1)
       said.push(`${who}blown up: the bodies have gained ` +
                 (gained > 1e6 ? "more than a million" : short(gained)) + " times the energy that " +
-                "the scene began with. Set it right and press again.");
+                "the scene began with. Change the setting back, then press the button “again”.");
   }
   if (said.length) return [said.join("\n"), true];
   const talk = panels.find(panel => panel.printed)?.printed.trim().split("\n").at(-1);
@@ -136,6 +136,10 @@ async function start() {
   dress(ask, last_of(first_address, "theme"));
   document.title = data.title;
   $("title").textContent = data.title;
+  if (data.back) $("title").append(Object.assign(document.createElement("a"), data.back));
+  if (framed)
+    $("title").append(Object.assign(document.createElement("a"), {
+      textContent: "with settings and curves", href: location.href, target: "_top"}));
   if (data.note) $("title").append(Object.assign(document.createElement("small"),
                                                  {textContent: data.note}));
   panels = data.modules.map(make_panel);
@@ -168,13 +172,17 @@ async function start() {
   onhashchange = () => then_show(from_address);
   await then_show(from_address);
   new ResizeObserver(show).observe($("stage"));
-  const linked = location.search || location.hash.includes("&");
-  if (!linked && !data.chapter)
-    ask_question($("question"), async (name, set, seconds) => {
-      await then_show(() => choose(name, {...settings, ...set}));
+  const linked = location.search || first_address.has("scene");
+  if (!linked && !data.chapter && !framed) {
+    const skip = ask_question($("question"), async (name, set, seconds) => {
+      const own = settings_from(new URLSearchParams(), about, entry);
+      await then_show(() => choose(name, {...own, ...set}));
       play(true);
       await new Promise(resolve => setTimeout(resolve, 1000 * seconds));
+      if (seconds) play(false);
     }, ask);
+    $("scenes").addEventListener("click", skip);  // it is about one scene
+  }
   const resting = matchMedia("(prefers-reduced-motion: reduce)").matches;
   if (!first_address.has("t") && !first_address.has("iteration") && !resting) play(true);
   show();

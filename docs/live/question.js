@@ -2,8 +2,8 @@
 "use strict";
 
 const question = {
-  scene: "chain", set: {beta: 2.1}, seconds: 3.5,
-  asks: "In every step each joint removes a share <b>beta</b> of its gap: 0.2 as the chain hangs " +
+  scene: "chain", set: {beta: 2.1}, seconds: 2,
+  asks: "In every step each joint removes a share <b>beta</b> of its gap: 0.2 as the chain swings " +
     "now. What will beta = 2.1 do?",
   answers: ["The gaps close ten times as fast.", "The gaps grow from step to step.",
             "Nothing more than beta = 1: a gap can only be closed."],
@@ -29,9 +29,14 @@ function ask_question(place, try_it, then) {
   question.answers.forEach((words, k) => button(words, async () => {
     place.innerHTML = `<p>Your guess: ${words} Look …</p>`;
     await try_it(question.scene, question.set, question.seconds);
-    place.innerHTML = `<p><b>${k === question.right ? "Just so." : "It is otherwise."}</b> ` +
-      `${question.says}</p>`;
-    button("the settings", () => { place.innerHTML = ""; done(); });
+    place.innerHTML = `<p><b>${k === question.right ? "Just so." : "No."}</b> ${question.says}</p>`;
+    button("back to beta 0.2, and on to the settings", () => {
+      place.innerHTML = "";
+      done();
+      try_it(question.scene, {}, 0);
+    });
   }));
-  button("skip", () => { place.innerHTML = ""; done(); }, "skip");
+  const skip = () => { place.innerHTML = ""; done(); };
+  button("skip", skip, "skip");
+  return skip;
 }

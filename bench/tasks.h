@@ -29,8 +29,8 @@ BenchScene stopped_crane();
 /// Chapter 8's bridge of planks, and the crate that falls on it. Finding: how fast the crate still
 /// is at the end.
 BenchScene loaded_planks();
-/// Chapter 8's ragdolls, 4 m apart on one ground, let go just above it. Finding: how deep the deepest
-/// corner is in the ground at the end.
+/// Chapter 8's ragdolls, 4 m apart on one ground, let go just above it. Finding: how deep the
+/// deepest corner is in the ground at the end.
 BenchScene ragdolls(int count);
 
 }  // namespace joints::bench

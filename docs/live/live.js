@@ -136,7 +136,7 @@ async function start() {
   dress(ask, last_of(first_address, "theme"));
   document.title = data.title;
   $("title").textContent = data.title;
-  if (data.back) $("title").append(Object.assign(document.createElement("a"), data.back));
+  if (data.back && !framed) $("title").append(Object.assign(document.createElement("a"), data.back));
   if (framed)
     $("title").append(Object.assign(document.createElement("a"), {
       textContent: "with settings and curves", href: location.href, target: "_top"}));

@@ -2,7 +2,7 @@
 "use strict";
 
 const question = {
-  scene: "chain", set: {beta: 2.1}, seconds: 2,
+  scene: "chain", set: {beta: 2.1}, seconds: 5,
   asks: "In every step each joint removes a share <b>beta</b> of its gap: 0.2 as the chain swings " +
     "now. What will beta = 2.1 do?",
   answers: ["The gaps close ten times as fast.", "The gaps grow from step to step.",

@@ -14,10 +14,12 @@ def save_png(made, path):
 
 
 def small(drawn):
-    """An SVG without indentation, with short names of its glyphs and with places to a tenth of
-    a point: smaller by a third, and the same for numbers that differ by rounding errors."""
+    """An SVG without indentation, with short names of its glyphs and clips and with places to a
+    tenth of a point: smaller by a third, and the same for numbers that differ by rounding."""
     glyph = re.compile(r'(?<=")(#?)(DejaVu[\w-]+)(?=")')
     names = list(dict.fromkeys(match[1] for match in glyph.findall(drawn)))
+    clips = list(dict.fromkeys(re.findall(r"\bp[0-9a-f]{10}\b", drawn)))
+    drawn = re.sub(r"\bp[0-9a-f]{10}\b", lambda match: f"p{clips.index(match[0])}", drawn)
     drawn = glyph.sub(lambda match: f"{match[1]}g{names.index(match[2])}", drawn)
     parts = re.split(r"(scale\([^)]*\))", re.sub(r"^ +| +$|xlink:(?=href)", "", drawn,
                                                      flags=re.M))

@@ -51,8 +51,9 @@ def paint(ax, cells, width, height):
                 fontweight="bold")
         if error <= MOST:
             ax.text(column, row + 0.24, time, ha="center", va="center", fontsize=6.5, color=colour)
-    ax.imshow(np.log10(errors), cmap=colours(), aspect="auto", vmin=np.log10(LEAST),
-              vmax=np.log10(MOST))
+    ax.pcolormesh(np.arange(width + 1) - 0.5, np.arange(height + 1) - 0.5, np.log10(errors),
+                  cmap=colours(), vmin=np.log10(LEAST), vmax=np.log10(MOST))
+    ax.set_ylim(height - 0.5, -0.5)
     ax.xaxis.tick_top()
     ax.tick_params(length=0)
     ax.grid(False)

@@ -163,12 +163,14 @@ def browser_jobs(site, sources):
         yield browser.job(page.as_uri(), width, TELEPHONE, 800), lambda wide, page=page: (
             None if wide and wide <= TELEPHONE else
             f"{page.name}: {wide} pixels wide in {TELEPHONE}")
-    letters = ("document.readyState === 'complete' && String([...document.querySelectorAll("
-               "'.drawing')].filter(one => one.firstChild.offsetWidth < "
-               "parseInt(one.style.getPropertyValue('--wide'))).length)")
+    letters = ("document.readyState === 'complete' && (all => all.length && all.filter("
+               "one => !(parseInt(one.style.getPropertyValue('--wide')) > 0 && "
+               "one.firstChild.offsetWidth >= parseInt(one.style.getPropertyValue('--wide')))"
+               ").length + ' of ' + all.length)([...document.querySelectorAll('.drawing')])")
     for page in chapters_of(sources):
         yield browser.job(page.as_uri(), letters, TELEPHONE, 800), lambda small, page=page: (
-            None if small == "0" else f"{page.name}: {small} drawings too small for their letters")
+            None if str(small).startswith("0 of ")
+            else f"{page.name}: {small} drawings too small for their letters")
     for words, chapter in WORDS.items():
         look = ("(all => all.length && all.map(a => a.getAttribute('href')).join(' '))"
                 "([...document.querySelectorAll('#found a')])")

@@ -178,10 +178,11 @@ async function start() {
       const own = settings_from(new URLSearchParams(), about, entry);
       await then_show(() => choose(name, {...own, ...set}));
       play(true);
-      const blown = () => panels.some(panel => panel.now[2] > entry.energy_scale);
-      for (const end = performance.now() + 1000 * seconds; performance.now() < end && !blown();)
+      const over = () => entry.name !== name ||
+        panels.some(panel => panel.now[2] > entry.energy_scale);
+      for (const end = performance.now() + 1000 * seconds; performance.now() < end && !over();)
         await new Promise(resolve => setTimeout(resolve, 20));
-      if (seconds) play(false);  // while the chain is still to be seen
+      if (seconds && entry.name === name) play(false);  // while the chain is still to be seen
     }, ask);
     $("scenes").addEventListener("click", skip);  // it is about one scene
   }

@@ -16,7 +16,9 @@ const question = {
 function ask_question(place, try_it, then) {
   document.body.classList.add("asked");
   place.innerHTML = `<p><b>First a guess.</b> ${question.asks}</p>`;
+  let over = false;  // whoever chooses another scene has ended it
   const done = () => {
+    over = true;
     document.body.classList.remove("asked");
     then();
   };
@@ -29,6 +31,7 @@ function ask_question(place, try_it, then) {
   question.answers.forEach((words, k) => button(words, async () => {
     place.innerHTML = `<p>Your guess: ${words} Look …</p>`;
     await try_it(question.scene, question.set, question.seconds);
+    if (over) return;
     place.innerHTML = `<p><b>${k === question.right ? "Just so." : "No."}</b> ${question.says}</p>`;
     button("back to beta 0.2, and on to the settings", () => {
       place.innerHTML = "";

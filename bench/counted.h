@@ -1,5 +1,5 @@
 // Counting instructions: the program is run by valgrind's callgrind, which knows one function by
-// its name and keeps a count of every call of it. tools/instructions.py reads the counts.
+// its name and keeps a count of every call of it. tools/bench/instructions.py reads the counts.
 #pragma once
 
 #include <functional>

@@ -85,8 +85,8 @@ endfunction()
 # The stub that is made from a solution.
 function(make_stub out solution)
   add_custom_command(OUTPUT ${out}
-    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/exercises.py ${solution} ${out}
-    DEPENDS ${PROJECT_SOURCE_DIR}/tools/exercises.py ${solution} COMMENT "" VERBATIM)
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/base/exercises.py ${solution} ${out}
+    DEPENDS ${PROJECT_SOURCE_DIR}/tools/base/exercises.py ${solution} COMMENT "" VERBATIM)
 endfunction()
 
 # add_exercise_file(TARGET SOURCE libraries...): one version of an exercise file of a reader's, with

@@ -1,4 +1,4 @@
-// Search in the words of all pages. tools/words.py writes search_words.js, which calls
+// Search in the words of all pages. tools/website/words.py writes search_words.js, which calls
 // search_words({places: [[address, page, heading], ...], words: {word: [place, times, ...]}});
 // it is loaded when somebody begins to type, as a script, so that it works from a disk, too.
 "use strict";

@@ -9,19 +9,18 @@ drawing, and a proof of the workbook's tests compares the two.
 import sys
 from pathlib import Path
 
+import layers
 from drawing import BODY1, BODY2, CARD, FAINT, INK, arrow, draw, words
 from matplotlib.patches import FancyBboxPatch
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "tools"))
-import layers  # noqa: E402
 
 # Of each group of folders: where its box stands, what is written below its name.
 GROUPS = {"tests": (620, 340, "what holds"),
           "bench": (620, 278, "error and time"),
           "live": (400, 309, "docs/live"),
           "programs": (620, 216, "chapters/*/program"),
-          "library": (475, 216, "engine/library"),
+          "library": (475, 216, "joints.h, packages"),
           "solutions": (335, 216, "the exercises"),
           "chapters": (440, 154, "parts and joints"),
           "simd": (400, 92, "engine/simd"),

@@ -11,7 +11,7 @@ set(double_only
   engine/input_test.cpp joints/driven_input_test.cpp)
     # which values are refused, and in what words
 
-# gather(OUT NAME sources...): several sources as one, see tools/gather.py. An edit compiles as many
+# gather(OUT NAME sources...): several sources as one, see tools/check/gather.py. An edit compiles as many
 # anew as stand in one.
 function(gather out name)
   set(at_most 7)
@@ -24,8 +24,8 @@ function(gather out name)
     list(SUBLIST ARGN ${begin} ${size} sources)
     set(source ${PROJECT_BINARY_DIR}/gathered/${name}_${part}.cpp)
     add_custom_command(OUTPUT ${source}
-      COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/gather.py ${source} ${sources}
-      DEPENDS ${PROJECT_SOURCE_DIR}/tools/gather.py ${sources} COMMENT "" VERBATIM)
+      COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check/gather.py ${source} ${sources}
+      DEPENDS ${PROJECT_SOURCE_DIR}/tools/check/gather.py ${sources} COMMENT "" VERBATIM)
     list(APPEND made ${source})
   endforeach()
   set(${out} ${made} PARENT_SCOPE)
@@ -45,7 +45,7 @@ foreach(number double float)
     ${libraries${suffix}} instruments${suffix} checker${suffix} dense
     PRIVATE workbook_strict)
   # joints.h, for the examples of tests/library/consumer
-  target_include_directories(oracle${suffix} PUBLIC ${PROJECT_SOURCE_DIR}/engine/library)
+  target_include_directories(oracle${suffix} PUBLIC ${PROJECT_SOURCE_DIR}/library)
   target_precompile_headers(oracle${suffix} PRIVATE checker/catch.h oracle/oracle.h)
   foreach(topic ${topics})
     if(topic STREQUAL peers AND NOT TARGET bench_peers${suffix})

@@ -7,7 +7,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import house  # noqa: E402
+from base import house  # noqa: E402
 
 HELP = """The Joint Workbook
 
@@ -112,22 +112,22 @@ def bench(options):
     """Error against run time, or what the options name: a suite or a table of its own each."""
     match options:
         case []:
-            import benchmark
+            from bench import benchmark
             return benchmark.main()
         case ["--stability"]:
-            import stability
+            from bench import stability
             return stability.main()
         case ["--methods"]:
-            import methods
+            from bench import methods
             return methods.main()
         case ["--peers", *rest] if set(rest) <= {"--quick", "--search"}:
-            import peers
+            from bench import peers
             return peers.main("--quick" in rest, "--search" in rest)
         case ["--loop"]:
-            import loop
+            from bench import loop
             return loop.main()
         case ["--cost"] | ["--cost", "--keep"]:
-            import cost
+            from bench import cost
             return cost.main(keep="--keep" in options)
     raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --methods, --peers, "
                         "--loop or --cost")
@@ -137,36 +137,36 @@ def call(command, words, rest):
     """Each command loads no more than it needs: ./wb is to answer at once."""
     match command:
         case "":
-            import status
+            from learn import status
             return status.status()
         case "test" | "watch":
-            import learn
-            return getattr(learn, command)(words[0] if words else None)
+            from learn import testing
+            return getattr(testing, command)(words[0] if words else None)
         case "hint" | "show" | "reset":
-            import aid
+            from learn import aid
             if command == "hint":
                 return aid.hint(words[0], words[1] if len(words) == 2 else "1")
             if command == "show":
                 return aid.solution(words[0], "--yes" in rest)
             return aid.reset(words[0], "--yes" in rest, "--keep" in rest)
         case "check":
-            import checking
+            from check import checking
             return checking.check(rest)
         case "grade":
-            import classroom
-            return classroom.grade([CALLED_FROM / word for word in words])
+            from classroom import grading
+            return grading.grade([CALLED_FROM / word for word in words])
         case "tour":
-            import tour
+            from learn import tour
             return tour.tour()
         case "docs":
-            import docs
+            from website import docs
             return docs.command()
         case "bench":
             return bench(rest)
         case "live":
-            import live
+            from website import live
             return live.live(house.chapter_of(words[0]) if words else None)
-    import show
+    from learn import show
     if command == "run":
         return show.run(house.chapter_of(rest[0]), rest[1:])
     return getattr(show, command)(house.chapter_of(words[0]) if words else None)

@@ -1,5 +1,5 @@
 // Bodies and lines of a recorded run, and what of a scene the camera has to keep in view. Shared by
-// docs/motion.html and the live page; tools/pages.py puts it into both.
+// docs/motion.html and the live page; tools/pictures/pages.py puts it into both.
 "use strict";
 
 // ---------------------------------------------------------------- small vectors, arrays of three

@@ -49,7 +49,7 @@ struct Reading {
 };
 
 /// A recorded run: shapes once, then a pose of every body for each frame, and readings. Written as
-/// JSON, which tools/motion.py puts into a page that plays it.
+/// JSON, which tools/pictures/motion.py puts into a page that plays it.
 class Motion {
  public:
   /// \param title shown on the page \param h time between two calls of frame() [s]

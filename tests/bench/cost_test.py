@@ -11,9 +11,8 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
-import cost  # noqa: E402
-import house  # noqa: E402
-import instructions  # noqa: E402
+from base import house  # noqa: E402
+from bench import cost, instructions  # noqa: E402
 
 SKIPPED = 77
 WITHIN = 0.03  # share of what the table says

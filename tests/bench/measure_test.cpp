@@ -34,8 +34,8 @@ std::string contents(const std::string& path) {
   return text.str();
 }
 
-// Just enough of a JSON reader: true when the whole text is one value. As tools/motion.py does, it
-// takes the nan and inf of C++ for numbers.
+// Just enough of a JSON reader: true when the whole text is one value. As tools/pictures/motion.py
+// does, it takes the nan and inf of C++ for numbers.
 struct Json {
   std::string text;
   std::size_t at = 0;

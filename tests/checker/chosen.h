@@ -1,5 +1,5 @@
 // Which of a chapter's known answers a program runs: the one that WORKBOOK_ANSWER names, or else
-// the solution. tools/answers.py makes the source that asks.
+// the solution. tools/check/answers.py makes the source that asks.
 #pragma once
 
 #include <initializer_list>

@@ -1,7 +1,6 @@
 """A headless Chromium that is told what to do over a pair of pipes, with its own clock running:
 real clicks, keys and fingers. No package of Python's is needed."""
 import base64
-import importlib.util
 import json
 import os
 import select
@@ -10,9 +9,9 @@ import tempfile
 import time
 from pathlib import Path
 
-SITE = Path(__file__).resolve().parents[2] / "tools/browser.py"  # this file has its name, too
-looks = importlib.util.module_from_spec(importlib.util.spec_from_file_location("looks", SITE))
-looks.__spec__.loader.exec_module(looks)
+import made  # noqa: F401: it finds tools/
+from website import browser as looks
+
 there = looks.there
 
 

@@ -7,7 +7,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "workbook"))
 from proofs import exercises, house  # noqa: E402
 
-import live  # noqa: E402
+from website import live  # noqa: E402
 
 # Answers to exercise 1.1, and what the page has to say about them.
 ANSWERS = {

@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(sys.argv[1]) / "tools"))
-import peers  # noqa: E402
+from bench import peers  # noqa: E402
 
 lacking = peers.lacking()
 if len(lacking) == len(peers.PACKAGES):

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from proofs import exercises, house
 
-import lend
+from classroom import lend
 
 CHAPTER = "01_distance"
 # What is built in the copy, and where it lies in the build folder.

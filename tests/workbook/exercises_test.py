@@ -7,7 +7,7 @@ from itertools import zip_longest
 
 from proofs import exercises, house, main, notes, prose, read, regions, section, sections
 
-import answers
+from check import answers
 
 
 def stubs_are_fresh(root, build):

@@ -7,7 +7,7 @@ from door import CHAPTER, Door
 from front_door_test import typed
 from proofs import exercises, main, notes
 
-import fence
+from classroom import fence
 
 FILE = "distance.cpp"
 IDS = [f"1.{n}" for n in range(1, 7)]
@@ -120,7 +120,8 @@ def none_writes_into_the_tree(root, build):
         places = [f"chapters/{CHAPTER}/distance.h", "README.md", f"../chapters/{CHAPTER}/{FILE}"]
         if fence.version():
             places += [f"{door.root}/{path}" for path in (
-                places[0], "tools/grade.py", "new_file", "build/build.ninja", "out/grades.csv")]
+                places[0], "tools/judge/grade.py", "new_file", "build/build.ninja",
+                "out/grades.csv")]
         else:
             notes.append("no Landlock here: writing to absolute paths was not tried")
         code = " && ".join(f'!(std::ofstream("{path}") << 1)' for path in places[2:])

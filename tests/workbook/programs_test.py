@@ -9,7 +9,7 @@ from pathlib import Path
 
 from proofs import house, main, read, regions
 
-import grade
+from judge import grade
 
 
 # Every program: a symbol that it uses, and those that it must not carry. Chapters 1 and 2 run on

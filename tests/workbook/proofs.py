@@ -9,9 +9,8 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
-import exercises  # noqa: E402
-import house  # noqa: E402
+sys.path[:0] = [str(Path(__file__).resolve().parents[2] / folder) for folder in ("tools", "plots")]
+from base import exercises, house  # noqa: E402
 
 notes = []
 

@@ -20,7 +20,7 @@ ENGINE = {"engine": ["engine"], "engine/simd": ["engine", "engine/simd"],
 def may_include(path):
     """The folders from which a file may include, by its own place."""
     name = str(path)
-    if name.startswith("engine/library/"):  # packages everything
+    if name.startswith("library/"):  # packages everything
         return lambda folder: folder.startswith(("engine", "chapters/"))
     if name.startswith("engine/"):
         return lambda folder: folder in ENGINE[str(path.parent)]

@@ -1,0 +1,194 @@
+"""Where things are, and how they are built. How wb talks (talk.py) comes with it."""
+import contextlib
+import fcntl
+import os
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from base import exercises
+from base.talk import (TERMINAL, Trouble, ask, bad, bold, faint, good, progress,  # noqa: F401
+                  progress_done, talking)
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = ROOT / "build"
+OUT = ROOT / "out"
+
+
+@dataclass
+class Chapter:
+    """A chapter: its number and folder (1, 01_distance) and its files."""
+    number: int
+    folder: str
+    name: str
+
+    @property
+    def mine(self):
+        return ROOT / "chapters" / self.folder / f"{self.name}.cpp"
+
+    @property
+    def solution(self):
+        return ROOT / "solutions" / self.folder / f"{self.name}.cpp"
+
+    @property
+    def hints(self):
+        return ROOT / "chapters" / self.folder / "hints.md"
+
+    @property
+    def text(self):
+        return ROOT / "chapters" / self.folder / "README.md"
+
+    def ids(self):
+        """The exercises in the order of their numbers."""
+        found = {r.id for r in exercises.regions(self.solution.read_text(), self.solution.name)}
+        return sorted(found, key=lambda id_: int(id_.split(".")[1]))
+
+    def mine_text(self):
+        """The reader's file, whatever letters are in it; "" where there is none."""
+        return exercises.read(self.mine) if self.mine.is_file() else ""
+
+    def titles(self):
+        """What each exercise is about, from the table in the chapter's text."""
+        found = {}
+        for line in self.text.read_text().split("\n") if self.text.exists() else []:
+            if match := re.match(r"\|\s*(\d+\.\d+)\s*\|\s*([^|]*?)\s*\|", line):
+                found[match[1]] = match[2].replace("`", "")
+        return found
+
+    def place(self, id_):
+        """file:line of the exercise in the reader's file: its first todo, else where it begins."""
+        lines = self.mine_text().split("\n")
+        for words in (f'todo("{id_}")', f"// begin [exercise {id_}]"):
+            for number, line in enumerate(lines, 1):
+                if words in line.split("//")[0] or line.strip() == words:
+                    return f"{short(self.mine)}:{number}"
+        return short(self.mine)
+
+
+def chapters():
+    """All chapters that have a solution, in order."""
+    found = []
+    for folder in sorted((ROOT / "solutions").iterdir()):
+        if match := re.match(r"(\d\d)_(\w+)$", folder.name):
+            found.append(Chapter(int(match[1]), folder.name, match[2]))
+    return found
+
+
+def chapter_of(word):
+    """The chapter named by "2", "02", "02_ball", "ball", by an exercise "2.1" or by a file."""
+    for chapter in chapters():
+        if word.split(".")[0].lstrip("0") == str(chapter.number) or word == chapter.name \
+                or chapter.folder in Path(word).parts:
+            return chapter
+    raise Trouble(f"{word}: no such chapter; there are 1 to {len(chapters())}")
+
+
+def exercise_of(word):
+    """The chapter and id of an exercise such as "2.1"."""
+    if not re.fullmatch(r"\d+\.\d+", word):
+        raise Trouble(f"{word}: an exercise is called by its number, such as 2.1")
+    chapter = chapter_of(word)
+    if word not in chapter.ids():
+        raise Trouble(f"{word}: no such exercise; chapter {chapter.number} has "
+                      + " ".join(chapter.ids()))
+    return chapter, word
+
+
+def short(path):
+    """A path as seen from the root of the workbook."""
+    path = Path(path)
+    return str(path.relative_to(ROOT)) if path.is_relative_to(ROOT) else str(path)
+
+
+# ---- building ------------------------------------------------------------------------------------
+
+def use_build(preset):
+    """From now on another preset's folder is built in and run from."""
+    global BUILD
+    BUILD, _settings["preset"] = ROOT / "build" / preset, preset
+
+
+_settings = {"preset": "workbook"}
+
+
+def configure(again=False):
+    """Runs CMake when the build folder is new or was made for another place, or again."""
+    cache = BUILD / "CMakeCache.txt"
+    if cache.exists() and (BUILD / "build.ninja").exists():
+        if f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text():
+            if not again:
+                return
+        else:
+            shutil.rmtree(BUILD)  # a copied one points at the place it was copied from
+    progress("configuring")
+    command = ["cmake", "-S", ROOT, "--preset", _settings["preset"],
+               f"-DPython3_EXECUTABLE={sys.executable}"]
+    if os.environ.get("CI") == "true":
+        command.append("-DWORKBOOK_WARNINGS_AS_ERRORS=ON")
+    with talking():
+        result = subprocess.run(command, capture_output=True, text=True, cwd=ROOT)
+    progress_done()
+    if result.returncode != 0:
+        raise Trouble("CMake failed:\n" + result.stdout[-1500:] + result.stderr[-3000:])
+
+
+@contextlib.contextmanager
+def alone():
+    """Two that build in one folder disturb each other: the second waits."""
+    with open(BUILD / "wb.lock", "w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            progress("waiting: another ./wb is building")
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def build(targets, what="building"):
+    """Builds targets; returns "" or what the compiler said."""
+    configure()
+    log = []
+    with alone(), talking():
+        process = subprocess.Popen(["ninja", "-C", str(BUILD), "-k", "0", *targets],
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                   errors="replace")
+        for line in process.stdout:
+            if match := re.match(r"\[(\d+)/(\d+)\] ", line):
+                progress(f"{what} {match[1]} of {match[2]}{thing_built(line)}")
+            log.append(line)
+        process.wait()
+    progress_done()
+    return "" if process.returncode == 0 else "".join(log)
+
+
+def thing_built(line):
+    """": joints_test, reaction_test.cpp" of a line of ninja's."""
+    if match := re.search(r"CMakeFiles/(\w+)\.dir/(?:\S*/)?([\w.]+)\.o$", line.strip()):
+        return f": {match[1]}, {match[2]}"
+    match = re.search(r"Linking .* (\S+)$", line.strip())
+    return f": {match[1]}" if match else ""
+
+
+def must_build(targets, what="building"):
+    log = build(targets, what)
+    if log:
+        raise Trouble("the build failed:\n" + compiler_words(log))
+
+
+def compiler_words(log, most=25):
+    """The compiler's errors without the command lines and without mere warnings."""
+    command = r"\[\d+/\d+\]|ninja:|FAILED:|-- |\S.* -o \S"
+    lines, warns = [], False
+    for line in log.split("\n"):
+        if re.match(rf"{command}|In file included|\S+: In |collect2", line) or ": error:" in line \
+                or "fatal error:" in line or "undefined reference" in line:
+            warns = False
+        elif re.match(r"\S+:\d+:\d+: warning:", line):
+            warns = True
+        if line and not warns and not re.match(command, line):
+            lines.append(line)
+    lines = [line.replace(str(ROOT) + "/", "") for line in lines]
+    return "\n".join(lines[:most] + (["..."] if len(lines) > most else []))

@@ -1,0 +1,148 @@
+"""Error against run time, and what a joint costs as a scene grows: runs, draws, tells the best."""
+import csv
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+from base import house
+from pictures import figures
+from bench.measuring import run_bench
+
+JOINTS, STEPS, FEW, MANY = 99, 20, 10, 30  # of the run whose instructions are counted
+UNITS = {"gap_rms_m": ("gap RMS", 1000, "mm"), "gap_max_m": ("largest gap", 1000, "mm"),
+         "tip_error_m": ("tip error", 1000, "mm"), "sideways_m": ("sideways", 1, "m")}
+MOST_OF_A_FRONT = 4  # points that are printed of it
+
+
+def instructions(program):
+    """Instructions of one joint and iteration: two counts of iterations, their difference."""
+    counts = []
+    for iterations in (FEW, MANY):
+        with tempfile.TemporaryDirectory() as folder:
+            result = subprocess.run(
+                ["valgrind", "--tool=callgrind", f"--callgrind-out-file={Path(folder) / 'out'}",
+                 house.BUILD / "bench" / program, "--only-steps", str(STEPS),
+                 "--iterations", str(iterations)], capture_output=True, text=True)
+        match = re.search(r"Collected : (\d+)", result.stderr)
+        if result.returncode != 0 or not match:
+            raise house.Trouble("valgrind could not count: " + result.stderr.strip()[-300:])
+        counts.append(int(match[1]))
+    return (counts[1] - counts[0]) / (JOINTS * STEPS * (MANY - FEW))
+
+
+def read(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def scenes_of(rows):
+    """The rows of every scene, size and kind of number, in the order of the table."""
+    found = {}
+    for row in rows:
+        found.setdefault((row["scene"], row["chains"], row["real"]), []).append(row)
+    return found
+
+
+def called(row):
+    iterations = row["iterations"] + (f" x {row['substeps']}" if row["substeps"] != "1" else "")
+    return f"{row['solver']}, {row['setting']}, {iterations}"
+
+
+def microseconds(row):
+    return float(row["us_per_step"])
+
+
+def print_fastest(scenes):
+    """Of every scene the fastest run whose gaps stay below 1 % of a link, without more energy."""
+    print("\nthe fastest that holds 1 % of a link (largest gap), and plain cold iterations beside "
+          "it:")
+    print(f"  {'scene':10} {'chains':>6} {'real':7} {'us a step':>10} {'cold':>10}  "
+          "setting, iterations")
+    for (scene, chains, real), rows in scenes.items():
+        if len({(row["solver"], row["setting"]) for row in rows}) < 2:
+            continue
+        held = [row for row in rows if row["status"] == "ok"]
+        cold = [row for row in held if row["setting"] == "cold"]
+        best = min(held, key=microseconds, default=None)
+        plain = f"{min(map(microseconds, cold)):10.1f}" if cold else f"{'-':>10}"
+        print(f"  {scene:10} {chains:>6} {real:7} "
+              + (f"{microseconds(best):10.1f} {plain}  {called(best)}" if best
+                 else f"{'-':>10} {plain}  none"))
+
+
+def print_fronts(scenes):
+    """Of every scene what nothing beats in both: at most a few points, the ends among them."""
+    print("\nthe front of every scene: nothing measured is both faster and better (float)")
+    for (scene, chains, real), rows in scenes.items():
+        for measure in rows[0]["measures"].split("+") if real == "float" else []:
+            front = sorted((row for row in rows if measure in row["fronts"].split("+")),
+                           key=microseconds)
+            if len(rows) < 10 or not front:
+                continue
+            last, most = len(front) - 1, min(MOST_OF_A_FRONT, len(front))
+            words, factor, unit = UNITS[measure]
+            print(f"  {scene}, {chains} chain{'s' * (chains != '1')}, {words}:")
+            for k in sorted({round(i * last / max(1, most - 1)) for i in range(most)}):
+                size = factor * float(front[k][measure])
+                print(f"    {microseconds(front[k]):9.1f} us {size:9.3g} {unit:2}  "
+                      f"{called(front[k])}")
+
+
+def print_scaling():
+    """What a joint costs in a thousand and in a hundred thousand."""
+    rows = [row for row in read(figures.SCALING) if row["iterations"] == "30"]
+    sizes = sorted({int(row["joints"]) for row in rows})
+    print("\nns a joint and step, 30 iterations, float; bytes a joint:")
+    print(f"  {'solver':26}" + "".join(f"{size:>10,}" for size in sizes)
+          + f"{'growth':>9}{'bytes':>8}")
+    for solver, setting in dict.fromkeys((row["solver"], row["setting"]) for row in rows):
+        line = {int(row["joints"]): row for row in rows
+                if (row["solver"], row["setting"]) == (solver, setting)}
+        cost = {size: float(row["ns_per_joint_step"]) for size, row in line.items()}
+        print(f"  {solver + ', ' + setting:26}"
+              + "".join(f"{cost[size]:10.0f}" if size in cost else f"{'-':>10}" for size in sizes)
+              + f"{cost[sizes[-1]] / cost[sizes[1]]:9.2f}"
+              + f"{float(line[sizes[-1]]['bytes_per_joint'] or 'nan'):8.0f}")
+    print(f"  growth: a joint among {sizes[-1]:,} against one among {sizes[1]:,}")
+
+
+def print_instructions():
+    """What one more iteration costs a hinge of the engine's own loop, where it can be counted."""
+    if not shutil.which("valgrind"):
+        print("\n(no instruction counts: valgrind is not installed)")
+        return
+    print("\none hinge, one iteration of the engine's own loop (S1, one chain):")
+    for real, program in (("double", "work_precision"), ("float", "work_precision_float")):
+        house.progress(f"counting instructions, {real}")
+        count = instructions(program)
+        house.progress_done()
+        print(f"  {real:7} {count:6.1f} instructions")
+
+
+def main():
+    print("error against run time: about six minutes; leave the machine alone meanwhile",
+          flush=True)
+    began = time.time()
+    house.must_build(["work_precision", "work_precision_float", "scaling_float"])
+    run_bench("work_precision_float", [])
+    run_bench("work_precision", ["--append", "1"])
+    run_bench("scaling_float", [], figures.SCALING)
+    took = time.time() - began
+    scenes = scenes_of(read(figures.TABLE))
+    print_fastest(scenes)
+    print_fronts(scenes)
+    print_scaling()
+    print_instructions()
+    print()
+    house.progress("drawing")
+    made = figures.draw("work_precision.py", "--csv", figures.TABLE, "--peers", figures.PEERS)
+    made += figures.draw("scaling.py", "--csv", figures.SCALING)
+    house.progress_done()
+    for path in made:
+        print(house.short(path))
+    print(f"the tables: {house.short(figures.TABLE)}, {house.short(figures.SCALING)}; "
+          f"measuring took {took / 60:.1f} minutes")
+    return 0

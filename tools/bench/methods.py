@@ -1,0 +1,70 @@
+"""Every method on every kind of scene, all in one run."""
+import csv
+
+from base import house
+from pictures import figures
+from bench.measuring import run_bench
+
+WORDS = {
+    "si30": "Sequential Impulses, 30 iterations, cold, beta 0.2",
+    "beta1": "the same with beta 1",
+    "4x8": "4 substeps of 8 iterations, beta 1", "16x2": "16 substeps of 2, beta 1",
+    "warm": "30 iterations, warm, beta 0, one of projection",
+    "projection": "the same, cold",
+    "split": "4 substeps of 4 iterations and 4 on split impulses, warm, beta 1",
+    "relax": "16 substeps of 1 iteration and 1 to relax, warm, soft (60 Hz)",
+    "omega": "30 iterations, over-relaxed by 1.9, beta 1",
+    "lanes": "omega on lanes", "lanes10": "10 iterations on lanes, warm, beta 0.1",
+    "chapter7": "chapter 7's loop on lanes, 20 iterations, over-relaxed by 1.9",
+    "textbook": "a class a joint, 30 iterations",
+    "velocity": "direct: one exact solve a step", "shake": "direct, positions too",
+    "velocity/8": "velocity in 8 substeps", "shake/8": "shake in 8 substeps",
+    "stiff/8": "stiff in 8 substeps", "plain": "velocity without leapfrog",
+    "placed": "shake without leapfrog",
+    "stiff": "direct, positions, stiffness 8", "rk4": "direct, Runge-Kutta"}
+
+
+def number(text, factor=1.0, form="9.3g"):
+    """A cell of the table; a dash where a measure has no meaning."""
+    return format(factor * float(text), form) if text else f"{'-':>9}"
+
+
+def print_table():
+    """A line per scene and method; times are told against thirty iterations in the same run."""
+    with open(figures.METHODS, newline="") as file:
+        rows = list(csv.DictReader(file))
+    for scene, real in dict.fromkeys((row["scene"], row["real"]) for row in rows):
+        mine = [row for row in rows if (row["scene"], row["real"]) == (scene, real)]
+        found = mine[0]["finding"]
+        print(f"\n{scene}, {real}, {mine[0]['joints']} joints"
+              + (f"; {found}, expected {float(mine[0]['expected']):.4g}" if found else ""))
+        print(f"  {'method':11}{'us':>9}{'spread':>8}{'of si30':>9}{'gap mm':>9}{'RMS mm':>9}"
+              f"{'tip mm':>9}{'energy':>9}{'found':>9}  held")
+        for row in mine:
+            print(f"  {row['method']:11}{number(row['us_per_step'], form='9.1f')}"
+                  f"{number(row['spread'], 100, '7.0f')}%"
+                  f"{number(row['ratio_to_si30'], form='9.2f')}{number(row['gap_max_m'], 1000)}"
+                  f"{number(row['gap_rms_m'], 1000)}{number(row['tip_error_m'], 1000)}"
+                  f"{number(row['energy_drift'], form='9.1e')}{number(row['found'])}"
+                  f"  {row['held']} of {row['of']}, {row['status']}")
+    print("\nthe methods:")
+    for word in dict.fromkeys(row["method"] for row in rows):
+        print(f"  {word:11}{WORDS[word]}")
+    print("gap: the largest of all joints in the last two thirds of a run; spread: between the "
+          "quartiles of\nthe times, by their median; energy drift: energy at the end less that of "
+          "the start, by the scene's\nown scale; of a random family the worst of its scenes; '-': "
+          "has no meaning here.")
+
+
+def main():
+    print("every method on every kind of scene: about ten minutes; leave the machine alone "
+          "meanwhile", flush=True)
+    house.must_build(["methods", "methods_float"])
+    run_bench("methods", [], figures.METHODS)
+    run_bench("methods_float", ["--scene", "S1", "--append", "1"], figures.METHODS)
+    print_table()
+    print()
+    for path in figures.draw_methods():
+        print(house.short(path))
+    print(f"the table: {house.short(figures.METHODS)}")
+    return 0

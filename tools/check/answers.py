@@ -1,0 +1,250 @@
+"""Known answers of the exercises: tests/NN_name/answers/N.M.cpp, a section each.
+
+    // ---- wrong: sign of the row          or right: ..., or wrong units: ...
+    // expects: words of the report         what a wrong answer must be told; the first such line
+    // region: 2                            must stand in the report that a reader sees first
+    // tests: 1.5                           those of 1.5 judge it, once its own have found it right
+      the lines that take the place of the solution's, or, where these differ in little,
+    // change: these words of the solution ==>
+    //         those that stand there instead, on the same line or below
+
+All answers of a chapter become one source: in each region `if (chosen == k) {answer} else
+{solution}`. The choice comes from the environment, see tests/checker/chosen.h.
+"""
+import hashlib
+import json
+import re
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from base import exercises  # noqa: E402
+
+KINDS = ("wrong units", "wrong", "right")
+HEADING = re.compile(rf"// ---- ({'|'.join(KINDS)}): (\S.*)$")
+CHANGE = re.compile(r"// change: (\S.*)$")
+MORE = re.compile(r"// {7,}(\S.*)$")  # of a change that takes more than a line
+MARK = re.compile(r"\s*//\s*(-{2,}|={2,}|expects?\b|regions?\b|tests?\b|changes?\b)", re.I)
+STUB = "stub"  # the choice that leaves every exercise unwritten
+
+
+@dataclass
+class Answer:
+    """One known answer and what is promised of it."""
+    id: str
+    kind: str
+    title: str
+    file: Path
+    line: int                                     # of its heading
+    region: int = 1                               # which of the regions that share the id
+    tests: str = ""                               # the exercise that finds it out, not its own
+    promises: list = field(default_factory=list)  # (line, words)
+    body: list = field(default_factory=list)
+    changes: list = field(default_factory=list)   # [line, "words of the solution ==> others"]
+    first: int = 0                                # the line of the file where the body begins
+    faults: list = field(default_factory=list)    # (line, words): why it cannot be judged
+
+    @property
+    def name(self):
+        return f"{self.id} {self.kind}: {self.title}"
+
+    def key(self):
+        """Changes when the answer does."""
+        words = "\n".join([self.id, str(self.region), *self.body])
+        return hashlib.sha1(words.encode()).hexdigest()
+
+
+    def placed(self):
+        """The body with its places in the file; all that is changed from the solution stands where
+        the first change does."""
+        if not self.changes:
+            return [f'#line {self.first} "{self.file}"', *self.body]
+        return [part for line in self.body for part in (f'#line {self.first} "{self.file}"', line)]
+
+    def last(self):
+        """The line of the file behind the body."""
+        return self.first + (1 if self.changes else len(self.body))
+
+
+def read(path, regions):
+    """The answers of one file, each with its faults. `regions`: the solution's lines in each of
+    those that its exercise has."""
+    found, answer = [], None
+    for number, line in enumerate(path.read_text().rstrip("\n").split("\n"), 1):
+        if match := HEADING.match(line):
+            answer = Answer(path.stem, match[1], match[2].strip(), path, number)
+            found.append(answer)
+        elif answer is None:
+            if line.strip() and not line.startswith("//") or MARK.match(line):
+                answer = Answer(path.stem, "wrong", "no heading", path, number)
+                answer.faults.append((number, "this stands before the first heading, "
+                                      "'// ---- wrong: words' or right or wrong units"))
+                found.append(answer)
+        elif match := re.match(r"// expects: (\S.*)$", line):
+            answer.promises.append((number, match[1].strip()))
+        elif match := re.match(r"// region: (\d+)$", line):
+            answer.region = int(match[1])
+        elif match := re.match(r"// tests: (\d+\.\d+)$", line):
+            answer.tests = match[1]
+        elif match := CHANGE.match(line):
+            answer.changes.append([number, match[1]])
+        elif answer.changes and (match := MORE.match(line)):
+            answer.changes[-1][1] += " " + match[1]
+        elif MARK.match(line):
+            answer.faults.append((number, f"'{line.strip()}' is neither a heading (// ---- wrong: "
+                                          "words) nor // expects: words nor // region: 2 nor "
+                                          "// tests: 1.5 nor // change: words ==> others"))
+        else:
+            answer.first = answer.first or number
+            answer.body.append(line)
+    titles = {}
+    for one in found:
+        change(one, regions)
+        faults_of(one, len(regions))
+        if one.name in titles:
+            one.faults.append((one.line, f"the same heading as line {titles[one.name]}"))
+        titles[one.name] = one.line
+    return found
+
+
+def change(answer, regions):
+    """Makes the body of an answer that changes the solution."""
+    while answer.body and not answer.body[-1].strip():
+        answer.body.pop()
+    if not answer.changes or not 1 <= answer.region <= len(regions):
+        return
+    if any(not line.startswith("//") for line in answer.body):
+        answer.faults.append((answer.first, "lines of its own beside '// change:'"))
+    answer.first = answer.changes[0][0]
+    text = "\n".join(regions[answer.region - 1])
+    for number, words in answer.changes:
+        old, arrow, new = (part.strip() for part in words.partition("==>"))
+        if not arrow or old not in text:
+            answer.faults.append((number, f"the solution has no '{old}'"))
+        text = text.replace(old, new, 1)
+    answer.body = text.split("\n")
+
+
+def faults_of(answer, regions):
+    """Adds what is wrong with an answer on paper."""
+    wrong = answer.kind != "right"
+    if not answer.body:
+        answer.faults.append((answer.line, "the answer is empty"))
+    if wrong and not answer.promises:
+        answer.faults.append((answer.line, "a wrong answer needs a line '// expects: words of the "
+                                           "report'"))
+    if not wrong and answer.promises:
+        answer.faults.append((answer.promises[0][0], "a right answer expects no report"))
+    if not 1 <= answer.region <= regions:
+        answer.faults.append((answer.line, f"exercise {answer.id} has no region {answer.region}"))
+    if answer.tests == answer.id or answer.tests and answer.kind == "wrong units":
+        answer.faults.append((answer.line, "'// tests:' names another exercise than its own; units "
+                                           "are asked of its own alone"))
+    depth = 0
+    code = re.sub(r'"(\\.|[^"\\])*"|\'(\\.|[^\'\\])\'|//[^\n]*', "", "\n".join(answer.body))
+    for k, line in enumerate(code.split("\n")):
+        for letter in line:
+            depth += (letter == "{") - (letter == "}")
+        if depth < 0:
+            break
+    if depth:
+        answer.faults.append((answer.first + k, "the braces { } of this answer do not match"))
+
+
+def files_of(chapter_folder, root):
+    return sorted((Path(root) / "tests" / chapter_folder / "answers").glob("*.cpp"))
+
+
+def read_all(files, solution_text):
+    """All answers of a chapter's files."""
+    regions = {}
+    for region in exercises.regions(solution_text):
+        regions.setdefault(region.id, []).append(region.answer())
+    return [answer for path in files for answer in read(Path(path), regions.get(path.stem, []))]
+
+
+# ---- the source that holds them all --------------------------------------------------------------
+
+def returns_nothing(lines, begin):
+    """True when the function around a line is void: its head is the last line not indented."""
+    head = next(line for line in reversed(lines[:begin]) if re.match(r"\w", line))
+    return head.startswith("void ")
+
+
+def make(solution, files, units, out, root):
+    """Writes one source of all answers of these files that belong to numbers, or to units. Those
+    that the compiler has refused, listed beside `out`, are left out."""
+    text = Path(solution).read_text()
+    lines, shown = text.split("\n"), Path(solution).relative_to(root)
+    refused = refused_of(out)
+    chosen = [a for a in read_all(files, text) if (a.kind == "wrong units") == units
+              and not a.faults and a.key() not in refused]
+
+    def branches(region, place):
+        before = lines[region.begin:region.begin + len(region.task())]
+        answer_at = region.begin + len(before) + 1
+        last = lines[region.end + 1].strip() == "}" and not returns_nothing(lines, region.begin)
+        made = before + [f'  if (chosen == 0) todo("{region.id}");']
+        for k, one in enumerate(chosen, 1):
+            if (one.id, one.region) == (region.id, place):
+                made += [f"  else if (chosen == {k}) {{", *one.placed()]
+                made += [f'  testing::no_return("{one.file}:{one.line}");'] * last + ["  }"]
+        return made + ["  else {", f'#line {answer_at} "{root}/{shown}"', *region.answer(),
+                       "  }", f'#line {region.end + 1} "{root}/{shown}"']
+
+    names = [STUB] + [one.name for one in chosen]
+    table = ",\n  ".join(json.dumps(name, ensure_ascii=False) for name in names)
+    head = ["// Made by tools/check/answers.py.",
+            '#include "tests/checker/chosen.h"', "namespace {",
+            "const int chosen = joints::testing::chosen_answer({", f"  {table}}});", "}",
+            f'#line 1 "{root}/{shown}"']
+    exercises.write_if_new(out, "\n".join(head) + "\n" + exercises.replace(text, branches))
+
+
+def refused_of(out):
+    """{key: (line, what the compiler said)} of the answers that an earlier build refused."""
+    path = Path(f"{out}.refused.json")
+    return json.loads(path.read_text()) if path.exists() else {}
+
+
+def refuse(out, answers, log):
+    """Notes the answers whose lines the compiler complains of, so that the next build leaves them
+    out. Returns how many are new."""
+    refused = refused_of(out)
+    before = len(refused)
+    for block in re.split(r"^FAILED: ", log, flags=re.M):
+        error = re.search(r"\berror: (.*)", block)
+        if not error:
+            continue
+        for one in answers:
+            places = re.findall(rf"{re.escape(one.file.name)}:(\d+):", block) \
+                if str(one.file) in block else []
+            for number in map(int, places):
+                if one.first <= number < one.last() and one.key() not in refused:
+                    refused[one.key()] = (number, error_at(block, one.file, number) or error[1])
+    Path(f"{out}.refused.json").write_text(json.dumps(refused))
+    return len(refused) - before
+
+
+def error_at(block, file, number):
+    match = re.search(rf"{re.escape(str(file))}:{number}:.*?error: (.*)", block)
+    return match[1] if match else ""
+
+
+def main(arguments):
+    """answers.py numbers|units ROOT SOLUTION OUT ANSWERS..."""
+    if len(arguments) < 4 or arguments[0] not in ("numbers", "units"):
+        print(main.__doc__, file=sys.stderr)
+        return 2
+    kind, root, solution, out, *files = arguments
+    try:
+        make(Path(solution), [Path(f) for f in files], kind == "units", Path(out), Path(root))
+    except (exercises.Broken, OSError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,101 @@
+"""Judges known answers: each runs in a process of its own and is read as a reader's would be."""
+from pathlib import Path
+
+from check import answers
+from judge import grade as grading
+from base import house
+from judge import runs
+
+
+def fold(words):
+    return " ".join(words.split())
+
+
+def faults_of(answer, program, chapter):
+    """What of an answer is not as promised: [(line of its file, words)]."""
+    if answer.kind == "wrong units":
+        run = runs.run(program, [answer.id], answer=answer.name)
+        sentence = grading.units_of(run)
+        if not sentence:
+            return [(answer.line, run.fault or "the units find nothing wrong with this answer")]
+        return broken_promises(answer, [sentence])
+    one, trouble = graded(answer, answer.id, program, chapter)
+    if answer.tests and not trouble:
+        if one.status != grading.DONE:
+            return [(answer.line, f"the tests of {answer.id} find this answer out, so that "
+                                  f"'// tests: {answer.tests}' is not needed")]
+        one, trouble = graded(answer, answer.tests, program, chapter)
+    if trouble:
+        return [(answer.line, trouble)]
+    reports = [report for _, report in one.failures]
+    if answer.kind == "right":
+        right = one.status == grading.DONE
+        return [] if right else [(answer.line, "this right answer is called wrong:\n"
+                                  + (reports[0] if reports else one.words()))]
+    if one.status == grading.DONE:
+        return [(answer.line, f"this wrong answer passes every test of {one.id}")]
+    return broken_promises(answer, reports)
+
+
+def graded(answer, id_, program, chapter):
+    """What the tests of an exercise make of an answer, and why they cannot judge it, "" if they
+    can."""
+    one = grading.Grade(id_)
+    grading.read(runs.run(program, [id_], answer=answer.name), {id_: one}, chapter)
+    if not one.tests:
+        return one, f"exercise {id_} has no test"
+    bad = ("the answer ends without a return", "no such answer")
+    return one, next((fold(report) for _, report in one.failures
+                      if any(words in report for words in bad)), "")
+
+
+def broken_promises(answer, reports):
+    """The promises that no report keeps. The first must stand in the first report, which is the
+    one that a reader sees."""
+    flat = [fold(report) for report in reports]
+    for number, words in answer.promises:
+        first = number == answer.promises[0][0]
+        if not any(fold(words) in report for report in (flat[:1] if first else flat)):
+            where = "the first report does" if first else "the reports do"
+            return [(number, f"{where} not say '{words}' but\n"
+                     + (reports[0] if first else "\n\n".join(reports)))]
+    return []
+
+
+def stub_faults(program, chapter):
+    """The exercises of a fresh stub that do not say that they are not written yet."""
+    for id_ in chapter.ids():
+        one = grading.Grade(id_)
+        grading.read(runs.run(program, [id_], answer=answers.STUB), {id_: one}, chapter)
+        if one.status != grading.OPEN:
+            yield (f"the stub of {id_} is '{one.words()}', not '{grading.OPEN}'"
+                   + "".join(f"\n{report}" for _, report in one.failures[:1]))
+
+
+def known(chapter, units):
+    """The answers of a chapter that belong to numbers, or to units."""
+    found = answers.read_all(answers.files_of(chapter.folder, house.ROOT),
+                             chapter.solution.read_text())
+    return [one for one in found if (one.kind == "wrong units") == units]
+
+
+def source_of(chapter, kind):
+    return house.BUILD / "answers" / f"{chapter.folder}_{kind}.cpp"
+
+
+def ask_again(chapters):
+    """Forgets which answers the compiler has refused: what they call may have changed since."""
+    for chapter in chapters:
+        for kind in ("numbers", "units"):
+            source = source_of(chapter, kind)
+            if answers.refused_of(source):
+                Path(f"{source}.refused.json").write_text("{}")
+
+
+def leave_out_refused(chapters, log):
+    """Notes the answers that do not compile, so that the others can be. True if there are any."""
+    new = 0
+    for chapter in chapters:
+        for kind in ("numbers", "units"):
+            new += answers.refuse(source_of(chapter, kind), known(chapter, kind == "units"), log)
+    return new > 0

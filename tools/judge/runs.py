@@ -1,0 +1,138 @@
+"""Runs the tests of exercises in a process of their own and reads what it says, however it ends."""
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import tty
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass, field
+
+from judge import crashes
+
+LIMIT = 4  # processor time for the tests of an exercise [s]: they take milliseconds
+STACK, MEMORY = 256, 1024  # [MB]
+# The limits are the process's own. What runs out of its stack has touched all of it.
+LIMITED = "".join(f"ulimit -S {limit} 2>/dev/null; " for limit in (
+    f"-s {STACK * 1024}", f"-v {MEMORY * 1024}", "-t $0")) + 'exec "$@"'
+MOST = 1 << 16  # of what it prints is kept [bytes]
+
+
+@dataclass
+class Run:
+    """What came out."""
+    cases: list = field(default_factory=list)  # Catch2's XML of every test that ended
+    tags: str = ""     # of the test in which it ended badly: "[1.1]"
+    name: str = ""     # of that test
+    fault: str = ""    # how it ended, in plain words, where it did not end well
+    printed: str = ""  # what the tested code itself has printed
+
+
+def run(program, ids, limit=LIMIT, answer=None):
+    """Runs the tests of these exercises. `answer` is the known answer to run
+    (tools/check/answers.py)."""
+    env = dict(os.environ, WORKBOOK_ANSWER=answer) if answer else None
+    with tempfile.NamedTemporaryFile(prefix="joints_", suffix=".xml") as report:
+        status, printed, deep = process(
+            [program, ",".join(f"[{id_}]" for id_ in ids), "-r", "xml", "-o", report.name],
+            limit, env)
+        cases, open_case, whole = read(report.read())
+    own, library = apart(printed)
+    result = Run(cases, printed=own)
+    crash = next((case for case in cases if case.find(".//FatalErrorCondition") is not None), None)
+    if crash is not None:
+        cases.remove(crash)
+        signal_ = crash.find(".//FatalErrorCondition").text or ""
+        words = "the stack is full" if deep and "SEGV" in signal_ else f"{library}\n{signal_}"
+        result.fault = crashes.plainly(words)
+    elif not whole:
+        crash, result.fault = open_case, ending(status, limit)
+    if crash is not None:
+        result.tags, result.name = crash.get("tags", ""), crash.get("name", "")
+    result.printed = "\n".join(filter(None, [*map(said, cases), own]))
+    return result
+
+
+def process(command, limit, env=None):
+    """(exit status, what was printed, whether the stack was used up) of a process with limits. It
+    prints to a terminal of its own: into a pipe the last lines before a crash would be lost."""
+    try:
+        ours, its = os.openpty()
+        tty.setraw(its)
+    except OSError:  # a system without terminals, such as a bare container
+        ours, its = os.pipe()
+    child = subprocess.Popen(["sh", "-c", LIMITED, str(limit), *command], stdin=subprocess.DEVNULL,
+                             stdout=its, stderr=its, env=env)
+    os.close(its)
+    kept = []
+    listener = threading.Thread(target=listen, args=(ours, kept), daemon=True)
+    listener.start()
+    alarm = threading.Timer(2 * limit, child.kill)  # what waits uses no processor time
+    alarm.start()
+    _, status, used = os.wait4(child.pid, 0)
+    child.returncode = os.waitstatus_to_exitcode(status)
+    alarm.cancel()
+    listener.join(1)  # what it has left running in the background may print for ever
+    os.close(ours)
+    size = used.ru_maxrss / (1 << 20 if sys.platform == "darwin" else 1 << 10)
+    return child.returncode, b"".join(kept).decode(errors="replace"), size > 0.8 * STACK
+
+
+def listen(terminal, kept):
+    """Reads to the end, but keeps no more than the beginning."""
+    size = 0
+    try:
+        while part := os.read(terminal, MOST):
+            if size < MOST:
+                kept.append(part[:MOST - size])
+            size += len(part)
+    except OSError:  # how a terminal says that nobody writes to it any more
+        pass
+
+
+def read(report):
+    """(the tests that ended, the one that did not, whether the report is whole)."""
+    parser, ended, begun, whole = ElementTree.XMLPullParser(("start", "end")), [], None, False
+    parser.feed(report.replace(b"]]>", b"]]&gt;"))  # which Catch2 forgets where a text begins so
+    try:
+        for event, element in parser.read_events():
+            if element.tag == "TestCase":
+                begun = element if event == "start" else None
+                ended += [element] if event == "end" else []
+            whole = whole or (event == "end" and element.tag in ("Catch", "Catch2TestRun"))
+    except ElementTree.ParseError:
+        pass
+    return ended, begun, whole
+
+
+def ending(status, limit):
+    """How a process ended that did not finish its report."""
+    if status in (-signal.SIGXCPU, -signal.SIGKILL):
+        return f"it did not end within {limit} seconds: a loop without an end?"
+    if status == 97:
+        return "no such answer"
+    return "the program ended in the middle of a test: does the code call exit()?"
+
+
+def apart(printed):
+    """What the tested code printed, and the library's last words."""
+    own, library = [], []
+    for line in printed.split("\n"):
+        (library if crashes.LIBRARY.match(line) else own).append(line)
+    return "\n".join(own).strip("\n"), "\n".join(library)
+
+
+def said(case):
+    """What a test that ended has written to std::cout and std::cerr."""
+    return "\n".join((case.findtext(f".//{stream}") or "").strip()
+                     for stream in ("StdOut", "StdErr")).strip()
+
+
+def said_in(program, name, limit=1):
+    """What the code prints in one test, all of it in its order, up to a crash, too: with a report
+    of this kind Catch2 leaves std::cout alone."""
+    quoted = '"' + "".join("\\" + c if c in '\\",[]' else c for c in name) + '"'
+    with tempfile.NamedTemporaryFile(prefix="joints_") as report:
+        _, printed, _ = process([program, quoted, "-r", "compact", "-o", report.name], limit)
+    return apart(printed)[0]

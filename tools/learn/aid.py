@@ -1,0 +1,77 @@
+"""./wb hint, ./wb show and ./wb reset: help with an exercise, and a new beginning."""
+import re
+
+from base import exercises, house
+from judge import reading
+from base.talk import WIDTH, bold, faint, folded
+
+
+def hint(word, step):
+    chapter, id_ = house.exercise_of(word)
+    if step not in ("1", "2", "3"):
+        raise house.Trouble(f"hint {word} {step}: there are the hints 1, 2 and 3")
+    text = chapter.hints.read_text() if chapter.hints.exists() else ""
+    match = re.search(rf"^## {re.escape(id_)}\b.*?\n(.*?)(?=^## |\Z)", text, re.M | re.S)
+    part = match and re.search(rf"^### {step}\b.*?\n(.*?)(?=^### |\Z)", match[1], re.M | re.S)
+    if not part:
+        raise house.Trouble(f"{house.short(chapter.hints)} has no hint {step} for {id_}")
+    print(bold(f"Hint {step} of 3 for {id_}\n"))
+    print(paragraphs(part[1].strip()))
+    print()
+    if step != "3":
+        print(faint(f"more: ./wb hint {id_} {int(step) + 1}"))
+    else:
+        print(faint(f"the solution: ./wb show {id_}"))
+    return 0
+
+
+def paragraphs(text):
+    """A text whose paragraphs fit a terminal; code, tables, lists and formulas stay as they are."""
+    blocks, code = [], False
+    for block in text.split("\n\n"):
+        plain = not code and not re.search(r"^(\||- |\d+\. |    |```|\$\$)", block, re.M)
+        code ^= len(re.findall(r"^```", block, re.M)) % 2 == 1
+        long = any(len(line) >= WIDTH for line in block.split("\n"))
+        blocks.append(folded(" ".join(block.split())) if plain and long else block)
+    return "\n\n".join(blocks)
+
+
+def solution(word, yes):
+    chapter, id_ = house.exercise_of(word)
+    if not house.ask(f"Show the solution of {id_}?", yes):
+        return 0
+    for region in exercises.regions(exercises.read(chapter.solution)):
+        if region.id == id_:
+            print(bold(f"\n{house.short(chapter.solution)}:{region.begin}"))
+            print("\n".join(region.lines))
+    return 0
+
+
+def reset(word, yes, keep):
+    """Makes a file anew: with the reader's answers apart from the exercise that is named, or, with
+    `keep`, with all of them. What stood there is kept under out/."""
+    one = "." in word and "/" not in word
+    chapter, id_ = house.exercise_of(word) if one else (house.chapter_of(word), None)
+    fresh, mine = exercises.stub(exercises.read(chapter.solution)), chapter.mine_text()
+    name, look = house.short(chapter.mine), reading.look(chapter)
+    if keep:
+        new, said = exercises.transplant(fresh, mine), "as it was around your answers"
+    elif one:
+        new, said = exercises.transplant(fresh, mine, [id_]), f"the stub is back for {id_}"
+    else:
+        new, said = fresh, f"the stub is back for {' '.join(chapter.ids())}"
+    if new == mine:
+        print(f"{name}: there is nothing to put back.")
+        return 0
+    work = mine and not keep and (look.faults or any(
+        look.states[i] != reading.UNTOUCHED for i in ([id_] if one else look.states)))
+    what = f"exercise {id_}" if one else name
+    if work and not house.ask(f"Throw away your work in {what}?", yes):
+        return 0
+    if mine:
+        kept = house.OUT / "before_reset" / chapter.mine.name
+        exercises.write(kept, mine)
+        said += f" (what stood there: {house.short(kept)})"
+    exercises.write(chapter.mine, new)
+    print(folded(f"{name}: {said}."))
+    return 0

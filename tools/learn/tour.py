@@ -1,0 +1,40 @@
+"""./wb tour: everything computed, drawn and moving, from the solutions, on one page."""
+import resource
+
+from base import house
+from learn import show
+from pictures import figures
+from website import report
+from bench.measuring import run_bench
+
+
+def tour():
+    chapters = house.chapters()
+    print("every chapter's program, every figure, every motion: " + cost(), flush=True)
+    house.must_build([f"{c.folder}_run" for c in chapters] + ["work_precision"], "building")
+    with house.talking():
+        for chapter in chapters:
+            house.progress(f"running chapter {chapter.number}")
+            show.call_program(f"{chapter.folder}_run", show.SOLUTIONS / chapter.folder, [], True)
+            show.make_page(chapter, show.SOLUTIONS / chapter.folder, None)
+        house.progress("error against run time, the short form")
+        run_bench("work_precision", ["--quick", "1"])
+    jobs = [figures.of_chapter(chapter, show.SOLUTIONS / chapter.folder) for chapter in chapters]
+    jobs.append(("work_precision.py", "--csv", figures.TABLE, "--peers", figures.PEERS))
+    if figures.STABILITY.exists():
+        jobs.append(("stability.py", "--csv", figures.STABILITY))
+    figures.draw_all(jobs)
+    house.progress_done()
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    page = report.write(chapters, used.ru_utime + used.ru_stime)
+    print(f"\nAll of it on one page: {house.short(page)}\n"
+          "Your turn: ./wb leads you to the first exercise.")
+    return 0
+
+
+def cost():
+    """What a tour takes, said before it begins."""
+    if (house.BUILD / "build.ninja").exists():
+        return "half a\nminute, and what has to be built."
+    return "one to\nfour minutes the first time, most of it to build; 25 MB in build/ and out/."
+

@@ -1,0 +1,161 @@
+"""./wb live: the page in which the engine runs, with the solutions and with a reader's file."""
+import base64
+import glob
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+from base import exercises, house
+from judge import reading
+from learn import show
+from pictures import pages
+
+TEMPLATE = house.ROOT / "docs" / "live" / "live.html"
+FLAGS = ["--target=wasm32-wasi", "-std=c++20", "-O2", "-fexceptions", "-ffp-contract=off",
+         "-ffunction-sections", "-fdata-sections", "-DGLM_FORCE_CTOR_INIT",
+         "-DGLM_FORCE_EXPLICIT_CTOR", "-w"]
+LINK = ["--target=wasm32-wasi", "-mexec-model=reactor", "-Wl,--gc-sections", "-Wl,--strip-all"]
+# A reader's file is looked at more closely: an index outside a vector stops the module, and a loop
+# without end stays one.
+LENIENT = ["-D_LIBCPP_DEBUG=0", "-ftrivial-auto-var-init=pattern", "-fno-finite-loops"]
+
+
+def sources():
+    """What the module is made of: {name of an object: the sources that are compiled as one}."""
+    root, chapters = house.ROOT, house.chapters()
+    mine = {chapter.mine for chapter in chapters}
+    engine = ("body", "matrix", "block", "world", "iterative_solver", "sequential_impulses",
+              "projection", "step", "state", "input", "reaction", "simd/arrange",
+              "instruments/measure", "instruments/rate", "instruments/scene")
+    return {"engine": [root / "engine" / f"{name}.cpp" for name in engine],
+            "given": [path for path in sorted((root / "chapters").glob("*/*.cpp"))
+                      if path not in mine],
+            "bench": [root / "bench" / "scenes.cpp"],
+            **{path.stem: [path] for path in sorted((root / "docs" / "live").glob("*.cpp"))},
+            **{chapter.folder: [chapter.solution] for chapter in chapters}}
+
+
+def missing():
+    """The packages that are not there, by Debian's names."""
+    there = {"clang": shutil.which("clang++"), "lld": shutil.which("wasm-ld"),
+             "wasi-libc": Path("/usr/include/wasm32-wasi/stdio.h").exists(),
+             "libc++-dev-wasm32": Path("/usr/include/wasm32-wasi/c++/v1/vector").exists(),
+             "libclang-rt-dev-wasm32": glob.glob("/usr/lib/llvm-*/lib/clang/*/lib/wasi/*.a")}
+    return [package for package, found in there.items() if not found]
+
+
+def refuse(chapter):
+    """Without the packages: one line that says which, and what there is instead."""
+    if lacking := missing():
+        raise house.Trouble(
+            f"live needs {' '.join(lacking)} (Debian packages). Without them the recorded motion: "
+            f"./wb see{f' {chapter.number}' if chapter else ''}")
+
+
+# ---- the modules ---------------------------------------------------------------------------------
+
+def glm_folder():
+    """Where glm/ lies; the system's other headers must not be seen."""
+    places = [Path(place) / "include" for place in
+              os.environ.get("CMAKE_PREFIX_PATH", "").split(os.pathsep) if place]
+    for place in places + [Path("/usr/include"), Path("/usr/local/include")]:
+        if (place / "glm" / "glm.hpp").exists():
+            return place / "glm"
+    raise house.Trouble("glm is not there (Debian package: libglm-dev)")
+
+
+def write_ninja(folder, swaps):
+    """build.ninja of the modules: the solutions' as solution.wasm, and one for each swap: its name,
+    and which source takes the place of which object. All paths are seen from the folder, so that it
+    can be copied together with the workbook."""
+    def seen(path):
+        return os.path.relpath(path, folder)
+    include = folder / "include"
+    include.mkdir(parents=True, exist_ok=True)
+    link, glm = include / "glm", glm_folder()
+    if not link.is_symlink() or link.readlink() != glm:
+        link.unlink(missing_ok=True)
+        link.symlink_to(glm)
+    launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
+    flags = " ".join([*FLAGS, "-isystem include", f"-I{seen(house.ROOT)}"])
+    lines = ["rule compile",
+             f"  command = {launcher} clang++ {flags} $more -MMD -MF $out.d -c $in -o $out",
+             "  deps = gcc", "  depfile = $out.d", "rule link",
+             f"  command = clang++ {' '.join(LINK)} $in -o $out"]
+
+    def compiled(name, paths, more=""):
+        source = seen(paths[0])
+        if len(paths) > 1:
+            source = f"{name}.cpp"
+            exercises.write_if_new(folder / source, "".join(
+                f'#include "{path.relative_to(house.ROOT)}"\n' for path in paths))
+        lines.extend([f"build {name}.o: compile {source}", f"  more = {more}"])
+        return f"{name}.o"
+    objects = {name: compiled(name, paths) for name, paths in sources().items()}
+    for name, swap in {"solution": {}, **swaps}.items():
+        mine = {which: compiled(f"{name}.{which}", [path], " ".join(LENIENT))
+                for which, path in swap.items()}
+        lines.append(f"build {name}.wasm: link {' '.join({**objects, **mine}.values())}")
+    exercises.write_if_new(folder / "build.ninja", "\n".join(lines) + "\n")
+
+
+def build(swaps=None, folder=None):
+    """Builds the modules; returns the folder in which they are."""
+    folder, swaps = folder or house.BUILD / "live", swaps or {}
+    folder.mkdir(parents=True, exist_ok=True)
+    with house.alone():
+        write_ninja(folder, swaps)
+        names = [f"{name}.wasm" for name in ("solution", *swaps)]
+        result = subprocess.run(["ninja", "-C", folder, *names], capture_output=True, text=True)
+    if result.returncode:
+        raise house.Trouble("the live page's module cannot be built:\n"
+                            + house.compiler_words(result.stdout))
+    return folder
+
+
+# ---- the page ------------------------------------------------------------------------------------
+
+def write_page(page, title, modules, **more):
+    """The page of these modules, [(label, file)]; `more` is what else it is told."""
+    data = {"title": title, **more, "modules": [
+        {"label": label, "wasm": base64.b64encode(file.read_bytes()).decode()}
+        for label, file in modules]}
+    page.parent.mkdir(parents=True, exist_ok=True)
+    page.write_text(pages.filled(TEMPLATE, data), encoding="utf-8")
+    return page
+
+
+def prepare_mine(chapter):
+    """Which exercises are the reader's own; their file, the rest from the solution, lies ready."""
+    look = reading.look(chapter)
+    look.refuse()
+    if written := look.written():
+        show.write_mixed(chapter, written)
+    return written
+
+
+def live(chapter):
+    """The page with the solutions, or with the reader's file of a chapter beside them."""
+    refuse(chapter)
+    page = house.OUT / (f"live_{chapter.folder}.html" if chapter else "live.html")
+    written = prepare_mine(chapter) if chapter else []
+    house.progress("building the live page (about a minute, the first time)")
+    if written:
+        name = f"mine_{chapter.number}"
+        folder = build({name: {chapter.folder: show.mixed_file(chapter)}})
+        rest = [id_ for id_ in chapter.ids() if id_ not in written]
+        note = f"your {' '.join(written)}" + (
+            f"; the solution's {' '.join(rest)}" if rest else "")
+        modules = [("yours", folder / f"{name}.wasm"), ("the solution", folder / "solution.wasm")]
+    else:
+        folder = build()
+        note, modules = "", [("the solution", folder / "solution.wasm")]
+        if chapter:
+            note = "the solution: no exercise of this chapter is written yet"
+    house.progress_done()
+    title = f"Chapter {chapter.number}: {chapter.name}, live" if chapter else "The engine, live"
+    write_page(page, title, modules, note=note, chapter=chapter.number if chapter else 0)
+    print(house.short(page) + (f"   ({note})" if note else ""))
+    show.open_page(page)
+    return 0

@@ -1,0 +1,101 @@
+"""What surrounds a page of the site: the bar with search, the list of pages, the way on."""
+import re
+from html import escape, unescape
+
+from base import house
+
+# The list of pages, in its order; chapters stand behind "Before you start".
+BEFORE = ["index.html", "md_docs_before_you_start.html"]
+AFTER = ["md_docs_gallery.html", "md_docs_notation.html", "md_docs_errata.html",
+         "md_docs_references.html", "md_docs_which_method.html", "md_docs_library.html",
+         "md_docs_teaching.html", "md_docs_architecture.html"]
+CODE = [("modules.html", "The code, by topic"), ("annotated.html", "All types")]
+BAR = """<a id="home" href="index.html">The Joint Workbook</a>
+<div id="MSearchBox"><input id="search" type="search" placeholder="Search"
+  aria-label="Search" autocomplete="off" data-words="search_words.js"><ol id="found" hidden></ol>
+</div>
+<input id="menu-open" type="checkbox" aria-label="Show the list of pages">
+<label for="menu-open">Chapters and pages</label>
+"""
+
+
+def chapter_pages(chapter):
+    """A chapter's own pages beside its text: (file, words)."""
+    return [(f"md_chapters_{chapter.folder}_hints.html", "Exercises and hints"),
+            (f"md_solutions_{chapter.folder}_answers.html", "Answers"),
+            (f"group__chapter{chapter.number}.html", "Its code"),
+            (f"motion/{chapter.folder}.html", "Its motions")]
+
+
+def text_of(chapter):
+    return f"md_chapters_{chapter.folder}_README.html"
+
+
+def entry(page, words, here, more=""):
+    mark = ' aria-current="page"' if page == here else ""
+    return f'<li><a href="{page}"{mark}>{escape(words)}</a>{more}</li>'
+
+
+def page_list(here, titles, chapters, texts):
+    """The list of all pages, as seen from one of them."""
+    rows = [entry(page, titles[page], here) for page in BEFORE]
+    for chapter in chapters:
+        own = chapter_pages(chapter)
+        inside = here == text_of(chapter) or here in [page for page, _ in own]
+        more = "<ul>" + "".join(entry(*one, here) for one in own) + "</ul>" if inside else ""
+        rows.append(entry(text_of(chapter), titles[text_of(chapter)], here, more))
+    rows += [entry(page, titles[page], here) for page in AFTER]
+    if "live.html" in texts:
+        rows.append(entry("live.html", "The engine, live", here))
+    rows += [entry(page, words, here) for page, words in CODE]
+    return f'<nav id="pages"><ul>{"".join(rows)}</ul></nav>'
+
+
+def way_on(here, titles, chapters):
+    """The bar that leads to the chapter before and the one behind, for a chapter's text."""
+    order = [BEFORE[1], *(text_of(chapter) for chapter in chapters), AFTER[0]]
+    if here not in order[1:-1]:
+        return ""
+    k = order.index(here)
+    return (f'<nav class="way"><a rel="prev" href="{order[k - 1]}">← {titles[order[k - 1]]}</a>'
+            f'<a rel="next" href="{order[k + 1]}">{titles[order[k + 1]]} →</a></nav>')
+
+
+def title_of(text):
+    found = re.search(r'<div class="title">(.*?)</div>', text, re.S)
+    words = re.sub(r'<div class="ingroups">.*', "", found[1], flags=re.S) if found else ""
+    return unescape(" ".join(re.sub(r"<[^>]+>", "", words).split()))
+
+
+def surround(texts, extra=()):
+    """All pages, {file: text}, with bar, list and way on. `extra`: pages made elsewhere."""
+    chapters = house.chapters()
+    titles = {page: title_of(text) for page, text in texts.items()}
+    titles["index.html"] = "Start"
+    titles["md_docs_which_method.html"] = "Which method"
+    made = {}
+    for page, text in texts.items():
+        side = BAR + page_list(page, titles, chapters, extra)
+        text = re.sub(r'<div id="titlearea">.*?<!-- end header part -->',
+                      lambda _: f'<div id="side">{side}</div><!-- end header part -->', text,
+                      flags=re.S)
+        way = way_on(page, titles, chapters)
+        text = re.sub(r'<div id="nav-path".*?</ul>\s*</div>', "", text, flags=re.S)
+        text = text.replace("</div><!-- top -->", '</div><!-- top --><div id="doc-content">', 1)
+        text = text.replace('<hr class="footer"/>', '</div><hr class="footer"/>', 1)
+        text = re.sub(r"(</div>\s*</div><!-- contents -->)", lambda end: way + end[1], text,
+                      count=1)
+        made[page] = text.replace('<div class="textblock">', '<div class="textblock">' + way, 1)
+    kept = reachable(made)
+    return {page: made[page] for page in kept}, {page: titles[page] for page in kept}
+
+
+def reachable(texts):
+    """The pages to which links lead from the first one: Doxygen writes more."""
+    found, waiting = {"index.html"}, ["index.html"]
+    while waiting:
+        for page in re.findall(r'href="([\w.-]+\.html)', texts[waiting.pop()]):
+            if page in texts and page not in found:
+                found.add(page)
+                waiting.append(page)
+    return [page for page in texts if page in found]

@@ -243,7 +243,7 @@ void spreads_no_further() {
   spoilt.world.bodies[spoilt.pushed].force.x = std::numeric_limits<real>::max();
   const std::string words = overflow([&] { step(spoilt.world, solver, h, how); });
   CHECK_THAT(words, StartsWith("body 1: "));
-  CHECK_THAT(words, Contains("overflowed"));
+  CHECK_THAT(words, ContainsSubstring("overflowed"));
   step(whole.world, other, h, how);
   const auto same = [&](BodyId id) {
     return bytes_of(spoilt.world.bodies[id]) == bytes_of(whole.world.bodies[id]);
@@ -311,7 +311,7 @@ TEST_CASE("what overflows is told at the end of its substep, whichever solver mo
       shared.world.bodies[id].force.y = std::numeric_limits<real>::max();
       shared.world.bodies[id].inverse_mass = 10;
       CHECK_THAT(overflow([&] { step(shared.world, *solver, h, {.substeps = 4}); }),
-                 Contains("overflowed"));
+                 ContainsSubstring("overflowed"));
       CHECK(shared.world.last_h == h / 4);
     }
   Shared shared;

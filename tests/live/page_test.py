@@ -10,8 +10,9 @@ from functools import lru_cache
 import browser
 from made import house, live, page, skip_without
 
-import tied
 from proofs import main, read
+
+from keep import tied
 
 WIDE, PHONE = (1280, 900), (390, 844)
 

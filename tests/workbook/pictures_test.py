@@ -5,8 +5,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-import tied
 from proofs import house, main, notes, read
+
+from keep import tied
 
 MOST_BYTES = 60_000  # of a result: it is read on a code host, over a network
 MADE_BY = re.compile(r"Matplotlib v([\d.]+)")

@@ -13,6 +13,7 @@ sys.path[:0] = [str(Path(__file__).resolve().parents[2] / folder) for folder in 
 from base import exercises, house  # noqa: E402
 
 notes = []
+SLACK = 1.2  # a length is an aim: missed by less it is noted, by more it is wrong
 
 
 def read(path):
@@ -54,6 +55,15 @@ def sections(text, mark):
 def section(chapter, heading):
     """One section of a chapter's text."""
     return dict(sections(prose(read(chapter.text)), "##")).get(heading, "")
+
+
+def beyond(where, count, aim, what):
+    """Notes a length beyond its aim; one beyond the slack is wrong."""
+    words = f"{where} has {count} {what}: the aim is {aim}"
+    if count > SLACK * aim:
+        yield words
+    elif count > aim:
+        notes.append(words)
 
 
 def folded(text):

@@ -97,6 +97,11 @@ def exercise_of(word):
     return chapter, word
 
 
+def python():
+    """The interpreter that runs this, as one types it."""
+    return "python3" if shutil.which("python3") == sys.executable else sys.executable
+
+
 def short(path):
     """A path as seen from the root of the workbook."""
     path = Path(path)

@@ -19,6 +19,7 @@ class Report:
     passed: Counter = field(default_factory=Counter)   # by kind of thing
     failed: list = field(default_factory=list)         # (title, words, command)
     skipped: list = field(default_factory=list)
+    notes: list = field(default_factory=list)          # aims that are missed, and counts
     proved: Counter = field(default_factory=Counter)   # counted by the checker itself
     names: set = field(default_factory=set)            # of errata and identities
     done: int = 0                                      # cases, for the progress
@@ -92,10 +93,11 @@ def run_script(path, topic, report):
         report.skipped.append(f"{path}: {result.stdout.strip()}")
     elif result.returncode:
         report.fail(path, (result.stdout + result.stderr).strip(),
-                    f"python3 {path} . {house.short(house.BUILD)}")
+                    f"{house.python()} {path} . {house.short(house.BUILD)}")
     else:
         report.passed["script", topic, "proofs"] += max(
             1, len(re.findall(r"^holds", result.stdout, re.M)))
+        report.notes += re.findall(r"^note +(.*)", result.stdout, re.M)
 
 
 def run_chapter(program, report):
@@ -141,5 +143,7 @@ def summary(report):
             before = group
     for line in report.skipped:
         print(f"  skipped: {line}")
+    for line in report.notes:
+        print(f"  note: {line}")
     for title, _, command in report.failed:
         print(f"{house.bad('FAILED')} {title}\n    {command}")

@@ -23,7 +23,7 @@ import subprocess
 from dataclasses import dataclass
 from functools import lru_cache
 
-from proofs import house
+from base import house
 
 COMMENT = re.compile(r"<!--\s*=\s*(.*?)-->", re.S)
 TIED = re.compile(r"<!--\s*(?:=.*?|given\s*)-->", re.S)

@@ -1,31 +1,13 @@
-// Chains and trees, drawn by a generator that is the same everywhere.
+// Chains and trees, drawn at random.
 #include "bench/random_chains.h"
 
 #include <cmath>
-#include <random>
+
+#include "bench/draw.h"
 
 namespace joints::bench {
 
 namespace {
-
-// Uniform numbers of the Mersenne twister itself: the standard's distributions differ by library.
-class Draw {
- public:
-  explicit Draw(unsigned seed) : random_(seed) {}
-  double number(double from, double to) {
-    return from + (to - from) * double(random_()) / 4294967296.0;
-  }
-  int whole(int from, int to) { return from + int(number(0, to - from + 1)); }
-  vec3 direction() {
-    for (;;) {
-      const vec3 a(real(number(-1, 1)), real(number(-1, 1)), real(number(-1, 1)));
-      if (length(a) > real(0.1) && length(a) < 1) return normalize(a);
-    }
-  }
-
- private:
-  std::mt19937 random_;
-};
 
 BenchScene random_bodies(const char* name, unsigned seed, double ratio, bool tree) {
   Draw draw(seed);

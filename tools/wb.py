@@ -35,6 +35,8 @@ HELP = """The Joint Workbook
   ./wb bench           error against run time; a joint's cost in larger scenes
   ./wb bench --stability   what is stiff, extreme or redundant: what holds what
   ./wb bench --methods every method on every kind of scene
+  ./wb bench --families    scenes drawn by seeds: how many each setting holds
+                       (--seed N, --draws N)
   ./wb bench --peers   ours beside Bullet, ODE and MuJoCo of Debian (--quick)
   ./wb bench --loop    a joint and iteration, from the textbook's loop to lanes
   ./wb bench --cost    rows, bytes and instructions of every kind of joint
@@ -120,6 +122,9 @@ def bench(options):
         case ["--methods"]:
             from bench import methods
             return methods.main()
+        case ["--families", *rest] if set(rest[::2]) <= {"--seed", "--draws"}:
+            from bench import families
+            return families.main(rest)
         case ["--peers", *rest] if set(rest) <= {"--quick", "--search"}:
             from bench import peers
             return peers.main("--quick" in rest, "--search" in rest)
@@ -129,8 +134,8 @@ def bench(options):
         case ["--cost"] | ["--cost", "--keep"]:
             from bench import cost
             return cost.main(keep="--keep" in options)
-    raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --methods, --peers, "
-                        "--loop or --cost")
+    raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --methods, "
+                        "--families, --peers, --loop or --cost")
 
 
 def call(command, words, rest):

@@ -17,6 +17,10 @@ Setting setting_named(const std::string& method) {
   Way placed = plain;
   placed.newton = 8;
   stiff.stiffness = 8;
+  Way loops = shake;
+  loops.careful = true;
+  Way careful = loops;
+  careful.stiffness = 8;
   const struct {
     std::string word;
     Way way;
@@ -39,6 +43,8 @@ Setting setting_named(const std::string& method) {
                {"plain", plain},
                {"placed", placed},
                {"stiff", stiff},
+               {"loops", loops},
+               {"careful", careful},
                {"rk4", {.loop = Loop::runge_kutta, .beta = 1}}};
   const std::size_t slash = method.find('/');
   for (auto one : known) {

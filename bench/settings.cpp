@@ -196,6 +196,7 @@ Step of_the_direct_solver(const Way& way) {
   DirectSolver solver;
   solver.newton = way.newton;
   solver.stiffness = way.stiffness;
+  solver.careful = way.careful;
   return [solver, how = stepping_of(way)](World& world, real h) mutable {
     joints::step(world, solver, h, how);
   };

@@ -50,6 +50,7 @@ struct Way {
   bool leapfrog = false;    ///< half a kick in the first step
   int newton = 0;           ///< direct only: iterations on the positions
   real stiffness = 0;       ///< direct only
+  bool careful = false;     ///< direct only
   int most = 200;           ///< no more iterations than this: further ones say nothing new
   bool quick = false;       ///< also in the short form
 

@@ -70,6 +70,9 @@ class Blocks {
   std::vector<Row> J;       ///< the rows of all blocks
   std::vector<real> C;      ///< their errors, one per row [m, rad, or 1 for a small sine]
   bool errors_only = false;  ///< append no rows of J: to ask how far off other poses are
+  real acted = 0;            ///< for how long the impulses of the last step acted [s]
+  real acting = 0;           ///< and those of this step [s]
+  mutable std::vector<real> inertia;  ///< the solver's: least moment of each body [kg m^2]
 
   void clear() { truncate(0); }  ///< removes all blocks, keeps the memory
   void truncate(int count);      ///< removes all blocks but the first `count`

@@ -47,6 +47,8 @@ void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
   const bool first = world.last_h == 0;
   const real ratio = !how.warm_start ? real(0) : first ? real(1) : h / world.last_h;
   Bodies& bodies = world.bodies;
+  world.blocks.acted = world.blocks.acting;
+  world.blocks.acting = how.leapfrog ? (world.last_h + h) / 2 : h;
   if (how.leapfrog)
     kick(bodies, world.gravity, (world.last_h + h) / 2);  // Eq. 9-9
   else

@@ -17,9 +17,13 @@ void DirectSolver::check() const {
 
 void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {
   blocks_ = &blocks;
+  rows_of_J_ = blocks.J.data();
+  h_ = h;
   if (first == 0) {
     report_ = {};
-    collect_masses(bodies, h);
+    pulls_.assign(std::size_t(bodies.slots()), Pull{});
+    if (stiffness > 0) find_pulls(careful ? blocks.acted : h, pulls_);
+    collect_masses(bodies);
   }
   collect_blocks(bodies, h);
   factored_ = false;
@@ -62,6 +66,8 @@ bool DirectSolver::is_hub() const {
 
 void DirectSolver::warm_start(Bodies& bodies, real ratio) {
   if (report_.iterated) return instead.warm_start(bodies, ratio);
+  warm_ = ratio > 0;
+  if (careful && stiffness > 0) before_.assign(bodies.data(), bodies.data() + bodies.slots());
   for (int slot = 0; slot < bodies.slots(); ++slot)
     if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].w;
   contacts_.warm_start(bodies, ratio);
@@ -76,10 +82,10 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
 
 // ---- bodies -------------------------------------------------------------------------------------
 
-void DirectSolver::collect_masses(const Bodies& bodies, real h) {
+void DirectSolver::collect_masses(const Bodies& bodies) {
   masses_.assign(std::size_t(bodies.slots()), BodyMass{});
-  pulls_.assign(std::size_t(bodies.slots()), Pull{});
-  if (stiffness > 0) find_force_levers(h);
+  std::vector<real>& then = blocks_->inertia;
+  if (careful) then.resize(masses_.size());
   for (int slot = 0; slot < bodies.slots(); ++slot) {
     if (bodies.at(slot).is_static()) {
       pulls_[slot].force_lever = 0;
@@ -88,9 +94,14 @@ void DirectSolver::collect_masses(const Bodies& bodies, real h) {
     Body body = bodies.at(slot);
     Pull& pull = pulls_[slot];
     if (pull.force_lever > 0) {
-      const Stiffened more = stiffened(body, pull.force_lever, pull.lever, stiffness, h);
-      body.inverse_inertia_local = pull.inverse_inertia_local = more.inverse_inertia_local;
-      pull.w = more.w;
+      if (careful) {
+        slow_down(body, then[slot], pull);
+      } else {
+        const Stiffened more = stiffened(body, pull.force_lever, pull.lever, stiffness, h_);
+        pull.inverse_inertia_local = more.inverse_inertia_local;
+        pull.w = more.w;
+      }
+      body.inverse_inertia_local = pull.inverse_inertia_local;
     }
     const mat3 I = inverse_inertia(body);
     masses_[slot].linear = body.inverse_mass;
@@ -98,26 +109,54 @@ void DirectSolver::collect_masses(const Bodies& bodies, real h) {
   }
 }
 
-// |F||r| of each body, by the impulses of the last step. The length of a lever is read off its
+// No moment is less than what the step can follow, Eq. 9-15. An inertia that grows keeps the
+// angular momentum, one that shrinks the angular velocity: neither gains energy, and a steady one
+// costs none.
+void DirectSolver::slow_down(const Body& body, real then, Pull& pull) const {
+  const vec3 moments = real(1) / body.inverse_inertia_local;
+  const vec3 now = max(moments, vec3(stiffness * h_ * h_ * pull.force_lever));
+  pull.inverse_inertia_local = real(1) / now;
+  pull.w = to_world(body, min(vec3(1), max(moments, vec3(then)) / now) * to_local(body, body.w));
+}
+
+// |F||r| of each body, by impulses that acted for so long. The length of a lever is read off its
 // block's rows: the three of a point hold twice its square.
-void DirectSolver::find_force_levers(real h) {
+void DirectSolver::find_pulls(real acted, std::vector<Pull>& pulls) const {
+  if (acted == 0) return;  // there was no step yet
   for (const Block& block : blocks_->list) {
     vec3 F(0);
     real square1 = 0, square2 = 0;
     for (int i = 0; i < block.rows; ++i) {
       const Row& J = blocks_->J[block.first + i];
       if (J.v2 == vec3(0)) continue;
-      F += block.impulse[i] / h * J.v2;
+      F += block.impulse[i] / acted * J.v2;
       square1 += dot(J.w1, J.w1) / 2;
       square2 += dot(J.w2, J.w2) / 2;
     }
     const real force = length(F);
     for (const auto& [slot, square] : {std::pair{block.body1, square1}, {block.body2, square2}}) {
       const real lever = std::sqrt(square);
-      pulls_[slot].force_lever += force * lever;
-      pulls_[slot].lever = std::max(pulls_[slot].lever, lever);
+      pulls[slot].force_lever += force * lever;
+      pulls[slot].lever = std::max(pulls[slot].lever, lever);
     }
   }
+}
+
+// True if the impulses that were just found ask for more than twice the inertia of a body, as a
+// blow does, or the first step: it knew of no force.
+bool DirectSolver::forces_jumped(const Bodies& bodies) {
+  next_pulls_.assign(pulls_.size(), Pull{});
+  find_pulls(blocks_->acting, next_pulls_);
+  for (int slot = 0; slot < bodies.slots(); ++slot) {
+    if (bodies.at(slot).is_static()) continue;
+    const vec3 moments = real(1) / bodies.at(slot).inverse_inertia_local;
+    const real least = std::min({moments.x, moments.y, moments.z});
+    const real follows = stiffness * h_ * h_;
+    if (follows * next_pulls_[slot].force_lever >
+        2 * std::max(follows * pulls_[slot].force_lever, least))
+      return true;
+  }
+  return false;
 }
 
 // ---- blocks -------------------------------------------------------------------------------------
@@ -183,7 +222,7 @@ void DirectSolver::place_rows() {
 // Row i of a block in the matrix; of one that is not live, zeros.
 void DirectSolver::place_row(int inside, int i, bool live) {
   const Block& block = *inside_[inside].block;
-  const Row J = live ? blocks_->J[block.first + i] : Row{};
+  const Row J = live ? rows_of_J_[block.first + i] : Row{};
   HalfRowOf<TwoLanes>* const place = &J_[2 * maker_.row(inside) + i];
   const auto put = [lane = maker_.lane(inside)](Triple<TwoLanes>& to, const vec3& a) {
     to.x[lane] = double(a.x), to.y[lane] = double(a.y), to.z[lane] = double(a.z);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace joints {
 
@@ -12,6 +13,13 @@ namespace {
 // one of them is at its bound, their impulses are as large as this is small: with float velocities
 // 1e-9 leaves nothing of what they were.
 constexpr double bound_softness = sizeof(real) == 4 ? 1e-6 : 1e-9;
+// If careful, a share of A's diagonal by which it is softened: of a direction that is nearly
+// dependent, because the poses are not exact, no more force comes than this allows.
+constexpr double softening = sizeof(real) == 4 ? 1e-5 : 1e-8;
+// If careful, so often at most a step is solved again because its forces have jumped.
+constexpr int looks = 4;
+// If careful, so often at most the factor of the new poses corrects them.
+constexpr int projections = 20;
 // After so many passes in which no fewer rows were wrong, only the last wrong one changes sides.
 constexpr int patience = 3;
 
@@ -37,6 +45,9 @@ void DirectSolver::factor_now() {
     for (int i = 0; i < n * n; ++i) block[i][lane] *= 1 + inside_[k].spring;
   }
   for (const Node& node : A.nodes)
+    for (int i = 0; careful && i < node.rows; ++i)
+      A.numbers[node.diagonal + i * (node.rows + 1)] *= 1 + softening;
+  for (const Node& node : A.nodes)
     for (int i = 0; i < node.rows; ++i)
       A.original[node.row + i] = A.numbers[node.diagonal + i * (node.rows + 1)];
   factor(A, inverse);
@@ -60,7 +71,7 @@ int DirectSolver::dropped() const {
 std::array<HalfRow, 2> DirectSolver::changes(const Block& block, const double* impulse) const {
   double sum[12] = {};  // J^T times the impulses
   for (int i = 0; i < block.rows; ++i) {
-    const real* const J = reinterpret_cast<const real*>(&blocks_->J[block.first + i]);
+    const real* const J = reinterpret_cast<const real*>(&rows_of_J_[block.first + i]);
     for (int k = 0; k < 12; ++k) sum[k] += impulse[i] * double(J[k]);
   }
   const BodyMass &mass1 = masses_[block.body1], &mass2 = masses_[block.body2];
@@ -174,8 +185,9 @@ void DirectSolver::solve_joints(Bodies& bodies) {
     }
     go_to_bounds(bodies);
     correct_velocities(bodies);
+    if (bounded_.empty() && !careful) return;
+    correct_velocities(bodies);  // refinement: softened rows, and bounded ones nearly dependent
     if (bounded_.empty()) return;
-    correct_velocities(bodies);  // refinement: bounded rows are nearly dependent
     report_.wrong = flip_wrong_ones(bodies, in_vain >= patience);
     if (report_.wrong == 0) return;
     in_vain = report_.wrong < fewest ? 0 : in_vain + 1;
@@ -185,6 +197,26 @@ void DirectSolver::solve_joints(Bodies& bodies) {
 
 void DirectSolver::solve(Bodies& bodies) {
   if (report_.iterated) return instead.solve(bodies);
+  solve_all(bodies);
+  if (!careful || stiffness == 0) return;
+  for (int k = 0; k < looks && forces_jumped(bodies); ++k) look_again(bodies);
+  for (int slot = 0; slot < bodies.slots(); ++slot)
+    blocks_->inertia[slot] = stiffness * h_ * h_ * pulls_[slot].force_lever;
+}
+
+// The step once more, with the inertia that its own forces ask for.
+void DirectSolver::look_again(Bodies& bodies) {
+  pulls_.swap(next_pulls_);
+  for (int slot = 0; slot < bodies.slots(); ++slot)
+    bodies.at(slot).v = before_[slot].v, bodies.at(slot).w = before_[slot].w;
+  collect_masses(bodies);
+  prepare_outside(bodies, h_);
+  warm_start(bodies, warm_ ? real(1) : real(0));
+  factored_ = false;
+  solve_all(bodies);
+}
+
+void DirectSolver::solve_all(Bodies& bodies) {
   if (outside_.list.empty()) return solve_joints(bodies);
   for (int n = 0; n < alternations; ++n) {
     contacts_.solve(bodies);
@@ -196,13 +228,14 @@ void DirectSolver::solve(Bodies& bodies) {
 
 class DirectSolver::Poses : public Corrector {
  public:
-  Poses(DirectSolver& solver, Bodies& bodies, const Append& append)
-      : solver_(solver), bodies_(bodies), append_(append) {}
+  // J: where the rows at the new poses go, if they are wanted
+  Poses(DirectSolver& solver, Bodies& bodies, const Append& append, std::vector<Row>* J = nullptr)
+      : solver_(solver), bodies_(bodies), append_(append), J_(J) {}
 
   std::vector<double>& errors() override {
     Blocks& poses = solver_.poses_;
     poses.clear();
-    poses.errors_only = true;
+    poses.errors_only = J_ == nullptr;
     append_(poses);
     std::vector<double>& x = solver_.x_;
     std::fill(x.begin(), x.end(), 0.0);
@@ -216,6 +249,8 @@ class DirectSolver::Poses : public Corrector {
       if (poses.list[k].impulse != block.impulse) continue;
       for (int i = 0; i < block.rows; ++i)
         x[block.first + i] = double(poses.C[poses.list[k].first + i]);
+      for (int i = 0; J_ && i < block.rows; ++i)
+        (*J_)[block.first + i] = poses.J[poses.list[k].first + i];
       if (block.target.rate != 0) x[block.first + block.rows - 1] = 0;  // it rebounds
     }
     for (const BoundedRow& row : solver_.bounded_) {
@@ -237,6 +272,7 @@ class DirectSolver::Poses : public Corrector {
   DirectSolver& solver_;
   Bodies& bodies_;
   const Append& append_;
+  std::vector<Row>* J_;
 };
 
 // If there are no such poses, velocities and impulses are those that solve the velocities, without
@@ -246,6 +282,7 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   report_.corrections = 0;
   errors_met_.clear();
   errors_met_.reserve(std::size_t(std::min(newton, 64)));  // hardly ever more
+  if (newton > 0 && careful && !report_.iterated && !factored_) factor_now();
   if (newton == 0 || report_.iterated || !factored_) {  // no factor: sides were still wrong
     std::fill(expected_.begin(), expected_.end(), 0.0);
     return report_.iterated ? instead.advance(bodies, h, append) : integrate_poses(bodies, h);
@@ -256,7 +293,8 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   in_vain_ = expected_;
   Poses poses(*this, bodies, append);
   report_.moved_exactly = move_onto_constraints(bodies, h, newton, poses, start_);
-  if (report_.moved_exactly) return;
+  const bool closed = !careful || errors_met_.back() <= negligible * h * h;
+  if (report_.moved_exactly && closed) return;
   std::copy(start_.begin(), start_.end(), bodies.data());
   const real* impulse = impulses_.data();
   for (const Inside& one : inside_) {
@@ -266,7 +304,88 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   for (double& rate : in_vain_) rate = -rate;
   change_rates(bodies, in_vain_);
   std::fill(expected_.begin(), expected_.end(), 0.0);
-  integrate_poses(bodies, h);
+  if (careful) report_.moved_exactly = project(bodies, h, append);
+  else integrate_poses(bodies, h);
+}
+
+// A of rows and moments of inertia at the present poses, and its factor.
+void DirectSolver::factor_at(const Bodies& bodies, const std::vector<Row>& J) {
+  rows_of_J_ = J.data();
+  for (int slot = 0; slot < bodies.slots(); ++slot) {
+    Body body = bodies.at(slot);
+    if (body.is_static()) continue;
+    if (pulls_[slot].force_lever > 0)
+      body.inverse_inertia_local = pulls_[slot].inverse_inertia_local;
+    const mat3 I = inverse_inertia(body);
+    masses_[slot].angular = {I[0][0], I[1][1], I[2][2], I[1][0], I[2][0], I[2][1]};
+  }
+  place_rows();
+  factor_now();
+}
+
+// Newton's method with the factor of each new pose. A correction that makes the errors larger is
+// halved. If they do not vanish, the best velocities stay.
+bool DirectSolver::project(Bodies& bodies, real h, const Append& append) {
+  std::vector<Body> best;
+  std::vector<real> best_impulses;
+  const auto keep = [&] {
+    best.assign(bodies.data(), bodies.data() + bodies.slots());
+    best_impulses.clear();
+    for (const Inside& one : inside_)
+      best_impulses.insert(best_impulses.end(), one.block->impulse,
+                           one.block->impulse + one.block->rows);
+  };
+  const auto back = [&] {
+    for (int slot = 0; slot < bodies.slots(); ++slot)
+      bodies.at(slot).v = best[slot].v, bodies.at(slot).w = best[slot].w;
+    const real* impulse = best_impulses.data();
+    for (const Inside& one : inside_) {
+      std::copy(impulse, impulse + one.block->rows, one.block->impulse);
+      impulse += one.block->rows;
+    }
+  };
+  const auto move = [&] {
+    for (int slot = 0; slot < bodies.slots(); ++slot)
+      bodies.at(slot).x = start_[slot].x, bodies.at(slot).q = start_[slot].q;
+    integrate_poses(bodies, h);
+  };
+  const std::vector<BodyMass> masses = masses_;
+  double last = std::numeric_limits<double>::infinity(), share = 1;
+  std::vector<double> rates, part;
+  bool closed = false;
+  keep();
+  for (int n = 0; n < projections; ++n) {
+    move();
+    new_J_ = blocks_->J;
+    const std::vector<double>& C = Poses(*this, bodies, append, &new_J_).errors();
+    double now = 0;
+    for (const double c : C) now = std::max(now, std::abs(c));
+    closed = now <= negligible * double(h) * double(h);
+    if (closed) break;
+    if (now < last) {
+      last = now, share = 1;
+      keep();
+      rates = C;
+      for (double& rate : rates) rate /= -double(h);
+      factor_at(bodies, new_J_);
+    } else {
+      share /= 2;
+      back();
+    }
+    part = rates;
+    for (double& rate : part) rate *= share;
+    change_rates(bodies, part);
+    ++report_.corrections;
+  }
+  if (!closed) {
+    back();
+    move();
+  }
+  masses_ = masses;
+  rows_of_J_ = blocks_->J.data();
+  place_rows();
+  factored_ = false;
+  return closed;
 }
 
 }  // namespace joints

@@ -22,6 +22,10 @@ class DirectSolver : public Solver {
  public:
   int newton = 0;      ///< iterations on the positions at most (SHAKE); 0: velocities alone
   real stiffness = 0;  ///< above 0, about 8: more inertia where the step needs it (Eq. 9-14)
+  /// Holds what `newton` and `stiffness` alone do not: A is softened and refined, poses that
+  /// Newton's method does not reach are reached with the factor of the new poses, and `stiffness`,
+  /// about 8 (0 for closed loops), says what no moment of inertia may be less than (Eq. 9-15).
+  bool careful = false;
   int alternations = 10;  ///< how often the rows outside of A and those in it take turns
   int passes = 10;     ///< of the active set, at most
   /// If a factorisation takes more multiplications a row than this, `instead` solves.
@@ -84,8 +88,11 @@ class DirectSolver : public Solver {
     }
   };
 
-  void collect_masses(const Bodies& bodies, real h);
-  void find_force_levers(real h);
+  void collect_masses(const Bodies& bodies);
+  void find_pulls(real acted, std::vector<Pull>& pulls) const;
+  void slow_down(const Body& body, real then, Pull& pull) const;
+  bool forces_jumped(const Bodies& bodies);
+  void look_again(Bodies& bodies);
   void collect_blocks(const Bodies& bodies, real h);
   void collect_block(const Bodies& bodies, const Block& block, real h);
   bool is_outside(const Block& block) const;
@@ -93,7 +100,10 @@ class DirectSolver : public Solver {
   void prepare_outside(const Bodies& bodies, real h);
   void place_rows();
   void place_row(int inside, int i, bool live);
+  void solve_all(Bodies& bodies);
   void solve_joints(Bodies& bodies);
+  bool project(Bodies& bodies, real h, const Append& append);
+  void factor_at(const Bodies& bodies, const std::vector<Row>& J);
   void correct_velocities(Bodies& bodies);
   int flip_wrong_ones(Bodies& bodies, bool only_last);
   void go_to_bounds(Bodies& bodies);
@@ -104,7 +114,12 @@ class DirectSolver : public Solver {
 
   const Blocks* blocks_ = nullptr;
   std::vector<BodyMass> masses_;
-  std::vector<Pull> pulls_;
+  real h_ = 0;
+  bool warm_ = false;              // impulses of the last step were a first guess
+  std::vector<Pull> pulls_, next_pulls_;
+  std::vector<Body> before_;       // velocities before the warm start
+  const Row* rows_of_J_ = nullptr;  // those of A
+  std::vector<Row> new_J_;
   std::vector<int> rows_;  // of each body, those of all blocks that hold it
   std::vector<HalfRowOf<TwoLanes>> J_;  // as JointMatrixMaker::assemble() wants them
   std::vector<double> bias_;           // minus the wanted J V, by rows

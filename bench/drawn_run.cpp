@@ -1,0 +1,74 @@
+// A run of a scene that a seed has drawn: the gaps, and what becomes of its energy.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "bench/draw.h"
+#include "bench/families.h"
+
+namespace joints::bench {
+
+namespace {
+
+// Errors of all rows at the present poses.
+void look(World& world, Blocks& blocks, Outcome& out) {
+  blocks.clear();
+  for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
+  for (const Block& block : blocks.list) {
+    if (!block.target.holds_position || block.target.follows != 0) continue;
+    const int equalities = block.rows - block.target.one_sided();
+    for (int i = 0; i < block.rows; ++i) {
+      const double C = double(blocks.C[std::size_t(block.first + i)]);
+      if (i < equalities) out.gap = std::max(out.gap, std::abs(C));
+      else out.past = std::max(out.past, -C);
+    }
+  }
+}
+
+// Velocities at a pose, from those half a step before and half a step behind.
+double energy_at(std::vector<Body> before, const Bodies& after, double share, const vec3& gravity) {
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const Body& then = after.at(int(k));
+    before[k].v += real(share) * (then.v - before[k].v);
+    before[k].w += real(share) * (then.w - before[k].w);
+  }
+  return energy(before, gravity);
+}
+
+}  // namespace
+
+Outcome run_drawn(Drawn scene, const std::string& setting, double h) {
+  World& world = scene.world;
+  const Setting how = setting_named(setting);
+  how.prepare(world);
+  const Step step = how.make();
+  Outcome out;
+  Blocks errors;
+  errors.errors_only = true;
+  Draw lengths(unsigned(world.bodies.slots()));
+  const double start = energy(all_of(world.bodies), world.gravity);
+  double last = 0;
+  for (double time = 0; time < scene.seconds - h / 2 && out.finite;) {
+    const double length = scene.any_step ? 1 / lengths.number(24, 240) : h;
+    const std::span<const Body> all = all_of(world.bodies);
+    const std::vector<Body> before(all.begin(), all.end());
+    try {
+      step(world, real(length));
+    } catch (const std::overflow_error&) {
+      out.finite = false;
+      break;
+    }
+    const double share = how.leapfrog ? last / (last + length) : 0;
+    const double change = (energy_at(before, world.bodies, share, world.gravity) - start) /
+                          scene.energy_scale;
+    if (!scene.driven) out.gain = std::max(out.gain, change);
+    out.loss = -change;
+    look(world, errors, out);
+    last = length;
+    time += length;
+  }
+  out.finite = out.finite && all_finite(all_of(world.bodies));
+  return out;
+}
+
+}  // namespace joints::bench

@@ -67,7 +67,7 @@ bool DirectSolver::is_hub() const {
 void DirectSolver::warm_start(Bodies& bodies, real ratio) {
   if (report_.iterated) return instead.warm_start(bodies, ratio);
   warm_ = ratio > 0;
-  if (careful && stiffness > 0) before_.assign(bodies.data(), bodies.data() + bodies.slots());
+  if (stiffness > 0) before_.assign(bodies.data(), bodies.data() + bodies.slots());
   for (int slot = 0; slot < bodies.slots(); ++slot)
     if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].w;
   contacts_.warm_start(bodies, ratio);
@@ -85,7 +85,7 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
 void DirectSolver::collect_masses(const Bodies& bodies) {
   masses_.assign(std::size_t(bodies.slots()), BodyMass{});
   std::vector<real>& then = blocks_->inertia;
-  if (careful) then.resize(masses_.size());
+  then.resize(masses_.size());
   for (int slot = 0; slot < bodies.slots(); ++slot) {
     if (bodies.at(slot).is_static()) {
       pulls_[slot].force_lever = 0;

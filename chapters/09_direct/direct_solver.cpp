@@ -198,7 +198,7 @@ void DirectSolver::solve_joints(Bodies& bodies) {
 void DirectSolver::solve(Bodies& bodies) {
   if (report_.iterated) return instead.solve(bodies);
   solve_all(bodies);
-  if (!careful || stiffness == 0) return;
+  if (!careful || before_.size() != masses_.size()) return;
   for (int k = 0; k < looks && forces_jumped(bodies); ++k) look_again(bodies);
   for (int slot = 0; slot < bodies.slots(); ++slot)
     blocks_->inertia[slot] = stiffness * h_ * h_ * pulls_[slot].force_lever;

@@ -146,7 +146,7 @@ inline Ways fixed_steps() {
 /// How often, and in which order, the links are solved.
 inline Ways wrong_iterations() {
   Ways out;
-  const auto count = [&](const std::string& words, std::function<int(const Scene&)> iterations) {
+  const auto count = [&](const std::string& words, Call<int(const Scene&)> iterations) {
     out.push_back({words, way_with([&](Way& w) { w.iterations = iterations; })});
   };
   const auto order = [&](const char* words, auto which) {

@@ -31,41 +31,41 @@ struct Way {
   std::string pieces = "FRIP";
   /// Pieces that are done (again) in every iteration.
   std::string in_iteration;
-  std::function<void(Body&, const StepSettings&)> fall = [](Body& body, const StepSettings& s) {
+  Call<void(Body&, const StepSettings&)> fall = [](Body& body, const StepSettings& s) {
     body.v += s.h * s.gravity;
   };
-  std::function<void(Body&, const StepSettings&)> travel = [](Body& body, const StepSettings& s) {
+  Call<void(Body&, const StepSettings&)> travel = [](Body& body, const StepSettings& s) {
     body.x += s.h * body.v;
   };
   bool static_falls = false;
   bool needs_links = false;  ///< ends after the forces where there are none
-  std::function<bool(std::size_t)> falls = [](std::size_t) { return true; };    ///< by its place
-  std::function<bool(std::size_t)> travels = [](std::size_t) { return true; };
-  std::function<int(const Scene&)> iterations = [](const Scene& s) {
+  Call<bool(std::size_t)> falls = [](std::size_t) { return true; };    ///< by its place
+  Call<bool(std::size_t)> travels = [](std::size_t) { return true; };
+  Call<int(const Scene&)> iterations = [](const Scene& s) {
     return s.settings.iterations;
   };
   /// The indices of the links in the order in which an iteration solves them.
-  std::function<std::vector<int>(int links, int iteration)> order = [](int links, int) {
+  Call<std::vector<int>(int links, int iteration)> order = [](int links, int) {
     std::vector<int> out(links);
     std::iota(out.begin(), out.end(), 0);
     return out;
   };
   /// Whom a row acts on; it has been set up for the right ones.
-  std::function<Link(const Scene&, int place)> link = [](const Scene& s, int place) {
+  Call<Link(const Scene&, int place)> link = [](const Scene& s, int place) {
     return s.links[place];
   };
   /// The place of the row that a link takes.
-  std::function<int(int place)> row = [](int place) { return place; };
-  std::function<bool(const Turn&)> skips = [](const Turn&) { return false; };
+  Call<int(int place)> row = [](int place) { return place; };
+  Call<bool(const Turn&)> skips = [](const Turn&) { return false; };
   bool skip_is_the_last = false;  ///< of its iteration
-  std::function<real(const Turn&)> wants = [](const Turn& t) {
+  Call<real(const Turn&)> wants = [](const Turn& t) {
     return t.row.K == 0 ? 0 : -(row_velocity(t.row.J, t.body1, t.body2) + t.row.bias) / t.row.K;
   };
   /// What is applied of that: of a rope it is what its sum allows.
-  std::function<real(real, const Turn&)> gets = [](real wanted, const Turn& t) {
+  Call<real(real, const Turn&)> gets = [](real wanted, const Turn& t) {
     return t.link.rope ? allowed(wanted, t.row.sum) : wanted;
   };
-  std::function<void(real, const Turn&)> gives = [](real lambda, const Turn& t) {
+  Call<void(real, const Turn&)> gives = [](real lambda, const Turn& t) {
     push(lambda, t.row.J, t.body1, t.body2);
   };
   bool at_once = true;      ///< each impulse is applied before the next one is asked for
@@ -148,7 +148,7 @@ class Walk {
   void iterate() {
     real sum_of_all = 0;
     for (int n = 0; n < way_.iterations(scene_); ++n) {
-      std::vector<std::function<void()>> later;
+      std::vector<Call<void()>> later;
       for (int k : way_.order(int(rows_.size()), n)) {
         const Link link = way_.link(scene_, k);
         LinkRow& row = rows_[way_.row(k)];

@@ -68,7 +68,7 @@ inline std::vector<real> row_after_row(const mat3& K, real factor = 1) {
 }
 
 /// Mistakes that only a block knows.
-inline std::vector<std::pair<std::string, std::function<PerRow(const Lack&)>>> block_mistakes() {
+inline std::vector<Mistake<Call<PerRow(const Lack&)>>> block_mistakes() {
   using L = const Lack&;
   const auto with = [](double first, double middle, double last) {
     return [=](L l) -> PerRow { return -l.over_K(PerRow{first, middle, last} * l.JV + l.b); };

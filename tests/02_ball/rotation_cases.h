@@ -21,17 +21,17 @@ struct RotationStep {
   RotationCase c;
   bool normal = true;  ///< the product is normalised
   real limit = 0;      ///< no rotation up to this
-  std::function<real(V w, real h)> size = [](V w, real h) { return h * length(w); };
-  std::function<quat(Q q)> at_rest = [](Q q) { return q; };
-  std::function<vec3(Q q, V w)> in_world = [](Q, V w) { return w; };
-  std::function<real(V w, real h)> angle = [](V w, real h) { return h * length(w); };
-  std::function<real(real angle)> for_sine = [](real angle) { return angle / 2; };
-  std::function<real(real angle)> for_cosine = for_sine;
-  std::function<vec3(V w, real h)> axis = [](V w, real) { return w / length(w); };
-  std::function<quat(real sine, real cosine, V axis)> written = [](real s, real c, V axis) {
+  Call<real(V w, real h)> size = [](V w, real h) { return h * length(w); };
+  Call<quat(Q q)> at_rest = [](Q q) { return q; };
+  Call<vec3(Q q, V w)> in_world = [](Q, V w) { return w; };
+  Call<real(V w, real h)> angle = [](V w, real h) { return h * length(w); };
+  Call<real(real angle)> for_sine = [](real angle) { return angle / 2; };
+  Call<real(real angle)> for_cosine = for_sine;
+  Call<vec3(V w, real h)> axis = [](V w, real) { return w / length(w); };
+  Call<quat(real sine, real cosine, V axis)> written = [](real s, real c, V axis) {
     return quat(c, s * axis);
   };
-  std::function<quat(Q turn, Q q)> together = [](Q turn, Q q) { return turn * q; };
+  Call<quat(Q turn, Q q)> together = [](Q turn, Q q) { return turn * q; };
 
   quat step(Q q) const {
     if (size(c.w, c.h) <= limit) return at_rest(q);
@@ -140,7 +140,7 @@ inline CaseTable<RotationCase> rotation_table() {
                             {"q.w", "q.x", "q.y", "q.z"}, {}, {}, {}, {}};
   // q and -q are the same orientation, so that the one beside the right one is shown; whether it
   // is normalised is another test's question
-  const auto after = [](const RotationCase& c, const std::function<quat(const quat&)>& step) {
+  const auto after = [](const RotationCase& c, const Call<quat(const quat&)>& step) {
     quat q = c.q, right = c.q;
     for (int n = 0; n < c.steps; ++n) {
       q = step(q);
@@ -174,8 +174,8 @@ inline CaseTable<RotationCase> rotation_table() {
                          1 / real(60), 1000});
   Pieces<RotationStep> pieces = rotation_mistakes();
   for (auto& one : rotation_mistakes())  // the same where the product is not normalised
-    if (!one.first.starts_with("a small angle") && !one.first.starts_with("a body at rest"))
-      pieces.push_back({one.first, [change = one.second](RotationStep& s) {
+    if (!one.words.starts_with("a small angle") && !one.words.starts_with("a body at rest"))
+      pieces.push_back({one.words, [change = one.does](RotationStep& s) {
                           change(s);
                           s.normal = false;
                         }});

@@ -123,7 +123,7 @@ inline CaseTable<LockCase> lock_table() {
                               })});
 
   // other products, with and without the factor 2 and the sign rule
-  using Product = std::function<quat(const Case&)>;
+  using Product = Call<quat(const Case&)>;
   const char* const order = "the order of the product: q2, then start^-1, then q1^-1";
   const std::pair<const char*, Product> products[] = {
       {"start is forgotten: the rotation that the bodies began with is no error",

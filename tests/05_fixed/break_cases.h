@@ -15,7 +15,7 @@ struct BreakCase {
 /// What the answer is made of: two sizes, two bounds, how they are compared and joined.
 struct BreakReference {
   enum class Join { either, both, one, force, torque, sum, shares, product, never, always };
-  using Size = std::function<real(const vec3&)>;
+  using Size = Call<real(const vec3&)>;
   BreakCase c;
   std::array<Size, 2> size;
   std::array<real, 2> bound;
@@ -50,9 +50,9 @@ struct BreakReference {
 inline Pieces<BreakReference> wrong_breaks() {
   using T = BreakReference;
   using Join = T::Join;
-  const auto join = [](Join how) { return std::function<void(T&)>([=](T& t) { t.join = how; }); };
+  const auto join = [](Join how) { return Call<void(T&)>([=](T& t) { t.join = how; }); };
   const auto bounds = [](auto change) {
-    return std::function<void(T&)>([=](T& t) { change(t.bound); });
+    return Call<void(T&)>([=](T& t) { change(t.bound); });
   };
   Pieces<T> out = {
       {"`and` where `or` belongs: one of the two is enough to break a weld", join(Join::both)},

@@ -62,7 +62,7 @@ struct CrossReference {
   std::array<mat3, 2> inertia;
   std::array<real, 2> share{1, 1};
   std::array<bool, 2> inertia_first{};
-  std::function<mat3(const CrossReference&, const mat3&)> whole;  ///< what becomes of X itself
+  Call<mat3(const CrossReference&, const mat3&)> whole;  ///< what becomes of X itself
 
   explicit CrossReference(const CrossCase& c) : c(c) {
     for (int k = 0; k < 2; ++k) {
@@ -81,7 +81,7 @@ struct CrossReference {
 /// The mistakes with the lever, the inertia and the share of one body, for body 1, 2 and both.
 inline Pieces<CrossReference> wrong_shares() {
   using T = CrossReference;
-  using Change = std::function<void(T&, int)>;
+  using Change = Call<void(T&, int)>;
   const auto lever = [](auto of) {
     return Change([=](T& t, int k) { t.r[k] = of(t.c, k); });
   };
@@ -166,7 +166,7 @@ inline Pieces<CrossReference> wrong_shares() {
 inline Pieces<CrossReference> wrong_Xs() {
   using T = CrossReference;
   const auto with = [](auto change) {
-    return std::function<void(T&)>([=](T& t) {
+    return Call<void(T&)>([=](T& t) {
       t.whole = [=](const T& t, const mat3& X) { return change(t, X); };
     });
   };

@@ -125,7 +125,7 @@ struct AboutReference {
 inline CaseTable<AboutCase> about_table() {
   using T = AboutReference;
   const auto arm = [](auto of) {
-    return std::function<void(T&)>([=](T& t) { t.arm = of(t.c); });
+    return Call<void(T&)>([=](T& t) { t.arm = of(t.c); });
   };
   const Pieces<T> pieces = {
       {"the sign of the new share, (from - to) x F: from and to are exchanged, or the two sides of "

@@ -30,8 +30,8 @@ inline std::vector<BiasCase> bias_cases() {
 }
 
 /// The mistakes that one can make with b = beta C/h, as functions of C, beta and h.
-using BiasRule = std::function<double(double, double, double)>;
-inline std::vector<std::pair<std::string, BiasRule>> wrong_biases() {
+using BiasRule = Call<double(double, double, double)>;
+inline std::vector<Mistake<BiasRule>> wrong_biases() {
   return {
       {"h is forgotten: beta C is a length, b is a velocity",
        [](double C, double beta, double) { return beta * C; }},

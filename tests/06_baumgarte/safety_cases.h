@@ -34,17 +34,17 @@ struct SafetyReference {
 inline Pieces<SafetyReference> wrong_safeties() {
   using T = SafetyReference;
   const auto power = [](auto exponent) {
-    return std::function<void(T&)>(
+    return Call<void(T&)>(
         [=](T& t) { t.left = std::pow(t.c.rho, exponent(t.c.iterations)); });
   };
   const auto left = [](auto of) {
-    return std::function<void(T&)>([=](T& t) { t.left = of(t.c.rho, t.c.iterations); });
+    return Call<void(T&)>([=](T& t) { t.left = of(t.c.rho, t.c.iterations); });
   };
   const auto more = [](auto of) {
-    return std::function<void(T&)>([=](T& t) { t.more = of(t.c.beta); });
+    return Call<void(T&)>([=](T& t) { t.more = of(t.c.beta); });
   };
   const auto all = [](auto of) {  // another left side altogether
-    return std::function<void(T&)>([=](T& t) {
+    return Call<void(T&)>([=](T& t) {
       t.left = of(t.left, t.c);
       t.more = 1;
     });

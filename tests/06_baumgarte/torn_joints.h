@@ -10,7 +10,7 @@ namespace joints::testing {
 /// A part at every pose, with its joint torn and its bodies flying; then with a static body each.
 template <class Fixture>
 std::vector<ProjectionCase<typename Fixture::Part>> torn_cases(
-    const std::function<void(typename Fixture::Part&, Pair&, Random&)>& tear) {
+    const Call<void(typename Fixture::Part&, Pair&, Random&)>& tear) {
   std::vector<ProjectionCase<typename Fixture::Part>> out;
   Random random(63);
   for_each_pose<Fixture>([&](int pose, const auto& part, const Pair& pair) {
@@ -145,7 +145,7 @@ inline Chain torn_chain() {
   return chain;
 }
 
-using Project = std::function<void(const Point&, Body&, Body&)>;
+using Project = Call<void(const Point&, Body&, Body&)>;
 inline void project_all(Chain& chain, const std::vector<std::size_t>& order,
                         const Project& project_one) {
   for (const std::size_t k : order)
@@ -217,7 +217,7 @@ struct IterationMistake {
   std::string words;
 };
 inline IterationMistake explain_iteration(const Chain& start, const Chain& yours) {
-  using Iteration = std::function<void(Chain&, const Project&)>;
+  using Iteration = Call<void(Chain&, const Project&)>;
   const auto order = [](std::vector<std::size_t> joints) {
     return [=](Chain& chain, const Project& one) { project_all(chain, joints, one); };
   };

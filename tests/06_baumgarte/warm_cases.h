@@ -71,7 +71,7 @@ struct WarmReference {
 inline Pieces<WarmReference> wrong_warm_starts() {
   using T = WarmReference;
   const auto lambda = [](auto of) {
-    return std::function<void(T&)>([=](T& t) {
+    return Call<void(T&)>([=](T& t) {
       const vec3 before = t.applied / t.ratio;
       t.applied = t.kept = of(before, t.ratio);
     });

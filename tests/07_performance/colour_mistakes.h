@@ -74,7 +74,7 @@ Colours chosen(const ColourScene& scene, Choose choose, Keep keep) {
 
 struct ColourMistake {
   const char* words;
-  std::function<Colours(const ColourScene&)> of;
+  Call<Colours(const ColourScene&)> of;
 };
 inline std::vector<ColourMistake> colour_mistakes() {
   using Scene = ColourScene;

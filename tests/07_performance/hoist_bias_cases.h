@@ -10,7 +10,7 @@ namespace joints::testing {
 struct BiasReference {
   HingeCase c;
   Vector<5> C, rate, more{};
-  std::function<void(Vector<5>&)> after;
+  Call<void(Vector<5>&)> after;
 
   explicit BiasReference(const HingeCase& c) : c(c), C(c.hinge.error(c.pair.body1, c.pair.body2)) {
     rate.fill(c.hinge.beta / c.h);
@@ -83,7 +83,7 @@ inline Pieces<BiasReference> wrong_errors() {
   using T = BiasReference;
   // another gap
   const auto gap = [](auto of) {
-    return std::function<void(T&)>([=](T& t) {
+    return Call<void(T&)>([=](T& t) {
       const vec3 u = of(t.c);
       for (int i = 0; i < 3; ++i) t.C[std::size_t(i)] = u[i];
     });
@@ -93,7 +93,7 @@ inline Pieces<BiasReference> wrong_errors() {
     return gap([=](const HingeCase& c) { return place(c, true) - place(c, false); });
   };
   const auto tilt = [](auto of_a1, auto of_b_and_c) {
-    return std::function<void(T&)>([=](T& t) {
+    return Call<void(T&)>([=](T& t) {
       const Axis& axis = t.c.hinge.axis;
       const vec3 a1 = of_a1(t.c) * axis.a1_local;
       t.C[3] = dot(a1, of_b_and_c(t.c) * axis.b_local);

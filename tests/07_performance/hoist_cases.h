@@ -21,13 +21,13 @@ inline HingeNumbers<real> hoisted(const HingeCase& c) {
 template <class Value>
 struct BodyRule {
   std::string words;
-  std::function<Value(const HingeCase&, bool)> of;
+  Call<Value(const HingeCase&, bool)> of;
 };
 /// Each rule for both bodies, for body 1 and for body 2, the other one's being right; and one rule
 /// for body 1 and another for body 2.
 template <class Value, class Flat>
 void add_body_rules(CaseTable<HingeCase>& table, const std::vector<BodyRule<Value>>& wrong,
-                    const std::function<Value(const HingeCase&, bool)>& right,
+                    const Call<Value(const HingeCase&, bool)>& right,
                     const std::string& name, Flat flat) {
   for (const int which : {3, 1, 2})
     for (const BodyRule<Value>& rule : wrong) {

@@ -48,7 +48,7 @@ inline Numbers flat(const FourVelocities& V) {
 
 /// What a solve is made of, each piece by itself, so that a mistake changes one of them.
 struct SolveReference {
-  using Step = std::function<void(SolveReference&, Vector<5>&)>;
+  using Step = Call<void(SolveReference&, Vector<5>&)>;
   vec3 r1, r2;              ///< levers
   std::array<vec3, 2> a;    ///< axis rows
   Jacobian<5> read, push;   ///< J of e, and J of what lambda does

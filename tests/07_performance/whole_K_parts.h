@@ -23,12 +23,12 @@ struct KSource {
 /// What a body adds to a part: the point's 3x3, the two columns beside it, the axis' 2x2.
 struct Share {
   std::string one, both;  ///< words: # is the number of the body, @ of the other one
-  std::function<mat3(const KSource&, std::size_t)> of;
+  Call<mat3(const KSource&, std::size_t)> of;
 };
 /// How the sum of both bodies becomes numbers of K.
 struct Frame {
   std::string words;
-  std::function<Matrix<5>(const mat3&, const KSource&)> of;
+  Call<Matrix<5>(const mat3&, const KSource&)> of;
 };
 struct KPart {
   std::string where;

@@ -41,8 +41,8 @@ struct GapReference {
   GapCase c;
   vec3 n, place, arm, rho, origin;
   real height;
-  std::function<real(const GapReference&)> instead;  ///< of the whole
-  std::function<real(real)> after;               ///< what becomes of C
+  Call<real(const GapReference&)> instead;  ///< of the whole
+  Call<real(real)> after;                   ///< what becomes of C
 
   explicit GapReference(const GapCase& c)
       : c(c), n(to_world(c.pair.body1, vec3(0, 1, 0))), place(c.pair.body2.x),
@@ -57,7 +57,7 @@ struct GapReference {
 
 inline Pieces<GapReference> wrong_gaps() {
   using T = GapReference;
-  using Change = std::function<void(T&)>;
+  using Change = Call<void(T&)>;
   const auto up = [](auto of) { return Change([=](T& t) { t.n = of(t); }); };
   const auto radius = [](auto of) { return Change([=](T& t) { t.rho = of(t); }); };
   const auto origin = [](auto of) { return Change([=](T& t) { t.origin = of(t); }); };

@@ -110,7 +110,7 @@ inline CaseTable<CouplingCase> coupling_table() {
       add_coupling(c.J.data(), c.n, c.response.data(), c.m, A);
     });
   };
-  using Entry = std::function<double(const HalfRow&, const HalfRow&)>;
+  using Entry = Call<double(const HalfRow&, const HalfRow&)>;
   const Entry both = [](const HalfRow& a, const HalfRow& b) {
     return dot(a.v, b.v) + dot(a.w, b.w);
   };

@@ -110,7 +110,7 @@ class Reach : public Written {
   void change(const vec3& rates) override { bodies.at(1).v.x += rates.x / (2 * before.x.x); }
 };
 
-using MakeCorrector = std::function<std::unique_ptr<Written>(Bodies&)>;
+using MakeCorrector = Call<std::unique_ptr<Written>(Bodies&)>;
 struct NewtonCase {
   std::string words;
   Body body;  ///< slot 1

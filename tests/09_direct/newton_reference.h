@@ -8,13 +8,13 @@ namespace joints::testing {
 /// The iteration, each part of which a mistake may change.
 struct NewtonReference {
   NewtonCase c;
-  using Norm = std::function<double(const std::vector<double>&)>;
+  using Norm = Call<double(const std::vector<double>&)>;
   Norm norm = [](const std::vector<double>& C) {
     double largest = 0;
     for (const double a : C) largest = std::max(largest, std::abs(a));
     return largest;
   };
-  std::function<double(double C, double h)> rate = [](double C, double h) { return -C / h; };
+  Call<double(double C, double h)> rate = [](double C, double h) { return -C / h; };
   double near = negligible, power = 2, poor = poor_contraction;  ///< near times h to that power
   double share = stalled_share;  ///< of the first error, where it stops
   bool strictly_near = false, strictly_poor = false, asks_near = true, asks_poor = true;

@@ -99,7 +99,7 @@ inline bool each_once(const Graph& graph, std::vector<int> order) {
 
 struct OrderMistake {
   std::string words;
-  std::function<std::vector<int>(const Graph&)> of;
+  Call<std::vector<int>(const Graph&)> of;
 };
 inline std::vector<OrderMistake> order_mistakes() {
   using R = OrderReference;

@@ -47,7 +47,7 @@ inline std::vector<SideCase> side_cases() {
 /// The branches of the rule, each of which a mistake may change.
 struct SideReference {
   SideCase c;
-  using Rule = std::function<Side(const SideCase&)>;
+  using Rule = Call<Side(const SideCase&)>;
   Rule free = [](const SideCase& c) {
     return c.impulse < c.lower ? Side::lower : c.impulse > c.upper ? Side::upper : Side::free;
   };

@@ -84,7 +84,7 @@ struct StiffenedReference {
   vec3 moments, added, local, factors;
   real follows, least, m_r2;
   bool inverse = true, floored = true;
-  std::function<vec3(const StiffenedReference&)> added_of = {}, w_of = {};
+  Call<vec3(const StiffenedReference&)> added_of = {}, w_of = {};
   explicit StiffenedReference(const StiffenedCase& c)
       : c(c), moments(real(1) / c.body.inverse_inertia_local),
         local(to_local(c.body, c.body.w)), follows(followed(c)), least(least_of(moments)),

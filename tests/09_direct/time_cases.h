@@ -11,7 +11,7 @@ namespace joints::testing {
 
 struct TimeCase {
   std::string words;
-  std::function<void(World&)> build;
+  Call<void(World&)> build;
   std::vector<real> steps;  ///< three of them
 };
 

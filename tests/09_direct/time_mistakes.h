@@ -10,7 +10,7 @@ namespace joints::testing {
 /// The parts of a step, each of which a mistake may change.
 struct TimeReference {
   TimeCase c;
-  std::function<real(real last, real h)> kick_length = [](real last, real h) {
+  Call<real(real last, real h)> kick_length = [](real last, real h) {
     return (last + h) / 2;
   };
   bool keeps_h = true, kicks = true, euler = false, clears = true, begins = true, appends = true;

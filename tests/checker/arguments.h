@@ -29,8 +29,7 @@ std::string arguments_of(const Case& c, const Arguments<Case>& arguments) {
 /// "2 C beta / h": a number times powers of the arguments that is yours in all cases; "" where
 /// there is none.
 template <class Case>
-std::string formula_of(const std::vector<Case>& cases,
-                       const std::function<double(const Case&)>& yours,
+std::string formula_of(const std::vector<Case>& cases, const Call<double(const Case&)>& yours,
                        const Arguments<Case>& arguments) {
   const auto same = [](double a, double b) {
     return std::abs(a - b) <= 1e-7 * (std::abs(a) + std::abs(b)) + 1e-12 ||
@@ -78,7 +77,7 @@ std::string formula_of(const std::vector<Case>& cases,
 
 /// Where nothing explains the numbers: what can be read off them in words, "" where nothing can.
 template <class Case>
-void read_off(CaseTable<Case>& table, const std::function<std::string()>& words) {
+void read_off(CaseTable<Case>& table, const Call<std::string()>& words) {
   table.pairs = [=, before = table.pairs, yours = table.yours] {
     typename CaseTable<Case>::Mistakes out;
     if (before) out = before();

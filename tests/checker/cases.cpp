@@ -30,7 +30,7 @@ std::vector<std::string> named(const CaseNumbers& all, const std::vector<Asked>&
   for (const Asked& mistake : mistakes) {
     bool fits = true;
     for (std::size_t c = 0; fits && c < all.cases.size(); ++c) {
-      Numbers wrong = mistake.in(c);
+      Numbers wrong = mistake.does(c);
       const Numbers own = at(wrong, columns);
       fits = same_numbers(at(all.cases[c].yours, columns), own, all.tolerance);
       if (!only_yes_or_no) continue;

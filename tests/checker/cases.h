@@ -5,21 +5,25 @@
 
 #include <algorithm>
 
+#include "tests/checker/call.h"
 #include "tests/checker/patterns.h"
 
 namespace joints::testing {
 
-/// A mistake in words, and the numbers that it gives in case c.
-struct Asked {
+/// A mistake in words, and what it does.
+template <class Function>
+struct Mistake {
   std::string words;
-  std::function<Numbers(std::size_t c)> in;
+  Function does;
 };
+/// A mistake as the numbers that it gives in case c.
+using Asked = Mistake<Call<Numbers(std::size_t c)>>;
 /// The numbers of all cases of a table, and of its mistakes.
 struct CaseNumbers {
   std::vector<std::string> entries;  ///< what each number is called
   std::vector<Compared> cases;
   std::vector<Asked> mistakes;
-  std::function<std::vector<Asked>()> pairs;  ///< asked where none of those fits
+  Call<std::vector<Asked>()> pairs;  ///< asked where none of those fits
   double tolerance;
   bool whole;  ///< names only what explains all numbers
 };
@@ -31,8 +35,8 @@ std::vector<std::string> likely_mistakes(const CaseNumbers& all,
 /// \tparam Case the arguments, and in `words` what the report calls them
 template <class Case>
 struct CaseTable {
-  using Answer = std::function<Numbers(const Case&)>;
-  using Mistakes = std::vector<std::pair<std::string, Answer>>;
+  using Answer = Call<Numbers(const Case&)>;
+  using Mistakes = std::vector<Mistake<Answer>>;
 
   Subject subject;
   std::vector<std::string> entries;  ///< what the numbers of an answer are called
@@ -41,11 +45,11 @@ struct CaseTable {
   std::vector<Case> cases;
   double tolerance = rounding;
   bool whole = false;  ///< reports all numbers of a case, and names only what explains all cases
-  std::function<Mistakes()> pairs = {};  ///< further mistakes, asked where none of those fits
-  std::function<std::string(const Case&)> given = {};  ///< the arguments, for the report
+  Call<Mistakes()> pairs = {};  ///< further mistakes, asked where none of those fits
+  Call<std::string(const Case&)> given = {};  ///< the arguments, for the report
   /// With `whole`: what the numbers are called where each case has names of its own. Cases of
   /// different lengths are filled up with zeros.
-  std::function<std::vector<std::string>(const Case&)> entries_of = {};
+  Call<std::vector<std::string>(const Case&)> entries_of = {};
 
   /// Every case. Fails with a report at the first one that is wrong.
   void check() const {
@@ -90,7 +94,7 @@ struct CaseTable {
   bool knows(const Answer& answer) const {
     return std::any_of(mistakes.begin(), mistakes.end(), [&](const auto& mistake) {
       return std::all_of(cases.begin(), cases.end(),
-                         [&](const Case& c) { return same(answer(c), mistake.second(c)); });
+                         [&](const Case& c) { return same(answer(c), mistake.does(c)); });
     });
   }
   /// Is it no mistake at all?
@@ -108,7 +112,7 @@ struct CaseTable {
   }
   /// Takes out the mistakes that give the right numbers in all cases: in float the small ones do.
   void leave_out_harmless() {
-    std::erase_if(mistakes, [this](const auto& mistake) { return is_right(mistake.second); });
+    std::erase_if(mistakes, [this](const auto& mistake) { return is_right(mistake.does); });
   }
   /// See likely_mistakes(). \param more further cases
   std::vector<std::string> likely(std::vector<Case> more = {},

@@ -37,7 +37,7 @@ struct Lack {
     return out;
   }
   /// J V, where something is changed in each row.
-  PerRow rates(const std::function<void(Row&)>& change) const {
+  PerRow rates(const Call<void(Row&)>& change) const {
     PerRow out(c.J.size());
     for (std::size_t i = 0; i < c.J.size(); ++i) {
       Row row = c.J[i];
@@ -59,10 +59,10 @@ struct Lack {
 
 inline bool all_below(const PerRow& x, double limit) { return std::abs(x).max() < limit; }
 
-using LackMistakes = std::vector<std::pair<std::string, std::function<PerRow(const Lack&)>>>;
+using LackMistakes = std::vector<Mistake<Call<PerRow(const Lack&)>>>;
 
 /// Where nothing is done though something should be.
-inline std::vector<std::pair<std::string, std::function<bool(const Lack&)>>> lack_guards() {
+inline std::vector<Mistake<Call<bool(const Lack&)>>> lack_guards() {
   using L = const Lack&;
   const char* const no_bias = "nothing is done where the bias is 0. C = 0 does not mean that there "
                               "is nothing to solve: the velocity J V would change C";
@@ -86,7 +86,7 @@ inline std::vector<std::pair<std::string, std::function<bool(const Lack&)>>> lac
 /// The mistakes that one row and a block have in common.
 inline LackMistakes lack_mistakes() {
   using L = const Lack&;
-  const auto reading = [](std::function<void(Row&)> change) {
+  const auto reading = [](Call<void(Row&)> change) {
     return [change](L l) -> PerRow { return -l.over_K(l.rates(change) + l.b); };
   };
   const char* const bias_alone = "only the bias is divided by K: put J V + b in brackets";
@@ -139,8 +139,7 @@ inline LackMistakes lack_mistakes() {
 
 /// A table without cases: `yours` gives lambda. \param own mistakes that only this exercise knows
 inline CaseTable<LackCase> lack_table(const Subject& subject, std::vector<std::string> entries,
-                                      std::function<PerRow(const LackCase&)> yours,
-                                      const LackMistakes& own) {
+                                      Call<PerRow(const LackCase&)> yours, const LackMistakes& own) {
   const auto shown = [](const PerRow& lambda, const LackCase& c) {
     Numbers out;
     for (double a : lambda) out.push_back(a / c.unit);

@@ -15,7 +15,7 @@ inline Numbers padded(Numbers numbers, std::size_t size) {
 /// Makes a table of such cases. \param names of a case's numbers, without those that fill up
 template <class Case>
 CaseTable<Case> padded_table(const Subject& subject, std::size_t size,
-                             std::function<std::vector<std::string>(const Case&)> names) {
+                             Call<std::vector<std::string>(const Case&)> names) {
   CaseTable<Case> table{subject, std::vector<std::string>(size), {}, {}, {}, {}};
   for (std::size_t i = 0; i < size; ++i) table.entries[i] = "number " + std::to_string(i);
   table.whole = true;

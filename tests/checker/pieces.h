@@ -8,14 +8,14 @@
 namespace joints::testing {
 
 template <class Reference>
-using Pieces = std::vector<std::pair<std::string, std::function<void(Reference&)>>>;
+using Pieces = std::vector<Mistake<Call<void(Reference&)>>>;
 
 /// What another mistake of the table gives already keeps the other's name.
 /// \param reference of a case \param answer what a reference comes to
 template <class Case, class Make, class Answer, class Reference>
 void add_pieces(CaseTable<Case>& table, const Make& reference, const Answer& answer,
                 const Pieces<Reference>& pieces) {
-  const auto changed = [=](const std::vector<std::function<void(Reference&)>>& changes) {
+  const auto changed = [=](const std::vector<Call<void(Reference&)>>& changes) {
     return [=](const Case& c) {
       Reference one = reference(c);
       for (const auto& change : changes) change(one);
@@ -29,8 +29,8 @@ void add_pieces(CaseTable<Case>& table, const Make& reference, const Answer& ans
     typename CaseTable<Case>::Mistakes out;
     for (std::size_t i = 0; i < pieces.size(); ++i)
       for (std::size_t j = i + 1; j < pieces.size(); ++j)
-        out.push_back({pieces[i].first + "; and " + pieces[j].first,
-                       changed({pieces[i].second, pieces[j].second})});
+        out.push_back({pieces[i].words + "; and " + pieces[j].words,
+                       changed({pieces[i].does, pieces[j].does})});
     return out;
   };
 }

@@ -43,7 +43,7 @@ struct Pushed {
 using Block = vec3 (Pushed::*)(std::size_t) const;
 
 /// J^T lambda of one block, or what a mistake makes of it.
-using Sum = std::function<vec3(const Pushed&, Block)>;
+using Sum = Call<vec3(const Pushed&, Block)>;
 inline vec3 right_sum(const Pushed& p, Block block) {
   vec3 out(0);
   for (std::size_t i = 0; i < p.rows; ++i) out += p.c.lambda[i] * (p.*block)(i);
@@ -51,9 +51,9 @@ inline vec3 right_sum(const Pushed& p, Block block) {
 }
 
 /// Mistakes in J^T lambda, the same for v and w.
-inline std::vector<std::pair<std::string, Sum>> sum_mistakes(std::size_t rows) {
+inline std::vector<Mistake<Sum>> sum_mistakes(std::size_t rows) {
   using P = const Pushed&;
-  std::vector<std::pair<std::string, Sum>> out{
+  std::vector<Mistake<Sum>> out{
       {"a factor of 0.5", [](P p, Block b) { return real(0.5) * right_sum(p, b); }},
       {"a factor of 2", [](P p, Block b) { return real(2) * right_sum(p, b); }}};
   // a term for each row in place of lambda[i] (p.*b)(i)
@@ -95,11 +95,10 @@ inline std::vector<std::pair<std::string, Sum>> sum_mistakes(std::size_t rows) {
 }
 
 /// What a mistake makes of one velocity.
-using NewVelocity = std::function<vec3(const Pushed&)>;
+using NewVelocity = Call<vec3(const Pushed&)>;
 
 /// Mistakes with w (or v).
-inline std::vector<std::pair<std::string, NewVelocity>> velocity_mistakes(std::size_t rows,
-                                                                          bool turns) {
+inline std::vector<Mistake<NewVelocity>> velocity_mistakes(std::size_t rows, bool turns) {
   using P = const Pushed&;
   const Block mine = turns ? &Pushed::w : &Pushed::v;
   const auto old = [=](P p) { return turns ? p.self.w : p.self.v; };
@@ -113,7 +112,7 @@ inline std::vector<std::pair<std::string, NewVelocity>> velocity_mistakes(std::s
     return [=](P p) { return old(p) + factor(p) * right_sum(p, mine); };
   };
   const char* const set = "the velocity is set where it must grow: += and not =";
-  std::vector<std::pair<std::string, NewVelocity>> out{
+  std::vector<Mistake<NewVelocity>> out{
       {"not changed at all", old},
       {"the sign: velocities grow by +M^-1 J^T lambda", along(mine, -1)},
       {set, [=](P p) { return answer(p, right_sum(p, mine)); }},
@@ -175,7 +174,7 @@ inline std::string velocity_by_velocity(const CaseTable<PushCase>& table) {
   const char* const names[] = {"v1", "w1", "v2", "w2"};
   std::vector<std::pair<std::string, std::vector<std::string>>> found;  // words, velocities
   const std::size_t rows = table.cases.front().J.size();
-  const std::vector<std::pair<std::string, NewVelocity>> kinds[] = {
+  const std::vector<Mistake<NewVelocity>> kinds[] = {
       velocity_mistakes(rows, false), velocity_mistakes(rows, true)};
   std::vector<Numbers> mine;
   for (const PushCase& c : table.cases) mine.push_back(table.yours(c));
@@ -217,8 +216,7 @@ inline std::string velocity_by_velocity(const CaseTable<PushCase>& table) {
 }
 
 /// Mistakes that do not concern one velocity alone.
-inline std::vector<std::pair<std::string, std::function<Numbers(const PushCase&)>>>
-pair_mistakes() {
+inline CaseTable<PushCase>::Mistakes pair_mistakes() {
   const auto unless = [](auto condition) {
     return [=](const PushCase& c) { return condition(c) ? numbers_of(c.pair) : pushed(c); };
   };
@@ -252,7 +250,7 @@ pair_mistakes() {
 
 /// The table of exercise 1.3 or 2.3. \param yours changes the velocities of the pair
 inline CaseTable<PushCase> push_table(const Subject& subject,
-                                      const std::function<void(const PushCase&, Pair&)>& yours,
+                                      const Call<void(const PushCase&, Pair&)>& yours,
                                       std::vector<PushCase> cases) {
   CaseTable<PushCase> table{subject, push_entries, {}, pushed, pair_mistakes(), std::move(cases)};
   table.whole = true;

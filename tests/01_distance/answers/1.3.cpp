@@ -3,24 +3,19 @@
 // ---- wrong: body space inertia
 // region: 2
 // expects: Likely mistake: body-space inertia: take inverse_inertia(body)
-  body1.v += body1.inverse_mass * lambda * J.v1;
-  body1.w += body1.inverse_inertia_local * (lambda * J.w1);
-  body2.v += body2.inverse_mass * lambda * J.v2;
-  body2.w += body2.inverse_inertia_local * (lambda * J.w2);
+// change: inverse_inertia(body1) ==> body1.inverse_inertia_local
+// change: inverse_inertia(body2) ==> body2.inverse_inertia_local
 
 // ---- wrong: one sign too many
 // region: 2
 // expects: Likely mistake: the sign: velocities grow by +M^-1 J^T lambda
-  body1.v -= body1.inverse_mass * lambda * J.v1;  // the minus of body 1 is in J already
-  body1.w -= inverse_inertia(body1) * (lambda * J.w1);
-  body2.v += body2.inverse_mass * lambda * J.v2;
-  body2.w += inverse_inertia(body2) * (lambda * J.w2);
+// change: += body1 ==> -= body1
+// change: += inverse_inertia ==> -= inverse_inertia
 
 // ---- wrong: only where there is an error
 // expects: Likely mistake: nothing is done where the bias is 0. C = 0 does not mean that there is
 // expects: nothing to solve
-  if (K == 0 || std::abs(bias) < epsilon) return 0;  // the guard of the thesis' listing (E23)
-  return -(row_velocity(J, body1, body2) + bias) / K;
+// change: == 0 ==> == 0 || std::abs(bias) < epsilon
 
 // ---- wrong: without bias
 // expects: Likely mistake: the bias is missing: the error is not fed back
@@ -29,13 +24,11 @@
 
 // ---- wrong: a small K taken for none
 // expects: Likely mistake: nothing is done where K is small
-  if (K < real(1e-3)) return 0;
-  return -(row_velocity(J, body1, body2) + bias) / K;
+// change: == 0 ==> < real(1e-3)
 
 // ---- wrong: a smaller K taken for none
 // expects: Likely mistake: nothing is done where K is small
-  if (K < real(1e-9)) return 0;
-  return -(row_velocity(J, body1, body2) + bias) / K;
+// change: == 0 ==> < real(1e-9)
 
 // ---- wrong: nothing asked of K
 // expects: Likely mistake: a division by zero
@@ -43,23 +36,19 @@
 
 // ---- wrong: condition the wrong way round
 // expects: Likely mistake: 0 is returned where K is not 0
-  if (K != 0) return 0;
-  return -(row_velocity(J, body1, body2) + bias) / K;
+// change: == 0 ==> != 0
 
 // ---- wrong: bias where nothing can move
 // expects: Likely mistake: where K is 0 nothing can be moved: lambda is 0
-  if (K == 0) return bias;
-  return -(row_velocity(J, body1, body2) + bias) / K;
+// change: 0; ==> bias;
 
 // ---- wrong: sign of the impulse
 // expects: Likely mistake: the sign: the impulse works against J V + b
-  if (K == 0) return 0;
-  return (row_velocity(J, body1, body2) + bias) / K;
+// change: return - ==> return
 
 // ---- wrong: sign of the bias
 // expects: Likely mistake: the sign of the bias
-  if (K == 0) return 0;
-  return -(row_velocity(J, body1, body2) - bias) / K;
+// change: + bias ==> - bias
 
 // ---- wrong: brackets forgotten, bias over K
 // expects: Likely mistake: only the bias is divided by K
@@ -73,33 +62,27 @@
 
 // ---- wrong: without K
 // expects: Likely mistake: K is missing: a velocity is no impulse
-  if (K == 0) return 0;
-  return -(row_velocity(J, body1, body2) + bias);
+// change: / K ==>
 
 // ---- wrong: times K
 // expects: Likely mistake: times K where its inverse belongs
-  if (K == 0) return 0;
-  return -(row_velocity(J, body1, body2) + bias) * K;
+// change: / K ==> * K
 
 // ---- wrong: bodies exchanged in J V
 // expects: Likely mistake: bodies 1 and 2 are exchanged in J V
-  if (K == 0) return 0;
-  return -(row_velocity(J, body2, body1) + bias) / K;
+// change: body1, body2 ==> body2, body1
 
 // ---- wrong: angular velocities left out
 // expects: Likely mistake: the angular velocities are missing in J V
-  if (K == 0) return 0;
-  return -((dot(J.v1, body1.v) + dot(J.v2, body2.v)) + bias) / K;
+// change: row_velocity(J, body1, body2) ==> (dot(J.v1, body1.v) + dot(J.v2, body2.v))
 
 // ---- wrong: J V of a rod
 // expects: Likely mistake: J V is written out as if J.v1 and J.v2 were known
-  if (K == 0) return 0;
-  return -(dot(J.v2, body2.v - body1.v) + bias) / K;
+// change: row_velocity(J, body1, body2) ==> dot(J.v2, body2.v - body1.v)
 
 // ---- wrong: K of a rod
 // expects: Likely mistake: K is given: it is 1/m1 + 1/m2 in a rod from centre to centre alone
-  if (K == 0) return 0;
-  return -(row_velocity(J, body1, body2) + bias) / (body1.inverse_mass + body2.inverse_mass);
+// change: K; ==> (body1.inverse_mass + body2.inverse_mass);
 
 // ---- wrong: never a pull
 // expects: Likely mistake: a row may push and pull
@@ -108,29 +91,24 @@
 
 // ---- wrong: size of the impulse
 // expects: Likely mistake: the sign is lost
-  if (K == 0) return 0;
-  return std::abs(row_velocity(J, body1, body2) + bias) / K;
+// change: return - ==> return std::abs
 
 // ---- wrong: only where something moves
 // expects: Likely mistake: nothing is done where J V is 0
-  if (K == 0 || row_velocity(J, body1, body2) == 0) return 0;
-  return -(row_velocity(J, body1, body2) + bias) / K;
+// change: K == ==> K == 0 || row_velocity(J, body1, body2) ==
 
 // ---- wrong: small rates left out
 // expects: Likely mistake: nothing is done where J V + b is small
-  if (K == 0) return 0;
-  if (std::abs(row_velocity(J, body1, body2) + bias) < real(1e-6)) return 0;
-  return -(row_velocity(J, body1, body2) + bias) / K;
+// change: return - ==>
+//         if (std::abs(row_velocity(J, body1, body2) + bias) < real(1e-6)) return 0; return -
 
 // ---- wrong: nothing beside a wall
 // expects: Likely mistake: nothing is done where one body is static
-  if (body1.is_static() || body2.is_static()) return 0;
-  return -(row_velocity(J, body1, body2) + bias) / K;
+// change: K == 0 ==> body1.is_static() || body2.is_static()
 
 // ---- wrong: beta once more
 // expects: Likely mistake: the bias b is used as it is
-  if (K == 0) return 0;
-  return -(row_velocity(J, body1, body2) + real(0.2) * bias) / K;
+// change: bias ==> real(0.2) * bias
 
 // ---- wrong: a sum that was never set
 // expects: Likely mistake: a value that was never set
@@ -156,34 +134,26 @@
 // ---- wrong: both shares to body 1
 // region: 2
 // expects: Likely mistake: the share of body 2 is given to body 1
-  body1.v += body1.inverse_mass * lambda * J.v1;
-  body1.w += inverse_inertia(body1) * (lambda * J.w1);
-  body1.v += body2.inverse_mass * lambda * J.v2;
-  body1.w += inverse_inertia(body2) * (lambda * J.w2);
+// change: body2 ==> body1
+// change: body2.w ==> body1.w
 
 // ---- wrong: blocks of body 1 for both
 // region: 2
 // expects: Likely mistake: the block v of the other body (v2); the block w of the other body (w2)
-  body1.v += body1.inverse_mass * lambda * J.v1;
-  body1.w += inverse_inertia(body1) * (lambda * J.w1);
-  body2.v += body2.inverse_mass * lambda * J.v1;
-  body2.w += inverse_inertia(body2) * (lambda * J.w1);
+// change: v2; ==> v1;
+// change: w2 ==> w1
 
 // ---- wrong: blocks v for w
 // region: 2
 // expects: Likely mistake: the block v of the row where w belongs (w1 and w2)
-  body1.v += body1.inverse_mass * lambda * J.v1;
-  body1.w += inverse_inertia(body1) * (lambda * J.v1);
-  body2.v += body2.inverse_mass * lambda * J.v2;
-  body2.w += inverse_inertia(body2) * (lambda * J.v2);
+// change: w1 ==> v1
+// change: w2 ==> v2
 
 // ---- wrong: masses exchanged
 // region: 2
 // expects: Likely mistake: the inverse mass of the other body (v1 and v2)
-  body1.v += body2.inverse_mass * lambda * J.v1;
-  body1.w += inverse_inertia(body1) * (lambda * J.w1);
-  body2.v += body1.inverse_mass * lambda * J.v2;
-  body2.w += inverse_inertia(body2) * (lambda * J.w2);
+// change: += body1 ==> += body2
+// change: body2.v += body2 ==> body2.v += body1
 
 // ---- wrong: without lambda
 // region: 2
@@ -204,37 +174,23 @@
 // ---- wrong: inertia for its inverse
 // region: 2
 // expects: Likely mistake: inertia where inverse inertia belongs (w1 and w2)
-  body1.v += body1.inverse_mass * lambda * J.v1;
-  body1.w += inverse(inverse_inertia(body1)) * (lambda * J.w1);
-  body2.v += body2.inverse_mass * lambda * J.v2;
-  body2.w += inverse(inverse_inertia(body2)) * (lambda * J.w2);
+// change: inverse_inertia(body1) ==> inverse(inverse_inertia(body1))
+// change: inverse_inertia(body2) ==> inverse(inverse_inertia(body2))
 
 // ---- wrong: nothing moves beside a wall
 // region: 2
 // expects: Likely mistake: nothing is done where one body is static
-  if (body1.is_static() || body2.is_static()) return;
-  body1.v += body1.inverse_mass * lambda * J.v1;
-  body1.w += inverse_inertia(body1) * (lambda * J.w1);
-  body2.v += body2.inverse_mass * lambda * J.v2;
-  body2.w += inverse_inertia(body2) * (lambda * J.w2);
+// change: body1 ==> if (body1.is_static() || body2.is_static()) return; body1
 
 // ---- wrong: small impulses left out
 // region: 2
 // expects: Likely mistake: a small lambda is left out
-  if (std::abs(lambda) < real(1e-6)) return;
-  body1.v += body1.inverse_mass * lambda * J.v1;
-  body1.w += inverse_inertia(body1) * (lambda * J.w1);
-  body2.v += body2.inverse_mass * lambda * J.v2;
-  body2.w += inverse_inertia(body2) * (lambda * J.w2);
+// change: body1 ==> if (std::abs(lambda) < real(1e-6)) return; body1
 
 // ---- wrong: negative impulses left out
 // region: 2
 // expects: Likely mistake: a negative lambda is left out
-  if (lambda < 0) return;
-  body1.v += body1.inverse_mass * lambda * J.v1;
-  body1.w += inverse_inertia(body1) * (lambda * J.w1);
-  body2.v += body2.inverse_mass * lambda * J.v2;
-  body2.w += inverse_inertia(body2) * (lambda * J.w2);
+// change: body1 ==> if (lambda < 0) return; body1
 
 // ---- wrong: copies of the bodies
 // region: 2
@@ -248,11 +204,7 @@
 // ---- wrong: positions moved, too
 // region: 2
 // expects: Likely mistake: an impulse changes velocities and not positions (x)
-  body1.v += body1.inverse_mass * lambda * J.v1;
-  body1.w += inverse_inertia(body1) * (lambda * J.w1);
-  body2.v += body2.inverse_mass * lambda * J.v2;
-  body1.x += body1.v / real(60);
-  body2.w += inverse_inertia(body2) * (lambda * J.w2);
+// change: v2; ==> v2; body1.x += body1.v / real(60);
 
 // ---- wrong: sign of the bias and K not asked for
 // expects: Likely mistake: the sign of the bias; and K = 0 is divided by
@@ -265,8 +217,7 @@
 
 // ---- wrong: body 1 left out of J V
 // expects: Likely mistake: body 1 is missing in J V
-  if (K == 0) return 0;
-  return -((dot(J.v2, body2.v) + dot(J.w2, body2.w)) + bias) / K;
+// change: row_velocity(J, body1, body2) ==> (dot(J.v2, body2.v) + dot(J.w2, body2.w))
 
 // ---- wrong: minus for body 1 in J V
 // expects: Likely mistake: the sign of a body in J V
@@ -295,8 +246,7 @@
   return -(JV + bias) / K;
 
 // ---- right: times the effective mass
-  if (K == 0) return 0;
-  return -(row_velocity(J, body1, body2) + bias) * (1 / K);
+// change: / K ==> * (1 / K)
 
 // ---- right: vector times symmetric matrix
 // region: 2
@@ -307,16 +257,10 @@
 
 // ---- right: walls left out
 // region: 2
-  if (body1.is_static() && body2.is_static()) return;
-  body1.v += body1.inverse_mass * lambda * J.v1;
-  body1.w += inverse_inertia(body1) * (lambda * J.w1);
-  body2.v += body2.inverse_mass * lambda * J.v2;
-  body2.w += inverse_inertia(body2) * (lambda * J.w2);
+// change: body1 ==> if (body1.is_static() && body2.is_static()) return; body1
 
 // ---- wrong units: without inverse mass
 // region: 2
 // expects: Units: in V + M^-1 J^T lambda, adding kg m/s to m/s: the inverse mass is missing
-  body1.v += lambda * J.v1;
-  body1.w += inverse_inertia(body1) * (lambda * J.w1);
-  body2.v += lambda * J.v2;
-  body2.w += inverse_inertia(body2) * (lambda * J.w2);
+// change: body1.inverse_mass * ==>
+// change: body2.inverse_mass * ==>

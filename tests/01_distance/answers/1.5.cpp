@@ -18,39 +18,27 @@
 
 // ---- wrong: new sum minus itself
 // expects: Likely mistake: 0 is returned: the old sum must be remembered
-  const real before = sum;
-  sum = glm::max(before + dlambda, real(0));
-  return sum - sum;
+// change: before; ==> sum;
 
 // ---- wrong: old minus new
 // expects: Likely mistake: the sign of the growth: new minus old
-  const real before = sum;
-  sum = glm::max(before + dlambda, real(0));
-  return before - sum;
+// change: sum - before ==> before - sum
 
 // ---- wrong: nothing clamped
 // expects: Likely mistake: nothing is clamped
-  const real before = sum;
-  sum = before + dlambda;
-  return sum - before;
+// change: glm::max(before + dlambda, real(0)) ==> before + dlambda
 
 // ---- wrong: min for max
 // expects: Likely mistake: max and min are mixed up
-  const real before = sum;
-  sum = glm::min(before + dlambda, real(0));
-  return sum - before;
+// change: max ==> min
 
 // ---- wrong: returns dlambda
 // expects: Likely mistake: all of dlambda is returned
-  const real before = sum;
-  sum = glm::max(before + dlambda, real(0));
-  return dlambda;
+// change: sum - before ==> dlambda
 
 // ---- wrong: sum set to dlambda
 // expects: Likely mistake: the sum becomes dlambda: it must grow by it
-  const real before = sum;
-  sum = glm::max(dlambda, real(0));
-  return sum - before;
+// change: before + ==>
 
 // ---- wrong: old sum taken too late
 // expects: Likely mistake: the sum is changed before its growth is computed from it
@@ -59,9 +47,7 @@
 
 // ---- wrong: sign of dlambda
 // expects: Likely mistake: the sign of dlambda
-  const real before = sum;
-  sum = glm::max(before - dlambda, real(0));
-  return sum - before;
+// change: + dlambda ==> - dlambda
 
 // ---- wrong: asks too much, gets nothing
 // expects: Likely mistake: where more is asked back than there is, all that is there is given back
@@ -83,29 +69,19 @@
 
 // ---- wrong: size of the sum
 // expects: Likely mistake: the size of the sum is taken
-  const real before = sum;
-  sum = std::abs(before + dlambda);
-  return sum - before;
+// change: glm::max(before + dlambda, real(0)) ==> std::abs(before + dlambda)
 
 // ---- wrong: dlambda twice
 // expects: Likely mistake: dlambda is added twice
-  const real before = sum;
-  sum = glm::max(before + dlambda, real(0));
-  sum += dlambda;
-  return sum - before;
+// change: return sum ==> sum += dlambda; return sum
 
 // ---- wrong: small ones left out
 // expects: Likely mistake: a small dlambda is left out
-  if (std::abs(dlambda) < real(1e-6)) return 0;
-  const real before = sum;
-  sum = glm::max(before + dlambda, real(0));
-  return sum - before;
+// change: const real ==> if (std::abs(dlambda) < real(1e-6)) return 0; const real
 
 // ---- wrong: old sum never set
 // expects: Likely mistake: a value that was never set
-  real before;
-  sum = glm::max(before + dlambda, real(0));
-  return sum - before;
+// change: const real before = sum ==> real before
 
 // ---- wrong: corrected by a sum that is 0 already
 // expects: Likely mistake: all of dlambda is returned
@@ -118,9 +94,7 @@
 
 // ---- wrong: old sum as a whole number
 // expects: Likely mistake: the fraction is cut off
-  const int before = sum;
-  sum = glm::max(before + dlambda, real(0));
-  return sum - before;
+// change: real before ==> int before
 
 // ---- right: with an if
 // The same in two cases: all of dlambda, or as much as was there.

@@ -31,18 +31,15 @@
 
 // ---- wrong: sign of w1
 // expects: Likely mistake: the sign of the block w1
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return jacobian_from_blocks(mat3(-1), -skew(r1), mat3(1), -skew(r2));
+// change: skew ==> -skew
 
 // ---- wrong: sign of v1
 // expects: Likely mistake: the sign of the block v1
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return jacobian_from_blocks(mat3(1), skew(r1), mat3(1), -skew(r2));
+// change: -1 ==> 1
 
 // ---- wrong: order of the blocks
 // expects: Likely mistake: the order of the blocks
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return jacobian_from_blocks(mat3(-1), mat3(1), skew(r1), -skew(r2));
+// change: skew(r1), mat3(1) ==> mat3(1), skew(r1)
 
 // ---- wrong: without levers
 // expects: Likely mistake: the blocks w1 and w2 are missing: they hold the levers
@@ -51,8 +48,7 @@
 
 // ---- wrong: one anchor for both
 // expects: Likely mistake: one anchor for both bodies
-  const vec3 r1 = to_world(body1, anchor2_local), r2 = to_world(body2, anchor2_local);
-  return jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2));
+// change: anchor1_local ==> anchor2_local
 
 // ---- wrong: turned with the other body
 // expects: Likely mistake: each lever is turned with the other body
@@ -82,18 +78,15 @@
 
 // ---- wrong: columns taken as rows
 // expects: Likely mistake: the sign of the blocks w1 and w2: a x b is -(b x a). Or columns
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  const mat3 s1 = skew(r1), s2 = -skew(r2), E(1);
-  Jacobian<3> J;
-  for (int i = 0; i < 3; ++i) J[i] = {-E[i], s1[i], E[i], s2[i]};
-  return J;
+// change: return jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2)); ==>
+//         const mat3 s1 = skew(r1), s2 = -skew(r2), E(1); Jacobian<3> J; for (int i = 0; i < 3;
+//         ++i) J[i] = {-E[i], s1[i], E[i], s2[i]}; return J;
 
 // ---- wrong: only the first row
 // expects: Likely mistake: J[1], the row C.y and J[2], the row C.z, are zero
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<3> J;
-  J[0] = {vec3(-1, 0, 0), vec3(0, -r1.z, r1.y), vec3(1, 0, 0), vec3(0, r2.z, -r2.y)};
-  return J;
+// change: return jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2)); ==>
+//         Jacobian<3> J; J[0] = {vec3(-1, 0, 0), vec3(0, -r1.z, r1.y), vec3(1, 0, 0), vec3(0, r2.z,
+//         -r2.y)}; return J;
 
 // ---- wrong: first row left out
 // expects: Likely mistake: J[0], the row C.x, is zero
@@ -123,7 +116,6 @@
            Row{vec3(0, 0, -1), vec3(-a.y, a.x, 0), vec3(0, 0, 1), vec3(b.y, -b.x, 0)}}};
 
 // ---- right: cross products with unit vectors
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<3> J;
-  for (int i = 0; i < 3; ++i) { vec3 e(0); e[i] = 1; J[i] = {-e, -cross(r1, e), e, cross(r2, e)}; }
-  return J;
+// change: return jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2)); ==>
+//         Jacobian<3> J; for (int i = 0; i < 3; ++i) { vec3 e(0); e[i] = 1; J[i] = {-e, -cross(r1,
+//         e), e, cross(r2, e)}; } return J;

@@ -28,45 +28,31 @@
 
 // ---- wrong: sign of the impulse
 // expects: Likely mistake: the sign: the impulse works against J V + b
-  vec3 e = bias;
-  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
-  return inverse(K) * e;
+// change: -inverse ==> inverse
 
 // ---- wrong: first rate left out
 // expects: Likely mistake: J V of the first row is left out
-  vec3 e = bias;
-  for (int i = 1; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
-  return -inverse(K) * e;
+// change: 0; ==> 1;
 
 // ---- wrong: last rate left out
 // expects: Likely mistake: J V of the last row is left out
-  vec3 e = bias;
-  for (int i = 0; i < 2; ++i) e[i] += row_velocity(J[i], body1, body2);
-  return -inverse(K) * e;
+// change: 3; ==> 2;
 
 // ---- wrong: first rate in all rows
 // expects: Likely mistake: J V of the first row in all three
-  vec3 e = bias;
-  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[0], body1, body2);
-  return -inverse(K) * e;
+// change: [i], ==> [0],
 
 // ---- wrong: sign of the bias
 // expects: Likely mistake: the sign of the bias
-  vec3 e = -bias;
-  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
-  return -inverse(K) * e;
+// change: bias ==> -bias
 
 // ---- wrong: bias overwritten
 // expects: Likely mistake: the bias is missing: the error is not fed back
-  vec3 e = bias;
-  for (int i = 0; i < 3; ++i) e[i] = row_velocity(J[i], body1, body2);
-  return -inverse(K) * e;
+// change: += row_velocity ==> = row_velocity
 
 // ---- wrong: bodies exchanged in J V
 // expects: Likely mistake: bodies 1 and 2 are exchanged in J V
-  vec3 e = bias;
-  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body2, body1);
-  return -inverse(K) * e;
+// change: body1, body2 ==> body2, body1
 
 // ---- wrong: angular velocities left out
 // expects: Likely mistake: the angular velocities are missing in J V
@@ -83,23 +69,15 @@
 
 // ---- wrong: small K taken for singular
 // expects: Likely mistake: nothing is done where K is small
-  vec3 e = bias;
-  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
-  if (std::abs(determinant(K)) < real(1e-3)) return vec3(0);
-  return -inverse(K) * e;
+// change: return - ==> if (std::abs(determinant(K)) < real(1e-3)) return vec3(0); return -
 
 // ---- wrong: only where there is a gap
 // expects: Likely mistake: nothing is done where the bias is 0
-  vec3 e = bias;
-  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
-  if (length(bias) < real(1e-3)) return vec3(0);
-  return -inverse(K) * e;
+// change: return - ==> if (length(bias) < real(1e-3)) return vec3(0); return -
 
 // ---- wrong: without K
 // expects: Likely mistake: K is missing: a velocity is no impulse
-  vec3 e = bias;
-  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
-  return -e;
+// change: inverse(K) * ==>
 
 // ---- wrong: sums that were never set
 // expects: Likely mistake: a value that was never set
@@ -110,11 +88,10 @@
 
 // ---- wrong: rows one after the other
 // expects: Likely mistake: the rows are solved one after the other
-  vec3 e = bias, l(0);
-  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
-  for (int n = 0; n < 20; ++n)
-    for (int i = 0; i < 3; ++i) l[i] -= (e + K * l)[i] / K[i][i];
-  return l;
+// change: bias ==> bias, l(0)
+// change: return -inverse(K) * e ==>
+//         for (int n = 0; n < 20; ++n) for (int i = 0; i < 3; ++i) l[i] -= (e + K * l)[i] /
+//         K[i][i]; return l
 
 // ---- wrong: first row left out
 // region: 2
@@ -192,10 +169,8 @@
 // ---- wrong: turns forgotten
 // region: 2
 // expects: Likely mistake: not changed at all (w1 and w2)
-  for (int i = 0; i < 3; ++i) {
-    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
-    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
-  }
+// change: body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1); ==>
+// change: body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2); ==>
 
 // ---- wrong: both shares to body 1
 // region: 2
@@ -239,9 +214,7 @@
   body2.w += inverse_inertia(body2) * (w2 * lambda);
 
 // ---- right: vector times symmetric matrix
-  vec3 e = bias;
-  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
-  return -e * inverse(K);
+// change: inverse(K) * e ==> e * inverse(K)
 
 // ---- right: summed up first
 // region: 2
@@ -259,14 +232,11 @@
   return -inverse(K) * e;
 
 // ---- right: cross products of the columns
-  vec3 e = bias;
-  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
-  const mat3 A(cross(K[1], K[2]), cross(K[2], K[0]), cross(K[0], K[1]));
-  return -(transpose(A) * e) / dot(K[0], cross(K[1], K[2]));
+// change: return -inverse(K) * e ==>
+//         const mat3 A(cross(K[1], K[2]), cross(K[2], K[0]), cross(K[0], K[1])); return
+//         -(transpose(A) * e) / dot(K[0], cross(K[1], K[2]))
 
 // ---- wrong units: times K
 // expects: Units: lambda is in m/(kg s) and should be in kg m/s: an inverse mass where a mass
 // expects: belongs (K is one, divide by it)
-  vec3 e = bias;
-  for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
-  return -K * e;
+// change: inverse(K) ==> K

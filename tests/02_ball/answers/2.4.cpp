@@ -28,67 +28,37 @@
 
 // ---- wrong: h forgotten
 // expects: Likely mistake: h is missing: the angle is h |w|
-  const real angle = length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: h * ==>
 
 // ---- wrong: not normalised
 // expects: Likely mistake: the product is not normalised
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return (quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: normalize ==>
 
 // ---- wrong: small angles left out
 // expects: Likely mistake: a small angle is left out
-  const real angle = h * length(w);
-  if (angle < real(1e-3)) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: == 0 ==> < real(1e-3)
 
 // ---- wrong: smaller angles left out
 // expects: Likely mistake: a small angle is left out
-  const real angle = h * length(w);
-  if (angle < real(1e-6)) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: == 0 ==> < real(1e-6)
 
 // ---- wrong: slow bodies left out
 // expects: Likely mistake: a small angle is left out
-  const real angle = h * length(w);
-  if (length(w) < real(1e-3)) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: angle == 0 ==> length(w) < real(1e-3)
 
 // ---- wrong: order of the four numbers
 // expects: Likely mistake: the order of the four numbers: quat(w, x, y, z)
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(v.x, v.y, v.z, std::cos(angle / 2)) * q);
+// change: std::cos(angle / 2), ==>
+// change: v.z ==> v.z, std::cos(angle / 2)
 
 // ---- wrong: half of the angle in the cosine only
 // expects: Likely mistake: the half of the angle belongs to both
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: / 2 ==>
 
 // ---- wrong: half of the half
 // expects: Likely mistake: the angle is halved twice
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 4) * axis;
-  return normalize(quat(std::cos(angle / 4), v.x, v.y, v.z) * q);
+// change: / 2 ==> / 4
+// change: / 2 ==> / 4
 
 // ---- wrong: sine and cosine exchanged
 // expects: Likely mistake: sine and cosine are exchanged
@@ -100,35 +70,19 @@
 
 // ---- wrong: axis not of length 1
 // expects: Likely mistake: the axis must be a unit vector
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w;
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: / length(w) ==>
 
 // ---- wrong: angleAxis with w
 // expects: Likely mistake: the axis must be a unit vector
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(glm::angleAxis(angle, w) * q);
+// change: quat(std::cos(angle / 2), v.x, v.y, v.z) ==> glm::angleAxis(angle, w)
 
 // ---- wrong: sign of the turn
 // expects: Likely mistake: the sign of the rotation
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = -std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: std ==> -std
 
 // ---- wrong: old orientation lost
 // expects: Likely mistake: the old orientation is lost
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z));
+// change: * q ==>
 
 // ---- wrong: w turned by q
 // expects: Likely mistake: the rotation is multiplied from the right, or w is turned by q
@@ -148,43 +102,25 @@
 
 // ---- wrong: radians of radians
 // expects: Likely mistake: degrees: std::sin, std::cos and angleAxis take radians
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(glm::radians(angle / 2)) * axis;
-  return normalize(quat(std::cos(glm::radians(angle / 2)), v.x, v.y, v.z) * q);
+// change: angle / 2 ==> glm::radians(angle / 2)
+// change: (angle / 2), ==> (glm::radians(angle / 2)),
 
 // ---- wrong: back to the start at rest
 // expects: Likely mistake: a body at rest keeps q
-  const real angle = h * length(w);
-  if (angle == 0) return quat(1, 0, 0, 0);
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: q; ==> quat(1, 0, 0, 0);
 
 // ---- wrong: half as a whole number
 // expects: Likely mistake: nothing turns
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle * (1 / 2)) * axis;
-  return normalize(quat(std::cos(angle * (1 / 2)), v.x, v.y, v.z) * q);
+// change: / 2 ==> * (1 / 2)
+// change: angle / 2 ==> angle * (1 / 2)
 
 // ---- wrong: rotation added
 // expects: Likely mistake: the rotation is added to q
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) + q);
+// change: * q ==> + q
 
 // ---- wrong: square of w
 // expects: Likely mistake: the angle is h |w|, not h w.w
-  const real angle = h * dot(w, w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: length(w) ==> dot(w,w)
 
 // ---- wrong: first order without the half
 // expects: Likely mistake: q + h (0, w) q is only the first term
@@ -193,11 +129,7 @@
 
 // ---- wrong: Euler angles
 // expects: Likely mistake: h w holds no Euler angles
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(h * w) * q);
+// change: std::cos(angle / 2), v.x, v.y, v.z ==> h * w
 
 // ---- wrong: from the right and without h
 // expects: Likely mistake: h is missing: the angle is h |w|; and the rotation is multiplied from
@@ -210,11 +142,8 @@
 
 // ---- wrong: sign of the turn and small angles left out
 // expects: Likely mistake: the sign of the rotation; and a small angle is left out
-  const real angle = h * length(w);
-  if (angle < real(1e-3)) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = -std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: == 0 ==> < real(1e-3)
+// change: std ==> -std
 
 // ---- right: angle and axis
 // GLM makes the same quaternion of an angle and an axis.
@@ -230,11 +159,7 @@
   return -normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
 
 // ---- right: the engine's rotation
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(rotation(h * w) * q);
+// change: quat(std::cos(angle / 2), v.x, v.y, v.z) ==> rotation(h * w)
 
 // ---- right: a guard at the last digit
 // An angle that rounding swallows turns nothing.
@@ -251,18 +176,10 @@
   return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
 
 // ---- right: normalised at rest, too
-  const real angle = h * length(w);
-  if (angle == 0) return normalize(q);
-  const vec3 axis = w / length(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: q; ==> normalize(q);
 
 // ---- right: normalised by glm
-  const real angle = h * length(w);
-  if (angle == 0) return q;
-  const vec3 axis = normalize(w);
-  const vec3 v = std::sin(angle / 2) * axis;
-  return normalize(quat(std::cos(angle / 2), v.x, v.y, v.z) * q);
+// change: w / length ==> normalize
 
 // ---- wrong units: without h
 // expects: Units: in q, the sine of 1/s: h is missing

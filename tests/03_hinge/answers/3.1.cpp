@@ -19,8 +19,7 @@
 
 // ---- wrong: C b twice
 // expects: Likely mistake: the first number stands in both places
-  const vec3 a1 = to_world(body1, a1_local);
-  return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2, b_local))};
+// change: c_local ==> b_local
 
 // ---- wrong: C body space b and c
 // expects: Likely mistake: b_local and c_local are not turned into the world
@@ -29,15 +28,13 @@
 
 // ---- wrong: C c not turned
 // expects: Likely mistake: in C.c alone: b_local and c_local are not turned into the world
-  const vec3 a1 = to_world(body1, a1_local);
-  return {dot(a1, to_world(body2, b_local)), dot(a1, c_local)};
+// change: to_world(body2, c_local) ==> c_local
 
 // ---- wrong: C cross product of the axes
 // expects: Likely mistake: the cross product of the axes: that holds a1.c and -(a1.b)
-  const vec3 a1 = to_world(body1, a1_local);
-  const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local);
-  const vec3 across = cross(a1, cross(b, c));
-  return {dot(across, b), dot(across, c)};
+// change: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2, c_local))} ==>
+//         const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local); const vec3 across
+//         = cross(a1, cross(b, c)); return {dot(across, b), dot(across, c)}
 
 // ---- wrong: C int
 // expects: Likely mistake: 0 in every case: it is never written, or cut off by an int, or a2 stands
@@ -60,14 +57,12 @@
 
 // ---- wrong: C one sign
 // expects: Likely mistake: in C.c alone: the sign of C
-  const vec3 a1 = to_world(body1, a1_local);
-  return {dot(a1, to_world(body2, b_local)), -dot(a1, to_world(body2, c_local))};
+// change: , dot ==> , - dot
 
 // ---- wrong: C second missing
 // expects: Likely mistake: in C.c alone: 0 in every case: it is never written, or cut off by an
 // expects: int, or a2 stands in the place of a1 (a2 is at right angles to its own b and c)
-  const vec3 a1 = to_world(body1, a1_local);
-  return {dot(a1, to_world(body2, b_local))};
+// change: , dot(a1, to_world(body2, c_local)) ==>
 
 // ---- wrong: C unset second
 // expects: Likely mistake: a value that was never set
@@ -78,28 +73,21 @@
 
 // ---- wrong: C unset sum
 // expects: Likely mistake: a value that was never set
-  const vec3 a1 = to_world(body1, a1_local);
-  const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local);
-  Vector<2> C;
-  for (int i = 0; i < 3; ++i) { C[0] += a1[i] * b[i]; C[1] += a1[i] * c[i]; }
-  return C;
+// change: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2, c_local))} ==>
+//         const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local); Vector<2> C; for
+//         (int i = 0; i < 3; ++i) { C[0] += a1[i] * b[i]; C[1] += a1[i] * c[i]; } return C
 
 // ---- wrong: C written twice
 // expects: Likely mistake: the first number is written twice, the second never
-  const vec3 a1 = to_world(body1, a1_local);
-  Vector<2> C{};
-  C[0] = dot(a1, to_world(body2, b_local));
-  C[0] = dot(a1, to_world(body2, c_local));
-  return C;
+// change: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2, c_local))}; ==>
+//         Vector<2> C{}; C[0] = dot(a1, to_world(body2, b_local)); C[0] = dot(a1, to_world(body2,
+//         c_local)); return C;
 
 // ---- wrong: J a copied block
 // region: 2
 // expects: Likely mistake: w1 of J[1] is that of J[0] (pencil and paper, upright, turned, moved,
 // expects: broken)
-  Jacobian<2> J;
-  J[0] = {vec3(0), -cross(b, a1), vec3(0), cross(b, a1)};
-  J[1] = {vec3(0), -cross(b, a1), vec3(0), cross(c, a1)};
-  return J;
+// change: c, ==> b,
 
 // ---- wrong: J axis of body 2
 // region: 2
@@ -131,19 +119,14 @@
 // region: 2
 // expects: Likely mistake: J[1], the row C.c, repeats J[0] (pencil and paper, upright, turned,
 // expects: moved, broken)
-  Jacobian<2> J;
-  J[0] = {vec3(0), -cross(b, a1), vec3(0), cross(b, a1)};
-  J[1] = {vec3(0), -cross(b, a1), vec3(0), cross(b, a1)};
-  return J;
+// change: c, ==> b,
+// change: c, ==> b,
 
 // ---- wrong: J first row written twice
 // region: 2
 // expects: Likely mistake: J[0] is written twice, J[1] never: the row C.c stands in the place of
 // expects: C.b
-  Jacobian<2> J;
-  J[0] = {vec3(0), -cross(b, a1), vec3(0), cross(b, a1)};
-  J[0] = {vec3(0), -cross(c, a1), vec3(0), cross(c, a1)};
-  return J;
+// change: [1] ==> [0]
 
 // ---- wrong: J half
 // region: 2
@@ -186,9 +169,7 @@
 // region: 2
 // expects: Likely mistake: J[1], the row C.c, is zero: was it never written? (pencil and paper,
 // expects: upright, turned, moved, broken)
-  Jacobian<2> J;
-  J[0] = {vec3(0), -cross(b, a1), vec3(0), cross(b, a1)};
-  return J;
+// change: J[1] = {vec3(0), -cross(c, a1), vec3(0), cross(c, a1)}; ==>
 
 // ---- wrong: J order of blocks
 // region: 2
@@ -227,10 +208,8 @@
 // region: 2
 // expects: Likely mistake: the sign of the block w1 (pencil and paper, upright, turned, moved,
 // expects: broken)
-  Jacobian<2> J;
-  J[0] = {vec3(0), cross(b, a1), vec3(0), cross(b, a1)};
-  J[1] = {vec3(0), cross(c, a1), vec3(0), cross(c, a1)};
-  return J;
+// change: -cross ==> cross
+// change: -cross ==> cross
 
 // ---- wrong: J sign of one row
 // region: 2
@@ -274,10 +253,8 @@
 // region: 2
 // expects: Likely mistake: the block w1 is missing (pencil and paper, upright, turned, moved,
 // expects: broken)
-  Jacobian<2> J;
-  J[0] = {vec3(0), vec3(0), vec3(0), cross(b, a1)};
-  J[1] = {vec3(0), vec3(0), vec3(0), cross(c, a1)};
-  return J;
+// change: -cross(b, a1) ==> vec3(0)
+// change: -cross(c, a1) ==> vec3(0)
 
 // ---- right: C in the axes of body 1
   const quat q = conjugate(body1.q) * body2.q;

@@ -124,10 +124,8 @@
 
 // ---- wrong: sign rule by p
 // expects: Likely mistake: p decides which of q and -q is taken: the sign of s does
-  quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  const real p = dot(vec3(q.x, q.y, q.z), a1_local);
-  if (p < 0) q = -q;
-  return 2 * std::atan2(p, q.w);
+// change: if (q.w < 0) q = -q; ==>
+// change: return 2 ==> if (p < 0) q = -q; return 2
 
 // ---- wrong: sign rule on w > 0
 // expects: Likely mistake: the sign rule the wrong way round: where s > 0 -q was taken
@@ -176,11 +174,8 @@
 
 // ---- wrong: unset p
 // expects: never set
-  quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  if (q.w < 0) q = -q;
-  real p;
-  p += q.x * a1_local.x; p += q.y * a1_local.y; p += q.z * a1_local.z;
-  return 2 * std::atan2(p, q.w);
+// change: const real p = dot(vec3(q.x, q.y, q.z), a1_local) ==>
+//         real p; p += q.x * a1_local.x; p += q.y * a1_local.y; p += q.z * a1_local.z
 
 // ---- wrong: unwrapped 3.14159
 // region: 2
@@ -209,9 +204,8 @@
 // region: 2
 // expects: Likely mistake: the number of turns is cut off (as std::fmod does), not rounded: the
 // expects: nearest one counts
-  const real turn = 2 * std::numbers::pi_v<real>;
-  const int k = (expected - measured) / turn;
-  return measured + turn * k;
+// change: return expected + std::remainder(measured - expected, turn) ==>
+//         const int k = (expected - measured) / turn; return measured + turn * k
 
 // ---- wrong: unwrapped measured
 // region: 2
@@ -303,11 +297,7 @@
 
 // ---- wrong: zero below epsilon
 // expects: Likely mistake: what is small has become 0: no threshold belongs here
-  quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  if (q.w < 0) q = -q;
-  const real p = dot(vec3(q.x, q.y, q.z), a1_local);
-  if (std::abs(p) < 1e-2) return 0;
-  return 2 * std::atan2(p, q.w);
+// change: return 2 ==> if (std::abs(p) < 1e-2) return 0; return 2
 
 // ---- right: twist from the arc cosine
 // The twist alone, s over the length of (s, p), and the sign of p.

@@ -2,10 +2,7 @@
 
 // ---- wrong: 0.01 h
 // expects: Likely mistake: less than 0.1 h is added (0.01 h, or h twice): C < h |rate| + 0.1 h
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.01) * h;
-  return nearer;
+// change: 0.1 ==> 0.01
 
 // ---- wrong: 0.1 within the absolute value
 // expects: Likely mistake: the 0.1 stands outside the absolute value: |rate| + 0.1, not |rate +
@@ -17,10 +14,7 @@
 
 // ---- wrong: 1/10 in whole numbers
 // expects: Likely mistake: 0.1 h is missing in the rule: C < h |rate| + 0.1 h
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) + 1 / 10 * h;
-  return nearer;
+// change: real(0.1) ==> 1 / 10
 
 // ---- wrong: C clamped to 0
 // expects: Likely mistake: beyond the limit C is negative: it does not end at 0
@@ -47,40 +41,26 @@
 // ---- wrong: abs of C in the choice
 // expects: Likely mistake: no absolute value in the choice: beyond a limit the gap is negative,
 // expects: that is less
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = std::abs(lower.C + h * rate) < std::abs(upper.C - h * rate) ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: lower.C + h * rate < upper.C - h * rate ==>
+//         std::abs(lower.C + h * rate) < std::abs(upper.C - h * rate)
 
 // ---- wrong: abs of C in the rule
 // expects: Likely mistake: beyond the limit a row is live, too: C is negative there, and no
 // expects: absolute value is taken
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = std::abs(nearer.C) < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: nearer.C ==> std::abs(nearer.C)
 
 // ---- wrong: abs of int rate
 // expects: Likely mistake: the rate is cut off to a whole number: an int has no fraction
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(int(rate)) + real(0.1) * h;
-  return nearer;
+// change: (rate) ==> (int(rate))
 
 // ---- wrong: both + h rate
 // expects: Likely mistake: the limit with the smaller gap now: the smaller gap at the end of the
 // expects: step decides, where the lower gap has grown by h rate and the upper one has shrunk by it
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C + h * rate ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: - h ==> + h
 
 // ---- wrong: equal limits live excluded
 // expects: Likely mistake: two equal limits hold x: their row is live, too
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = range.lower != range.upper && nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: = nearer ==> = range.lower != range.upper && nearer
 
 // ---- wrong: filled in where live
 // expects: Likely mistake: C and sign are those of the nearer limit whether it is live or not
@@ -99,17 +79,11 @@
 
 // ---- wrong: greater
 // expects: Likely mistake: the rule the wrong way round: live where C is small
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.C > h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: < h ==> > h
 
 // ---- wrong: h for 0.1 h
 // expects: Likely mistake: 0.1, or h, where 0.1 h belongs
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) + h;
-  return nearer;
+// change: real(0.1) * ==>
 
 // ---- wrong: h of 1/60
 // expects: Likely mistake: h is what is given, not 1/60
@@ -142,61 +116,42 @@
 
 // ---- wrong: live by gap after
 // expects: Likely mistake: the gap now decides whether the row is live: C, not C + h dC/dt
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  const real gap = std::min(lower.C + h * rate, upper.C - h * rate);
-  nearer.live = gap < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: nearer.live = nearer.C ==>
+//         const real gap = std::min(lower.C + h * rate, upper.C - h * rate); nearer.live = gap
 
 // ---- wrong: live if either is near
 // expects: Likely mistake: live is asked of the limit that is returned, not of the other one
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  const real reach = h * std::abs(rate) + real(0.1) * h;
-  const bool live = lower.C < reach || upper.C < reach;
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = live;
-  return nearer;
+// change: LimitRow nearer ==>
+//         const real reach = h * std::abs(rate) + real(0.1) * h; const bool live = lower.C < reach
+//         || upper.C < reach; LimitRow nearer
+// change: nearer.C < h * std::abs(rate) + real(0.1) * h ==> live
 
 // ---- wrong: live of lower only
 // expects: Likely mistake: live is set for the lower limit alone
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  lower.live = lower.C < h * std::abs(rate) + real(0.1) * h;
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  return nearer;
+// change: LimitRow nearer ==>
+//         lower.live = lower.C < h * std::abs(rate) + real(0.1) * h; LimitRow nearer
+// change: nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h; ==>
 
 // ---- wrong: live only in the direction
 // expects: Likely mistake: live while x moves away, too: a neighbour may turn it round within the
 // expects: step
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.sign * rate <= 0 && nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: = nearer ==> = nearer.sign * rate <= 0 && nearer
 
 // ---- wrong: lower C negated
 // expects: Likely mistake: C at the lower limit: the gap is x - lower, not lower - x
-  LimitRow lower{range.lower - x, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: x - range.lower ==> range.lower - x
 
 // ---- wrong: min C with sign of the choice
 // expects: Likely mistake: in C and live alone: the limit with the smaller gap now: the smaller gap
 // expects: at the end of the step decides, where the lower gap has grown by h rate and the upper
 // expects: one has shrunk by it
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.C = std::min(lower.C, upper.C);
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: upper; ==> upper; nearer.C = std::min(lower.C, upper.C);
 
 // ---- wrong: min lower upper
 // expects: Likely mistake: in sign alone: the sign at the upper limit: C = upper - x shrinks while
 // expects: x grows, so that dC/dx is -1
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower;
-  nearer.C = std::min(lower.C, upper.C);
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: lower.C + h * rate < upper.C - h * rate ? lower : upper ==>
+//         lower; nearer.C = std::min(lower.C, upper.C)
 
 // ---- wrong: min of the limits
 // expects: Likely mistake: the upper limit is never looked at
@@ -207,25 +162,16 @@
 
 // ---- wrong: minus 0.1 h
 // expects: Likely mistake: 0.1 h is added: C < h |rate| + 0.1 h
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) - real(0.1) * h;
-  return nearer;
+// change: + real ==> - real
 
 // ---- wrong: nearer limit now
 // expects: Likely mistake: the limit with the smaller gap now: the smaller gap at the end of the
 // expects: step decides
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C < upper.C ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: + h * rate < upper.C - h * rate ==> < upper.C
 
 // ---- wrong: not live at rest
 // expects: Likely mistake: a limit is live at rest, too: no rate is asked for
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = rate != 0 && nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: = nearer ==> = rate != 0 && nearer
 
 // ---- wrong: not live set
 // expects: Likely mistake: live is never set
@@ -242,18 +188,13 @@
 // ---- wrong: only where it is passed
 // expects: Likely mistake: live only where the limit is passed already: then it is too late. The
 // expects: row must be there in the step before
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = range.lower == range.upper || nearer.C < 0;
-  return nearer;
+// change: nearer.C < h * std::abs(rate) + real(0.1) * h ==>
+//         range.lower == range.upper || nearer.C < 0
 
 // ---- wrong: rate on one side
 // expects: Likely mistake: the rate counts for both limits: the one gap grows by h rate, the other
 // expects: shrinks by it
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: - h * rate ==>
 
 // ---- wrong: rate truncated to int
 // expects: Likely mistake: the rate is cut off to a whole number: an int has no fraction
@@ -265,18 +206,12 @@
 
 // ---- wrong: rate without h in choice
 // expects: Likely mistake: h is missing in the choice of the limit: C + h dC/dt
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + rate < upper.C - rate ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: h * ==>
+// change: h * ==>
 
 // ---- wrong: gap above the upper limit
 // expects: Likely mistake: C at the upper limit: the gap is upper - x, not x - upper
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  if (nearer.sign < 0) nearer.C = x - range.upper;
-  return nearer;
+// change: return nearer ==> if (nearer.sign < 0) nearer.C = x - range.upper; return nearer
 
 // ---- wrong: gap at the end
 // expects: C is the gap now
@@ -288,49 +223,30 @@
 // ---- wrong: rule with + h rate
 // expects: Likely mistake: the size of the rate counts, |rate|: a neighbour may turn x round within
 // expects: the step
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.C + h * rate < real(0.1) * h;
-  return nearer;
+// change: < h * std::abs(rate) + ==> + h * rate <
 
 // ---- wrong: rule with h rate
 // expects: Likely mistake: the size of the rate counts, |rate|: a neighbour may turn x round within
 // expects: the step
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.C < h * rate + real(0.1) * h;
-  return nearer;
+// change: std::abs(rate) ==> rate
 
 // ---- wrong: sign at the upper limit
 // expects: Likely mistake: the sign at the upper limit: C = upper - x shrinks while x grows, so
 // expects: that dC/dx is -1
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, 1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: -1 ==> 1
 
 // ---- wrong: sign by the rate
 // expects: Likely mistake: the sign is that of the limit: it does not ask where x is going
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.sign = rate < 0 ? 1 : -1;
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: upper; ==> upper; nearer.sign = rate < 0 ? 1 : -1;
 
 // ---- wrong: sign from C
 // expects: Likely mistake: the sign is that of the limit: it does not ask whether it is passed
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.sign = nearer.C < 0 ? -1 : 1;
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: upper; ==> upper; nearer.sign = nearer.C < 0 ? -1 : 1;
 
 // ---- wrong: signs of rate exchanged
 // expects: Likely mistake: the sign of the rate: at the end of the step x is x + h rate
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C - h * rate < upper.C + h * rate ? lower : upper;
-  nearer.live = nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: + h ==> - h
+// change: upper.C - ==> upper.C +
 
 // ---- wrong: unset sign
 // expects: Likely mistake: a value that was never set
@@ -344,10 +260,7 @@
 
 // ---- wrong: without the speed
 // expects: Likely mistake: the speed is missing in the rule: C < h |rate| + 0.1 h
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate < upper.C - h * rate ? lower : upper;
-  nearer.live = range.lower == range.upper || nearer.C < real(0.1) * h;
-  return nearer;
+// change: nearer.C < h * std::abs(rate) + ==> range.lower == range.upper || nearer.C <
 
 // ---- right: compared with both limits at once
   const bool lower = 2 * (x + h * rate) < range.lower + range.upper;
@@ -358,10 +271,8 @@
   return row;
 
 // ---- right: less or equal
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = lower.C + h * rate <= upper.C - h * rate ? lower : upper;
-  nearer.live = nearer.C <= h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: < upper ==> <= upper
+// change: < h ==> <= h
 
 // ---- right: where x will be
 // The middle between the limits decides, with x as it will be.
@@ -383,7 +294,6 @@
 // ---- wrong units: rate for displacement
 // expects: Units: in limit_row (rates as pure numbers and x in s), adding a pure number to s: h
 // expects: is missing
-  LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
-  LimitRow nearer = upper.C - rate < lower.C + rate ? upper : lower;
-  nearer.live = range.lower == range.upper || nearer.C < h * std::abs(rate) + real(0.1) * h;
-  return nearer;
+// change: lower.C + h * rate < upper.C - h * rate ? lower : upper ==>
+//         upper.C - rate < lower.C + rate ? upper : lower
+// change: = nearer ==> = range.lower == range.upper || nearer

@@ -11,10 +11,9 @@
 
 // ---- wrong: C index past end
 // expects: an index outside an array of 2 numbers: its places run from 0 to 1
-  const vec3 n[2] = {to_world(body1, n1_local), to_world(body1, n2_local)};
-  Vector<2> C{};
-  for (int i = 0; i <= 2; ++i) C[i] = dot(u, n[i % 2]);
-  return C;
+// change: return {dot(u, to_world(body1, n1_local)), dot(u, to_world(body1, n2_local))}; ==>
+//         const vec3 n[2] = {to_world(body1, n1_local), to_world(body1, n2_local)}; Vector<2> C{};
+//         for (int i = 0; i <= 2; ++i) C[i] = dot(u, n[i % 2]); return C;
 
 // ---- wrong: C int
 // expects: Likely mistake: 0 in every case: is it written at all, from what is given? Was it
@@ -67,10 +66,9 @@
 
 // ---- wrong: C threshold
 // expects: Likely mistake: what is small has become 0: no threshold belongs here
-  real p = dot(u, to_world(body1, n1_local)), q = dot(u, to_world(body1, n2_local));
-  if (std::abs(p) < 0.1) p = 0;
-  if (std::abs(q) < 0.1) q = 0;
-  return {p, q};
+// change: return {dot(u, to_world(body1, n1_local)), dot(u, to_world(body1, n2_local))} ==>
+//         real p = dot(u, to_world(body1, n1_local)), q = dot(u, to_world(body1, n2_local)); if
+//         (std::abs(p) < 0.1) p = 0; if (std::abs(q) < 0.1) q = 0; return {p, q}
 
 // ---- wrong: C turned with body 2
 // expects: Likely mistake: n is turned with body 2: the line rides on body 1
@@ -83,27 +81,22 @@
 
 // ---- wrong: C zero on a static body
 // expects: Likely mistake: a body that is static has an error, too
-  if (body1.is_static()) return {};
-  return {dot(u, to_world(body1, n1_local)), dot(u, to_world(body1, n2_local))};
+// change: return ==> if (body1.is_static()) return {}; return
 
 // ---- wrong: J bodies swapped
 // region: 2
 // expects: Likely mistake: bodies 1 and 2 swapped (pencil and paper, upright, turned, moved,
 // expects: broken)
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {n[i], cross(r2, n[i]), -n[i], -cross(r1 + u, n[i])};
-  return J;
+// change: -n ==> n[i], cross(r2, n[i]), -n
+// change: , n[i], cross(r2, n[i]) ==>
 
 // ---- wrong: J direction u
 // region: 2
 // expects: Likely mistake: the unit vector along u in the place of n: the row runs along n (pencil
 // expects: and paper, upright, turned, moved, broken)
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  const vec3 d = normalize(u);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-d, -cross(r1 + u, d), d, cross(r2, d)};
-  return J;
+// change: Jacobian ==> const vec3 d = normalize(u); Jacobian
+// change: n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[i]) ==>
+//         d, -cross(r1 + u, d), d, cross(r2, d)
 
 // ---- wrong: J doubled u
 // region: 2
@@ -140,10 +133,7 @@
 // region: 2
 // expects: Likely mistake: the lever of body 1 is turned with the other body: each body turns its
 // expects: own (pencil and paper, upright, turned, moved, broken)
-  const vec3 r1 = to_world(body2, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[i])};
-  return J;
+// change: body1 ==> body2
 
 // ---- wrong: J n[0] in both rows
 // region: 2
@@ -166,65 +156,49 @@
 // region: 2
 // expects: Likely mistake: the block w1 is missing (pencil and paper, upright, turned, moved,
 // expects: broken)
-  const vec3 r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], vec3(0), n[i], cross(r2, n[i])};
-  return J;
+// change: r1 = to_world(body1, anchor1_local), ==>
+// change: -cross(r1 + u, n[i]) ==> vec3(0)
 
 // ---- wrong: J normalised levers
 // region: 2
 // expects: Likely mistake: a lever has its length: it is no unit vector (pencil and paper, upright,
 // expects: turned, moved, broken)
-  const vec3 r1 = normalize(to_world(body1, anchor1_local) + u);
-  const vec3 r2 = normalize(to_world(body2, anchor2_local));
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1, n[i]), n[i], cross(r2, n[i])};
-  return J;
+// change: to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local) ==>
+//         normalize(to_world(body1, anchor1_local) + u); const vec3 r2 = normalize(to_world(body2,
+//         anchor2_local))
+// change: + u, ==> ,
 
 // ---- wrong: J order v v w w
 // region: 2
 // expects: Likely mistake: the order of the blocks: a row is {v1, w1, v2, w2} (pencil and paper,
 // expects: upright, turned, moved, broken)
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], n[i], -cross(r1 + u, n[i]), cross(r2, n[i])};
-  return J;
+// change: -cross ==> n[i], -cross
+// change: n[i], cross ==> cross
 
 // ---- wrong: J points
 // region: 2
 // expects: Likely mistake: a point where a lever belongs: the lever of body 1 is r1 + u (pencil and
 // expects: paper, upright, turned, moved, broken)
-  const vec3 r1 = world_point(body1, anchor1_local), r2 = world_point(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[i])};
-  return J;
+// change: to_world ==> world_point
+// change: to_world ==> world_point
 
 // ---- wrong: J r1 - u
 // region: 2
 // expects: Likely mistake: the sign of u or of r1, the lever of body 1 is r1 + u (pencil and paper,
 // expects: turned, moved, broken)
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 - u, n[i]), n[i], cross(r2, n[i])};
-  return J;
+// change: + u ==> - u
 
 // ---- wrong: J r1 for both
 // region: 2
 // expects: Likely mistake: the lever of body 1 for both bodies: each has its own (pencil and paper,
 // expects: upright, turned, moved, broken)
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r1 + u, n[i])};
-  return J;
+// change: r2, ==> r1 + u,
 
 // ---- wrong: J r1 plain in place of r2
 // region: 2
 // expects: Likely mistake: the lever of body 2 is r2, not r1 (pencil and paper, upright, turned,
 // expects: moved, broken)
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r1, n[i])};
-  return J;
+// change: r2, ==> r1,
 
 // ---- wrong: J row 1 without u
 // region: 2
@@ -240,55 +214,39 @@
 // region: 2
 // expects: Likely mistake: the rows C.1 and C.2 are exchanged (pencil and paper, upright, turned,
 // expects: moved, broken)
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[1 - i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[i])};
-  return J;
+// change: [i] ==> [1 - i]
 
 // ---- wrong: J second row never
 // region: 2
 // expects: Likely mistake: J[1], the row C.2, is zero: was it never written? (pencil and paper,
 // expects: upright, turned, moved, broken)
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 1; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[i])};
-  return J;
+// change: 2; ==> 1;
 
 // ---- wrong: J second row w2 from n0
 // region: 2
 // expects: Likely mistake: w2 of J[1] is that of J[0] (pencil and paper, upright, turned, moved,
 // expects: broken)
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[0])};
-  return J;
+// change: r2, n[i] ==> r2, n[0]
 
 // ---- wrong: J swapped r1 r2
 // region: 2
 // expects: Likely mistake: the levers r1 and r2 are exchanged (pencil and paper, upright, turned,
 // expects: moved, broken)
-  const vec3 r1 = to_world(body2, anchor2_local), r2 = to_world(body1, anchor1_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[i])};
-  return J;
+// change: r1 = ==> r1 = to_world(body2, anchor2_local), r2 =
+// change: , r2 = to_world(body2, anchor2_local) ==>
 
 // ---- wrong: J to_local levers
 // region: 2
 // expects: Likely mistake: the levers of both bodies are turned the wrong way round: to_world, not
 // expects: to_local (pencil and paper, upright, turned, moved, broken)
-  const vec3 r1 = to_local(body1, anchor1_local), r2 = to_local(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[i])};
-  return J;
+// change: to_world ==> to_local
+// change: to_world ==> to_local
 
 // ---- wrong: J u in both
 // region: 2
 // expects: Likely mistake: u belongs to the lever of body 1 alone (pencil and paper, turned, moved,
 // expects: broken)
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2 + u, n[i])};
-  return J;
+// change: r2, ==> r2 + u,
 
 // ---- wrong: J unset sum
 // region: 2
@@ -306,10 +264,7 @@
 // region: 2
 // expects: Likely mistake: body-space lever: the lever of body 1 is not turned into the world
 // expects: (turned, moved, broken)
-  const vec3 r1 = anchor1_local, r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[i])};
-  return J;
+// change: to_world(body1, anchor1_local) ==> anchor1_local
 
 // ---- wrong: n in body space
 // region: 2
@@ -341,10 +296,7 @@
 // expects: Likely mistake: u is forgotten, the lever of body 1 is r1 + u, because n rides on body 1
 // expects: (turned, moved, broken)
 // expects: Likely mistake: u belongs to the lever of body 1 and to no other: push and answer act
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -cross(r1, n[i]), n[i], cross(r2, n[i])};
-  return J;
+// change: + u ==>
 
 // ---- right: C in axes of body 1
 // The same two numbers, seen from body 1: u is turned and n1 and n2 stay.

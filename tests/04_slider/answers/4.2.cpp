@@ -45,19 +45,17 @@
 // region: 2
 // expects: Likely mistake: J[2], the row C.z, repeats J[0] (pencil and paper, upright, turned,
 // expects: moved)
-  Jacobian<3> J;
-  const vec3 e[] = {vec3(1, 0, 0), vec3(0, 1, 0), vec3(1, 0, 0)};
-  for (int i = 0; i < 3; ++i) J[i] = {vec3(0), -e[i], vec3(0), e[i]};
-  return J;
+// change: return jacobian_from_blocks(mat3(0), mat3(-1), mat3(0), mat3(1)); ==>
+//         Jacobian<3> J; const vec3 e[] = {vec3(1, 0, 0), vec3(0, 1, 0), vec3(1, 0, 0)}; for (int i
+//         = 0; i < 3; ++i) J[i] = {vec3(0), -e[i], vec3(0), e[i]}; return J;
 
 // ---- wrong: J rows 0 and 1 only
 // region: 2
 // expects: Likely mistake: J[2], the row C.z, is zero: was it never written? (pencil and paper,
 // expects: upright, turned, moved)
-  Jacobian<3> J;
-  const vec3 e[] = {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)};
-  for (int i = 0; i < 2; ++i) J[i] = {vec3(0), -e[i], vec3(0), e[i]};
-  return J;
+// change: return jacobian_from_blocks(mat3(0), mat3(-1), mat3(0), mat3(1)); ==>
+//         Jacobian<3> J; const vec3 e[] = {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)}; for (int i
+//         = 0; i < 2; ++i) J[i] = {vec3(0), -e[i], vec3(0), e[i]}; return J;
 
 // ---- wrong: J sign of body 1
 // region: 2
@@ -94,9 +92,7 @@
 
 // ---- wrong: angle vector
 // expects: Likely mistake: the vector of the rotation itself: C is 2 v, whose length is 2 sin(
-  quat q = body2.q * conjugate(start) * conjugate(body1.q);
-  if (q.w < 0) q = -q;
-  return glm::angle(q) * glm::axis(q);
+// change: real(2) * vec3(q.x, q.y, q.z) ==> glm::angle(q) * glm::axis(q)
 
 // ---- wrong: difference of q
 // expects: Likely mistake: a difference of quaternions is no rotation
@@ -122,16 +118,13 @@
 
 // ---- wrong: in axes of body 1
 // expects: Likely mistake: in the axes of body 1: C is in the world, q2 start^-1 q1^-1
-  quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  if (q.w < 0) q = -q;
-  return real(2) * vec3(q.x, q.y, q.z);
+// change: body2 ==> conjugate(body1.q) * body2
+// change: * conjugate(body1.q) ==>
 
 // ---- wrong: minus
 // expects: Likely mistake: the sign: body 2 is turned too far, so q2 stands first and q1 is
 // expects: inverted; and -q is taken where s < 0, not where s > 0
-  quat q = body2.q * conjugate(start) * conjugate(body1.q);
-  if (q.w < 0) q = -q;
-  return real(-2) * vec3(q.x, q.y, q.z);
+// change: (2) ==> (-2)
 
 // ---- wrong: normalised axis
 // expects: Likely mistake: the axis alone: C is 2 v, whose length is 2 sin(angle/2)
@@ -141,15 +134,11 @@
 
 // ---- wrong: nothing inverted
 // expects: Likely mistake: start and q1 must be inverted
-  quat q = body2.q * start * body1.q;
-  if (q.w < 0) q = -q;
-  return real(2) * vec3(q.x, q.y, q.z);
+// change: conjugate(start) * conjugate(body1.q) ==> start * body1.q
 
 // ---- wrong: q1 for q2
 // expects: Likely mistake: body 1 alone: the rotation is that of body 2
-  quat q = body1.q * conjugate(start) * conjugate(body1.q);
-  if (q.w < 0) q = -q;
-  return real(2) * vec3(q.x, q.y, q.z);
+// change: body2 ==> body1
 
 // ---- wrong: rows with s alone
 // region: 2
@@ -159,9 +148,7 @@
 
 // ---- wrong: sign by x
 // expects: Likely mistake: x decides which of q and -q is taken: the sign of s does
-  quat q = body2.q * conjugate(start) * conjugate(body1.q);
-  if (q.x < 0) q = -q;
-  return real(2) * vec3(q.x, q.y, q.z);
+// change: w < ==> x <
 
 // ---- wrong: sign rule forgotten
 // expects: C, pencil and paper, -q2.z
@@ -171,9 +158,7 @@
 
 // ---- wrong: sign rule on w alone
 // expects: Likely mistake: the sign rule is forgotten: where s < 0, take -q
-  quat q = body2.q * conjugate(start) * conjugate(body1.q);
-  if (q.w < 0) q.w = -q.w;
-  return real(2) * vec3(q.x, q.y, q.z);
+// change: = -q ==> .w = -q.w
 
 // ---- wrong: sin of the angle
 // expects: Likely mistake: the sine of the whole angle: it is zero again at a half turn
@@ -189,9 +174,7 @@
 
 // ---- wrong: start not inverted
 // expects: Likely mistake: start must be inverted
-  quat q = body2.q * start * conjugate(body1.q);
-  if (q.w < 0) q = -q;
-  return real(2) * vec3(q.x, q.y, q.z);
+// change: conjugate(start) ==> start
 
 // ---- wrong: start twice
 // expects: Likely mistake: start is taken away twice
@@ -207,29 +190,21 @@
 
 // ---- wrong: unset
 // expects: Likely mistake: a value that was never set
-  quat q = body2.q * conjugate(start) * conjugate(body1.q);
-  if (q.w < 0) q = -q;
-  real C[3];
-  C[0] = 2 * q.x; C[1] = 2 * q.y;
-  return vec3(C[0], C[1], C[2]);
+// change: return real(2) * vec3(q.x, q.y, q.z) ==>
+//         real C[3]; C[0] = 2 * q.x; C[1] = 2 * q.y; return vec3(C[0], C[1], C[2])
 
 // ---- wrong: wxy
 // expects: Likely mistake: the numbers w, x, y: the vector of q is (q.x, q.y, q.z)
-  quat q = body2.q * conjugate(start) * conjugate(body1.q);
-  if (q.w < 0) q = -q;
-  return real(2) * vec3(q.w, q.x, q.y);
+// change: x, ==> w, q.x,
+// change: y, q.z ==> y
 
 // ---- wrong: x y only
 // expects: Likely mistake: in C.z alone: C is zero, though body 2 is turned too far
-  quat q = body2.q * conjugate(start) * conjugate(body1.q);
-  if (q.w < 0) q = -q;
-  return real(2) * vec3(q.x, q.y, 0);
+// change: q.z ==> 0
 
 // ---- wrong: xzy
 // expects: Likely mistake: the numbers x, z, y: the vector of q is (q.x, q.y, q.z)
-  quat q = body2.q * conjugate(start) * conjugate(body1.q);
-  if (q.w < 0) q = -q;
-  return real(2) * vec3(q.x, q.z, q.y);
+// change: y, q.z ==> z, q.y
 
 // ---- wrong: zero near
 // expects: Likely mistake: a small rotation is an error, too: no threshold belongs here

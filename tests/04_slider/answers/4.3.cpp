@@ -4,25 +4,22 @@
 // region: 2
 // expects: Likely mistake: a direction of body 1 is not turned into the world (turned, moved,
 // expects: broken)
-  const vec3 a = to_world(body1, a1_local);
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return {-a, -cross(r1 + u, a1_local), a, cross(r2, a1_local)};
+// change: u, a ==> u, a1_local
+// change: r2, a ==> r2, a1_local
 
 // ---- wrong: J crosses reversed
 // region: 2
 // expects: Likely mistake: the sign of the blocks w1 and w2: a x b is -(b x a) (pencil and paper,
 // expects: upright, turned, moved, broken)
-  const vec3 a = to_world(body1, a1_local);
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return {-a, -cross(a, r1 + u), a, cross(a, r2)};
+// change: r1 + u, a ==> a, r1 + u
+// change: r2, a ==> a, r2
 
 // ---- wrong: J lever of x2 - x1
 // region: 2
 // expects: Likely mistake: centres in place of anchors: u is p2 - p1 (pencil and paper, upright,
 // expects: turned, moved, broken)
-  const vec3 a = to_world(body1, a1_local);
-  const vec3 r2 = to_world(body2, anchor2_local);
-  return {-a, -cross(body2.x - body1.x, a), a, cross(r2, a)};
+// change: r1 = to_world(body1, anchor1_local), ==>
+// change: r1 + u ==> body2.x - body1.x
 
 // ---- wrong: J no w2
 // region: 2
@@ -35,33 +32,27 @@
 // region: 2
 // expects: Likely mistake: the unit vector along u in the place of a: the row runs along a (pencil
 // expects: and paper, upright, turned, moved, broken)
-  const vec3 a = normalize(u);
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return {-a, -cross(r1, a), a, cross(r2, a)};
+// change: to_world(body1, a1_local) ==> normalize(u)
+// change: + u ==>
 
 // ---- wrong: J order
 // region: 2
 // expects: Likely mistake: the order of the blocks: a row is {v1, w1, v2, w2} (pencil and paper,
 // expects: upright, turned, moved, broken)
-  const vec3 a = to_world(body1, a1_local);
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return {-a, a, -cross(r1 + u, a), cross(r2, a)};
+// change: -a ==> -a, a
+// change: a, cross ==> cross
 
 // ---- wrong: J r1 + u for r2
 // region: 2
 // expects: Likely mistake: the lever of body 1 for both bodies: each has its own (pencil and paper,
 // expects: upright, turned, moved, broken)
-  const vec3 a = to_world(body1, a1_local);
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return {-a, -cross(r1 + u, a), a, cross(r1 + u, a)};
+// change: r2, ==> r1 + u,
 
 // ---- wrong: J r2 for r1
 // region: 2
 // expects: Likely mistake: the lever of body 1 is r1 + u, not r2 + u (pencil and paper, upright,
 // expects: turned, moved, broken)
-  const vec3 a = to_world(body1, a1_local);
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return {-a, -cross(r2 + u, a), a, cross(r2, a)};
+// change: r1 + ==> r2 +
 
 // ---- wrong: J r2 local
 // region: 2
@@ -74,9 +65,8 @@
 // region: 2
 // expects: Likely mistake: u belongs to the lever of body 1: a rides on body 1 (pencil and paper,
 // expects: turned, moved, broken)
-  const vec3 a = to_world(body1, a1_local);
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return {-a, -cross(r1, a), a, cross(r2 + u, a)};
+// change: + u ==>
+// change: r2, ==> r2 + u,
 
 // ---- wrong: J unset
 // region: 2
@@ -92,9 +82,7 @@
 // region: 2
 // expects: Likely mistake: the sign of the block w1 (pencil and paper, upright, turned, moved,
 // expects: broken)
-  const vec3 a = to_world(body1, a1_local);
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return {-a, cross(r1 + u, a), a, cross(r2, a)};
+// change: -cross ==> cross
 
 // ---- wrong: as printed
 // region: 2
@@ -107,17 +95,13 @@
 // region: 2
 // expects: Likely mistake: a is left in body space: turn it into the world with body 1 (turned,
 // expects: moved, broken)
-  const vec3 a = a1_local;
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return {-a, -cross(r1 + u, a), a, cross(r2, a)};
+// change: to_world(body1, a1_local) ==> a1_local
 
 // ---- wrong: u forgotten
 // region: 2
 // expects: Likely mistake: u is forgotten, the lever of body 1 is r1 + u, because a rides on body 1
 // expects: (turned, moved, broken)
-  const vec3 a = to_world(body1, a1_local);
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  return {-a, -cross(r1, a), a, cross(r2, a)};
+// change: + u ==>
 
 // ---- wrong: displacement abs
 // expects: Likely mistake: the displacement has a sign: it is negative behind the start
@@ -185,10 +169,8 @@
 
 // ---- right: J with the part of u across
 // region: 2
-  const vec3 a = to_world(body1, a1_local);
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  const vec3 across = u - dot(u, a) * a;
-  return {-a, -cross(r1 + across, a), a, cross(r2, a)};
+// change: return ==> const vec3 across = u - dot(u, a) * a; return
+// change: + u ==> + across
 
 // ---- right: lever to the point of body 2
 // region: 2

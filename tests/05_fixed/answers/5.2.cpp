@@ -29,8 +29,7 @@
 // region: 2
 // expects: points close together
 // expects: Likely mistake: a short lever counts as none
-  if (length(from - to) < real(0.1)) return load;
-  return {load.force, load.torque + cross(from - to, load.force)};
+// change: return ==> if (length(from - to) < real(0.1)) return load; return
 
 // ---- wrong: about sign
 // region: 2

@@ -2,8 +2,7 @@
 
 // ---- wrong: bias beta in an int
 // expects: Likely mistake: beta is cut to a whole number: an int has no fraction
-  const int share = beta;
-  return share * C / h;
+// change: return beta ==> const int share = beta; return share
 
 // ---- wrong: bias by a formula of one's own
 // expects: Likely mistake: yours is C^2 beta / h in every case
@@ -51,8 +50,7 @@
 // ---- wrong: bias whole steps a second
 // expects: h 1/72.5
 // expects: Likely mistake: 1/h is cut to a whole number: an int has no fraction
-  const int rate = 1 / h;
-  return beta * C * rate;
+// change: return beta * C / h ==> const int rate = 1 / h; return beta * C * rate
 
 // ---- wrong: bias without h
 // expects: b, C 0.02 beta 0.15 h 1/60

@@ -22,8 +22,7 @@
 
 // ---- wrong: divided by the ratio
 // expects: Likely mistake: divided by the ratio
-  lambda /= ratio;
-  apply_impulse(J, lambda, body1, body2);
+// change: *= ratio ==> /= ratio
 
 // ---- wrong: kept below one
 // expects: longer step
@@ -32,13 +31,10 @@
 
 // ---- wrong: masses of the other body
 // expects: Likely mistake: the inverse mass and inertia of the other body in all four lines
-  lambda *= ratio;
-  for (int i = 0; i < 3; ++i) {
-    body1.v += body2.inverse_mass * lambda[i] * J[i].v1;
-    body1.w += inverse_inertia(body2) * (lambda[i] * J[i].w1);
-    body2.v += body1.inverse_mass * lambda[i] * J[i].v2;
-    body2.w += inverse_inertia(body1) * (lambda[i] * J[i].w2);
-  }
+// change: apply_impulse(J, lambda, body1, body2); ==>
+//         for (int i = 0; i < 3; ++i) { body1.v += body2.inverse_mass * lambda[i] * J[i].v1;
+//         body1.w += inverse_inertia(body2) * (lambda[i] * J[i].w1); body2.v += body1.inverse_mass
+//         * lambda[i] * J[i].v2; body2.w += inverse_inertia(body1) * (lambda[i] * J[i].w2); }
 
 // ---- wrong: new velocities
 // expects: Likely mistake: v1, w1, v2 and w2 take a new value where it is added to the old one
@@ -51,9 +47,7 @@
 // ---- wrong: nothing in equal steps
 // expects: change of v1 (equal steps)
 // expects: Likely mistake: nothing is applied where the step has not changed
-  if (ratio == 1) return;
-  lambda *= ratio;
-  apply_impulse(J, lambda, body1, body2);
+// change: lambda ==> if (ratio == 1) return; lambda
 
 // ---- wrong: nothing of the last step kept
 // expects: Likely mistake: lambda begins at zero where the step has changed
@@ -66,11 +60,9 @@
 // ---- wrong: only body 2
 // expects: change of v1 (shorter step)
 // expects: Likely mistake: only body 2 feels it
-  lambda *= ratio;
-  for (int i = 0; i < 3; ++i) {
-    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
-    body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2);
-  }
+// change: apply_impulse(J, lambda, body1, body2); ==>
+//         for (int i = 0; i < 3; ++i) { body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
+//         body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2); }
 
 // ---- wrong: only scaled
 // expects: Likely mistake: nothing is applied: lambda is scaled
@@ -79,11 +71,9 @@
 // ---- wrong: only v
 // expects: change of w1 (shorter step)
 // expects: Likely mistake: only v changes: lambda turns the bodies, too
-  lambda *= ratio;
-  for (int i = 0; i < 3; ++i) {
-    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
-    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
-  }
+// change: apply_impulse(J, lambda, body1, body2); ==>
+//         for (int i = 0; i < 3; ++i) { body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
+//         body2.v += body2.inverse_mass * lambda[i] * J[i].v2; }
 
 // ---- wrong: ratio forgotten
 // expects: lambda kept (on paper).y
@@ -96,13 +86,10 @@
 
 // ---- wrong: rows take each other's place
 // expects: Likely mistake: each row takes the place of the one before: += and not =
-  lambda *= ratio;
-  for (int i = 0; i < 3; ++i) {
-    body1.v = body1.inverse_mass * lambda[i] * J[i].v1;
-    body1.w = inverse_inertia(body1) * (lambda[i] * J[i].w1);
-    body2.v = body2.inverse_mass * lambda[i] * J[i].v2;
-    body2.w = inverse_inertia(body2) * (lambda[i] * J[i].w2);
-  }
+// change: apply_impulse(J, lambda, body1, body2); ==>
+//         for (int i = 0; i < 3; ++i) { body1.v = body1.inverse_mass * lambda[i] * J[i].v1; body1.w
+//         = inverse_inertia(body1) * (lambda[i] * J[i].w1); body2.v = body2.inverse_mass *
+//         lambda[i] * J[i].v2; body2.w = inverse_inertia(body2) * (lambda[i] * J[i].w2); }
 
 // ---- wrong: safe at the bound
 // region: 2
@@ -188,13 +175,10 @@
 
 // ---- wrong: without inertia
 // expects: Likely mistake: the inverse inertia is missing in w1 and w2
-  lambda *= ratio;
-  for (int i = 0; i < 3; ++i) {
-    body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
-    body1.w += lambda[i] * J[i].w1;
-    body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
-    body2.w += lambda[i] * J[i].w2;
-  }
+// change: apply_impulse(J, lambda, body1, body2); ==>
+//         for (int i = 0; i < 3; ++i) { body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
+//         body1.w += lambda[i] * J[i].w1; body2.v += body2.inverse_mass * lambda[i] * J[i].v2;
+//         body2.w += lambda[i] * J[i].w2; }
 
 // ---- right: applied row by row
 // M^-1 J^T lambda row by row.
@@ -240,8 +224,6 @@
 
 // ---- wrong units: without inverse mass
 // expects: Units: in the warm start, adding kg m/s to m/s
-  lambda *= ratio;
-  for (int i = 0; i < 3; ++i) {
-    body1.v += lambda[i] * J[i].v1;
-    body2.v += lambda[i] * J[i].v2;
-  }
+// change: apply_impulse(J, lambda, body1, body2); ==>
+//         for (int i = 0; i < 3; ++i) { body1.v += lambda[i] * J[i].v1; body2.v += lambda[i] *
+//         J[i].v2; }

@@ -104,21 +104,8 @@
 
 // ---- wrong: colour of its own
 // expects: Likely mistake: every joint has a colour of its own
-  std::vector<std::vector<bool>> taken(moves.size());
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    std::size_t colour = 0;
-    const auto is_taken = [&](int body) {
-      return moves[body] && colour < taken[body].size() && taken[body][colour];
-    };
-    while (is_taken(link.body1) || is_taken(link.body2)) ++colour;
-    for (const int body : {link.body1, link.body2}) {
-      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
-      taken[body][colour] = true;
-    }
-    colours.push_back(int(colours.size()));
-  }
-  return colours;
+// change: if (!moves[body]) continue; ==>
+// change: (colour) ==> (colours.size())
 
 // ---- wrong: eight colours at most
 // expects: Likely mistake: there is a greatest colour, 7
@@ -168,40 +155,14 @@
 
 // ---- wrong: free at one of them
 // expects: Likely mistake: the colour must be free at both bodies: go on while
-  std::vector<std::vector<bool>> taken(moves.size());
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    std::size_t colour = 0;
-    const auto is_taken = [&](int body) {
-      return moves[body] && colour < taken[body].size() && taken[body][colour];
-    };
-    while (is_taken(link.body1) && is_taken(link.body2)) ++colour;
-    for (const int body : {link.body1, link.body2}) {
-      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
-      taken[body][colour] = true;
-    }
-    colours.push_back(int(colour));
-  }
-  return colours;
+// change: || is_taken ==> && is_taken
+// change: if (!moves[body]) continue; ==>
 
 // ---- wrong: from one
 // expects: Scene: a chain of 4 on a wall
 // expects: Likely mistake: the colours are counted from 0
-  std::vector<std::vector<bool>> taken(moves.size());
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    std::size_t colour = 1;
-    const auto is_taken = [&](int body) {
-      return moves[body] && colour < taken[body].size() && taken[body][colour];
-    };
-    while (is_taken(link.body1) || is_taken(link.body2)) ++colour;
-    for (const int body : {link.body1, link.body2}) {
-      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
-      taken[body][colour] = true;
-    }
-    colours.push_back(int(colour));
-  }
-  return colours;
+// change: 0; ==> 1;
+// change: if (!moves[body]) continue; ==>
 
 // ---- wrong: greater of two colours
 // expects: Likely mistake: the greater one of two colours, each free at one of the bodies
@@ -274,21 +235,8 @@
 
 // ---- wrong: kept for body 2 only
 // expects: Likely mistake: the colour is kept for body 2 of a joint only
-  std::vector<std::vector<bool>> taken(moves.size());
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    std::size_t colour = 0;
-    const auto is_taken = [&](int body) {
-      return moves[body] && colour < taken[body].size() && taken[body][colour];
-    };
-    while (is_taken(link.body1) || is_taken(link.body2)) ++colour;
-    for (const int body : {link.body2}) {
-      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
-      taken[body][colour] = true;
-    }
-    colours.push_back(int(colour));
-  }
-  return colours;
+// change: body1, link.body2 ==> body2
+// change: if (!moves[body]) continue; ==>
 
 // ---- wrong: last joint first
 // expects: Likely mistake: from the last joint to the first
@@ -309,21 +257,8 @@
 
 // ---- wrong: moves turned round
 // expects: Likely mistake: the other way round: the bodies that move are those
-  std::vector<std::vector<bool>> taken(moves.size());
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    std::size_t colour = 0;
-    const auto is_taken = [&](int body) {
-      return !moves[body] && colour < taken[body].size() && taken[body][colour];
-    };
-    while (is_taken(link.body1) || is_taken(link.body2)) ++colour;
-    for (const int body : {link.body1, link.body2}) {
-      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
-      taken[body][colour] = true;
-    }
-    colours.push_back(int(colour));
-  }
-  return colours;
+// change: return moves ==> return ! moves
+// change: if (!moves[body]) continue; ==>
 
 // ---- wrong: moves turned round where it is asked
 // expects: Is nothing remembered, or `moves` turned round where it is asked?
@@ -399,21 +334,8 @@
 
 // ---- wrong: only body 1 asked
 // expects: Likely mistake: only body 1 of a joint is asked
-  std::vector<std::vector<bool>> taken(moves.size());
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    std::size_t colour = 0;
-    const auto is_taken = [&](int body) {
-      return moves[body] && colour < taken[body].size() && taken[body][colour];
-    };
-    while (is_taken(link.body1)) ++colour;
-    for (const int body : {link.body1, link.body2}) {
-      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
-      taken[body][colour] = true;
-    }
-    colours.push_back(int(colour));
-  }
-  return colours;
+// change: || is_taken(link.body2) ==>
+// change: if (!moves[body]) continue; ==>
 
 // ---- wrong: only the joint before
 // expects: Likely mistake: only the joint before is looked at: all joints of both bodies count
@@ -474,21 +396,8 @@
 // ---- wrong: static bodies count
 // expects: joint 1 (bodies 2 and 0 (static))
 // expects: Likely mistake: a static body counts: it does not move
-  std::vector<std::vector<bool>> taken(moves.size());
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    std::size_t colour = 0;
-    const auto is_taken = [&](int body) {
-      return colour < taken[body].size() && taken[body][colour];
-    };
-    while (is_taken(link.body1) || is_taken(link.body2)) ++colour;
-    for (const int body : {link.body1, link.body2}) {
-      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
-      taken[body][colour] = true;
-    }
-    colours.push_back(int(colour));
-  }
-  return colours;
+// change: moves[body] && ==>
+// change: if (!moves[body]) continue; ==>
 
 // ---- wrong: thirty two bits
 // expects: Holds in 19 of 21 scenes

@@ -137,16 +137,14 @@
 // region: 2
 // expects: Likely mistake: n in the place of the direction
 // expects: along() is asked for other directions, too
-  const vec3 p = point(body1, body2), r1 = p - body1.x, r2 = p - body2.x;
-  const vec3 n = up(body1);
-  return {-n, -cross(r1, n), n, cross(r2, n)};
+// change: return {-direction, -cross(r1, direction), direction, cross(r2, direction)} ==>
+//         const vec3 n = up(body1); return {-n, -cross(r1, n), n, cross(r2, n)}
 
 // ---- wrong: J always y
 // region: 2
 // expects: Likely mistake: the y axis of the world in the place of the direction
-  const vec3 p = point(body1, body2), r1 = p - body1.x, r2 = p - body2.x;
-  const vec3 n(0, 1, 0);
-  return {-n, -cross(r1, n), n, cross(r2, n)};
+// change: return {-direction, -cross(r1, direction), direction, cross(r2, direction)} ==>
+//         const vec3 n(0, 1, 0); return {-n, -cross(r1, n), n, cross(r2, n)}
 
 // ---- wrong: J centre of body 2
 // region: 2
@@ -157,23 +155,19 @@
 // ---- wrong: J corner not turned
 // region: 2
 // expects: Likely mistake: corner_local is not turned into the world: point() does it
-  const vec3 p = body2.x + corner_local - radius * up(body1);
-  const vec3 r1 = p - body1.x, r2 = p - body2.x;
-  return {-direction, -cross(r1, direction), direction, cross(r2, direction)};
+// change: point(body1, body2), ==> body2.x + corner_local - radius * up(body1); const vec3
 
 // ---- wrong: J direction turned back
 // region: 2
 // expects: Likely mistake: the direction is turned once more: it is given in the world
-  const vec3 p = point(body1, body2), r1 = p - body1.x, r2 = p - body2.x;
-  const vec3 d = to_local(body1, direction);
-  return {-d, -cross(r1, d), d, cross(r2, d)};
+// change: return {-direction, -cross(r1, direction), direction, cross(r2, direction)} ==>
+//         const vec3 d = to_local(body1, direction); return {-d, -cross(r1, d), d, cross(r2, d)}
 
 // ---- wrong: J direction turned once more
 // region: 2
 // expects: Likely mistake: the direction is turned once more: it is given in the world
-  const vec3 p = point(body1, body2), r1 = p - body1.x, r2 = p - body2.x;
-  const vec3 d = to_world(body1, direction);
-  return {-d, -cross(r1, d), d, cross(r2, d)};
+// change: return {-direction, -cross(r1, direction), direction, cross(r2, direction)} ==>
+//         const vec3 d = to_world(body1, direction); return {-d, -cross(r1, d), d, cross(r2, d)}
 
 // ---- wrong: J entry times entry
 // region: 2
@@ -184,15 +178,13 @@
 // region: 2
 // expects: Likely mistake: r1 ends on the top, below the corner
 // expects: Fails at pencil and paper and off the top; holds at upright, turned and moved.
-  const vec3 p = point(body1, body2), r2 = p - body2.x;
-  const vec3 r1 = p - error(body1, body2) * up(body1) - body1.x;
-  return {-direction, -cross(r1, direction), direction, cross(r2, direction)};
+// change: r1 = p - body1.x, ==>
+// change: x; ==> x; const vec3 r1 = p - error(body1, body2) * up(body1) - body1.x;
 
 // ---- wrong: J height taken away
 // region: 2
 // expects: Likely mistake: height is taken from r1
-  const vec3 p = point(body1, body2), r1 = p - body1.x - height * up(body1), r2 = p - body2.x;
-  return {-direction, -cross(r1, direction), direction, cross(r2, direction)};
+// change: x, ==> x - height * up(body1),
 
 // ---- wrong: J height taken from both levers
 // region: 2
@@ -265,23 +257,20 @@
 // ---- wrong: J point of body 1
 // region: 2
 // expects: Likely mistake: point(body2, body1): the other way round, the corner is one of body 2
-  const vec3 p = point(body2, body1), r1 = p - body1.x, r2 = p - body2.x;
-  return {-direction, -cross(r1, direction), direction, cross(r2, direction)};
+// change: body1, body2 ==> body2, body1
 
 // ---- wrong: J radius added
 // region: 2
 // expects: Likely mistake: the sign of the radius
-  const vec3 p = world_point(body2, corner_local) + radius * up(body1);
-  const vec3 r1 = p - body1.x, r2 = p - body2.x;
-  return {-direction, -cross(r1, direction), direction, cross(r2, direction)};
+// change: point(body1, body2), ==>
+//         world_point(body2, corner_local) + radius * up(body1); const vec3
 
 // ---- wrong: J radius forgotten
 // region: 2
 // expects: Likely mistake: the radius is forgotten: the levers end at point(), the
 // expects: lowest point of the ball
 // expects: t1, w1.x
-  const vec3 p = world_point(body2, corner_local), r1 = p - body1.x, r2 = p - body2.x;
-  return {-direction, -cross(r1, direction), direction, cross(r2, direction)};
+// change: point(body1, body2) ==> world_point(body2, corner_local)
 
 // ---- wrong: J radius forgotten in r2
 // region: 2
@@ -292,15 +281,12 @@
 // ---- wrong: J radius twice
 // region: 2
 // expects: Likely mistake: the radius is taken away twice
-  const vec3 p = point(body1, body2) - radius * up(body1);
-  const vec3 r1 = p - body1.x, r2 = p - body2.x;
-  return {-direction, -cross(r1, direction), direction, cross(r2, direction)};
+// change: , r1 ==> - radius * up(body1); const vec3 r1
 
 // ---- wrong: J sign of body 1
 // region: 2
 // expects: Likely mistake: the sign of the blocks v1 and w1: body 1 carries the minus sign
-  const vec3 p = point(body1, body2), r1 = p - body1.x, r2 = p - body2.x;
-  return {direction, cross(r1, direction), direction, cross(r2, direction)};
+// change: -direction, - ==> direction,
 
 // ---- wrong: J sign of the row
 // region: 2
@@ -313,8 +299,7 @@
 // ---- wrong: J sign of w1
 // region: 2
 // expects: Likely mistake: the sign of the block w1
-  const vec3 p = point(body1, body2), r1 = p - body1.x, r2 = p - body2.x;
-  return {-direction, cross(r1, direction), direction, cross(r2, direction)};
+// change: -cross ==> cross
 
 // ---- wrong: J unit lever
 // region: 2
@@ -324,8 +309,7 @@
 // ---- wrong: J w2 halved
 // region: 2
 // expects: Likely mistake: a factor of 0.5 in the block w2
-  const vec3 p = point(body1, body2), r1 = p - body1.x, r2 = p - body2.x;
-  return {-direction, -cross(r1, direction), direction, cross(r2, direction) / real(2)};
+// change: (r2, direction) ==> (r2, direction) / real(2)
 
 // ---- wrong: J without levers
 // region: 2

@@ -18,11 +18,8 @@
 // ---- wrong: friction always the bound
 // region: 2
 // expects: Likely mistake: always the same bound
-  (void)rate;
-  (void)K;
-  const real before = sum;
-  sum = -mu * normal;
-  return sum - before;
+// change: const real wanted = sum - rate / K, bound = mu * normal ==> (void)rate; (void)K
+// change: std::clamp(wanted, -bound, bound) ==> -mu * normal
 
 // ---- wrong: friction bound doubled
 // region: 2
@@ -33,10 +30,7 @@
 // ---- wrong: friction bound for sixty steps
 // region: 2
 // expects: Likely mistake: the bound is an impulse already
-  const real wanted = sum - rate / K, bound = mu * normal * 60;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: normal ==> normal * 60
 
 // ---- wrong: friction bound in an int
 // region: 2
@@ -59,26 +53,17 @@
 // ---- wrong: friction bound over K
 // region: 2
 // expects: Likely mistake: the bound is divided by K
-  const real wanted = sum - rate / K, bound = mu * normal / K;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: normal ==> normal / K
 
 // ---- wrong: friction bound over h
 // region: 2
 // expects: Likely mistake: the bound is an impulse already
-  const real wanted = sum - rate / K, bound = mu * normal * 20;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: normal ==> normal * 20
 
 // ---- wrong: friction bound times h
 // region: 2
 // expects: Likely mistake: the bound is an impulse already
-  const real wanted = sum - rate / K, bound = mu * normal / 20;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: normal ==> normal / 20
 
 // ---- wrong: friction bound times the rate
 // region: 2
@@ -95,11 +80,8 @@
 // ---- wrong: friction dropped beyond the bound
 // region: 2
 // expects: Likely mistake: what is too much is cut back to the edge, not dropped
-  const real wanted = sum - rate / K, bound = mu * normal;
-  if (std::abs(wanted) > bound) return 0;
-  const real before = sum;
-  sum = wanted;
-  return sum - before;
+// change: normal; ==> normal; if (std::abs(wanted) > bound) return 0;
+// change: std::clamp(wanted, -bound, bound) ==> wanted
 
 // ---- wrong: friction each change clamped
 // region: 2
@@ -111,26 +93,18 @@
 // ---- wrong: friction ends exchanged by hand
 // region: 2
 // expects: Likely mistake: the ends of clamp are exchanged: clamp(a, low, high)
-  const real wanted = sum - rate / K, low = mu * normal, high = -low;
-  const real before = sum;
-  sum = wanted < low ? low : wanted > high ? high : wanted;
-  return sum - before;
+// change: bound = mu * normal ==> low = mu * normal, high = -low
+// change: std::clamp(wanted, -bound, bound) ==> wanted < low ? low : wanted > high ? high : wanted
 
 // ---- wrong: friction ends of clamp exchanged
 // region: 2
 // expects: std::clamp(a, low, high) was given a high that is below low
-  const real wanted = sum - rate / K, bound = mu * normal;
-  const real before = sum;
-  sum = std::clamp(wanted, bound, -bound);
-  return sum - before;
+// change: -bound, ==> bound, -
 
 // ---- wrong: friction from zero
 // region: 2
 // expects: Likely mistake: the sum is kept from 0 to mu normal
-  const real wanted = sum - rate / K, bound = mu * normal;
-  const real before = sum;
-  sum = std::clamp(wanted, real(0), bound);
-  return sum - before;
+// change: -bound ==> real(0)
 
 // ---- wrong: friction full bound always
 // region: 2
@@ -156,9 +130,8 @@
 // ---- wrong: friction lower bound only
 // region: 2
 // expects: Likely mistake: only the lower bound is there: friction is bounded either way
-  const real before = sum;
-  sum = std::max(sum - rate / K, -mu * normal);
-  return sum - before;
+// change: const real wanted = sum - rate / K, bound = mu * normal; ==>
+// change: clamp(wanted, -bound, bound) ==> max(sum - rate / K, -mu * normal)
 
 // ---- wrong: friction lower end without mu
 // region: 2
@@ -168,11 +141,8 @@
 // ---- wrong: friction mu forgotten
 // region: 2
 // expects: Likely mistake: the bound is mu times the normal impulse: mu is missing
-  (void)mu;
-  const real wanted = sum - rate / K, bound = normal;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: const real ==> (void)mu; const real
+// change: mu * ==>
 
 // ---- wrong: friction mu squared
 // region: 2
@@ -210,11 +180,8 @@
 // ---- wrong: friction normal forgotten
 // region: 2
 // expects: Likely mistake: the bound is mu times the normal impulse: normal is missing
-  (void)normal;
-  const real wanted = sum - rate / K, bound = mu;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: const real ==> (void)normal; const real
+// change: * normal ==>
 
 // ---- wrong: friction nothing beyond the bound
 // region: 2
@@ -234,11 +201,8 @@
 // ---- wrong: friction only pushes
 // region: 2
 // expects: Likely mistake: this is what a row does that only pushes
-  (void)mu;
-  (void)normal;
-  const real before = sum;
-  sum = std::max(real(0), sum - rate / K);
-  return sum - before;
+// change: const real wanted = sum - rate / K, bound = mu * ==> (void)mu; (void)
+// change: clamp(wanted, -bound, bound) ==> max(real(0), sum - rate / K)
 
 // ---- wrong: friction returns the sum
 // region: 2
@@ -250,10 +214,7 @@
 // ---- wrong: friction returns what was wanted
 // region: 2
 // expects: Likely mistake: what was wanted is returned
-  const real wanted = sum - rate / K, bound = mu * normal;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return wanted - before;
+// change: return sum ==> return wanted
 
 // ---- wrong: friction returns zero
 // region: 2
@@ -265,26 +226,18 @@
 // ---- wrong: friction sign
 // region: 2
 // expects: Likely mistake: the sign: friction works against J V
-  const real wanted = sum + rate / K, bound = mu * normal;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: - rate ==> + rate
 
 // ---- wrong: friction sign of the full bound
 // region: 2
 // expects: Likely mistake: the full bound whatever is wanted
-  (void)K;
-  const real before = sum;
-  sum = (rate > 0 ? -1 : 1) * mu * normal;
-  return sum - before;
+// change: const real wanted = sum - rate / K, bound = mu * normal ==> (void)K
+// change: std::clamp(wanted, -bound, bound) ==> (rate > 0 ? -1 : 1) * mu * normal
 
 // ---- wrong: friction size of the rate
 // region: 2
 // expects: Likely mistake: the sign of the rate is lost
-  const real wanted = sum - std::abs(rate) / K, bound = mu * normal;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: rate ==> std::abs(rate)
 
 // ---- wrong: friction stored unclamped
 // region: 2
@@ -296,10 +249,7 @@
 // ---- wrong: friction sum forgotten
 // region: 2
 // expects: Likely mistake: the sum so far is missing in what is wanted
-  const real wanted = -rate / K, bound = mu * normal;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: sum ==>
 
 // ---- wrong: friction sum not stored
 // region: 2
@@ -310,63 +260,39 @@
 // ---- wrong: friction sum over K
 // region: 2
 // expects: Likely mistake: the old sum is divided by K, too
-  const real wanted = (sum - rate) / K, bound = mu * normal;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: sum - rate ==> (sum - rate)
 
 // ---- wrong: friction times K
 // region: 2
 // expects: Likely mistake: times K where it must be divided by K
-  const real wanted = sum - rate * K, bound = mu * normal;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: / K ==> * K
 
 // ---- wrong: friction upper bound only
 // region: 2
 // expects: Likely mistake: only the upper bound is there: friction is bounded either way
-  const real before = sum;
-  sum = std::min(sum - rate / K, mu * normal);
-  return sum - before;
+// change: const real wanted = sum - rate / K, bound = mu * normal; ==>
+// change: clamp(wanted, -bound, bound) ==> min(sum - rate / K, mu * normal)
 
 // ---- wrong: friction value never set
 // region: 2
 // expects: or was what is wanted never set?
-  real wanted;
-  wanted += sum - rate / K;
-  const real bound = mu * normal, before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: const real wanted = sum - rate / K, bound = mu * normal; ==>
+//         real wanted; wanted += sum - rate / K; const real bound = mu * normal,
+// change: const real before ==> before
 
 // ---- wrong: friction without K
 // region: 2
 // expects: Likely mistake: K is missing: an impulse is a speed divided by K
-  (void)K;
-  const real wanted = sum - rate, bound = mu * normal;
-  const real before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: const real ==> (void)K; const real
+// change: / K ==>
 
 // ---- wrong: tangents across the sliding
 // expects: Likely mistake: t1 is n x sliding, at right angles to it
-  vec3 across = sliding - dot(n, sliding) * n;
-  if (length(across) < real(1e-4)) {
-    const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    across = other - dot(n, other) * n;
-  }
-  const vec3 t1 = normalize(cross(n, across));
-  return {t1, cross(n, t1)};
+// change: (across); ==> (cross(n, across));
 
 // ---- wrong: tangents against the sliding
 // expects: Likely mistake: t1 looks against the sliding
-  vec3 across = sliding - dot(n, sliding) * n;
-  if (length(across) < real(1e-4)) {
-    const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    across = other - dot(n, other) * n;
-  }
-  const vec3 t1 = -normalize(across);
-  return {t1, cross(n, t1)};
+// change: normalize ==> -normalize
 
 // ---- wrong: tangents along the velocity taken away
 // expects: Case: n (0, 1, 0), sliding (3, -2.49, 0) m/s.
@@ -415,13 +341,7 @@
 
 // ---- wrong: tangents left handed
 // expects: Likely mistake: t2 = t1 x n: it is n x t1
-  vec3 across = sliding - dot(n, sliding) * n;
-  if (length(across) < real(1e-4)) {
-    const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    across = other - dot(n, other) * n;
-  }
-  const vec3 t1 = normalize(across);
-  return {t1, cross(t1, n)};
+// change: n, t1 ==> t1, n
 
 // ---- wrong: tangents lost at rest
 // expects: Likely mistake: a zero vector has no direction
@@ -472,34 +392,16 @@
 // ---- wrong: tangents not projected
 // expects: Likely mistake: what is along n is not taken away: t1 lies in the ground
 // expects: by hand
-  vec3 across = sliding;
-  if (length(across) < real(1e-4)) {
-    const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    across = other - dot(n, other) * n;
-  }
-  const vec3 t1 = normalize(across);
-  return {t1, cross(n, t1)};
+// change: - dot(n, sliding) * n ==>
 
 // ---- wrong: tangents nothing below 1e-2
 // expects: Likely mistake: what slides slowly counts as nothing
-  vec3 across = sliding - dot(n, sliding) * n;
-  if (length(across) < real(1e-2)) {
-    const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    across = other - dot(n, other) * n;
-  }
-  const vec3 t1 = normalize(across);
-  return {t1, cross(n, t1)};
+// change: -4 ==> -2
 
 // ---- wrong: tangents nothing below 1e-3
 // expects: Likely mistake: what slides slowly counts as nothing
 // expects: slow, 0.0002 m/s
-  vec3 across = sliding - dot(n, sliding) * n;
-  if (length(across) < real(1e-3)) {
-    const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    across = other - dot(n, other) * n;
-  }
-  const vec3 t1 = normalize(across);
-  return {t1, cross(n, t1)};
+// change: -4 ==> -3
 
 // ---- wrong: tangents one odd stand in
 // expects: Likely mistake: the vector that stands in for the sliding is along n here
@@ -520,34 +422,16 @@
 
 // ---- wrong: tangents only along n
 // expects: Likely mistake: only what is along n is kept: that is what has to go
-  vec3 across = dot(n, sliding) * n;
-  if (length(across) < real(1e-4)) {
-    const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    across = other - dot(n, other) * n;
-  }
-  const vec3 t1 = normalize(across);
-  return {t1, cross(n, t1)};
+// change: sliding - ==>
 
 // ---- wrong: tangents sign of what is along n
 // expects: Likely mistake: the sign of what is along n: it is taken away
-  vec3 across = sliding + dot(n, sliding) * n;
-  if (length(across) < real(1e-4)) {
-    const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    across = other - dot(n, other) * n;
-  }
-  const vec3 t1 = normalize(across);
-  return {t1, cross(n, t1)};
+// change: - dot ==> + dot
 
 // ---- wrong: tangents square compared
 // expects: Likely mistake: what slides slowly counts as nothing
 // expects: Or is a squared length compared with it?
-  vec3 across = sliding - dot(n, sliding) * n;
-  if (dot(across, across) < real(1e-4)) {
-    const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    across = other - dot(n, other) * n;
-  }
-  const vec3 t1 = normalize(across);
-  return {t1, cross(n, t1)};
+// change: length(across) ==> dot(across,across)
 
 // ---- wrong: tangents t2 not a unit vector
 // expects: Likely mistake: t2 is not a unit vector
@@ -567,23 +451,11 @@
 // ---- wrong: tangents whole velocity asked
 // expects: Likely mistake: the whole velocity is asked whether anything slides
 // expects: (falling, n = x)
-  vec3 across = sliding - dot(n, sliding) * n;
-  if (length(sliding) < real(1e-4)) {
-    const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    across = other - dot(n, other) * n;
-  }
-  const vec3 t1 = normalize(across);
-  return {t1, cross(n, t1)};
+// change: (across) ==> (sliding)
 
 // ---- wrong: tangents y taken away
 // expects: Likely mistake: the y part of the velocity is taken away: n need not be the y axis
-  vec3 across = sliding - vec3(0, sliding.y, 0);
-  if (length(across) < real(1e-4)) {
-    const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    across = other - dot(n, other) * n;
-  }
-  const vec3 t1 = normalize(across);
-  return {t1, cross(n, t1)};
+// change: dot(n, sliding) * n ==> vec3(0, sliding.y, 0)
 
 // ---- wrong: tangents zero at rest
 // expects: Likely mistake: a zero vector: friction needs two directions at rest, too
@@ -664,20 +536,14 @@
   return {across, cross(n, across)};
 
 // ---- right: tangents square of the threshold
-  vec3 across = sliding - dot(n, sliding) * n;
-  if (dot(across, across) < real(1e-8)) {
-    const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
-    across = other - dot(n, other) * n;
-  }
-  const vec3 t1 = normalize(across);
-  return {t1, cross(n, t1)};
+// change: length(across) ==> dot(across,across)
+// change: -4 ==> -8
 
 // ---- wrong units: bound over K
 // region: 2
 // expects: Units: in the change of the sum, comparing kg^2 m/s with kg m/s
-  const real wanted = sum - rate / K, bound = mu * normal / K, before = sum;
-  sum = std::clamp(wanted, -bound, bound);
-  return sum - before;
+// change: normal; ==> normal/ K,
+// change: const real before ==> before
 
 // ---- wrong units: not a unit vector
 // expects: Units: t1 is in m/s and should be a pure number

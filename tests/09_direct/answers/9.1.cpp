@@ -26,15 +26,11 @@
 
 // ---- wrong: linear part alone
 // expects: Likely mistake: only the linear halves: add dot(J[i].w, response[j].w)
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < m; ++j)
-      A[i * m + j] += dot(J[i].v, response[j].v) ;  // Eq. 9-2
+// change: + dot(J[i].w, response[j].w) ==>
 
 // ---- wrong: angular part alone
 // expects: Likely mistake: only the angular halves: add dot(J[i].v, response[j].v)
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < m; ++j)
-      A[i * m + j] +=  dot(J[i].w, response[j].w);  // Eq. 9-2
+// change: dot(J[i].v, response[j].v) + ==>
 
 // ---- wrong: v with w
 // expects: Likely mistake: linear halves with angular ones: v goes with v, w with w
@@ -148,19 +144,14 @@
 
 // ---- wrong: two-dimensional index
 // expects: Likely mistake: A[i, j] is A[j] in C++: A[i * m + j]
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < m; ++j)
-      A[i, j] += dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w);
+// change: * m + ==> ,
 
 // ---- right: a pointer that goes on
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j) *A++ += dot(response[j].v, J[i].v) + dot(response[j].w, J[i].w);
 
 // ---- right: columns outside
-  for (int j = 0; j < m; ++j)
-    for (int i = 0; i < n; ++i) {
-      Number sum = A[i * m + j];
-      sum = sum + dot(J[i].w, response[j].w);
-      sum += dot(J[i].v, response[j].v);
-      A[i * m + j] = sum;
-    }
+// change: for (int i = 0; i < n; ++i) ==>
+// change: A[i * m + j] += dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w); ==>
+//         for (int i = 0; i < n; ++i) { Number sum = A[i * m + j]; sum = sum + dot(J[i].w,
+//         response[j].w); sum += dot(J[i].v, response[j].v); A[i * m + j] = sum; }

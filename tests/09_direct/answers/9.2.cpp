@@ -67,21 +67,7 @@
 
 // ---- wrong: L not stored
 // expects: Likely mistake: L is not stored: the edge's block becomes L at last
-  Number L[36];
-  for (std::size_t k = 0; k + 1 < A.nodes.size(); ++k) {
-    const Node& node = A.nodes[k];
-    const int n = node.rows, end = A.nodes[k + 1].first_edge;
-    Number* const D = number + node.diagonal;
-    factor_block(D, n, &A.original[std::size_t(node.row)], inverse);
-    for (int j = node.first_edge; j < end; ++j) {
-      const int m = A.nodes[std::size_t(A.edges[j].to)].rows;
-      Number* const block = number + A.edges[j].at;
-      divide_rows(block, m, D, n, L);
-      for (int i = j; i < end; ++i)
-        subtract_product(number + A.edges[i].at, A.nodes[A.edges[i].to].rows, L, m, n,
-                         number + *target++);  // Eq. 9-4
-    }
-  }
+// change: std::copy(L, L + m * n, block); ==>
 
 // ---- wrong: L stored too early
 // expects: Likely mistake: the block has become L before the products are subtracted: A_ik is
@@ -184,22 +170,7 @@
 // ---- wrong: forward without division
 // region: 2
 // expects: Likely mistake: nothing is divided: each node's numbers by its diagonal block, on the
-  const int count = int(A.nodes.size()) - 1;
-  for (int k = 0; k < count; ++k) {
-    const Node& node = A.nodes[k];
-    for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
-      const Node& to = A.nodes[A.edges[j].to];
-      subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);
-    }
-  }
-  for (int k = count - 1; k >= 0; --k) {
-    const Node& node = A.nodes[k];
-    for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
-      const Node& to = A.nodes[A.edges[j].to];
-      subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + to.row,
-                                x + node.row);  // Eq. 9-5
-    }
-  }
+// change: divide(number + node.diagonal, node.rows, x + node.row); ==>
 
 // ---- wrong: divided before the edges
 // region: 2

@@ -24,23 +24,8 @@
 
 // ---- wrong: the most neighbours first
 // expects: Likely mistake: the node with the most neighbours comes first: the fewest make little
-  std::vector<std::set<int>> left;
-  std::set<std::pair<std::size_t, int>> queue;
-  for (const std::vector<int>& of_one : neighbours) {
-    left.emplace_back(of_one.begin(), of_one.end());
-    queue.insert({left.back().size(), int(left.size()) - 1});
-  }
-  while (!queue.empty()) {
-  const int node = std::prev(queue.end())->second; queue.erase(std::prev(queue.end()));
-    order.push_back(node);
-    for (const int a : left[node]) {
-      queue.erase({left[a].size(), a});
-      left[a].erase(node);
-      for (const int b : left[node])
-        if (b != a) left[a].insert(b);
-      queue.insert({left[a].size(), a});
-    }
-  }
+// change: queue.begin() ==> std::prev(queue.end())
+// change: (queue.begin()) ==> (std::prev(queue.end()))
 
 // ---- wrong: no fill
 // expects: Likely mistake: nothing is filled in: who is eliminated makes its neighbours
@@ -48,62 +33,16 @@
 
 // ---- wrong: does not leave
 // expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
-  std::vector<std::set<int>> left;
-  std::set<std::pair<std::size_t, int>> queue;
-  for (const std::vector<int>& of_one : neighbours) {
-    left.emplace_back(of_one.begin(), of_one.end());
-    queue.insert({left.back().size(), int(left.size()) - 1});
-  }
-  while (!queue.empty()) {
-    const int node = queue.begin()->second;
-    queue.erase(queue.begin());
-    order.push_back(node);
-    for (const int a : left[node]) {
-      queue.erase({left[a].size(), a});
-      for (const int b : left[node])
-        if (b != a) left[a].insert(b);
-      queue.insert({left[a].size(), a});
-    }
-  }
+// change: left[a].erase(node); ==>
 
 // ---- wrong: number of neighbours at first
 // expects: Likely mistake: the neighbours at first are counted: those that are left count, the
-  std::vector<std::set<int>> left;
-  std::set<std::pair<std::size_t, int>> queue;
-  for (const std::vector<int>& of_one : neighbours) {
-    left.emplace_back(of_one.begin(), of_one.end());
-    queue.insert({left.back().size(), int(left.size()) - 1});
-  }
-  while (!queue.empty()) {
-    const int node = queue.begin()->second;
-    queue.erase(queue.begin());
-    order.push_back(node);
-    for (const int a : left[node]) {
-      left[a].erase(node);
-      for (const int b : left[node])
-        if (b != a) left[a].insert(b);
-    }
-  }
+// change: queue.erase({left[a].size(), a}); ==>
+// change: queue.insert({left[a].size(), a}); ==>
 
 // ---- wrong: not back into the queue
 // expects: Likely mistake: only 4 of 5 nodes: go on until none is left, also where a node has no
-  std::vector<std::set<int>> left;
-  std::set<std::pair<std::size_t, int>> queue;
-  for (const std::vector<int>& of_one : neighbours) {
-    left.emplace_back(of_one.begin(), of_one.end());
-    queue.insert({left.back().size(), int(left.size()) - 1});
-  }
-  while (!queue.empty()) {
-    const int node = queue.begin()->second;
-    queue.erase(queue.begin());
-    order.push_back(node);
-    for (const int a : left[node]) {
-      queue.erase({left[a].size(), a});
-      left[a].erase(node);
-      for (const int b : left[node])
-        if (b != a) left[a].insert(b);
-    }
-  }
+// change: queue.insert({left[a].size(), a}); ==>
 
 // ---- wrong: own order
 // expects: Likely mistake: the nodes in their own order: the one with the fewest neighbours left
@@ -196,23 +135,7 @@
 
 // ---- wrong: nothing returned
 // expects: Likely mistake: nothing is returned: push_back() each node as it is eliminated
-  std::vector<std::set<int>> left;
-  std::set<std::pair<std::size_t, int>> queue;
-  for (const std::vector<int>& of_one : neighbours) {
-    left.emplace_back(of_one.begin(), of_one.end());
-    queue.insert({left.back().size(), int(left.size()) - 1});
-  }
-  while (!queue.empty()) {
-    const int node = queue.begin()->second;
-    queue.erase(queue.begin());
-    for (const int a : left[node]) {
-      queue.erase({left[a].size(), a});
-      left[a].erase(node);
-      for (const int b : left[node])
-        if (b != a) left[a].insert(b);
-      queue.insert({left[a].size(), a});
-    }
-  }
+// change: order.push_back(node); ==>
 
 // ---- wrong: numbers from 1
 // expects: Likely mistake: there is no node 5: they are counted from 0
@@ -247,23 +170,7 @@
 
 // ---- wrong: old entries stay in the queue
 // expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of
-  std::vector<std::set<int>> left;
-  std::set<std::pair<std::size_t, int>> queue;
-  for (const std::vector<int>& of_one : neighbours) {
-    left.emplace_back(of_one.begin(), of_one.end());
-    queue.insert({left.back().size(), int(left.size()) - 1});
-  }
-  while (!queue.empty()) {
-    const int node = queue.begin()->second;
-    queue.erase(queue.begin());
-    order.push_back(node);
-    for (const int a : left[node]) {
-      left[a].erase(node);
-      for (const int b : left[node])
-        if (b != a) left[a].insert(b);
-      queue.insert({left[a].size(), a});
-    }
-  }
+// change: queue.erase({left[a].size(), a}); ==>
 
 // ---- wrong: queue not erased before the change
 // expects: Likely mistake: who is eliminated comes back into the queue. It must leave the sets of

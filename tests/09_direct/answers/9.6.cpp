@@ -22,92 +22,20 @@
 
 // ---- wrong: rates not made at all
 // expects: Likely mistake: h is missing, and the sign: J V changes by -C/h
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-    integrate_poses(bodies, real(h));
-    std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-    }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    last = largest;
-    corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: C /= -h; ==>
 
 // ---- wrong: not put back
 // expects: Likely mistake: the bodies are not put back: they move from where they were at first
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-    integrate_poses(bodies, real(h));
-    std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    last = largest;
-    corrector.change_rates(rates);
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: for (int slot = 0; slot < bodies.slots(); ++slot) ==>
+// change: bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q; ==>
 
 // ---- wrong: only x put back
 // expects: Likely mistake: q is not put back: x and q of every body
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-    integrate_poses(bodies, real(h));
-    std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    last = largest;
-    corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: x, bodies.at(slot).q = start[slot].q ==> x
 
 // ---- wrong: only q put back
 // expects: Likely mistake: x is not put back: x and q of every body
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-    integrate_poses(bodies, real(h));
-    std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    last = largest;
-    corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-       bodies.at(slot).q = start[slot].q;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: bodies.at(slot).x = start[slot].x, ==>
 
 // ---- wrong: all put back
 // expects: Likely mistake: the velocities are put back, too: their change is lost, only x and q
@@ -120,49 +48,14 @@
 
 // ---- wrong: start kept in each iteration
 // expects: Likely mistake: `start` is written again in each iteration: the velocities in it are
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-  start.assign(bodies.data(), bodies.data() + bodies.slots()); integrate_poses(bodies, real(h));
-      std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    last = largest;
-    corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: integrate_poses ==>
+//         start.assign(bodies.data(), bodies.data() + bodies.slots()); integrate_poses
 
 // ---- wrong: start kept behind the move
 // expects: Likely mistake: `start` does not hold the bodies as they were: who calls puts them
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-    integrate_poses(bodies, real(h));
-  if (n == 0) start.assign(bodies.data(), bodies.data() + bodies.slots());
-      std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    last = largest;
-    corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: start.assign(bodies.data(), bodies.data() + bodies.slots()); ==>
+// change: std::vector ==>
+//         if (n == 0) start.assign(bodies.data(), bodies.data() + bodies.slots()); std::vector
 
 // ---- wrong: start added to what it held
 // expects: Case: a slider with a mark half a metre ahead
@@ -171,25 +64,7 @@
 
 // ---- wrong: last not kept
 // expects: Likely mistake: an iteration that leaves more than poor_contraction of the error does
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-    integrate_poses(bodies, real(h));
-    std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: last = largest; ==>
 
 // ---- wrong: last only once
 // expects: Likely mistake: the first error is kept for ever: compare with that of the iteration
@@ -197,25 +72,7 @@
 
 // ---- wrong: poor contraction not asked
 // expects: Likely mistake: an iteration that leaves more than poor_contraction of the error does
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-    integrate_poses(bodies, real(h));
-    std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    last = largest;
-    corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first; ==>
 
 // ---- wrong: poor goes on with a break
 // expects: Likely mistake: where the error hardly becomes less the bodies move on: stop there
@@ -258,25 +115,7 @@
 
 // ---- wrong: near enough not asked
 // expects: Likely mistake: whether the error is negligible is not asked: nothing more is to be
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-    integrate_poses(bodies, real(h));
-    std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (n == 0) first = largest;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    last = largest;
-    corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: if (largest <= negligible * h * h) return true; ==>
 
 // ---- wrong: strictly nearer than near_enough
 // expects: Likely mistake: at exactly negligible h^2 it is enough: <=
@@ -409,91 +248,20 @@
 
 // ---- wrong: errors before the move
 // expects: Likely mistake: the errors are asked before the bodies move: C is that at the new
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-  std::vector<double>& rates = corrector.errors(); integrate_poses(bodies, real(h));
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    last = largest;
-    corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: integrate_poses(bodies, real(h)); ==>
+// change: double largest ==> integrate_poses(bodies, real(h)); double largest
 
 // ---- wrong: no move in the iteration
 // expects: Likely mistake: the errors are asked before the bodies move: C is that at the new
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-  std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    last = largest;
-    corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: integrate_poses(bodies, real(h)); ==>
 
 // ---- wrong: moves for half of h
 // expects: Likely mistake: the bodies move for half of h in each iteration: for all of it
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-  integrate_poses(bodies, real(h / 2)); std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    last = largest;
-    corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: h ==> h / 2
 
 // ---- wrong: rates never changed
 // expects: Likely mistake: change_rates() is never called
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-    integrate_poses(bodies, real(h));
-    std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    last = largest;
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: corrector.change_rates(rates); ==>
 
 // ---- wrong: changed twice
 // expects: Likely mistake: change_rates() is called twice in an iteration: once
@@ -598,25 +366,7 @@
 
 // ---- wrong: first never kept
 // expects: Likely mistake: false wherever it stops: true if at most stalled_share of the first
-  start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
-    integrate_poses(bodies, real(h));
-    std::vector<double>& rates = corrector.errors();
-    double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
-    last = largest;
-    corrector.change_rates(rates);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
-  }
-  integrate_poses(bodies, real(h));
-  return true;
+// change: if (n == 0) first = largest; ==>
 
 // ---- wrong: first kept in the second iteration
 // expects: Likely mistake: false wherever it stops: true if at most stalled_share of the first

@@ -74,15 +74,13 @@
 
 // ---- wrong: bounded rows stay
 // expects: Likely mistake: a bounded row never becomes free: at the lower bound a negative rate
-  if (now == Side::free)
-    return impulse < lower ? Side::lower : impulse > upper ? Side::upper : Side::free;
-  return now;
+// change: if (now == Side::lower) return rate < 0 ? Side::free : ==> return
+// change: return rate > 0 ? Side::free : now; ==>
 
 // ---- wrong: bounded rows are free next
 // expects: Likely mistake: the side of now is not looked at: a bounded row is asked for its rate
-  if (now == Side::free)
-    return impulse < lower ? Side::lower : impulse > upper ? Side::upper : Side::free;
-  return Side::free;
+// change: if (now == Side::lower) return rate < 0 ? Side::free : now ==> return Side::free
+// change: return rate > 0 ? Side::free : now; ==>
 
 // ---- wrong: impulse decides everywhere
 // expects: Likely mistake: the side of now is not looked at: a bounded row is asked for its rate
@@ -96,9 +94,8 @@
 
 // ---- wrong: any rate frees
 // expects: Likely mistake: a bounded row is free as soon as its rate is not 0: at the lower bound
-  if (now == Side::free)
-    return impulse < lower ? Side::lower : impulse > upper ? Side::upper : Side::free;
-  return rate != 0 ? Side::free : now;
+// change: if (now == Side::lower) return rate < ==> return rate !=
+// change: return rate > 0 ? Side::free : now; ==>
 
 // ---- wrong: upper branch missing
 // expects: Likely mistake: a row at its upper bound stays there: at a positive rate a smaller
@@ -106,9 +103,8 @@
 
 // ---- wrong: same branch for both
 // expects: Likely mistake: the sign of the rate at the upper bound: at a positive rate a smaller
-  if (now == Side::free)
-    return impulse < lower ? Side::lower : impulse > upper ? Side::upper : Side::free;
-  return rate < 0 ? Side::free : now;
+// change: if (now == Side::lower) ==>
+// change: return rate > 0 ? Side::free : now; ==>
 
 // ---- wrong: free asks the rate as well
 // expects: Likely mistake: a free row is asked for its rate, too: only its impulse counts

@@ -9,7 +9,11 @@ target_include_directories(workbook_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(workbook_options INTERFACE ${WORKBOOK_DEFINITIONS})
 target_compile_options(workbook_options INTERFACE
   -ffp-contract=off -ffunction-sections -fdata-sections)
-target_link_options(workbook_options INTERFACE -Wl,--gc-sections)
+if(APPLE)  # its linker calls it so
+  target_link_options(workbook_options INTERFACE -Wl,-dead_strip)
+else()
+  target_link_options(workbook_options INTERFACE -Wl,--gc-sections)
+endif()
 target_link_libraries(workbook_options INTERFACE glm::glm)
 if(WORKBOOK_SANITIZE)
   # A null pointer stops a program anyway; the checks that are left out take a third of the time.

@@ -49,6 +49,7 @@ def draw(usage, name, panels, dividers, width=700, more=None):
         sys.exit(usage)
     path = Path(sys.argv[1])
     panels, dividers, width = (*(more or {}).get(path.stem, (panels, dividers)), width)[:3]
+    plt.rcdefaults()  # whatever was drawn before in this process
     plt.rcParams.update({"svg.hashsalt": name, "font.family": "DejaVu Sans",
                          "mathtext.fontset": "dejavusans"})
     figure = plt.figure(figsize=(width / 96, HEIGHT / 96))

@@ -41,6 +41,8 @@ HELP = """The Joint Workbook
   ./wb bench --loop    a joint and iteration, from the textbook's loop to lanes
   ./wb bench --cost    rows, bytes and instructions of every kind of joint
   ./wb docs            the documentation as a site, with every motion
+  ./wb keep            after a change: brings numbers, listings and pictures of
+                       the texts and the stubs up to date, and says what changed
 
   ./wb grade DIR       of a class: what is done in every submission, also as
                        out/grades.csv. DIR is a submission or a folder of them;
@@ -51,7 +53,7 @@ CALLED_FROM = Path.cwd()
 # Of each command: the fewest and the most words that it takes, what they are, and its options.
 # Those of check, run and bench are read where they are known.
 TAKES = {"": (0, 0, "", []), "tour": (0, 0, "no argument", []), "docs": (0, 0, "no argument", []),
-         "check": (0, ANY, "", ANY), "bench": (0, ANY, "", ANY),
+         "check": (0, ANY, "", ANY), "keep": (0, ANY, "", []), "bench": (0, ANY, "", ANY),
          "run": (1, ANY, "a chapter and options: ./wb run 2 --help", ANY),
          "test": (1, 1, "one exercise or chapter: ./wb test 1.1", []),
          "watch": (0, 1, "one exercise or chapter or none: ./wb watch 1.1", []),
@@ -157,6 +159,9 @@ def call(command, words, rest):
         case "check":
             from check import checking
             return checking.check(rest)
+        case "keep":
+            from keep import keeping
+            return keeping.keep(words)
         case "grade":
             from classroom import grading
             return grading.grade([CALLED_FROM / word for word in words])

@@ -12,7 +12,7 @@ from made import house, live, page, skip_without
 
 from proofs import main, read
 
-from keep import tied
+from keep import tied, values
 
 WIDE, PHONE = (1280, 900), (390, 844)
 
@@ -79,7 +79,7 @@ def an_address_is_a_state(root, build):
         here.wait("document.getElementById('reading').textContent.startsWith('t = 1.00 s')")
 
 
-class Shown(tied.Tables):
+class Shown(values.Tables):
     """Numbers of a text as the page shows them in a browser."""
     UNITS = {"µm": 1e-6, "mm": 1e-3, "m": 1, "km": 1e3}
 

@@ -3,29 +3,27 @@ import os
 import re
 import sys
 from collections import Counter
-from itertools import zip_longest
 
-from proofs import exercises, house, main, notes, prose, read, regions, section, sections
+from proofs import (exercises, house, main, notes, prose, read, regions, section, sections,
+                    would_change)
 
 from check import answers
 
 
 def stubs_are_fresh(root, build):
     """the committed stubs are what the solutions make of them"""
+    stale = list(would_change("stubs", root, build))
+    if os.environ.get("CI") == "true":
+        yield from stale
+    else:  # a reader may have changed what is outside the exercises, too
+        notes.extend(stale)
     for chapter in house.chapters():
-        fresh, mine = exercises.stub(read(chapter.solution)), read(chapter.mine)
-        where = chapter.mine.relative_to(root)
-        if fresh != mine and os.environ.get("CI") == "true":
-            pairs = zip_longest(fresh.split("\n"), mine.split("\n"))
-            line = next(n for n, (a, b) in enumerate(pairs, 1) if a != b)
-            yield f"{where}:{line}: differs from the stub of the solution"
-        elif fresh != mine:
-            try:
-                same = exercises.outside(fresh) == exercises.outside(mine)
-                notes.append(f"{where} " + ("holds work" if same else "differs from the stub "
-                                            "outside the exercises, too"))
-            except exercises.Broken as error:
-                notes.append(str(error).replace("this file", str(where)))
+        if read(chapter.mine) != exercises.stub(read(chapter.solution)) and not stale:
+            where = chapter.mine.relative_to(root)
+            if os.environ.get("CI") == "true":
+                yield f"{where} holds work"
+            else:
+                notes.append(f"{where} holds work")
 
 
 def every_region_has_a_task(root, build):

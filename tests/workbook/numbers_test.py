@@ -1,55 +1,47 @@
 """The numbers and the length of the texts: numbers_test.py ROOT BUILD"""
 import re
 import sys
+from collections import Counter
 
-from proofs import beyond, files, house, main, notes, read
+from proofs import beyond, house, main, notes, read, would_change
 
-from keep import tied
+from keep import tabled, tied, values
+from keep.keeping import texts
 
 WORDS = 1700  # an aim for a sitting: about a quarter of an hour of reading, without the exercises
 SECOND_SITTING = "<!-- second sitting -->"  # stands in a text that is too long for one
 
 
-def texts(root):
-    """Every text that may hold a number of a run, and its chapter (0: none)."""
-    for path in files(root, ".md"):
-        chapter = re.match(r"(?:chapters|solutions)/(\d\d)_", str(path.relative_to(root)))
-        yield path, int(chapter[1]) if chapter else 0
-
-
 def numbers_are_what_the_runs_say(root, build):
-    """every number that is tied to a table is what the table says, to the digits shown"""
-    tables = tied.Tables(root, build)
-    count = 0
-    for path, chapter in texts(root):
-        text = read(path)
-        count += sum(1 for _ in tied.ties_of(text))
-        for line, words in tied.faults_of(text, chapter, tables):
-            yield f"{path.relative_to(root)}:{line}: {words}"
-    notes.append(f"{count} numbers of the texts are tied to tables")
+    """every number that is tied to a table, and every table that is made, is what the runs say"""
+    yield from would_change("numbers", root, build)
+    found = [read(path) for path, _ in texts(root)]
+    notes.append(f"{sum(len(list(tied.ties_of(text))) for text in found)} numbers of sentences and "
+                 f"{sum(len(tabled.TABLE.findall(text)) for text in found)} tables come from runs")
 
 
 def changed_digits_are_found(root, build):
     """a digit changed in a text is found: a decimal, a whole number, a number of a table"""
-    tables = tied.Tables(root, build)
-    planted = 0
+    tables = values.Tables(root, build)
+    planted = Counter()
     for path, chapter in texts(root):
         text = read(path)
-        seen = re.sub(r"<!--.*?-->", lambda comment: re.sub(r"[^\n]", " ", comment[0]), text,
-                      flags=re.S).split("\n")
-        good = [tie for _, tie in tied.ties_of(text) if isinstance(tie, tied.Tie)]
-        for tie in good[:: max(1, len(good) // 3)]:
-            lines = text.split("\n")
-            digit = next(c for c in reversed(tie.shown) if c.isdigit())
-            at = seen[tie.line - 1].rindex(tie.shown) + tie.shown.rindex(digit)
-            line = lines[tie.line - 1]
-            lines[tie.line - 1] = line[:at] + str((int(digit) + 2) % 10) + line[at + 1:]
-            planted += 1
-            if not any(at == tie.line and words.startswith("says ")
-                       for at, words in tied.faults_of("\n".join(lines), chapter, tables)):
-                yield f"{path.relative_to(root)}:{tie.line}: {tie.shown} may be anything"
-    if planted < 3:
-        yield f"only {planted} mistakes could be planted"
+        ties = [tie for _, tie in tied.ties_of(text) if isinstance(tie, tied.Tie)]
+        places = [("sentence", tied.renewed, tie.place + max(
+            n for n, c in enumerate(tie.shown) if c.isdigit()))
+            for tie in ties[:: max(1, len(ties) // 3)]]
+        places += [("table", tabled.renewed, table.start("made") + table["made"].rindex(digit))
+                   for table in tabled.TABLE.finditer(text)
+                   for digit in re.findall(r"\d", table["made"])[-1:]]
+        for kind, renewed, place in places:
+            other = text[:place] + str((int(text[place]) + 2) % 10) + text[place + 1:]
+            planted[kind] += 1
+            line = text.count("\n", 0, place) + 1
+            again, changes, _ = renewed(other, chapter, tables)
+            if line not in [at for at, _ in changes] or again != text:
+                yield f"{path.relative_to(root)}:{line}: a number of a {kind} may be anything"
+    if min(planted["sentence"], planted["table"]) < 10:
+        yield f"only so many mistakes could be planted: {dict(planted)}"
 
 
 def live_links_say_what_is_seen(root, build):

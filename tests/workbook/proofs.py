@@ -11,8 +11,11 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path[:0] = [str(Path(__file__).resolve().parents[2] / folder) for folder in ("tools", "plots")]
 from base import exercises, house  # noqa: E402
+from base.house import files  # noqa: E402, F401
+from keep import keeping, values  # noqa: E402
 
 notes = []
+to_do = []  # commands that make broken proofs hold
 SLACK = 1.2  # a length is an aim: missed by less it is noted, by more it is wrong
 
 
@@ -23,16 +26,6 @@ def read(path):
 
 def regions(chapter):
     return exercises.regions(read(chapter.solution), chapter.solution.name)
-
-
-def files(root, *endings):
-    """All files of the workbook with these endings: nothing that was built, drawn or is hidden."""
-    for path in sorted(root.rglob("*")):
-        parts = path.relative_to(root).parts
-        made = parts[0] == "out" or parts[0].startswith("build")
-        if path.is_file() and path.suffix in endings and not made and not any(
-                part.startswith(".") or part == "__pycache__" for part in parts):
-            yield path
 
 
 def prose(text):
@@ -64,6 +57,19 @@ def beyond(where, count, aim, what):
         yield words
     elif count > aim:
         notes.append(words)
+
+
+def would_change(kind, root, build):
+    """A line for all that ./wb keep would change or could not mend."""
+    stale = False
+    tables = values.Tables(root, build)
+    for one in keeping.KINDS[kind](root, tables):
+        for words in one.changes + one.faults:
+            yield f"{one.path.relative_to(root)}: {words}"
+        stale |= bool(one.changes)
+        notes.extend(set(one.notes) - set(notes))
+    if stale:
+        to_do.append(f"./wb keep {kind}")
 
 
 def folded(text):
@@ -107,4 +113,6 @@ def main(document, proofs, arguments):
     for note in notes:
         print(f"note   {note}")
     print(f"{len(proofs) - broken} of {len(proofs)} proofs hold")
+    for command in to_do:
+        print(f"what is kept is brought up to date by: {command}")
     return 1 if broken else 0

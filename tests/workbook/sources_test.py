@@ -60,7 +60,7 @@ def drawing_is_true(root, build):
     drawn = set(re.findall(r'id="(\w+ includes \w+)"', read(root / "docs/architecture.svg")))
     for arrow in sorted(drawn ^ layers.arrows(root)):
         yield (f"{arrow}: " + ("drawn, but not so" if arrow in drawn else "not drawn")
-               + "; see plots/architecture.py")
+               + ": ./wb keep pictures")
 
 
 PROOFS = [layers_hold, drawing_is_true, sources_are_short]

@@ -2,7 +2,10 @@
 import re
 import sys
 
-from proofs import files, folded, house, main, prose, read, regions, section, sections
+from proofs import (files, folded, house, main, prose, read, regions, section, sections,
+                    would_change)
+
+from keep import copied
 
 HEADINGS = ["Goal", "Derivation", "Numbers", "Code", "Exercises", "Check", "Predict", "See it",
             "A printed formula that is wrong: find it", "Questions", "Further reading"]
@@ -94,27 +97,10 @@ def words_of_the_field_are_explained(root, build):
 
 def quotations_are_exact(root, build):
     """code that a text quotes from a file, <!-- from FILE -->, stands there as it is"""
-    quotation = re.compile(r"<!-- from (\S+) -->\n+```\w+\n(.*?)^```$", re.M | re.S)
-    for path in sorted((root / "tests/library/consumer").iterdir()):
-        name = str(path.relative_to(root))
-        quoted = [code for source, code in quotation.findall(read(root / "docs/library.md"))
-                  if source == name]
-        if quoted != [read(path)]:
-            yield f"docs/library.md does not quote {name} whole"
-    for path in files(root, ".md"):
-        text = read(path)
-        found = quotation.findall(text)
-        if len(found) != text.count("<!-- from "):
-            yield f"{path.relative_to(root)}: <!-- from FILE --> stands before no code"
-        for source, code in found:
-            whole = read(root / source)
-            if not any("\n" + indented(code, depth) in "\n" + whole for depth in (0, 2, 4, 6)):
-                yield f"{path.relative_to(root)}: {code.splitlines()[0]} stands not so in {source}"
-
-
-def indented(code, depth):
-    return re.sub(r"^(?=.)", " " * depth, code, flags=re.M)
-
+    yield from would_change("listings", root, build)
+    for path in sorted((root / copied.WHOLE).iterdir()):
+        if f"<!-- from {path.relative_to(root)} -->" not in read(root / "docs/library.md"):
+            yield f"docs/library.md does not quote {path.relative_to(root)}"
 
 
 PROOFS = [texts_have_their_headings, questions_have_answers, equations_exist,

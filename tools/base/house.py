@@ -97,6 +97,16 @@ def exercise_of(word):
     return chapter, word
 
 
+def files(root, *endings):
+    """All files of the workbook with these endings: nothing that was built, drawn or is hidden."""
+    for path in sorted(root.rglob("*")):
+        parts = path.relative_to(root).parts
+        made = parts[0] == "out" or parts[0].startswith("build")
+        if path.is_file() and path.suffix in endings and not made and not any(
+                part.startswith(".") or part == "__pycache__" for part in parts):
+            yield path
+
+
 def python():
     """The interpreter that runs this, as one types it."""
     return "python3" if shutil.which("python3") == sys.executable else sys.executable

@@ -1,186 +1,263 @@
 """wb: the one command of the workbook. `./wb help` lists what it can do."""
+import argparse
 import difflib
+import importlib
 import os
 import re
 import sys
+import textwrap
 from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from base import house  # noqa: E402
 
-HELP = """The Joint Workbook
-
-  ./wb                 where you are, and the next thing to do
-  ./wb tour            run every chapter's program, draw every figure, summarise
-  ./wb check           the workbook's own tests
-                       ./wb check 3: of one chapter; --quick: without float,
-                       units and known answers; --long: ten times as many
-                       random worlds
-
-  ./wb test 2.1        test one exercise (or a whole chapter: ./wb test 2)
-  ./wb watch [2.1]     test again whenever you save
-  ./wb hint 2.1 [1-3]  a hint: 1 is a nudge, 3 is nearly the answer
-  ./wb show 2.1        the solution of an exercise
-  ./wb reset 2.1       put the empty stub back (./wb reset 2: a whole chapter)
-                       --keep: put back only what is not yours to change
-
-  ./wb run 2 [...]     the chapter's program with your code; its options:
-                       ./wb run 2 --help, such as ./wb run 8 --machine wheels
-  ./wb plot [2]        draw the figures: your curve over the solution's
-  ./wb see [2]         the page that plays the motion, beside the solution's
-  ./wb live [2]        the page in which the engine runs, with your code beside
-                       the solution's: change settings, drag, iterate singly
-
-  ./wb bench           error against run time; a joint's cost in larger scenes
-  ./wb bench --stability   what is stiff, extreme or redundant: what holds what
-  ./wb bench --methods every method on every kind of scene
-  ./wb bench --families    scenes drawn by seeds: how many each setting holds
-                       (--seed N, --draws N)
-  ./wb bench --peers   ours beside Bullet, ODE and MuJoCo of Debian (--quick)
-  ./wb bench --loop    a joint and iteration, from the textbook's loop to lanes
-  ./wb bench --cost    rows, bytes and instructions of every kind of joint
-  ./wb docs            the documentation as a site, with every motion
-  ./wb keep            after a change: brings numbers, listings and pictures of
-                       the texts and the stubs up to date, and says what changed
-
-  ./wb grade DIR       of a class: what is done in every submission, also as
-                       out/grades.csv. DIR is a submission or a folder of them;
-                       a submission: a folder with distance.cpp and so on
-"""
-ANY = None
 CALLED_FROM = Path.cwd()
-# Of each command: the fewest and the most words that it takes, what they are, and its options.
-# Those of check, run and bench are read where they are known.
-TAKES = {"": (0, 0, "", []), "tour": (0, 0, "no argument", []), "docs": (0, 0, "no argument", []),
-         "check": (0, ANY, "", ANY), "keep": (0, ANY, "", []), "bench": (0, ANY, "", ANY),
-         "run": (1, ANY, "a chapter and options: ./wb run 2 --help", ANY),
-         "test": (1, 1, "one exercise or chapter: ./wb test 1.1", []),
-         "watch": (0, 1, "one exercise or chapter or none: ./wb watch 1.1", []),
-         "grade": (1, ANY, "folders of submissions: ./wb grade class", []),
-         "hint": (1, 2, "an exercise and 1, 2 or 3: ./wb hint 1.1", []),
-         "show": (1, 1, "one exercise: ./wb show 1.1 (--yes: do not ask)", ["--yes"]),
-         "reset": (1, 1, "one exercise or chapter (--yes, --keep)",
-                   ["--yes", "--keep"]),
-         "plot": (0, 1, "one chapter or none: ./wb plot 1", []),
-         "see": (0, 1, "one chapter or none: ./wb see 1", []),
-         "live": (0, 1, "one chapter or none: ./wb live 1", [])}
+MARGIN, WIDTH = 23, 79  # of the overview, in columns
+COMMANDS = {}  # by name, in the order of the overview
+# What others call a command, where the letters alone do not lead to it.
+MEANT = {"solve": "show", "solution": "show", "answer": "show", "verify": "check", "build": "test",
+         "draw": "plot", "view": "see", "play": "see"}
+TABLES = {"stability": "what is stiff, extreme or redundant: what holds what",
+          "methods": "every method on every kind of scene",
+          "families": "scenes drawn by seeds: how many each setting holds",
+          "peers": "ours beside Bullet, ODE and MuJoCo of Debian",
+          "loop": "a joint and iteration, from the textbook's loop to lanes",
+          "cost": "rows, bytes and instructions of every kind of joint"}
 
 
-def refuse_unknown(command):
+# ---- how a command line is read ------------------------------------------------------------------
+
+class Parser(argparse.ArgumentParser):
+    """Reads the words of one command; what is wrong with them is told in one line."""
+
+    def error(self, message):
+        message = message.replace("the following arguments are ", "")
+        unknown = re.match(r"unrecognized arguments: (--\S+)", message)
+        near = difflib.get_close_matches(unknown[1], re.findall(r"--\w+", self.format_help()), 1) \
+            if unknown else []
+        raise house.Trouble(f"{self.prog.removeprefix('./wb ')}: {message} "
+                            + (f"(did you mean {near[0]}?)" if near else f"({self.prog} --help)"))
+
+
+def layout(prog):
+    return argparse.HelpFormatter(prog, max_help_position=MARGIN, width=WIDTH)
+
+
+def argument(*names, **how):
+    return names, how
+
+
+def command(shown, words, *arguments, lines=(), **how):
+    """A command: the line of the overview, more lines of it, and what argparse is told."""
+    def add(call):
+        name = call.__name__.rstrip("_")
+        parser = Parser(prog=f"./wb {name}", description=words, formatter_class=layout,
+                        allow_abbrev=False, **how)
+        for names, more in arguments:
+            parser.add_argument(*names, **more)
+        COMMANDS[name] = parser, call, [(f"./wb {shown}".strip(), words), *lines]
+        return call
+    return add
+
+
+def overview():
+    """Every command in a line or two; blank lines between the groups."""
+    said = ["The Joint Workbook"]
+    for name, (_, _, lines) in COMMANDS.items():
+        said += [""] if name in FIRST else []
+        for shown, words in lines:
+            first, *rest = textwrap.wrap(words.replace("./wb ", "./wb\xa0"), WIDTH - MARGIN)
+            said.append(f"  {shown:{MARGIN - 3}} {first}")
+            said += [" " * MARGIN + line for line in rest]
+    return "\n".join(said).replace("\xa0", " ")
+
+
+def refuse_unknown(word):
     """A command that does not exist: what may have been meant."""
-    known = [name for name in TAKES if name] + ["help"]
-    if re.fullmatch(r"\d+(\.\d+)?", command):
-        meant = f"./wb test {command}"
+    if re.fullmatch(r"\d+(\.\d+)?", word):
+        meant = [f"test {word}"]
     else:
-        meant = next((f"./wb {name}" for name in difflib.get_close_matches(
-            command.lower().lstrip("-"), known, 1, 0.6)), None)
-    raise house.Trouble(f"{command}: no such command; "
-                        + (f"did you mean {meant}?" if meant else "./wb help lists them"))
+        plain = word.lower().lstrip("-")
+        meant = [MEANT[plain]] if plain in MEANT else \
+            difflib.get_close_matches(plain, [*COMMANDS, "help"], 1)
+    raise house.Trouble(f"{word}: no such command; "
+                        + (f"did you mean ./wb {meant[0]}?" if meant else "./wb help lists them"))
 
 
-def check_words(command, arguments):
-    """Refuses, in a line, what the command does not take."""
-    least, most, what, options = TAKES[command]
-    words = [a for a in arguments if not a.startswith("-")]
-    wrong = [a for a in arguments if a.startswith("-") and options is not ANY and a not in options]
-    wrong += words[most:] if most is not ANY else []
-    if wrong or len(words) < least:
-        raise house.Trouble(f"{command} takes {what}"
-                            + (f"; {wrong[0]} is too much" if wrong else ""))
-    return words
-
-
-def help_of(command):
-    """The lines of the help that are about a command."""
-    parts = re.split(r"\n(?=  \./wb)", HELP)
-    own = [part.strip("\n") for part in parts if part.startswith(f"  ./wb {command}")]
-    return "\n".join(own) if command and own else HELP.strip("\n")
-
-
-def main(arguments):
-    command, rest = (arguments[0], arguments[1:]) if arguments else ("", [])
-    if command in ("help", "--help", "-h"):
-        print(help_of(rest[0] if rest else ""))
+def main(words):
+    name, rest = (words[0], words[1:]) if words else ("status", [])
+    if name in ("help", "--help", "-h"):
+        if not rest:
+            print(overview())
+            return 0
+        name, rest = rest[0], ["--help"]
+    if name == "--version":
+        print(f"The Joint Workbook {house.version()}")
         return 0
-    if command not in TAKES:
-        refuse_unknown(command)
-    if command != "run" and {"--help", "-h"} & set(rest):
-        print(help_of(command))
+    if name not in COMMANDS:
+        refuse_unknown(name)
+    parser, call, _ = COMMANDS[name]
+    if name == "bench":  # what it does not know is the program's
+        return call(*parser.parse_known_args(rest))
+    return call(parser.parse_args(rest))
+
+
+# ---- the commands: each loads no more than it needs, since ./wb is to answer at once -------------
+
+YES = argument("--yes", action="store_true", help="do not ask")
+ONE = argument("exercise", help="such as 2.1")
+SOME = argument("what", help="an exercise or a chapter, such as 2.1 or 2")
+CHAPTER = argument("chapter", nargs="?", help="such as 2; without one, all")
+
+
+def chapter_of(args):
+    return house.chapter_of(args.chapter) if args.chapter else None
+
+
+@command("", "where you are, and the next thing to do (./wb status)")
+def status(_):
+    from learn import status as learn
+    return learn.status()
+
+
+@command("next", "the next thing to do, alone")
+def next_(_):
+    from learn import status as learn
+    return learn.status(chapters=False)
+
+
+@command("list", "every exercise, and where it stands")
+def list_(_):
+    from learn import status as learn
+    return learn.status(every=True)
+
+
+@command("tour", "run every program, draw every figure, summarise")
+def tour(_):
+    from learn import tour as learn
+    return learn.tour()
+
+
+@command("check", "the workbook's own tests (./wb check 3: of one chapter)",
+         argument("words", nargs="*", metavar="what",
+                  help="a chapter (3), a topic (joints), an erratum (E26), a case (X4) or an "
+                       "identity (I15)"),
+         argument("--quick", action="store_true", help="without float, units and known answers"),
+         argument("--long", action="store_true", help="ten times as many random worlds"),
+         argument("--sanitize", action="store_true",
+                  help="under address and undefined-behaviour checks"))
+def check(args):
+    from check import checking
+    return checking.check(args)
+
+
+@command("test 2.1", "test one exercise (or a whole chapter: ./wb test 2)", SOME)
+def test(args):
+    from learn import testing
+    return testing.test(args.what)
+
+
+@command("watch [2.1]", "test again whenever you save",
+         argument("what", nargs="?", help="an exercise or a chapter; without one, what is saved"))
+def watch(args):
+    from learn import testing
+    return testing.watch(args.what)
+
+
+@command("hint 2.1 [1-3]", "a hint: 1 is a nudge, 3 is nearly the answer", ONE,
+         argument("step", nargs="?", default="1", help="1, 2 or 3 (1)"))
+def hint(args):
+    from learn import aid
+    return aid.hint(args.exercise, args.step)
+
+
+@command("show 2.1", "the solution of an exercise", ONE, YES)
+def show(args):
+    from learn import aid
+    return aid.solution(args.exercise, args.yes)
+
+
+@command("reset 2.1", "put the stub back (./wb reset 2: a whole chapter); with --keep only what is "
+         "not yours to change", SOME, YES,
+         argument("--keep", action="store_true", help="leave your answers as they are"))
+def reset(args):
+    from learn import aid
+    return aid.reset(args.what, args.yes, args.keep)
+
+
+@command("run 2 [...]", "the chapter's program with your code; ./wb run 2 --help lists its "
+         "options, such as --machine wheels of chapter 8", argument("chapter", help="such as 2"),
+         argument("options", nargs=argparse.REMAINDER, help="the program's: ./wb run 2 --help"))
+def run(args):
+    from learn import show as learn
+    return learn.run(house.chapter_of(args.chapter), args.options)
+
+
+@command("plot [2]", "draw the figures: your curve over the solution's", CHAPTER)
+def plot(args):
+    from learn import show as learn
+    return learn.plot(chapter_of(args))
+
+
+@command("see [2]", "the page that plays the motion, beside the solution's", CHAPTER)
+def see(args):
+    from learn import show as learn
+    return learn.see(chapter_of(args))
+
+
+@command("live [2]", "the page in which the engine runs, with your code beside the solution's: "
+         "change settings, drag, iterate singly", CHAPTER)
+def live(args):
+    from website import live as page
+    return page.live(chapter_of(args))
+
+
+@command("bench [...]", "error against run time; a joint's cost in larger scenes",
+         argument("-h", "--help", action="store_true", help="this text; after a table: its options"),
+         *(argument(f"--{name}", dest="table", action="append_const", const=name, help=words)
+           for name, words in TABLES.items()),
+         lines=[*((f"  --{name}", words) for name, words in TABLES.items()),
+                ("  --methods --help", "the options of a table, such as --scene S1")],
+         add_help=False,
+         usage="./wb bench [--TABLE] [options of its program]")
+def bench(args, options):
+    tables = args.table or ["benchmark"]
+    if args.help and not args.table:
+        COMMANDS["bench"][0].print_help()
         return 0
-    words = check_words(command, rest)
-    return call(command, words, rest)
+    if len(tables) > 1:
+        COMMANDS["bench"][0].error(f"--{tables[0]} and --{tables[1]}: one table at a time")
+    table = importlib.import_module(f"bench.{tables[0]}")
+    if args.help:
+        return house.tell_options(table.PROGRAM, "csv", "append", "machine")
+    return table.main(options)
 
 
-def bench(options):
-    """Error against run time, or what the options name: a suite or a table of its own each."""
-    match options:
-        case []:
-            from bench import benchmark
-            return benchmark.main()
-        case ["--stability"]:
-            from bench import stability
-            return stability.main()
-        case ["--methods"]:
-            from bench import methods
-            return methods.main()
-        case ["--families", *rest] if set(rest[::2]) <= {"--seed", "--draws"}:
-            from bench import families
-            return families.main(rest)
-        case ["--peers", *rest] if set(rest) <= {"--quick", "--search"}:
-            from bench import peers
-            return peers.main("--quick" in rest, "--search" in rest)
-        case ["--loop"]:
-            from bench import loop
-            return loop.main()
-        case ["--cost"] | ["--cost", "--keep"]:
-            from bench import cost
-            return cost.main(keep="--keep" in options)
-    raise house.Trouble(f"bench: {' '.join(options)}: it takes --stability, --methods, "
-                        "--families, --peers, --loop or --cost")
+@command("docs", "the documentation as a site, with every motion")
+def docs(_):
+    from website import docs as site
+    return site.command()
 
 
-def call(command, words, rest):
-    """Each command loads no more than it needs: ./wb is to answer at once."""
-    match command:
-        case "":
-            from learn import status
-            return status.status()
-        case "test" | "watch":
-            from learn import testing
-            return getattr(testing, command)(words[0] if words else None)
-        case "hint" | "show" | "reset":
-            from learn import aid
-            if command == "hint":
-                return aid.hint(words[0], words[1] if len(words) == 2 else "1")
-            if command == "show":
-                return aid.solution(words[0], "--yes" in rest)
-            return aid.reset(words[0], "--yes" in rest, "--keep" in rest)
-        case "check":
-            from check import checking
-            return checking.check(rest)
-        case "keep":
-            from keep import keeping
-            return keeping.keep(words)
-        case "grade":
-            from classroom import grading
-            return grading.grade([CALLED_FROM / word for word in words])
-        case "tour":
-            from learn import tour
-            return tour.tour()
-        case "docs":
-            from website import docs
-            return docs.command()
-        case "bench":
-            return bench(rest)
-        case "live":
-            from website import live
-            return live.live(house.chapter_of(words[0]) if words else None)
-    from learn import show
-    if command == "run":
-        return show.run(house.chapter_of(rest[0]), rest[1:])
-    return getattr(show, command)(house.chapter_of(words[0]) if words else None)
+@command("keep", "after a change: brings numbers, listings and pictures of the texts and the stubs "
+         "up to date, and says what changed",
+         argument("kinds", nargs="*", metavar="kind", help="one kind alone, such as numbers"))
+def keep(args):
+    from keep import keeping
+    return keeping.keep(args.kinds)
 
+
+@command("grade DIR", "of a class: what is done in every submission, also as out/grades.csv",
+         argument("folders", nargs="+", metavar="DIR",
+                  help="a submission (a folder with distance.cpp and so on), or a folder of them, "
+                       "such as ./wb grade class"))
+def grade(args):
+    from classroom import grading
+    return grading.grade([CALLED_FROM / folder for folder in args.folders])
+
+
+FIRST = {"status", "test", "run", "bench", "grade"}  # of their groups in the overview
 
 if __name__ == "__main__":
     os.chdir(house.ROOT)

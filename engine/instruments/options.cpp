@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 
 #include "engine/real.h"
 #include "engine/todo.h"
@@ -21,16 +22,17 @@ bool Options::read(int argc, const char* const* argv) {
     if (word == "--help" || word == "-h") {
       std::printf("%s\n", program_.c_str());
       for (const Option& option : known_)
-        std::printf("  --%-12s %s (%s)\n", option.name.c_str(), option.help.c_str(),
-                    option.value.c_str());
+        std::printf("  --%-12s %s%s\n", option.name.c_str(), option.help.c_str(),
+                    option.value.empty() ? "" : (" (" + option.value + ")").c_str());
       return false;
     }
     bool found = false;
     for (Option& option : known_) {
       if (word != "--" + option.name) continue;
-      if (i + 1 >= argc) refuse(word + ": needs a value");
-      option.value = argv[++i];
       found = true;
+      const bool alone = i + 1 >= argc || std::string_view(argv[i + 1]).starts_with("--");
+      if (alone && !option.help.starts_with("1: ")) refuse(word + ": needs a value");
+      option.value = alone ? "1" : argv[++i];
     }
     if (!found) refuse(word + ": unknown option (--help lists them)");
   }

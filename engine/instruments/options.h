@@ -16,7 +16,7 @@ class Options {
   struct Option {
     std::string name;   ///< without the two dashes
     std::string value;  ///< its default, then what the command line said
-    std::string help;   ///< one line
+    std::string help;   ///< one line; with "1: ..." the option may stand alone and means 1
   };
   /// Declares the options that a program knows. Every program knows `--out` and `--help`.
   Options(std::string program, std::vector<Option> known);

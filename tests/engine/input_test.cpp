@@ -208,7 +208,8 @@ TEST_CASE("X16 a step without a proper length or without iterations is refused a
 
 TEST_CASE("X16 an option that a program does not know or cannot read is refused by its name") {
   const auto options = [] {
-    return Options("a program", {{"links", "20", "how many"}, {"mass", "1.5", "of each [kg]"}});
+    return Options("a program", {{"links", "20", "how many"}, {"mass", "1.5", "of each [kg]"},
+                                 {"quick", "0", "1: fewer"}});
   };
   const auto read = [&](std::vector<const char*> words, auto use) {
     words.insert(words.begin(), "program");
@@ -238,4 +239,9 @@ TEST_CASE("X16 an option that a program does not know or cannot read is refused 
           CHECK(o.text("out") == "there");
         }) == "accepted");
   CHECK(read({}, [](Options& o) { CHECK(o.number("mass", 0) == 1.5); }) == "accepted");
+  CHECK_THAT(read({"--links", "--mass", "3"}, links), StartsWith("--links: needs a value"));
+  for (const std::vector<const char*>& words : std::vector<std::vector<const char*>>{
+           {"--quick"}, {"--quick", "--links", "7"}, {"--quick", "1"}})
+    CHECK(read(words, [](Options& o) { CHECK(o.flag("quick")); }) == "accepted");
+  CHECK(read({"--quick", "0"}, [](Options& o) { CHECK_FALSE(o.flag("quick")); }) == "accepted");
 }

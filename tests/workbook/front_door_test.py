@@ -1,11 +1,12 @@
 """What a reader types in a copy of the workbook, and what it says: front_door_test.py ROOT BUILD"""
 import os
+import re
 import shutil
 import subprocess
 import sys
 
 from door import CHAPTER, Door
-from proofs import main, read
+from proofs import house, main, read
 
 # Right, and it prints what could be taken for a part of the tests' report.
 LOUD = """  std::cout << "]]> <?xml\\n";
@@ -56,29 +57,55 @@ def a_fresh_copy_leads_to_the_first_exercise(root, build):
             yield f"./wb takes {used:.1f} s of processor time"
         if len(out.strip().split("\n")) > 24:
             yield "./wb does not fit a terminal"
+        yield from typed(door, "status", 0, " ".join(out.split()))
+        yield from typed(door, "next", 0, "Next: exercise 1.1", hidden=["Chapter 1"])
+        yield from typed(door, "list", 0, "Next: exercise 1.1", *every_exercise())
+        yield from typed(door, "--version", 0, f"The Joint Workbook {house.version()}")
         yield from typed(door, "test 1.1", 1, "not written yet", "./wb hint 1.1")
         yield from typed(door, "test 1", 1, "1.6 Distance::jacobian, Distance::K: not written yet")
-        yield from typed(door, "help", 0, "./wb test 2.1", "./wb tour", "./wb live")
-        yield from typed(door, "test --help", 0, "test one exercise", hidden=["./wb tour"])
+        yield from every_command_has_help(door)
         yield from typed(door, "hint 1.1", 0, "more: ./wb hint 1.1 2")
         if (door.root / "build").exists() or (door.root / "out").exists():
             yield "something was built or written for it"
+
+
+def every_exercise():
+    """The lines of ./wb list, without where they stand, as words with one blank between."""
+    for chapter in house.chapters():
+        yield f"Chapter {chapter.number}: {chapter.name} 0 of {len(chapter.ids())} done"
+        for id_ in chapter.ids():
+            yield f"{id_} {chapter.titles()[id_]} not written yet"
+
+
+def every_command_has_help(door):
+    """What ./wb help lists has a help of its own, in both ways of asking."""
+    yield from typed(door, "help", 0, "./wb test 2.1", "./wb tour", "--methods --help")
+    _, overview, _, _ = door.type("help")
+    for name in sorted(set(re.findall(r"^  \./wb (\w+)", overview, re.M))):
+        yield from typed(door, f"{name} --help", 0, f"usage: ./wb {name}", hidden=["./wb tour run"])
+        if door.type(f"help {name}")[:3] != door.type(f"{name} -h")[:3]:
+            yield f"./wb help {name} and ./wb {name} -h differ"
 
 
 def bad_words_are_refused(root, build):
     """a command line that makes no sense gets a line that says what is allowed, and status 2"""
     with Door(root, build) as door:
         for words, said in (
-                ("test", "test takes one exercise or chapter"), ("test 1.1 2.1", "2.1 is too much"),
-                ("test 1.1 --foo", "--foo is too much"), ("Test 1.1", "did you mean ./wb test?"),
+                ("test", "required: what (./wb test --help)"), ("test 1.1 2.1", "arguments: 2.1"),
+                ("test 1.1 --foo", "arguments: --foo"), ("Test 1.1", "did you mean ./wb test?"),
+                ("tset", "did you mean ./wb test?"), ("solve", "did you mean ./wb show?"),
                 ("1.1", "did you mean ./wb test 1.1?"), ("--whole 2", "no such command"),
-                ("--out", "no such command"), ("hint", "hint takes an exercise"),
+                ("--out", "no such command"), ("help nothing", "nothing: no such command"),
+                ("hint", "required: exercise"),
                 ("hint 19.9", "19.9: no such chapter"), ("hint 1.9", "chapter 1 has 1.1 1.2"),
-                ("hint 1.1 4", "1, 2 and 3"), ("run", "run takes a chapter"),
-                ("run --foo", "run takes a chapter"), ("run 1 --out x", "--out"),
-                ("plot 1 2", "2 is too much"), ("live 1 2", "2 is too much"),
-                ("live 19", "19: no such chapter"), ("reset", "--keep"),
-                ("tour now", "tour takes no"), ("reset 1.1 --all", "--all")):
+                ("hint 1.1 4", "1, 2 and 3"), ("run", "required: chapter"),
+                ("run --foo", "required: chapter"), ("run 1 --out x", "--out"),
+                ("plot 1 2", "arguments: 2"), ("live 1 2", "arguments: 2"),
+                ("live 19", "19: no such chapter"), ("reset", "required: what"),
+                ("tour now", "arguments: now"), ("reset 1.1 --kep", "did you mean --keep?"),
+                ("check 1 --quik", "did you mean --quick?"),
+                ("bench --loop --cost", "one table at a time"),
+                ("bench --cost --scene S1", "--cost --scene")):
             code, out, err, _ = door.type(words)
             if code != 2 or out or err.count("\n") != 1 or said not in err:
                 yield f"./wb {words}: exit status {code}, says {out!r} {err!r}, not '{said}'"

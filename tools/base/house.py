@@ -112,6 +112,11 @@ def python():
     return "python3" if shutil.which("python3") == sys.executable else sys.executable
 
 
+def version():
+    """The workbook's, which stands in CMakeLists.txt."""
+    return re.search(r"^project\(\w+ VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(), re.M)[1]
+
+
 def short(path):
     """A path as seen from the root of the workbook."""
     path = Path(path)
@@ -191,6 +196,14 @@ def must_build(targets, what="building"):
     log = build(targets, what)
     if log:
         raise Trouble("the build failed:\n" + compiler_words(log))
+
+
+def tell_options(program, *hidden):
+    """Prints the options of a program in the build folder, but for those that ./wb chooses."""
+    must_build([Path(program).name])
+    said = subprocess.run([BUILD / program, "--help"], text=True, capture_output=True).stdout
+    print(re.sub(rf"^ *--({'|'.join((*hidden, 'out'))}) .*\n", "", said, flags=re.M), end="")
+    return 0
 
 
 def compiler_words(log, most=25):

@@ -11,6 +11,7 @@ from base import house
 from pictures import figures
 from bench.measuring import run_bench
 
+PROGRAM = "bench/work_precision"
 JOINTS, STEPS, FEW, MANY = 99, 20, 10, 30  # of the run whose instructions are counted
 UNITS = {"gap_rms_m": ("gap RMS", 1000, "mm"), "gap_max_m": ("largest gap", 1000, "mm"),
          "tip_error_m": ("tip error", 1000, "mm"), "sideways_m": ("sideways", 1, "m")}
@@ -122,27 +123,31 @@ def print_instructions():
         print(f"  {real:7} {count:6.1f} instructions")
 
 
-def main():
+def main(options):
+    """With options the program's own table alone."""
     print("error against run time: about six minutes; leave the machine alone meanwhile",
           flush=True)
     began = time.time()
     house.must_build(["work_precision", "work_precision_float", "scaling_float"])
-    run_bench("work_precision_float", [])
-    run_bench("work_precision", ["--append", "1"])
-    run_bench("scaling_float", [], figures.SCALING)
+    run_bench("work_precision_float", options)
+    run_bench("work_precision", ["--append", *options])
+    if not options:
+        run_bench("scaling_float", [], figures.SCALING)
     took = time.time() - began
     scenes = scenes_of(read(figures.TABLE))
     print_fastest(scenes)
     print_fronts(scenes)
-    print_scaling()
-    print_instructions()
+    if not options:
+        print_scaling()
+        print_instructions()
     print()
     house.progress("drawing")
     made = figures.draw("work_precision.py", "--csv", figures.TABLE, "--peers", figures.PEERS)
-    made += figures.draw("scaling.py", "--csv", figures.SCALING)
+    made += [] if options else figures.draw("scaling.py", "--csv", figures.SCALING)
     house.progress_done()
     for path in made:
         print(house.short(path))
-    print(f"the tables: {house.short(figures.TABLE)}, {house.short(figures.SCALING)}; "
+    tables = [figures.TABLE] if options else [figures.TABLE, figures.SCALING]
+    print(f"the table{'s' * (not options)}: {', '.join(map(house.short, tables))}; "
           f"measuring took {took / 60:.1f} minutes")
     return 0

@@ -4,6 +4,7 @@ import csv
 from base import house
 from bench import instructions
 
+PROGRAM = "bench/cost"
 COST = house.OUT / "cost.csv"
 # What tests/bench/cost_test.py holds every build to.
 KEPT = house.ROOT / "tests" / "bench" / "cost_table.csv"
@@ -56,7 +57,10 @@ def print_table(rows):
                   f"{row['instructions_per_joint_iteration']:>12}")
 
 
-def main(keep):
+def main(options):
+    keep = options == ["--keep"]
+    if options and not keep:
+        raise house.Trouble(f"bench --cost {options[0]}: it takes --keep alone")
     house.must_build(list(PROGRAMS))
     if keep and not instructions.there():
         raise house.Trouble(f"{house.short(KEPT)} stays as it is; {instructions.MISSING}")

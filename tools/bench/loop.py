@@ -6,6 +6,7 @@ from bench import instructions
 from pictures import figures
 from bench.measuring import run_bench
 
+PROGRAM = "bench/loop"
 PER_ITERATION, PER_STEP = "instructions_per_joint_iteration", "instructions_per_joint_step"
 
 
@@ -49,12 +50,12 @@ def print_table():
               f"{row[PER_ITERATION] or '-':>13} {1000 * float(row['gap_rms_m']):11.2f}")
 
 
-def main():
+def main(options):
     print("the inner loop in its variants: about three and a half minutes; leave the machine alone "
           "meanwhile", flush=True)
     house.must_build(["loop", "loop_float"])
-    run_bench("loop_float", [], figures.LOOP)
-    run_bench("loop", ["--append", "1", "--rounds", "3", "--all-counts", "0"], figures.LOOP)
+    run_bench("loop_float", options, figures.LOOP)
+    run_bench("loop", ["--append", "--rounds", "3", "--all-counts", "0", *options], figures.LOOP)
     if instructions.there():
         house.progress("counting instructions (float)")
         add_instructions()

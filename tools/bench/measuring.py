@@ -15,5 +15,5 @@ def run_bench(program, options, table=figures.TABLE):
         said = line.strip()
         house.progress(f"{program}: {said}")
     if process.wait() != 0:
-        raise house.Trouble(said)
+        raise house.Trouble(said.removeprefix("error: "))
     house.progress_done()

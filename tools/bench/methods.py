@@ -5,6 +5,7 @@ from base import house
 from pictures import figures
 from bench.measuring import run_bench
 
+PROGRAM = "bench/methods"
 WORDS = {
     "si30": "Sequential Impulses, 30 iterations, cold, beta 0.2",
     "beta1": "the same with beta 1",
@@ -56,12 +57,12 @@ def print_table():
           "has no meaning here.")
 
 
-def main():
+def main(options):
     print("every method on every kind of scene: about ten minutes; leave the machine alone "
           "meanwhile", flush=True)
     house.must_build(["methods", "methods_float"])
-    run_bench("methods", [], figures.METHODS)
-    run_bench("methods_float", ["--scene", "S1", "--append", "1"], figures.METHODS)
+    run_bench("methods", options, figures.METHODS)
+    run_bench("methods_float", ["--scene", "S1", "--append", *options], figures.METHODS)
     print_table()
     print()
     for path in figures.draw_methods():

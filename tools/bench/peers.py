@@ -8,6 +8,7 @@ from base import house
 from pictures import figures
 from bench.measuring import run_bench
 
+PROGRAM = "bench/peers/peers"
 PACKAGES = {"libbullet-dev": "bullet/btBulletDynamicsCommon.h", "libode-dev": "ode/ode.h",
             "libmujoco-dev": "mujoco/mujoco.h"}
 INCLUDE = Path("/usr/include")
@@ -136,24 +137,24 @@ def print_scaling(rows):
             if n in cells else f"{'-':>16}" for n in sizes))
 
 
-def main(quick=False, search=False):
+def main(options):
     missing = lacking()
     if missing:
         print("not installed: " + ", ".join(missing) + "; sudo apt-get install "
               "--no-install-recommends " + " ".join(missing))
     if len(missing) == len(PACKAGES):
         raise house.Trouble("bench --peers: none of the engines is installed")
-    print("the published engines beside ours: about " + ("four" if quick else "twenty")
-          + " minutes; leave the machine alone meanwhile", flush=True)
+    long = "four" if "--quick" in options else "twenty"
+    print(f"the published engines beside ours: about {long} minutes; leave the machine alone "
+          "meanwhile", flush=True)
     busy = load()
     if busy > BUSY:
         print(f"the machine is busy (load {busy:.1f}): times are rough, errors are not")
     targets = programs()
     house.must_build(targets)
     words = machine()
-    options = ["--machine", words, "--quick", str(int(quick)), "--search", str(int(search))]
-    for k, name in enumerate(targets):
-        run_bench(f"peers/{name}", [*options, "--append", str(int(k > 0))], figures.OUT_OF_PEERS)
+    for name, more in zip(targets, ([], ["--append"])):
+        run_bench(f"peers/{name}", ["--machine", words, *more, *options], figures.OUT_OF_PEERS)
     rows = read()
     scaled = [row for row in rows if row["scene"].endswith(" hinges")]
     for scene in dict.fromkeys(row["scene"] for row in rows):

@@ -6,6 +6,7 @@ from base import house
 from pictures import figures
 from bench.measuring import run_bench
 
+PROGRAM = "bench/stability"
 WORDS = ["ok", "soft", "torn", "energy+", "exploded", "nan", "off"]
 BESIDE = "(for comparison)"  # what others would do, shown beside: counted nowhere
 
@@ -43,11 +44,11 @@ def print_table():
                   f"measured {float(row['measured'] or 'nan'):.6g}")
 
 
-def main():
+def main(options):
     print("the stability suite: about three and a half minutes", flush=True)
     house.must_build(["stability", "stability_float"])
-    run_bench("stability", [], figures.STABILITY)
-    run_bench("stability_float", ["--append", "1"], figures.STABILITY)
+    run_bench("stability", options, figures.STABILITY)
+    run_bench("stability_float", ["--append", *options], figures.STABILITY)
     print_table()
     print()
     for path in figures.draw("stability.py", "--csv", figures.STABILITY):

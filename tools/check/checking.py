@@ -52,14 +52,10 @@ class Choice:
         return not (self.words or self.quick or self.sanitize)
 
 
-def choice_of(arguments):
-    """What the words of the command line ask for."""
-    choice = Choice([a for a in arguments if not a.startswith("-")], "--quick" in arguments,
-                    "--sanitize" in arguments)
-    for word in arguments:
-        if word.startswith("-") and word not in ("--quick", "--sanitize", "--long"):
-            raise house.Trouble(f"check {word}: it takes --quick, --sanitize and --long")
-    if "--long" in arguments:
+def choice_of(args):
+    """What the command line asks for."""
+    choice = Choice(args.words, args.quick, args.sanitize)
+    if args.long:
         os.environ["WORKBOOK_LONG"] = "1"  # read by tests/fuzz
     if choice.sanitize:
         house.use_build("sanitize")
@@ -137,10 +133,10 @@ def jobs_of(choice, report):
                 yield proving.judge_answer, answer, one, chapter, report
 
 
-def check(arguments):
+def check(args):
     """The workbook's own tests, or some of them."""
     began = time.time()
-    choice = choice_of(arguments)
+    choice = choice_of(args)
     missing = sum(not one.path.exists() for one in choice.programs)
     print(f"{len(choice.programs)} test programs" + (f", {missing} of them to be built: about "
           f"{1 + missing // 12} minutes on two processors" if missing else ""), flush=True)

@@ -130,11 +130,7 @@ def write_mixed(chapter, written):
 def run(chapter, options):
     """The chapter's program, on the reader's code where it is written."""
     if "--help" in options or "-h" in options:
-        house.must_build([f"{chapter.folder}_run"])
-        said = subprocess.run([house.BUILD / f"{chapter.folder}_run", "--help"], text=True,
-                              capture_output=True).stdout
-        print(re.sub(r"^ *--out .*\n", "", said, flags=re.M), end="")
-        return 0
+        return house.tell_options(f"{chapter.folder}_run")
     if any(option.startswith("--out") for option in options):
         raise house.Trouble("run --out: ./wb chooses the folder itself, under out/")
     written = prepare_mine(chapter)

@@ -7,8 +7,9 @@ from base.talk import bad, bold, faint, folded, good
 COLOURS = {grading.DONE: good, grading.WRONG: bad, grading.BROKEN: bad}
 
 
-def status():
-    """Every exercise of the chapters that are begun, and the next thing to do."""
+def status(chapters=True, every=False):
+    """Every exercise of the chapters that are begun, or of all, and the next thing to do, or that
+    alone."""
     looks = [reading.look(chapter) for chapter in house.chapters()]
     grades = grades_of(looks)
     still = [(look, one) for look in looks for one in grades[look.chapter.number]
@@ -16,10 +17,11 @@ def status():
     last = max((look.chapter.number for look in looks if look.begun()), default=0)
     upcoming = next((each for each in still if each[0].chapter.number >= last),
                     still[0] if still else None)  # it goes on where the reader was last
-    for look in looks:
+    for look in looks if chapters else []:
         tell_chapter(look, grades[look.chapter.number],
-                     look.begun() or (upcoming and look is upcoming[0]))
-    print()
+                     every or look.begun() or (upcoming and look is upcoming[0]), every)
+    if chapters:
+        print()
     if not upcoming:
         print("Every exercise is done. See what you built: ./wb run N, ./wb plot N, ./wb see N")
         return 0
@@ -57,12 +59,12 @@ def words_of(look, one):
     return grading.OPEN if state == reading.UNTOUCHED else one.words()
 
 
-def tell_chapter(look, grades, whole):
+def tell_chapter(look, grades, whole, even_done):
     """A chapter in one line, or, where it is begun, with a line for each exercise."""
     chapter, done = look.chapter, sum(one.status == grading.DONE for one in grades)
     count = f"{done} of {len(grades)} done"
     name = f"Chapter {chapter.number}: {chapter.name}"
-    if not whole or done == len(grades):
+    if not whole or (done == len(grades) and not even_done):
         print(f"{bold(f'{name:24}')} {good(count) if done == len(grades) else faint(count)}")
         return
     print(f"{bold(f'{name:24}')} {count}   {faint(house.short(chapter.text))}")

@@ -214,7 +214,7 @@ def live(args):
 
 
 @command("bench [...]", "error against run time; a joint's cost in larger scenes",
-         argument("-h", "--help", action="store_true", help="this text; after a table: its options"),
+         argument("-h", "--help", action="store_true", help="this; after a table its options"),
          *(argument(f"--{name}", dest="table", action="append_const", const=name, help=words)
            for name, words in TABLES.items()),
          lines=[*((f"  --{name}", words) for name, words in TABLES.items()),

@@ -114,7 +114,8 @@ def python():
 
 def version():
     """The workbook's, which stands in CMakeLists.txt."""
-    return re.search(r"^project\(\w+ VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(), re.M)[1]
+    text = (ROOT / "CMakeLists.txt").read_text()
+    return re.search(r"^project\(\w+ VERSION ([\d.]+)", text, re.M)[1]
 
 
 def short(path):

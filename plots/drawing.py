@@ -9,8 +9,12 @@ import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.patches import FancyBboxPatch  # noqa: E402
 from matplotlib.transforms import Affine2D  # noqa: E402
 
-CARD, INK, FAINT, EDGE = "#f7f5ef", "#222222", "#6b6b6b", "#d9d5c8"
-BODY1, BODY2, ARROW = "#0072B2", "#D55E00", "#009E73"
+sys.path.append(str(Path(__file__).resolve().parents[1] / "tools"))
+from base.palette import named  # noqa: E402
+
+CARD, EDGE = named("card"), named("card-edge")
+INK, FAINT = named("figure-ink"), named("figure-pale")
+BODY1, BODY2, ARROW = named("body1"), named("body2"), named("arrow")
 HEIGHT = 380  # [px]
 
 

@@ -1,13 +1,19 @@
-"""The picture of the front page: a recorded chain, and error against run time.
+"""The picture of the front page: a recorded chain, and error against run time of some methods.
 
-    front.py --motion chain.motion.json --csv work_precision.csv --out DIR
+    front.py --motion chain.motion.json --csv bench/measured/methods.csv --result FILE.svg
 
-`./wb tour` and `./wb bench` make the two inputs; the result is kept as plots/front.svg.
+Chapter 2's program records the chain; the result is kept as plots/front.svg.
 """
 import json
 
 import numpy as np
 import style
+
+# Of a method its words, and whether they begin or end at its point.
+METHODS = {"si30": ("30 iterations", "right"), "beta1": ("30, beta = 1", "right"),
+           "4x8": ("4 substeps of 8", "left"), "16x2": ("16 substeps of 2", "left"),
+           "lanes": ("over-relaxed, lanes", "right"), "velocity": ("direct, plain", "right"),
+           "velocity/8": ("direct, 8 substeps", "left"), "shake": ("direct, newton = 8", "left")}
 
 
 def draw_chain(ax, path):
@@ -31,33 +37,32 @@ def draw_chain(ax, path):
 
 
 def draw_cost(ax, path):
-    """Gap against time of the scene with a thousand bodies."""
-    table = style.read_csv(path, ["iterations", "warm", "us_per_step", "gap_rms_m"],
-                           ["scene", "real"], "./wb bench")
-    scene, real = np.array(table["scene"]), np.array(table["real"])
-    chosen = (scene == "S1b") & (real == "double") & (table["warm"] == 0)
-    if not chosen.any():
-        style.trouble(f"{path} has no scene S1b: ./wb bench makes it anew")
-    x, y = table["us_per_step"][chosen] / 1000, table["gap_rms_m"][chosen] * 1000
-    ax.loglog(x, y, "o-", color=style.COLOURS[1])
-    for a, b, count in zip(x, y, table["iterations"][chosen]):
-        ax.annotate(f"{count:.0f} iterations" if count in (10, 200) else f"{count:.0f}", (a, b),
-                    xytext=(6, 4), textcoords="offset points", fontsize=8.5)
-    ax.set_xlim(right=x.max() * 1.9)
-    ax.set_xlabel("milliseconds a step, 990 ball joints, one core")
-    ax.set_ylabel("gap of the joints, RMS [mm]")
+    """Gap against time of ten chains of 100 hinges, for some methods."""
+    table = style.read_csv(path, ["us_per_step", "gap_rms_m"], ["scene", "real", "method"],
+                           "./wb bench --methods")
+    for name, (words, place) in METHODS.items():
+        row = style.rows(table, scene="S1", real="double", method=name)
+        x, y = row["us_per_step"] / 1000, row["gap_rms_m"]
+        colour = style.COLOURS[1 if "direct" in words else 0]
+        ax.loglog(x, y, "o", color=colour)
+        ax.annotate(words, (x[0], y[0]), xytext=(6 if place == "left" else -6, 3), fontsize=8.5,
+                    textcoords="offset points", ha=place, color=colour)
+    ax.set_xlim(0.015, 60)
+    ax.set_ylim(1e-11, 0.3)
+    ax.set_xlabel("milliseconds a step, 990 hinges, one core")
+    ax.set_ylabel("gap of the joints, RMS")
     ax.set_title("what a step costs and what it buys")
     style.plain_log(ax.xaxis)
-    style.plain_log(ax.yaxis)
+    style.metres_log(ax.yaxis)
 
 
 def main():
     asked = style.arguments(__doc__.split("\n")[0], motion="a recorded chain",
-                            csv="work_precision.csv", out="folder of the picture")
+                            csv="methods.csv", result="file of the picture")
     made, (left, right) = style.figure("Joints you derive, check, and then measure", panels=2)
     draw_chain(left, asked.motion)
     draw_cost(right, asked.csv)
-    style.save(made, asked.out / "front")
+    style.save(made, asked.result / "front")
 
 
 style.run(main)

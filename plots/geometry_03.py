@@ -7,7 +7,7 @@ geometry: the shadow of an axis, the vector of the angle's rate, a door's limits
 as a twist and a swing; couple: what a motor gives to both bodies.
 """
 import numpy as np
-from drawing import ARROW, BODY1, BODY2, CARD, FAINT, INK, arrow, draw, words
+from drawing import ARROW, BODY1, BODY2, CARD, FAINT, INK, arrow, draw, named, words
 from matplotlib.patches import Arc, Ellipse, FancyBboxPatch, Polygon, Wedge
 from matplotlib.transforms import Affine2D
 
@@ -90,7 +90,7 @@ def door(ax):
     for degrees in (0, upper):
         line(ax, pin, at_angle(pin, length + 14, degrees), INK, (0, (4, 3)), 1.4)
     leaf = FancyBboxPatch((0, -6), length, 12, boxstyle="round,pad=0,rounding_size=5",
-                          facecolor="#f6d9c4", edgecolor=BODY2, linewidth=2, zorder=4)
+                          facecolor=named("leaf"), edgecolor=BODY2, linewidth=2, zorder=4)
     leaf.set_transform(Affine2D().rotate_deg(x).translate(*pin) + ax.transData)
     ax.add_patch(leaf)
     for start, end, radius, colour in ((0, x - 8, 64, BODY2), (x + 7, upper - 4, 92, INK)):

@@ -5,11 +5,11 @@ couple.svg: the impulses of an open ball joint act along two lines, those of a s
     python3 plots/geometry_04.py geometry.svg|couple.svg
 """
 import numpy as np
-from drawing import ARROW, BODY1, BODY2, FAINT, INK, arrow, body, dot, draw, words
+from drawing import ARROW, BODY1, BODY2, FAINT, INK, arrow, body, dot, draw, named, words
 from matplotlib.patches import Arc, FancyBboxPatch
 from matplotlib.transforms import Affine2D
 
-LEVER = "#A0468A"
+LEVER = named("lever")
 TILT = 12  # of body 1 [degrees]
 
 

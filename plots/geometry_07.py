@@ -10,10 +10,10 @@ import sys
 
 import matplotlib
 import numpy as np
-from drawing import ARROW, BODY1, BODY2, CARD, EDGE, FAINT, INK, arrow, body, draw, words
+from drawing import ARROW, BODY1, BODY2, CARD, EDGE, FAINT, INK, arrow, body, draw, named, words
 from matplotlib.patches import Circle, Rectangle
 
-COLOURS = (BODY1, BODY2, ARROW, "#A3457E", "#7A5C00")  # of joints, each with its number
+COLOURS = (BODY1, BODY2, ARROW, named("lever"), named("fifth"))  # of joints, each a number
 LANES = [matplotlib.colormaps["viridis"](k / 7) for k in range(8)]
 CELL = 17.0
 

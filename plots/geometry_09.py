@@ -4,7 +4,7 @@
     python3 plots/geometry_09.py OUT.svg
 """
 import numpy as np
-from drawing import ARROW, BODY1, BODY2, CARD, EDGE, FAINT, INK, draw, words
+from drawing import ARROW, BODY1, BODY2, CARD, EDGE, FAINT, INK, draw, named, words
 from matplotlib.patches import Circle, Rectangle
 
 COUNT = 5  # joints
@@ -21,8 +21,8 @@ def bodies(ax, places, links, fixed=(), radius=13.0):
             ax.add_patch(Rectangle(place - radius * 0.8, 1.6 * radius, 1.6 * radius, zorder=2,
                                    facecolor=EDGE, edgecolor=FAINT, linewidth=1.5, hatch="////"))
         else:
-            ax.add_patch(Circle(place, radius, facecolor="#D5E6F2", edgecolor=BODY1, linewidth=2,
-                                zorder=2))
+            ax.add_patch(Circle(place, radius, facecolor=named("free-body"), edgecolor=BODY1,
+                                linewidth=2, zorder=2))
     for number, (a, b) in enumerate(links, 1):
         middle = (places[a] + places[b]) / 2
         ax.add_patch(Circle(middle, 8.5, facecolor=ARROW, edgecolor=CARD, linewidth=1, zorder=4))
@@ -38,7 +38,8 @@ def matrix(ax, corner, own, filled):
                 BODY2 if (i + 1, j + 1) in filled else None
             if (i >= j) or colour:
                 ax.add_patch(Rectangle((x + j * CELL + 1.5, y - (i + 1) * CELL + 1.5), CELL - 3,
-                                       CELL - 3, facecolor=colour or "#ECE8DC", linewidth=0))
+                                       CELL - 3, linewidth=0,
+                                       facecolor=colour or named("no-block")))
         words(ax, (x - 12, y - (i + 0.5) * CELL), str(i + 1), ARROW, 10.5, weight="bold")
         words(ax, (x + (i + 0.5) * CELL, y + 11), str(i + 1), ARROW, 10.5, weight="bold")
 

@@ -132,8 +132,8 @@ def steps(table, frames, out):
                 ax.annotate(name, (x[-1], y[-1]), xytext=(0, 5), textcoords="offset points",
                             ha="center", color=colour, fontsize=8)
         if chains in frames["chains"]:
-            ax.plot(*thesis(frames, chains), "s:", color="#B00020", label=AS_PRINTED,
-                    markersize=4, linewidth=1.1, zorder=4)
+            ax.plot(*thesis(frames, chains), "s:", color=style.named("as-printed"),
+                    label=AS_PRINTED, markersize=4, linewidth=1.1, zorder=4)
         ax.set(xscale="log", yscale="log", xlabel="iterations a step")
         ax.set_title(f"{chains:g} chains: {100 * chains:g} cubes, {99 * chains:g} hinges",
                      color=PALE)

@@ -2,12 +2,12 @@
 
 geometry_07.py draws it, order.svg.
 """
-from drawing import CARD, FAINT, INK, draw, words
+from drawing import CARD, FAINT, INK, draw, named, words
 from geometry_07 import joint
 from matplotlib.patches import Rectangle
 
 JOINTS, CELL = 8, 34.0
-SHADE = "#B5542A"
+SHADE = named("block")
 
 
 def solved(errors, chosen):

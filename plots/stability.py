@@ -7,13 +7,13 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from style import COLOURS, INK, PALE
+from style import COLOURS, INK, PALE, named
 
 NUMBERS = ["value", "expected", "measured", "gap_rms_m", "gap_max_m", "criterion"]
 WORDS = ["case", "method", "real", "parameter", "status"]
-# Okabe and Ito again, lightened so that dark words stand on them; what is lost is dark.
-FILL = {"ok": "#A9DECB", "soft": "#D3E9F6", "torn": "#F6D9A0", "energy+": "#EBC9DB",
-        "exploded": "#D55E00", "nan": INK}
+# Light, so that dark words stand on them; what is lost is dark.
+FILL = {"ok": named("ok"), "soft": named("soft"), "torn": named("torn"),
+        "energy+": named("gained"), "exploded": named("vermilion"), "nan": INK}
 WORD = {"exploded": "white", "nan": "white"}
 HOLDS = ("ok", "soft")
 GAINS = ("energy+", "exploded", "nan")

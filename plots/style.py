@@ -18,9 +18,12 @@ except ImportError as problem:
     print(f"{problem}: install python3-matplotlib", file=sys.stderr)
     sys.exit(2)
 
-# Okabe and Ito, 2008: told apart by colour-blind eyes too. Yellow is left out: too pale for lines.
-COLOURS = ["#D55E00", "#0072B2", "#009E73", "#CC79A7", "#56B4E9", "#E69F00"]
-INK, PALE, GRID, EMPTY = "#222222", "#6A6A6A", "#E4E4E4", "#E9E9E6"
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "tools"))
+from base.palette import named  # noqa: E402
+
+# Yellow is left out: too pale for lines.
+COLOURS = [named(name) for name in ("vermilion", "blue", "green", "purple", "sky", "orange")]
+INK, PALE, GRID, EMPTY = (named(f"figure-{name}") for name in ("ink", "pale", "grid", "empty"))
 MINE = COLOURS[0]
 WIDTH, HEIGHT = 7.5, 4.0  # [inch], the size at which the page shows a figure
 

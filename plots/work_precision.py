@@ -9,7 +9,7 @@ import textwrap
 import numpy as np
 
 import style
-from style import COLOURS, INK
+from style import COLOURS, INK, named
 
 NUMBERS = ["chains", "iterations", "substeps", "warm", "us_per_step", "gap_rms_m", "gap_max_m",
            "tip_error_m", "sideways_m"]
@@ -23,7 +23,7 @@ FAMILY = {  # of a solver: colour, words
     "textbook": (INK, "textbook loop")}
 SETTING = {"half a kick": "leapfrog", "omega": "over-relaxed", "islands": "islands,",
            "hinges alone": "", "list": "in list order", "velocities": "velocities only"}
-FRONT, REST = "#8A5F00", "#B4B4B4"
+FRONT, REST = named("front"), named("behind")
 PEERS = [(colour, marker) for marker, colour in zip("DsPph*dX<>", COLOURS + COLOURS)]
 LOOKS = {  # of a status: marker, full or hollow, words
     "ok": ("o", True, "large: gaps below 1 % of a link"), "soft": ("o", True, ""),

@@ -4,7 +4,7 @@
 const numbers_of_joint = 10;  // body1, body2, place, error, impulse, next
 
 // From little error to much: dark to bright would be lost on the bodies, so the size tells it too.
-const error_colours = [[0, 158, 115], [240, 228, 66], [213, 94, 0]];
+const error_colours = ["--little-error", "--some-error", "--much-error"].map(parts);
 // Where an error stands among those of its step: 1 as large as the largest at the beginning, 0 a
 // thousandth of that and less.
 function error_place(error, first) {

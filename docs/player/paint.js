@@ -2,9 +2,10 @@
 "use strict";
 
 // -------------------------------------------------------------------------------------- painting
-const colours = {yours: [213, 94, 0], "the solution": [0, 114, 178], still: [138, 143, 148],
-                 line: [0, 158, 115]};  // Okabe-Ito: told apart by colour-blind eyes too
-const style = name => getComputedStyle(document.documentElement).getPropertyValue(name);
+const style = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const parts = name => [1, 3, 5].map(at => parseInt(style(name).slice(at, at + 2), 16));  // #rrggbb
+const colours = {yours: parts("--yours"), "the solution": parts("--solution"),
+                 still: parts("--still"), line: parts("--line")};
 const rgb = (colour, light) => {  // light 0 .. 1: darker than the colour below 0.5, paler above
   const s = 2 * light - 1;
   return `rgb(${colour.map(c => Math.round(c + s * (s < 0 ? 0.75 * c : 0.55 * (255 - c))))})`;
@@ -84,7 +85,7 @@ function paint_ground(pen, view, scene, run, bodies) {
       for (const face of body.ball ? [ring(body)] : faces(body, n => n[1] > 0))
         trace(pen, outline(view, face.points.map(ground.drop)));
   pen.globalAlpha = style("--shade");
-  pen.fillStyle = "#0c1a26";
+  pen.fillStyle = style("--shadow");
   if (dot(ground.n, sub(view.eye, origin)) > 0) pen.fill();
   pen.globalAlpha = 1;
 }

@@ -139,7 +139,8 @@ inline LackMistakes lack_mistakes() {
 
 /// A table without cases: `yours` gives lambda. \param own mistakes that only this exercise knows
 inline CaseTable<LackCase> lack_table(const Subject& subject, std::vector<std::string> entries,
-                                      Call<PerRow(const LackCase&)> yours, const LackMistakes& own) {
+                                      Call<PerRow(const LackCase&)> yours,
+                                      const LackMistakes& own) {
   const auto shown = [](const PerRow& lambda, const LackCase& c) {
     Numbers out;
     for (double a : lambda) out.push_back(a / c.unit);

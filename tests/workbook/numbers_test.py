@@ -65,7 +65,7 @@ def main_path(text):
     while re.search(r"<details>", text):
         text = re.sub(r"<details>(?:(?!<details>).)*?</details>", "", text, flags=re.S)
     text = re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)
-    text = re.sub(r"^\s*(?:\||#|!\[|<).*$", "", text, flags=re.M)
+    text = re.sub(r"^!\[[^\]]*\]\([^)]*\)$|^\s*(?:\||#|<).*$", "", text, flags=re.M)
     return re.sub(r"\$[^$]+\$", "x", text)
 
 

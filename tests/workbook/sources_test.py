@@ -63,7 +63,18 @@ def drawing_is_true(root, build):
                + ": ./wb keep pictures")
 
 
-PROOFS = [layers_hold, drawing_is_true, sources_are_short]
+def colours_stand_once(root, build):
+    """every colour but white stands in docs/palette.css, and there alone"""
+    colour = re.compile(r"(?<![&\w])#(?!f{3}(?:f{3})?\b)(?:[0-9a-f]{3}){1,2}\b", re.I)
+    if not colour.search(read(root / "docs/palette.css")):
+        yield "docs/palette.css has no colours"
+    for path in files(root, ".py", ".css", ".js", ".html"):
+        if path.name != "palette.css":
+            for match in colour.finditer(read(path)):
+                yield f"{path.relative_to(root)}: {match[0]}"
+
+
+PROOFS = [layers_hold, colours_stand_once, drawing_is_true, sources_are_short]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

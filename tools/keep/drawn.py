@@ -23,6 +23,9 @@ def pictures(root, tables):
             yield folder / name, f"geometry_{chapter.number:02}.py", []
         yield (folder / "result.svg", f"chapter_{chapter.number:02}.py",
                ["--solution", tables.run(chapter.number, "")[0], "--result"])
+    yield (root / "plots/front.svg", "front.py",
+           ["--motion", tables.run(2, "")[0] / "chain.motion.json",
+            "--csv", measured / "methods.csv", "--result"])
     yield root / "docs/architecture.svg", "architecture.py", []
     yield root / "docs/beside.svg", "peers.py", ["--csv", measured / "peers.csv", "--together"]
     yield root / "docs/maps.svg", "methods.py", ["--csv", measured / "methods.csv", "--maps"]

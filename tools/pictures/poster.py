@@ -7,13 +7,14 @@ a colour, in light and dark.
 """
 from math import ceil, cos, hypot, sin
 
+from base.palette import named, rgb
 from pictures.solid import (UPRIGHT, clamp, dot, ends_of, ground_of, lines_of, plus, size, sub,
                             things_at, usual_moments)
 
 WIDTH, HEIGHT = 320, 200
 FOCAL = 1.6 * WIDTH
 PITCH = 0.26
-MOVING, STILL, LINE = (0, 114, 178), (138, 143, 148), "#009e73"
+MOVING, STILL, LINE = rgb("solution"), rgb("still"), named("line")
 
 
 # ---- the camera ----------------------------------------------------------------------------------
@@ -188,7 +189,8 @@ BALLS = '<svg class="balls" width="0" height="0" aria-hidden="true"><defs>' + ""
 
 
 # A picture by itself: in light and dark its lines and shadows are seen.
-STYLE = ("<style>.ground{fill:none;stroke:#848f97}.shadow{fill:#0c1a26;opacity:0.22}</style>")
+STYLE = (f"<style>.ground{{fill:none;stroke:{named('ground')}}}"
+         f".shadow{{fill:{named('shadow')};opacity:0.22}}</style>")
 
 
 def file_text(run, moments=()):

@@ -5,8 +5,6 @@ if(TARGET bench_peers OR TARGET bench_peers_float)  # where published engines ar
 endif()
 # In double alone, and why float would prove nothing more:
 set(double_only
-  joints/first_mistakes_test.cpp joints/mistakes_test.cpp joints/later_mistakes_test.cpp
-    # the words of the exercises' reports; a reader's file is compiled in double
   direct/order_test.cpp  # orders of convergence: rounding hides them in float
   engine/input_test.cpp joints/driven_input_test.cpp)
     # which values are refused, and in what words

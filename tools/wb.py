@@ -139,10 +139,13 @@ def tour(_):
     return learn.tour()
 
 
-@command("check", "the workbook's own tests (./wb check 3: of one chapter)",
+@command("check", "the workbook's own tests (./wb check 3: all of a chapter)",
          argument("words", nargs="*", metavar="what",
                   help="a chapter (3), a topic (joints), an erratum (E26), a case (X4) or an "
                        "identity (I15)"),
+         argument("--rest", action="store_true",
+                  help="what ./wb check leaves out: float, pictures, the library from outside ..."),
+         argument("--all", action="store_true", help="both"),
          argument("--quick", action="store_true", help="without float, units and known answers"),
          argument("--long", action="store_true", help="ten times as many random worlds"),
          argument("--sanitize", action="store_true",

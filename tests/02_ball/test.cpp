@@ -4,6 +4,7 @@
 #include "tests/02_ball/block_cases.h"
 #include "tests/02_ball/rotation_cases.h"
 #include "tests/checker/fixtures.h"
+#include "tests/checker/named.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -93,4 +94,15 @@ TEST_CASE("2.4 a thousand turns leave a unit quaternion", "[2.4]") {
   Random random(6);
   for (int n = 0; n < 1000; ++n) q = turned(q, random.vector(10), real(1) / 60);
   expect({"2.4", "turning a body"}, "length of q after 1000 steps", double(length(q)), 1, rounding);
+}
+
+// ---- what the tests know of mistakes ------------------------------------------------------------
+
+TEST_CASE("each usual mistake in the rows of a ball joint is called by its name") {
+  each_row_is_named<PointFixture>();
+}
+
+TEST_CASE("each usual mistake of chapter 2 is called by its name") {
+  are_sound(block_impulse_table(), block_push_table(), rotation_table());
+  CHECK(misnamed_velocities(block_push_table()) == std::vector<std::string>{});
 }

@@ -7,6 +7,7 @@
 #include "tests/03_hinge/motor_cases.h"
 #include "tests/03_hinge/turns_cases.h"
 #include "tests/checker/catch.h"
+#include "tests/checker/named.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -265,4 +266,16 @@ TEST_CASE("3.5 a motor takes back what it gave too much", "[3.5]") {
          table.explain(double(sum)));
   expect(table.subject, "w after a push from outside", double(w), 3, 10 * rounding,
          table.explain(double(w)));
+}
+
+// ---- what the tests know of mistakes ------------------------------------------------------------
+
+TEST_CASE("each usual mistake in the rows of a hinge is called by its name") {
+  each_row_is_named<AxisFixture>();
+  each_row_is_named<HingeAngleFixture>();
+}
+
+TEST_CASE("each usual mistake of chapter 3 is called by its name") {
+  are_sound(axis_table(), coupling_table(), angle_table(), turns_table(), limit_table(),
+            motor_table());
 }

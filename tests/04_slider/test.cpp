@@ -3,6 +3,7 @@
 #include "tests/04_slider/line_cases.h"
 #include "tests/04_slider/lock_cases.h"
 #include "tests/checker/catch.h"
+#include "tests/checker/named.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -209,4 +210,10 @@ TEST_CASE("4.3 a motor gives the pair no angular momentum", "[4.3]") {
     check_momentum(SlideFixture::J, pose, slide, pair, slide.jacobian(pair.body1, pair.body2),
                    to_world(pair.body1, slide.a1_local));
   });
+}
+
+// ---- what the tests know of mistakes ------------------------------------------------------------
+
+TEST_CASE("each usual mistake of chapter 4 is called by its name") {
+  are_sound(line_table(), lock_table(), slide_table());
 }

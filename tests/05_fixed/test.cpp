@@ -4,6 +4,7 @@
 #include "tests/05_fixed/cross_cases.h"
 #include "tests/05_fixed/load_cases.h"
 #include "tests/checker/catch.h"
+#include "tests/checker/named.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -112,4 +113,10 @@ TEST_CASE("5.2 the impulses row by row and the load about the centre are the sam
 
 TEST_CASE("5.2 a weld breaks when its force or its torque is too long", "[5.2]") {
   break_table().check();
+}
+
+// ---- what the tests know of mistakes ------------------------------------------------------------
+
+TEST_CASE("each usual mistake of chapter 5 is called by its name") {
+  are_sound(cross_table(), load_table(), about_table(), break_table());
 }

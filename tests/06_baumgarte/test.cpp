@@ -3,6 +3,7 @@
 #include "tests/06_baumgarte/baumgarte_cases.h"
 #include "tests/06_baumgarte/safety_cases.h"
 #include "tests/checker/catch.h"
+#include "tests/checker/named.h"
 #include "tests/06_baumgarte/torn_joints.h"
 
 using namespace joints;
@@ -312,4 +313,11 @@ TEST_CASE("6.3 iteration after iteration a torn chain closes", "[6.3]") {
     expect(mistake.subject, "gap of joint " + std::to_string(k) + " in the end", gap, vec3(0),
            rounding, suspects);
   }
+}
+
+// ---- what the tests know of mistakes ------------------------------------------------------------
+
+TEST_CASE("each usual mistake of chapter 6 is called by its name") {
+  are_sound(bias_table(), limit_bias_table(), half_time_table(), warm_table(), safety_table(),
+            point_table(), rope_table());
 }

@@ -271,5 +271,19 @@ inline std::vector<ColourMistake> colour_mistakes() {
          return out;
        }}};
 }
+/// The mistakes that give no colours of their own: right ones, or those of a mistake before them.
+inline std::vector<std::string> colour_mistakes_alike() {
+  std::vector<std::string> out;
+  std::vector<std::vector<Colours>> all(1);
+  const std::vector<ColourScene> scenes = colour_scenes();
+  for (const ColourScene& scene : scenes) all[0].push_back(right_colours(scene));
+  for (const ColourMistake& mistake : colour_mistakes()) {
+    std::vector<Colours> of;
+    for (const ColourScene& scene : scenes) of.push_back(mistake.of(scene));
+    if (std::find(all.begin(), all.end(), of) != all.end()) out.push_back(mistake.words);
+    all.push_back(of);
+  }
+  return out;
+}
 
 }  // namespace joints::testing

@@ -1,6 +1,7 @@
 // The tests of chapter 7's exercises. Linked with the solution, with the reader's file, with the
 // stub and with every known wrong and right answer.
 #include "tests/checker/catch.h"
+#include "tests/checker/named.h"
 #include "tests/07_performance/colour_cases.h"
 #include "tests/07_performance/hoist_bias_cases.h"
 #include "tests/07_performance/lane_cases.h"
@@ -321,4 +322,15 @@ TEST_CASE("7.4 a lane that is not used stays zero", "[7.4]") {
     expect_lane(unused, " that is not used", yours, zero, 0, zero,
                 "a lane of zeros has no e, so no lambda: is there a constant, or a division?");
   }
+}
+
+// ---- what the tests know of mistakes ------------------------------------------------------------
+
+TEST_CASE("each usual mistake with colours gives other colours than the rest") {
+  CHECK(colour_mistakes_alike() == std::vector<std::string>{});
+}
+
+TEST_CASE("each usual mistake of chapter 7 is called by its name") {
+  are_sound(lever_table(), axis_row_table(), inertia_table(), hinge_bias_table(), whole_K_table(),
+            K_part_table(0), K_part_table(1), K_part_table(2), solve_table());
 }

@@ -1,6 +1,7 @@
 // The tests of chapter 8's exercises. Linked with the solution, with the reader's file, with the
 // stub and with every known wrong and right answer.
 #include "tests/checker/catch.h"
+#include "tests/checker/named.h"
 #include "tests/08_ground/friction_cases.h"
 #include "tests/08_ground/gap_cases.h"
 #include "tests/08_ground/tangent_cases.h"
@@ -300,4 +301,10 @@ TEST_CASE("8.2 friction in a mirror is the mirror image of friction", "[8.2]") {
     expect_friction("change in the mirror", other, -one, friction_given(c));
     expect_friction("sum in the mirror", double(mirrored), -double(sum), friction_given(c));
   }
+}
+
+// ---- what the tests know of mistakes ------------------------------------------------------------
+
+TEST_CASE("each usual mistake of chapter 8 is called by its name") {
+  are_sound(gap_table(), tangent_table(), friction_table());
 }

@@ -265,4 +265,23 @@ inline CaseTable<PushCase> push_table(const Subject& subject,
   return table;
 }
 
+/// The mistakes with one velocity that are not called by their name and the velocity's.
+inline std::vector<std::string> misnamed_velocities(CaseTable<PushCase> table) {
+  std::vector<std::string> out;
+  const char* const names[] = {"v1", "w1", "v2", "w2"};
+  const std::size_t rows = table.cases[0].J.size();
+  for (int block = 0; block < 4; ++block)
+    for (const auto& [words, mistake] : velocity_mistakes(rows, block % 2 == 1)) {
+      table.yours = [=, mistake = mistake](const PushCase& c) {
+        Numbers numbers = pushed(c);
+        const vec3 a = mistake({c, block >= 2});
+        for (int i = 0; i < 3; ++i) numbers[3 * block + i] = double(a[i]);
+        return numbers;
+      };
+      const std::string told = velocity_by_velocity(table);
+      if (told != words + " (" + names[block] + ")") out.push_back(words + ": " + told);
+    }
+  return out;
+}
+
 }  // namespace joints::testing

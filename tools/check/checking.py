@@ -1,4 +1,4 @@
-"""The workbook's own tests: ./wb check [3 | joints | E26 | I15] [--quick] [--sanitize] [--long]."""
+"""The workbook's own tests, in two parts: ./wb check and ./wb check --rest."""
 import os
 import re
 import resource
@@ -7,15 +7,17 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 
 from base import house
-from check import judging, proving
+from check import dearest, judging, proving
 
-# What Python can see, and what it runs: script and topic.
-PROOFS = {f"tests/{path}_test.py": path.split("/")[0] for path in (
-    "workbook/programs", "workbook/exercises", "workbook/texts", "workbook/sources",
-    "workbook/numbers", "workbook/pictures", "workbook/contacts", "workbook/direct_solver",
-    "workbook/front_door", "workbook/grade",
-    "live/module", "live/page", "bench/cost", "peers/packages",
-    "library/library", "library/pkg_config")}
+# What Python can see, and what it runs: scripts, and those that cost much and tell little to those
+# who edit a chapter.
+PROOFS = ("workbook/programs", "workbook/exercises", "workbook/texts", "workbook/sources",
+          "workbook/numbers", "workbook/contacts", "workbook/direct_solver",
+          "workbook/front_door")
+PROOFS_OF_THE_REST = ("workbook/pictures", "workbook/grade", "live/module", "live/page",
+                      "bench/cost", "peers/packages", "library/library", "library/pkg_config")
+LEFT_OUT = ("float but for the lanes, counted instructions, pictures, the live page, grading,\n"
+            "  the library seen from outside, published engines")
 
 
 @dataclass
@@ -25,10 +27,30 @@ class Program:
     topic: str   # 01_distance, joints
     number: str  # double, float or units; of answers: numbers or units
     target: str
+    part: str    # first or rest
 
     @property
     def path(self):
         return house.BUILD / "tests" / self.target
+
+
+@dataclass
+class Script:
+    """A proof that is a script."""
+    name: str  # workbook/texts
+    part: str
+
+    @property
+    def path(self):
+        return f"tests/{self.name}_test.py"
+
+    @property
+    def topic(self):
+        return self.name.split("/")[0]
+
+
+SCRIPTS = [Script(name, part) for part, names in (("first", PROOFS), ("rest", PROOFS_OF_THE_REST))
+           for name in names]
 
 
 def programs():
@@ -39,31 +61,36 @@ def programs():
 @dataclass
 class Choice:
     """What to build and to run."""
-    words: list
-    quick: bool = False
-    sanitize: bool = False
+    args: object  # of the command line, see tools/wb.py
     programs: list = field(default_factory=list)
     scripts: list = field(default_factory=list)
     runs: list = field(default_factory=list)  # chapters' programs, under the sanitizers
     only: str = ""                            # Catch2's filter
 
     @property
-    def everything(self):
-        return not (self.words or self.quick or self.sanitize)
+    def parts(self):
+        """What is named is checked whole, and all the rest of a check in two parts."""
+        if self.args.rest:
+            return {"rest"}
+        return {"first"} if self.only_first else {"first", "rest"}
+
+    @property
+    def only_first(self):
+        return not (self.args.words or self.args.rest or self.args.all or self.args.sanitize)
 
 
 def choice_of(args):
     """What the command line asks for."""
-    choice = Choice(args.words, args.quick, args.sanitize)
+    choice = Choice(args)
     if args.long:
         os.environ["WORKBOOK_LONG"] = "1"  # read by tests/fuzz
-    if choice.sanitize:
+    if args.sanitize:
         house.use_build("sanitize")
     house.configure()
     every = programs()
-    topics = sorted({one.topic for one in every} | set(PROOFS.values()))
+    topics = sorted({one.topic for one in [*every, *SCRIPTS]})
     wanted, names = set(), []
-    for word in choice.words:
+    for word in args.words:
         if re.fullmatch(r"[EIX]\d+", word):  # an erratum, an identity, a case: wherever it is
             names.append(f"[{word}]" if word[0] == "E" else f'"{word} *"')
             wanted |= topics_with(word)
@@ -71,11 +98,12 @@ def choice_of(args):
             wanted.add(topic_of(word, topics))
     choice.only = ",".join(names)
     choice.programs = [one for one in every if (not wanted or one.topic in wanted)
-                       and not (names and one.kind == "answers")
-                       and not ((choice.quick or choice.sanitize) and one.number != "double")]
-    if not names and not choice.sanitize:
-        choice.scripts = [path for path, topic in PROOFS.items() if not wanted or topic in wanted]
-    if choice.sanitize and not choice.words:
+                       and one.part in choice.parts and not (names and one.kind == "answers")
+                       and not ((args.quick or args.sanitize) and one.number != "double")]
+    if not names and not args.sanitize:
+        choice.scripts = [one for one in SCRIPTS if (not wanted or one.topic in wanted)
+                          and one.part in choice.parts]
+    if args.sanitize and not args.words:
         choice.runs = [f"{chapter.folder}_run" for chapter in house.chapters()]
     return choice
 
@@ -102,9 +130,7 @@ def topic_of(word, topics):
 def build(choice):
     """Builds what was asked for. Known answers that do not compile are left out and told later."""
     targets = [one.target for one in choice.programs] + choice.runs
-    targets += ["check_scripts"] if choice.scripts else []
-    if choice.everything:
-        targets = ["check_programs"]
+    targets += sorted({f"check_scripts_{one.part}" for one in choice.scripts})
     topics = {one.topic for one in choice.programs}
     chapters = [chapter for chapter in house.chapters() if chapter.folder in topics]
     judging.ask_again(chapters)
@@ -116,8 +142,8 @@ def build(choice):
 
 def jobs_of(choice, report):
     """Everything that there is to run, the long ones first."""
-    for path in choice.scripts:
-        yield proving.run_script, path, PROOFS[path], report
+    for one in choice.scripts:
+        yield proving.run_script, one, report
     for name in choice.runs:
         yield proving.run_chapter, name, report
     there = [one for one in choice.programs if one.path.exists()]
@@ -150,12 +176,15 @@ def check(args):
             done.result()
     house.progress_done()
     proving.summary(report)
-    if choice.quick:
+    if args.quick:
         print("  left out by --quick: float, units and the known answers")
-    if choice.sanitize:
+    if args.sanitize:
         print("  under address and undefined-behaviour checks: double alone, no known answers")
     print(f"processor time: {built:.0f} s to build, {processor_time() - built:.0f} s to run; "
           f"{(time.time() - began) / 60:.1f} minutes by the clock")
+    dearest.tell(began, built, processor_time() - built, report.scripts)
+    if choice.only_first:
+        print(f"left out: {LEFT_OUT}: ./wb check --rest")
     print(f"{sum(report.passed.values())} passed, {len(report.failed)} failed"
           + (f", {len(report.skipped)} skipped" if report.skipped else ""))
     return 1 if report.failed or not report.passed else 0

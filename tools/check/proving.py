@@ -22,6 +22,7 @@ class Report:
     notes: list = field(default_factory=list)          # aims that are missed, and counts
     proved: Counter = field(default_factory=Counter)   # counted by the checker itself
     names: set = field(default_factory=set)            # of errata and identities
+    scripts: dict = field(default_factory=dict)        # processor time of each [s]
     done: int = 0                                      # cases, for the progress
 
     def fail(self, title, words, command):
@@ -85,19 +86,24 @@ def judge_stub(program, chapter, report):
                     f'WORKBOOK_ANSWER=stub {house.short(program.path)}')
 
 
-def run_script(path, topic, report):
-    house.progress(f"{path}")
-    result = subprocess.run([sys.executable, "-B", house.ROOT / path, house.ROOT, house.BUILD],
-                            capture_output=True, text=True)
-    if result.returncode == SKIPPED:
-        report.skipped.append(f"{path}: {result.stdout.strip()}")
-    elif result.returncode:
-        report.fail(path, (result.stdout + result.stderr).strip(),
-                    f"{house.python()} {path} . {house.short(house.BUILD)}")
+def run_script(script, report):
+    house.progress(script.path)
+    process = subprocess.Popen([sys.executable, "-B", house.ROOT / script.path, house.ROOT,
+                                house.BUILD], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                               text=True, errors="replace")
+    said = process.stdout.read()
+    _, status, used = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    report.scripts[script.name] = used.ru_utime + used.ru_stime
+    if process.returncode == SKIPPED:
+        report.skipped.append(f"{script.path}: {said.strip()}")
+    elif process.returncode:
+        report.fail(script.path, said.strip(),
+                    f"{house.python()} {script.path} . {house.short(house.BUILD)}")
     else:
-        report.passed["script", topic, "proofs"] += max(
-            1, len(re.findall(r"^holds", result.stdout, re.M)))
-        report.notes += re.findall(r"^note +(.*)", result.stdout, re.M)
+        report.passed["script", script.topic, "proofs"] += max(
+            1, len(re.findall(r"^holds", said, re.M)))
+        report.notes += re.findall(r"^note +(.*)", said, re.M)
 
 
 def run_chapter(program, report):

@@ -3,6 +3,8 @@
 
 namespace joints {
 
+extern template void run_all<Lanes>(const LaneWork& work, Pass pass, real parameter);
+
 #if defined(__x86_64__) && defined(JOINTS_AVX2)
 // The same code compiled for AVX2: engine/simd/iterate_avx2.cpp.
 void run_single_avx2(const LaneWork& work, Pass pass, real parameter);

@@ -273,7 +273,7 @@ inline void each_group(const LaneWork& work, const F& f) {
 }
 
 template <class Number>
-inline void run_all(const LaneWork& work, Pass pass, real parameter) {
+void run_all(const LaneWork& work, Pass pass, real parameter) {
   constexpr int width = int(sizeof(Number) / sizeof(real));
   switch (pass) {
     case Pass::prepare:

@@ -1,5 +1,5 @@
-// The passes over blocks side by side, compiled for any processor. A file of its own: this takes the
-// compiler as long as all else of the folder.
+// The passes over blocks side by side, compiled for any processor. A file of its own: this takes
+// the compiler as long as all else of the folder.
 #include "engine/simd/iterate.h"
 
 namespace joints {

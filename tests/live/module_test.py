@@ -126,7 +126,7 @@ def wrong_answers_are_told(root, build):
 def a_reader_gets_a_page(root, build):
     """./wb live 1 runs the reader's code beside the solution, and an edit is there within 6 s"""
     with Door(root, build) as door:
-        shutil.copytree(root / "docs", door.root / "docs")
+        shutil.copytree(root / "docs", door.root / "docs", dirs_exist_ok=True)
         shutil.copytree(build / "live", door.root / "build" / "live", symlinks=True)
         door.write(e1_1=True)
         door.type("live 1")

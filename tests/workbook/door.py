@@ -34,6 +34,8 @@ class Door:
         self.solution = exercises.read(self.source / "solutions" / CHAPTER / "distance.cpp")
         skip = shutil.ignore_patterns("build", "out", ".git", "__pycache__", "tests", "docs")
         shutil.copytree(self.source, self.root, ignore=skip)
+        (self.root / "docs").mkdir()
+        shutil.copy(self.source / "docs" / "palette.css", self.root / "docs")
         for chapter in house.chapters():  # the stubs, whatever somebody has written in the source
             mine = self.root / chapter.mine.relative_to(self.source)
             exercises.write(mine, exercises.stub(exercises.read(chapter.solution)))

@@ -26,13 +26,19 @@ PIECES = re.compile(
     r"|(?P<quotation>\")", re.S | re.M)
 
 
+MAIN = "docs/mainpage.md"
 LIVE = "docs/live/README.md?"  # on a code host; behind it a state of the live page
+
+
+def page_of(path):
+    """The name of a page on the site, said in its heading: Doxygen's own differ by version."""
+    return re.sub(r"\W", "_", os.path.splitext(path)[0])
 
 
 def label(path, title):
     """The name of a heading on the whole site; on a code host its second half is enough."""
     slug = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
-    return re.sub(r"\W", "_", os.path.splitext(path)[0]) + "-" + slug
+    return page_of(path) + "-" + slug
 
 
 def topic(header):
@@ -62,9 +68,7 @@ def translate(text, path):
             return words  # not a page of the site
         if heading:
             return f"[{words}](@ref {label(place(url), heading)})"
-        if place(url) == "docs/mainpage.md":
-            return f"[{words}](@ref index)"
-        return f"[{words}](@ref md_{re.sub(r'/', '_', os.path.splitext(place(url))[0])})"
+        return f"[{words}](@ref {'index' if place(url) == MAIN else page_of(place(url))})"
 
     def replace(piece):
         if piece["language"] is not None and piece["language"].strip() == "math":
@@ -78,7 +82,8 @@ def translate(text, path):
         if piece["heading"]:
             return f"{piece['heading'].replace('`', '')} {{#{label(path, piece['title'])}}}"
         if piece["top"]:
-            return piece["top"] + "\n\n[TOC]\n"
+            name = "" if path == MAIN else f" {{#{page_of(path)}}}"
+            return f"{piece['top']}{name}\n\n[TOC]\n"
         if piece["fold"]:
             return f"\n\\htmlonly[block]\n{piece['fold']}\n\\endhtmlonly\n"
         if piece["bold"]:  # Doxygen's own ** fails before a quotation mark

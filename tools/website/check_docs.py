@@ -89,7 +89,7 @@ def dead_links(site, sources):
 
 def chapters_of(sources):
     return {page: html for page, html in sources.items()
-            if re.fullmatch(r"md_chapters_\w+_README.html", page.name)}
+            if re.fullmatch(r"chapters_\w+_README.html", page.name)}
 
 
 def bad_chapters(sources):
@@ -125,7 +125,7 @@ def scenes_of(page):
 
 def bad_gallery(site, sources):
     """What is wrong with the gallery: each motion needs one picture that leads to it."""
-    gallery = next(page for page in sources if page.name == "md_docs_gallery.html")
+    gallery = next(page for page in sources if page.name == "docs_gallery.html")
     shown = {}
     for url, inside in re.findall(r'<a class="recording" href="([^"]+)"[^>]*>(.*?)</a>',
                                   sources[gallery], re.S):
@@ -177,7 +177,7 @@ def browser_jobs(site, sources):
                 "([...document.querySelectorAll('#found a')])")
         address = f"{(site / 'index.html').as_uri()}?search={words.replace(' ', '+')}"
         yield browser.job(address, look), lambda found, words=words, chapter=chapter: (
-            None if f"md_chapters_{chapter}_" in str(found)
+            None if f"chapters_{chapter}_" in str(found)
             else f"searching for {words} does not find chapter {chapter} but {found}")
     for page in sorted((site / "motion").glob("*.html")):
         for name, scene in scenes_of(page)[0].items():

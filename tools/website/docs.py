@@ -21,6 +21,9 @@ from website import (classes, formulas, front, gallery, links, live, shell, text
 
 ROOT = Path(__file__).resolve().parents[2]
 THEME = Path("/usr/share/doxygen-awesome-css/doxygen-awesome.css")
+# The versions whose HTML finish() reads: where they come from, and the name of the page of topics.
+PROVED = {"1.9.4": ("Debian 12", "modules"), "1.9.8": ("Debian 13 and Ubuntu 24.04", "topics")}
+
 
 def stop(message, status=2):
     print(f"docs: {message}", file=sys.stderr)
@@ -34,6 +37,18 @@ def copy(source, target):
         shutil.copytree(source, target, dirs_exist_ok=True)
     else:
         shutil.copyfile(source, target)
+
+
+def name_of_topics():
+    """What this Doxygen calls the page of topics; versions that nobody has tried are refused."""
+    version = subprocess.run(["doxygen", "--version"], check=True, capture_output=True,
+                             text=True).stdout.split()[0]
+    if version not in PROVED:
+        known = " and ".join(f"{one} ({where})" for one, (where, _) in PROVED.items())
+        stop(f"Doxygen {version} is here; the pages are made from the HTML of {known}. Take one of"
+             " these, or add yours to PROVED in tools/website/docs.py and see what"
+             " tools/website/check_docs.py finds")
+    return PROVED[version][1]
 
 
 def make_header(out):
@@ -77,6 +92,7 @@ def finish(html, recordings, tags):
     pages = {path.name: path.read_text(encoding="utf-8") for path in sorted(html.glob("*.html"))
              if path.name != "live.html"}
     pages, tags = short_names(pages, tags.read_text(encoding="utf-8"))
+    pages = {page: re.sub(r'(href="(\w+)\.html)#\2"', r'\1"', text) for page, text in pages.items()}
     copy_pictures(html, pages)
     rows = gallery.read_rows((ROOT / gallery.PAGE).read_text(encoding="utf-8"))
     for chapter in house.chapters():
@@ -110,6 +126,9 @@ def build(out, recordings):
     if (html / "doxygen.css").exists():
         shutil.rmtree(html)  # pages of chapters that are gone
     out.mkdir(parents=True, exist_ok=True)
+    topics = name_of_topics()
+    (out / "layout.xml").write_text((ROOT / "docs/layout.xml").read_text()
+                                    .replace('type="topics"', f'type="{topics}"'))
     make_header(out)
     result = subprocess.run(["doxygen", "docs/Doxyfile"], cwd=ROOT, text=True,
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -118,6 +137,7 @@ def build(out, recordings):
         print(result.stdout.strip().replace(f"{ROOT}/", ""), file=sys.stderr)
     if result.returncode != 0:
         stop("the site has warnings, see above", 1)
+    (html / f"{topics}.html").rename(html / "topics.html")
     if (house.OUT / "live.html").exists() and not live.missing():
         live.write_page(html / "live.html", "The engine, live",
                         [("the solution", house.BUILD / "live" / "solution.wasm")], note="",

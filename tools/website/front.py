@@ -25,7 +25,7 @@ def top(live):
     return (f'<iframe class="live" title="A scene of the engine that moves" '
             f'data-src="{escape(MOVES["live.html" if live else None])}"></iframe>'), (
         f'<p class="ways"><a class="button" href="{first}">Start with chapter 1</a>'
-        '<a class="button" href="md_docs_gallery.html">See all that moves</a></p>')
+        '<a class="button" href="docs_gallery.html">See all that moves</a></p>')
 
 
 def card(chapter, row, rows, plan):

@@ -141,7 +141,7 @@ def fill(html, recordings):
         number, _, name = folder.partition("_")
         motion.write_page(html / "motion" / f"{folder}.html", f"Chapter {int(number)}: {name}",
                           Path(recordings) / folder, watch=watch(folder),
-                          back={"href": f"../md_chapters_{folder}_README.html"
+                          back={"href": f"../chapters_{folder}_README.html"
                                         f"#chapters_{folder}_README-see-it",
                                 "textContent": "the chapter"})
     page.write_text(text, encoding="utf-8")

@@ -14,8 +14,8 @@ CLOSED_CLASSES = re.compile(r'class="(?:fragment|tex|toc|title|memproto|memname|
 EQUATIONS = re.compile(r"\bEqs?\.\s\d-\d+(?:(?:,| and| or| to)\s\d-\d+)*")
 ERRATUM = re.compile(r"\bE\d{1,2}\b")
 SECTION = re.compile(r"\bT \d(?:\.\d)*\b")
-THESIS = "md_docs_references.html#docs_references-the-thesis"
-ERRATA, KINDS = "md_docs_errata.html", ("function", "variable", "typedef", "enumeration")
+THESIS = "docs_references.html#docs_references-the-thesis"
+ERRATA, KINDS = "docs_errata.html", ("function", "variable", "typedef", "enumeration")
 
 
 class Targets:
@@ -32,7 +32,7 @@ class Targets:
             if group := re.search(r"\\(?:defgroup|addtogroup) (\w+)", path.read_text()):
                 self.files.setdefault(path.name, f"group__{group[1]}.html")
         for path in ROOT.glob("solutions/*/*.cpp"):
-            self.files[path.name] = f"md_chapters_{path.parent.name}_hints.html"
+            self.files[path.name] = f"chapters_{path.parent.name}_hints.html"
 
     def read_tags(self, root):
         for compound in root.iter("compound"):

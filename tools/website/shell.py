@@ -5,11 +5,11 @@ from html import escape, unescape
 from base import house
 
 # The list of pages, in its order; chapters stand behind "Before you start".
-BEFORE = ["index.html", "md_docs_before_you_start.html"]
-AFTER = ["md_docs_gallery.html", "md_docs_notation.html", "md_docs_errata.html",
-         "md_docs_references.html", "md_docs_which_method.html", "md_docs_library.html",
-         "md_docs_teaching.html", "md_docs_architecture.html"]
-CODE = [("modules.html", "The code, by topic"), ("annotated.html", "All types")]
+BEFORE = ["index.html", "docs_before_you_start.html"]
+AFTER = ["docs_gallery.html", "docs_notation.html", "docs_errata.html",
+         "docs_references.html", "docs_which_method.html", "docs_library.html",
+         "docs_teaching.html", "docs_architecture.html"]
+CODE = [("topics.html", "The code, by topic"), ("annotated.html", "All types")]
 BAR = """<a id="home" href="index.html">The Joint Workbook</a>
 <div id="MSearchBox"><input id="search" type="search" placeholder="Search"
   aria-label="Search" autocomplete="off" data-words="search_words.js"><ol id="found" hidden></ol>
@@ -21,14 +21,14 @@ BAR = """<a id="home" href="index.html">The Joint Workbook</a>
 
 def chapter_pages(chapter):
     """A chapter's own pages beside its text: (file, words)."""
-    return [(f"md_chapters_{chapter.folder}_hints.html", "Exercises and hints"),
-            (f"md_solutions_{chapter.folder}_answers.html", "Answers"),
+    return [(f"chapters_{chapter.folder}_hints.html", "Exercises and hints"),
+            (f"solutions_{chapter.folder}_answers.html", "Answers"),
             (f"group__chapter{chapter.number}.html", "Its code"),
             (f"motion/{chapter.folder}.html", "Its motions")]
 
 
 def text_of(chapter):
-    return f"md_chapters_{chapter.folder}_README.html"
+    return f"chapters_{chapter.folder}_README.html"
 
 
 def entry(page, words, here, more=""):
@@ -72,7 +72,7 @@ def surround(texts, extra=()):
     chapters = house.chapters()
     titles = {page: title_of(text) for page, text in texts.items()}
     titles["index.html"] = "Start"
-    titles["md_docs_which_method.html"] = "Which method"
+    titles["docs_which_method.html"] = "Which method"
     made = {}
     for page, text in texts.items():
         side = BAR + page_list(page, titles, chapters, extra)

@@ -77,7 +77,7 @@ def with_motions(text, chapter, rows, more):
 
 def exercise_row(row, headings, chapter):
     """A row of the table of exercises: its cells named, its file and hints a click away."""
-    page = f"md_chapters_{chapter.folder}_hints.html"
+    page = f"chapters_{chapter.folder}_hints.html"
     cells = CELL.findall(row)
     id_ = unescape(re.sub(r"<[^>]+>", "", cells[0][1])).strip()
     place = f"{page}#chapters_{chapter.folder}_hints-{id_.replace('.', '')}"

@@ -47,7 +47,7 @@ def index_of(texts, titles):
         if page.startswith("namespace"):
             continue  # it names everything
         weight = (TEXT_WEIGHT if page.endswith("_README.html") else
-                  2 if page.startswith("md_docs") else 1)
+                  2 if page.startswith("docs") else 1)
         for place, heading, html in sections(texts[page]):
             count = Counter(words_of(html))
             for word in words_of(" ".join(BOLD.findall(html))):  # where a word is explained

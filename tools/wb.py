@@ -107,7 +107,7 @@ def main(words):
 
 YES = argument("--yes", action="store_true", help="do not ask")
 ONE = argument("exercise", help="such as 2.1")
-SOME = argument("what", help="an exercise or a chapter, such as 2.1 or 2")
+SOME = argument("what", help="an exercise or a chapter, such as 2.1 or 2, a file or file:line")
 CHAPTER = argument("chapter", nargs="?", help="such as 2; without one, all")
 
 
@@ -133,6 +133,11 @@ def list_(_):
     return learn.status(every=True)
 
 
+@command("setup", "install what tour, check and docs need")
+def setup(_):
+    """Was done before Python was called, by the script ./wb."""
+
+
 @command("tour", "run every program, draw every figure, summarise")
 def tour(_):
     from learn import tour as learn
@@ -155,8 +160,14 @@ def check(args):
     return checking.check(args)
 
 
-@command("test 2.1", "test one exercise (or a whole chapter: ./wb test 2)", SOME)
+@command("test 2.1", "test one exercise (or a whole chapter: ./wb test 2); with --debug only built "
+         "for a debugger", SOME,
+         argument("--debug", action="store_true",
+                  help="build it for a debugger, and say how to call one"))
 def test(args):
+    if args.debug:
+        from learn import debugging
+        return debugging.debug(args.what)
     from learn import testing
     return testing.test(args.what)
 

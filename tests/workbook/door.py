@@ -32,7 +32,7 @@ class Door:
         self.root = Path(self.folder.name) / "workbook"
         self.file = self.root / "chapters" / CHAPTER / "distance.cpp"
         self.solution = exercises.read(self.source / "solutions" / CHAPTER / "distance.cpp")
-        skip = shutil.ignore_patterns("build", "out", ".git", "__pycache__", "tests", "docs")
+        skip = shutil.ignore_patterns("build", "out", ".git", "__pycache__", "tests")
         shutil.copytree(self.source, self.root, ignore=skip)
         (self.root / "docs").mkdir()
         shutil.copy(self.source / "docs" / "palette.css", self.root / "docs")
@@ -73,13 +73,13 @@ class Door:
 
     # ---- a build folder that links with what is there --------------------------------------------
 
-    def lend_build(self):
+    def lend_build(self, folder="build", targets=TARGETS):
         """A build folder in which the reader's file, and nothing else, is compiled."""
-        lend.lend(self.source_build, self.root / "build", self.root, [
+        lend.lend(self.source_build, self.root / folder, self.root, [
             (target, product, self.root / ("build/mixed" if "run" in target else "chapters")
              / CHAPTER / "distance.cpp",
              self.moved(lend.commands(self.source_build, target, "distance")))
-            for target, product in TARGETS.items()])
+            for target, product in targets.items()])
 
     def moved(self, line):
         """A line of commands for the files of the copy."""

@@ -1,4 +1,5 @@
 """What a reader types in a copy of the workbook, and what it says: front_door_test.py ROOT BUILD"""
+import json
 import os
 import re
 import shutil
@@ -199,6 +200,52 @@ def refusals_of_the_compiler_are_told(root, build):
         yield from typed(door, "run 1", 2, "does not compile")
 
 
+def a_debugger_gets_one_exercise(root, build):
+    """./wb test --debug builds the tests of the exercise at the cursor, and says where it begins"""
+    name = f"{CHAPTER}_test_mine"
+    with Door(root, build) as door:
+        door.lend_build("build/debug", {name: f"tests/{name}"})
+        door.write(e1_1=True)
+        lines = read(door.file).split("\n")
+        begin = lines.index("  // begin [exercise 1.2]") + 1
+        place = lines.index('  todo("1.2");') + 1
+        program = f"build/debug/tests/{name}"
+        for words in (f"chapters/{CHAPTER}/distance.cpp:{begin}", "1.2"):
+            yield from typed(door, f"test {words} --debug", 0, f"distance.cpp:{place}",
+                             f"{program} '[1.2]'", wide=True)
+        listed = subprocess.run([program, "--input-file", "build/debug/exercise.txt", "-l"],
+                                cwd=door.root, capture_output=True, text=True).stdout
+        cases = read(root / "tests" / CHAPTER / "test.cpp")
+        known = re.findall(r'^TEST_CASE\("(1\.2 .*)", "', cases, re.M)
+        if not known or re.findall(r"^  (\d\.\d .*)$", listed, re.M) != known:
+            yield f"the debugger runs {listed}, not {known}"
+        door.change('todo("1.2");', "return nothing;")
+        yield from typed(door, "test 1.2 --debug", 1, "does not compile", "lies in exercise 1.2",
+                         wide=True)
+
+
+def the_editor_types_what_there_is(root, build):
+    """the tasks of .vscode type commands that there are, and what F5 starts is one of them"""
+    tasks, launch = (json.loads(read(root / ".vscode" / f"{name}.json"))
+                     for name in ("tasks", "launch"))
+    with Door(root, build) as door:
+        for task in tasks["tasks"]:
+            for key, value in {"${relativeFile}": f"chapters/{CHAPTER}/distance.cpp",
+                               "${lineNumber}": "12", "${input:step}": "1", "'": ""}.items():
+                task["command"] = task["command"].replace(key, value)
+            words = task["command"].removeprefix("./wb ")
+            if words.startswith("hint") and not words.endswith("--debug"):
+                yield from typed(door, words, 0, "Hint 1 of 3 for 1.1")
+            elif words.startswith("test") and not words.endswith("--debug"):
+                yield from typed(door, words, 1, "1.1 CentreDistance::jacobian: not written yet")
+            else:
+                yield from typed(door, f"{words.split()[0]} --help", 0, "usage: ")
+    labels = [task["label"] for task in tasks["tasks"]]
+    for one in launch["configurations"]:
+        if one["preLaunchTask"] not in labels:
+            yield f".vscode/launch.json starts {one['preLaunchTask']}: there is no such task"
+
+
 def who_skips_chapters_goes_on_there(root, build):
     """whoever begins with chapter 2 is led on in chapter 2, and told what is open before it"""
     with Door(root, build) as door:
@@ -236,7 +283,7 @@ def bare(door, words, user, answer, *programs):
 
 
 def nothing_is_installed_unasked(root, build):
-    """packages are installed by a yes, or by a root's check, tour, docs or live; else named"""
+    """packages are installed by a yes, or by root's setup, check, tour, docs, live; else named"""
     missing = "g++ cmake ninja-build"
     command = f"apt-get install --no-install-recommends {missing}"
     with Door(root, build) as door:
@@ -254,6 +301,8 @@ def nothing_is_installed_unasked(root, build):
                 ("check", 0, None, [], f"installing {missing}", True),
                 ("tour", 0, None, [], f"installing {missing}", True),
                 ("docs", 0, None, [], f"installing {missing}", True),
+                ("setup", 0, None, [], f"installing {missing} pkg-config", True),
+                ("setup", 1000, None, [], f"Install them as root: {command}", False),
                 ("live", 0, None, [], f"installing {missing} clang lld", True),
                 ("live 3", 1000, None, [], "Without them: ./wb see plays the recorded", False),
                 ("check", 0, "n", [], "Nothing was installed.", False),
@@ -272,6 +321,7 @@ def nothing_is_installed_unasked(root, build):
 PROOFS = [a_fresh_copy_leads_to_the_first_exercise, the_front_page_shows_a_real_report,
           bad_words_are_refused, a_damaged_file_is_told,
           an_answer_is_judged_alone, crashes_are_told, refusals_of_the_compiler_are_told,
+          a_debugger_gets_one_exercise, the_editor_types_what_there_is,
           who_skips_chapters_goes_on_there, nothing_is_installed_unasked]
 
 if __name__ == "__main__":

@@ -86,15 +86,28 @@ def chapter_of(word):
     raise Trouble(f"{word}: no such chapter; there are 1 to {len(chapters())}")
 
 
+def asked(word):
+    """The chapter and the exercise, or None for all of them, that are named by "2", "2.1", a file,
+    or a line of the reader's file: "chapters/02_ball/ball.cpp:20", in an exercise or before it."""
+    path, _, line = word.partition(":")
+    chapter, id_ = chapter_of(path), None
+    if re.match(r"\d+\.", word):
+        id_ = word
+        if id_ not in chapter.ids():
+            raise Trouble(f"{word}: no such exercise; chapter {chapter.number} has "
+                          + " ".join(chapter.ids()))
+    elif line.isdigit() and Path(path).resolve() == chapter.mine:
+        id_ = next((region.id for region in exercises.scan(chapter.mine_text())[0]
+                    if int(line) <= region.end + 2), None)
+    return chapter, id_
+
+
 def exercise_of(word):
-    """The chapter and id of an exercise such as "2.1"."""
-    if not re.fullmatch(r"\d+\.\d+", word):
-        raise Trouble(f"{word}: an exercise is called by its number, such as 2.1")
-    chapter = chapter_of(word)
-    if word not in chapter.ids():
-        raise Trouble(f"{word}: no such exercise; chapter {chapter.number} has "
-                      + " ".join(chapter.ids()))
-    return chapter, word
+    """The chapter and id of one exercise."""
+    chapter, id_ = asked(word)
+    if not id_:
+        raise Trouble(f"{word}: an exercise is called by its number, such as {chapter.ids()[0]}")
+    return chapter, id_
 
 
 def files(root, *endings):

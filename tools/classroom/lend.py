@@ -28,7 +28,7 @@ def needs(line):
 def lend(lender, build, root, makes):
     """Writes the build folder of the workbook at `root`. `makes`: (target, what it makes, the file
     it makes that from, its commands)."""
-    build.mkdir()
+    build.mkdir(parents=True)
     (build / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={root}\n")
     lines = ["rule make", "  command = $line", "  description = $out"]
     for target, product, file, line in makes:

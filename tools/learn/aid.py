@@ -50,13 +50,12 @@ def solution(word, yes):
 def reset(word, yes, keep):
     """Makes a file anew: with the reader's answers apart from the exercise that is named, or, with
     `keep`, with all of them. What stood there is kept under out/."""
-    one = "." in word and "/" not in word
-    chapter, id_ = house.exercise_of(word) if one else (house.chapter_of(word), None)
+    chapter, id_ = house.asked(word)
     fresh, mine = exercises.stub(exercises.read(chapter.solution)), chapter.mine_text()
     name, look = house.short(chapter.mine), reading.look(chapter)
     if keep:
         new, said = exercises.transplant(fresh, mine), "as it was around your answers"
-    elif one:
+    elif id_:
         new, said = exercises.transplant(fresh, mine, [id_]), f"the stub is back for {id_}"
     else:
         new, said = fresh, f"the stub is back for {' '.join(chapter.ids())}"
@@ -64,8 +63,8 @@ def reset(word, yes, keep):
         print(f"{name}: there is nothing to put back.")
         return 0
     work = mine and not keep and (look.faults or any(
-        look.states[i] != reading.UNTOUCHED for i in ([id_] if one else look.states)))
-    what = f"exercise {id_}" if one else name
+        look.states[i] != reading.UNTOUCHED for i in ([id_] if id_ else look.states)))
+    what = f"exercise {id_}" if id_ else name
     if work and not house.ask(f"Throw away your work in {what}?", yes):
         return 0
     if mine:

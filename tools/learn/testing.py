@@ -17,8 +17,7 @@ MOST_PRINTED = 12  # lines of what an answer prints itself
 
 def test(word):
     """One exercise or one chapter. Exit status 0 when all of it is done."""
-    chapter, id_ = house.exercise_of(word) if re.search(r"\d\.", word) \
-        else (house.chapter_of(word), None)
+    chapter, id_ = house.asked(word)
     look = reading.look(chapter)
     if look.faults:
         _, words, cure = look.faults[0]
@@ -191,7 +190,7 @@ def after_all(chapter):
 def watch(word):
     """Tests again whenever an exercise file is saved, until interrupted."""
     if word:  # refuse nonsense before waiting for it
-        house.exercise_of(word) if "." in word else house.chapter_of(word)
+        house.asked(word)
     seen = None
     while True:
         stamps = {c.number: c.mine.stat().st_mtime if c.mine.exists() else 0

@@ -144,7 +144,7 @@ def tour(_):
     return learn.tour()
 
 
-@command("check", "the workbook's own tests (./wb check 3: all of a chapter)",
+@command("check", "the workbook's own tests (./wb check 3: of one chapter)",
          argument("words", nargs="*", metavar="what",
                   help="a chapter (3), a topic (joints), an erratum (E26), a case (X4) or an "
                        "identity (I15)"),

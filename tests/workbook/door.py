@@ -32,7 +32,7 @@ class Door:
         self.root = Path(self.folder.name) / "workbook"
         self.file = self.root / "chapters" / CHAPTER / "distance.cpp"
         self.solution = exercises.read(self.source / "solutions" / CHAPTER / "distance.cpp")
-        skip = shutil.ignore_patterns("build", "out", ".git", "__pycache__", "tests")
+        skip = shutil.ignore_patterns("build", "out", ".git", "__pycache__", "tests", "docs")
         shutil.copytree(self.source, self.root, ignore=skip)
         (self.root / "docs").mkdir()
         shutil.copy(self.source / "docs" / "palette.css", self.root / "docs")

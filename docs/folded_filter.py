@@ -29,8 +29,8 @@ def stub(solution, id_):
 
 
 def titles(text):
-    """{3.1: what the exercise's row of the chapter's text says it is about}."""
-    return dict(re.findall(r"^\| *(\d+\.\d+) *\| *(.*?) *\|", text, re.M))
+    """{3.1: what the list of exercises in the chapter's text says it is about}."""
+    return dict(re.findall(r"^\* \[(\d+\.\d+)\]\(\S+\) (.*?):(?= |$)", text, re.M))
 
 
 def hints(text, folder):

@@ -4,8 +4,7 @@ import re
 import sys
 from collections import Counter
 
-from proofs import (exercises, house, main, notes, prose, read, regions, section, sections,
-                    would_change)
+from proofs import (exercises, house, main, notes, prose, read, regions, sections, would_change)
 
 from check import answers
 
@@ -48,11 +47,14 @@ def every_exercise_has_hints(root, build):
                 yield f"{chapter.folder}/hints.md: {id_} has not the hints 1, 2, 3"
 
 
-def every_exercise_stands_in_the_table(root, build):
-    """every exercise has a row in the table of its chapter's text"""
+def every_exercise_stands_in_the_list(root, build):
+    """every exercise stands in the list of its chapter's text, and its number leads to its hints"""
     for chapter in house.chapters():
-        rows = re.findall(r"^\|\s*(\d+\.\d+)\s*\|", section(chapter, "Exercises"), re.M)
-        yield from differ(f"{chapter.folder}/README.md, Exercises", rows, chapter.ids())
+        yield from differ(f"{chapter.folder}/README.md, Exercises", list(chapter.titles()),
+                          chapter.ids())
+        for id_ in chapter.ids():
+            if f"* [{id_}](hints.md#{id_.replace('.', '')}) " not in read(chapter.text):
+                yield f"{chapter.folder}/README.md: {id_} does not lead to its hints"
 
 
 def every_exercise_has_tests(root, build):
@@ -84,7 +86,7 @@ def differ(where, found, wanted):
 
 
 PROOFS = [stubs_are_fresh, every_region_has_a_task, every_exercise_has_hints,
-          every_exercise_stands_in_the_table, every_exercise_has_tests,
+          every_exercise_stands_in_the_list, every_exercise_has_tests,
           every_exercise_has_wrong_answers]
 
 if __name__ == "__main__":

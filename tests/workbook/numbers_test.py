@@ -60,8 +60,9 @@ def live_links_say_what_is_seen(root, build):
 
 
 def main_path(text):
-    """What a reader reads at first: no folds, code, formulas on their own, tables, captions."""
-    text = re.sub(r"<!--.*?-->", "", text, flags=re.S)
+    """What a reader reads at first: no folds, code, formulas on their own, tables, captions, nor
+    the list of exercises."""
+    text = re.sub(r"<!--.*?-->|^## Exercises$.*?(?=^## )", "", text, flags=re.S | re.M)
     while re.search(r"<details>", text):
         text = re.sub(r"<details>(?:(?!<details>).)*?</details>", "", text, flags=re.S)
     text = re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)

@@ -2,10 +2,10 @@
 import re
 import sys
 
-from proofs import (files, folded, house, main, prose, read, regions, section, sections,
+from proofs import (beyond, files, folded, house, main, prose, read, regions, section, sections,
                     would_change)
 
-from keep import copied
+from keep import copied, tabled
 
 HEADINGS = ["Goal", "Derivation", "Numbers", "Code", "Exercises", "Check", "Predict", "See it",
             "A printed formula that is wrong: find it", "Questions", "Further reading"]
@@ -103,9 +103,19 @@ def quotations_are_exact(root, build):
             yield f"docs/library.md does not quote {path.relative_to(root)}"
 
 
+def lines_can_be_edited(root, build):
+    """no line of the chapters and of which method, but for made ones, is far over 200 letters"""
+    for path in [chapter.text for chapter in house.chapters()] + [root / "docs/which_method.md"]:
+        text = tabled.TABLE.sub(lambda table: table["head"], read(path))
+        longest = max(text.split("\n"), key=len)
+        yield from beyond(f"{path.relative_to(root)}: {longest[:30]}...", len(longest), 200,
+                          "letters")
+
+
 PROOFS = [texts_have_their_headings, questions_have_answers, equations_exist,
           texts_keep_the_solution, links_lead_somewhere, errata_are_shown,
-          words_of_the_field_are_explained, quotations_are_exact]
+          words_of_the_field_are_explained, quotations_are_exact,
+          lines_can_be_edited]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

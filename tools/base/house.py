@@ -51,12 +51,10 @@ class Chapter:
         return exercises.read(self.mine) if self.mine.is_file() else ""
 
     def titles(self):
-        """What each exercise is about, from the table in the chapter's text."""
-        found = {}
-        for line in self.text.read_text().split("\n") if self.text.exists() else []:
-            if match := re.match(r"\|\s*(\d+\.\d+)\s*\|\s*([^|]*?)\s*\|", line):
-                found[match[1]] = match[2].replace("`", "")
-        return found
+        """What each exercise is about, from the list in the chapter's text."""
+        text = self.text.read_text(encoding="utf-8") if self.text.exists() else ""
+        return {id_: about.replace("`", "") for id_, about in
+                re.findall(r"^\* \[(\d+\.\d+)\]\(\S+\) (.*?):(?= |$)", text, re.M)}
 
     def place(self, id_):
         """file:line of the exercise in the reader's file: its first todo, else where it begins."""

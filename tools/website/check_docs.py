@@ -23,6 +23,7 @@ from website import browser  # noqa: E402
 QUIET = {"script", "style", "pre", "code", "title"}  # a backslash in there is meant to be read
 MEGABYTES = 12  # of the whole site, with the live page
 LINKS = 15      # of a chapter's text into code and other pages
+HINTS = re.compile(r'href="chapters_\w+_hints.html#[\w-]+-\d+"')
 TELEPHONE = 390  # [pixels]
 # Words, and the chapter whose text must be among what is found.
 WORDS = {"baumgarte": "06", "effective mass": "01", "quaternion": "02", "swing twist": "03",
@@ -100,7 +101,7 @@ def bad_chapters(sources):
         for what, there in (("figure", '<figure class="result">' in body),
                             ("motion", '<a class="recording"' in body),
                             ("way on", body.count('rel="next"') == 2),
-                            ("exercises with hints", '<a class="hint"' in body),
+                            ("exercises with hints", re.search(HINTS, body)),
                             (f"{LINKS} links", len(links) >= LINKS)):
             if not there:
                 yield f"{page.name}: no {what}"

@@ -1,15 +1,12 @@
-"""The chapters' pages of the site: figures and motions where the text names them, exercises that
-lead to their code and hints."""
+"""The chapters' pages of the site: figures and motions where the text names them."""
 import re
-from html import escape, unescape
+from html import escape
 
 from base import house
 from pictures import figures
 from website import gallery, report
 
 PARAGRAPH = re.compile(r"<p\b[^>]*>(?:(?!</p>).)*?</p>", re.S)
-ROW = re.compile(r'<tr class="markdownTableRow\w+">\s*(.*?)</tr>', re.S)
-CELL = re.compile(r'<td class="(\w+)">(.*?)</td>', re.S)
 LEAST = 9  # of letters in a drawing [pixels]
 
 RESULT = re.compile(r"\bresult=(?:draw_)?(\w+)")
@@ -75,35 +72,7 @@ def with_motions(text, chapter, rows, more):
             + text[place.end():end] + more + text[end:])
 
 
-def exercise_row(row, headings, chapter):
-    """A row of the table of exercises: its cells named, its file and hints a click away."""
-    page = f"chapters_{chapter.folder}_hints.html"
-    cells = CELL.findall(row)
-    id_ = unescape(re.sub(r"<[^>]+>", "", cells[0][1])).strip()
-    place = f"{page}#chapters_{chapter.folder}_hints-{id_.replace('.', '')}"
-    inside = [body for _, body in cells]
-    inside[0] = f'<a id="exercise-{id_}" href="{place}">{id_}</a>'
-    inside[2] = re.sub(r"<code>(.*?)</code>", rf'<a href="{place}"><code>\1</code></a>',
-                       inside[2]) \
-        + f' <a class="hint" href="{place}">hints</a>'
-    return "".join(f'<td data-label="{escape(heading, quote=True)}">{body}</td>'
-                   for heading, body in zip(headings, inside))
-
-
-def with_exercises(text, chapter):
-    """The table of exercises as one that can become cards."""
-    start = text.index('_README-exercises"></a>')
-    begin = text.index('<table class="markdownTable">', start)
-    end = text.index("</table>", begin)
-    table = text[begin:end]
-    headings = [" ".join(re.sub(r"<[^>]+>", "", head).split())
-                for head in re.findall(r"<th\b.*?>(.*?)</th>", table, re.S)]
-    table = ROW.sub(lambda row: f"<tr>{exercise_row(row[1], headings, chapter)}</tr>", table)
-    table = table.replace('class="markdownTable"', 'class="markdownTable exercises"', 1)
-    return text[:begin] + table + text[end:]
-
-
 def finished(text, chapter, rows):
     """A chapter's page. `rows` are those of the gallery."""
     text, more = with_figures(text, chapter)
-    return with_exercises(with_motions(text, chapter, rows, more), chapter)
+    return with_motions(text, chapter, rows, more)

@@ -73,7 +73,7 @@ class Targets:
 
 
 def chapter_number(page):
-    found = re.match(r"md_(?:chapters|solutions)_(\d+)_", page)
+    found = re.match(r"(?:chapters|solutions)_(\d+)_", page)
     return int(found[1]) if found else 0
 
 

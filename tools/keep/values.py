@@ -10,6 +10,7 @@ and so on. A selection of more than one row goes into first, last, max, min, mea
 or within a step error and first_error [m/s]. `exercises(3)` is how many a chapter has.
 """
 import csv
+import fcntl
 import math
 import re
 import subprocess
@@ -42,13 +43,17 @@ class Tables:
             raise Wrong(f"there is no program of chapter {number}")
         folder = self.build / "numbers" / (chapter.folder + "".join(options.split()))
         printed = folder / "printed.txt"
-        if not printed.is_file() or printed.stat().st_mtime < program.stat().st_mtime:
-            folder.mkdir(parents=True, exist_ok=True)
-            result = subprocess.run([program, *options.split(), "--out", folder],
-                                    capture_output=True, text=True)
-            if result.returncode:
-                raise Wrong(f"{program.name} {options}: {result.stderr.strip()}")
-            printed.write_text(result.stdout, encoding="utf-8")
+        folder.mkdir(parents=True, exist_ok=True)
+        with open(folder / "lock", "w") as lock:  # several proofs ask at once: one of them runs it
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if not printed.is_file() or printed.stat().st_mtime < program.stat().st_mtime:
+                for old in folder.glob("*.*"):
+                    old.unlink()
+                result = subprocess.run([program, *options.split(), "--out", folder],
+                                        capture_output=True, text=True)
+                if result.returncode:
+                    raise Wrong(f"{program.name} {options}: {result.stderr.strip()}")
+                printed.write_text(result.stdout, encoding="utf-8")
         return folder, printed.read_text(encoding="utf-8")
 
     def path(self, name, chapter):

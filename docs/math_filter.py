@@ -63,7 +63,7 @@ def translate(text, path):
             return f'<a href="live.html#{html.escape(place(url)[len(LIVE):])}">{words}</a>'
         if re.fullmatch(r"(engine|chapters/\w+)/\w+\.h", place(url)):
             return f"[{words}](@ref {topic(place(url))})"
-        if not re.fullmatch(r"docs/\w+\.md|chapters/\w+/(README|hints)\.md"
+        if not re.fullmatch(r"docs/\w+\.md|CONTRIBUTING\.md|chapters/\w+/(README|hints)\.md"
                             r"|solutions/\w+/answers\.md", place(url)):
             return words  # not a page of the site
         if heading:

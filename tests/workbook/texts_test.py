@@ -112,7 +112,15 @@ def lines_can_be_edited(root, build):
                           "letters")
 
 
-PROOFS = [texts_have_their_headings, questions_have_answers, equations_exist,
+def changes_begin_with_the_version(root, build):
+    """the first entry of CHANGELOG.md is the version of CMakeLists.txt"""
+    first, *_ = sections(read(root / "CHANGELOG.md"), "##")
+    if first[0].split()[0] != house.version() or not first[1].strip():
+        yield f"CHANGELOG.md begins with {first[0]}, the version is {house.version()}"
+
+
+PROOFS = [changes_begin_with_the_version, texts_have_their_headings, questions_have_answers,
+          equations_exist,
           texts_keep_the_solution, links_lead_somewhere, errata_are_shown,
           words_of_the_field_are_explained, quotations_are_exact,
           lines_can_be_edited]

@@ -6,6 +6,9 @@
 
 namespace joints::testing {
 
+inline const char* const told_cut_int =
+    "#cut-int the fraction is cut off: an int holds whole numbers only";
+
 struct ClampCase {
   std::string words;
   double sum, dlambda;
@@ -17,11 +20,13 @@ inline CaseTable<ClampCase> clamp_table() {
   const auto grown = [](C c) { return std::max(c.sum + c.dlambda, 0.0) - c.sum; };
   const auto right = [=](C c) { return Numbers{grown(c), c.sum + grown(c)}; };
   const auto refuses = [](C c) { return c.sum + c.dlambda < 0; };
-  const char* const each = "each impulse is clamped: it is the sum that must not push";
+  const char* const each = "#clamps-each-impulse each impulse is clamped: it is the sum that must "
+                           "not push";
   const char* const old_sum =
-      "0 is returned: the old sum must be remembered before the new one is stored";
-  const char* const too_much = "where more is asked back than there is, all that is there is given "
-                               "back: minus the old sum";
+      "#new-sum-minus-itself 0 is returned: the old sum must be remembered before the new one is "
+      "stored";
+  const char* const too_much = "#minus-sum-that-0 where more is asked back than there is, all "
+                               "that is there is given back: minus the old sum";
   CaseTable<ClampCase> table{
       {"1.5", "the clamped sum of a rope"},
       {"returned", "new sum"},
@@ -31,7 +36,8 @@ inline CaseTable<ClampCase> clamp_table() {
         return Numbers{double(applied), double(sum)};
       },
       right,
-      {{"nothing is clamped", [](C c) { return Numbers{c.dlambda, c.sum + c.dlambda}; }},
+      {{"#nothing-clamped nothing is clamped",
+        [](C c) { return Numbers{c.dlambda, c.sum + c.dlambda}; }},
        {"nothing is done", [](C c) { return Numbers{0, c.sum}; }},
        {old_sum, [=](C c) { return Numbers{0, right(c)[1]}; }},
        {each, [](C c) {
@@ -40,33 +46,34 @@ inline CaseTable<ClampCase> clamp_table() {
         }},
        {each, [](C c) { return Numbers{std::max(c.dlambda, 0.0), std::max(c.dlambda, 0.0)}; }},
        {each, [](C c) { return Numbers{std::max(c.dlambda, 0.0), c.sum}; }},
-       {"all of dlambda is returned: return by how much the sum grew",
+       {"#returns-dlambda all of dlambda is returned: return by how much the sum grew",
         [=](C c) { return Numbers{c.dlambda, right(c)[1]}; }},
-       {"the new sum is returned instead of its growth",
+       {"#returns-new-sum the new sum is returned instead of its growth",
         [=](C c) { return Numbers{right(c)[1], right(c)[1]}; }},
        {"the new sum is returned instead of its growth, and it is not kept",
         [=](C c) { return Numbers{right(c)[1], c.sum}; }},
-       {"the sum is not kept", [=](C c) { return Numbers{grown(c), c.sum}; }},
-       {"the sign of the growth: new minus old",
+       {"#sum-not-kept the sum is not kept", [=](C c) { return Numbers{grown(c), c.sum}; }},
+       {"#old-minus-new the sign of the growth: new minus old",
         [=](C c) { return Numbers{-grown(c), right(c)[1]}; }},
-       {"max and min are mixed up: the sum must not fall below 0", [](C c) {
+       {"#min-for-max max and min are mixed up: the sum must not fall below 0", [](C c) {
           const double sum = std::min(c.sum + c.dlambda, 0.0);
           return Numbers{sum - c.sum, sum};
         }},
-       {"the sum becomes dlambda: it must grow by it", [](C c) {
+       {"#sum-set-dlambda the sum becomes dlambda: it must grow by it", [](C c) {
           const double sum = std::max(c.dlambda, 0.0);
           return Numbers{sum - c.sum, sum};
         }},
-       {"the sign of dlambda: the sum grows by it", [](C c) {
+       {"#sign-of-dlambda the sign of dlambda: the sum grows by it", [](C c) {
           const double sum = std::max(c.sum - c.dlambda, 0.0);
           return Numbers{sum - c.sum, sum};
         }},
-       {"the sum is changed before its growth is computed from it, so that dlambda counts twice",
+       {"#old-sum-taken-too the sum is changed before its growth is computed from it, so that "
+        "dlambda counts twice",
         [=](C c) {
           const double sum = right(c)[1];
           return Numbers{std::max(sum + c.dlambda, 0.0) - sum, sum};
         }},
-       {"dlambda is added twice", [=](C c) {
+       {"#dlambda-twice dlambda is added twice", [=](C c) {
           const double sum = right(c)[1] + c.dlambda;
           return Numbers{sum - c.sum, sum};
         }},
@@ -74,18 +81,19 @@ inline CaseTable<ClampCase> clamp_table() {
        {too_much, [=](C c) { return refuses(c) ? Numbers{0, 0} : right(c); }},
        {too_much, [=](C c) { return refuses(c) ? Numbers{c.sum, 0} : right(c); }},
        {too_much, [=](C c) { return refuses(c) ? Numbers{c.sum + 2 * c.dlambda, 0} : right(c); }},
-       {"the fraction is cut off: an int holds whole numbers only", [](C c) {
+       {told_cut_int, [](C c) {
           const double old = std::trunc(c.sum), sum = std::max(old + c.dlambda, 0.0);
           return Numbers{sum - old, sum};
         }},
-       {"the fraction is cut off: an int holds whole numbers only", [=](C c) {
+       {told_cut_int, [=](C c) {
           return Numbers{std::trunc(grown(c)), right(c)[1]};
         }},
-       {"the sum is not kept where more is asked back than there is: it is 0 then",
+       {"#sum-kept-where-emptied the sum is not kept where more is asked back than there is: it "
+        "is 0 then",
         [=](C c) { return refuses(c) ? Numbers{-c.sum, c.sum} : right(c); }},
        {"the sum is kept only where more is asked back than there is",
         [=](C c) { return refuses(c) ? right(c) : Numbers{c.dlambda, c.sum}; }},
-       {"the size of the sum is taken: below 0 it becomes 0", [](C c) {
+       {"#size-sum the size of the sum is taken: below 0 it becomes 0", [](C c) {
           const double sum = std::abs(c.sum + c.dlambda);
           return Numbers{sum - c.sum, sum};
         }},
@@ -97,7 +105,7 @@ inline CaseTable<ClampCase> clamp_table() {
           const double sum = std::clamp(c.sum + c.dlambda, 0.0, 1.0);
           return Numbers{sum - c.sum, sum};
         }},
-       {"a small dlambda is left out: a light body needs only a small one",
+       {"#small-ones-left-out a small dlambda is left out: a light body needs only a small one",
         [=](C c) { return std::abs(c.dlambda) < 1e-4 ? Numbers{0, c.sum} : right(c); }}},
       {{"sum 0 N s, dlambda 2 N s", 0, 2}, {"sum 0 N s, dlambda -1 N s", 0, -1},
        {"sum 3 N s, dlambda -1 N s", 3, -1}, {"sum 3 N s, dlambda -5 N s", 3, -5},

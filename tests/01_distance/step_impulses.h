@@ -12,7 +12,8 @@ inline Ways wrong_bodies() {
   };
   const Way right;
   Ways out;
-  out.push_back({"the bodies are taken by the place of the link: ask link.body1 and link.body2",
+  out.push_back({"#bodies-place-link the bodies are taken by the place of the link: ask "
+                 "link.body1 and link.body2",
                  way_with([](Way& w) {
                    w.link = [](const Scene& s, int k) {
                      Link link = s.links[k];
@@ -22,14 +23,14 @@ inline Ways wrong_bodies() {
                      return link;
                    };
                  })});
-  out.push_back({"every link takes the first row: row and link have the same place",
+  out.push_back({"#first-row-all every link takes the first row: row and link have the same place",
                  way_with([](Way& w) { w.row = [](int) { return 0; }; })});
-  out.push_back({"bodies 1 and 2 are exchanged in row_impulse",
+  out.push_back({"#bodies-exchanged-row-impulse bodies 1 and 2 are exchanged in row_impulse",
                  way_with([=](Way& w) { w.wants = [=](const Turn& t) {
                    return right.wants(swapped(t));
                  }; })});
-  out.push_back({"the impulse acts the wrong way: its sign, or bodies 1 and 2 are exchanged in "
-                 "apply_impulse",
+  out.push_back({"#bodies-exchanged-apply-impulse the impulse acts the wrong way: its sign, or "
+                 "bodies 1 and 2 are exchanged in apply_impulse",
                  way_with([=](Way& w) { w.gives = [=](real lambda, const Turn& t) {
                    right.gives(lambda, swapped(t));
                  }; })});
@@ -54,37 +55,41 @@ inline Ways wrong_impulses() {
     out.push_back({words, way_with([&](Way& w) { w.gets = what; })});
   };
   using S = const StepSettings&;
-  wants("the bias of the row is not used",
+  wants("#bias-not-used the bias of the row is not used",
         [](real JV, real, real K, S) { return -JV / K; });
-  wants("the sign of the bias, or bodies 1 and 2 are exchanged in row_impulse and apply_impulse",
+  wants("#bodies-exchanged-both the sign of the bias, or bodies 1 and 2 are exchanged in "
+        "row_impulse and apply_impulse",
         [](real JV, real b, real K, S) { return -(JV - b) / K; });
-  wants("the bias is multiplied by h: it is a velocity already",
+  wants("#bias-times-h the bias is multiplied by h: it is a velocity already",
         [](real JV, real b, real K, S s) { return -(JV + s.h * b) / K; });
   wants("the bias is multiplied by beta: set_up has done so",
         [](real JV, real b, real K, S s) { return -(JV + s.beta * b) / K; });
-  wants("K is not used: row_impulse wants the K of the row",
+  wants("#k-not-used K is not used: row_impulse wants the K of the row",
         [](real JV, real b, real, S) { return -(JV + b); });
   wants("times K: row_impulse wants K and divides by it",
         [](real JV, real b, real K, S) { return -(JV + b) * K; });
-  const char* const impulse = "lambda is an impulse, not a force: it is not multiplied by h";
+  const char* const impulse = "#lambda-taken-force lambda is an impulse, not a force: it is not "
+                              "multiplied by h";
   wants(impulse, [](real JV, real b, real K, S s) { return -s.h * (JV + b) / K; });
   wants("lambda is an impulse, not a force: it is not divided by h",
         [](real JV, real b, real K, S s) { return -(JV + b) / K / s.h; });
-  skips("no impulse was applied. Are the bodies copies (write Body& body1) or both the same one, "
-        "or is the row an empty one?",
+  skips("#rows-behind-empty-ones no impulse was applied. Are the bodies copies (write Body& "
+        "body1) or both the same one, or is the row an empty one?",
         [](const Turn&) { return true; });
-  const char* const rest = "no impulse where the error is 0: such a row is solved all the same, "
-                           "for the sake of its velocity";
+  const char* const rest = "#no-impulse-where-error no impulse where the error is 0: such a row "
+                           "is solved all the same, for the sake of its velocity";
   for (const real limit : {real(1e-12), real(1e-6), real(1e-3)})
     skips(rest, [=](const Turn& t) { return std::abs(t.row.bias) < limit; });
   for (const real limit : {real(1e-12), real(1e-6), real(1e-3)})
     skips(rest, [=](const Turn& t) {
       return std::abs(length(t.body2.x - t.body1.x) - t.link.length) < limit;
     });
-  const char* const wall = "links to a static body are left out: the other body can move";
+  const char* const wall = "#links-walls-left-out links to a static body are left out: the other "
+                           "body can move";
   skips(wall, [](const Turn& t) { return t.body1.is_static() || t.body2.is_static(); });
   skips(wall, [](const Turn& t) { return t.body1.is_static(); });
-  const auto small = "a small impulse is left out: a light body needs only a small one";
+  const auto small = "#smaller-impulses-left-out a small impulse is left out: a light body needs "
+                     "only a small one";
   for (int digits = 1; digits <= 9; ++digits) {
     const real limit = std::pow(real(10), real(-digits));
     const auto is_small = [=](const Turn& t) { return std::abs(Way{}.wants(t)) < limit; };
@@ -92,9 +97,10 @@ inline Ways wrong_impulses() {
     skips(small, is_small);
     out.back().second.skip_is_the_last = true;
   }
-  gets("the fraction of lambda is cut off: an int holds whole numbers only",
+  gets("#impulse-whole-number the fraction of lambda is cut off: an int holds whole numbers only",
        [](real wanted, const Turn&) { return std::trunc(wanted); });
-  gets("a rod is clamped like a rope, but it pushes, too: is it link.rope that is asked?",
+  gets("#rods-clamped-like-ropes a rod is clamped like a rope, but it pushes, too: is it "
+       "link.rope that is asked?",
        [](real wanted, const Turn& t) { return Way::allowed(wanted, t.row.sum); });
   gets("rods are clamped instead of ropes: is the condition link.rope the wrong way round?",
        [](real wanted, const Turn& t) {
@@ -116,35 +122,41 @@ inline Ways wrong_ropes() {
                      };
                    })});
   };
-  gets("a rope pushes: its impulse is applied as it was asked for. Is clamp_sum called for a rope, "
-       "before apply_impulse, and is what it returns put in the place of lambda?",
+  gets("#result-clamp-sum-dropped a rope pushes: its impulse is applied as it was asked for. Is "
+       "clamp_sum called for a rope, before apply_impulse, and is what it returns put in the "
+       "place of lambda?",
        [](real wanted, real&) { return wanted; });
-  const char* const each = "the sum of a rope begins at 0 in every iteration, so each impulse is "
-                           "clamped by itself. Is the row a copy (write LinkRow& row), is set_up "
-                           "called within the iterations, or is the sum not that of the row?";
+  const char* const each = "#each-impulse-rope-clamped the sum of a rope begins at 0 in every "
+                           "iteration, so each impulse is clamped by itself. Is the row a copy "
+                           "(write LinkRow& row), is set_up called within the iterations, or is "
+                           "the sum not that of the row?";
   gets(each, [](real wanted, real&) { return std::max(wanted, real(0)); });
   out.push_back({each, way_with([](Way& w) { w.sum = Way::Sum::of_iteration; })});
-  out.push_back({"all ropes share one sum: each row has its own",
+  out.push_back({"#one-sum-all-ropes all ropes share one sum: each row has its own",
                  way_with([](Way& w) { w.sum = Way::Sum::of_all; })});
-  gets("the sum of the rope is applied: apply what clamp_sum returns, by how much the sum grew",
+  gets("#sum-rope-applied the sum of the rope is applied: apply what clamp_sum returns, by how "
+       "much the sum grew",
        [](real wanted, real& sum) {
          Way::allowed(wanted, sum);
          return sum;
        });
-  gets("the sum is overwritten by what clamp_sum returns: clamp_sum brings it up to date itself",
+  gets("#sum-overwritten the sum is overwritten by what clamp_sum returns: clamp_sum brings it up "
+       "to date itself",
        [](real wanted, real& sum) { return sum = Way::allowed(wanted, sum); });
-  gets("clamp_sum is called twice for an impulse", [](real wanted, real& sum) {
+  gets("#clamped-twice clamp_sum is called twice for an impulse", [](real wanted, real& sum) {
     return Way::allowed(Way::allowed(wanted, sum), sum);
   });
-  const char* const sign = "the sign of a rope's impulse: a positive one pulls the bodies together";
+  const char* const sign = "#sign-rope the sign of a rope's impulse: a positive one pulls the "
+                           "bodies together";
   gets(sign, [](real wanted, real& sum) { return -Way::allowed(-wanted, sum); });
   gets(sign, [](real wanted, real&) { return std::min(wanted, real(0)); });
   gets(sign, [](real wanted, real& sum) { return -Way::allowed(wanted, sum); });
   const auto skips = [&](const char* words, auto which) {
     out.push_back({words, way_with([&](Way& w) { w.skips = which; })});
   };
-  skips("ropes are left out", [](const Turn& t) { return t.link.rope; });
-  skips("a slack rope is left out: it may become taut within the step, so its row is solved, too",
+  skips("#ropes-left-out ropes are left out", [](const Turn& t) { return t.link.rope; });
+  skips("#slack-ropes-left-out a slack rope is left out: it may become taut within the step, so "
+        "its row is solved, too",
         [](const Turn& t) { return t.link.rope && t.row.bias > 0; });
   return out;
 }

@@ -5,6 +5,12 @@
 
 namespace joints::testing {
 
+inline const char* const told_positions_every_iteration =
+    "#positions-every-iteration positions move in every iteration: they belong after them";
+inline const char* const told_impulses_computed_once =
+    "#impulses-computed-once the impulses are computed once, before the iterations: each "
+    "iteration asks anew";
+
 using Ways = std::vector<std::pair<std::string, Way>>;
 
 /// A way with one thing changed.
@@ -27,9 +33,11 @@ inline Ways orders_of_pieces() {
       words.push_back("positions before the forces: the old velocity moves the body. Change v "
                       "first, then x");
     if (before('P', 'I'))
-      words.push_back("positions before the impulses: velocities that are not right yet move them");
+      words.push_back("#positions-before-impulses positions before the impulses: velocities that "
+                      "are not right yet move them");
     if (before('I', 'F'))
-      words.push_back("forces after the impulses: the rods cannot answer to gravity any more");
+      words.push_back("#forces-after-rows forces after the impulses: the rods cannot answer to "
+                      "gravity any more");
     std::string all;
     for (const std::string& part : words) all += (all.empty() ? "" : "; ") + part;
     out.push_back({all, way_with([&](Way& w) { w.pieces = pieces; })});
@@ -44,25 +52,26 @@ inline Ways wrong_forces() {
     out.push_back({words, way_with([&](Way& w) { w.fall = fall; })});
   };
   using S = const StepSettings&;
-  add("gravity does not act. Is it a copy that falls (write Body& body), or is h 1 / 60, which is "
-      "0 in whole numbers?", [](Body&, S) {});
-  add("v grows by g, not by h g", [](Body& b, S s) { b.v += s.gravity; });
+  add("#whole-numbers-divided gravity does not act. Is it a copy that falls (write Body& body), "
+      "or is h 1 / 60, which is 0 in whole numbers?", [](Body&, S) {});
+  add("#gravity-without-h v grows by g, not by h g", [](Body& b, S s) { b.v += s.gravity; });
   add("v grows by h h g, not by h g", [](Body& b, S s) { b.v += s.h * s.h * s.gravity; });
   add("gravity is multiplied by the mass: all bodies fall alike",
       [](Body& b, S s) { b.v += s.h / b.inverse_mass * s.gravity; });
-  add("gravity is multiplied by the inverse mass: all bodies fall alike",
+  add("#gravity-over-mass gravity is multiplied by the inverse mass: all bodies fall alike",
       [](Body& b, S s) { b.v += s.h * b.inverse_mass * s.gravity; });
-  add("the sign of gravity: the vector points to where bodies fall",
+  add("#sign-of-gravity the sign of gravity: the vector points to where bodies fall",
       [](Body& b, S s) { b.v -= s.h * s.gravity; });
-  add("gravity sets v, which must grow: += and not =",
+  add("#velocity-set-gravity gravity sets v, which must grow: += and not =",
       [](Body& b, S s) { b.v = s.h * s.gravity; });
-  add("only the y of gravity acts: settings.gravity is a vector",
+  add("#only-y-gravity only the y of gravity acts: settings.gravity is a vector",
       [](Body& b, S s) { b.v.y += s.h * s.gravity.y; });
-  add("a fixed gravity of -9.81 m/s^2: take settings.gravity",
+  add("#fixed-gravity a fixed gravity of -9.81 m/s^2: take settings.gravity",
       [](Body& b, S s) { b.v.y += s.h * real(-9.81); });
-  out.push_back({"gravity moves a static body",
+  out.push_back({"#gravity-moves-static-bodies gravity moves a static body",
                  way_with([](Way& w) { w.static_falls = true; })});
-  out.push_back({"gravity moves static bodies and no others: is the condition the wrong way round?",
+  out.push_back({"#only-walls-fall gravity moves static bodies and no others: is the condition "
+                 "the wrong way round?",
                  way_with([](Way& w) {
                    w.static_falls = true;
                    w.fall = [](Body& b, S s) {
@@ -74,7 +83,8 @@ inline Ways wrong_forces() {
                  })});
   out.push_back({"the first body does not fall: places in a vector run from 0",
                  way_with([](Way& w) { w.falls = [](std::size_t i) { return i > 0; }; })});
-  out.push_back({"gravity acts in every iteration: it belongs before them", way_with([](Way& w) {
+  out.push_back({"#gravity-every-iteration gravity acts in every iteration: it belongs before them",
+                 way_with([](Way& w) {
                    w.pieces = "RIP";
                    w.in_iteration = "F";
                  })});
@@ -88,23 +98,25 @@ inline Ways wrong_places() {
     out.push_back({words, way_with([&](Way& w) { w.travel = travel; })});
   };
   using S = const StepSettings&;
-  add("the position does not change. Is it a copy that moves (write Body& body)?", [](Body&, S) {});
-  add("x grows by v, not by h v", [](Body& b, S s) { b.x += b.v; (void)s; });
-  add("x is set, which must grow: += and not =", [](Body& b, S s) { b.x = s.h * b.v; });
+  add("#positions-stay the position does not change. Is it a copy that moves (write Body& body)?",
+      [](Body&, S) {});
+  add("#positions-without-h x grows by v, not by h v", [](Body& b, S s) { b.x += b.v; (void)s; });
+  add("#positions-set x is set, which must grow: += and not =",
+      [](Body& b, S s) { b.x = s.h * b.v; });
   add("the sign of the position: x grows by h v", [](Body& b, S s) { b.x -= s.h * b.v; });
   for (const real half : {real(-0.5), real(0.5)})
-    add("h h g / 2 does not belong here: x grows by h times the new v, Eq. 1-10",
+    add("#parabola h h g / 2 does not belong here: x grows by h times the new v, Eq. 1-10",
         [half](Body& b, S s) {
           b.x += s.h * b.v;
           if (!b.is_static()) b.x += half * s.h * s.h * s.gravity;
         });
-  out.push_back({"where there are no links the positions do not change: is there a return before "
-                 "them?", way_with([](Way& w) { w.needs_links = true; })});
-  out.push_back({"positions move in every iteration: they belong after them", way_with([](Way& w) {
+  out.push_back({"#nothing-without-links where there are no links the positions do not change: is "
+                 "there a return before them?", way_with([](Way& w) { w.needs_links = true; })});
+  out.push_back({told_positions_every_iteration, way_with([](Way& w) {
                    w.pieces = "FRI";
                    w.in_iteration = "P";
                  })});
-  out.push_back({"positions move in every iteration: they belong after them", way_with([](Way& w) {
+  out.push_back({told_positions_every_iteration, way_with([](Way& w) {
                    w.pieces = "FRI";
                    w.gives = [](real lambda, const Turn& t) {
                      Way::push(lambda, t.row.J, t.body1, t.body2);
@@ -152,11 +164,11 @@ inline Ways wrong_iterations() {
   const auto order = [&](const char* words, auto which) {
     out.push_back({words, way_with([&](Way& w) { w.order = which; })});
   };
-  count("only one iteration was done. The loop over the iterations is outside, the loop over the "
-        "links inside", [](const Scene&) { return 1; });
-  count("one iteration too few",
+  count("#one-iteration-only only one iteration was done. The loop over the iterations is "
+        "outside, the loop over the links inside", [](const Scene&) { return 1; });
+  count("#one-iteration-too-few one iteration too few",
         [](const Scene& s) { return s.settings.iterations - 1; });
-  count("one iteration too many",
+  count("#one-iteration-too-many one iteration too many",
         [](const Scene& s) { return s.settings.iterations + 1; });
   count("as many iterations as links: take settings.iterations",
         [](const Scene& s) { return int(s.links.size()); });
@@ -172,15 +184,17 @@ inline Ways wrong_iterations() {
       return out;
     };
   };
-  order("the first link is left out: places in a vector run from 0", from_to(1, 0));
-  order("the last link is left out: places run from 0 to size() - 1", from_to(0, 1));
+  order("#first-link-left-out the first link is left out: places in a vector run from 0",
+        from_to(1, 0));
+  order("#last-link-left-out the last link is left out: places run from 0 to size() - 1",
+        from_to(0, 1));
   order("only the first link is solved",
          [](int links, int) { return std::vector<int>(links > 0 ? 1 : 0); });
-  out.push_back({"all impulses of an iteration from the same velocities: apply each one before the "
-                 "next is computed", way_with([](Way& w) { w.at_once = false; })});
-  out.push_back({"the impulses are computed once, before the iterations: each iteration asks anew",
+  out.push_back({"#all-at-once all impulses of an iteration from the same velocities: apply each "
+                 "one before the next is computed", way_with([](Way& w) { w.at_once = false; })});
+  out.push_back({told_impulses_computed_once,
                  way_with([](Way& w) { w.asked_once = true; })});
-  out.push_back({"the impulses are computed once, before the iterations: each iteration asks anew",
+  out.push_back({told_impulses_computed_once,
                  way_with([](Way& w) {
                    w.asked_once = true;
                    w.at_once = false;

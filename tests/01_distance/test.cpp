@@ -35,15 +35,16 @@ TEST_CASE("1.1 centres a hair apart still have a direction", "[1.1]") {
   const Row J = CentreDistance{1}.jacobian(rod_paper1, body);
   expect(CentreDistanceFixture::J, "v2 where the centres are 1e-9 m apart", J.v2,
          vec3(real(0.6), real(0.8), 0), rounding,
-         {{vec3(0), "the row is 0 where the centres are close: only where they coincide there is "
-                    "no direction"}});
+         {{vec3(0), "#close-centres-taken-one the row is 0 where the centres are close: only "
+                    "where they coincide there is no direction"}});
 }
 
 TEST_CASE("1.1 a rod beside a wall has both its blocks", "[1.1]") {
   const Row J = CentreDistance{1}.jacobian(static_body(vec3(0)), rod_paper2);
   expect(CentreDistanceFixture::J, "v1 where body 1 is static", J.v1,
          vec3(real(-0.6), real(-0.8), 0), rounding,
-         {{vec3(0), "a static body has its block in J, too: it is M^-1 that leaves it out"}});
+         {{vec3(0), "#nothing-wall a static body has its block in J, too: it is M^-1 that leaves "
+                    "it out"}});
 }
 
 TEST_CASE("1.2 a rod feels two masses in series", "[1.2]") {
@@ -58,10 +59,12 @@ TEST_CASE("1.2 a static body adds nothing to K", "[1.2]") {
   const Body wall = static_body(vec3(0));
   expect(CentreDistanceFixture::K, "K beside a wall",
          double(CentreDistance{2}.K(wall, rod_paper2)), 1.0 / 3, rounding,
-         {{0, "K is 0 only where both bodies are static: the other one can move"}});
+         {{0, "#nothing-beside-wall K is 0 only where both bodies are static: the other one can "
+              "move"}});
   const double walls = double(CentreDistance{2}.K(wall, static_body(vec3(1, 0, 0))));
   expect(CentreDistanceFixture::K, "K between two walls", walls, 0, 0,
-         {{walls, "between two walls K is 0, and stays so: row_impulse looks for it"}});
+         {{walls, "#one-between-two-walls between two walls K is 0, and stays so: row_impulse "
+                  "looks for it"}});
   const Body planet = body_with(real(1e20), vec3(1), vec3(1, 0, 0));
   expect(CentreDistanceFixture::K, "K of heavy bodies, 1e20 kg beside a wall, in 1e-20 / kg",
          1e20 * double(CentreDistance{2}.K(wall, planet)), 1, rounding);
@@ -119,7 +122,8 @@ TEST_CASE("1.4 a step turns no body", "[1.4]") {
   bodies[1].w = vec3(1, 2, 3);
   step(bodies, {{0, 1, 1}}, {});
   expect({"1.4", "the step"}, "q of a body that spins", bodies[1].q, quat(1, 0, 0, 0), 0,
-         {{rotation(vec3(1, 2, 3) / real(60)), "the step turns the body: that is chapter 2"}});
+         {{rotation(vec3(1, 2, 3) / real(60)), "#bodies-turn-too the step turns the body: that is "
+                                               "chapter 2"}});
 }
 
 // ---- 1.5 ----------------------------------------------------------------------------------------

@@ -90,22 +90,25 @@ inline std::vector<Mistake<Call<PerRow(const Lack&)>>> block_mistakes() {
     for (int i = 0; i < 3; ++i) out[i] += double(apart[i]);
     return -l.over_K(out + l.b);
   };
-  const char* const blocks = "J V is written out as if J.v1 and J.v2 were -E and E: row_velocity "
-                             "reads all four blocks";
-  const char* const together = "each row divided by its own K: the rows of a block are solved "
-                               "together";
+  const char* const blocks = "#blocks-v-taken-known J V is written out as if J.v1 and J.v2 were "
+                             "-E and E: row_velocity reads all four blocks";
+  const char* const together = "#each-row-own-k each row divided by its own K: the rows of a "
+                               "block are solved together";
   return {
-      {"J V of the first row is left out: rows are J[0], J[1], J[2]", with(0, 1, 1)},
-      {"J V of the last row is left out: rows are J[0], J[1], J[2]", with(1, 1, 0)},
+      {"#first-rate-left-out J V of the first row is left out: rows are J[0], J[1], J[2]",
+       with(0, 1, 1)},
+      {"#last-rate-left-out J V of the last row is left out: rows are J[0], J[1], J[2]",
+       with(1, 1, 0)},
       {"only J V of the first row is used: rows are J[0], J[1], J[2]", with(1, 0, 0)},
-      {"J V of the first row in all three: row i is J[i]",
+      {"#first-rate-all-rows J V of the first row in all three: row i is J[i]",
        [](L l) -> PerRow { return -l.over_K(l.none + l.JV[0] + l.b); }},
       {blocks, [=](L l) { return known_rows(l, true); }},
       {blocks, [=](L l) { return known_rows(l, false); }},
       {together, row_by_row(1, true)},
       {"the rows are solved one after the other, once: a block solves them together",
        row_by_row(1, false)},
-      {"the rows are solved one after the other: a block solves them together",
+      {"#rows-one-after-other the rows are solved one after the other: a block solves them "
+       "together",
        row_by_row(20, false)},
       {"the inverse of K is multiplied number by number: it is a matrix",
        [](L l) -> PerRow {

@@ -52,7 +52,8 @@ inline Pieces<RotationStep> rotation_mistakes() {
   };
   const auto axis = [&](auto axis) {
     out.push_back(
-        {"the axis must be a unit vector, w / |w|", [=](RotationStep& s) { s.axis = axis; }});
+        {"#axis-not-length-1 the axis must be a unit vector, w / |w|",
+         [=](RotationStep& s) { s.axis = axis; }});
   };
   const auto together = [&](const char* words, auto how) {
     out.push_back({words, [=](RotationStep& s) { s.together = how; }});
@@ -66,47 +67,52 @@ inline Pieces<RotationStep> rotation_mistakes() {
                      s.for_cosine = [=](real a) { return cosine * a; };
                    }});
   };
-  angle("h is missing: the angle is h |w|", [](V w, real) { return length(w); });
+  angle("#h-forgotten h is missing: the angle is h |w|", [](V w, real) { return length(w); });
   angle("the angle is h |w|, with one h", [](V w, real h) { return h * h * length(w); });
-  angle("the angle is h |w|, not h w.w", [](V w, real h) { return h * dot(w, w); });
-  const char* const degrees = "degrees: std::sin, std::cos and angleAxis take radians";
+  angle("#square-of-w the angle is h |w|, not h w.w", [](V w, real h) { return h * dot(w, w); });
+  const char* const degrees = "#radians-of-radians degrees: std::sin, std::cos and angleAxis take "
+                              "radians";
   angle(degrees, [](V w, real h) { return glm::radians(h * length(w)); });
   angle(degrees, [](V w, real h) { return glm::degrees(h * length(w)); });
   for (int i = 0; i < 3; ++i)
     angle("the angle is h |w|, from all three numbers of w",
           [=](V w, real h) { return h * std::abs(w[i]); });
-  halves("the half of the angle is forgotten", 1, 1);
-  halves("the angle is halved twice", real(0.25), real(0.25));
-  halves("nothing turns. Is the half 1 / 2, which is 0 in whole numbers?", 0, 0);
-  const char* const both = "the half of the angle belongs to both, the sine and the cosine";
+  halves("#half-angle-forgotten the half of the angle is forgotten", 1, 1);
+  halves("#half-half the angle is halved twice", real(0.25), real(0.25));
+  halves("#half-whole-number nothing turns. Is the half 1 / 2, which is 0 in whole numbers?", 0, 0);
+  const char* const both = "#half-angle-cosine-only the half of the angle belongs to both, the "
+                           "sine and the cosine";
   halves(both, 1, real(0.5));
   halves(both, real(0.5), 1);
   axis([](V w, real) { return w; });
   axis([](V w, real h) { return h * w; });
   axis([](V w, real h) { return w / (h * length(w)); });
-  out.push_back({"the sign of the rotation",
+  out.push_back({"#sign-turn the sign of the rotation",
                  [](RotationStep& s) { s.axis = [](V w, real) { return -w / length(w); }; }});
-  written("the order of the four numbers: quat(w, x, y, z), the cosine first",
+  written("#order-four-numbers the order of the four numbers: quat(w, x, y, z), the cosine first",
           [](real s, real c, V axis) { return quat(s * axis.x, s * axis.y, s * axis.z, c); });
-  written("sine and cosine are exchanged: the cosine comes first",
+  written("#sine-cosine-exchanged sine and cosine are exchanged: the cosine comes first",
           [](real s, real c, V axis) { return quat(s, c * axis); });
-  out.push_back({"h w holds no Euler angles: it is an axis times an angle", [](RotationStep& s) {
+  out.push_back({"#euler-angles h w holds no Euler angles: it is an axis times an angle",
+                 [](RotationStep& s) {
                    const vec3 w = s.c.w;
                    const real h = s.c.h;
                    s.written = [=](real, real, V) { return quat(h * w); };
                  }});
-  together("the rotation is multiplied from the right, or w is turned by q: w is in world axes, "
-           "not body axes",
+  together("#from-the-right the rotation is multiplied from the right, or w is turned by q: w is "
+           "in world axes, not body axes",
            [](Q turn, Q q) { return q * turn; });
-  together("the old orientation is lost: exp(h w) q", [](Q turn, Q) { return turn; });
+  together("#old-orientation-lost the old orientation is lost: exp(h w) q",
+           [](Q turn, Q) { return turn; });
   together("q is inverted: the rotation stands on the left of q itself",
            [](Q turn, Q q) { return turn * conjugate(q); });
   together("q is no vector: the rotation stands on its left alone",
            [](Q turn, Q q) { return turn * q * conjugate(turn); });
-  together("the rotation is added to q: it is multiplied", [](Q turn, Q q) { return turn + q; });
-  out.push_back({"w is in world axes already: it is not turned by q",
+  together("#rotation-added the rotation is added to q: it is multiplied",
+           [](Q turn, Q q) { return turn + q; });
+  out.push_back({"#w-into-body-axes w is in world axes already: it is not turned by q",
                  [](RotationStep& s) { s.in_world = [](Q q, V w) { return conjugate(q) * w; }; }});
-  out.push_back({"a body at rest keeps q: it does not go back to (1, 0, 0, 0)",
+  out.push_back({"#back-start-rest a body at rest keeps q: it does not go back to (1, 0, 0, 0)",
                  [](RotationStep& s) { s.at_rest = [](Q) { return quat(1, 0, 0, 0); }; }});
   const auto first_order = [&](const char* words, real factor, bool right) {
     out.push_back({words, [=](RotationStep& s) {
@@ -117,14 +123,16 @@ inline Pieces<RotationStep> rotation_mistakes() {
                      };
                    }});
   };
-  first_order("q + h/2 (0, w) q is only the first term of the exponential", real(0.5), false);
-  first_order("q + h (0, w) q is only the first term of the exponential, and without its half", 1,
+  first_order("#first-order q + h/2 (0, w) q is only the first term of the exponential",
+              real(0.5), false);
+  first_order("#first-order-without-half q + h (0, w) q is only the first term of the "
+              "exponential, and without its half", 1,
               false);
   first_order("q + h/2 q (0, w) is only the first term of the exponential, and from the wrong side",
               real(0.5), true);
   const auto small = [&](real limit, bool with_h) {
-    out.push_back({"a small angle is left out: many small steps add up, and only an angle of 0 is "
-                   "no rotation", [=](RotationStep& s) {
+    out.push_back({"#small-angles-left-out a small angle is left out: many small steps add up, "
+                   "and only an angle of 0 is no rotation", [=](RotationStep& s) {
                      s.limit = limit;
                      s.size = [=](V w, real h) { return (with_h ? h : 1) * length(w); };
                    }});

@@ -38,7 +38,8 @@ TEST_CASE("2.2 K of a ball joint is J M^-1 J^T at every pose", "[2.2]") {
 TEST_CASE("2.2 K between two static bodies is zero", "[2.2]") {
   const mat3 K = paper_part.K(ball_paper1, static_body(vec3(1, 2, 3)));
   expect(PointFixture::K, "K", K, mat3(0), 0,
-         {{K, "between two static bodies K is 0: nothing is added to it"}});
+         {{K, "#unit-matrix-between-walls between two static bodies K is 0: nothing is added to "
+              "it"}});
 }
 
 // ---- 2.3 ----------------------------------------------------------------------------------------
@@ -86,7 +87,8 @@ TEST_CASE("2.4 the new orientation has length 1, whatever has become of the old 
   const quat q = real(1.001) * rotation(vec3(1, 2, 3));
   expect({"2.4", "turning a body"}, "length of q, which was 1.001",
          double(length(turned(q, vec3(1, -1, 2), real(0.1)))), 1, rounding,
-         {{1.001, "the product is not normalised: rounding adds up over many steps"}});
+         {{1.001, "#not-normalised the product is not normalised: rounding adds up over many "
+                  "steps"}});
 }
 
 TEST_CASE("2.4 a thousand turns leave a unit quaternion", "[2.4]") {

@@ -9,6 +9,13 @@
 
 namespace joints::testing {
 
+inline const char* const told_difference_of_angles =
+    "#difference-of-angles a difference of two angles: the turns are multiplied, q1^-1 q2 "
+    "start^-1";
+inline const char* const told_minus_expected =
+    "#minus-expected `expected` is not asked for here: the twist is what is measured, in (-pi, "
+    "pi]";
+
 struct AngleCase {
   std::string words;
   quat q1, q2, start;
@@ -74,15 +81,17 @@ inline CaseTable<AngleCase> angle_table() {
     return 2 * std::atan2(p < 0 ? -v : v, s);
   };
   const auto twist = [](real p, real s, real) { return 2 * std::atan2(p, s); };
-  const char* const no_sign = "no sign rule: q and -q are the same rotation. Where s < 0 take -q";
-  const char* const all_of_it = "the angle of the whole rotation: that has the swing in it, and no "
-                                "sign. The twist takes only p, the part of v along the axis";
+  const char* const no_sign = "#no-sign-rule no sign rule: q and -q are the same rotation. Where "
+                              "s < 0 take -q";
+  const char* const all_of_it = "#glm-angle the angle of the whole rotation: that has the swing "
+                                "in it, and no sign. The twist takes only p, the part of v along "
+                                "the axis";
   const char* const world_frame =
-      "the rotation as the world sees it (q2 q1^-1): it changes when both bodies turn as one. "
-      "q1^-1 q2 is body 2 as body 1 sees it";
+      "#turn-world the rotation as the world sees it (q2 q1^-1): it changes when both bodies turn "
+      "as one. q1^-1 q2 is body 2 as body 1 sees it";
   const char* const start_inverse = "start is multiplied, not its inverse";
-  const char* const axis_frame = "the axis and the turn in different frames: in body 1's frame the "
-                                 "axis is a1_local as it stands";
+  const char* const axis_frame = "#axis-turn-different-frames the axis and the turn in different "
+                                 "frames: in body 1's frame the axis is a1_local as it stands";
 
   CaseTable<Case> table{{"3.3", "the angle of a hinge"}, {"twist [degrees]"}, {}, {}, {}, {}};
   table.yours = [=](const Case& c) {
@@ -94,11 +103,12 @@ inline CaseTable<AngleCase> angle_table() {
   table.right = of(turn);
   table.mistakes = {
       {no_sign, as_it_comes(twist)},
-      {"s alone changes its sign: where s < 0 negate all of q, p too",
+      {"#sign-s-alone s alone changes its sign: where s < 0 negate all of q, p too",
        as_it_comes([](real p, real s, real) { return 2 * std::atan2(p, std::abs(s)); })},
-      {"v alone changes its sign: where s < 0 negate all of q, s too",
+      {"#sign-rule-conjugate v alone changes its sign: where s < 0 negate all of q, s too",
        as_it_comes([](real p, real s, real) { return 2 * std::atan2(s < 0 ? -p : p, s); })},
-      {"the rotation as the world sees it (take q1^-1 q2), and no sign rule (s < 0: take -q)",
+      {"#world-frame-no-sign the rotation as the world sees it (take q1^-1 q2), and no sign rule "
+       "(s < 0: take -q)",
        [=](const Case& c) {
          return degrees(as_it_stands(c.q2 * conjugate(c.q1) * conjugate(c.start), c.a1_local));
        }},
@@ -115,16 +125,17 @@ inline CaseTable<AngleCase> angle_table() {
          return degrees(angle_of(c.q2 * conjugate(c.q1) * conjugate(c.start),
                                  c.q1 * c.a1_local));
        }},
-      {"the rotation as the world sees it, and its whole angle: take q1^-1 q2, and only p",
+      {"#total-angle-world the rotation as the world sees it, and its whole angle: take q1^-1 q2, "
+       "and only p",
        [=](const Case& c) {
          const quat q = c.q2 * conjugate(c.q1) * conjugate(c.start);
          return degrees(total(0, q.w, length(vector(q))));
        }},
-      {"the factor 2 is missing: a quaternion holds half the angle",
+      {"#factor-two-forgotten the factor 2 is missing: a quaternion holds half the angle",
        angle([](real p, real s, real) { return std::atan2(p, s); })},
       {"a factor of 4: the quaternion holds half the angle, so take it twice",
        angle([](real p, real s, real) { return 4 * std::atan2(p, s); })},
-      {"the arguments of atan2 are exchanged: first p, then s",
+      {"#atan2-exchanged the arguments of atan2 are exchanged: first p, then s",
        angle([](real p, real s, real) { return 2 * std::atan2(s, p); })},
       {"the sign of the rotation: body 2 as body 1 sees it",
        angle([](real p, real s, real) { return -2 * std::atan2(p, s); })},
@@ -132,75 +143,78 @@ inline CaseTable<AngleCase> angle_table() {
        angle([](real p, real s, real) { return 2 * std::atan2(std::abs(p), s); })},
       {"half the range: a sine cannot tell 80 degrees from 100. atan2 takes p and s",
        angle([](real p, real s, real) { return std::asin(std::sin(2 * std::atan2(p, s))); })},
-      {"from 0 to 360 degrees: the angle must be in (-pi, pi]", angle([](real p, real s, real) {
+      {"#wrapped-0-2pi from 0 to 360 degrees: the angle must be in (-pi, pi]",
+       angle([](real p, real s, real) {
          const real half = std::atan2(p, s);
          return 2 * (half < 0 ? half + pi : half);
        })},
-      {"the sine alone: p is the sine of half the twist only where nothing swings",
+      {"#asin-of-p the sine alone: p is the sine of half the twist only where nothing swings",
        angle([](real p, real, real) { return 2 * std::asin(p); })},
       {"2 p is the angle only while it is small", angle([](real p, real, real) { return 2 * p; })},
-      {"degrees where radians belong",
+      {"#degrees degrees where radians belong",
        angle([=](real p, real s, real) { return 360 / pi * std::atan2(p, s); })},
-      {"`expected` is not asked for here: the twist is what is measured, in (-pi, pi]",
+      {told_minus_expected,
        angle([](real p, real s, real) { return 2 * std::atan2(p, s) - expected_angle; })},
-      {"`expected` is not asked for here: the twist is what is measured, in (-pi, pi]",
+      {told_minus_expected,
        angle([](real p, real s, real) {
          const real twist = 2 * std::atan2(p, s);
          return expected_angle + std::remainder(twist - expected_angle, 2 * pi);
        })},
-      {"the sign rule the wrong way round: where s > 0 -q was taken",
+      {"#sign-rule-w-0 the sign rule the wrong way round: where s > 0 -q was taken",
        angle([](real p, real s, real) { return 2 * std::atan2(-p, -s); })},
-      {"p decides which of q and -q is taken: the sign of s does",
+      {"#sign-rule-p p decides which of q and -q is taken: the sign of s does",
        as_it_comes([](real p, real s, real) { return 2 * std::atan2(p, p < 0 ? -s : s); })},
-      {"x decides which of q and -q is taken: the sign of s does",
+      {"#sign-rule-x x decides which of q and -q is taken: the sign of s does",
        [=](const Case& c) {
          const quat q = turn(c);
          return degrees(as_it_stands(q.x < 0 ? -q : q, c.a1_local));
        }},
-      {"the factor 2 belongs in front of atan2, not in front of p",
+      {"#atan2-double-angle the factor 2 belongs in front of atan2, not in front of p",
        angle([](real p, real s, real) { return std::atan2(2 * p, s); })},
       {"p and s are multiplied: std::atan2 takes both, their quotient is the tangent",
        as_it_comes([](real p, real s, real) { return 2 * std::atan(p * s); })},
-      {"the part of the vector along the axis: that is the twist only where nothing swings",
+      {"#glm-angle-sign the part of the vector along the axis: that is the twist only where "
+       "nothing swings",
        angle([](real p, real s, real v) { return v > 0 ? 2 * std::atan2(v, s) * p / v : 0; })},
-      {"the numbers w, x, y: the vector of q is (q.x, q.y, q.z)",
+      {"#vector-q-w-q the numbers w, x, y: the vector of q is (q.x, q.y, q.z)",
        [=](const Case& c) {
          const quat q = up(turn(c));
          return degrees(2 * std::atan2(dot(vec3(q.w, q.x, q.y), c.a1_local), q.w));
        }},
-      {"the angle is cut off to a whole number: an int has no fraction",
+      {"#int-angle the angle is cut off to a whole number: an int has no fraction",
        angle([](real p, real s, real) { return std::trunc(2 * std::atan2(p, s)); })},
-      {"a difference of quaternions is no rotation: q1^-1 q2", [=](const Case& c) {
+      {"#difference a difference of quaternions is no rotation: q1^-1 q2", [=](const Case& c) {
          return degrees(as_it_stands(c.q2 - c.q1, c.a1_local));
        }},
       {"angles about three axes are no rotation: their sum along the axis is not the twist",
        [=](const Case& c) { return degrees(dot(glm::eulerAngles(turn(c)), c.a1_local)); }},
       {"angles about three axes are no rotation: their sum along the axis is not the twist",
        [=](const Case& c) { return degrees(dot(glm::eulerAngles(up(turn(c))), c.a1_local)); }},
-      {"body 2 alone: the angle is that of body 2 as body 1 sees it, q1^-1 q2",
+      {"#only-body-2 body 2 alone: the angle is that of body 2 as body 1 sees it, q1^-1 q2",
        of([](const Case& c) { return c.q2; })},
-      {"a difference of two angles: the turns are multiplied, q1^-1 q2 start^-1",
+      {told_difference_of_angles,
        [=](const Case& c) {
          return degrees(angle_of(conjugate(c.q1) * c.q2, c.a1_local) -
                         angle_of(c.start, c.a1_local));
        }},
-      {"a difference of two angles: the turns are multiplied, q1^-1 q2 start^-1",
+      {told_difference_of_angles,
        [=](const Case& c) {
          return degrees(as_it_stands(c.q2, c.a1_local) - as_it_stands(c.q1, c.a1_local));
        }},
       {"half the range: a sine cannot tell 80 degrees from 100. atan2 takes p and s",
        angle([](real p, real s, real) { return std::asin(2 * p * s); })},
-      {"v is not made a unit vector: its length is the sine",
+      {"#v-made-unit-vector v is not made a unit vector: its length is the sine",
        angle([](real p, real s, real v) { return 2 * std::atan2(p / v, s); })},
-      {"the quotient the wrong way round: the tangent is p / s",
+      {"#atan-ratio-reversed the quotient the wrong way round: the tangent is p / s",
        as_it_comes([](real p, real s, real) { return 2 * std::atan(s / p); })},
       {"start is forgotten, and the sign rule (where s < 0 negate all of q)",
        [=](const Case& c) {
          return degrees(as_it_stands(conjugate(c.q1) * c.q2, c.a1_local));
        }},
-      {"start is forgotten", of([](const Case& c) { return conjugate(c.q1) * c.q2; })},
+      {"#start-forgotten start is forgotten",
+       of([](const Case& c) { return conjugate(c.q1) * c.q2; })},
       {start_inverse, of([](const Case& c) { return conjugate(c.q1) * c.q2 * c.start; })},
-      {"start^-1 stands on the wrong side: q1^-1 q2 start^-1",
+      {"#start-wrong-side start^-1 stands on the wrong side: q1^-1 q2 start^-1",
        of([](const Case& c) { return conjugate(c.start) * conjugate(c.q1) * c.q2; })},
       {"start stands on the wrong side, and not its inverse: q1^-1 q2 start^-1",
        of([](const Case& c) { return c.start * conjugate(c.q1) * c.q2; })},

@@ -52,7 +52,8 @@ inline CaseTable<AxisCase> axis_table() {
   const auto point_2 = [=](const Case& at, const vec3& local) {
     return at.pair.body2.x + on_2(at, local);
   };
-  const char* const points = "a point where a direction belongs: to_world, not world_point";
+  const char* const points = "#of-points a point where a direction belongs: to_world, not "
+                             "world_point";
   const auto right = with(a1, on_2);
 
   CaseTable<Case> table{{"3.1", "the error C of a hinge's axis"}, {"C.b", "C.c"}, {}, {}, {}, {}};
@@ -62,19 +63,21 @@ inline CaseTable<AxisCase> axis_table() {
   };
   table.right = right;
   table.mistakes = {
-      {"the sign of C", [=](const Case& at) { return Numbers{-right(at)[0], -right(at)[1]}; }},
+      {"#sign-c the sign of C",
+       [=](const Case& at) { return Numbers{-right(at)[0], -right(at)[1]}; }},
       {"the two numbers are exchanged: first a1.b, then a1.c",
        [=](const Case& at) { return Numbers{right(at)[1], right(at)[0]}; }},
-      {"b_local and c_local are not turned into the world", with(a1, as_it_is)},
+      {"#c-not-turned b_local and c_local are not turned into the world", with(a1, as_it_is)},
       {"a1_local is not turned into the world", with(a1_local, on_2)},
-      {"nothing is turned, or all by the same body: a1 rides on body 1, b and c on body 2",
+      {"#all-turned-body-1 nothing is turned, or all by the same body: a1 rides on body 1, b and "
+       "c on body 2",
        with(a1_local, as_it_is)},
       {"bodies 1 and 2 swapped: a1 rides on body 1, b and c on body 2", with(a1_on_2, on_1)},
       {"turned the wrong way: to_world, not to_local", with(a1_back, back)},
-      {"the cross product of the axes: that holds a1.c and -(a1.b)",
+      {"#cross-product-axes the cross product of the axes: that holds a1.c and -(a1.b)",
        [=](const Case& at) { return Numbers{right(at)[1], -right(at)[0]}; }},
-      {"0 in every case: it is never written, or cut off by an int, or a2 stands in the place of "
-       "a1 (a2 is at right angles to its own b and c)",
+      {"#its-own-axis 0 in every case: it is never written, or cut off by an int, or a2 stands in "
+       "the place of a1 (a2 is at right angles to its own b and c)",
        [](const Case&) { return Numbers{0, 0}; }},
       {points, with(a1_point, point_2)},
       {points, with(a1_point, on_2)},
@@ -86,7 +89,7 @@ inline CaseTable<AxisCase> axis_table() {
       {"the squares: C holds a1.b and a1.c themselves", [=](const Case& at) {
          return Numbers{right(at)[0] * right(at)[0], right(at)[1] * right(at)[1]};
        }},
-      {"1 minus the cosine: the vectors are at right angles, so a1.b itself is 0",
+      {"#1-cos 1 minus the cosine: the vectors are at right angles, so a1.b itself is 0",
        [=](const Case& at) { return Numbers{1 - right(at)[0], 1 - right(at)[1]}; }},
       {"the angle itself: C holds the cosines a1.b and a1.c as they are", [=](const Case& at) {
          return Numbers{std::asin(right(at)[0]), std::asin(right(at)[1])};

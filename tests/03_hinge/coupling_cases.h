@@ -94,7 +94,8 @@ inline CaseTable<RowsCase> coupling_table() {
     return Numbers{double(coupling(c.a, c.b, c.pair.body1, c.pair.body2))};
   };
   table.right = with(inverse_of);
-  const char* const masses = "masses where inverse masses belong: M^-1 divides by the mass";
+  const char* const masses = "#mass-inverse-mass masses where inverse masses belong: M^-1 divides "
+                             "by the mass";
   const char* const all = "masses and inertias where their inverses belong";
   table.mistakes = {
       {masses, with([=](const Body& body) { return Mass{mass(body), inverse_inertia(body)}; })},
@@ -105,31 +106,33 @@ inline CaseTable<RowsCase> coupling_table() {
        }},
       {"inertia where inverse inertia belongs",
        with([=](const Body& body) { return Mass{body.inverse_mass, inertia(body)}; })},
-      {"body-space inertia: take inverse_inertia(body)",
+      {"#body-space-inertia body-space inertia: take inverse_inertia(body)",
        with([=](const Body& body) { return Mass{body.inverse_mass, local(body)}; })},
       {"body-space inertia of body 1: take inverse_inertia(body)",
        of_bodies([=](const Body& one, const Body& two) {
          return std::pair(Mass{one.inverse_mass, local(one)}, inverse_of(two));
        })},
-      {"body-space inertia of body 2: take inverse_inertia(body)",
+      {"#local-inertia-body-2 body-space inertia of body 2: take inverse_inertia(body)",
        of_bodies([=](const Body& one, const Body& two) {
          return std::pair(inverse_of(one), Mass{two.inverse_mass, local(two)});
        })},
-      {"the inertia is turned the wrong way round: R I^-1 R^T, not R^T I^-1 R",
+      {"#inertia-turned-wrong-way the inertia is turned the wrong way round: R I^-1 R^T, not R^T "
+       "I^-1 R",
        with([=](const Body& body) {
          return Mass{body.inverse_mass, turned(body, conjugate(body.q))};
        })},
-      {"rows in the body's axes with an inertia in the world's: inverse_inertia(body) takes the "
-       "rows as they are",
+      {"#local-rows rows in the body's axes with an inertia in the world's: inverse_inertia(body) "
+       "takes the rows as they are",
        with([=](const Body& body) {
          const mat3 R = glm::mat3_cast(body.q);
          return Mass{body.inverse_mass, R * inverse_inertia(body) * transpose(R)};
        })},
-      {"one side is turned into the body's axes and not the other: take inverse_inertia(body)",
+      {"#only-local-side one side is turned into the body's axes and not the other: take "
+       "inverse_inertia(body)",
        with([=](const Body& body) {
          return Mass{body.inverse_mass, local(body) * transpose(glm::mat3_cast(body.q))};
        })},
-      {"the inverse inertia of body 1 is missing",
+      {"#w-terms-without-inertia the inverse inertia of body 1 is missing",
        of_bodies([=](const Body& one, const Body& two) {
          return std::pair(Mass{one.inverse_mass, mat3(1)}, inverse_of(two));
        })},
@@ -156,11 +159,12 @@ inline CaseTable<RowsCase> coupling_table() {
        with([](const Body& body) { return Mass{1, inverse_inertia(body)}; })},
       {"the inverse inertia is missing",
        with([](const Body& body) { return Mass{body.inverse_mass, mat3(1)}; })},
-      {"body 1 is missing", scaled(0, 0, 1, 1)},
-      {"body 2 is missing", scaled(1, 1, 0, 0)},
-      {"the angular parts are missing: the blocks w1 and w2", scaled(1, 0, 1, 0)},
+      {"#body-2-alone body 1 is missing", scaled(0, 0, 1, 1)},
+      {"#sum-that-thrown-away body 2 is missing", scaled(1, 1, 0, 0)},
+      {"#without-turns the angular parts are missing: the blocks w1 and w2", scaled(1, 0, 1, 0)},
       {"the linear blocks v1 and v2 are missing", scaled(0, 1, 0, 1)},
-      {"the sign of body 1's share: the shares of both bodies are added", scaled(-1, -1, 1, 1)},
+      {"#minus-body-1 the sign of body 1's share: the shares of both bodies are added",
+       scaled(-1, -1, 1, 1)},
       {"the sign of body 2's share: the shares of both bodies are added", scaled(1, 1, -1, -1)},
       {"the sign of the rotations' share: all four terms are added", scaled(1, -1, 1, -1)},
       {"the sign of the result", scaled(-1, -1, -1, -1)},
@@ -172,12 +176,12 @@ inline CaseTable<RowsCase> coupling_table() {
        of_bodies([=](const Body& one, const Body& two) {
          return std::pair(inverse_of(two), inverse_of(one));
        })},
-      {"the inertia of the other body",
+      {"#inertia-other-body the inertia of the other body",
        of_bodies([](const Body& one, const Body& two) {
          return std::pair(Mass{one.inverse_mass, inverse_inertia(two)},
                           Mass{two.inverse_mass, inverse_inertia(one)});
        })},
-      {"the inertia of body 1 for both bodies: each has its own",
+      {"#inertia-body-1-both the inertia of body 1 for both bodies: each has its own",
        of_bodies([=](const Body& one, const Body& two) {
          return std::pair(inverse_of(one), Mass{two.inverse_mass, inverse_inertia(one)});
        })},
@@ -189,7 +193,7 @@ inline CaseTable<RowsCase> coupling_table() {
        of_bodies([=](const Body& one, const Body& two) {
          return std::pair(inverse_of(one), Mass{one.inverse_mass, inverse_inertia(two)});
        })},
-      {"the inverse mass of body 2 for both bodies: each has its own",
+      {"#mass-body-2-both the inverse mass of body 2 for both bodies: each has its own",
        of_bodies([=](const Body& one, const Body& two) {
          return std::pair(Mass{two.inverse_mass, inverse_inertia(one)}, inverse_of(two));
        })},
@@ -201,14 +205,14 @@ inline CaseTable<RowsCase> coupling_table() {
        of_bodies([=](const Body&, const Body& two) {
          return std::pair(inverse_of(two), inverse_of(two));
        })},
-      {"blocks of body 1 with those of body 2: v1 with v1, w1 with w1",
+      {"#crossed-v1-v2 blocks of body 1 with those of body 2: v1 with v1, w1 with w1",
        [=](const Case& c) {
          const Row swapped{c.b.v2, c.b.w2, c.b.v1, c.b.w1};
          return product(c.a, inverse_of(c.pair.body1), inverse_of(c.pair.body2), swapped);
        }},
-      {"w1 where w2 belongs: body 2 takes its own blocks, a.w2 and b.w2",
+      {"#w1-for-w2 w1 where w2 belongs: body 2 takes its own blocks, a.w2 and b.w2",
        with_blocks([](Row& a, Row& b) { a.w2 = a.w1, b.w2 = b.w1; })},
-      {"a.w1 where a.w2 belongs", with_blocks([](Row& a, Row&) { a.w2 = a.w1; })},
+      {"#a-copied-block a.w1 where a.w2 belongs", with_blocks([](Row& a, Row&) { a.w2 = a.w1; })},
       {"b.w1 where b.w2 belongs", with_blocks([](Row&, Row& b) { b.w2 = b.w1; })},
       {"v1 where v2 belongs: body 2 takes its own blocks, a.v2 and b.v2",
        with_blocks([](Row& a, Row& b) { a.v2 = a.v1, b.v2 = b.v1; })},
@@ -216,16 +220,18 @@ inline CaseTable<RowsCase> coupling_table() {
       {"b.v1 where b.v2 belongs", with_blocks([](Row&, Row& b) { b.v2 = b.v1; })},
       {"one over the result: that is an effective mass",
        [=](const Case& c) { return Numbers{1 / table.right(c)[0]}; }},
-      {"a static body has an answer, too: its own share is 0, the other body's is not",
+      {"#zero-static-body a static body has an answer, too: its own share is 0, the other body's "
+       "is not",
        [=](const Case& c) {
          const bool wall = c.pair.body1.is_static() || c.pair.body2.is_static();
          return wall ? Numbers{0} : table.right(c);
        }},
       {"a static body 1 has an answer, too: its own share is 0, body 2's is not",
        [=](const Case& c) { return c.pair.body1.is_static() ? Numbers{0} : table.right(c); }},
-      {"a static body 2 has an answer, too: its own share is 0, body 1's is not",
+      {"#zero-static-body-2 a static body 2 has an answer, too: its own share is 0, body 1's is "
+       "not",
        [=](const Case& c) { return c.pair.body2.is_static() ? Numbers{0} : table.right(c); }},
-      {"the sum is an int: it cuts the fraction off", [=](const Case& c) {
+      {"#int-sum the sum is an int: it cuts the fraction off", [=](const Case& c) {
          int sum = 0;
          for (int k = 0; k < 4; ++k)
            sum += int(scaled(k == 0, k == 1, k == 2, k == 3)(c)[0] + sum) - sum;

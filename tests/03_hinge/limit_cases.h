@@ -8,6 +8,25 @@
 
 namespace joints::testing {
 
+inline const char* const told_filled_where_live =
+    "#filled-where-live C and sign are those of the nearer limit whether it is live or not";
+inline const char* const told_live_if_either_near =
+    "#live-if-either-near live is asked of the limit that is returned, not of the other one";
+inline const char* const told_live_only_direction =
+    "#live-only-direction live while x moves away, too: a neighbour may turn it round within the "
+    "step";
+inline const char* const told_only_direction_rate =
+    "#only-direction-rate the limit toward which x moves: the smaller gap at the end of the step "
+    "decides";
+inline const char* const told_rate_one_side =
+    "#rate-one-side the rate counts for both limits: the one gap grows by h rate, the other "
+    "shrinks by it";
+inline const char* const told_gap_end =
+    "#gap-end C is the gap now: what the rate does to it in the step decides only which limit it "
+    "is";
+inline const char* const told_sign_rate =
+    "#sign-rate the sign is that of the limit: it does not ask where x is going";
+
 /// A step of 1/10 s.
 struct LimitCase {
   std::string words;
@@ -73,18 +92,22 @@ inline CaseTable<LimitCase> limit_table() {
     return numbers(row);
   };
   const char* const upper_sign =
-      "the sign at the upper limit: C = upper - x shrinks while x grows, so that dC/dx is -1";
-  const char* const upper_gap = "C at the upper limit: the gap is upper - x, not x - upper";
-  const char* const beyond = "beyond the limit C is negative: no absolute value";
-  const char* const lower_gap = "C at the lower limit: the gap is x - lower, not lower - x";
-  const char* const whole = "the rate is cut off to a whole number: an int has no fraction";
+      "#sign-upper-limit the sign at the upper limit: C = upper - x shrinks while x grows, so "
+      "that dC/dx is -1";
+  const char* const upper_gap = "#gap-above-upper-limit C at the upper limit: the gap is upper - "
+                                "x, not x - upper";
+  const char* const beyond = "#abs-of-c beyond the limit C is negative: no absolute value";
+  const char* const lower_gap = "#lower-c-negated C at the lower limit: the gap is x - lower, not "
+                                "lower - x";
+  const char* const whole = "#abs-int-rate the rate is cut off to a whole number: an int has no "
+                            "fraction";
   const char* const way_round =
-      "the limit with the smaller gap now: the smaller gap at the end of the step decides, where "
-      "the lower gap has grown by h rate and the upper one has shrunk by it";
-  const char* const size = "the size of the rate counts, |rate|: a neighbour may turn x round "
-                           "within the step";
-  const char* const violated = "live only where the limit is passed already: then it is too late. "
-                               "The row must be there in the step before";
+      "#both-h-rate the limit with the smaller gap now: the smaller gap at the end of the step "
+      "decides, where the lower gap has grown by h rate and the upper one has shrunk by it";
+  const char* const size = "#rule-h-rate the size of the rate counts, |rate|: a neighbour may "
+                           "turn x round within the step";
+  const char* const violated = "#only-where-passed live only where the limit is passed already: "
+                               "then it is too late. The row must be there in the step before";
 
   CaseTable<Case> table{{"3.4", "the row of a limit (h = 1/10 s; live 1 is yes)"},
                         {"C", "sign", "live"}, {}, {}, {}, {}};
@@ -107,9 +130,9 @@ inline CaseTable<LimitCase> limit_table() {
       {beyond, changed([](const Case&, Row3& r) { r.C = std::abs(r.C); })},
       {beyond, build(smaller_gap_after, [](const Case&, Row3& r) { r.C = std::abs(r.C); },
                      [=](const Case& c, Row3 r) { return live(c, {std::abs(r.C), 1, false}); })},
-      {"C is the gap now: what the rate does to it in the step decides only which limit it is",
+      {told_gap_end,
        changed([](const Case& c, Row3& r) { r.C += h * r.sign * c.rate; })},
-      {"C is the gap now: what the rate does to it in the step decides only which limit it is",
+      {told_gap_end,
        build(smaller_gap_after, [](const Case& c, Row3& r) { r.C += h * r.sign * c.rate; },
              [=](const Case& c, Row3 r) {
                return live(c, {r.C + h * r.sign * c.rate, 1, false});
@@ -120,11 +143,11 @@ inline CaseTable<LimitCase> limit_table() {
                        [](const Case&, const Row3& r) { return r.C < 0; })},
       {"live only if the limit will be passed within the step: the rule is C < h |rate| + 0.1 h",
        ruled([](const Case& c, const Row3& r) { return r.C + h * r.sign * c.rate < 0; })},
-      {"the speed is missing in the rule: C < h |rate| + 0.1 h",
+      {"#without-the-speed the speed is missing in the rule: C < h |rate| + 0.1 h",
        ruled([](const Case&, const Row3& r) { return r.C < 0.1 * h; })},
-      {"0.1 h is missing in the rule: C < h |rate| + 0.1 h",
+      {"#1-10-whole-numbers 0.1 h is missing in the rule: C < h |rate| + 0.1 h",
        ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate); })},
-      {"0.1, or h, where 0.1 h belongs",
+      {"#h-0-1-h 0.1, or h, where 0.1 h belongs",
        ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate) + 0.1; })},
       {"the rate is not multiplied by h",
        ruled([](const Case& c, const Row3& r) { return r.C < std::abs(c.rate) + 0.1 * h; })},
@@ -138,11 +161,12 @@ inline CaseTable<LimitCase> limit_table() {
          c.rate = std::trunc(c.rate);
          return build(smaller_gap_after, keep, live)(c);
        }},
-      {"the 0.1 stands outside the absolute value: |rate| + 0.1, not |rate + 0.1|",
+      {"#0-1-within-absolute the 0.1 stands outside the absolute value: |rate| + 0.1, not |rate + "
+       "0.1|",
        ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate + 0.1); })},
-      {"0.1 h is added: C < h |rate| + 0.1 h",
+      {"#minus-0-1-h 0.1 h is added: C < h |rate| + 0.1 h",
        ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate) - 0.1 * h; })},
-      {"less than 0.1 h is added (0.01 h, or h twice): C < h |rate| + 0.1 h",
+      {"#0-01-h less than 0.1 h is added (0.01 h, or h twice): C < h |rate| + 0.1 h",
        ruled([](const Case& c, const Row3& r) { return r.C < h * std::abs(c.rate) + 0.01 * h; })},
       {"the rate is squared: C < h |rate| + 0.1 h",
        ruled([](const Case& c, const Row3& r) { return r.C < h * c.rate * c.rate + 0.1 * h; })},
@@ -150,7 +174,8 @@ inline CaseTable<LimitCase> limit_table() {
        ruled([](const Case& c, const Row3& r) {
          return r.C < 2 * h * std::abs(c.rate) + 0.1 * h;
        })},
-      {"beyond the limit a row is live, too: C is negative there, and no absolute value is taken",
+      {"#abs-c-rule beyond the limit a row is live, too: C is negative there, and no absolute "
+       "value is taken",
        ruled([](const Case& c, const Row3& r) {
          return std::abs(r.C) < h * std::abs(c.rate) + 0.1 * h;
        })},
@@ -158,25 +183,25 @@ inline CaseTable<LimitCase> limit_table() {
        ruled([](const Case& c, const Row3& r) {
          return r.C / h < h * std::abs(c.rate) + 0.1 * h;
        })},
-      {"the gap now decides whether the row is live: C, not C + h dC/dt",
+      {"#live-gap-after the gap now decides whether the row is live: C, not C + h dC/dt",
        ruled([](const Case& c, const Row3& r) {
          return r.C + h * r.sign * c.rate < h * std::abs(c.rate) + 0.1 * h;
        })},
-      {"a limit is live at rest, too: no rate is asked for",
+      {"#not-live-rest a limit is live at rest, too: no rate is asked for",
        ruled([=](const Case& c, const Row3& r) { return c.rate != 0 && live(c, r); })},
-      {"live while x moves away, too: a neighbour may turn it round within the step",
+      {told_live_only_direction,
        ruled([=](const Case& c, const Row3& r) { return r.sign * c.rate <= 0 && live(c, r); })},
-      {"live while x moves away, too: a neighbour may turn it round within the step",
+      {told_live_only_direction,
        ruled([=](const Case& c, const Row3& r) { return r.sign * c.rate < 0 && live(c, r); })},
-      {"live is asked of the limit that is returned, not of the other one",
+      {told_live_if_either_near,
        ruled([=](const Case& c, const Row3&) {
          return live(c, side(c, false)) || live(c, side(c, true));
        })},
-      {"live is asked of the limit that is returned, not of the other one",
+      {told_live_if_either_near,
        ruled([=](const Case& c, const Row3&) {
          return live(c, side(c, false)) && live(c, side(c, true));
        })},
-      {"h is what is given, not 1/60", [=](const Case& c) {
+      {"#h-1-60 h is what is given, not 1/60", [=](const Case& c) {
          const double short_h = 1.0 / 60;
          return build([=](const Case& at) {
                         return at.upper - at.x - short_h * at.rate <=
@@ -185,27 +210,27 @@ inline CaseTable<LimitCase> limit_table() {
                         return r.C < short_h * std::abs(at.rate) + 0.1 * short_h;
                       })(c);
        }},
-      {"live is set for the lower limit alone",
+      {"#live-lower-only live is set for the lower limit alone",
        ruled([=](const Case& c, const Row3& r) { return r.sign > 0 && live(c, r); })},
       {"live is set for the upper limit alone",
        ruled([=](const Case& c, const Row3& r) { return r.sign < 0 && live(c, r); })},
-      {"two equal limits hold x: their row is live, too",
+      {"#equal-limits-live-excluded two equal limits hold x: their row is live, too",
        ruled([=](const Case& c, const Row3& r) { return c.lower != c.upper && live(c, r); })},
-      {"C and sign are those of the nearer limit whether it is live or not",
+      {told_filled_where_live,
        filled_in_where([](const Row3& row) { return row.live; })},
-      {"C and sign are those of the nearer limit whether it is passed or not",
+      {"#if-lower-passed-else C and sign are those of the nearer limit whether it is passed or not",
        filled_in_where([](const Row3& row) { return row.C < 0; })},
-      {"C and sign are those of the nearer limit whether it is live or not", [=](const Case& c) {
+      {told_filled_where_live, [=](const Case& c) {
          Row3 row{std::numeric_limits<double>::infinity(), 1, false};
          for (const bool upper : {false, true})
            if (Row3 one = side(c, upper); live(c, one)) row = one, row.live = true;
          return numbers(row);
        }},
-      {"the sign is that of the limit: it does not ask whether it is passed",
+      {"#sign-from-c the sign is that of the limit: it does not ask whether it is passed",
        changed([](const Case&, Row3& r) { r.sign = r.C < 0 ? -1 : 1; })},
-      {"the sign is that of the limit: it does not ask where x is going",
+      {told_sign_rate,
        changed([](const Case& c, Row3& r) { r.sign = c.rate < 0 ? 1 : -1; })},
-      {"the sign is that of the limit: it does not ask where x is going",
+      {told_sign_rate,
        changed([](const Case& c, Row3& r) { r.sign = c.rate <= 0 ? 1 : -1; })},
       {lower_gap, with_gaps([=](const Case& c, bool upper) {
          return (upper ? 1 : -1) * right_gap(c, upper);
@@ -217,46 +242,51 @@ inline CaseTable<LimitCase> limit_table() {
        with_gaps([=](const Case& c, bool upper) { return -right_gap(c, upper); })},
       {"the limits are exchanged: C is x - lower and upper - x",
        with_gaps([=](const Case& c, bool upper) { return -right_gap(c, !upper); })},
-      {"beyond the limit C is negative: it does not end at 0",
+      {"#c-clamped-0 beyond the limit C is negative: it does not end at 0",
        with_gaps([=](const Case& c, bool upper) { return std::max(right_gap(c, upper), 0.0); })},
-      {"the gaps are cut off to whole numbers: an int has no fraction",
+      {"#int-c the gaps are cut off to whole numbers: an int has no fraction",
        with_gaps([=](const Case& c, bool upper) {
          const double gap = right_gap(c, upper);
          return std::isfinite(gap) ? std::trunc(gap) : double(std::numeric_limits<int>::min());
        })},
-      {"no absolute value in the choice: beyond a limit the gap is negative, that is less",
+      {"#abs-c-choice no absolute value in the choice: beyond a limit the gap is negative, that "
+       "is less",
        choosing([=](const Case& c) {
          return !(std::abs(side(c, false).C + h * c.rate) < std::abs(side(c, true).C - h * c.rate));
        })},
-      {"h is missing in the choice of the limit: C + h dC/dt", choosing([=](const Case& c) {
+      {"#rate-without-h-choice h is missing in the choice of the limit: C + h dC/dt",
+       choosing([=](const Case& c) {
          return !(side(c, false).C + c.rate < side(c, true).C - c.rate);
        })},
-      {"the rate counts for both limits: the one gap grows by h rate, the other shrinks by it",
+      {told_rate_one_side,
        choosing([=](const Case& c) { return !(side(c, false).C + h * c.rate < side(c, true).C); })},
-      {"the rate counts for both limits: the one gap grows by h rate, the other shrinks by it",
+      {told_rate_one_side,
        choosing([=](const Case& c) { return !(side(c, false).C < side(c, true).C - h * c.rate); })},
-      {"the lower limit wherever it is live: the smaller gap at the end of the step decides",
+      {"#first-live-one-wins the lower limit wherever it is live: the smaller gap at the end of "
+       "the step decides",
        choosing([=](const Case& c) { return !live(c, side(c, false)); })},
       {size, ruled([](const Case& c, const Row3& r) { return r.C < -h * c.rate + 0.1 * h; })},
-      {"C is a gap: it is not divided by h",
+      {"#c-over-h C is a gap: it is not divided by h",
        changed([](const Case&, Row3& r) { r.C /= h; })},
-      {"the rule the wrong way round: live where C is small",
+      {"#greater the rule the wrong way round: live where C is small",
        ruled([=](const Case& c, const Row3& r) { return !live(c, r); })},
-      {"live is never set", ruled([](const Case&, const Row3&) { return false; })},
+      {"#not-live-set live is never set", ruled([](const Case&, const Row3&) { return false; })},
       {"always live: a limit that is far away needs no row",
        ruled([](const Case&, const Row3&) { return true; })},
       {way_round, choosing([](const Case& c) { return c.upper - c.x <= c.x - c.lower; })},
-      {"the limit toward which x moves: the smaller gap at the end of the step decides",
+      {told_only_direction_rate,
        choosing([](const Case& c) { return c.rate > 0; })},
-      {"the limit toward which x moves: the smaller gap at the end of the step decides",
+      {told_only_direction_rate,
        choosing([](const Case& c) { return c.rate >= 0; })},
       {"the limit with the larger gap is taken", choosing([=](const Case& c) {
          return !smaller_gap_after(c);
        })},
-      {"the sign of the rate: at the end of the step x is x + h rate", choosing([](const Case& c) {
+      {"#signs-rate-exchanged the sign of the rate: at the end of the step x is x + h rate",
+       choosing([](const Case& c) {
          return c.upper - c.x + h * c.rate <= c.x - c.lower - h * c.rate;
        })},
-      {"the upper limit is never looked at", choosing([](const Case&) { return false; })},
+      {"#min-limits the upper limit is never looked at",
+       choosing([](const Case&) { return false; })},
       {"the lower limit is never looked at", choosing([](const Case&) { return true; })}};
   const double none = std::numeric_limits<double>::infinity();
   table.cases = {

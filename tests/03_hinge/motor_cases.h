@@ -32,16 +32,18 @@ inline CaseTable<MotorCase> motor_table() {
   const auto wanted = [=](const Case& c) { return c.sum + lack(c); };
   const auto bounded = [=](auto other) { return motor(wanted, other); };
   const auto right = motor(wanted, bound);
-  const char* const each = "each change is clamped: it is the accumulated impulse of a step that "
-                           "stays within h strength";
+  const char* const each = "#each-change-clamped each change is clamped: it is the accumulated "
+                           "impulse of a step that stays within h strength";
   const char* const no_h =
-      "the bound is h strength: an impulse is a torque times a time, and h is missing";
-  const char* const not_stored = "the sum is not stored";
-  const char* const bracket = "the bracket in (rate - speed) / K: all of the difference is divided";
+      "#torque-impulse the bound is h strength: an impulse is a torque times a time, and h is "
+      "missing";
+  const char* const not_stored = "#sum-not-stored the sum is not stored";
+  const char* const bracket = "#precedence the bracket in (rate - speed) / K: all of the "
+                              "difference is divided";
   const char* const too_fast =
-      "a motor that runs too fast brakes: its impulse may have either sign";
+      "#speed-already-size a motor that runs too fast brakes: its impulse may have either sign";
   const char* const threshold =
-      "a motor pushes until its speed is reached: no threshold on what is lacking";
+      "#early-out-1e-3 a motor pushes until its speed is reached: no threshold on what is lacking";
   const char* const sign = "the sign: the impulse works against J V - speed";
 
   CaseTable<Case> table{{"3.5", "the impulse of a motor"}, {"returned", "new sum"}, {}, {}, {}, {}};
@@ -53,7 +55,7 @@ inline CaseTable<MotorCase> motor_table() {
   };
   table.right = right;
   table.mistakes = {
-      {"the sign of the speed: the motor wants J V - speed = 0, not J V + speed = 0",
+      {"#sign-speed the sign of the speed: the motor wants J V - speed = 0, not J V + speed = 0",
        wanting([](const Case& c) { return c.sum - (c.rate + c.speed) / c.K; })},
       {sign, wanting([=](const Case& c) { return c.sum - lack(c); })},
       {no_h, bounded([](const Case& c) { return c.strength; })},
@@ -74,35 +76,36 @@ inline CaseTable<MotorCase> motor_table() {
          const double change = clamped(lack(c), c.strength);
          return Numbers{change, c.sum + change};
        }},
-      {"strength 0 is a motor that is off, not one without a bound",
+      {"#strength-0-unlimited strength 0 is a motor that is off, not one without a bound",
        bounded([=](const Case& c) { return c.strength == 0 ? 1e30 : h * c.strength; })},
-      {"the bound is h strength: it does not ask for the speed",
+      {"#bound-by-speed the bound is h strength: it does not ask for the speed",
        bounded([](const Case& c) { return h * std::abs(c.speed); })},
-      {"K is in it twice: (rate - speed) / K",
+      {"#k-squared K is in it twice: (rate - speed) / K",
        wanting([=](const Case& c) { return c.sum + lack(c) / c.K; })},
       {"a factor of 0.5 in what is wanted", wanting([=](const Case& c) {
          return c.sum + lack(c) / 2;
        })},
-      {"the missing speed is not all: it is divided by K, and comes on top of the sum",
+      {"#lack-sum the missing speed is not all: it is divided by K, and comes on top of the sum",
        wanting([](const Case& c) { return c.speed - c.rate; })},
       {"the motor gives all it has at once: it gives (speed - rate) / K, at most h strength",
        wanting([=](const Case& c) { return c.sum + std::copysign(1e30, c.speed - c.rate); })},
-      {"the bound is h strength: K has no part in it",
+      {"#bound-with-k the bound is h strength: K has no part in it",
        bounded([](const Case& c) { return h * c.strength / c.K; })},
       {"the bound is h strength: h is in it twice",
        bounded([](const Case& c) { return h * h * c.strength; })},
-      {"the bound is h strength: h is what is given, not 1/60",
+      {"#step-1-60 the bound is h strength: h is what is given, not 1/60",
        bounded([](const Case& c) { return c.strength / 60; })},
-      {"the bound is cut off to a whole number: an int has no fraction",
+      {"#int-strength the bound is cut off to a whole number: an int has no fraction",
        bounded([](const Case& c) { return std::trunc(h * c.strength); })},
       {"what is wanted is cut off to a whole number: an int has no fraction",
        wanting([=](const Case& c) { return std::trunc(wanted(c)); })},
-      {"the speed is cut off to a whole number: an int has no fraction",
+      {"#int-speed the speed is cut off to a whole number: an int has no fraction",
        wanting([](const Case& c) { return c.sum - (c.rate - std::trunc(c.speed)) / c.K; })},
-      {"an impulse has no h in it: (rate - speed) / K, and the bound is h strength",
+      {"#all-over-h an impulse has no h in it: (rate - speed) / K, and the bound is h strength",
        motor([=](const Case& c) { return c.sum + lack(c) / h; },
              [](const Case& c) { return c.strength; })},
-      {"nothing is clamped, or the old sum is: the new one stays within h strength",
+      {"#clamp-not-assigned nothing is clamped, or the old sum is: the new one stays within h "
+       "strength",
        bounded([](const Case&) { return 1e30; })},
       {"only the upper bound is there: the torque is bounded either way",
        [=](const Case& c) {
@@ -114,54 +117,59 @@ inline CaseTable<MotorCase> motor_table() {
          const double sum = std::max(wanted(c), -bound(c));
          return Numbers{sum - c.sum, sum};
        }},
-      {"the sum is kept from 0 to h strength: the torque is bounded either way",
+      {"#lower-bound-0 the sum is kept from 0 to h strength: the torque is bounded either way",
        [=](const Case& c) {
          const double sum = std::clamp(wanted(c), 0.0, bound(c));
          return Numbers{sum - c.sum, sum};
        }},
-      {"the sum is kept between 0 and the bound on the side of the speed: a motor brakes, too",
+      {"#bound-one-side the sum is kept between 0 and the bound on the side of the speed: a motor "
+       "brakes, too",
        [=](const Case& c) {
          const double end = c.speed < 0 ? -bound(c) : bound(c);
          const double sum = std::clamp(wanted(c), std::min(end, 0.0), std::max(end, 0.0));
          return Numbers{sum - c.sum, sum};
        }},
-      {"below the lower bound the sum is that bound: it is not left as it was",
+      {"#if-else-keeps-old below the lower bound the sum is that bound: it is not left as it was",
        [=](const Case& c) {
          const double sum = wanted(c) <= -bound(c) ? c.sum : std::min(wanted(c), bound(c));
          return Numbers{sum - c.sum, sum};
        }},
-      {"the sum so far is thrown away: it grows over all iterations of a step", [=](const Case& c) {
+      {"#sum-thrown-away the sum so far is thrown away: it grows over all iterations of a step",
+       [=](const Case& c) {
          const double sum = clamped(lack(c), bound(c));
          return Numbers{sum, sum};
        }},
-      {"the sum is always at its lower bound: are min and max exchanged, or is something in it "
-       "never set?",
+      {"#min-max-exchanged the sum is always at its lower bound: are min and max exchanged, or is "
+       "something in it never set?",
        [=](const Case& c) { return Numbers{-bound(c) - c.sum, -bound(c)}; }},
       {"the sum is always at its upper bound: are min and max exchanged, or is something in it "
        "never set?",
        [=](const Case& c) { return Numbers{bound(c) - c.sum, bound(c)}; }},
-      {"below the lower bound the sum is the lower bound, not the upper one",
+      {"#if-lower-sign-lost below the lower bound the sum is the lower bound, not the upper one",
        [=](const Case& c) {
          const double sum = std::abs(wanted(c)) > bound(c) ? bound(c) : wanted(c);
          return Numbers{sum - c.sum, sum};
        }},
-      {"where more is wanted than the bound allows the motor gives up: it gives as much as it may",
+      {"#drops-when-exceeding where more is wanted than the bound allows the motor gives up: it "
+       "gives as much as it may",
        [=](const Case& c) {
          return std::abs(wanted(c)) > bound(c) ? Numbers{0, c.sum} : right(c);
        }},
-      {"a sum at its bound may come back: there, too, the motor is asked", [=](const Case& c) {
+      {"#does-not-push-when a sum at its bound may come back: there, too, the motor is asked",
+       [=](const Case& c) {
          return std::abs(c.sum) >= bound(c) ? Numbers{0, c.sum} : right(c);
        }},
-      {"the rate is clamped: it is the sum that stays within h strength", [=](const Case& c) {
+      {"#clamp-the-rate the rate is clamped: it is the sum that stays within h strength",
+       [=](const Case& c) {
          const double sum = c.sum - clamped(c.rate - c.speed, bound(c)) / c.K;
          return Numbers{sum - c.sum, sum};
        }},
-      {"the new sum is added to the old one: it takes its place",
+      {"#new-sum-added the new sum is added to the old one: it takes its place",
        [=](const Case& c) { return Numbers{right(c)[1], c.sum + right(c)[1]}; }},
       {not_stored, [=](const Case& c) { return Numbers{right(c)[0], c.sum}; }},
       {"the sum that is stored is not clamped",
        [=](const Case& c) { return Numbers{right(c)[0], wanted(c)}; }},
-      {"the new sum is returned instead of its change",
+      {"#returns-the-sum the new sum is returned instead of its change",
        [=](const Case& c) { return Numbers{right(c)[1], right(c)[1]}; }},
       {"what was wanted is returned: return by how much the sum changed",
        [=](const Case& c) { return Numbers{lack(c), right(c)[1]}; }},
@@ -169,15 +177,15 @@ inline CaseTable<MotorCase> motor_table() {
        [=](const Case& c) { return Numbers{wanted(c), right(c)[1]}; }},
       {"the sum is not stored, and it is returned itself: return by how much it changed",
        [=](const Case& c) { return Numbers{right(c)[1], c.sum}; }},
-      {"the bound is returned: return by how much the sum changed",
+      {"#returns-bound the bound is returned: return by how much the sum changed",
        [=](const Case& c) { return Numbers{bound(c), right(c)[1]}; }},
       {"old and new sum are added: return by how much the sum changed",
        [=](const Case& c) { return Numbers{right(c)[1] + c.sum, right(c)[1]}; }},
-      {"what was cut off is returned: return by how much the sum changed",
+      {"#returns-what-was-cut what was cut off is returned: return by how much the sum changed",
        [=](const Case& c) { return Numbers{wanted(c) - right(c)[1], right(c)[1]}; }},
       {"the sign of the change: new sum minus old sum",
        [=](const Case& c) { return Numbers{-right(c)[0], right(c)[1]}; }},
-      {"0 is returned: keep the old sum before the new one is stored",
+      {"#before-after 0 is returned: keep the old sum before the new one is stored",
        [=](const Case& c) { return Numbers{0, right(c)[1]}; }},
       {"the sum so far is missing in what is wanted", wanting(lack)},
       {"the change is added to the sum twice",
@@ -189,11 +197,11 @@ inline CaseTable<MotorCase> motor_table() {
       {bracket, wanting([](const Case& c) { return c.sum - c.rate + c.speed / c.K; })},
       {bracket, wanting([](const Case& c) { return c.sum - c.rate / c.K - c.speed; })},
       {bracket, wanting([](const Case& c) { return c.sum - c.rate / c.K + c.speed; })},
-      {"the sign of the sum so far: what is wanted comes on top of it",
+      {"#minus-sum the sign of the sum so far: what is wanted comes on top of it",
        wanting([=](const Case& c) { return -c.sum + lack(c); })},
-      {"no absolute value of the rate: it has a direction",
+      {"#abs-rate no absolute value of the rate: it has a direction",
        wanting([](const Case& c) { return c.sum - (std::abs(c.rate) - c.speed) / c.K; })},
-      {"K is missing: divide by it",
+      {"#k-forgotten K is missing: divide by it",
        wanting([](const Case& c) { return c.sum - (c.rate - c.speed); })},
       {"the old sum is divided by K, too",
        wanting([](const Case& c) { return (c.sum - (c.rate - c.speed)) / c.K; })},
@@ -211,11 +219,11 @@ inline CaseTable<MotorCase> motor_table() {
   unless(too_fast, [](const Case& c) { return c.rate > c.speed; });
   unless(too_fast, [](const Case& c) { return std::abs(c.rate) >= std::abs(c.speed); });
   unless(too_fast, [](const Case& c) { return std::abs(c.rate) > std::abs(c.speed); });
-  unless("a motor whose speed is 0 is a brake: it pushes until nothing moves",
+  unless("#early-out-speed-0 a motor whose speed is 0 is a brake: it pushes until nothing moves",
          [](const Case& c) { return c.speed == 0; });
   unless("a slow motor is one, too: no threshold on its speed",
          [](const Case& c) { return std::abs(c.speed) < 1e-3; });
-  unless("a weak motor is one, too: no threshold on its strength",
+  unless("#early-out-small-strength a weak motor is one, too: no threshold on its strength",
          [](const Case& c) { return c.strength < 1e-3; });
   for (const double small : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
     unless(threshold, [=](const Case& c) { return std::abs(c.rate - c.speed) < small; });

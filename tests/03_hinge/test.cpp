@@ -71,7 +71,8 @@ TEST_CASE("3.1 beyond 60 degrees the rows of an axis turn about c and b", "[3.1]
   far.body2.q = rotation(vec3(2, 0, 0));  // there a1 above the exercise's place holds b x c
   const Jacobian<2> J = paper_axis.jacobian(far.body1, far.body2);
   const vec3 a1(0, 0, 1), b = far.body2.q * vec3(1, 0, 0), c = far.body2.q * vec3(0, 1, 0);
-  const char* const taken = "take a1 as it stands above: beyond 60 degrees it holds body 2's axis";
+  const char* const taken = "#nearer-half-only take a1 as it stands above: beyond 60 degrees it "
+                            "holds body 2's axis";
   expect(AxisFixture::J, "w2 of row b", J[0].w2, -c, rounding,
          {{cross(b, a1), taken}, {c, "the sign: b x a1, not a1 x b"}});
   expect(AxisFixture::J, "w2 of row c", J[1].w2, b, rounding, {{cross(c, a1), taken}});

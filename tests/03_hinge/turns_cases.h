@@ -9,6 +9,9 @@
 
 namespace joints::testing {
 
+inline const char* const told_truncation_expected_turn =
+    "#truncation-expected-turn the turns of `expected` alone: k comes from expected - measured";
+
 struct TurnsCase {
   std::string words;
   double measured, expected;
@@ -25,7 +28,7 @@ inline CaseTable<TurnsCase> turns_table() {
   };
   const auto nearest = [](double k) { return std::round(k); };
   const char* const one_turn =
-      "one turn at most is added: a fast wheel makes several of them in a step";
+      "#one-turn one turn at most is added: a fast wheel makes several of them in a step";
 
   CaseTable<Case> table{{"3.3", "counting turns", 2}, {"unwrapped"}, {}, {}, {}, {}};
   table.yours = [](const Case& c) {
@@ -33,16 +36,17 @@ inline CaseTable<TurnsCase> turns_table() {
   };
   table.right = plus(turn, nearest);
   table.mistakes = {
-      {"`measured` is returned as it is: no turn is counted",
+      {"#measured `measured` is returned as it is: no turn is counted",
        [](const Case& c) { return Numbers{c.measured}; }},
       {"`expected` is returned: it only says which turn, the angle is measured",
        [](const Case& c) { return Numbers{c.expected}; }},
       {one_turn, plus(turn, [](double k) { return std::clamp(std::round(k), -1.0, 1.0); })},
-      {"only turns forward are added",
+      {"#while-one-side only turns forward are added",
        plus(turn, [](double k) { return k > 0 ? std::round(k) : 0; })},
       {"only turns back are added",
        plus(turn, [](double k) { return k < 0 ? std::round(k) : 0; })},
-      {"the number of turns is cut off (as std::fmod does), not rounded: the nearest one counts",
+      {"#int-truncation the number of turns is cut off (as std::fmod does), not rounded: the "
+       "nearest one counts",
        plus(turn, [](double k) { return std::trunc(k); })},
       {"the number of turns is rounded down: the nearest one counts",
        plus(turn, [](double k) { return std::floor(k); })},
@@ -53,30 +57,32 @@ inline CaseTable<TurnsCase> turns_table() {
       {"half turns: a whole turn is 2 pi", plus(turn / 2, nearest)},
       {"degrees where radians belong: a whole turn is 2 pi", plus(360, nearest)},
       {"two turns at a time: a whole turn is 2 pi", plus(2 * turn, nearest)},
-      {"the sign of `expected`: what remains is of measured - expected", [](const Case& c) {
+      {"#plus the sign of `expected`: what remains is of measured - expected", [](const Case& c) {
          return Numbers{c.expected + std::remainder(c.measured + c.expected, turn)};
        }},
-      {"the angle nearest to `expected` counts, not one from 0 to 2 pi",
+      {"#if the angle nearest to `expected` counts, not one from 0 to 2 pi",
        [](const Case& c) { return Numbers{c.measured < 0 ? c.measured + turn : c.measured}; }},
-      {"half a turn off is another turn already: the nearest one counts", [=](const Case& c) {
+      {"#threshold-only-when-far half a turn off is another turn already: the nearest one counts",
+       [=](const Case& c) {
          const bool far = std::abs(c.measured - c.expected) >= turn;
          return far ? plus(turn, nearest)(c) : Numbers{c.measured};
        }},
-      {"the turns of `expected` alone: k comes from expected - measured",
+      {told_truncation_expected_turn,
        [](const Case& c) { return Numbers{c.measured + turn * std::trunc(c.expected / turn)}; }},
-      {"half turns are added: a whole turn is 2 pi", [](const Case& c) {
+      {"#while-adds-pi half turns are added: a whole turn is 2 pi", [](const Case& c) {
          double angle = c.measured;
          while (angle < c.expected - turn / 2) angle += turn / 2;
          while (angle > c.expected + turn / 2) angle -= turn / 2;
          return Numbers{angle};
        }},
-      {"the number of turns is added: each of them is 2 pi",
+      {"#round-no-turn the number of turns is added: each of them is 2 pi",
        [=](const Case& c) {
          return Numbers{c.measured + std::round((c.expected - c.measured) / turn)};
        }},
-      {"the turns of `expected` alone: k comes from expected - measured",
+      {told_truncation_expected_turn,
        [=](const Case& c) { return Numbers{c.measured + turn * std::round(c.expected / turn)}; }},
-      {"a bracket is missing: the difference expected - measured is divided by 2 pi",
+      {"#bracket-forgotten a bracket is missing: the difference expected - measured is divided by "
+       "2 pi",
        [=](const Case& c) {
          return Numbers{c.measured + turn * std::round(c.expected - c.measured / turn)};
        }},
@@ -84,7 +90,8 @@ inline CaseTable<TurnsCase> turns_table() {
        [=](const Case& c) {
          return Numbers{c.measured + turn * std::round((c.expected - c.measured) * turn)};
        }},
-      {"the arguments of std::remainder are exchanged: first the difference, then 2 pi",
+      {"#swapped-remainder-args the arguments of std::remainder are exchanged: first the "
+       "difference, then 2 pi",
        [](const Case& c) {
          return Numbers{c.expected + std::remainder(turn, c.measured - c.expected)};
        }},
@@ -92,10 +99,10 @@ inline CaseTable<TurnsCase> turns_table() {
        [](const Case& c) {
          return Numbers{c.measured + std::remainder(c.measured - c.expected, turn)};
        }},
-      {"no absolute value: what remains has a sign", [](const Case& c) {
+      {"#abs no absolute value: what remains has a sign", [](const Case& c) {
          return Numbers{c.expected + std::abs(std::remainder(c.measured - c.expected, turn))};
        }},
-      {"`expected` is not added again after std::remainder",
+      {"#without-expected `expected` is not added again after std::remainder",
        [](const Case& c) { return Numbers{std::remainder(c.measured - c.expected, turn)}; }},
       {"remainder of measured alone: expected + remainder(measured - expected, 2 pi)",
        [](const Case& c) { return Numbers{c.expected + std::remainder(c.measured, turn)}; }},
@@ -112,7 +119,7 @@ inline CaseTable<TurnsCase> turns_table() {
       {"the angle is folded into (-pi, pi]: it must be the one nearest to `expected`",
        [](const Case& c) { return Numbers{std::remainder(c.expected, turn)}; }}};
   for (const double pi : {3.14, 3.142, 3.1416, 3.14159, 3.141593, double(3.14159265f)})
-    table.mistakes.push_back({"pi with too few digits: std::numbers::pi_v<real>",
+    table.mistakes.push_back({"#3-14159 pi with too few digits: std::numbers::pi_v<real>",
                               plus(2 * pi, nearest)});
   for (const double k : {0, 1, -1, 2, -2, 7, -7, 60, -60})
     for (const double measured : {-3.1, -1.2, 0.4, 3.0, 4.2})

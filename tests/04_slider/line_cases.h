@@ -80,8 +80,8 @@ CaseTable<PartCase<typename Fixture::Part>> along_table(
   const std::string body_space =
       name + " is left in body space: turn it into the world with body 1";
   const std::string points = name + " is a direction, not a point: to_world, not world_point";
-  const char* const unit = "u is not made a unit vector: its length counts";
-  const char* const statics = "a body that is static has an error, too";
+  const char* const unit = "#cosine u is not made a unit vector: its length counts";
+  const char* const statics = "#zero-static-body a body that is static has an error, too";
 
   CaseTable<Case> table{subject, entries, {}, right, {}, part_cases<Fixture>()};
   table.yours = [](const Case& c) {
@@ -89,16 +89,17 @@ CaseTable<PartCase<typename Fixture::Part>> along_table(
     return Numbers(C.begin(), C.end());
   };
   table.mistakes = {
-      {"the sign: u runs from the point of body 1 to that of body 2", along(opposite, on_1)},
+      {"#sign-u-runs-point the sign: u runs from the point of body 1 to that of body 2",
+       along(opposite, on_1)},
       {body_space, along(u, as_it_is)},
       {name + " is turned the wrong way round: to_world, not to_local", along(u, back)},
       {name + " is turned with body 2: the line rides on body 1", along(u, on_2)},
       {points, along(u, point)},
       {"u is turned, too: u and " + name + " are both in the world", along(seen_from_1, on_1)},
-      {"centres in place of anchors: u is p2 - p1", along(d, on_1)},
+      {"#centres-place-anchors-u centres in place of anchors: u is p2 - p1", along(d, on_1)},
       {"centres in place of anchors, and " + name + " left in body space", along(d, as_it_is)},
-      {"the point of body 2 in the place of u: u is p2 - p1", along(p2, on_1)},
-      {"the anchor of body 2 is forgotten: u is p2 - p1", along([=](const Case& c) {
+      {"#p2-only the point of body 2 in the place of u: u is p2 - p1", along(p2, on_1)},
+      {"#p1-x2 the anchor of body 2 is forgotten: u is p2 - p1", along([=](const Case& c) {
          return c.pair.body2.x - world_point(c.pair.body1, c.part.anchor1_local);
        }, on_1)},
       {"the anchor of body 1 is forgotten: u is p2 - p1",
@@ -141,13 +142,15 @@ inline CaseTable<PartCase<Line>> line_table() {
                                 return change(C[0], C[1]);
                               }});
   };
-  with("n1 and n2 are exchanged", [](double a, double b) { return Numbers{b, a}; });
-  with("n1 twice: the second number belongs to n2", [](double a, double) { return Numbers{a, a}; });
+  with("#swapped n1 and n2 are exchanged", [](double a, double b) { return Numbers{b, a}; });
+  with("#n1-twice n1 twice: the second number belongs to n2",
+       [](double a, double) { return Numbers{a, a}; });
   with("n2 twice: the first number belongs to n1", [](double, double b) { return Numbers{b, b}; });
   with("the second number is missing", [](double a, double) { return Numbers{a, 0}; });
   with("the first number is missing", [](double, double b) { return Numbers{0, b}; });
   table.mistakes.push_back(
-      {"n1 x n2 runs along the line, where the displacement is free: C holds u.n1 and u.n2",
+      {"#n1-x-n2 n1 x n2 runs along the line, where the displacement is free: C holds u.n1 and "
+       "u.n2",
        [](const PartCase<Line>& c) {
          const vec3 a = c.pair.body1.q * cross(c.part.n1_local, c.part.n2_local);
          const double along = double(dot(gap(c.part, c.pair.body1, c.pair.body2), a));
@@ -160,7 +163,7 @@ inline CaseTable<PartCase<Slide>> slide_table() {
   auto table = along_table<SlideFixture>(
       {"4.3", "the displacement along a line"}, {"u.a"},
       [](const Slide& part) { return std::vector<vec3>{part.a1_local}; }, "a");
-  table.mistakes.push_back({"the displacement has a sign: it is negative behind the start",
+  table.mistakes.push_back({"#abs the displacement has a sign: it is negative behind the start",
                             [right = table.right](const auto& c) {
                               return Numbers{std::abs(right(c)[0])};
                             }});

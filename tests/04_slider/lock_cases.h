@@ -54,14 +54,18 @@ inline CaseTable<LockCase> lock_table() {
   const auto angles = [=](auto three) {
     return [=](const Case& c) { return numbers(three(c)); };
   };
-  const char* const three = "differences of angles about three axes: these are no rotation, and "
-                            "their rates are not w. C is 2 v";
-  const char* const axis = "the axis alone: C is 2 v, whose length is 2 sin(angle/2)";
-  const char* const sine = "the sine of the whole angle: it is zero again at a half turn";
+  const char* const three = "#differences-of-angles differences of angles about three axes: these "
+                            "are no rotation, and their rates are not w. C is 2 v";
+  const char* const axis = "#normalised-axis the axis alone: C is 2 v, whose length is 2 "
+                           "sin(angle/2)";
+  const char* const sine = "#sin-angle the sine of the whole angle: it is zero again at a half "
+                           "turn";
   const char* const tangent = "the tangent of half the angle: it has no bound at a half turn";
-  const char* const in_1 = "in the axes of body 1: C is in the world, q2 start^-1 q1^-1";
+  const char* const in_1 = "#axes-body-1 in the axes of body 1: C is in the world, q2 start^-1 "
+                           "q1^-1";
   const char* const in_2 = "in the axes of body 2: C is in the world, q2 start^-1 q1^-1";
-  const char* const turned = "turned once more with a body: q2 start^-1 q1^-1 is in the world";
+  const char* const turned = "#to-world-body1 turned once more with a body: q2 start^-1 q1^-1 is "
+                             "in the world";
 
   CaseTable<Case> table{{"4.2", "the error C of a lock"}, {"C"}, {}, of(C), {}, lock_cases()};
   table.yours = [=](const Case& c) {
@@ -71,14 +75,14 @@ inline CaseTable<LockCase> lock_table() {
     return numbers(RotationLock{c.start}.error(body1, body2));
   };
   table.mistakes = {
-      {"the sign rule is forgotten: where s < 0, take -q", as_it_comes(C)},
-      {"the sign: body 2 is turned too far, so q2 stands first and q1 is inverted; and -q is "
-       "taken where s < 0, not where s > 0", of([=](const quat& e) { return -C(e); })},
-      {"the factor 2 is forgotten: v is only half the rotation", of(vector_of)},
+      {"#sign-rule-w-alone the sign rule is forgotten: where s < 0, take -q", as_it_comes(C)},
+      {"#minus the sign: body 2 is turned too far, so q2 stands first and q1 is inverted; and -q "
+       "is taken where s < 0, not where s > 0", of([=](const quat& e) { return -C(e); })},
+      {"#half-the-rotation the factor 2 is forgotten: v is only half the rotation", of(vector_of)},
       {"the factor 2 and the sign rule are forgotten", as_it_comes(vector_of)},
-      {"x decides which of q and -q is taken: the sign of s does",
+      {"#sign-by-x x decides which of q and -q is taken: the sign of s does",
        as_it_comes([=](const quat& e) { return C(e.x < 0 ? -e : e); })},
-      {"the vector of the rotation itself: C is 2 v, whose length is 2 sin(angle/2)",
+      {"#angle-vector the vector of the rotation itself: C is 2 v, whose length is 2 sin(angle/2)",
        of([](const quat& e) {
          const real size = length(vector_of(e));
          return size > 0 ? 2 * std::atan2(size, e.w) / size * vector_of(e) : vec3(0);
@@ -87,15 +91,15 @@ inline CaseTable<LockCase> lock_table() {
       {axis, of([](const quat& e) { return normalize(vector_of(e)); })},
       {"the half angle in place of its sine: C is 2 v",
        of([](const quat& e) { return 2 * std::acos(std::min(e.w, real(1))) * vector_of(e); })},
-      {"the numbers x, z, y: the vector of q is (q.x, q.y, q.z)",
+      {"#xzy the numbers x, z, y: the vector of q is (q.x, q.y, q.z)",
        of([](const quat& e) { return real(2) * vec3(e.x, e.z, e.y); })},
       {"the numbers y, z, w: the vector of q is (q.x, q.y, q.z)",
        of([](const quat& e) { return real(2) * vec3(e.y, e.z, e.w); })},
       {sine, of([=](const quat& e) { return e.w * C(e); })},
       {tangent, of([=](const quat& e) { return C(e) / e.w; })},
-      {"no absolute values: each number of v has a sign",
+      {"#abs-components no absolute values: each number of v has a sign",
        of([=](const quat& e) { return abs(C(e)); })},
-      {"the numbers w, x, y: the vector of q is (q.x, q.y, q.z)",
+      {"#wxy the numbers w, x, y: the vector of q is (q.x, q.y, q.z)",
        of([](const quat& e) { return real(2) * vec3(e.w, e.x, e.y); })},
       {three, angles([](const Case& c) {
          return glm::eulerAngles(c.q2) - glm::eulerAngles(c.q1);
@@ -108,16 +112,17 @@ inline CaseTable<LockCase> lock_table() {
        })},
       {three, of([](const quat& e) { return glm::eulerAngles(e); })},
       {three, as_it_comes([](const quat& e) { return glm::eulerAngles(e); })},
-      {"a difference of quaternions is no rotation",
+      {"#difference-of-q a difference of quaternions is no rotation",
        [=](const Case& c) { return numbers(C(c.q2 - c.q1)); }},
       {in_1, in_axes_of([=](const Case& c) { return back(c.q1); })},
       {in_2, in_axes_of([=](const Case& c) { return back(c.q2); })},
       {turned, in_axes_of([](const Case& c) { return c.q1; })},
       {turned, in_axes_of([](const Case& c) { return c.q2; })},
-      {"C is zero, though body 2 is turned too far",
+      {"#x-y-only C is zero, though body 2 is turned too far",
        [=](const Case&) { return numbers(vec3(0)); }}};
   for (const real small : {real(1e-1), real(1e-2), real(1e-4)})
-    table.mistakes.push_back({"a small rotation is an error, too: no threshold belongs here",
+    table.mistakes.push_back({"#zero-near a small rotation is an error, too: no threshold belongs "
+                              "here",
                               of([=](const quat& e) {
                                 return length(C(e)) < small ? vec3(0) : C(e);
                               })});
@@ -130,15 +135,17 @@ inline CaseTable<LockCase> lock_table() {
        [=](const Case& c) { return c.q2 * back(c.q1); }},
       {"start is forgotten, and the order is q2 q1^-1",
        [=](const Case& c) { return back(c.q1) * c.q2; }},
-      {"start is taken away twice",
+      {"#start-twice start is taken away twice",
        [=](const Case& c) { return c.q2 * back(c.start) * back(c.start) * back(c.q1); }},
-      {"body 1 alone: the rotation is that of body 2",
+      {"#q1-for-q2 body 1 alone: the rotation is that of body 2",
        [=](const Case& c) { return c.q1 * back(c.start) * back(c.q1); }},
       {"body 2 alone: q1 and start say where it should be", [](const Case& c) { return c.q2; }},
-      {"start must be inverted", [=](const Case& c) { return c.q2 * c.start * back(c.q1); }},
+      {"#start-not-inverted start must be inverted",
+       [=](const Case& c) { return c.q2 * c.start * back(c.q1); }},
       {"start is on the wrong side of q1^-1: (q1 start)^-1 = start^-1 q1^-1",
        [=](const Case& c) { return c.q2 * back(c.q1) * back(c.start); }},
-      {"start and q1 must be inverted", [](const Case& c) { return c.q2 * c.start * c.q1; }},
+      {"#nothing-inverted start and q1 must be inverted",
+       [](const Case& c) { return c.q2 * c.start * c.q1; }},
       {"q1 must be inverted", [=](const Case& c) { return c.q2 * back(c.start) * c.q1; }},
       {order, [=](const Case& c) { return back(c.start) * c.q2 * back(c.q1); }},
       {order, [=](const Case& c) { return back(c.q1) * back(c.start) * c.q2; }},

@@ -10,6 +10,10 @@ using namespace joints::testing;
 
 namespace {
 
+const char* const told_exact_same_sign =
+    "#exact-same-sign the sign of skew(v) in one block: w1 holds -(s E + skew(v)), w2 s E - "
+    "skew(v)";
+
 const real half = std::sqrt(real(0.5));  // cos 45 degrees
 const quat unturned_q(1, 0, 0, 0), quarter_z(half, 0, 0, half);
 
@@ -99,7 +103,7 @@ TEST_CASE("4.2 what the bodies began with is no error wherever they are turned",
 
 TEST_CASE("4.2 q and -q are the same orientation and give the same error bit for bit", "[4.2]") {
   const CaseTable<LockCase> table = lock_table();
-  const char* const rule = "the sign rule is forgotten: where s < 0, take -q";
+  const char* const rule = "#sign-rule-w-alone the sign rule is forgotten: where s < 0, take -q";
   for (const LockCase& c : table.cases) {
     if (c.words != "turned") continue;
     const Body body1 = turned_by(c.q1), body2 = turned_by(c.q2);
@@ -173,13 +177,15 @@ TEST_CASE("4.2 away from zero the rows are those of Eq. 4-8 or the exact ones", 
     const auto suspect = [&](const char* words, const Numbers& wrong) {
       if (close(yours, wrong, 10 * rounding)) sample.mistakes.push_back(words);
     };
-    suspect("the sign of skew(v)", rows(-(s * E - across), s * E + across));
-    suspect("skew(v) is missing: s alone is neither Eq. 4-8 nor exact", rows(-s * E, s * E));
-    suspect("the sign of skew(v) in one block: w1 holds -(s E + skew(v)), w2 s E - skew(v)",
+    suspect("#exact-rows-other-sign the sign of skew(v)", rows(-(s * E - across), s * E + across));
+    suspect("#rows-s-alone skew(v) is missing: s alone is neither Eq. 4-8 nor exact",
+            rows(-s * E, s * E));
+    suspect(told_exact_same_sign,
             rows(-(s * E + across), s * E + across));
-    suspect("the sign of skew(v) in one block: w1 holds -(s E + skew(v)), w2 s E - skew(v)",
+    suspect(told_exact_same_sign,
             rows(-(s * E - across), s * E - across));
-    suspect("the sign of the whole row where s < 0: the sign rule belongs to s and v of J, too",
+    suspect("#exact-without-sign-rule the sign of the whole row where s < 0: the sign rule "
+            "belongs to s and v of J, too",
             rows(-(e.w * E + skew(vector_of(e))), e.w * E - skew(vector_of(e))));
     samples.push_back(sample);
   }

@@ -63,14 +63,15 @@ inline Pieces<BreakReference> wrong_breaks() {
       {"the other way round: true means that it breaks", [](T& t) { t.negated = true; }},
       {"force and torque are exchanged: each has a bound of its own",
        bounds([](std::array<real, 2>& bound) { std::swap(bound[0], bound[1]); })},
-      {"the torque is compared with the bound of the force",
+      {"#bound-force the torque is compared with the bound of the force",
        bounds([](std::array<real, 2>& bound) { bound[1] = bound[0]; })},
       {"the force is compared with the bound of the torque",
        bounds([](std::array<real, 2>& bound) { bound[0] = bound[1]; })},
       {"newtons and newton metres do not add up: each has a bound of its own", join(Join::sum)},
-      {"the shares of the two bounds are added up: each is compared by itself",
+      {"#by-shares the shares of the two bounds are added up: each is compared by itself",
        join(Join::shares)},
-      {"force times torque is compared: each has a bound of its own", join(Join::product)},
+      {"#by-the-product force times torque is compared: each has a bound of its own",
+       join(Join::product)},
       {"it never breaks", join(Join::never)},
       {"it always breaks", join(Join::always)}};
   const std::pair<const char*, T::Size> sizes[] = {
@@ -84,7 +85,7 @@ inline Pieces<BreakReference> wrong_breaks() {
        [](const vec3& a) { return a.x + a.y + a.z; }},
       {"the square of the length beside the bound itself: take length(...)",
        [](const vec3& a) { return dot(a, a); }},
-      {"the length is cut to a whole number: an int has no fraction",
+      {"#in-whole-numbers the length is cut to a whole number: an int has no fraction",
        [](const vec3& a) { return std::trunc(length(a)); }}};
   for (const int which : {3, 1, 2}) {
     const std::string after = which == 3 ? "" : which == 1 ? " (force)" : " (torque)";
@@ -100,7 +101,7 @@ inline Pieces<BreakReference> wrong_breaks() {
       add(words, [size = size](T& t, std::size_t k) { t.size[k] = size; });
     for (int entry = 0; entry < 3; ++entry)
       for (const bool signless : {false, true})
-        add("one entry where the length belongs", [=](T& t, std::size_t k) {
+        add("#by-one-entry one entry where the length belongs", [=](T& t, std::size_t k) {
           t.size[k] = [=](const vec3& a) { return signless ? std::abs(a[entry]) : a[entry]; };
         });
   }

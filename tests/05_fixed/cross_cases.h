@@ -117,7 +117,7 @@ inline Pieces<CrossReference> wrong_shares() {
          return direction(to_world(c.body(k), c.anchor(k)));
        })}};
   const std::pair<const char*, Change> inertias[] = {
-      {"body-space inertia: take inverse_inertia(body)",
+      {"#body-space-inertia body-space inertia: take inverse_inertia(body)",
        inertia([=](const CrossCase& c, int k) { return turned(c.body(k), quat(1, 0, 0, 0)); })},
       {"the inertia is turned the wrong way round: R I^-1 R^T, not R^T I^-1 R",
        inertia([=](const CrossCase& c, int k) {
@@ -128,7 +128,8 @@ inline Pieces<CrossReference> wrong_shares() {
          return c.body(k).is_static() ? mat3(0) : inverse(inverse_inertia(c.body(k)));
        })},
       {"the inverse inertia is missing", inertia([](const CrossCase&, int) { return mat3(1); })},
-      {"the inverse mass in the place of the inverse inertia: the lock turns, and pushes no centre",
+      {"#masses-place-inertias the inverse mass in the place of the inverse inertia: the lock "
+       "turns, and pushes no centre",
        inertia([](const CrossCase& c, int k) { return mat3(c.body(k).inverse_mass); })}};
 
   Pieces<T> out;
@@ -175,8 +176,8 @@ inline Pieces<CrossReference> wrong_Xs() {
     for (int k = 0; k < 2; ++k) out += skew(t.r[k]) * t.inertia[k] * transpose(skew(t.r[k]));
     return out;
   };
-  const char* const order = "transposed: the rows of X belong to the point and its columns to the "
-                            "lock, skew(r) I^-1 and not I^-1 skew(r)";
+  const char* const order = "#transposed transposed: the rows of X belong to the point and its "
+                            "columns to the lock, skew(r) I^-1 and not I^-1 skew(r)";
   const char* const masses = "masses do not belong here: the lock turns, and pushes no centre";
   const char* const sides = "the lever stands on one side only: this is the share of turning in K "
                             "of the point";
@@ -185,14 +186,15 @@ inline Pieces<CrossReference> wrong_Xs() {
     return t.c.body(0).inverse_mass + t.c.body(1).inverse_mass;
   };
   return {
-      {"the sign: body 2 has -skew(r2) in the point and E in the lock: a minus",
+      {"#sign-body-2-has the sign: body 2 has -skew(r2) in the point and E in the lock: a minus",
        with([](const T&, const mat3& X) { return -X; })},
       {order, with([](const T&, const mat3& X) { return transpose(X); })},
       {std::string(order) + ". And the sign",
        with([](const T&, const mat3& X) { return -transpose(X); })},
-      {"the lever of one body with the inertia of the other",
+      {"#inertias-exchanged the lever of one body with the inertia of the other",
        [](T& t) { std::swap(t.inertia[0], t.inertia[1]); }},
-      {"the levers, or the inertias, are added up first: each lever goes with its own inertia",
+      {"#levers-added-up-first the levers, or the inertias, are added up first: each lever goes "
+       "with its own inertia",
        with([](const T& t, const mat3&) {
          return -(skew(t.r[0] + t.r[1]) * (t.inertia[0] + t.inertia[1]));
        })},
@@ -208,11 +210,11 @@ inline Pieces<CrossReference> wrong_Xs() {
        })},
       {sides, with([=](const T& t, const mat3&) { return both_sides(t); })},
       {sides, with([=](const T& t, const mat3&) { return -both_sides(t); })},
-      {"this is K of the point: X is what the lock does to it",
+      {"#k-point this is K of the point: X is what the lock does to it",
        with([=](const T& t, const mat3&) { return mat3(mass(t)) + both_sides(t); })},
       {levers, with([](const T& t, const mat3&) { return t.inertia[0] + t.inertia[1]; })},
       {levers, with([](const T& t, const mat3&) { return -(t.inertia[0] + t.inertia[1]); })},
-      {"X is zero: then a turn of the lock would not move the anchor",
+      {"#last-column-never-filled X is zero: then a turn of the lock would not move the anchor",
        with([](const T&, const mat3&) { return mat3(0); })}};
 }
 

@@ -42,7 +42,8 @@ inline CaseTable<LoadCase> load_table() {
                             if (which >> k & 1) t.scale[k] = scale(t.c.h);
                         }});
   };
-  scaled("this is the impulse: a force is the impulse over the step h", [](real) { return 1; });
+  scaled("#impulse-for-force this is the impulse: a force is the impulse over the step h",
+         [](real) { return 1; });
   scaled("times h where it must be divided by h", [](real h) { return h; });
   scaled("the sign: the load on body 2 is asked, and +lambda acts on body 2",
          [](real h) { return -1 / h; });
@@ -53,7 +54,8 @@ inline CaseTable<LoadCase> load_table() {
   const auto places = [&](const std::string& words, const std::array<int, 6>& from) {
     pieces.push_back({words, [=](T& t) { t.from = from; }});
   };
-  places("the two threes are exchanged: the point's rows come first", {3, 4, 5, 0, 1, 2});
+  places("#threes-exchanged the two threes are exchanged: the point's rows come first",
+         {3, 4, 5, 0, 1, 2});
   places("every second number: the point has the first three and the lock the rest",
          {0, 2, 4, 1, 3, 5});
   places("the impulses from the last to the first: those of the point come first",
@@ -128,8 +130,9 @@ inline CaseTable<AboutCase> about_table() {
     return Call<void(T&)>([=](T& t) { t.arm = of(t.c); });
   };
   const Pieces<T> pieces = {
-      {"the sign of the new share, (from - to) x F: from and to are exchanged, or the two sides of "
-       "the cross product", arm([](const AboutCase& c) { return c.to - c.from; })},
+      {"#sign-new-share-x the sign of the new share, (from - to) x F: from and to are exchanged, "
+       "or the two sides of the cross product",
+       arm([](const AboutCase& c) { return c.to - c.from; })},
       {"the torque is as it was: a force beside the point turns, too",
        arm([](const AboutCase&) { return vec3(0); })},
       {"`to` is forgotten: the lever runs from `to` to `from`",
@@ -145,16 +148,18 @@ inline CaseTable<AboutCase> about_table() {
       {"a short lever counts as none: it turns all the same", arm([](const AboutCase& c) {
          return length(c.from - c.to) < real(0.05) ? vec3(0) : c.from - c.to;
        })},
-      {"the lever is made a unit vector: it keeps its length",
+      {"#unit-lever the lever is made a unit vector: it keeps its length",
        arm([](const AboutCase& c) { return normalize(c.from - c.to); })},
       {"the new share is taken twice", arm([](const AboutCase& c) {
          return real(2) * (c.from - c.to);
        })},
-      {"the force has the lever, not the torque: (from - to) x F",
+      {"#lever-torque the force has the lever, not the torque: (from - to) x F",
        [](T& t) { t.pushed = t.c.load.torque; }},
-      {"the old torque is lost: the new share is added to it", [](T& t) { t.kept = vec3(0); }},
+      {"#without-old-torque the old torque is lost: the new share is added to it",
+       [](T& t) { t.kept = vec3(0); }},
       {"the sign of the old torque: the new share is added to it", [](T& t) { t.kept = -t.kept; }},
-      {"entry times entry: the lever and the force have a cross product, cross(from - to, F)",
+      {"#by-entries entry times entry: the lever and the force have a cross product, cross(from - "
+       "to, F)",
        [](T& t) { t.kept += t.arm * t.pushed, t.arm = vec3(0); }},
       {"the length of the lever times the force: they have a cross product, cross(from - to, F)",
        [](T& t) { t.kept += length(t.arm) * t.pushed, t.arm = vec3(0); }},
@@ -167,7 +172,7 @@ inline CaseTable<AboutCase> about_table() {
       {"force and torque are added up: the force stays what it is",
        [](T& t) { t.force += t.c.load.torque; }},
       {"the force is the torque: it stays what it is", [](T& t) { t.force = t.c.load.torque; }},
-      {"force and torque are exchanged: {force, torque}", [](T& t) {
+      {"#exchanged force and torque are exchanged: {force, torque}", [](T& t) {
          t.force = t.kept + cross(t.arm, t.pushed);
          t.kept = t.c.load.force;
          t.arm = vec3(0);

@@ -8,7 +8,8 @@ namespace joints::testing {
 
 inline bool near_one(real a) { return std::abs(double(a) - 1) <= rounding; }
 inline constexpr const char* no_sum =
-    "a sum of quaternions is no orientation: take turned(q, w, 1), which normalises it";
+    "#quaternions-added a sum of quaternions is no orientation: take turned(q, w, 1), which "
+    "normalises it";
 
 template <class Part>
 CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
@@ -77,25 +78,27 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
   auto& add = table.mistakes;
   add = {{moves ? "nothing moves here, and elsewhere it does: every gap is closed, large or small, "
                   "beside a static body, too"
-                : "nothing moves: nothing is done yet, or the copies move and not the bodies "
-                  "themselves, or the copies are brought to rest after the push: before it. "
-                  "Or an int cuts lambda to 0",
+                : "#brought-rest-after-push nothing moves: nothing is done yet, or the copies "
+                  "move and not the bodies themselves, or the copies are brought to rest after "
+                  "the push: before it. Or an int cuts lambda to 0",
           times(0)},
          {Part::one_sided ? "the sign: lambda = -C/K works against the error of the rope (that of "
                             "its rod has the other sign)"
                           : "the sign: lambda = -K^-1 C works against the gap", times(-1)},
-         {"times h: there is no step in it. lambda is an impulse times a time already",
+         {"#times-h times h: there is no step in it. lambda is an impulse times a time already",
           times(1.0 / 60)},
          {"divided by h: there is no step in it, K lambda = -C", times(60)}};
   if (factor > 0 && factor < 1 - 100 * difference_tolerance)
-    add.push_back({"only a share of the gap is taken: a projection has no beta, it takes it all",
+    add.push_back({"#share-gap only a share of the gap is taken: a projection has no beta, it "
+                   "takes it all",
                    times(factor)});
   if (factor > 1 + 100 * difference_tolerance)
     add.push_back({"more than the gap is taken, " + short_number(factor) +
                        " times: a projection takes it once", times(factor)});
   add.insert(
       add.end(),
-      {{"the velocities are changed, and the poses stay: add the moves to x and turn q by them",
+      {{"#velocities-changed the velocities are changed, and the poses stay: add the moves to x "
+        "and turn q by them",
         velocities(no_moves, the_moves)},
        {"the velocities are changed, too: they stay as they are, take copies of the bodies",
         velocities(the_moves, the_moves)},
@@ -109,7 +112,7 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
                    [](const Moves& a, const Moves& b) { return sum(a, scaled(-1, -1, b)); })},
        {"the velocities are in lambda: K lambda = -C has no J V",
         pushed([](const Reference& reference) { return reference.with_velocities(); })},
-       {"K is missing: lambda is -K^-1 C",
+       {"#k-missing-lambda-k K is missing: lambda is -K^-1 C",
         pushed([](const Reference& reference) { return reference.without_K(); })},
        {"times K where its inverse belongs", pushed([](const Reference& reference) {
           return Reference::times(reference.K, reference.C);
@@ -130,7 +133,8 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
         turns([](const Body&, const vec3& turn) { return real(2) * turn; })},
        {"the rotation is multiplied by h: turned(q, w, 1), for w is an angle already",
         turns([](const Body&, const vec3& turn) { return turn / real(60); })},
-       {normal ? "q + (0, w) q/2 is only the first term of it: take turned(q, w, 1)" : no_sum,
+       {normal ? "#first-order-turn q + (0, w) q/2 is only the first term of it: take turned(q, "
+                 "w, 1)" : no_sum,
         turns([](const Body&, const vec3& turn) {
           const real half = length(turn) / 2;
           return half > 0 ? std::atan(half) / half * turn : turn;
@@ -145,7 +149,7 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
         changed([](const Reference&, const Moves& a) {
           return Moves{vec3(0), a.turn1, vec3(0), a.turn2};
         })},
-       {"only body 2 moves: body 1 has its share of the gap",
+       {"#only-body-2 only body 2 moves: body 1 has its share of the gap",
         changed([](const Reference&, const Moves& a) { return scaled(0, 1, a); })},
        {"only body 1 moves: body 2 has its share of the gap",
         changed([](const Reference&, const Moves& a) { return scaled(1, 0, a); })},
@@ -160,7 +164,7 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
         changed([](const Reference&, const Moves& a) {
           return Moves{a.way1, a.turn2, a.way2, a.turn1};
         })},
-       {"the sign of the moves: they are added to x, lambda has the sign already",
+       {"#sign-moves the sign of the moves: they are added to x, lambda has the sign already",
         changed([](const Reference&, const Moves& a) {
           return Moves{-a.way1, a.turn1, -a.way2, a.turn2};
         })},
@@ -193,11 +197,13 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
           return a;
         })}});
   if (n > 1)
-    add.push_back({"each row divided by its own K: the rows of a block are solved together",
+    add.push_back({"#each-row-own-k each row divided by its own K: the rows of a block are solved "
+                   "together",
                    pushed([](const Reference& reference) { return reference.each_row_alone(); })});
   for (const int share : {0, 1, 2, 3})  // of body 1: none, half, all, by the inverse masses
-    add.push_back({"the gap itself is shared out: how much a body moves and turns is M^-1 J^T "
-                   "lambda, Eq. 6-11", changed([=](const Reference& reference, const Moves&) {
+    add.push_back({"#shared-by-masses the gap itself is shared out: how much a body moves and "
+                   "turns is M^-1 J^T lambda, Eq. 6-11",
+                   changed([=](const Reference& reference, const Moves&) {
                      const real m1 = reference.pair.body1.inverse_mass;
                      const real m2 = reference.pair.body2.inverse_mass;
                      const real of_1 = share < 3 ? real(share) / 2 : m1 / (m1 + m2);
@@ -209,7 +215,8 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
                      return out;
                    })});
   if constexpr (n == 3)
-    add.push_back({"K along the gap only: the block is solved as a whole, lambda = -K^-1 C",
+    add.push_back({"#k-along-gap K along the gap only: the block is solved as a whole, lambda = "
+                   "-K^-1 C",
                    pushed([](const Reference& reference) {
                      real CC = 0, CKC = 0;
                      for (int i = 0; i < 3; ++i)
@@ -227,7 +234,8 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
     for (const bool place : {false, true})
       add.push_back({place ? "the place of an anchor is no lever: that begins at the centre, "
                              "to_world(body, anchor)"
-                           : "body-space lever: the levers are not turned into the world",
+                           : "#body-space-arms body-space lever: the levers are not turned into "
+                             "the world",
                      [=](const Case& c) {
                        Reference reference(c.part, c.pair);
                        if (Part::one_sided && reference.C[0] >= 0) return of({});

@@ -124,7 +124,7 @@ void add_copies(typename ProjectionRules<Part>::Mistakes& add) {
   using Reference = typename Rules::Reference;
   const auto changed = [](auto change) { return Rules::changed(change); };
   for (int flying = 15; flying > 0; --flying)  // which of the four velocities of the copies
-    add.push_back({"v and w of both copies must be zero before they are given "
+    add.push_back({"#copies-not-rest v and w of both copies must be zero before they are given "
                    "lambda",
                    changed([=](const Reference& reference, Moves a) {
                      const Moves b = velocities_of(reference.pair);
@@ -162,9 +162,10 @@ void add_copies(typename ProjectionRules<Part>::Mistakes& add) {
                                     {reference.pair.*one, reference.pair.*two});
     });
   };
-  add.push_back({"the copies are exchanged in apply_impulse: the one of body 1 comes first",
+  add.push_back({"#copies-exchanged the copies are exchanged in apply_impulse: the one of body 1 "
+                 "comes first",
                  given_to(&Pair::body1, &Pair::body2, true)});
-  add.push_back({"both copies are copies of body 1: each body has its own",
+  add.push_back({"#copies-body-1 both copies are copies of body 1: each body has its own",
                  given_to(&Pair::body1, &Pair::body1, false)});
   add.push_back({"both copies are copies of body 2: each body has its own",
                  given_to(&Pair::body2, &Pair::body2, false)});
@@ -201,15 +202,17 @@ void add_rope(typename ProjectionRules<Part>::Mistakes& add) {
   const auto always = [](real) { return true; };
   const auto too_long = [](real C) { return C < 0; };
   const auto slack = [](real C) { return C > 0; };
-  const char* const no_point = "this is the projection of a point, which draws the two anchors "
-                               "into one: a rope is drawn to its length, by its own row";
+  const char* const no_point = "#as-a-point this is the projection of a point, which draws the "
+                               "two anchors into one: a rope is drawn to its length, by its own "
+                               "row";
   const char* const rod = "the error of the rod has the other sign: rope.error is negative "
                           "where the rope is too long";
   add.insert(add.begin(),
-             {{"a slack rope is pushed to its length: it is left alone where C >= 0",
+             {{"#slack-is-pushed a slack rope is pushed to its length: it is left alone where C "
+               ">= 0",
                whatever(always)},
-              {"the wrong way round: C < 0 is too long, C > 0 is slack. (The error of its rod "
-               "has the other sign)", whatever(slack)},
+              {"#wrong-way-round the wrong way round: C < 0 is too long, C > 0 is slack. (The "
+               "error of its rod has the other sign)", whatever(slack)},
               {rod, whatever(slack, -1)},
               {rod, whatever(always, -1)},
               {no_point, as_point(too_long)},

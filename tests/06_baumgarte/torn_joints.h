@@ -225,29 +225,31 @@ inline IterationMistake explain_iteration(const Chain& start, const Chain& yours
       {order({0, 1, 2, 3}),
        "the iteration is right and its projections are not: look at `project` of a "
                             "point, the first part of the exercise"},
-      {stale_poses, "the poses are stale: each joint must see the poses that the one before it "
-                     "has left, else both move their body for the same gap"},
-      {order({3, 2, 1, 0}), "the iteration runs backwards: from the first joint to the last"},
+      {stale_poses, "#stale-poses the poses are stale: each joint must see the poses that the "
+                    "one before it has left, else both move their body for the same gap"},
+      {order({3, 2, 1, 0}), "#backwards the iteration runs backwards: from the first joint to "
+                            "the last"},
       {order({1, 2, 3}), "the first joint is left out: it holds body 0 to body 1"},
       {order({0, 1, 2}), "the last joint is left out: there is one joint less than bodies"},
       {order({0}), "only the first joint is projected"},
       {order({0, 1, 2, 3, 0, 1, 2, 3}), "this is two iterations: every joint is projected once"},
       {order({0, 1, 2, 3, 3, 2, 1, 0}), "there and back: every joint is projected once"},
-      {order({0, 2}), "every second joint is left out"},
+      {order({0, 2}), "#every-second-joint every second joint is left out"},
       {order({0, 2, 1, 3}),
        "every second joint, then the others: from the first joint to the last"},
-      {order({}), "nothing moves: nothing is done yet, or copies move: take the bodies of the "
-                  "chain by reference, auto& and not auto"},
-      {stale_errors, "the errors are taken before the iteration: each joint needs its error at the "
-                     "poses that the one before it has left"},
-      {project_copy(1), "body k + 1 is a copy: take it by reference, auto& and not auto"},
+      {order({}), "#of-copies nothing moves: nothing is done yet, or copies move: take the "
+                  "bodies of the chain by reference, auto& and not auto"},
+      {stale_errors, "#errors-first the errors are taken before the iteration: each joint needs "
+                     "its error at the poses that the one before it has left"},
+      {project_copy(1), "#copy-one-body body k + 1 is a copy: take it by reference, auto& and "
+                        "not auto"},
       {project_copy(0), "body k is a copy: take it by reference, auto& and not auto"},
       {project_shifted(-1), "bodies k - 1 and k: joint k holds body k to body k + 1"},
       {project_shifted(1), "bodies k + 1 and k + 2: joint k holds body k to body k + 1"},
       {[](Chain& chain, const Project& project_one) {
          for (std::size_t k = 0; k < chain.joints.size(); ++k)
            project_one(chain.joints[k], chain.bodies[k + 1], chain.bodies[k]);
-       }, "the bodies are exchanged: joint k holds body k to body k + 1"},
+       }, "#bodies-exchanged the bodies are exchanged: joint k holds body k to body k + 1"},
       {[](Chain& chain, const Project& project_one) {
          for (std::size_t k = 0; k < chain.joints.size(); ++k)
            project_one(chain.joints[k], chain.bodies[0], chain.bodies[k + 1]);
@@ -263,8 +265,8 @@ inline IterationMistake explain_iteration(const Chain& start, const Chain& yours
   for (const Body& body : yours.bodies)
     if (!std::isfinite(double(dot(body.x, body.x) + dot(body.q, body.q))))
       fail(iteration_subject, "A body's place is no number.\n\n" +
-                              likely("a joint between a body and itself has no K: joint k holds "
-                                     "body k to body k + 1"));
+                              likely("#body-itself a joint between a body and itself has no K: "
+                                     "joint k holds body k to body k + 1"));
   for (const bool reference : {true, false})
     for (const auto& [iteration, words] : iterations) {
       Chain chain = start;
@@ -284,7 +286,8 @@ inline IterationMistake explain_iteration(const Chain& start, const Chain& yours
   for (std::size_t k = 0; k < resting.bodies.size(); ++k) resting.bodies[k].v = start.bodies[k].v;
   if (!same_chains(resting, yours))
     return {iteration_subject,
-            "the velocities of the bodies change: an iteration moves and turns them"};
+            "#velocities-to-rest the velocities of the bodies change: an iteration moves and "
+            "turns them"};
   return {iteration_subject, ""};
 }
 

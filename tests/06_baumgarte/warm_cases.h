@@ -79,21 +79,22 @@ inline Pieces<WarmReference> wrong_warm_starts() {
   Pieces<T> out = {
       {"the ratio is rounded: it is a real, and half a step is 0.5",
        lambda([](const vec3& a, real r) { return std::round(r) * a; })},
-      {"1 - ratio: the impulse of this step is the ratio times the last one",
+      {"#one-minus-ratio 1 - ratio: the impulse of this step is the ratio times the last one",
        lambda([](const vec3& a, real r) { return (1 - r) * a; })},
-      {"the ratio is kept below 1: a longer step needs more",
+      {"#kept-below-one the ratio is kept below 1: a longer step needs more",
        lambda([](const vec3& a, real r) { return std::min(r, real(1)) * a; })},
       {"the ratio is kept above 1: a shorter step needs less",
        lambda([](const vec3& a, real r) { return std::max(r, real(1)) * a; })},
-      {"the ratio is added to lambda: it is a factor",
+      {"#added-to-lambda the ratio is added to lambda: it is a factor",
        lambda([](const vec3& a, real r) { return a + vec3(r); })},
       {"lambda is made a unit vector first: it keeps its length",
        lambda([](const vec3& a, real r) { return r * direction(a); })},
-      {"lambda begins at zero where the step has changed: it is scaled by the ratio",
+      {"#nothing-last-step-kept lambda begins at zero where the step has changed: it is scaled by "
+       "the ratio",
        lambda([](const vec3& a, real r) { return r == 1 ? a : vec3(0); })},
       {"only the first two rows are applied: there are three", [](T& t) { t.applied.z = 0; }},
       {"only the last two rows are applied: there are three", [](T& t) { t.applied.x = 0; }},
-      {"each row takes the place of the one before: += and not =", [](T& t) {
+      {"#rows-take-each-other each row takes the place of the one before: += and not =", [](T& t) {
          t.applied.x = t.applied.y = 0;
          t.lines.set.fill(true);
        }},
@@ -137,7 +138,7 @@ inline CaseTable<WarmCase> warm_table() {
        shares([](double r) {
          return r == 1 ? A{1, 0, 0} : A{r, r, r};
        })},
-      {"the ratio is cut to a whole number: it is a real, and half a step is 0.5",
+      {"#ratio-int the ratio is cut to a whole number: it is a real, and half a step is 0.5",
        shares([](double r) {
          return A{std::floor(r), std::floor(r), std::floor(r)};
        })},
@@ -156,7 +157,8 @@ inline CaseTable<WarmCase> warm_table() {
       {"the ratio is forgotten: half a step needs half the impulse", shares([](double) {
          return A{1, 1, 1};
        })},
-      {"divided by the ratio: half a step needs half the impulse", shares([](double r) {
+      {"#divided-ratio divided by the ratio: half a step needs half the impulse",
+       shares([](double r) {
          return A{1 / r, 1 / r, 1 / r};
        })},
       {"lambda is set to zero: it must hold what has been applied, for the iterations go on from "
@@ -171,7 +173,8 @@ inline CaseTable<WarmCase> warm_table() {
        shares([](double r) {
          return A{r, 1, 1};
        })},
-      {"the scaled impulse is applied and the old one is kept: lambda must hold what was applied",
+      {"#scaled-only-where-applied the scaled impulse is applied and the old one is kept: lambda "
+       "must hold what was applied",
        shares([](double r) {
          return A{1, r, r};
        })},
@@ -198,7 +201,8 @@ inline CaseTable<WarmCase> warm_table() {
       {"the sign: the impulse of this step has the sign of the last one", shares([](double r) {
          return A{-r, -r, -r};
        })},
-      {"nothing is applied: lambda is scaled, but the bodies do not feel it", shares([](double r) {
+      {"#only-scaled nothing is applied: lambda is scaled, but the bodies do not feel it",
+       shares([](double r) {
          return A{r, 0, 0};
        })},
       {"nothing is done yet, or copies are changed: lambda is a reference, and so are the bodies",
@@ -221,7 +225,8 @@ inline CaseTable<WarmCase> warm_table() {
   Body& wall = table.cases.back().pair.body1;
   wall = static_body(wall.x, wall.q);
   table.tolerance = 10 * rounding;
-  table.mistakes.push_back({"beside a static body nothing is done: the other one gets its share",
+  table.mistakes.push_back({"#nothing-beside-static-body beside a static body nothing is done: "
+                            "the other one gets its share",
                             [=, right = table.right](const Case& c) {
                               return c.pair.body1.is_static() || c.pair.body2.is_static()
                                          ? of(c.lambda, {}) : right(c);

@@ -23,16 +23,17 @@ inline std::string outside(const ColourScene& scene) {
   }
   memory_fill = 0;
   if (memory_is_broken || of[0] != of[1])
-    return "an index outside a vector: std::vector<bool> does not check it, and reads or writes "
-           "what lies behind. Is the colour below size() wherever you ask and where you keep it?";
+    return "#four-spare-colours an index outside a vector: std::vector<bool> does not check it, "
+           "and reads or writes what lies behind. Is the colour below size() wherever you ask and "
+           "where you keep it?";
   for (const bool bit : {false, true}) {
     ColourScene with_more = scene;
     with_more.moves.resize(scene.moves.size() + 64, bit);
     with_more.moves.resize(scene.moves.size());
     of[bit] = your_colours(with_more);
   }
-  return of[0] == of[1] ? "" : "`moves` is asked of a body that is not there: they are numbered "
-                               "from 0 to moves.size() - 1";
+  return of[0] == of[1] ? "" : "#body-that-not-there `moves` is asked of a body that is not "
+                               "there: they are numbered from 0 to moves.size() - 1";
 }
 
 /// Colours that are right but for a greatest one: which that is, in words; "" where there is none.
@@ -66,7 +67,8 @@ inline std::string explain_size(const ColourScene& scene, const Colours& yours) 
   };
   const auto moving = std::count_if(scene.links.begin(), scene.links.end(), both_move);
   if (yours.size() == std::size_t(moving))
-    return "joints with a static body are left out: they have a colour, too";
+    return "#joints-static-body-left joints with a static body are left out: they have a colour, "
+           "too";
   return "";
 }
 

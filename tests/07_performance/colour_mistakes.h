@@ -111,7 +111,8 @@ inline std::vector<ColourMistake> colour_mistakes() {
        fit([=](auto, const BodyPair& a, const BodyPair& b) {
          return named(a.body1, b) || named(a.body2, b);
        })},
-      {"the other way round: the bodies that move are those that no two joints may share",
+      {"#moves-turned-round the other way round: the bodies that move are those that no two "
+       "joints may share",
        fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (!moves(a.body1) && named(a.body1, b)) || (!moves(a.body2) && named(a.body2, b));
        })},
@@ -119,7 +120,7 @@ inline std::vector<ColourMistake> colour_mistakes() {
        fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (moves(a.body1) && named(a.body1, b)) || (moves(a.body2) && named(a.body2, b));
        }, 1)},
-      {"only body 1 of a joint is asked: the colour must be free at both",
+      {"#only-body-1-asked only body 1 of a joint is asked: the colour must be free at both",
        fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return moves(a.body1) && named(a.body1, b);
        })},
@@ -127,40 +128,44 @@ inline std::vector<ColourMistake> colour_mistakes() {
        fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return moves(a.body2) && named(a.body2, b);
        })},
-      {"the colour must be free at both bodies: go on while the one or the other has it",
+      {"#free-one-them the colour must be free at both bodies: go on while the one or the other "
+       "has it",
        always_kept([](auto has, const BodyPair& link) {
          int colour = 0;
          while (has(link.body1, colour) && has(link.body2, colour)) ++colour;
          return colour;
        })},
-      {"body 1 is not asked again after the colour has gone up for body 2: go on until neither of "
-       "them has it",
+      {"#body-1-not-asked body 1 is not asked again after the colour has gone up for body 2: go "
+       "on until neither of them has it",
        always_kept([](auto has, const BodyPair& link) {
          int colour = 0;
          while (has(link.body1, colour)) ++colour;
          while (has(link.body2, colour)) ++colour;
          return colour;
        })},
-      {"body 2 is not asked again after the colour has gone up for body 1: go on until neither of "
-       "them has it",
+      {"#body-2-not-asked body 2 is not asked again after the colour has gone up for body 1: go "
+       "on until neither of them has it",
        always_kept([](auto has, const BodyPair& link) {
          int colour = 0;
          while (has(link.body2, colour)) ++colour;
          while (has(link.body1, colour)) ++colour;
          return colour;
        })},
-      {"the greater one of two colours, each free at one of the bodies: it must be free at both",
+      {"#greater-two-colours the greater one of two colours, each free at one of the bodies: it "
+       "must be free at both",
        always_kept([](auto has, const BodyPair& link) {
          int one = 0, two = 0;
          while (has(link.body1, one)) ++one;
          while (has(link.body2, two)) ++two;
          return std::max(one, two);
        })},
-      {"the colour goes up once at most: go on while one of the bodies has it, while and not if",
+      {"#if-place-while the colour goes up once at most: go on while one of the bodies has it, "
+       "while and not if",
        always_kept([](auto has, const BodyPair& link) {
          return has(link.body1, 0) || has(link.body2, 0) ? 1 : 0;
        })},
-      {"the colour of the last joint is where the next one begins: begin with 0 for each",
+      {"#colour-not-set-back the colour of the last joint is where the next one begins: begin "
+       "with 0 for each",
        [](const Scene& scene) {
          int colour = 0;
          return chosen(scene, [&](auto has, const BodyPair& link) {
@@ -168,8 +173,8 @@ inline std::vector<ColourMistake> colour_mistakes() {
            return colour;
          }, [](const BodyPair&, int) { return true; });
        }},
-      {"a joint with a static body blocks no colour at all: its static body alone blocks none, "
-       "the other one moves",
+      {"#nothing-taken-beside-static a joint with a static body blocks no colour at all: its "
+       "static body alone blocks none, the other one moves",
        [](const Scene& scene) {
          const auto both_move = [&](const BodyPair& link) {
            return scene.moves[std::size_t(link.body1)] && scene.moves[std::size_t(link.body2)];
@@ -181,7 +186,8 @@ inline std::vector<ColourMistake> colour_mistakes() {
            return colour;
          }, [&](const BodyPair& link, int) { return both_move(link); });
        }},
-      {"beside a static body nothing is asked: the other one moves, and its colour must be free",
+      {"#nothing-asked-beside-static beside a static body nothing is asked: the other one moves, "
+       "and its colour must be free",
        [](const Scene& scene) {
          return chosen(scene, [&](auto has, const BodyPair& link) {
            int colour = 0;
@@ -191,22 +197,23 @@ inline std::vector<ColourMistake> colour_mistakes() {
            return colour;
          }, [](const BodyPair&, int) { return true; });
        }},
-      {"only the joint before is looked at: all joints of both bodies count",
+      {"#only-joint-before only the joint before is looked at: all joints of both bodies count",
        neighbours([](int colour, int other, bool last) {
          return last && other == colour ? 1 : colour;
        })},
-      {"one more than the joint before: the least that is free, and all joints count",
+      {"#one-more-than-joint one more than the joint before: the least that is free, and all "
+       "joints count",
        neighbours([](int colour, int other, bool last) { return last ? other + 1 : colour; })},
-      {"one more than the last neighbour has: the least that none of them has",
+      {"#one-more-than-last one more than the last neighbour has: the least that none of them has",
        neighbours([](int, int other, bool) { return other + 1; })},
-      {"the joints before are gone through once: after the colour has gone up ask all of them "
-       "again",
+      {"#joints-before-gone-through the joints before are gone through once: after the colour has "
+       "gone up ask all of them again",
        neighbours([](int colour, int other, bool) { return colour + (other == colour); })},
       {"the colour is kept for body 1 of a joint only: it is taken at both",
        fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (moves(a.body1) && a.body1 == b.body1) || (moves(a.body2) && a.body2 == b.body1);
        })},
-      {"the colour is kept for body 2 of a joint only: it is taken at both",
+      {"#kept-body-2-only the colour is kept for body 2 of a joint only: it is taken at both",
        fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (moves(a.body1) && a.body1 == b.body2) || (moves(a.body2) && a.body2 == b.body2);
        })},
@@ -215,22 +222,23 @@ inline std::vector<ColourMistake> colour_mistakes() {
        fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (moves(a.body1) && a.body1 == b.body1) || (moves(a.body2) && a.body2 == b.body2);
        })},
-      {"all have one colour: a joint must not have that of another one at the same body. Is "
-       "nothing remembered, or `moves` turned round where it is asked?",
+      {"#moves-turned-round-where all have one colour: a joint must not have that of another one "
+       "at the same body. Is nothing remembered, or `moves` turned round where it is asked?",
        [](const Scene& scene) { return Colours(scene.links.size(), 0); }},
-      {"every joint has a colour of its own: take the least that is free at its bodies",
+      {"#colour-own every joint has a colour of its own: take the least that is free at its bodies",
        [](const Scene& scene) {
          Colours out(scene.links.size());
          std::iota(out.begin(), out.end(), 0);
          return out;
        }},
-      {"two colours in turn: that fits a chain and nothing else",
+      {"#two-in-turn two colours in turn: that fits a chain and nothing else",
        [](const Scene& scene) {
          Colours out;
          for (std::size_t k = 0; k < scene.links.size(); ++k) out.push_back(int(k % 2));
          return out;
        }},
-      {"a new colour after the last one that the bodies have: a smaller one may be free",
+      {"#after-last-one a new colour after the last one that the bodies have: a smaller one may "
+       "be free",
        [](const Scene& scene) {
          return counted(scene, [](int& one, int& two, bool moves1, bool moves2) {
            const int colour = std::max(moves1 ? one : 0, moves2 ? two : 0);
@@ -247,7 +255,8 @@ inline std::vector<ColourMistake> colour_mistakes() {
            return colour;
          });
        }},
-      {"only the last colour of a body is kept: it needs all that its joints have taken",
+      {"#only-last-one-kept only the last colour of a body is kept: it needs all that its joints "
+       "have taken",
        [](const Scene& scene) {
          std::vector<int> last(scene.moves.size(), -1);
          Colours out;
@@ -262,7 +271,7 @@ inline std::vector<ColourMistake> colour_mistakes() {
          }
          return out;
        }},
-      {"from the last joint to the first: the first one chooses first",
+      {"#last-joint-first from the last joint to the first: the first one chooses first",
        [](const Scene& scene) {
          Scene back = scene;
          std::reverse(back.links.begin(), back.links.end());

@@ -34,7 +34,7 @@ inline Pieces<BiasReference> wrong_rates() {
   const Rule rates[] = {
       {"h is forgotten: beta C is a way and an angle, a bias is a velocity: beta C / h",
        [](const HingeCase& c) { return c.hinge.beta; }},
-      {"beta is forgotten: this takes back all of the error in one step",
+      {"#without-beta beta is forgotten: this takes back all of the error in one step",
        [](const HingeCase& c) { return 1 / c.h; }},
       {"the error itself: beta C / h", [](const HingeCase&) { return real(1); }},
       {"times h where it must be divided by h",
@@ -49,9 +49,9 @@ inline Pieces<BiasReference> wrong_rates() {
        [](const HingeCase& c) { return (1 - c.hinge.beta) / c.h; }},
       {"0.2 in the place of beta: take hinge.beta",
        [](const HingeCase& c) { return real(0.2) / c.h; }},
-      {"60 in the place of 1/h: a step need not be 1/60 s",
+      {"#for-sixty-steps 60 in the place of 1/h: a step need not be 1/60 s",
        [](const HingeCase& c) { return 60 * c.hinge.beta; }},
-      {"beta / h is cut to a whole number: an int has no fraction",
+      {"#rate-int beta / h is cut to a whole number: an int has no fraction",
        [](const HingeCase& c) { return std::trunc(c.hinge.beta / c.h); }}};
   Pieces<T> out;
   struct Group {
@@ -66,7 +66,7 @@ inline Pieces<BiasReference> wrong_rates() {
     };
     for (const Rule& rule : rates)
       each(rule.words, [=](T& t, std::size_t i) { t.rate[i] = rule.of(t.c); });
-    each("added to what stood there: = and not +=",
+    each("#added-what-stood-there added to what stood there: = and not +=",
          [](T& t, std::size_t i) { t.more[i] = unwritten; });
     each("the size of the error: a bias has its sign",
          [](T& t, std::size_t i) { t.C[i] = std::abs(t.C[i]); });
@@ -108,19 +108,20 @@ inline Pieces<BiasReference> wrong_errors() {
     return vec3(C[0], C[1], C[2]);
   };
   return {
-      {"the two of the axis are exchanged: first a1.b, then a1.c",
+      {"#axis-biases-exchanged the two of the axis are exchanged: first a1.b, then a1.c",
        [](T& t) { std::swap(t.C[3], t.C[4]); }},
       {"a1.b stands there twice: the last one is of a1.c", [](T& t) { t.C[4] = t.C[3]; }},
       {"a1.c stands there twice: the one before the last is of a1.b",
        [](T& t) { t.C[3] = t.C[4]; }},
       {"the gap stands there once more in the place of the axis error: axis.error",
        [](T& t) { t.C[3] = t.C[0], t.C[4] = t.C[1]; }},
-      {"the two of the axis begin one place too early: bias[3] and bias[4]", [](T& t) {
+      {"#one-place-too-early the two of the axis begin one place too early: bias[3] and bias[4]",
+       [](T& t) {
          t.after = [](Vector<5>& b) { b = {b[0], b[1], b[3], b[4], unwritten}; };
        }},
       {"the bodies are exchanged: point.error(body1, body2)",
        gap([](const HingeCase& c) { return c.hinge.point.error(c.pair.body2, c.pair.body1); })},
-      {"the bodies are exchanged: axis.error(body1, body2)",
+      {"#of-exchanged-bodies the bodies are exchanged: axis.error(body1, body2)",
        [](T& t) {
          const Vector<2> C = t.c.hinge.axis.error(t.c.pair.body2, t.c.pair.body1);
          t.C[3] = C[0], t.C[4] = C[1];
@@ -133,7 +134,7 @@ inline Pieces<BiasReference> wrong_errors() {
        })},
       {"the gap of the levers alone: it runs from anchor to anchor, point.error",
        between([](const HingeCase& c, bool second) { return reference_lever(c, second); })},
-      {"the gap in the axes of body 1: point.error is in world axes already",
+      {"#in-body-axes the gap in the axes of body 1: point.error is in world axes already",
        gap([=](const HingeCase& c) { return to_local(c.pair.body1, right_gap(c)); })},
       {"the gap in the axes of body 2: point.error is in world axes already",
        gap([=](const HingeCase& c) { return to_local(c.pair.body2, right_gap(c)); })},
@@ -156,8 +157,8 @@ inline Pieces<BiasReference> wrong_velocities() {
     for (const auto& [from, to] : {std::pair{0, 5}, {0, 3}, {3, 5}})
       for (const bool scaled : {false, true}) {
         if (!turns && from == 3) continue;  // the axis rows feel nothing else
-        out.push_back({"the velocities are mixed in: bias holds what does not depend on them, J V "
-                       "comes in the solve", [=, from = from, to = to](T& t) {
+        out.push_back({"#with-velocities the velocities are mixed in: bias holds what does not "
+                       "depend on them, J V comes in the solve", [=, from = from, to = to](T& t) {
                          const HingeCase& c = t.c;
                          Jacobian<5> J = hinge_rows(reference_lever(c, false),
                                                     reference_lever(c, true), reference_rows(c));

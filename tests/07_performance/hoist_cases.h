@@ -157,11 +157,11 @@ inline CaseTable<HingeCase> axis_row_table() {
       {"the first row is not written yet", of_rows([](const Case&, const Rows& a) {
          return Rows{vec3(unwritten), a[1]};
        })},
-      {"the sign of the first row: b x a1 is the block w2",
+      {"#axis-sign-one-row the sign of the first row: b x a1 is the block w2",
        of_rows([](const Case&, const Rows& a) { return Rows{-a[0], a[1]}; })},
       {"the sign of the second row: c x a1 is the block w2",
        of_rows([](const Case&, const Rows& a) { return Rows{a[0], -a[1]}; })},
-      {"the bodies are exchanged: axis.jacobian(body1, body2)",
+      {"#axis-bodies-exchanged the bodies are exchanged: axis.jacobian(body1, body2)",
        [=](const Case& c) {
          const Jacobian<2> J = c.hinge.axis.jacobian(c.pair.body2, c.pair.body1);
          return flat({J[0].w2, J[1].w2});
@@ -173,7 +173,7 @@ inline CaseTable<HingeCase> axis_row_table() {
        of_rows([](const Case&, const Rows& a) { return Rows{-a[0], -a[1]}; })},
       {"the two rows are exchanged: b comes first, then c",
        of_rows([](const Case&, const Rows& a) { return Rows{a[1], a[0]}; })},
-      {"the first row stands there twice: the second one is c x a1",
+      {"#axis-row-twice the first row stands there twice: the second one is c x a1",
        of_rows([](const Case&, const Rows& a) { return Rows{a[0], a[0]}; })},
       {"the second row stands there twice: the first one is b x a1",
        of_rows([](const Case&, const Rows& a) { return Rows{a[1], a[1]}; })},
@@ -204,7 +204,8 @@ inline CaseTable<HingeCase> axis_row_table() {
       {"nothing is turned into the world: b, c and a1 are body-space", from(as_it_is, as_it_is)},
       {"a1_local is not turned into the world", from(as_it_is, on_2)},
       {"b_local and c_local are not turned into the world", from(on_1, as_it_is)},
-      {"the axis is turned with the wrong body: a1 rides on body 1, b and c on body 2",
+      {"#axis-wrong-body the axis is turned with the wrong body: a1 rides on body 1, b and c on "
+       "body 2",
        from(on_2, on_2)},
       {"b and c are turned with the wrong body: they ride on body 2", from(on_1, on_1)},
       {"the bodies are exchanged: a1 rides on body 1, b and c on body 2", from(on_2, on_1)}};

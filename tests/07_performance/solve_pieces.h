@@ -40,18 +40,21 @@ inline Pieces<SolveReference> usual_pieces() {
   return {
       {"the sign: lambda = -K^-1 e works against e, and +lambda acts on body 2",
        times(push, 0, 5, -1, -1, -1, -1)},
-      {"nothing changes: the bodies are references, and lambda is applied to them",
+      {"#copies nothing changes: the bodies are references, and lambda is applied to them",
        times(push, 0, 5, 0, 0, 0, 0)},
-      {"both bodies are pushed the same way: body 1 gets the opposite of what body 2 gets",
+      {"#both-same-way both bodies are pushed the same way: body 1 gets the opposite of what body "
+       "2 gets",
        times(push, 0, 5, -1, -1, 1, 1)},
       {"both bodies get the same turn: w1 -= I1 (r1 x P + T)", times(push, 0, 5, 1, -1, 1, 1)},
       {"both bodies get the same push: v1 -= P/m1", times(push, 0, 5, -1, 1, 1, 1)},
-      {"only body 2 feels it: body 1 gets the opposite", times(push, 0, 5, 0, 0, 1, 1)},
+      {"#only-body-2 only body 2 feels it: body 1 gets the opposite",
+       times(push, 0, 5, 0, 0, 1, 1)},
       {"only body 1 feels it: body 2 gets the opposite", times(push, 0, 5, 1, 1, 0, 0)},
       {"the push changes w only: v1 -= P/m1, v2 += P/m2", times(push, 0, 5, 0, 1, 0, 1)},
-      {"the push changes v only: w gets r x P, too", times(push, 0, 3, 1, 0, 1, 0)},
+      {"#turn-only the push changes v only: w gets r x P, too", times(push, 0, 3, 1, 0, 1, 0)},
       {"only v changes: w gets r x P + T", times(push, 0, 5, 1, 0, 1, 0)},
-      {"lambda is written over e while e is still being read: keep them apart", [](T& t) {
+      {"#lambda-over-e lambda is written over e while e is still being read: keep them apart",
+       [](T& t) {
          t.on_lambda.push_back([](T& t, Vector<5>& lambda) {
            Vector<5> e = t.e();
            for (std::size_t i = 0; i < 5; ++i) {
@@ -62,7 +65,8 @@ inline Pieces<SolveReference> usual_pieces() {
            lambda = e;
          });
        }},
-      {"K^-1 e is written over e while e is still being read: give inverse_K_times another array",
+      {"#k-over-e K^-1 e is written over e while e is still being read: give inverse_K_times "
+       "another array",
        [](T& t) {
          t.on_lambda.push_back([](T& t, Vector<5>& lambda) {
            Vector<5> e = t.e();
@@ -74,7 +78,8 @@ inline Pieces<SolveReference> usual_pieces() {
            for (std::size_t i = 0; i < 5; ++i) lambda[i] = -e[i];
          });
        }},
-      {"the turn T is missing: w gets r x P + T, with T = lambda4 a_1 + lambda5 a_2",
+      {"#without-the-turn the turn T is missing: w gets r x P + T, with T = lambda4 a_1 + lambda5 "
+       "a_2",
        times(push, 3, 5, 1, 0, 1, 0)},
       {"the turn T is missing on body 1", times(push, 3, 5, 1, 0, 1, 1)},
       {"the turn T is missing on body 2", times(push, 3, 5, 1, 1, 1, 0)},
@@ -89,14 +94,16 @@ inline Pieces<SolveReference> usual_pieces() {
          const Jacobian<5> rows = opposite(t);
          for (int i = 0; i < 3; ++i) t.push[i] = rows[i];
        }},
-      {"r x w in the place of w x r in the gap's rate", [=](T& t) { t.read = opposite(t); }},
+      {"#r-x-w-place r x w in the place of w x r in the gap's rate",
+       [=](T& t) { t.read = opposite(t); }},
       {"r x w and P x r: w x r in the gap's rate, r x P in what the push does",
        [=](T& t) { t.read = t.push = opposite(t); }},
       {"the levers are exchanged in the gap's rate: r1 belongs to w1",
        [=](T& t) { t.read = exchanged(t); }},
-      {"the levers are exchanged in what the push does: r1 belongs to body 1",
+      {"#levers-exchanged-push the levers are exchanged in what the push does: r1 belongs to body "
+       "1",
        [=](T& t) { t.push = exchanged(t); }},
-      {"the levers are exchanged: r1 belongs to body 1",
+      {"#levers-are-exchanged-r1 the levers are exchanged: r1 belongs to body 1",
        [=](T& t) { t.read = t.push = exchanged(t); }},
       {"r1 is taken for both bodies",
        [=](T& t) { t.read = t.push = hinge_rows(t.r1, t.r1, t.a); }},
@@ -114,9 +121,11 @@ inline Pieces<SolveReference> usual_pieces() {
        times(read, 0, 5, 0, 0, 1, 1)},
       {"body 2 is missing in e: the rates are of body 2 less those of body 1",
        times(read, 0, 5, 1, 1, 0, 0)},
-      {"the velocities of body 1 are added in e: the rates are of body 2 less those of body 1",
+      {"#velocities-added the velocities of body 1 are added in e: the rates are of body 2 less "
+       "those of body 1",
        times(read, 0, 5, -1, -1, 1, 1)},
-      {"the sign of e in the point's rows: rates of body 2 less those of body 1", [=](T& t) {
+      {"#sign-e-point-s the sign of e in the point's rows: rates of body 2 less those of body 1",
+       [=](T& t) {
          t.read = T::scaled(t.read, 0, 3, -1, -1, -1, -1);
          for (int i = 0; i < 3; ++i) t.bias[i] = -t.bias[i];
        }},
@@ -124,7 +133,8 @@ inline Pieces<SolveReference> usual_pieces() {
        times(read, 0, 5, -1, -1, -1, -1)},
       {"the sign of w1 x r1 in the gap's rate: it is taken away", times(read, 0, 3, 1, -1, 1, 1)},
       {"the sign of w2 x r2 in the gap's rate: it is added", times(read, 0, 3, 1, 1, 1, -1)},
-      {"w1 is missing in the axis rows: a_j . (w2 - w1)", times(read, 3, 5, 1, 0, 1, 1)},
+      {"#without-w1-axis-rows w1 is missing in the axis rows: a_j . (w2 - w1)",
+       times(read, 3, 5, 1, 0, 1, 1)},
       {"w2 is missing in the axis rows: a_j . (w2 - w1)", times(read, 3, 5, 1, 1, 1, 0)},
       {"the sign in the axis rows: a_j . (w2 - w1)", times(read, 3, 5, 1, -1, 1, -1)},
       {"w1 + w2 in the axis rows: a_j . (w2 - w1)", times(read, 3, 5, 1, -1, 1, 1)},
@@ -140,10 +150,10 @@ inline Pieces<SolveReference> usual_pieces() {
       {"the axis rows are exchanged in the turn T", [=](T& t) { swap_rows(t.push); }},
       {"the first axis row twice in e", [](T& t) { t.read[4] = t.read[3]; }},
       {"the first axis row twice in the turn T", [](T& t) { t.push[4] = t.push[3]; }},
-      {"the bias is forgotten: e = bias + J V", [](T& t) { t.bias = {}; }},
+      {"#bias-forgotten-e-bias the bias is forgotten: e = bias + J V", [](T& t) { t.bias = {}; }},
       {"the bias of the axis is forgotten", [](T& t) { t.bias[3] = t.bias[4] = 0; }},
       {"the bias of the point is forgotten", [](T& t) { t.bias[0] = t.bias[1] = t.bias[2] = 0; }},
-      {"the sign of the point's bias: e = bias + J V",
+      {"#sign-point-s-bias the sign of the point's bias: e = bias + J V",
        [](T& t) { t.bias[0] = -t.bias[0], t.bias[1] = -t.bias[1], t.bias[2] = -t.bias[2]; }},
       {"the sign of the axis' bias: e = bias + J V",
        [](T& t) { t.bias[3] = -t.bias[3], t.bias[4] = -t.bias[4]; }},
@@ -173,18 +183,21 @@ inline Pieces<SolveReference> usual_pieces() {
          t.inverse_K = {};
          for (int i = 0; i < 5; ++i) t.inverse_K[i][i] = 1;
        }},
-      {"only the upper half of K^-1 is used: place(i, j) gives the lower one, too",
+      {"#upper-half-only only the upper half of K^-1 is used: place(i, j) gives the lower one, too",
        of_K([](int i, int j) { return i <= j; })},
       {"only the lower half of K^-1 is used: place(i, j) gives the upper one, too",
        of_K([](int i, int j) { return i >= j; })},
-      {"only the diagonal of K^-1 is used", of_K([](int i, int j) { return i == j; })},
-      {"what K^-1 holds between the point and the axis is not used: these are two blocks",
+      {"#diagonal-only only the diagonal of K^-1 is used",
+       of_K([](int i, int j) { return i == j; })},
+      {"#two-blocks what K^-1 holds between the point and the axis is not used: these are two "
+       "blocks",
        of_K([](int i, int j) { return (i < 3) == (j < 3); })},
-      {"K^-1 is read in another order: take place(i, j), row after row of the upper half",
+      {"#another-order-k K^-1 is read in another order: take place(i, j), row after row of the "
+       "upper half",
        packed([](int i, int j) {
          return std::max(i, j) * (std::max(i, j) + 1) / 2 + std::min(i, j);
        })},
-      {"K^-1 is read as if all 25 entries stood there: take place(i, j), only 15 do",
+      {"#read-if-full K^-1 is read as if all 25 entries stood there: take place(i, j), only 15 do",
        packed([](int i, int j) { return std::min(5 * i + j, 14); })}};
 }
 

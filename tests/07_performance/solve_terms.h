@@ -134,7 +134,8 @@ inline Pieces<SolveReference> any_pieces() {
                      });
                    }});
   };
-  impulses("the push begins with lambda[1]: it is lambda[0] to lambda[2]", {1, 2, 3, 3, 4});
+  impulses("#push-begins-too-late the push begins with lambda[1]: it is lambda[0] to lambda[2]",
+           {1, 2, 3, 3, 4});
   impulses("the turn begins with lambda[2]: it is made of lambda[3] and lambda[4]",
            {0, 1, 2, 2, 3});
   impulses("the turn begins with lambda[0]: it is made of lambda[3] and lambda[4]",

@@ -72,8 +72,8 @@ TEST_CASE("7.1 the place of the inverse of K is left alone", "[7.1]") {
   for (int n = 0; n < 15; ++n) out.inverse_K[n] = real(1) + n;
   const HingeCase c = hinge_cases()[6];
   hoist(c.hinge, c.pair.body1, c.pair.body2, c.h, out);
-  const char* const elsewhere = "inverse_K stays as it is: K comes with exercise 7.2, and the loop "
-                                "inverts it";
+  const char* const elsewhere = "#inverse-k-filled inverse_K stays as it is: K comes with "
+                                "exercise 7.2, and the loop inverts it";
   for (int n = 0; n < 15; ++n) {
     const double yours = double(out.inverse_K[n]);
     expect({"7.1", "what hoist must not touch"}, "inverse_K[" + std::to_string(n) + "]", yours,

@@ -5,6 +5,10 @@
 
 namespace joints::testing {
 
+inline const char* const told_axis_dot_product_same =
+    "#axis-dot-product-same the dot product is taken with the same row twice: row i with column "
+    "j,";
+
 inline KPart axis_part() {
   using S = KSource;
   const auto products = [](auto I, auto column) {  // a_i . I a_column
@@ -35,21 +39,21 @@ inline KPart axis_part() {
   return {
       " in the axis' 2x2",
       {{"", "", products(I, same)},
-       {"body # is missing", "it is not written yet",
+       {"body % is missing", "it is not written yet",
         [](const S&, std::size_t) { return mat3(0); }},
-       {"the sign of body #: the shares of both bodies are added", "the sign",
+       {"the sign of body %: the shares of both bodies are added", "the sign",
         products([](const S& s, std::size_t k) { return -s.I[k]; }, same)},
-       {"I@ in the place of I#", "",
+       {"I@ in the place of I%", "",
         products([](const S& s, std::size_t k) { return s.I[1 - k]; }, same)},
-       {"I# is missing", "the inverse inertias are missing",
+       {"I% is missing", "the inverse inertias are missing",
         products([](const S&, std::size_t) { return mat3(1); }, same)},
-       {"I# of the first axis row in both columns", "I of the first axis row in both columns",
+       {"I% of the first axis row in both columns", "I of the first axis row in both columns",
         products(I, [](std::size_t) { return std::size_t(0); })},
-       {"I# of the second axis row in both columns", "I of the second axis row in both columns",
+       {"I% of the second axis row in both columns", "I of the second axis row in both columns",
         products(I, [](std::size_t) { return std::size_t(1); })},
-       {"I# of the other axis row", "I of the other axis row",
+       {"I% of the other axis row", "I of the other axis row",
         products(I, [](std::size_t j) { return 1 - j; })},
-       {"body # is added twice", "both bodies are added twice",
+       {"body % is added twice", "both bodies are added twice",
         products([](const S& s, std::size_t k) { return real(2) * s.I[k]; }, same)}},
       {{"", kept([](int, int) { return true; })},
        {"the inverse masses are added: these rows turn and do not push,",
@@ -66,9 +70,9 @@ inline KPart axis_part() {
        {one_side, kept([](int i, int j) { return i >= j; })},
        {"its second column is missing,", kept([](int, int j) { return j == 0; })},
        {"its first column is missing,", kept([](int, int j) { return j == 1; })},
-       {"the dot product is taken with the same row twice: row i with column j,",
+       {told_axis_dot_product_same,
         where([](const mat3& A, int, int j, const S&) { return A[j][j]; })},
-       {"the dot product is taken with the same row twice: row i with column j,",
+       {told_axis_dot_product_same,
         where([](const mat3& A, int i, int, const S&) { return A[i][i]; })},
        {"the first axis row twice", where([](const mat3& A, int, int, const S&) {
           return A[0][0];

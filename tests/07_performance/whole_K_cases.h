@@ -41,7 +41,7 @@ inline std::vector<std::string> names_of(int part) {
 inline std::string words_of(const Share& share, int which) {
   std::string out;
   for (const char letter : which == 3 ? share.both : share.one)
-    out += letter == '#' ? std::to_string(which)
+    out += letter == '%' ? std::to_string(which)
          : letter == '@' ? std::to_string(3 - which) : std::string(1, letter);
   return out;
 }
@@ -107,12 +107,14 @@ inline CaseTable<HingeCase>::Mistakes wrong_wholes() {
   };
   return {
       {"body 1 is missing", changed([](KSource& s) { s.m[0] = 0, s.I[0] = mat3(0); })},
-      {"body 2 is missing", changed([](KSource& s) { s.m[1] = 0, s.I[1] = mat3(0); })},
+      {"#sum-that-thrown-away body 2 is missing",
+       changed([](KSource& s) { s.m[1] = 0, s.I[1] = mat3(0); })},
       {"beside a static body K is zero: the other one moves", [](const Case& c) {
          const KSource s(c);
          return numbers_of(s.m[0] > 0 && s.m[1] > 0 ? s.K() : Matrix<5>{}, -1);
        }},
-      {"the levers, or the inverse inertias, are exchanged: r1 and I1 belong to body 1",
+      {"#levers-or-inverse-inertias the levers, or the inverse inertias, are exchanged: r1 and I1 "
+       "belong to body 1",
        changed([](KSource& s) { std::swap(s.r[0], s.r[1]); })},
       {"I1 is taken for both bodies", changed([](KSource& s) { s.I[1] = s.I[0]; })},
       {"I2 is taken for both bodies", changed([](KSource& s) { s.I[0] = s.I[1]; })},
@@ -124,7 +126,8 @@ inline CaseTable<HingeCase>::Mistakes wrong_wholes() {
       {"the second row takes the first axis row again",
        changed([](KSource& s) { s.a[1] = s.a[0]; })},
       {"nothing is written yet", [](const Case&) { return Numbers(25, 0); }},
-      {"the inverse of K: K itself is wanted, the loop inverts it", [](const Case& c) {
+      {"#inverse-k-k-itself the inverse of K: K itself is wanted, the loop inverts it",
+       [](const Case& c) {
          Matrix<5> K = KSource(c).K();
          invert_symmetric(K[0].data(), 5);
          return numbers_of(K, -1);

@@ -22,7 +22,7 @@ struct KSource {
 
 /// What a body adds to a part: the point's 3x3, the two columns beside it, the axis' 2x2.
 struct Share {
-  std::string one, both;  ///< words: # is the number of the body, @ of the other one
+  std::string one, both;  ///< words: % is the number of the body, @ of the other one
   Call<mat3(const KSource&, std::size_t)> of;
 };
 /// How the sum of both bodies becomes numbers of K.
@@ -82,44 +82,48 @@ inline KPart point_part() {
   return {
       " in the point's 3x3",
       {{"", "", of(r, I, r)},
-       {"the turns of body # are missing", "only the inverse masses: the turns are missing",
+       {"the turns of body % are missing", "only the inverse masses: the turns are missing",
         [](const S&, std::size_t) { return mat3(0); }},
-       {"the sign of the turns of body #: the shares of both bodies are added",
-        "the sign of the turns: skew(r) I^-1 skew(r) lacks a transpose",
+       {"the sign of the turns of body %: the shares of both bodies are added",
+        "#transposed-skew the sign of the turns: skew(r) I^-1 skew(r) lacks a transpose",
         [=](const S& s, std::size_t k) { return -turns(s.r[k], s.I[k], s.r[k]); }},
-       {"r@ with I#: r# belongs to it",
+       {"r@ with I%: r% belongs to it",
         "the levers, or the inverse inertias, are exchanged: r1 belongs to I1",
         of(other, I, other)},
-       {"I@ with r#: I# belongs to it", "",
+       {"I@ with r%: I% belongs to it", "",
         of(r, [](const S& s, std::size_t k) { return s.I[1 - k]; }, r)},
-       {"r@ as the outer lever of body #: r# stands on both sides",
+       {"r@ as the outer lever of body %: r% stands on both sides",
         "the outer levers are exchanged",
         of(other, I, r)},
-       {"r@ as the inner lever of body #: r# stands on both sides",
+       {"r@ as the inner lever of body %: r% stands on both sides",
         "the inner levers are exchanged",
         of(r, I, other)},
-       {"I# is missing", "the inverse inertias are missing",
+       {"I% is missing", "the inverse inertias are missing",
         of(r, [](const S&, std::size_t) { return mat3(1); }, r)},
-       {"the outer lever of body # is missing: (I (r x e)) x r", "the outer levers are missing: "
+       {"the outer lever of body % is missing: (I (r x e)) x r", "the outer levers are missing: "
         "(I (r x e)) x r",
         [](const S& s, std::size_t k) { return s.I[k] * skew(s.r[k]); }},
-       {"the inner lever of body # is missing: (I (r x e)) x r", "the inner levers are missing: "
+       {"the inner lever of body % is missing: (I (r x e)) x r", "the inner levers are missing: "
         "(I (r x e)) x r",
         [](const S& s, std::size_t k) { return -skew(s.r[k]) * s.I[k]; }},
-       {"I# is applied last: (I (r x e)) x r", "the inverse inertias are applied last: "
+       {"I% is applied last: (I (r x e)) x r", "the inverse inertias are applied last: "
         "(I (r x e)) x r",
         [=](const S& s, std::size_t k) { return s.I[k] * turns(s.r[k], mat3(1), s.r[k]); }}},
       {{"", plain([](const S& s) { return s.masses(); })},
-       {"the inverse masses are missing on the diagonal", plain([](const S&) { return real(0); })},
-       {"the inverse masses are added to all nine entries: they stand on the diagonal",
+       {"#inverse-masses-are-missing the inverse masses are missing on the diagonal",
+        plain([](const S&) { return real(0); })},
+       {"#inverse-masses-all-nine the inverse masses are added to all nine entries: they stand on "
+        "the diagonal",
         entries([](int, int) { return true; })},
-       {"the inverse masses are added to the first row: they stand on the diagonal",
+       {"#masses-first-row the inverse masses are added to the first row: they stand on the "
+        "diagonal",
         entries([](int i, int) { return i == 0; })},
        {"the inverse masses are added to the first column: they stand on the diagonal",
         entries([](int, int j) { return j == 0; })},
        {"the inverse masses stand in two places of the diagonal: there are three",
         entries([](int i, int j) { return i == j && i < 2; })},
-       {"the inverse masses take the place of what stands on the diagonal: += and not =",
+       {"#masses-place-turns the inverse masses take the place of what stands on the diagonal: += "
+        "and not =",
         [](mat3 t, const S& s) {
           Matrix<5> K;
           for (int i = 0; i < 3; ++i)
@@ -130,7 +134,7 @@ inline KPart point_part() {
        {"the inverse mass of body 2 is missing", plain([](const S& s) { return s.m[0]; })},
        {"the inverse mass of body 1 is added twice", plain([](const S& s) { return 2 * s.m[0]; })},
        {"the inverse mass of body 2 is added twice", plain([](const S& s) { return 2 * s.m[1]; })},
-       {"the sign of the inverse mass of body 2: both are added",
+       {"#masses-taken-away the sign of the inverse mass of body 2: both are added",
         plain([](const S& s) { return s.m[0] - s.m[1]; })},
        {"the sign of the inverse mass of body 1: both are added",
         plain([](const S& s) { return s.m[1] - s.m[0]; })},
@@ -140,9 +144,10 @@ inline KPart point_part() {
         plain([](const S& s) { return s.m[0] * s.m[1]; })},
        {"the mean of the inverse masses: they are added",
         plain([](const S& s) { return s.masses() / 2; })},
-       {"one over the sum of the masses: each mass is inverted first, then they are added",
+       {"#one-over-whole-mass one over the sum of the masses: each mass is inverted first, then "
+        "they are added",
         plain(unless([](const S& s) { return 1 / (1 / s.m[0] + 1 / s.m[1]); }))},
-       {std::string("the masses: you are given the inverse masses, ") + given,
+       {std::string("#inverted-once-more the masses: you are given the inverse masses, ") + given,
         plain([](const S& s) { return 1 / s.m[0] + 1 / s.m[1]; })},
        {std::string("one over the sum of the inverse masses: ") + given,
         plain([](const S& s) { return 1 / s.masses(); })},
@@ -152,7 +157,7 @@ inline KPart point_part() {
        turns_in_row("the turns of row C.z are missing", 2, -1),
        turns_in_row("row C.y has the turns of row C.x once more", 1, 0),
        turns_in_row("row C.z has the turns of row C.x once more", 2, 0),
-       turns_in_row("row C.z has the turns of row C.y once more", 2, 1),
+       turns_in_row("#point-row-twice row C.z has the turns of row C.y once more", 2, 1),
        {"the last column is not written yet", [](const mat3& t, const S& s) {
           Matrix<5> K;
           for (int i = 0; i < 3; ++i)
@@ -198,42 +203,43 @@ inline KPart cross_part() {
       {{"", "", columns([=](const S& s, std::size_t k, const vec3& a) {
           return share(s.r[k], s.I[k], a);
         })},
-       {"body # is missing in what stands", "these are two blocks, not one: nothing stands",
+       {"body % is missing in what stands", "#without-last-line these are two blocks, not one: "
+                                            "nothing stands",
         [](const S&, std::size_t) { return mat3(0); }},
-       {"the sign of body #", "the sign of what stands",
+       {"the sign of body %", "#sign-one-line the sign of what stands",
         columns([=](const S& s, std::size_t k, const vec3& a) {
           return -share(s.r[k], s.I[k], a);
         })},
-       {"r@ with I#: r# belongs to it,",
+       {"r@ with I%: r% belongs to it,",
         "the levers, or the inverse inertias, are exchanged",
         columns([=](const S& s, std::size_t k, const vec3& a) {
           return share(s.r[1 - k], s.I[k], a);
         })},
-       {"I@ with r#: I# belongs to it,", "", columns([=](const S& s, std::size_t k, const vec3& a) {
+       {"I@ with r%: I% belongs to it,", "", columns([=](const S& s, std::size_t k, const vec3& a) {
           return share(s.r[k], s.I[1 - k], a);
         })},
-       {"I# is missing", "the inverse inertias are missing",
+       {"I% is missing", "the inverse inertias are missing",
         columns([=](const S& s, std::size_t k, const vec3& a) {
           return share(s.r[k], mat3(1), a);
         })},
-       {"the lever of body # is missing", "the levers are missing",
+       {"the lever of body % is missing", "the levers are missing",
         columns([](const S& s, std::size_t k, const vec3& a) { return -(s.I[k] * a); })},
-       {"first I#, then the lever: r x (I^-1 a), not I^-1 (r x a),",
-        "first the inverse inertia, then the lever: r x (I^-1 a), not I^-1 (r x a),",
+       {"first I%, then the lever: r x (I^-1 a), not I^-1 (r x a),",
+        "#lever-first first the inverse inertia, then the lever: r x (I^-1 a), not I^-1 (r x a),",
         columns([](const S& s, std::size_t k, const vec3& a) {
           return -(s.I[k] * cross(s.r[k], a));
         })},
-       {"the first axis row twice for body #", "the first axis row twice",
+       {"the first axis row twice for body %", "the first axis row twice",
         [=](const S& s, std::size_t k) {
           const vec3 first = share(s.r[k], s.I[k], s.a[0]);
           return mat3(first, first, vec3(0));
         }},
-       {"the second axis row twice for body #", "the second axis row twice",
+       {"the second axis row twice for body %", "the second axis row twice",
         [=](const S& s, std::size_t k) {
           const vec3 second = share(s.r[k], s.I[k], s.a[1]);
           return mat3(second, second, vec3(0));
         }},
-       {"the two axis rows are exchanged for body #", "the columns of the two axis rows are "
+       {"the two axis rows are exchanged for body %", "the columns of the two axis rows are "
         "exchanged",
         [=](const S& s, std::size_t k) {
           return mat3(share(s.r[k], s.I[k], s.a[1]), share(s.r[k], s.I[k], s.a[0]), vec3(0));
@@ -243,7 +249,7 @@ inline KPart cross_part() {
                 "rows,", right, none),
        crossing("the rows below the point are not mirrored: they stand beside it once more, as "
                 "columns,", none, right),
-       crossing("mirrored with the other sign: K is symmetric,", right, minus),
+       crossing("#mirrored-minus mirrored with the other sign: K is symmetric,", right, minus),
        crossing("mirrored with the other sign: K is symmetric. And the columns beside the point "
                 "have a minus,", minus, right),
        crossing("the first column is written twice below the point,", right,
@@ -252,7 +258,8 @@ inline KPart cross_part() {
             [](const mat3& c, int j) { return j == 0 ? c[0] : vec3(0); }),
        both("the first column is missing: there are two axis rows,",
             [](const mat3& c, int j) { return j == 1 ? c[1] : vec3(0); }),
-       {"the levers, or the inertias, are added up first: each lever goes with its own,",
+       {"#added-up-first the levers, or the inertias, are added up first: each lever goes with "
+        "its own,",
         [=](const mat3&, const S& s) {
           Matrix<5> K;
           for (int j = 0; j < 2; ++j) {

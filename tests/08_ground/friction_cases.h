@@ -86,21 +86,24 @@ inline CaseTable<FrictionCase> friction_table() {
   };
   const auto right = bounded(bound);
   const auto no_more = [=](const Case& c) { return std::abs(wanted(c)) > bound(c); };
-  const char* const each = "each change is clamped: it is the accumulated impulse that "
-                           "stays within +-mu normal";
-  const char* const dropped = "what is too much is cut back to the edge, not dropped: the sum goes "
-                              "to -mu normal or +mu normal";
-  const char* const always = "the full bound whatever is wanted: friction gives no more than what "
-                             "stops the sliding";
-  const char* const lost = "the sign of the rate is lost: friction works against J V, which may "
-                           "have either sign";
-  const char* const added = "the new sum is added to the old one: it takes its place";
-  const char* const inwards = "the bound moves inwards when the normal impulse becomes less, and "
-                              "the sum goes with it: clamp the sum anew in each iteration";
+  const char* const each = "#each-change-clamped each change is clamped: it is the accumulated "
+                           "impulse that stays within +-mu normal";
+  const char* const dropped = "#dropped-beyond-bound what is too much is cut back to the edge, "
+                              "not dropped: the sum goes to -mu normal or +mu normal";
+  const char* const always = "#full-bound-always the full bound whatever is wanted: friction "
+                             "gives no more than what stops the sliding";
+  const char* const lost = "#size-rate the sign of the rate is lost: friction works against J V, "
+                           "which may have either sign";
+  const char* const added = "#new-sum-added the new sum is added to the old one: it takes its "
+                            "place";
+  const char* const inwards = "#bound-only-outwards the bound moves inwards when the normal "
+                              "impulse becomes less, and the sum goes with it: clamp the sum anew "
+                              "in each iteration";
   const char* const either = ": friction is bounded either way, -mu normal and +mu normal";
-  const char* const same_bound = "always the same bound: are the ends of clamp exchanged, "
-                                 "clamp(a, low, high), or was what is wanted never set?";
-  const char* const returns = "what was wanted is returned: return by how much the sum changed";
+  const char* const same_bound = "#always-the-bound always the same bound: are the ends of clamp "
+                                 "exchanged, clamp(a, low, high), or was what is wanted never set?";
+  const char* const returns = "#returns-what-was-wanted what was wanted is returned: return by "
+                              "how much the sum changed";
 
   CaseTable<Case> table{{"8.2", "the impulse of friction", 2}, {"change", "sum"}, {}, {}, {}, {}};
   table.given = friction_given;
@@ -112,7 +115,7 @@ inline CaseTable<FrictionCase> friction_table() {
   };
   table.right = right;
   table.mistakes = {
-      {"the sign: friction works against J V, wanted = sum - rate/K",
+      {"#sign-friction-works-against the sign: friction works against J V, wanted = sum - rate/K",
        wanting([=](const Case& c) { return c.sum - step(c); })},
       {lost, wanting([=](const Case& c) { return c.sum - std::abs(step(c)); })},
       {lost, wanting([=](const Case& c) { return c.sum + std::abs(step(c)); })},
@@ -133,35 +136,37 @@ inline CaseTable<FrictionCase> friction_table() {
       {inwards, to([=](const Case& c) {
          return std::abs(c.sum) >= bound(c) ? c.sum : clamped(wanted(c), bound(c));
        })},
-      {"nothing is done beyond the bound: the sum goes to the bound",
+      {"#nothing-beyond-bound nothing is done beyond the bound: the sum goes to the bound",
        to([=](const Case& c) { return no_more(c) ? 0 : wanted(c); })},
-      {"the bound is mu times the normal impulse: mu is missing",
+      {"#mu-forgotten the bound is mu times the normal impulse: mu is missing",
        bounded([](const Case& c) { return c.normal; })},
-      {"the bound is mu times the normal impulse: normal is missing",
+      {"#normal-forgotten the bound is mu times the normal impulse: normal is missing",
        bounded([](const Case& c) { return c.mu; })},
       {"the bound is mu times the normal impulse: times, not divided by mu",
        bounded([](const Case& c) { return c.normal / c.mu; })},
       {"mu plus normal: the bound is mu times the normal impulse",
        bounded([](const Case& c) { return c.mu + c.normal; })},
-      {"the bound is divided by K: it is an impulse already",
+      {"#bound-over-k the bound is divided by K: it is an impulse already",
        bounded([=](const Case& c) { return bound(c) / c.K; })},
       {"a half of the bound: it is mu normal either way",
        bounded([=](const Case& c) { return bound(c) / 2; })},
-      {"mu is taken twice in the bound", bounded([=](const Case& c) { return c.mu * bound(c); })},
-      {"nothing is clamped", bounded([](const Case&) { return 1e30; })},
+      {"#mu-squared mu is taken twice in the bound",
+       bounded([=](const Case& c) { return c.mu * bound(c); })},
+      {"#nothing-clamped nothing is clamped", bounded([](const Case&) { return 1e30; })},
       {"nothing is clamped, and the sum is not stored",
        [=](const Case& c) { return Numbers{step(c), c.sum}; }},
       {std::string("only the upper bound is there") + either,
        to([=](const Case& c) { return std::min(wanted(c), bound(c)); })},
       {std::string("only the lower bound is there") + either,
        to([=](const Case& c) { return std::max(wanted(c), -bound(c)); })},
-      {std::string("the sum is kept from 0 to mu normal") + either,
+      {std::string("#from-zero the sum is kept from 0 to mu normal") + either,
        to([=](const Case& c) { return std::clamp(wanted(c), 0.0, bound(c)); })},
       {std::string("the sum is kept from -mu normal to 0") + either,
        to([=](const Case& c) { return std::clamp(wanted(c), -bound(c), 0.0); })},
       {std::string("the size of what is wanted is clamped") + either,
        to([=](const Case& c) { return std::min(std::abs(wanted(c)), bound(c)); })},
-      {"this is what a row does that only pushes, sum >= 0: friction has the bound mu normal",
+      {"#only-pushes this is what a row does that only pushes, sum >= 0: friction has the bound "
+       "mu normal",
        to([=](const Case& c) { return std::max(wanted(c), 0.0); })},
       {always,
        to([=](const Case& c) { return c.rate > 0 ? -bound(c) : c.rate < 0 ? bound(c) : 0; })},
@@ -175,62 +180,66 @@ inline CaseTable<FrictionCase> friction_table() {
        to([=](const Case& c) { return c.rate > 0 ? bound(c) : -bound(c); })},
       {same_bound, to([=](const Case& c) { return -bound(c); })},
       {same_bound, to(bound)},
-      {"the ends of clamp are exchanged: clamp(a, low, high), -mu normal is the low one",
+      {"#ends-exchanged-hand the ends of clamp are exchanged: clamp(a, low, high), -mu normal is "
+       "the low one",
        to([=](const Case& c) {
          return wanted(c) < bound(c) ? bound(c) : std::min(wanted(c), -bound(c));
        })},
       {added, [=](const Case& c) { return Numbers{right(c)[1], c.sum + right(c)[1]}; }},
       {added, [=](const Case& c) { return Numbers{right(c)[0], c.sum + right(c)[1]}; }},
       {added, [=](const Case& c) { return Numbers{-c.sum, c.sum + right(c)[1]}; }},
-      {"the sum is not stored: the next iteration needs it",
+      {"#copy-sum the sum is not stored: the next iteration needs it",
        [=](const Case& c) { return Numbers{right(c)[0], c.sum}; }},
-      {"the sum that is stored is not clamped",
+      {"#stored-unclamped the sum that is stored is not clamped",
        [=](const Case& c) { return Numbers{right(c)[0], wanted(c)}; }},
-      {"the new sum is returned instead of its change",
+      {"#returns-the-sum the new sum is returned instead of its change",
        [=](const Case& c) { return Numbers{right(c)[1], right(c)[1]}; }},
       {returns, [=](const Case& c) { return Numbers{step(c), right(c)[1]}; }},
       {returns, [=](const Case& c) { return Numbers{wanted(c), right(c)[1]}; }},
       {"the sign of the change: new sum minus old sum",
        [=](const Case& c) { return Numbers{-right(c)[0], right(c)[1]}; }},
-      {"new sum plus old sum: the change is new sum minus old sum",
+      {"#new-sum-plus-old new sum plus old sum: the change is new sum minus old sum",
        [=](const Case& c) { return Numbers{right(c)[1] + c.sum, right(c)[1]}; }},
-      {"nothing is done where nothing slides: the bound may have moved inwards all the same",
+      {"#none-at-rest nothing is done where nothing slides: the bound may have moved inwards all "
+       "the same",
        [=](const Case& c) { return c.rate == 0 ? Numbers{0, c.sum} : right(c); }},
-      {"nothing is done where nothing presses: the sum goes back to 0 then",
+      {"#none-air nothing is done where nothing presses: the sum goes back to 0 then",
        [=](const Case& c) { return c.normal == 0 ? Numbers{0, c.sum} : right(c); }},
       {"without friction the sliding is stopped all the same: the bound is 0 then",
        [=](const Case& c) { return c.mu == 0 ? Numbers{step(c), c.sum} : right(c); }},
-      {"what slides slowly is let go: there is no threshold, friction stops that, too",
+      {"#none-slow-sliding what slides slowly is let go: there is no threshold, friction stops "
+       "that, too",
        [=](const Case& c) { return std::abs(c.rate) < 0.075 ? Numbers{0, c.sum} : right(c); }},
-      {"what the sum has left of the bound is taken for either way: the sum itself stays within "
-       "+-mu normal", [=](const Case& c) {
+      {"#less-what-was-given what the sum has left of the bound is taken for either way: the sum "
+       "itself stays within +-mu normal", [=](const Case& c) {
          const double change = clamped(step(c), std::max(bound(c) - std::abs(c.sum), 0.0));
          return Numbers{change, c.sum + change};
        }},
-      {"mu is missing in the lower bound: -mu normal and +mu normal",
+      {"#lower-end-without-mu mu is missing in the lower bound: -mu normal and +mu normal",
        to([=](const Case& c) { return std::clamp(wanted(c), -c.normal, bound(c)); })},
       {"mu is missing in the upper bound: -mu normal and +mu normal",
        to([=](const Case& c) { return std::clamp(wanted(c), -bound(c), c.normal); })},
       {"what is wanted is cut to a whole number: an int has no fraction",
        wanting([=](const Case& c) { return std::trunc(wanted(c)); })},
-      {"the bound is cut to a whole number: an int has no fraction",
+      {"#bound-int the bound is cut to a whole number: an int has no fraction",
        bounded([=](const Case& c) { return std::trunc(bound(c)); })},
       {"the sum is cut to a whole number: an int has no fraction",
        to([=](const Case& c) { return std::trunc(right(c)[1]); })},
-      {"0 is returned: keep the old sum before the new one is stored",
+      {"#returns-zero 0 is returned: keep the old sum before the new one is stored",
        [=](const Case& c) { return Numbers{0, right(c)[1]}; }},
-      {"the sum so far is missing in what is wanted: sum - rate/K", wanting(step)},
+      {"#sum-forgotten the sum so far is missing in what is wanted: sum - rate/K", wanting(step)},
       {"the change is added to the sum twice",
        [=](const Case& c) { return Numbers{right(c)[0], right(c)[1] + right(c)[0]}; }},
-      {"times K where it must be divided by K",
+      {"#times-k-where-must times K where it must be divided by K",
        wanting([](const Case& c) { return c.sum - c.rate * c.K; })},
-      {"K is missing: an impulse is a speed divided by K",
+      {"#k-missing-impulse-speed K is missing: an impulse is a speed divided by K",
        wanting([](const Case& c) { return c.sum - c.rate; })},
-      {"the old sum is divided by K, too",
+      {"#sum-over-k the old sum is divided by K, too",
        wanting([](const Case& c) { return (c.sum - c.rate) / c.K; })}};
   for (const double steps : {20, 30, 50, 60, 100, 120})
     for (const double factor : {steps, 1 / steps})
-      table.mistakes.push_back({"the bound is an impulse already: mu normal, without h",
+      table.mistakes.push_back({"#bound-over-h the bound is an impulse already: mu normal, "
+                                "without h",
                                 bounded([=](const Case& c) { return bound(c) * factor; })});
   for (const double way : {1, -1}) {
     const auto add = [&](double rate, double K, double mu, double normal, double sum) {

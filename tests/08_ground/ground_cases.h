@@ -86,37 +86,43 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_corner_rows(
            r1 - part * gap(corner, one, two) * n, r2);
   levers((N == 1 ? "w1 is zero, as if r1 ended in the middle of the top"
                  : "r1 ends in the middle of the top") + of_1, corner.height * n, r2);
-  levers("height is taken from r1" + of_1, r1 - corner.height * n, r2);
-  levers("r1 ends at the centre of body 2" + of_1, two.x - one.x, r2);
+  levers("#height-taken-away height is taken from r1" + of_1, r1 - corner.height * n, r2);
+  levers("#centre-body-2 r1 ends at the centre of body 2" + of_1, two.x - one.x, r2);
   levers("r1 ends at the centre of body 2, and body 2 has no lever", two.x - one.x, vec3(0));
   const std::string lowest = ": the levers end at point(), the lowest point of the ball";
   const vec3 c1 = centre - one.x, c2 = centre - two.x, rho = corner.radius * n;
   levers("the radius is forgotten" + lowest, c1, c2);
   levers("the radius is forgotten in r1" + lowest, c1, r2);
-  levers("the radius is forgotten in r2" + lowest, r1, c2);
-  levers("the radius is taken away twice: point() has done so already", r1 - rho, r2 - rho);
-  levers("the sign of the radius: the point is below the centre of the ball", c1 + rho, c2 + rho);
-  const std::string place = "a point where a lever belongs: p - x1 and p - x2, not p itself";
+  levers("#radius-forgotten-r2 the radius is forgotten in r2" + lowest, r1, c2);
+  levers("#radius-twice the radius is taken away twice: point() has done so already",
+         r1 - rho, r2 - rho);
+  levers("#sign-radius-point-below the sign of the radius: the point is below the centre of the "
+         "ball", c1 + rho, c2 + rho);
+  const std::string place = "#point-for-levers a point where a lever belongs: p - x1 and p - x2, "
+                            "not p itself";
   levers(place, p, p);
   levers(place + " (body 1)", p, r2);
   levers(place + " (body 2)", r1, p);
   const std::string own = ": each lever begins at its own body's centre";
-  levers("the lever of body 1 for both bodies" + own, r1, r1);
+  levers("#one-lever-both the lever of body 1 for both bodies" + own, r1, r1);
   levers("the lever of body 2 for both bodies" + own, r2, r2);
-  const std::string left = "corner_local is not turned into the world: point() does it";
+  const std::string left = "#corner-not-turned corner_local is not turned into the world: point() "
+                           "does it";
   const vec3 local = two.x + corner.corner_local - rho;
   levers(left, local - one.x, local - two.x);
   levers(left + " (r2)", r1, corner.corner_local);
   levers(left + " (r2)", r1, corner.corner_local - rho);
-  const std::string order = "point(body2, body1): the other way round, the corner is one of body 2";
+  const std::string order = "#point-body-1 point(body2, body1): the other way round, the corner "
+                            "is one of body 2";
   const vec3 exchanged = corner.point(two, one);
   levers(order, exchanged - one.x, exchanged - two.x);
   levers(order, exchanged - two.x, exchanged - one.x);
   levers(order, exchanged - one.x, r2);
   levers(order, r1, exchanged - two.x);
-  levers("J is in world axes: levers in axes of the bodies do not go with it",
+  levers("#levers-body-axes J is in world axes: levers in axes of the bodies do not go with it",
          to_local(one, r1), to_local(two, r2));
-  levers("height is taken from both levers: they end at point()", r1 - corner.height * n,
+  levers("#height-taken-both-levers height is taken from both levers: they end at point()",
+         r1 - corner.height * n,
          r2 - corner.height * n);
   // along n alone many of them are the same: they have to explain another direction, too
   const vec3 t = to_world(one, vec3(real(0.6), 0, real(0.8)));
@@ -131,13 +137,14 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_corner_rows(
   const auto turned = [&](const char* words, const auto& turn) {
     built(words, [&](const vec3& d) { return right(turn(d)); });
   };
-  add(N == 1 ? "the sign of the whole row: C grows when body 2 moves up"
+  add(N == 1 ? "#sign-whole-row-c the sign of the whole row: C grows when body 2 moves up"
              : "the sign of the whole row: J V is how fast body 2 moves along the direction",
       r1, r2, [](const vec3& d) { return -d; });
-  const char* const already = "the direction is turned once more: it is given in the world";
-  turned("n in the place of the direction: along() is asked for other directions, too",
+  const char* const already = "#direction-turned-back the direction is turned once more: it is "
+                              "given in the world";
+  turned("#always-n n in the place of the direction: along() is asked for other directions, too",
          [&](const vec3&) { return n; });
-  turned("the y axis of the world in the place of the direction that is given",
+  turned("#always-y the y axis of the world in the place of the direction that is given",
          [&](const vec3&) { return vec3(0, 1, 0); });
   turned(already, [&](const vec3& d) { return one.q * d; });
   turned(already, [&](const vec3& d) { return two.q * d; });
@@ -170,7 +177,8 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_corner_rows(
     });
   }
   if (one.is_static())
-    built("beside a static body its blocks are left out: they stay, its inverse mass is 0 already",
+    built("#nothing-static-body beside a static body its blocks are left out: they stay, its "
+          "inverse mass is 0 already",
           [&](const vec3& d) { return Row{vec3(0), vec3(0), d, cross(r2, d)}; });
   return out;
 }

@@ -228,15 +228,16 @@ TEST_CASE("8.2 where nothing slides there are two directions in the ground all t
     };
     const double size = length(t1);
     same("length of t1", size, 1,
-         size < loose ? "a zero vector: friction needs two directions at rest, too. Begin with "
-                        "any vector that is not along n"
-                      : "the vector that stands in for the sliding is not made a unit vector");
+         size < loose ? "#zero-at-rest a zero vector: friction needs two directions at rest, too. "
+                        "Begin with any vector that is not along n"
+                      : "#not-unit-vector-rest the vector that stands in for the sliding is not "
+                        "made a unit vector");
     same("t1.n", dot(t1, c.n), 0,
          ever && length(c.sliding) == 0
              ? stand_in_along_n
-             : "t1 does not lie in the ground: take what is along n from the vector that stands in "
-               "for the sliding, too. What is left of a fall is rounding: do not make it a unit "
-               "vector");
+             : "#not-ground-rest t1 does not lie in the ground: take what is along n from the "
+               "vector that stands in for the sliding, too. What is left of a fall is rounding: "
+               "do not make it a unit vector");
     expect(about, "t2 (" + c.words + ")", t2, cross(c.n, t1), loose,
            {{cross(t1, c.n), "t2 = t1 x n: it is n x t1"},
             {t2, "t2 = n x t1 at rest, too"}});

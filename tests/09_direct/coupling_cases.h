@@ -146,31 +146,31 @@ inline CaseTable<CouplingCase> coupling_table() {
   };
   const auto n = [](const Case& c) { return c.n; };
   const auto m = [](const Case& c, int) { return c.m; };
-  const char* const set = "the entries are set: they grow. Two blocks may share both their bodies, "
-                          "and each of these adds its part";
+  const char* const set = "#set-instead-added the entries are set: they grow. Two blocks may "
+                          "share both their bodies, and each of these adds its part";
   const char* const place_of = "entry (i, j) stands at A[i * m + j]: A is n x m, row by row";
   table.right = product(both);
   table.mistakes = {
       {set, place([](const Case& c, double* A, int i, int j, double a) { A[i * c.m + j] = a; })},
-      {"the sign: the product is added",
+      {"#minus-the-product the sign: the product is added",
        product([=](const HalfRow& a, const HalfRow& b) { return -both(a, b); })},
-      {"only the linear halves: add dot(J[i].w, response[j].w)",
+      {"#linear-part-alone only the linear halves: add dot(J[i].w, response[j].w)",
        product([](const HalfRow& a, const HalfRow& b) { return dot(a.v, b.v); })},
-      {"only the angular halves: add dot(J[i].v, response[j].v)",
+      {"#angular-part-alone only the angular halves: add dot(J[i].v, response[j].v)",
        product([](const HalfRow& a, const HalfRow& b) { return dot(a.w, b.w); })},
-      {"the sign of the angular part: both are added",
+      {"#angular-part-subtracted the sign of the angular part: both are added",
        product([](const HalfRow& a, const HalfRow& b) { return dot(a.v, b.v) - dot(a.w, b.w); })},
-      {"linear halves with angular ones: v goes with v, w with w",
+      {"#v-with-w linear halves with angular ones: v goes with v, w with w",
        product([](const HalfRow& a, const HalfRow& b) { return dot(a.v, b.w) + dot(a.w, b.v); })},
-      {"the linear halves twice: the second product is of the angular ones",
+      {"#v-twice the linear halves twice: the second product is of the angular ones",
        product([](const HalfRow& a, const HalfRow& b) { return 2 * dot(a.v, b.v); })},
       {"the angular halves twice: the first product is of the linear ones",
        product([](const HalfRow& a, const HalfRow& b) { return 2 * dot(a.w, b.w); })},
-      {"the linear and the angular part are multiplied: they are added",
+      {"#linear-angular-multiplied the linear and the angular part are multiplied: they are added",
        product([](const HalfRow& a, const HalfRow& b) { return dot(a.v, b.v) * dot(a.w, b.w); })},
       {"the sums of both halves are multiplied: v with v and w with w, then add",
        product([](const HalfRow& a, const HalfRow& b) { return dot(a.v + a.w, b.v + b.w); })},
-      {"J with J: the response has the masses in it",
+      {"#j-with-j J with J: the response has the masses in it",
        place([=](const Case& c, double* A, int i, int j, double) {
          A[i * c.m + j] += both(c.J[std::size_t(i)], c.J[std::size_t(j)]);
        })},
@@ -178,11 +178,12 @@ inline CaseTable<CouplingCase> coupling_table() {
        place([=](const Case& c, double* A, int i, int j, double) {
          A[i * c.m + j] += both(c.response[std::size_t(i)], c.response[std::size_t(j)]);
        })},
-      {"i and j are exchanged at J and the response: row i is of J, column j of the response",
+      {"#rows-columns-blocks-exchanged i and j are exchanged at J and the response: row i is of "
+       "J, column j of the response",
        place([=](const Case& c, double* A, int i, int j, double) {
          A[i * c.m + j] += both(c.J[std::size_t(j)], c.response[std::size_t(i)]);
        })},
-      {"always the first half-row of J: row i has J[i]",
+      {"#first-row-j-always always the first half-row of J: row i has J[i]",
        place([=](const Case& c, double* A, int i, int j, double) {
          A[i * c.m + j] += both(c.J[0], c.response[std::size_t(j)]);
        })},
@@ -202,11 +203,13 @@ inline CaseTable<CouplingCase> coupling_table() {
        place([](const Case&, double* A, int i, int j, double a) { A[i + j] += a; })},
       {"everything is added to the first entry: (i, j) stands at A[i * m + j]",
        place([](const Case&, double* A, int, int, double a) { A[0] += a; })},
-      {"only the entries with i = j: every row of one block is coupled with every row of the other",
+      {"#only-entries-i-j only the entries with i = j: every row of one block is coupled with "
+       "every row of the other",
        place([](const Case& c, double* A, int i, int j, double a) {
          if (i == j) A[i * c.m + j] += a;
        })},
-      {"only the entries with j <= i: this is no diagonal block, all n x m count",
+      {"#lower-triangle-only only the entries with j <= i: this is no diagonal block, all n x m "
+       "count",
        place([](const Case& c, double* A, int i, int j, double a) {
          if (j <= i) A[i * c.m + j] += a;
        })},
@@ -214,13 +217,13 @@ inline CaseTable<CouplingCase> coupling_table() {
        place([](const Case& c, double* A, int i, int j, double a) {
          if (j >= i) A[i * c.m + j] += a;
        })},
-      {"only x and y count in the linear product: all three do",
+      {"#x-y-alone only x and y count in the linear product: all three do",
        product([=](const HalfRow& a, const HalfRow& b) { return both(a, b) - a.v.z * b.v.z; })},
-      {"nothing is added: A[i * m + j] += the product",
+      {"#nothing-done nothing is added: A[i * m + j] += the product",
        product([](const HalfRow&, const HalfRow&) { return 0.0; })},
-      {"half of the product: all of it",
+      {"#half half of the product: all of it",
        product([=](const HalfRow& a, const HalfRow& b) { return both(a, b) / 2; })},
-      {"A[i, j] is A[j] in C++: A[i * m + j]",
+      {"#two-dimensional-index A[i, j] is A[j] in C++: A[i * m + j]",
        place([](const Case&, double* A, int, int j, double a) { A[j] += a; })},
       {"twice the product, or the loops run twice: once",
        product([=](const HalfRow& a, const HalfRow& b) { return 2 * both(a, b); })},
@@ -236,25 +239,28 @@ inline CaseTable<CouplingCase> coupling_table() {
        })},
       {"the old entry is multiplied: it grows by the product",
        place([](const Case& c, double* A, int i, int j, double a) { A[i * c.m + j] *= a; })},
-      {"j runs to n: the second block has m rows",
+      {"#j-to-n j runs to n: the second block has m rows",
        loops(n, [](const Case& c, int) { return c.n; })},
-      {"i runs to m: the first block has n rows", loops([](const Case& c) { return c.m; }, m)},
-      {"n and m are exchanged in the loops: i runs to n, j to m",
+      {"#i-to-m i runs to m: the first block has n rows",
+       loops([](const Case& c) { return c.m; }, m)},
+      {"#loops-exchanged n and m are exchanged in the loops: i runs to n, j to m",
        loops([](const Case& c) { return c.m; }, [](const Case& c, int) { return c.n; })},
-      {"the last row is left out: i < n",
+      {"#last-row-left-out-i-n the last row is left out: i < n",
        loops([](const Case& c) { return c.n - 1; }, m)},
       {"the last column is left out: j < m", loops(n, [](const Case& c, int) { return c.m - 1; })},
       {"the first row is left out: i begins with 0",
        place([](const Case& c, double* A, int i, int j, double a) {
          if (i > 0) A[i * c.m + j] += a;
        })},
-      {"the first column is left out: j begins with 0",
+      {"#begins-with-1 the first column is left out: j begins with 0",
        place([](const Case& c, double* A, int i, int j, double a) {
          if (j > 0) A[i * c.m + j] += a;
        })},
-      {"one row too many: i < n", loops([](const Case& c) { return c.n + 1; }, m)},
-      {"one column too many: j < m", loops(n, [](const Case& c, int) { return c.m + 1; })},
-      {"a sum goes on from entry to entry: begin with 0 for each",
+      {"#one-row-too-many one row too many: i < n",
+       loops([](const Case& c) { return c.n + 1; }, m)},
+      {"#one-column-too-many one column too many: j < m",
+       loops(n, [](const Case& c, int) { return c.m + 1; })},
+      {"#sum-goes-on a sum goes on from entry to entry: begin with 0 for each",
        [=](const Case& c) {
          double sum = 0;
          return coupled(c, [&](double* A) {
@@ -270,8 +276,9 @@ inline CaseTable<CouplingCase> coupling_table() {
       const Numbers A = yours(c);
       return std::any_of(A.begin() + c.n * c.m, A.end(), [](double a) { return a != 0; });
     });
-    return std::string(behind ? "something is written behind the n x m numbers of A: do the loops "
-                                "end, and is a row m numbers long?" : "");
+    return std::string(behind ? "#both-triangles-once something is written behind the n x m "
+                                "numbers of A: do the loops end, and is a row m numbers "
+                                "long?" : "");
   }});
   tell_where_it_holds(table);
   return table;

@@ -83,58 +83,68 @@ struct FactorReference {
 
 inline Pieces<FactorReference> wrong_factors() {
   using T = FactorReference;
-  const char* const early = "the block has become L before the products are subtracted: A_ik is "
-                            "needed there, so store L at last";
+  const char* const early = "#l-stored-too-early the block has become L before the products are "
+                            "subtracted: A_ik is needed there, so store L at last";
   return {
-      {"the diagonal block is not factored: factor_block() it first",
+      {"#diagonal-not-factored the diagonal block is not factored: factor_block() it first",
        [](T& t) { t.diagonal = T::When::never; }},
-      {"the diagonal block is factored at last: the division needs its factor",
+      {"#diagonal-factored-last the diagonal block is factored at last: the division needs its "
+       "factor",
        [](T& t) { t.diagonal = T::When::last; }},
-      {"the products are never subtracted: A_ij -= A_ik L_jk^T, Eq. 9-4",
+      {"#nothing-subtracted the products are never subtracted: A_ij -= A_ik L_jk^T, Eq. 9-4",
        [](T& t) { t.from = 1000; }},
-      {"L is not stored: the edge's block becomes L at last",
+      {"#l-not-stored L is not stored: the edge's block becomes L at last",
        [](T& t) { t.store = T::Store::never; }},
       {early, [](T& t) { t.store = T::Store::early; }},
-      {"L is stored behind the loop over the edges: each edge has its own",
+      {"#only-last-edge-stored L is stored behind the loop over the edges: each edge has its own",
        [](T& t) { t.store = T::Store::edge_once; }},
-      {"the target is always the first one: *target++ goes on to the next",
+      {"#targets-not-advanced the target is always the first one: *target++ goes on to the next",
        [](T& t) { t.targets = T::Targets::stuck; }},
-      {"the first target is left out: *target++ and not *++target",
+      {"#targets-advanced-before the first target is left out: *target++ and not *++target",
        [](T& t) { t.advances_before = true; }},
-      {"the targets begin anew with each node: they go on to the end",
+      {"#targets-per-node-again the targets begin anew with each node: they go on to the end",
        [](T& t) { t.targets = T::Targets::again; }},
-      {"it is subtracted from the edge itself: from number[*target++]",
+      {"#edge-itself it is subtracted from the edge itself: from number[*target++]",
        [](T& t) { t.targets = T::Targets::own_edge; }},
-      {"the inner loop begins with the node's first edge: from j on, the rest is symmetric",
+      {"#inner-loop-first-edge the inner loop begins with the node's first edge: from j on, the "
+       "rest is symmetric",
        [](T& t) { t.from_first = true; }},
-      {"the inner loop begins behind j: the product of j with itself goes to the diagonal block",
+      {"#inner-loop-behind-j the inner loop begins behind j: the product of j with itself goes to "
+       "the diagonal block",
        [](T& t) { t.from = 1; }},
       {"only the products of an edge with itself: with every edge from j on",
        [](T& t) { t.only_diagonal = true; }},
-      {"only the products of an edge with itself: with every edge from j on, each has its target",
+      {"#inner-loop-j-alone only the products of an edge with itself: with every edge from j on, "
+       "each has its target",
        [](T& t) { t.only_own = true; }},
-      {"only the first edge of each node: all of them", [](T& t) { t.only_first = true; }},
-      {"the inner loop leaves the last edge out: up to the end, as the outer one",
+      {"#only-first-edge only the first edge of each node: all of them",
+       [](T& t) { t.only_first = true; }},
+      {"#last-edge-left-out the inner loop leaves the last edge out: up to the end, as the outer "
+       "one",
        [](T& t) { t.skip_inner = 1; }},
-      {"rows and columns of the edge's block are exchanged in divide_rows(): it is m x n, the "
-       "diagonal block n x n",
+      {"#m-n-exchanged-division rows and columns of the edge's block are exchanged in "
+       "divide_rows(): it is m x n, the diagonal block n x n",
        [](T& t) { t.divides_exchanged = true; }},
-      {"the rows of edge j in the place of those of edge i: the block of edge i has its own number",
+      {"#rows-j-i the rows of edge j in the place of those of edge i: the block of edge i has its "
+       "own number",
        [](T& t) { t.rows_of_j = true; }},
-      {"the block of edge j twice: the one of edge i, and L",
+      {"#block-wrong-edge the block of edge j twice: the one of edge i, and L",
        [](T& t) { t.block_of_j = true; }},
-      {"only a part of L is stored: m * n numbers", [](T& t) { t.stores_a_row = true; }},
-      {"the first node is left out: from node 0 on", [](T& t) { t.first_node = 1; }},
-      {"the inner loop runs backwards: the targets stand there from j to the last edge",
+      {"#half-l-stored only a part of L is stored: m * n numbers",
+       [](T& t) { t.stores_a_row = true; }},
+      {"#first-node-left-out the first node is left out: from node 0 on",
+       [](T& t) { t.first_node = 1; }},
+      {"#inner-loop-backwards the inner loop runs backwards: the targets stand there from j to "
+       "the last edge",
        [](T& t) { t.backwards = true; }},
-      {"nothing is done", [](T& t) { t.skip_nodes = 1000; }},
-      {"A is not divided by the diagonal block: L = divide_rows() of it",
+      {"#solve-does-nothing nothing is done", [](T& t) { t.skip_nodes = 1000; }},
+      {"#not-divided A is not divided by the diagonal block: L = divide_rows() of it",
        [](T& t) { t.divides = false; }},
-      {"the product of two blocks of A: one of them is L, A_ik L_jk^T",
+      {"#a-times-a the product of two blocks of A: one of them is L, A_ik L_jk^T",
        [](T& t) { t.plain_times_plain = true; }},
-      {"the product is transposed: A_ik L_jk^T has the rows of i",
+      {"#product-transposed the product is transposed: A_ik L_jk^T has the rows of i",
        [](T& t) { t.exchanged = true; }},
-      {"the last node is left out: all nodes but the one behind the last",
+      {"#last-node-left-out the last node is left out: all nodes but the one behind the last",
        [](T& t) { t.skip_nodes = 1; }},
       {"the last edge of each node is left out: up to first_edge of the next node",
        [](T& t) { t.skip_edges = 1; }}};

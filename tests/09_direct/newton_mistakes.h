@@ -6,6 +6,12 @@
 
 namespace joints::testing {
 
+inline const char* const told_errors_before_move =
+    "#errors-before-move the errors are asked before the bodies move: C is that at the new poses";
+inline const char* const told_last_begun_one =
+    "#last-begun-one the first error is compared with a number: in the first iteration any error "
+    "will do, infinity";
+
 inline Pieces<NewtonReference> wrong_newtons() {
   using T = NewtonReference;
   const auto norm = [](auto of) { return [=](T& t) { t.norm = of; }; };
@@ -13,94 +19,117 @@ inline Pieces<NewtonReference> wrong_newtons() {
   using Cs = std::vector<double>;
   const char* const largest = "the largest error counts, by its size: of all rows max |C|";
   return {
-      {"the sign: J V changes by -C/h", rate([](double C, double h) { return C / h; })},
-      {"h is missing: J V changes by -C/h", rate([](double C, double) { return -C; })},
-      {"h is missing, and the sign: J V changes by -C/h", rate([](double C, double) { return C; })},
-      {"times h: J V changes by -C/h", rate([](double C, double h) { return -C * h; })},
-      {"divided by h^2: J V changes by -C/h",
+      {"#sign-j-v-changes the sign: J V changes by -C/h",
+       rate([](double C, double h) { return C / h; })},
+      {"#h-missing h is missing: J V changes by -C/h", rate([](double C, double) { return -C; })},
+      {"#rates-not-made-all h is missing, and the sign: J V changes by -C/h",
+       rate([](double C, double) { return C; })},
+      {"#times-h times h: J V changes by -C/h", rate([](double C, double h) { return -C * h; })},
+      {"#divided-h-squared divided by h^2: J V changes by -C/h",
        rate([](double C, double h) { return -C / (h * h); })},
-      {"half of it: J V changes by -C/h",
+      {"#half-rate half of it: J V changes by -C/h",
        rate([](double C, double h) { return -C / (2 * h); })},
       {"twice: J V changes by -C/h", rate([](double C, double h) { return -2 * C / h; })},
       {"the sizes of the errors: J V changes by -C/h",
        rate([](double C, double h) { return -std::abs(C) / h; })},
-      {"the bodies are not put back: they move from where they were at first, not once more",
+      {"#not-put-back the bodies are not put back: they move from where they were at first, not "
+       "once more",
        [](T& t) { t.back = T::Back::none; }},
-      {"q is not put back: x and q of every body",
+      {"#only-x-put-back q is not put back: x and q of every body",
        [](T& t) { t.back = T::Back::x; }},
-      {"x is not put back: x and q of every body",
+      {"#only-q-put-back x is not put back: x and q of every body",
        [](T& t) { t.back = T::Back::q; }},
-      {"the velocities are put back, too: their change is lost, only x and q are put back",
+      {"#all-put-back the velocities are put back, too: their change is lost, only x and q are "
+       "put back",
        [](T& t) { t.back = T::Back::all; }},
       {"`start` is written again in each iteration: once, before the first",
        [](T& t) { t.start_each_time = true, t.back = T::Back::none; }},
-      {"`start` does not hold the bodies as they were: who calls puts them back from it if there "
-       "is no such pose",
+      {"#start-does-not-hold `start` does not hold the bodies as they were: who calls puts them "
+       "back from it if there is no such pose",
        [](T& t) { t.keeps_start = false; }},
-      {"change_rates() is never called", [](T& t) { t.changes = false; }},
-      {"the errors are asked before the bodies move: C is that at the new poses",
+      {"#rates-never-changed change_rates() is never called", [](T& t) { t.changes = false; }},
+      {told_errors_before_move,
        [](T& t) { t.moves_first = false; }},
-      {"after the last iteration the bodies stay where they began: integrate_poses() for good",
+      {"#no-final-move after the last iteration the bodies stay where they began: "
+       "integrate_poses() for good",
        [](T& t) { t.moves_at_end = false; }},
-      {"where the error is negligible the bodies move once more: they are there already, return",
+      {"#near-enough-breaks-moves where the error is negligible the bodies move once more: they "
+       "are there already, return",
        [](T& t) { t.moves_again = true; }},
       {"the bodies move for half of h: for all of it",
        [](T& t) { t.move_h = t.last_h = 0.5; }},
-      {"the bodies move for half of h in each iteration: for all of it",
+      {"#moves-half-h the bodies move for half of h in each iteration: for all of it",
        [](T& t) { t.move_h = 0.5; }},
-      {"the errors are asked before the bodies move: C is that at the new poses",
+      {told_errors_before_move,
        [](T& t) { t.moves_first = false, t.asks_before = true; }},
-      {"the errors are asked more than once in an iteration: they are yours to keep",
+      {"#errors-asked-twice the errors are asked more than once in an iteration: they are yours "
+       "to keep",
        [](T& t) { t.asks = 2; }},
-      {"change_rates() is called twice in an iteration: once",
+      {"#changed-twice change_rates() is called twice in an iteration: once",
        [](T& t) { t.changes_twice = true; }},
-      {"with no iterations the bodies do not move: they do, by the velocities that they have",
+      {"#zero-iterations-do-nothing with no iterations the bodies do not move: they do, by the "
+       "velocities that they have",
        [](T& t) { t.zero_does_nothing = true; }},
-      {"the last error is 0 at first: in the first iteration any error will do",
+      {"#last-begun-zero the last error is 0 at first: in the first iteration any error will do",
        [](T& t) { t.first_last = 0; }},
-      {"the first error is compared with a number: in the first iteration any error will do, "
-       "infinity",
+      {told_last_begun_one,
        [](T& t) { t.first_last = 0.5; }},
-      {"the first error is compared with a number: in the first iteration any error will do, "
-       "infinity",
+      {told_last_begun_one,
        [](T& t) { t.first_last = 1; }},
-      {"the velocities are changed before poor_contraction is asked: then they do not come back",
+      {"#returned-once-when-poor the velocities are changed before poor_contraction is asked: "
+       "then they do not come back",
        [](T& t) { t.poor_late = true; }},
-      {"where the error hardly becomes less the bodies move on: stop there, they have moved",
+      {"#poor-goes-break where the error hardly becomes less the bodies move on: stop there, they "
+       "have moved",
        [](T& t) { t.poor_breaks = true; }},
-      {"the largest error is not begun anew in each iteration: from 0",
+      {"#largest-not-begun-anew the largest error is not begun anew in each iteration: from 0",
        [](T& t) { t.keeps_largest = true; }},
-      {"the angular velocity is put back, too: its change is lost, only x and q are put back",
+      {"#velocities-put-back-poor the angular velocity is put back, too: its change is lost, only "
+       "x and q are put back",
        [](T& t) { t.w_back = true; }},
-      {"the last body is not put back: all slots", [](T& t) { t.last_back = 1; }},
-      {"the first body is not put back: all slots from 0", [](T& t) { t.first_back = 1; }},
-      {"the first bodies are not put back: all slots from 0", [](T& t) { t.first_back = 2; }},
-      {"`start` is written after the bodies have moved: before, as they were",
+      {"#last-body-not-put the last body is not put back: all slots",
+       [](T& t) { t.last_back = 1; }},
+      {"#static-body-taken-first the first body is not put back: all slots from 0",
+       [](T& t) { t.first_back = 1; }},
+      {"#first-body-not-put the first bodies are not put back: all slots from 0",
+       [](T& t) { t.first_back = 2; }},
+      {"#start-written-after-bodies `start` is written after the bodies have moved: before, as "
+       "they were",
        [](T& t) { t.start_moved = true; }},
       {"`start` keeps what it held before: that is no matter, assign() it",
        [](T& t) { t.adds_to_start = true; }},
-      {"`start` is written again in each iteration: the velocities in it are changed ones then",
+      {"#start-kept-each-iteration `start` is written again in each iteration: the velocities in "
+       "it are changed ones then",
        [](T& t) { t.start_each_time = true; }},
-      {"one iteration too many: n < iterations", [](T& t) { t.more = 1; }},
-      {"one iteration too few: from 0 while n < iterations", [](T& t) { t.more = -1; }},
-      {"h^2 is missing: an error of at most negligible h^2 needs no more",
+      {"#one-iteration-too-many one iteration too many: n < iterations", [](T& t) { t.more = 1; }},
+      {"#one-iteration-too-few one iteration too few: from 0 while n < iterations",
+       [](T& t) { t.more = -1; }},
+      {"#negligible-without-h-squared h^2 is missing: an error of at most negligible h^2 needs no "
+       "more",
        [](T& t) { t.power = 0; }},
-      {"h is squared: an error of at most negligible h^2 needs no more",
+      {"#negligible-times-h h is squared: an error of at most negligible h^2 needs no more",
        [](T& t) { t.power = 1; }},
-      {"whether the error is negligible is not asked: nothing more is to be done then",
+      {"#near-enough-not-asked whether the error is negligible is not asked: nothing more is to "
+       "be done then",
        [](T& t) { t.asks_near = false; }},
-      {"at exactly negligible h^2 it is enough: <=", [](T& t) { t.strictly_near = true; }},
-      {"an iteration that leaves more than poor_contraction of the error does not end it: is "
-       "`last` kept, and is it asked?",
+      {"#strictly-nearer-than-near at exactly negligible h^2 it is enough: <=",
+       [](T& t) { t.strictly_near = true; }},
+      {"#last-not-kept an iteration that leaves more than poor_contraction of the error does not "
+       "end it: is `last` kept, and is it asked?",
        [](T& t) { t.asks_poor = false; }},
-      {"at exactly poor_contraction it goes on: <=", [](T& t) { t.strictly_poor = true; }},
-      {"only an error that grows ends it: at most poor_contraction of the last one may be left",
+      {"#strictly-less-than-poor at exactly poor_contraction it goes on: <=",
+       [](T& t) { t.strictly_poor = true; }},
+      {"#only-growth-poor only an error that grows ends it: at most poor_contraction of the last "
+       "one may be left",
        [](T& t) { t.poor = 1; }},
-      {"divided by poor_contraction: at most that share of the last error may be left",
+      {"#error-times-share divided by poor_contraction: at most that share of the last error may "
+       "be left",
        [](T& t) { t.poor = 1 / poor_contraction; }},
-      {"poor_contraction is asked before negligible h^2: what is negligible is good in any case",
+      {"#poor-before-near poor_contraction is asked before negligible h^2: what is negligible is "
+       "good in any case",
        [](T& t) { t.poor_first = true; }},
-      {"the first error is kept for ever: compare with that of the iteration before",
+      {"#last-only-once the first error is kept for ever: compare with that of the iteration "
+       "before",
        [](T& t) { t.last_by_first = true; }},
       {std::string(largest) + ". The sign is not taken away",
        norm([](const Cs& C) {
@@ -142,33 +171,37 @@ inline Pieces<NewtonReference> wrong_newtons() {
          for (const double a : C) out = std::min(out, std::abs(a));
          return out;
        })},
-      {"the size is taken of -C/h, not of C: ask before you divide",
+      {"#size-asked-after-division the size is taken of -C/h, not of C: ask before you divide",
        norm([](const Cs& C) {
          double out = 0;
          for (const double a : C) out = std::max(out, std::abs(a));
          return 10 * out;
        })},
-      {"true wherever it stops: only if at most stalled_share of the first error is left",
+      {"#poor-is-true true wherever it stops: only if at most stalled_share of the first error is "
+       "left",
        [](T& t) { t.result = T::Result::poor_is_true; }},
-      {"false wherever it stops: true if at most stalled_share of the first error is left. Is "
-       "the first error kept in the first iteration alone?",
+      {"#first-kept-second-iteration false wherever it stops: true if at most stalled_share of "
+       "the first error is left. Is the first error kept in the first iteration alone?",
        [](T& t) { t.result = T::Result::poor_is_false; }},
       {"where it stops the last error is asked: at most stalled_share of the first one",
        [](T& t) { t.result = T::Result::poor_by_last; }},
-      {"where it stops true and false are exchanged: true if at most stalled_share of the first "
-       "error is left",
+      {"#stop-turned-round where it stops true and false are exchanged: true if at most "
+       "stalled_share of the first error is left",
        [](T& t) { t.result = T::Result::turned; }},
-      {"where it stops poor_contraction of the first error is the bound: stalled_share of it",
+      {"#poor-share-first where it stops poor_contraction of the first error is the bound: "
+       "stalled_share of it",
        [](T& t) { t.share = poor_contraction; }},
-      {"where it stops the first error itself is the bound: stalled_share of it",
+      {"#first-error-itself-bound where it stops the first error itself is the bound: "
+       "stalled_share of it",
        [](T& t) { t.share = 1; }},
-      {"false where the error is negligible: that is true",
+      {"#near-enough-false false where the error is negligible: that is true",
        [](T& t) { t.result = T::Result::near_is_false; }},
-      {"false after the last iteration: only a poor one is false",
+      {"#false-end false after the last iteration: only a poor one is false",
        [](T& t) { t.result = T::Result::end_is_false; }},
       {"always false: true where the bodies have arrived, and after the last iteration",
        [](T& t) { t.result = T::Result::always_false; }},
-      {"the errors are asked once more after the last iteration: that costs, and is not wanted",
+      {"#errors-asked-end the errors are asked once more after the last iteration: that costs, "
+       "and is not wanted",
        [](T& t) { t.asks_at_end = true; }}};
 }
 

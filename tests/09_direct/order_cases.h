@@ -110,16 +110,18 @@ inline std::vector<OrderMistake> order_mistakes() {
       return r.order();
     };
   };
-  const char* const most = "the node with the most neighbours comes first: the fewest make little "
-                           "fill";
+  const char* const most = "#most-neighbours-first the node with the most neighbours comes first: "
+                           "the fewest make little fill";
   return {
       {most, with([](R& r) { r.by = R::By::most; })},
       {std::string(most) + ", and of equals the least number",
        with([](R& r) { r.by = R::By::most, r.greatest = true; })},
-      {"of equals the greatest number: the least", with([](R& r) { r.greatest = true; })},
+      {"#equals-first-loop of equals the greatest number: the least",
+       with([](R& r) { r.greatest = true; })},
       {"of equals the one whose neighbours changed last: the one with the least number",
        with([](R& r) { r.latest = true; })},
-      {"the nodes in their own order: the one with the fewest neighbours left comes first",
+      {"#pair-other-way-round the nodes in their own order: the one with the fewest neighbours "
+       "left comes first",
        with([](R& r) { r.by = R::By::number; })},
       {"the nodes in their own order, backwards: the one with the fewest neighbours left comes "
        "first",
@@ -128,13 +130,15 @@ inline std::vector<OrderMistake> order_mistakes() {
          std::iota(order.rbegin(), order.rend(), 0);
          return order;
        }},
-      {"the neighbours at first are counted: those that are left count, the filled ones too. Is a "
-       "node taken out of the queue and put in again where its number changes?",
+      {"#number-neighbours-first the neighbours at first are counted: those that are left count, "
+       "the filled ones too. Is a node taken out of the queue and put in again where its number "
+       "changes?",
        with([](R& r) { r.by = R::By::first_lists; })},
-      {"the neighbours at first are counted, and of equals the greatest number comes first: those "
-       "that are left count, and the least number comes first",
+      {"#sorted-once-not-stably the neighbours at first are counted, and of equals the greatest "
+       "number comes first: those that are left count, and the least number comes first",
        with([](R& r) { r.by = R::By::first_lists, r.greatest = true; })},
-      {"nothing is filled in: who is eliminated makes its neighbours neighbours of each other",
+      {"#no-fill nothing is filled in: who is eliminated makes its neighbours neighbours of each "
+       "other",
        with([](R& r) { r.fills = false; })},
       {"who is eliminated stays in the sets of its neighbours: only those that are left count",
        with([](R& r) { r.leaves = false; })},
@@ -146,15 +150,16 @@ inline std::vector<OrderMistake> order_mistakes() {
        with([](R& r) { r.doubles = true; })},
       {"a node becomes a neighbour of itself: leave that one out",
        with([](R& r) { r.with_itself = true; })},
-      {"the least fill comes first: asked for is the least number of neighbours",
+      {"#least-fill the least fill comes first: asked for is the least number of neighbours",
        with([](R& r) { r.by = R::By::fill; })},
-      {"the right order backwards: the node with the fewest neighbours comes first",
+      {"#backwards the right order backwards: the node with the fewest neighbours comes first",
        [](const Graph& graph) {
          std::vector<int> order = right_order(graph);
          std::reverse(order.begin(), order.end());
          return order;
        }},
-      {"the place of each node in the order is returned: asked for are the nodes in that order",
+      {"#places-returned the place of each node in the order is returned: asked for are the nodes "
+       "in that order",
        [](const Graph& graph) {
          const std::vector<int> order = right_order(graph);
          std::vector<int> place(order.size());
@@ -176,10 +181,11 @@ inline std::vector<int> your_order(const GraphCase& c) {
     return out;
   } catch (const Endless&) {
     fail(order_subject, "Graph: " + c.words + ".\n\nIt does not end.\n\n" +
-                            likely("who is eliminated comes back into the queue. It must leave the "
-                                   "sets of all its neighbours, each of two neighbours must know "
-                                   "the other, and know it once, and a pair is erased from the "
-                                   "queue before the set changes whose size it holds"));
+                            likely("#doubled-neighbours who is eliminated comes back into the "
+                                   "queue. It must leave the sets of all its neighbours, each of "
+                                   "two neighbours must know the other, and know it once, and a "
+                                   "pair is erased from the queue before the set changes whose "
+                                   "size it holds"));
   } catch (...) {
     allocations_left = -1;
     throw;
@@ -195,7 +201,8 @@ inline std::string numbers_in_words(const std::vector<int>& numbers) {
 
 /// What is wrong with the nodes themselves, in words; "" where each stands there once.
 inline std::string explain_nodes(const Graph& graph, const std::vector<int>& yours) {
-  if (yours.empty()) return "nothing is returned: push_back() each node as it is eliminated";
+  if (yours.empty()) return "#nothing-returned nothing is returned: push_back() each node as it "
+                            "is eliminated";
   if (yours.size() < graph.size())
     return "only " + std::to_string(yours.size()) + " of " + std::to_string(graph.size()) +
            " nodes: go on until none is left, also where a node has no neighbours";

@@ -6,6 +6,14 @@
 
 namespace joints::testing {
 
+inline const char* const told_absolute_threshold =
+    "#absolute-threshold the share itself is the bound: it is a share of the original entry";
+inline const char* const told_comparison_turned_round =
+    "#comparison-turned-round the comparison is turned round: what is at most the share gets 0";
+inline const char* const told_size_pivot =
+    "#size-pivot the size of the pivot is compared: a pivot below zero is an error, too, and "
+    "gets 0";
+
 struct PivotCase {
   std::string words;
   double pivot, original;
@@ -60,91 +68,94 @@ inline CaseTable<PivotCase> pivot_table() {
   table.yours = scaled([](const Case& c) { return inverse_pivot(c.pivot, c.original); });
   table.right = unless([=](const Case& c) { return !(c.pivot > share * c.original); });
   table.mistakes = {
-      {"every pivot is inverted: what is left of a dependent row is rounding error, it gets 0",
+      {"#every-pivot-inverted every pivot is inverted: what is left of a dependent row is "
+       "rounding error, it gets 0",
        unless([](const Case&) { return false; })},
-      {"only a pivot of exactly 0 gets 0: rounding error is never that",
+      {"#only-exactly-zero only a pivot of exactly 0 gets 0: rounding error is never that",
        unless([](const Case& c) { return c.pivot == 0; })},
-      {"only what is 0 or below gets 0: rounding error may be positive",
+      {"#above-zero only what is 0 or below gets 0: rounding error may be positive",
        unless([](const Case& c) { return !(c.pivot > 0); })},
-      {"always 0: a pivot above its share of the original entry has an inverse",
+      {"#whole-entry always 0: a pivot above its share of the original entry has an inverse",
        unless([](const Case&) { return true; })},
-      {"the comparison is turned round: what is at most the share gets 0",
+      {told_comparison_turned_round,
        unless([=](const Case& c) { return c.pivot > share * c.original; })},
-      {"the comparison is turned round: what is at most the share gets 0",
+      {told_comparison_turned_round,
        unless([=](const Case& c) { return c.pivot >= share * c.original; })},
-      {"the comparison is turned round: what is at most the share gets 0",
+      {told_comparison_turned_round,
        unless([=](const Case& c) { return !(c.pivot < share * c.original); })},
-      {"the comparison is turned round: what is at most the share gets 0",
+      {told_comparison_turned_round,
        unless([=](const Case& c) { return !(c.pivot <= share * c.original); })},
-      {"a dependent row gets an infinite inverse: it gets 0, no impulse",
+      {"#infinite-dependent-row a dependent row gets an infinite inverse: it gets 0, no impulse",
        scaled([=](const Case& c) {
          return c.pivot > share * c.original ? 1 / c.pivot
                                              : std::numeric_limits<double>::infinity();
        })},
-      {"a share of the entry is added to every pivot: that changes all impulses. Compare, and "
-       "return 0",
+      {"#regularised a share of the entry is added to every pivot: that changes all impulses. "
+       "Compare, and return 0",
        scaled([=](const Case& c) { return 1 / (c.pivot + share * c.original); })},
-      {"a pivot is at least its share of the entry: what is not more gets 0, no impulse",
+      {"#greater-both a pivot is at least its share of the entry: what is not more gets 0, no "
+       "impulse",
        scaled([=](const Case& c) { return 1 / std::max(c.pivot, share * c.original); })},
-      {"a bound that does not become smaller with the entry: a share of the entry, however small",
+      {"#least-one-bound a bound that does not become smaller with the entry: a share of the "
+       "entry, however small",
        unless([=](const Case& c) { return !(c.pivot > share * std::max(c.original, 1.0)); })},
-      {"at exactly the share there is no inverse: at most this share is rounding error, so > and "
-       "not >=",
+      {"#equality-inverted at exactly the share there is no inverse: at most this share is "
+       "rounding error, so > and not >=",
        unless([=](const Case& c) { return !(c.pivot >= share * c.original); })},
-      {"at exactly the share there is no inverse, and not a number gives 0: ask for pivot > share, "
-       "not for pivot < share",
+      {"#below-share-alone at exactly the share there is no inverse, and not a number gives 0: "
+       "ask for pivot > share, not for pivot < share",
        unless([=](const Case& c) { return c.pivot < share * c.original; })},
-      {"a pivot or entry that is not a number gets through: ask for pivot > share of the entry, "
-       "which is false then",
+      {"#not-number-gets-through a pivot or entry that is not a number gets through: ask for "
+       "pivot > share of the entry, which is false then",
        unless([=](const Case& c) { return c.pivot <= share * c.original; })},
-      {"the size of the pivot is compared: a pivot below zero is an error, too, and gets 0",
+      {told_size_pivot,
        unless([=](const Case& c) { return !(std::abs(c.pivot) > share * c.original); })},
-      {"the size of the pivot is compared: a pivot below zero is an error, too, and gets 0",
+      {told_size_pivot,
        unless([=](const Case& c) { return std::abs(c.pivot) <= share * c.original; })},
-      {"the size of the pivot is inverted: a pivot below zero gets 0",
+      {"#size-pivot-inverted the size of the pivot is inverted: a pivot below zero gets 0",
        scaled([=](const Case& c) {
          return std::abs(c.pivot) > share * c.original ? 1 / std::abs(c.pivot) : 0;
        })},
-      {"the share itself is the bound: it is a share of the original entry",
+      {told_absolute_threshold,
        unless([=](const Case& c) { return !(c.pivot > share); })},
-      {"the share itself is the bound: it is a share of the original entry",
+      {told_absolute_threshold,
        unless([=](const Case& c) { return c.pivot < share; })},
-      {"the original entry is inverted: it only tells what is rounding error",
+      {"#original-inverted the original entry is inverted: it only tells what is rounding error",
        scaled([=](const Case& c) {
          return c.pivot > share * c.original ? 1 / c.original : 0;
        })},
-      {"the pivot is returned: its inverse",
+      {"#pivot-returned the pivot is returned: its inverse",
        scaled([=](const Case& c) { return c.pivot > share * c.original ? c.pivot : 0; })},
-      {"the sign", scaled([=](const Case& c) {
+      {"#sign the sign", scaled([=](const Case& c) {
          return c.pivot > share * c.original ? -1 / c.pivot : 0;
        })},
       {"the pivot is divided by its entry: 1 over the pivot",
        scaled([=](const Case& c) {
          return c.pivot > share * c.original ? c.original / c.pivot : 0;
        })},
-      {"a dependent row gets 1: it gets 0, no impulse",
+      {"#one-dependent-row a dependent row gets 1: it gets 0, no impulse",
        scaled([=](const Case& c) { return c.pivot > share * c.original ? 1 / c.pivot : 1; })},
       {"the pivot is compared with the whole entry: elimination only makes it smaller",
        unless([](const Case& c) { return !(c.pivot >= c.original); })},
       {"the pivot is compared with the whole entry: elimination only makes it smaller",
        unless([](const Case& c) { return !(c.pivot > c.original); })},
-      {"pivot and entry are exchanged in the comparison",
+      {"#pivot-entry-exchanged pivot and entry are exchanged in the comparison",
        unless([=](const Case& c) { return !(c.original > share * c.pivot); })},
       {"the entry is divided by the share: a share of it is dependent_share times it",
        unless([=](const Case& c) { return !(c.pivot > c.original / share); })},
-      {"pivot / original where both are zero is not a number: compare with a product",
+      {"#quotient pivot / original where both are zero is not a number: compare with a product",
        scaled([=](const Case& c) {
          return c.pivot / c.original <= share ? 0 : 1 / c.pivot;
        })},
-      {"1 / pivot is cut to a whole number: an int has no fraction",
+      {"#inverse-int 1 / pivot is cut to a whole number: an int has no fraction",
        scaled([=](const Case& c) {
          const double inverse = c.pivot > share * c.original ? std::trunc(1 / c.pivot) : 0;
          return std::abs(inverse) < 2147483648.0 ? inverse : -2147483648.0;  // what an int holds
        })}};
   for (const double bound : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15,
                              1e-16, 2.220446049250313e-16, 1e-20}) {
-    table.mistakes.push_back({"a fixed bound for masses of any size: a share of the original "
-                              "entry",
+    table.mistakes.push_back({"#bound-own a fixed bound for masses of any size: a share of the "
+                              "original entry",
                               unless([=](const Case& c) { return !(c.pivot > bound); })});
     table.mistakes.push_back({std::string("another share, ") +
                                   (bound < share ? "smaller" : "larger") +

@@ -6,6 +6,18 @@
 
 namespace joints::testing {
 
+inline const char* const told_zero_lower_bound =
+    "#zero-lower-bound the sign of the impulse decides: compare it with the bounds, which need "
+    "not be 0";
+inline const char* const told_bounded_rows_are_free =
+    "#bounded-rows-are-free the side of now is not looked at: a bounded row is asked for its "
+    "rate, not its impulse";
+inline const char* const told_rate_decides_everywhere =
+    "#rate-decides-everywhere the rate decides whatever the side: a free row is asked for its "
+    "impulse";
+inline const char* const told_sizes_compared =
+    "#sizes-compared the sizes are compared: impulse and bounds have signs";
+
 struct SideCase {
   std::string words;
   Side now;
@@ -76,19 +88,25 @@ inline CaseTable<SideCase> side_table() {
     return [=](R& r) { r.free = r.at_lower = r.at_upper = rule; };
   };
   const auto stays = [](const C& c) { return c.now; };
-  const char* const exact = "at exactly a bound nothing flips: < and >, not <= and >=";
-  const char* const zero = "at a rate of exactly 0 nothing flips: < and >, not <= and >=";
+  const char* const exact = "#flips-either-bound at exactly a bound nothing flips: < and >, not "
+                            "<= and >=";
+  const char* const zero = "#flips-rate-zero at a rate of exactly 0 nothing flips: < and >, not "
+                           "<= and >=";
   Pieces<R> pieces{
-      {"a free row never becomes bounded: beyond a bound it goes to that side", free(stays)},
-      {"a free row never goes to its lower bound: impulse < lower is beyond it",
+      {"#free-row-stays a free row never becomes bounded: beyond a bound it goes to that side",
+       free(stays)},
+      {"#lower-bound-free-row a free row never goes to its lower bound: impulse < lower is beyond "
+       "it",
        free([](const C& c) { return c.impulse > c.upper ? Side::upper : Side::free; })},
-      {"a free row never goes to its upper bound: impulse > upper is beyond it",
+      {"#upper-bound-free-row a free row never goes to its upper bound: impulse > upper is beyond "
+       "it",
        free([](const C& c) { return c.impulse < c.lower ? Side::lower : Side::free; })},
-      {"lower and upper are exchanged for a free row",
+      {"#lower-upper-exchanged lower and upper are exchanged for a free row",
        free([](const C& c) {
          return c.impulse < c.lower ? Side::upper : c.impulse > c.upper ? Side::lower : Side::free;
        })},
-      {"the comparisons of a free row are turned round: below lower, or above upper",
+      {"#comparisons-free-row-turned the comparisons of a free row are turned round: below lower, "
+       "or above upper",
        free([](const C& c) {
          return c.impulse > c.lower ? Side::lower : c.impulse < c.upper ? Side::upper : Side::free;
        })},
@@ -102,18 +120,18 @@ inline CaseTable<SideCase> side_table() {
       {exact, free([](const C& c) {
          return c.impulse < c.lower ? Side::lower : c.impulse >= c.upper ? Side::upper : Side::free;
        })},
-      {"the sign of the impulse decides: compare it with the bounds, which need not be 0",
+      {told_zero_lower_bound,
        free([](const C& c) {
          return c.impulse < 0 ? Side::lower : c.impulse > c.upper ? Side::upper : Side::free;
        })},
-      {"the sign of the impulse decides: compare it with the bounds, which need not be 0",
+      {told_zero_lower_bound,
        free([](const C& c) { return c.impulse < 0 ? Side::lower : Side::free; })},
-      {"the sizes are compared: impulse and bounds have signs",
+      {told_sizes_compared,
        free([](const C& c) {
          return std::abs(c.impulse) > std::abs(c.upper) ? Side::upper
                 : c.impulse < c.lower                   ? Side::lower : Side::free;
        })},
-      {"the sizes are compared: impulse and bounds have signs",
+      {told_sizes_compared,
        free([](const C& c) {
          return c.impulse < c.lower                           ? Side::lower
                 : std::abs(c.impulse) > std::abs(c.upper) ? Side::upper : Side::free;
@@ -123,7 +141,8 @@ inline CaseTable<SideCase> side_table() {
          return c.impulse < c.lower - 1e-7   ? Side::lower
                 : c.impulse > c.upper + 1e-7 ? Side::upper : Side::free;
        })},
-      {"a small impulse below the lower bound is let pass: there is no threshold",
+      {"#threshold-impulse a small impulse below the lower bound is let pass: there is no "
+       "threshold",
        free([](const C& c) {
          return c.impulse < c.lower - 1e-7 ? Side::lower
                 : c.impulse > c.upper      ? Side::upper : Side::free;
@@ -133,7 +152,7 @@ inline CaseTable<SideCase> side_table() {
          return c.impulse < c.lower          ? Side::lower
                 : c.impulse > c.upper + 1e-7 ? Side::upper : Side::free;
        })},
-      {"a small rate is let pass at the lower bound: there is no threshold",
+      {"#threshold-rate a small rate is let pass at the lower bound: there is no threshold",
        lower([](const C& c) { return c.rate < -1e-7 ? Side::free : Side::lower; })},
       {"a small rate is let pass at the upper bound: there is no threshold",
        upper([](const C& c) { return c.rate > 1e-7 ? Side::free : Side::upper; })},
@@ -145,7 +164,7 @@ inline CaseTable<SideCase> side_table() {
        free([](const C& c) {
          return c.rate > 0 ? Side::lower : c.rate < 0 ? Side::upper : Side::free;
        })},
-      {"a free row is asked for its rate, too: only its impulse counts",
+      {"#free-asks-rate-well a free row is asked for its rate, too: only its impulse counts",
        free([](const C& c) {
          return c.impulse < c.lower && c.rate > 0   ? Side::lower
                 : c.impulse > c.upper && c.rate < 0 ? Side::upper : Side::free;
@@ -154,23 +173,26 @@ inline CaseTable<SideCase> side_table() {
        lower(stays)},
       {"a row at its lower bound is always free next: only at a negative rate",
        lower([](const C&) { return Side::free; })},
-      {"the sign of the rate at the lower bound: at a negative rate a larger impulse would help",
+      {"#sign-rate-lower-bound the sign of the rate at the lower bound: at a negative rate a "
+       "larger impulse would help",
        lower([](const C& c) { return c.rate > 0 ? Side::free : Side::lower; })},
       {zero, lower([](const C& c) { return c.rate <= 0 ? Side::free : Side::lower; })},
-      {"from the lower bound to the upper one at once: it is free first",
+      {"#lower-upper from the lower bound to the upper one at once: it is free first",
        lower([](const C& c) { return c.rate < 0 ? Side::upper : Side::lower; })},
       {"a row at its lower bound is asked for its impulse: that is at the bound, the rate counts",
        lower([](const C& c) { return c.impulse > c.lower ? Side::free : Side::lower; })},
       {"a row at its lower bound is asked for its impulse: that is at the bound, the rate counts",
        lower([](const C& c) { return c.impulse < c.lower ? Side::lower : Side::free; })},
-      {"a row at its upper bound stays there: at a positive rate a smaller impulse would help",
+      {"#upper-branch-missing a row at its upper bound stays there: at a positive rate a smaller "
+       "impulse would help",
        upper(stays)},
       {"a row at its upper bound is always free next: only at a positive rate",
        upper([](const C&) { return Side::free; })},
-      {"the sign of the rate at the upper bound: at a positive rate a smaller impulse would help",
+      {"#sign-rate-upper-bound the sign of the rate at the upper bound: at a positive rate a "
+       "smaller impulse would help",
        upper([](const C& c) { return c.rate < 0 ? Side::free : Side::upper; })},
       {zero, upper([](const C& c) { return c.rate >= 0 ? Side::free : Side::upper; })},
-      {"from the upper bound to the lower one at once: it is free first",
+      {"#upper-lower from the upper bound to the lower one at once: it is free first",
        upper([](const C& c) { return c.rate > 0 ? Side::lower : Side::upper; })},
       {"a row at its upper bound is asked for its impulse: that is at the bound, the rate counts",
        upper([](const C& c) { return c.impulse < c.upper ? Side::free : Side::upper; })},
@@ -178,8 +200,8 @@ inline CaseTable<SideCase> side_table() {
        upper([](const C& c) { return c.impulse > c.upper ? Side::upper : Side::free; })},
       {"a row that leaves its upper bound goes to the lower one's branch: both have their own",
        upper([](const C& c) { return c.rate > 0 ? Side::free : Side::lower; })},
-      {"both signs of the rate are turned round: at the lower bound a negative rate frees, at the "
-       "upper one a positive rate",
+      {"#both-signs-rate both signs of the rate are turned round: at the lower bound a negative "
+       "rate frees, at the upper one a positive rate",
        [](R& r) {
          r.at_lower = [](const C& c) { return c.rate > 0 ? Side::free : Side::lower; };
          r.at_upper = [](const C& c) { return c.rate < 0 ? Side::free : Side::upper; };
@@ -189,37 +211,38 @@ inline CaseTable<SideCase> side_table() {
          r.at_lower = [](const C& c) { return c.rate <= 0 ? Side::free : Side::lower; };
          r.at_upper = [](const C& c) { return c.rate >= 0 ? Side::free : Side::upper; };
        }},
-      {"a bounded row never becomes free: at the lower bound a negative rate frees it, at the "
-       "upper one a positive rate",
+      {"#bounded-rows-stay a bounded row never becomes free: at the lower bound a negative rate "
+       "frees it, at the upper one a positive rate",
        [=](R& r) { r.at_lower = r.at_upper = stays; }},
-      {"a bounded row is free as soon as its rate is not 0: at the lower bound a negative one, at "
-       "the upper one a positive one",
+      {"#any-rate-frees a bounded row is free as soon as its rate is not 0: at the lower bound a "
+       "negative one, at the upper one a positive one",
        [](R& r) {
          r.at_lower = r.at_upper = [](const C& c) { return c.rate != 0 ? Side::free : c.now; };
        }},
-      {"the side of now is not looked at: a bounded row is asked for its rate, not its impulse",
+      {told_bounded_rows_are_free,
        whole([](const C& c) {
          return c.impulse < c.lower ? Side::lower : c.impulse > c.upper ? Side::upper : Side::free;
        })},
-      {"the side of now is not looked at: a bounded row is asked for its rate, not its impulse",
+      {told_bounded_rows_are_free,
        whole([](const C& c) {
          return c.impulse <= c.lower ? Side::lower : c.impulse >= c.upper ? Side::upper
                                                                         : Side::free;
        })},
-      {"the rate decides whatever the side: a free row is asked for its impulse",
+      {told_rate_decides_everywhere,
        whole([](const C& c) {
          return c.rate < 0 ? Side::lower : c.rate > 0 ? Side::upper : Side::free;
        })},
-      {"the rate decides whatever the side: a free row is asked for its impulse",
+      {told_rate_decides_everywhere,
        whole([](const C& c) {
          return c.rate > 0 ? Side::lower : c.rate < 0 ? Side::upper : Side::free;
        })},
-      {"impulse and rate are added: the one is asked of a free row, the other of a bounded one",
+      {"#sum-impulse-rate impulse and rate are added: the one is asked of a free row, the other "
+       "of a bounded one",
        whole([](const C& c) {
          const double sum = c.impulse - c.rate;
          return sum < c.lower ? Side::lower : sum > c.upper ? Side::upper : Side::free;
        })},
-      {"nothing ever flips: `now` is returned", whole(stays)},
+      {"#now-returned nothing ever flips: `now` is returned", whole(stays)},
       {"always free: beyond its bounds an impulse must not be", whole([](const C&) {
          return Side::free;
        })},

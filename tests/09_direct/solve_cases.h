@@ -87,51 +87,58 @@ struct SolveReference {
 inline Pieces<SolveReference> wrong_solves() {
   using T = SolveReference;
   return {
-      {"nothing is divided: each node's numbers by its diagonal block, on the way forward",
+      {"#forward-without-division nothing is divided: each node's numbers by its diagonal block, "
+       "on the way forward",
        [](T& t) { t.divides = 0; }},
-      {"divided on the way forward and on the way back: once",
+      {"#divided-both-ways divided on the way forward and on the way back: once",
        [](T& t) { t.divides = 2; }},
-      {"divided before its edges are gone through: they take the numbers as they are, undivided",
+      {"#divided-before-edges divided before its edges are gone through: they take the numbers as "
+       "they are, undivided",
        [](T& t) { t.divide_when = T::Divide::before; }},
       {"divided behind the way back: on the way forward, after the node's edges",
        [](T& t) { t.divide_when = T::Divide::at_last; }},
-      {"the way forward is missing: subtract L x of each edge from the other node's numbers",
+      {"#no-way-forward the way forward is missing: subtract L x of each edge from the other "
+       "node's numbers",
        [](T& t) { t.forward = false; }},
-      {"the way back is missing: subtract L^T x of each edge from the node's own numbers",
+      {"#no-way-back the way back is missing: subtract L^T x of each edge from the node's own "
+       "numbers",
        [](T& t) { t.back = false; }},
-      {"back in the order of elimination: from the last node to the first",
+      {"#back-forward-order back in the order of elimination: from the last node to the first",
        [](T& t) { t.back_in_order = true; }},
-      {"the way back goes like the way forward: there the other node's numbers are multiplied by "
-       "L^T and taken from the node's own",
+      {"#back-not-transposed the way back goes like the way forward: there the other node's "
+       "numbers are multiplied by L^T and taken from the node's own",
        [](T& t) { t.back_plain = true; }},
-      {"the way forward begins with the last node: forward in the order of elimination",
+      {"#forward-last the way forward begins with the last node: forward in the order of "
+       "elimination",
        [](T& t) { t.forward_from_last = true; }},
-      {"the way forward goes like the way back: there L of the node's own numbers is taken from "
-       "the other node's",
+      {"#forward-transposed the way forward goes like the way back: there L of the node's own "
+       "numbers is taken from the other node's",
        [](T& t) { t.forward_transposed = true; }},
-      {"x and y are exchanged on the way back: L^T of the other node's numbers is taken from the "
-       "node's own",
+      {"#back-ends-exchanged x and y are exchanged on the way back: L^T of the other node's "
+       "numbers is taken from the node's own",
        [](T& t) { t.back_exchanged = true; }},
-      {"the way back leaves the first node out: k >= 0",
+      {"#first-node-left-out-way the way back leaves the first node out: k >= 0",
        [](T& t) { t.back_to = 1; }},
-      {"only the first edge of each node on the way forward: all of them",
+      {"#only-first-edge-forward only the first edge of each node on the way forward: all of them",
        [](T& t) { t.first_edge = true; }},
-      {"divided once for each edge: once for each node, after its edges",
+      {"#divided-once-each-edge divided once for each edge: once for each node, after its edges",
        [](T& t) { t.by_edge = true; }},
-      {"the edges of other nodes, too: from the node's first_edge on",
+      {"#edges-all-nodes the edges of other nodes, too: from the node's first_edge on",
        [](T& t) { t.all_edges = true; }},
-      {"nothing is done", [](T& t) { t.forward = t.back = false, t.divides = 0; }},
-      {"the last node is left out: it has no edges, but it must be divided",
+      {"#solve-does-nothing nothing is done",
+       [](T& t) { t.forward = t.back = false, t.divides = 0; }},
+      {"#last-node-left-out-solution the last node is left out: it has no edges, but it must be "
+       "divided",
        [](T& t) { t.skip_nodes = 1; }},
       {"the last edge of each node is left out: up to first_edge of the next node",
        [](T& t) { t.skip_edges = 1; }},
       {"the node's number in the place of its row: its numbers begin at x + node.row",
        [](T& t) { t.by_node = true; }},
-      {"the node's number in the place of its row on the way forward: its numbers begin at x + "
-       "node.row",
+      {"#number-node-row the node's number in the place of its row on the way forward: its "
+       "numbers begin at x + node.row",
        [](T& t) { t.forward_by_node = true; }},
-      {"rows and columns of the edge's block are exchanged on the way forward: it has the rows of "
-       "the other node",
+      {"#rows-exchanged-way-forward rows and columns of the edge's block are exchanged on the way "
+       "forward: it has the rows of the other node",
        [](T& t) { t.rows_exchanged = true; }}};
 }
 
@@ -203,7 +210,8 @@ inline void check_originals(const MatrixCase& c) {
              "entry of row " + std::to_string(row) + ", node " + std::to_string(k),
              yours, c.A(row, row), 0,
              {{yours, n >= seen.size()
-                          ? "`inverse` is not asked for this pivot: hand it to factor_block()"
+                          ? "#inverse-own `inverse` is not asked for this pivot: hand it to "
+                            "factor_block()"
                           : "&A.original[node.row]: by rows of the right-hand side, each node has "
                             "its own"}});
     }

@@ -7,6 +7,9 @@
 
 namespace joints::testing {
 
+inline const char* const told_poses_before_solve =
+    "#poses-before-solve the bodies move before solve(): by the new velocities, behind it";
+
 /// The parts of a step, each of which a mistake may change.
 struct TimeReference {
   TimeCase c;
@@ -65,65 +68,70 @@ inline Pieces<TimeReference> wrong_times() {
   const auto length = [](auto of) { return [=](T& t) { t.kick_length = of; }; };
   const char* const halves = "turn() half of h before the bodies move, and half of h after";
   return {
-      {"forces act for the whole of h: for the mean of the last step and this one. Is world.last_h "
-       "set before kick()?",
+      {"#kick-full-h forces act for the whole of h: for the mean of the last step and this one. "
+       "Is world.last_h set before kick()?",
        length([](real, real h) { return h; })},
-      {"forces act for half of h: for the mean of the last step and this one",
+      {"#kick-half-h forces act for half of h: for the mean of the last step and this one",
        length([](real, real h) { return h / 2; })},
-      {"forces act for the last step: for the mean of it and this one",
+      {"#kick-last-step forces act for the last step: for the mean of it and this one",
        length([](real last, real) { return last; })},
-      {"forces act for the last step and this one: for their mean, the half of that",
+      {"#kick-sum forces act for the last step and this one: for their mean, the half of that",
        length([](real last, real h) { return last + h; })},
-      {"half of this step only: (last_h + h) / 2 needs its brackets",
+      {"#brackets-forgotten half of this step only: (last_h + h) / 2 needs its brackets",
        length([](real last, real h) { return last + h / 2; })},
       {"half of the last step only: (last_h + h) / 2 needs its brackets",
        length([](real last, real h) { return last / 2 + h; })},
-      {"in the first step forces act for all of h: nothing came before it, last_h is 0 then",
+      {"#first-step-full-kick in the first step forces act for all of h: nothing came before it, "
+       "last_h is 0 then",
        length([](real last, real h) { return last == 0 ? h : (last + h) / 2; })},
-      {"no forces act: kick() the bodies",
+      {"#no-kick no forces act: kick() the bodies",
        [](T& t) { t.kicks = false; }},
-      {"integrate_forces() turns the bodies, too: kick() alone, the turns come later",
+      {"#integrate-forces integrate_forces() turns the bodies, too: kick() alone, the turns come "
+       "later",
        [](T& t) { t.euler = true; }},
-      {"this is the step of semi-implicit Euler: kick() for the mean, and turn() half before and "
-       "half after the bodies move",
+      {"#engine-step-without-leapfrog this is the step of semi-implicit Euler: kick() for the "
+       "mean, and turn() half before and half after the bodies move",
        [](T& t) {
          t.euler = true, t.before = t.after = 0;
          t.kick_length = [](real, real h) { return h; };
        }},
-      {"kick() comes behind solve(): the impulses of the joints must see the forces",
+      {"#kick-behind-solve kick() comes behind solve(): the impulses of the joints must see the "
+       "forces",
        [](T& t) { t.kick_last = true; }},
-      {"the mean is kept in world.last_h: h, the length of this step",
+      {"#last-h-gets-mean the mean is kept in world.last_h: h, the length of this step",
        [](T& t) { t.keeps_mean = true; }},
-      {"a second kick() at the end: forces act once, for the mean of the last step and this one",
+      {"#another-half-kick-end a second kick() at the end: forces act once, for the mean of the "
+       "last step and this one",
        [](T& t) { t.kick_at_end = real(0.5); }},
       {"two kicks of half of h: forces act once, for the mean of the last step and this one",
        [](T& t) {
          t.kick_at_end = real(0.5);
          t.kick_length = [](real, real h) { return h / 2; };
        }},
-      {"force and torque of the bodies are forgotten: kick() has all of it",
+      {"#gravity-alone force and torque of the bodies are forgotten: kick() has all of it",
        [](T& t) { t.gravity_alone = true; }},
-      {"gravity is another one: world.gravity", [](T& t) { t.earth = true; }},
-      {"h is not kept in world.last_h: the next step's mean needs it",
+      {"#earth-s-gravity gravity is another one: world.gravity", [](T& t) { t.earth = true; }},
+      {"#last-h-not-kept h is not kept in world.last_h: the next step's mean needs it",
        [](T& t) { t.keeps_h = false; }},
-      {"the blocks of the last step are still there: world.blocks.clear()",
+      {"#blocks-not-cleared the blocks of the last step are still there: world.blocks.clear()",
        [](T& t) { t.clears = false; }},
-      {"begin_step() of the joints is missing: they choose their rows there",
+      {"#begin-step-joints-missing begin_step() of the joints is missing: they choose their rows "
+       "there",
        [](T& t) { t.begins = false; }},
-      {"begin_step() of the joints has half of h: all of it",
+      {"#begin-append-half-h begin_step() of the joints has half of h: all of it",
        [](T& t) { t.begin_h = real(0.5); }},
-      {"no joint appends its blocks: the bodies move as if free",
+      {"#append-missing no joint appends its blocks: the bodies move as if free",
        [](T& t) { t.appends = false; }},
-      {"prepare() has half of h: all of it",
+      {"#prepare-half-h prepare() has half of h: all of it",
        [](T& t) { t.prepare_h = real(0.5); }},
-      {"a warm start: the ratio is 0, the impulses of the last step are not used",
+      {"#warm-start a warm start: the ratio is 0, the impulses of the last step are not used",
        [](T& t) { t.ratio = 1; }},
       {"a warm start with half of the impulses: the ratio is 0",
        [](T& t) { t.ratio = real(0.5); }},
-      {"warm_start() is missing: the impulses of the last step must become 0",
+      {"#warm-start-missing warm_start() is missing: the impulses of the last step must become 0",
        [](T& t) { t.warms = false; }},
-      {"solve() is missing: no joint holds", [](T& t) { t.solves = 0; }},
-      {"solve() twice: once", [](T& t) { t.solves = 2; }},
+      {"#solve-missing solve() is missing: no joint holds", [](T& t) { t.solves = 0; }},
+      {"#solve-twice solve() twice: once", [](T& t) { t.solves = 2; }},
       {std::string("turn() is missing: ") + halves,
        [](T& t) { t.before = t.after = 0; }},
       {std::string("the second turn() is missing: ") + halves, [](T& t) { t.after = 0; }},
@@ -138,27 +146,27 @@ inline Pieces<TimeReference> wrong_times() {
        [](T& t) { t.turns = 2, t.after = 0; }},
       {std::string("both turns after the bodies have moved: ") + halves,
        [](T& t) { t.turns = 2, t.before = 0; }},
-      {"turn() before solve(): the joints hold the velocities as they were, both turns come "
-       "behind solve()",
+      {"#turn-before-solve turn() before solve(): the joints hold the velocities as they were, "
+       "both turns come behind solve()",
        [](T& t) { t.before_solve = real(0.5), t.before = 0; }},
       {"turn() for all of h before solve(): half of h before the bodies move and half after, both "
        "behind solve()",
        [](T& t) { t.before_solve = 1, t.before = t.after = 0; }},
       {"a third turn() before solve(): two of them, both behind solve()",
        [](T& t) { t.before_solve = real(0.5); }},
-      {"the bodies do not move: integrate_poses() between the two turns",
+      {"#poses-missing the bodies do not move: integrate_poses() between the two turns",
        [](T& t) { t.poses = 0; }},
       {"the bodies move twice: integrate_poses() once", [](T& t) { t.poses = 2; }},
-      {"the bodies move for half of h: only the turns are halves",
+      {"#poses-half-h the bodies move for half of h: only the turns are halves",
        [](T& t) { t.pose_h = real(0.5); }},
       {"the bodies move half before the turns and half after: it is the turns that are halves, "
        "around integrate_poses()",
        [](T& t) { t.poses_around = true; }},
-      {"the bodies move before solve(): by the new velocities, behind it",
+      {told_poses_before_solve,
        [](T& t) { t.poses_before_solve = true; }},
-      {"the bodies move at first: by the new velocities, behind solve()",
+      {"#poses-at-first the bodies move at first: by the new velocities, behind solve()",
        [](T& t) { t.poses_at_once = true; }},
-      {"the bodies move before solve(): by the new velocities, behind it",
+      {told_poses_before_solve,
        [](T& t) { t.poses_first = true; }}};
 }
 

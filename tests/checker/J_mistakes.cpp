@@ -40,14 +40,14 @@ Wrong wrong_levers(const Rows& J, const Pair& pair) {
     for (Row& row : wrong) change(row);
     out.push_back({words, flat(wrong)});
   };
-  add("the sign of the blocks w1 and w2: a x b is -(b x a)",
+  add("#order-cross-products the sign of the blocks w1 and w2: a x b is -(b x a)",
       [](Row& row) { row.w1 = -row.w1, row.w2 = -row.w2; });
-  add("the blocks w1 and w2 are missing: they hold the levers",
+  add("#without-levers the blocks w1 and w2 are missing: they hold the levers",
       [](Row& row) { row.w1 = row.w2 = vec3(0); });
-  add("the levers are missing: w1 and w2 hold r x n, not n",
+  add("#no-arms-n-turns the levers are missing: w1 and w2 hold r x n, not n",
       [](Row& row) { row.w1 = row.v1, row.w2 = row.v2; });
-  add("a point where a lever belongs: r runs from the body's centre to the anchor "
-      "(to_world, not world_point)",
+  add("#points-for-levers a point where a lever belongs: r runs from the body's centre to the "
+      "anchor (to_world, not world_point)",
       [&](Row& row) {
         row.w1 += cross(pair.body1.x, row.v1);
         row.w2 += cross(pair.body2.x, row.v2);
@@ -58,12 +58,12 @@ Wrong wrong_levers(const Rows& J, const Pair& pair) {
   add("a point where the lever of body 2 belongs: r2 runs from the body's centre to the anchor "
       "(to_world, not world_point)",
       [&](Row& row) { row.w2 += cross(pair.body2.x, row.v2); });
-  add("the levers r1 and r2 are exchanged", [](Row& row) {
+  add("#levers-exchanged the levers r1 and r2 are exchanged", [](Row& row) {
     const vec3 w1 = row.w1;
     row.w1 = -row.w2;
     row.w2 = -w1;
   });
-  add("the lever of body 1 for both bodies: each has its own",
+  add("#r1-for-both the lever of body 1 for both bodies: each has its own",
       [](Row& row) { row.w2 = -row.w1; });
   add("the lever of body 2 for both bodies: each has its own",
       [](Row& row) { row.w1 = -row.w2; });
@@ -81,12 +81,13 @@ Wrong wrong_bodies(Rows J, const Pair& pair) {
     if (pair.body2.is_static()) row.v2 = row.w2 = vec3(0);
   }
   if (pair.body1.is_static() != pair.body2.is_static())
-    out.push_back({"a static body has its blocks in J, too: it is K that its mass leaves out",
+    out.push_back({"#static-body-left-out a static body has its blocks in J, too: it is K that "
+                   "its mass leaves out",
                    flat(without)});
   for (Row& row : J)
     row = {pair.body1.inverse_mass * row.v1, inverse_inertia(pair.body1) * row.w1,
            pair.body2.inverse_mass * row.v2, inverse_inertia(pair.body2) * row.w2};
-  out.push_back({"J times M^-1: masses and inertias come in with K", flat(J)});
+  out.push_back({"#inverse-masses-row J times M^-1: masses and inertias come in with K", flat(J)});
   return out;
 }
 

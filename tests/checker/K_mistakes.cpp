@@ -43,60 +43,77 @@ Wrong wrong_masses(const Rows& J, const Pair& pair) {
   };
   if (m1 != 0 && m2 != 0) {
     const real both = 1 / (1 / m1 + 1 / m2);
-    const char* const masses = "masses where inverse masses belong: K is in 1/kg";
+    const char* const masses = "#masses-added masses where inverse masses belong: K is in 1/kg";
     add(masses, {1 / m1, none}, {1 / m2, none});
     add(masses, {1 / m1, I1}, {1 / m2, I2});
     add(masses, {1 / m1, glm::inverse(I1)}, {1 / m2, glm::inverse(I2)});
-    add("one over the sum of the masses: each mass is inverted first, then they are added",
+    add("#one-over-whole-mass one over the sum of the masses: each mass is inverted first, then "
+        "they are added",
         {both / 2, I1}, {both / 2, I2});
-    add("inertia where inverse inertia belongs", {m1, glm::inverse(I1)}, {m2, glm::inverse(I2)});
+    add("#inertia-inverse inertia where inverse inertia belongs",
+        {m1, glm::inverse(I1)}, {m2, glm::inverse(I2)});
   }
-  add("the share of the rotation is missing", {m1, none}, {m2, none});
-  add("body 1 is missing", {0, none}, two);
-  add("body 2 is missing", one, {0, none});
-  add("the rotation of body 1 is missing", {m1, none}, two);
-  add("the rotation of body 2 is missing", one, {m2, none});
-  add("the inverse mass of body 1 is missing", {0, I1}, two);
+  add("#without-rotation the share of the rotation is missing", {m1, none}, {m2, none});
+  add("#body-2-alone body 1 is missing", {0, none}, two);
+  add("#sum-that-thrown-away body 2 is missing", one, {0, none});
+  add("#rotation-body-1-left the rotation of body 1 is missing", {m1, none}, two);
+  add("#rotation-body-2-left the rotation of body 2 is missing", one, {m2, none});
+  add("#mass-body-1-left the inverse mass of body 1 is missing", {0, I1}, two);
   add("the inverse mass of body 2 is missing", one, {0, I2});
-  add("the inverse masses are missing", {0, I1}, {0, I2});
-  add("the inverse inertia is missing", {m1, mat3(1)}, {m2, mat3(1)});
+  add("#without-masses the inverse masses are missing", {0, I1}, {0, I2});
+  add("#without-inertia the inverse inertia is missing", {m1, mat3(1)}, {m2, mat3(1)});
   const char* const local[] = {
       "body-space inertia of body 1: it must be turned into the world, R I^-1 R^T",
       "body-space inertia of body 2: it must be turned into the world, R I^-1 R^T",
-      "body-space inertia of both bodies: it must be turned into the world, R I^-1 R^T"};
+      "#body-space-inertia-both body-space inertia of both bodies: it must be turned into the "
+      "world, R I^-1 R^T"};
   add(local[0], {m1, local1}, two);
   add(local[1], one, {m2, local2});
   add(local[2], {m1, local1}, {m2, local2});
-  add("the inertia is turned the wrong way round: R I^-1 R^T, not R^T I^-1 R",
+  add("#inertia-turned-wrong-way the inertia is turned the wrong way round: R I^-1 R^T, not R^T "
+      "I^-1 R",
       {m1, inertia_turned(a, conjugate(a.q))}, {m2, inertia_turned(b, conjugate(b.q))});
   add("the inertia of body 1 is turned with body 2", {m1, inertia_turned(a, b.q)}, two);
   add("the inertia of body 2 is turned with body 1", one, {m2, inertia_turned(b, a.q)});
-  add("the sign of the rotation's share: it is added (skew(r) I^-1 skew(r) lacks a transpose)",
+  add("#without-transpose the sign of the rotation's share: it is added (skew(r) I^-1 skew(r) "
+      "lacks a transpose)",
       {m1, -I1}, {m2, -I2});
-  add("the sign of body 1's share: the shares of both bodies are added", {-m1, -I1}, two);
-  add("the sign of body 2's share: the shares of both bodies are added", one, {-m2, -I2});
+  add("#minus-body-1 the sign of body 1's share: the shares of both bodies are added",
+      {-m1, -I1}, two);
+  add("#inverse-masses-subtracted the sign of body 2's share: the shares of both bodies are added",
+      one, {-m2, -I2});
   add("the sign of the rotation of body 1: its share is added", {m1, -I1}, two);
-  add("the sign of the rotation of body 2: its share is added", one, {m2, -I2});
+  add("#sign-rotation the sign of the rotation of body 2: its share is added", one, {m2, -I2});
   add("the sign of body 1's inverse mass: all shares are added", {-m1, I1}, two);
   add("the sign of body 2's inverse mass: all shares are added", one, {-m2, I2});
-  add("the lever of one body with the inertia of the other", {m1, I2}, {m2, I1});
-  add("the inertia of body 1 for both bodies: each has its own", one, {m2, I1});
+  add("#inertias-exchanged the lever of one body with the inertia of the other",
+      {m1, I2}, {m2, I1});
+  add("#inertia-body-1-both the inertia of body 1 for both bodies: each has its own",
+      one, {m2, I1});
   add("the inertia of body 2 for both bodies: each has its own", {m1, I2}, two);
-  add("the inverse mass of body 1 for both bodies: each has its own", one, {m1, I2});
-  add("the inverse mass of body 2 for both bodies: each has its own", {m2, I1}, two);
-  add("the rotation of body 1 is counted twice, that of body 2 not", {m1, real(2) * I1},
+  add("#body-1-twice the inverse mass of body 1 for both bodies: each has its own", one, {m1, I2});
+  add("#mass-body-2-both the inverse mass of body 2 for both bodies: each has its own",
+      {m2, I1}, two);
+  add("#rotation-body-1-twice the rotation of body 1 is counted twice, that of body 2 not",
+      {m1, real(2) * I1},
       {m2, none});
   add("the rotation of body 2 is counted twice, that of body 1 not", {m1, none},
       {m2, real(2) * I2});
-  add("inverse mass where inverse inertia belongs", {m1, mat3(m1)}, {m2, mat3(m2)});
+  add("#mass-for-inertia inverse mass where inverse inertia belongs",
+      {m1, mat3(m1)}, {m2, mat3(m2)});
   add("the inverse inertia stands twice in a term", {m1, I1 * I1}, {m2, I2 * I2});
-  add("the inverse masses are multiplied: they are added", {m1 * m2, I1}, {0, I2});
-  add("the inverse masses are squared: M^-1 stands once in K", {m1 * m1, I1}, {m2 * m2, I2});
-  add("the larger inverse mass alone: they are added", {std::max(m1, m2), I1}, {0, I2});
+  add("#inverse-masses-multiplied the inverse masses are multiplied: they are added",
+      {m1 * m2, I1}, {0, I2});
+  add("#squares-inverse-masses the inverse masses are squared: M^-1 stands once in K",
+      {m1 * m1, I1}, {m2 * m2, I2});
+  add("#the-larger-one the larger inverse mass alone: they are added",
+      {std::max(m1, m2), I1}, {0, I2});
   const mat3 R1 = mat3_cast(a.q), R2 = mat3_cast(b.q);
-  add("the world inertia lacks R^T on its right: it is R I^-1 R^T", {m1, R1 * local1},
+  add("#world-inertia-half-turned the world inertia lacks R^T on its right: it is R I^-1 R^T",
+      {m1, R1 * local1},
       {m2, R2 * local2});
-  add("the world inertia lacks R on its left: it is R I^-1 R^T", {m1, local1 * transpose(R1)},
+  add("#world-inertia-half-turned-back the world inertia lacks R on its left: it is R I^-1 R^T",
+      {m1, local1 * transpose(R1)},
       {m2, local2 * transpose(R2)});
   add("body 1 twice: each body has its own mass and inertia", one, one);
   add("body 2 twice: each body has its own mass and inertia", two, two);
@@ -111,19 +128,22 @@ Wrong wrong_Ks(const Seen& part, const Numbers& J, const Pair& pair) {
   Numbers everywhere = whole_K(J, pair);
   std::vector<real> inverse(everywhere.begin(), everywhere.end());
   invert_symmetric(inverse.data(), n);
-  out.push_back({"the inverse of K: that is the effective mass, the solver inverts K itself",
+  out.push_back({"#inverse-of-k the inverse of K: that is the effective mass, the solver inverts "
+                 "K itself",
                  {inverse.begin(), inverse.end()}});
   Numbers with_unit = everywhere, whole = everywhere;
   for (double& number : whole) number = std::trunc(number);
-  out.push_back({"the fraction is cut off: an int holds whole numbers only", whole});
+  out.push_back({"#cut-int the fraction is cut off: an int holds whole numbers only", whole});
   for (int i = 0; i < n * n; ++i)
     (i % (n + 1) == 0 ? with_unit : everywhere)[std::size_t(i)] +=
         i % (n + 1) == 0 ? 1 : double(masses);
   if (n > 1)
-    out.push_back({"a matrix plus a number adds it to all nine entries: write mat3(a)",
+    out.push_back({"#number-plus-matrix a matrix plus a number adds it to all nine entries: write "
+                   "mat3(a)",
                    everywhere});
   if (n == 3)
-    out.push_back({"the unit matrix too much: mat3 K; is not zero, write mat3 K(0)", with_unit});
+    out.push_back({"#mat3-taken-zero the unit matrix too much: mat3 K; is not zero, write mat3 "
+                   "K(0)", with_unit});
   for (const auto& wrong : {own_Js(part, pair), wrong_levers(rows, pair)})
     for (const auto& [words, numbers] : wrong) out.push_back({words, whole_K(numbers, pair)});
   return out;

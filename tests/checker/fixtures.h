@@ -10,6 +10,9 @@
 
 namespace joints::testing {
 
+inline const char* const told_one_anchor_both =
+    "#one-anchor-both one anchor for both bodies: each has its own";
+
 // Turns body 2 about a point of it, which stays where it is.
 inline void turn_about(Body& body, const vec3& point, const quat& turn) {
   body.x = point + turn * (body.x - point);
@@ -33,19 +36,22 @@ struct CentreDistanceFixture {
     const RodParts rod{one.x, two.x, vec3(0), vec3(0), part.length, part.error(one, two)};
     WrongRows out = wrong_directions(rod);
     const vec3 n = direction(rod.u());
-    const char* const turned = "n is turned with a body: positions are in the world already";
+    const char* const turned = "#direction-turned n is turned with a body: positions are in the "
+                               "world already";
     for (const Body& body : {one, two})
       for (const quat& q : {body.q, conjugate(body.q)}) out.push_back({turned, rod.along(q * n)});
-    out.push_back({"the blocks w1 and w2 should be zero: nothing turns",
+    out.push_back({"#arms-where-nothing-turns the blocks w1 and w2 should be zero: nothing turns",
                    to_jacobian(Row{-n, -n, n, n})});
     return out;
   }
   static WrongNumbers K_mistakes(const Part& part, const Pair& pair) {
     const real K = pair.body1.inverse_mass + pair.body2.inverse_mass;
-    return {{"times the length of the rod: n is a unit vector, so that K does not know it",
+    return {{"#times-length-rod-n times the length of the rod: n is a unit vector, so that K does "
+             "not know it",
              K * part.length},
-            {"times the error: K knows no error", K * part.error(pair.body1, pair.body2)},
-            {"K is 1 always: it comes from the masses", 1}};
+            {"#times-error-k-knows times the error: K knows no error",
+             K * part.error(pair.body1, pair.body2)},
+            {"#always-one K is 1 always: it comes from the masses", 1}};
   }
 };
 
@@ -75,11 +81,12 @@ struct DistanceFixture {
                                            std::pair(part.anchor2_local, part.anchor2_local)}) {
       const vec3 arm1 = to_world(one, anchor1), arm2 = to_world(two, anchor2);
       const RodParts same{one.x, two.x, arm1, arm2, part.length, 0};
-      out.push_back({"one anchor for both bodies: each has its own",
+      out.push_back({told_one_anchor_both,
                      same.along(direction(same.u()))});
     }
     const vec3 n = direction(rod.u());
-    out.push_back({"the cross product comes too early: the lever is turned into the world first",
+    out.push_back({"#cross-product-body-space the cross product comes too early: the lever is "
+                   "turned into the world first",
                    to_jacobian(Row{-n, -to_world(one, cross(part.anchor1_local, n)), n,
                                    to_world(two, cross(part.anchor2_local, n))})});
     return out;
@@ -87,7 +94,8 @@ struct DistanceFixture {
   static WrongNumbers K_mistakes(const Part& part, const Pair& pair) {
     const auto& [one, two] = pair;
     const vec3 r1 = to_world(one, part.anchor1_local), r2 = to_world(two, part.anchor2_local);
-    return {{"the levers themselves stand beside the inertia: it is r x n, as in J",
+    return {{"#levers-for-arms the levers themselves stand beside the inertia: it is r x n, as in "
+             "J",
              one.inverse_mass + two.inverse_mass + dot(r1, inverse_inertia(one) * r1) +
                  dot(r2, inverse_inertia(two) * r2)}};
   }
@@ -123,16 +131,18 @@ struct PointFixture {
     const auto rows = [](const mat3& block, const vec3& arm1, const vec3& arm2) {
       return jacobian_from_blocks(-block, skew(arm1), block, -skew(arm2));
     };
-    const char* const anchors = "one anchor for both bodies: each has its own";
+    const char* const anchors = told_one_anchor_both;
     return {
-        {"the sign of the blocks w1 and w2: a x b is -(b x a). Or columns for rows: skew(r)[i] is "
-         "a column", rows(E, -r1, -r2)},
+        {"#columns-taken-rows the sign of the blocks w1 and w2: a x b is -(b x a). Or columns for "
+         "rows: skew(r)[i] is a column", rows(E, -r1, -r2)},
         {anchors, rows(E, to_world(one, part.anchor2_local), r2)},
         {anchors, rows(E, r1, to_world(two, part.anchor1_local))},
-        {"E has ones on its diagonal alone: mat3(1)", rows(ones, r1, r2)},
-        {"the lever runs from the body's own centre to its own anchor, not from lever to lever",
+        {"#ones-everywhere E has ones on its diagonal alone: mat3(1)", rows(ones, r1, r2)},
+        {"#lever-lever the lever runs from the body's own centre to its own anchor, not from "
+         "lever to lever",
          rows(E, r2 - r1, r2 - r1)},
-        {"a lever has its length: it is no unit vector", rows(E, direction(r1), direction(r2))},
+        {"#lever-length-1 a lever has its length: it is no unit vector",
+         rows(E, direction(r1), direction(r2))},
         {"the lever of body 1 runs to its own anchor, not to that of body 2",
          rows(E, two.x + r2 - one.x, r2)},
     };

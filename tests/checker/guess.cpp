@@ -7,6 +7,8 @@
 
 namespace joints::testing {
 
+const char* const told_all_zero = "#all-zero every entry is zero";
+
 namespace {
 
 Numbers negative(Numbers numbers) {
@@ -201,7 +203,7 @@ void guess(Sample& s, double tolerance, const std::string& first) {
     return;
   }
   if (!all_finite(s.yours) && first.empty()) words = division_by_zero;
-  else if (zero(s.yours, tolerance)) words = "every entry is zero";
+  else if (zero(s.yours, tolerance)) words = told_all_zero;
   if (!words.empty()) s.mistakes.insert(s.mistakes.begin() + s.own, words);
   if (long(s.mistakes.size()) > s.own) return;
   const double factor = common_factor(s, tolerance);
@@ -214,12 +216,14 @@ void guess(Sample& s, double tolerance, const std::string& first) {
 void guess_rows(Sample& s, double tolerance) {
   const bool swapped = close(s.yours, bodies_swapped(s.right), tolerance);
   const bool told = std::any_of(s.mistakes.begin(), s.mistakes.end(), [](const auto& known) {
-    return known.starts_with("the sign of the whole row");  // in the fixture's own words
+    // in the fixture's own words
+    return without_ids(known).starts_with("the sign of the whole row");
   });
-  std::string words = swapped && !told ? "bodies 1 and 2 swapped" : "";
+  std::string words = swapped && !told ? "#bodies-swapped bodies 1 and 2 swapped" : "";
   if (close(s.yours, negative(s.right), tolerance) && !told)
-    words = swapped ? "the sign of the whole row, or bodies 1 and 2 swapped"
-                    : "the sign of the whole row: C grows when body 2 moves positively";
+    words = swapped ? "#sign-row the sign of the whole row, or bodies 1 and 2 swapped"
+                    : "#sign-all-rows the sign of the whole row: C grows when body 2 moves "
+                      "positively";
   guess(s, tolerance, words);
   if (!all_finite(s.yours) || any_unset(s.yours, s.right)) return;
   Numbers sizes = s.right;
@@ -227,7 +231,7 @@ void guess_rows(Sample& s, double tolerance) {
   if (close(s.yours, sizes, tolerance))
     s.mistakes.push_back("absolute values: the numbers of J have a sign");
   if (!swapped && other_order(s, tolerance))
-    s.mistakes.push_back("the order of the blocks: a row is {v1, w1, v2, w2}");
+    s.mistakes.push_back("#order-of-blocks the order of the blocks: a row is {v1, w1, v2, w2}");
   const std::string blocks = block_mistake(s, tolerance);
   if (!blocks.empty()) s.mistakes.push_back(blocks);
 }
@@ -263,7 +267,7 @@ void guess_J(Sample& s, double tolerance, const std::vector<std::string>& names)
     std::vector<std::string> wrong;
     for (const std::size_t i : rows.wrong) wrong.push_back(names[i]);
     for (const std::string& words : part.mistakes)
-      if (words != "every entry is zero")  // said of the row above
+      if (words != told_all_zero)  // said of the row above
         s.mistakes.push_back("in " + joined(wrong) + " alone: " + words);
     if (const std::string words = copied_blocks(rows); !words.empty())
       s.mistakes.push_back(words);
@@ -272,7 +276,7 @@ void guess_J(Sample& s, double tolerance, const std::vector<std::string>& names)
   for (std::size_t i = 0; i < s.right.size(); ++i)
     opposite = opposite && near(std::abs(s.yours[i]), std::abs(s.right[i]), tolerance);
   if (s.mistakes.empty() && opposite)
-    s.mistakes.push_back("the sign of single entries: those that are marked x");
+    s.mistakes.push_back("#one-sign the sign of single entries: those that are marked x");
   if (s.mistakes.empty() && common_factor(s, tolerance) != 0)
     s.mistakes.push_back(pushes(s.right) ? "a factor: is the direction a unit vector?"
                                          : "a factor: all of it is multiplied by one number");
@@ -297,14 +301,15 @@ void guess_K(Sample& s, double tolerance, const std::vector<std::string>& names)
     symmetric = symmetric && near(s.yours[i], s.yours[column * n + row], tolerance);
   }
   for (const auto& [numbers, words] :
-       {std::pair(diagonal, "the entries beside the diagonal are missing"),
+       {std::pair(diagonal, "#only-the-diagonal the entries beside the diagonal are missing"),
         std::pair(beside, "the diagonal is missing"),
         std::pair(upper, "the lower half is missing: K is symmetric"),
         std::pair(lower, "the upper half is missing: K is symmetric")})
     if (close(s.yours, numbers, tolerance)) s.mistakes.push_back(words);
   if (const std::string words = row_mistake(rows, "K", names); !words.empty())
     s.mistakes.push_back(words);
-  if (s.mistakes.empty() && !symmetric) s.mistakes.push_back("K is symmetric, and yours is not");
+  if (s.mistakes.empty() && !symmetric) s.mistakes.push_back("#order-product K is symmetric, and "
+                                                             "yours is not");
 }
 
 }  // namespace joints::testing

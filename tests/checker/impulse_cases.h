@@ -8,6 +8,9 @@
 
 namespace joints::testing {
 
+inline const char* const told_minus_body_1_j =
+    "#minus-body-1-j the sign of a body in J V: all four products are added";
+
 using PerRow = std::valarray<double>;  ///< a number for each row
 
 struct LackCase {
@@ -64,21 +67,23 @@ using LackMistakes = std::vector<Mistake<Call<PerRow(const Lack&)>>>;
 /// Where nothing is done though something should be.
 inline std::vector<Mistake<Call<bool(const Lack&)>>> lack_guards() {
   using L = const Lack&;
-  const char* const no_bias = "nothing is done where the bias is 0. C = 0 does not mean that there "
-                              "is nothing to solve: the velocity J V would change C";
-  const char* const no_rate = "nothing is done where J V is 0: the error has to go all the same";
-  const char* const heavy = "nothing is done where K is small: it is small where bodies are heavy; "
-                            "only 0 means that nothing can move";
+  const char* const no_bias = "#nothing-done-where-bias nothing is done where the bias is 0. C = "
+                              "0 does not mean that there is nothing to solve: the velocity J V "
+                              "would change C";
+  const char* const no_rate = "#only-where-something-moves nothing is done where J V is 0: the "
+                              "error has to go all the same";
+  const char* const heavy = "#small-k-taken-none nothing is done where K is small: it is small "
+                            "where bodies are heavy; only 0 means that nothing can move";
   return {
       {no_bias, [](L l) { return all_below(l.b, 1e-12); }},
       {no_bias, [](L l) { return all_below(l.b, 1e-8); }},
       {no_rate, [](L l) { return all_below(l.JV, 1e-12); }},
       {no_rate, [](L l) { return all_below(l.JV, 1e-8); }},
-      {"nothing is done where one body is static: the other one can move",
+      {"#nothing-done-where-one nothing is done where one body is static: the other one can move",
        [](L l) { return l.c.pair.body1.is_static() || l.c.pair.body2.is_static(); }},
       {heavy, [](L l) { return l.c.K[0] < 0.1; }},
       {heavy, [](L l) { return l.c.K[0] < 1e-15; }},
-      {"nothing is done where J V + b is small: there is no such threshold",
+      {"#small-rates-left-out nothing is done where J V + b is small: there is no such threshold",
        [](L l) { return all_below(l.JV + l.b, 1e-3); }},
   };
 }
@@ -89,47 +94,54 @@ inline LackMistakes lack_mistakes() {
   const auto reading = [](Call<void(Row&)> change) {
     return [change](L l) -> PerRow { return -l.over_K(l.rates(change) + l.b); };
   };
-  const char* const bias_alone = "only the bias is divided by K: put J V + b in brackets";
-  const char* const rate_alone = "only J V is divided by K: put J V + b in brackets";
+  const char* const bias_alone = "#brackets-forgotten-bias-over only the bias is divided by K: "
+                                 "put J V + b in brackets";
+  const char* const rate_alone = "#brackets-forgotten-rate-over only J V is divided by K: put J V "
+                                 "+ b in brackets";
   const char* const four_blocks =
-      "J V is written out as if J.v1 and J.v2 were known: row_velocity reads all four blocks";
-  const char* const either_sign = "a row may push and pull: lambda has either sign";
-  const char* const bias_as_it_is = "the bias b is used as it is: neither beta nor h belongs here";
+      "#j-v-rod J V is written out as if J.v1 and J.v2 were known: row_velocity reads all four "
+      "blocks";
+  const char* const either_sign = "#never-a-pull a row may push and pull: lambda has either sign";
+  const char* const bias_as_it_is = "#beta-once-more the bias b is used as it is: neither beta "
+                                    "nor h belongs here";
   return {
       {"0 is returned always", [](L l) { return l.none; }},
-      {"the sign: the impulse works against J V + b", [](L l) -> PerRow { return -l.lambda(); }},
-      {"times K where its inverse belongs",
+      {"#sign-impulse the sign: the impulse works against J V + b",
+       [](L l) -> PerRow { return -l.lambda(); }},
+      {"#times-k times K where its inverse belongs",
        [](L l) -> PerRow { return -l.times_K(l.JV + l.b); }},
-      {"K is missing: a velocity is no impulse", [](L l) -> PerRow { return -(l.JV + l.b); }},
-      {"the bias is missing: the error is not fed back",
+      {"#without-k K is missing: a velocity is no impulse",
+       [](L l) -> PerRow { return -(l.JV + l.b); }},
+      {"#without-bias the bias is missing: the error is not fed back",
        [](L l) -> PerRow { return -l.over_K(l.JV); }},
       {"J V is missing", [](L l) -> PerRow { return -l.over_K(l.b); }},
-      {"the sign of the bias", [](L l) -> PerRow { return -l.over_K(l.JV - l.b); }},
+      {"#sign-bias the sign of the bias", [](L l) -> PerRow { return -l.over_K(l.JV - l.b); }},
       {bias_alone, [](L l) -> PerRow { return l.over_K(l.b) - l.JV; }},
       {bias_alone, [](L l) -> PerRow { return -l.over_K(l.b) - l.JV; }},
       {rate_alone, [](L l) -> PerRow { return l.b - l.over_K(l.JV); }},
       {rate_alone, [](L l) -> PerRow { return -l.b - l.over_K(l.JV); }},
-      {"bodies 1 and 2 are exchanged in J V", reading([](Row& r) {
+      {"#bodies-exchanged-j-v bodies 1 and 2 are exchanged in J V", reading([](Row& r) {
          std::swap(r.v1, r.v2);
          std::swap(r.w1, r.w2);
        })},
-      {"the angular velocities are missing in J V: row_velocity reads all four blocks",
+      {"#angular-velocities-left-out the angular velocities are missing in J V: row_velocity "
+       "reads all four blocks",
        reading([](Row& r) { r.w1 = r.w2 = vec3(0); })},
-      {"body 1 is missing in J V", reading([](Row& r) { r.v1 = r.w1 = vec3(0); })},
+      {"#body-1-left-out body 1 is missing in J V", reading([](Row& r) { r.v1 = r.w1 = vec3(0); })},
       {"body 2 is missing in J V", reading([](Row& r) { r.v2 = r.w2 = vec3(0); })},
-      {"the sign of a body in J V: all four products are added",
+      {told_minus_body_1_j,
        reading([](Row& r) { r.v1 = -r.v1, r.w1 = -r.w1; })},
-      {"the sign of a body in J V: all four products are added",
+      {told_minus_body_1_j,
        reading([](Row& r) { r.v2 = -r.v2, r.w2 = -r.w2; })},
       {four_blocks, reading([](Row& r) { r.v1 = -r.v2; })},
       {four_blocks, reading([](Row& r) { r = {-r.v2, vec3(0), r.v2, vec3(0)}; })},
-      {"the fraction is cut off: an int holds whole numbers only",
+      {"#cut-int the fraction is cut off: an int holds whole numbers only",
        [](L l) -> PerRow { return l.lambda().apply([](double a) { return std::trunc(a); }); }},
       {"a factor of 0.5", [](L l) -> PerRow { return 0.5 * l.lambda(); }},
       {"a factor of 2", [](L l) -> PerRow { return 2.0 * l.lambda(); }},
       {either_sign, [](L l) -> PerRow { return (l.lambda() + std::abs(l.lambda())) / 2; }},
       {either_sign, [](L l) -> PerRow { return (l.lambda() - std::abs(l.lambda())) / 2; }},
-      {"the sign is lost: lambda is not a size",
+      {"#size-impulse the sign is lost: lambda is not a size",
        [](L l) -> PerRow { return std::abs(l.lambda()); }},
       {bias_as_it_is, [](L l) -> PerRow { return -l.over_K(l.JV + 0.2 * l.b); }},
       {bias_as_it_is, [](L l) -> PerRow { return -l.over_K(l.JV + 60.0 * l.b); }},

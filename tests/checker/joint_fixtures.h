@@ -7,6 +7,10 @@
 
 namespace joints::testing {
 
+inline const char* const told_ones_everywhere =
+    "#ones-everywhere E has ones on its diagonal alone: mat3(1)";
+inline const char* const told_b_x_c = "#b-x-c b x c: that is a2. The rows hold b x a1 and c x a1";
+
 // ---- chapter 3 ----------------------------------------------------------------------------------
 
 // Angular rows: w2 - w1.
@@ -36,22 +40,25 @@ struct AxisFixture {
     const vec3 b = to_world(pair.body2, part.b_local), c = to_world(pair.body2, part.c_local);
     const vec3 a2 = cross(b, c), p = cross(b, a1), q = cross(c, a1);
     const Jacobian<2> linear{{Row{-p, vec3(0), p, vec3(0)}, Row{-q, vec3(0), q, vec3(0)}}};
-    return {turning_rows("b_local and c_local are not turned into the world: take b and c above",
+    return {turning_rows("#body-space-b-c b_local and c_local are not turned into the world: take "
+                         "b and c above",
                          cross(part.b_local, a1), cross(part.c_local, a1)),
-            turning_rows("a1_local is not turned into the world: take a1 above",
+            turning_rows("#local-a1 a1_local is not turned into the world: take a1 above",
                          cross(b, a1_local), cross(c, a1_local)),
             turning_rows("nothing is turned into the world: take a1, b and c above",
                          cross(part.b_local, a1_local), cross(part.c_local, a1_local)),
-            turning_rows("a2 in the place of a1: b x a1, not b x a2", cross(b, a2), cross(c, a2)),
-            turning_rows("the sign of the whole row: b x a1, not a1 x b; or bodies 1 and 2 swapped",
+            turning_rows("#axis-body-2 a2 in the place of a1: b x a1, not b x a2",
+                         cross(b, a2), cross(c, a2)),
+            turning_rows("#sign-one-row the sign of the whole row: b x a1, not a1 x b; or bodies "
+                         "1 and 2 swapped",
                          -p, -q),
-            turning_rows("b x c: that is a2. The rows hold b x a1 and c x a1", a2, -a2),
-            turning_rows("b x c: that is a2. The rows hold b x a1 and c x a1", a2, a2),
+            turning_rows(told_b_x_c, a2, -a2),
+            turning_rows(told_b_x_c, a2, a2),
             turning_rows("b and c themselves: the rows hold their cross products with a1", b, c),
             turning_rows("a1 itself: the rows hold b x a1 and c x a1", a1, a1),
-            turning_rows("unit vectors: b x a1 becomes shorter as the axes part",
+            turning_rows("#normalized unit vectors: b x a1 becomes shorter as the axes part",
                          direction(p), direction(q)),
-            {"the cross products stand in v1 and v2: they belong to w1 and w2",
+            {"#v-w-exchanged the cross products stand in v1 and v2: they belong to w1 and w2",
              linear}};
   }
 };
@@ -121,21 +128,22 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_levers(
   for (real sign : {1, -1}) {
     add("the sign of u or of r1, " + is, n, sign * (r1 - u), r2);
     add("u belongs to the lever of body 1: " + rides, n, r1, r2 + sign * u);
-    add("u belongs to the lever of body 1 alone", n, r1 + u, r2 + sign * u);
+    add("#u-in-both u belongs to the lever of body 1 alone", n, r1 + u, r2 + sign * u);
   }
-  add("the levers r1 and r2 are exchanged", n, r2 + u, r1);
-  add("u belongs to the lever of body 1 once", n, r1 + real(2) * u, r2);
+  add("#levers-exchanged the levers r1 and r2 are exchanged", n, r2 + u, r1);
+  add("#doubled-u u belongs to the lever of body 1 once", n, r1 + real(2) * u, r2);
   add("u belongs to the lever of body 1, all of it: " + rides, n, r1 + u / real(2),
       r2 - u / real(2));
-  add("a lever has its length: it is no unit vector", n, direction(r1 + u), direction(r2));
-  add("the lever of body 2 is r2, not r1", n, r1 + u, r1);
-  add("the lever of body 1 is r1 + u, not r2 + u", n, r2 + u, r2);
+  add("#lever-length-1 a lever has its length: it is no unit vector",
+      n, direction(r1 + u), direction(r2));
+  add("#r1-plain-place-r2 the lever of body 2 is r2, not r1", n, r1 + u, r1);
+  add("#r2-for-r1 the lever of body 1 is r1 + u, not r2 + u", n, r2 + u, r2);
   std::array<vec3, N> gaps;
   gaps.fill(normalize(u));
   for (const vec3& arm1 : {r1 + u, r1})
     add("the unit vector along u in the place of " + name + ": the row runs along " + name, gaps,
         arm1, r2);
-  const std::string centres = "centres in place of anchors: u is p2 - p1";
+  const std::string centres = "#centres-place-anchors-u centres in place of anchors: u is p2 - p1";
   for (const vec3& arm1 : {r1 + d, d}) add(centres, n, arm1, r2);
   for (const vec3& arm1 : {p1, p2})
     for (const vec3& arm2 : {r2, p2}) add("a point where a lever belongs: " + is, n, arm1, arm2);
@@ -194,11 +202,12 @@ struct RotationLockFixture {
     return {{axes, turning(transpose(R1), transpose(R1))}, {axes, turning(R1, R1)},
             {axes, turning(transpose(R2), transpose(R2))}, {axes, turning(R2, R2)},
             {axes, turning(transpose(R1), transpose(R2))}, {axes, turning(R1, R2)},
-            {"E has ones on its diagonal alone: mat3(1)", turning(ones, ones)},
-            {"E has ones on its diagonal alone: mat3(1)", turning(mat3(1), ones)},
+            {told_ones_everywhere, turning(ones, ones)},
+            {told_ones_everywhere, turning(mat3(1), ones)},
             {"a lock turns and does not push: E belongs to w1 and w2, not to v1 and v2",
              jacobian_from_blocks(mat3(-1), mat3(0), mat3(1), mat3(0))},
-            {"w1 and w2 with the same sign: C grows with w2 - w1", turning(mat3(-1), mat3(1))}};
+            {"#sign-body-1 w1 and w2 with the same sign: C grows with w2 - w1",
+             turning(mat3(-1), mat3(1))}};
   }
 };
 

@@ -150,7 +150,8 @@ std::string common_pattern(const std::vector<std::string>& entries,
       words.push_back((which.empty() ? "it" : which) +
                       (names.size() == 1 || which == "all of it" ? " is" : " are") +
                       " zero in every case");
-    else if (factor == -1) words.push_back("the sign" + (which.empty() ? "" : " of " + which));
+    else if (factor == -1) words.push_back("#sign the "
+                                           "sign" + (which.empty() ? "" : " of " + which));
     else
       words.push_back("a factor of " + number(factor) + (which.empty() ? "" : " in " + which) +
                       ", in every case");

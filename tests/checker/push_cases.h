@@ -64,7 +64,7 @@ inline std::vector<Mistake<Sum>> sum_mistakes(std::size_t rows) {
                      return sum;
                    }});
   };
-  add("lambda is missing", [](P p, Block b, std::size_t i) { return (p.*b)(i); });
+  add("#without-lambda lambda is missing", [](P p, Block b, std::size_t i) { return (p.*b)(i); });
   if (rows == 1) return out;
   const auto only = [&](const char* words, bool first, bool middle, bool last) {
     add(words, [=](P p, Block b, std::size_t i) {
@@ -72,23 +72,26 @@ inline std::vector<Mistake<Sum>> sum_mistakes(std::size_t rows) {
       return here ? p.c.lambda[i] * (p.*b)(i) : vec3(0);
     });
   };
-  only("only the first row pushes: all three do, each with its lambda[i]", true, false, false);
+  only("#only-first-row only the first row pushes: all three do, each with its lambda[i]",
+       true, false, false);
   only("only the last row pushes: all three do, each with its lambda[i]", false, false, true);
-  only("the first row is left out: rows are J[0], J[1], J[2]", false, true, true);
-  only("the last row is left out: rows are J[0], J[1], J[2]", true, true, false);
+  only("#first-row-left-out the first row is left out: rows are J[0], J[1], J[2]",
+       false, true, true);
+  only("#last-row-left-out the last row is left out: rows are J[0], J[1], J[2]", true, true, false);
   const auto lambda = [](P p) { return vec3(p.c.lambda[0], p.c.lambda[1], p.c.lambda[2]); };
-  add("J where J^T belongs: row i pushes along J[i] with lambda[i]",
+  add("#j-without-transpose J where J^T belongs: row i pushes along J[i] with lambda[i]",
       [=](P p, Block b, std::size_t i) {
         vec3 across(0);
         across[int(i)] = dot((p.*b)(i), lambda(p));
         return across;
       });
-  add("lambda[0] in every row: row i has its own lambda[i]",
+  add("#lambda-0-every-row lambda[0] in every row: row i has its own lambda[i]",
       [=](P p, Block b, std::size_t i) { return lambda(p).x * (p.*b)(i); });
-  add("J[0] in every row: row i pushes along J[i]",
+  add("#j-0-every-row J[0] in every row: row i pushes along J[i]",
       [=](P p, Block b, std::size_t i) { return p.c.lambda[i] * (p.*b)(0); });
-  add("a vector times a vector is taken number by number: row i pushes along J[i] with the number "
-      "lambda[i]", [=](P p, Block b, std::size_t i) { return lambda(p) * (p.*b)(i); });
+  add("#lambda-times-j-number a vector times a vector is taken number by number: row i pushes "
+      "along J[i] with the number lambda[i]",
+      [=](P p, Block b, std::size_t i) { return lambda(p) * (p.*b)(i); });
   add("the length of lambda: row i has its own lambda[i]",
       [=](P p, Block b, std::size_t i) { return length(lambda(p)) * (p.*b)(i); });
   return out;
@@ -111,10 +114,10 @@ inline std::vector<Mistake<NewVelocity>> velocity_mistakes(std::size_t rows, boo
   const auto by = [=](auto factor) {
     return [=](P p) { return old(p) + factor(p) * right_sum(p, mine); };
   };
-  const char* const set = "the velocity is set where it must grow: += and not =";
+  const char* const set = "#velocities-set the velocity is set where it must grow: += and not =";
   std::vector<Mistake<NewVelocity>> out{
-      {"not changed at all", old},
-      {"the sign: velocities grow by +M^-1 J^T lambda", along(mine, -1)},
+      {"#not-changed not changed at all", old},
+      {"#one-sign-too-many the sign: velocities grow by +M^-1 J^T lambda", along(mine, -1)},
       {set, [=](P p) { return answer(p, right_sum(p, mine)); }},
       {set, [=](P p) { return answer(p, p.c.lambda.back() * (p.*mine)(p.rows - 1)); }},
   };
@@ -125,22 +128,26 @@ inline std::vector<Mistake<NewVelocity>> velocity_mistakes(std::size_t rows, boo
     const auto diagonal = [](const vec3& a) { return mat3(a.x, 0, 0, 0, a.y, 0, 0, 0, a.z); };
     more("the block w of the other body", along(&Pushed::w_other, 1));
     more("the block w of the other body with its sign turned", along(&Pushed::w_other, -1));
-    more("the block v of the row where w belongs", along(&Pushed::v, 1));
-    more("the inverse inertia is missing", by([](P) { return mat3(1); }));
-    more("body-space inertia: take inverse_inertia(body)",
+    more("#blocks-v-w the block v of the row where w belongs", along(&Pushed::v, 1));
+    more("#without-inertia the inverse inertia is missing", by([](P) { return mat3(1); }));
+    more("#body-space-inertia body-space inertia: take inverse_inertia(body)",
          by([=](P p) { return diagonal(p.self.inverse_inertia_local); }));
-    more("inertia where inverse inertia belongs", by([](P p) { return glm::inverse(p.I); }));
-    more("inverse mass where inverse inertia belongs",
+    more("#inertia-inverse inertia where inverse inertia belongs",
+         by([](P p) { return glm::inverse(p.I); }));
+    more("#mass-for-inertia inverse mass where inverse inertia belongs",
          by([](P p) { return mat3(p.self.inverse_mass); }));
-    more("the inertia of the other body", by([](P p) { return inverse_inertia(p.other); }));
+    more("#inertia-other-body the inertia of the other body",
+         by([](P p) { return inverse_inertia(p.other); }));
   } else {
     more("the block v of the other body", along(&Pushed::v_other, 1));
     more("the block v of the other body with its sign turned: a row need not be (-n, ..., n, ...)",
          along(&Pushed::v_other, -1));
     more("the block w of the row where v belongs", along(&Pushed::w, 1));
-    more("the inverse mass is missing", by([](P) { return real(1); }));
-    more("mass where inverse mass belongs", by([](P p) { return 1 / p.self.inverse_mass; }));
-    more("the inverse mass of the other body", by([](P p) { return p.other.inverse_mass; }));
+    more("#without-inverse-masses the inverse mass is missing", by([](P) { return real(1); }));
+    more("#masses-inverse-masses mass where inverse mass belongs",
+         by([](P p) { return 1 / p.self.inverse_mass; }));
+    more("#masses-exchanged the inverse mass of the other body",
+         by([](P p) { return p.other.inverse_mass; }));
     more("the inverse masses of both bodies: each body answers with its own",
          by([](P p) { return p.self.inverse_mass + p.other.inverse_mass; }));
   }
@@ -149,7 +156,8 @@ inline std::vector<Mistake<NewVelocity>> velocity_mistakes(std::size_t rows, boo
   for (const real sign : {real(-1), real(1)})
     if (rows == 3)
       more(turns ? "lambda is added without J.w1 and J.w2"
-                 : "lambda is added without J.v1 and J.v2: they are not -E and E in every joint",
+                 : "#lambda-added-v lambda is added without J.v1 and J.v2: they are not -E and E "
+                   "in every joint",
            [=](P p) {
              const vec3 lambda(p.c.lambda[0], p.c.lambda[1], p.c.lambda[2]);
              return old(p) + (p.second ? sign : -sign) * answer(p, lambda);
@@ -208,7 +216,8 @@ inline std::string velocity_by_velocity(const CaseTable<PushCase>& table) {
       if (!known && !no_number(numbers).empty()) return "";
   }
   if (!fits(4, nullptr) || !fits(5, nullptr))
-    found.push_back({"an impulse changes velocities and not positions", {"x"}});
+    found.push_back({"#positions-moved-too an impulse changes velocities and not positions",
+                     {"x"}});
   std::string out;
   for (const auto& [words, where] : found)
     out += (out.empty() ? "" : "; ") + words + " (" + joined(where) + ")";
@@ -224,7 +233,7 @@ inline CaseTable<PushCase>::Mistakes pair_mistakes() {
     return std::all_of(c.lambda.begin(), c.lambda.end(), [=](real a) { return a < limit; });
   };
   return {
-      {"the share of body 2 is given to body 1",
+      {"#both-shares-body-1 the share of body 2 is given to body 1",
        [](const PushCase& c) {
          const Pushed p{c, true};
          Pair pair = c.pair;
@@ -236,14 +245,15 @@ inline CaseTable<PushCase>::Mistakes pair_mistakes() {
            out[i] += right[i] - numbers_of(c.pair)[i];
          return out;
        }},
-      {"nothing is done where one body is static: the other one can move",
+      {"#nothing-done-where-one nothing is done where one body is static: the other one can move",
        unless([](const PushCase& c) {
          return c.pair.body1.is_static() || c.pair.body2.is_static();
        })},
-      {"a negative lambda is left out: it pulls", unless([=](const PushCase& c) {
+      {"#negative-impulses-left-out a negative lambda is left out: it pulls",
+       unless([=](const PushCase& c) {
          return below(c, 0);
        })},
-      {"a small lambda is left out: a light body needs only a small one",
+      {"#small-impulses-left-out a small lambda is left out: a light body needs only a small one",
        unless([=](const PushCase& c) { return below(c, real(1e-4)) && !below(c, 0); })},
   };
 }

@@ -93,6 +93,12 @@ std::string Table::words() const {
   return out + (hidden_ > 0 ? "  and " + std::to_string(hidden_ + 1) + " more\n" : "");
 }
 
+std::string without_ids(std::string words) {
+  for (std::size_t at = 0; (at = words.find('#', at)) != words.npos;)
+    words.erase(at, words.find(' ', at) + 1 - at);
+  return words;
+}
+
 std::string folded(std::string line) {
   const std::size_t colon = line.find(": ");
   const std::string margin(colon < 20 ? colon + 2 : 0, ' ');

@@ -9,10 +9,11 @@
 
 namespace joints::testing {
 
-inline const char* const division_by_zero = "a division by zero, or a value that was never set";
+inline const char* const division_by_zero = "#division-by-zero a division by zero, or a value "
+                                            "that was never set";
 
-inline const char* const never_set = "a value that was never set: a variable holds a huge number "
-                                     "until it is given one";
+inline const char* const never_set = "#never-set a value that was never set: a variable holds a "
+                                     "huge number until it is given one";
 
 bool near(double a, double b, double tolerance);
 bool all_finite(const Numbers& numbers);
@@ -25,10 +26,13 @@ std::string no_number(const Numbers& numbers);
 /// Are the wrong ones among yours right to five digits? In double alone: a float has no more.
 bool five_digits(const Numbers& yours, const Numbers& right, double tolerance);
 inline const char* const few_digits =
-    "right to a few digits only: is there a float among the reals, such as 0.5f or std::exp2f, or "
-    "a constant with few digits?";
+    "#few-digits right to a few digits only: is there a float among the reals, such as 0.5f or "
+    "std::exp2f, or a constant with few digits?";
 /// "v1, w1 and v2"
 std::string joined(const std::vector<std::string>& words);
+/// A diagnosis of a table begins with its id, "#sign-of-row the sign of the row". By it the known
+/// answers name what they must be told; a reader does not see it.
+std::string without_ids(std::string words);
 /// A long line is folded at a space and goes on below its first word after ": ".
 std::string folded(std::string line);
 std::string likely(const std::string& mistake);

@@ -4,6 +4,7 @@
 
 #include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
+#include "tests/checker/report.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -22,8 +23,8 @@ std::string told_of(bool of_K, Yours yours) {
                            : jacobian_sample(pose, as_numbers, pair, J));
   });
   const auto rows = row_names<Fixture>();
-  return of_K ? K_report(rows, samples, K_tolerance)
-              : jacobian_report(rows, samples, difference_tolerance);
+  return without_ids(of_K ? K_report(rows, samples, K_tolerance)
+                          : jacobian_report(rows, samples, difference_tolerance));
 }
 // The first likely mistake begins with these words, and explains all poses.
 void names(const std::string& report, const std::string& words) {

@@ -78,6 +78,35 @@ def every_exercise_has_wrong_answers(root, build):
                     for id_ in chapter.ids() if count[id_] < 2)
 
 
+def every_diagnosis_has_one_name(root, build):
+    """every diagnosis with an id is named by a known answer, its id and its wording are no other's"""
+    shared, texts = answers.diagnoses(root / "tests/checker")
+    yield from twice("checker", shared, texts)
+    never = {id_ for id_, _ in shared}
+    for chapter in house.chapters():
+        told, texts = answers.diagnoses(root / "tests" / chapter.folder)
+        yield from twice(chapter.folder, shared + told, texts)
+        known = answers.read_all(answers.files_of(chapter.folder, root), read(chapter.solution))
+        named = {id_: one for one in known for id_ in one.ids()}
+        yield from (f"tests/{chapter.folder}: no known answer names '{id_}'"
+                    for id_ in sorted({id_ for id_, _ in told} - set(named)))
+        yield from (f"{one.file.relative_to(root)}:{one.line}: nothing is called '{id_}'"
+                    for id_, one in named.items() if id_ not in dict(shared + told))
+        never -= set(named)
+    yield from (f"tests/checker: no known answer names '{id_}'" for id_ in sorted(never))
+
+
+def twice(folder, told, texts):
+    ids, wordings = {}, {}
+    for id_, words in told:
+        if ids.setdefault(id_, words) != words:
+            yield f"tests/{folder}: '{id_}' is the id of two diagnoses"
+        if wordings.setdefault(words, id_) != id_:
+            yield f"tests/{folder}: '{words}' has the ids '{id_}' and '{wordings[words]}'"
+    yield from (f"tests/{folder}/{name}: '{words}' stands there {count} times"
+                for (name, words), count in texts.items() if count > 1 and words in wordings)
+
+
 def differ(where, found, wanted):
     yield from (f"{where}: {id_} is missing" for id_ in wanted if id_ not in found)
     yield from (f"{where}: {id_} is no exercise" for id_ in found if id_ not in wanted)
@@ -87,7 +116,7 @@ def differ(where, found, wanted):
 
 PROOFS = [stubs_are_fresh, every_region_has_a_task, every_exercise_has_hints,
           every_exercise_stands_in_the_list, every_exercise_has_tests,
-          every_exercise_has_wrong_answers]
+          every_exercise_has_wrong_answers, every_diagnosis_has_one_name]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -1,12 +1,21 @@
-"""Known answers of the exercises: tests/NN_name/answers/N.M.cpp, a section each.
+"""Known answers of the exercises: tests/NN_name/answers/N.M.cpp.
 
-    // ---- wrong: sign of the row          or right: ..., or wrong units: ...
-    // expects: words of the report         what a wrong answer must be told; the first such line
-    // region: 2                            must stand in the report that a reader sees first
-    // tests: 1.5                           those of 1.5 judge it, once its own have found it right
-      the lines that take the place of the solution's, or, where these differ in little,
-    // change: these words of the solution ==>
-    //         those that stand there instead, on the same line or below
+    // wrong sign-of-gravity: v += ==> v -=      words of the solution ==> those in their place,
+    //         ;; settings.h ==> real(1) / 60    and once more, on the same line or below
+    // wrong forces-last:                        or lines that take the place of all of it
+      the lines
+    // right added in place: h * ==> h +=
+    // wrong units "h is missing": h * ==>       as one whose numbers carry units
+
+A wrong answer names what it must be told: a diagnosis by its id, "#sign-of-gravity the sign of
+gravity" in the tables of mistakes, `a + b` where it is told two; or "words of the report", where
+these are put together. It is looked for in the report that a reader sees first. Poses may follow:
+sign (turned, moved). Below a heading:
+
+    // tests: 1.5                                those of 1.5 judge it; its own find it right
+    // expects: words                            which some report of it has, too
+
+`// region 2` stands above the answers that belong to the second of the regions that share the id.
 
 All answers of a chapter become one source: in each region `if (chosen == k) {answer} else
 {solution}`. The choice comes from the environment, see tests/checker/chosen.h.
@@ -15,17 +24,18 @@ import hashlib
 import json
 import re
 import sys
+from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from base import exercises  # noqa: E402
 
-KINDS = ("wrong units", "wrong", "right")
-HEADING = re.compile(rf"// ---- ({'|'.join(KINDS)}): (\S.*)$")
-CHANGE = re.compile(r"// change: (\S.*)$")
-MORE = re.compile(r"// {7,}(\S.*)$")  # of a change that takes more than a line
-MARK = re.compile(r"\s*//\s*(-{2,}|={2,}|expects?\b|regions?\b|tests?\b|changes?\b)", re.I)
+HEADING = re.compile(r'// (wrong units|wrong|right) ("[^"]+"|[^":]+):(?: +(\S.*))?$')
+NAMED = re.compile(r"([a-z0-9-]+(?: \+ [a-z0-9-]+)*)(?: \((.+)\))?$")  # a diagnosis, by its ids
+MORE = re.compile(r"// {7,}(\S.*)$")  # of changes that take more than a line
+DIAGNOSIS = re.compile(r"#([a-z0-9-]+) +(\S.*)", re.S)  # a text of a table of mistakes
+TEXT = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 STUB = "stub"  # the choice that leaves every exercise unwritten
 
 
@@ -34,30 +44,36 @@ class Answer:
     """One known answer and what is promised of it."""
     id: str
     kind: str
-    title: str
+    told: str                                     # what the heading names
     file: Path
     line: int                                     # of its heading
     region: int = 1                               # which of the regions that share the id
+    again: int = 1                                # it is so many-th of those with this heading
     tests: str = ""                               # the exercise that finds it out, not its own
     promises: list = field(default_factory=list)  # (line, words)
     body: list = field(default_factory=list)
-    changes: list = field(default_factory=list)   # [line, "words of the solution ==> others"]
+    changes: str = ""                             # "words of the solution ==> others ;; ..."
     first: int = 0                                # the line of the file where the body begins
     faults: list = field(default_factory=list)    # (line, words): why it cannot be judged
 
     @property
     def name(self):
-        return f"{self.id} {self.kind}: {self.title}"
+        told = self.told.strip('"')
+        return f"{self.id} {self.kind}: {told}" + (f" {self.again}" if self.again > 1 else "")
+
+    def ids(self):
+        """Of the diagnoses that it must be told."""
+        named = self.kind == "wrong" and NAMED.match(self.told)
+        return named[1].split(" + ") if named else []
 
     def key(self):
         """Changes when the answer does."""
         words = "\n".join([self.id, str(self.region), *self.body])
         return hashlib.sha1(words.encode()).hexdigest()
 
-
     def placed(self):
-        """The body with its places in the file; all that is changed from the solution stands where
-        the first change does."""
+        """The body with its places in the file: all that is changed from the solution stands where
+        the heading does."""
         if not self.changes:
             return [f'#line {self.first} "{self.file}"', *self.body]
         return [part for line in self.body for part in (f'#line {self.first} "{self.file}"', line)]
@@ -70,41 +86,69 @@ class Answer:
 def read(path, regions):
     """The answers of one file, each with its faults. `regions`: the solution's lines in each of
     those that its exercise has."""
-    found, answer = [], None
+    if "\n// ---- " in path.read_text():
+        return read_headings(path, regions)
+    found, region = [], 1
     for number, line in enumerate(path.read_text().rstrip("\n").split("\n"), 1):
+        answer = found[-1] if found else None
         if match := HEADING.match(line):
-            answer = Answer(path.stem, match[1], match[2].strip(), path, number)
+            answer = Answer(path.stem, match[1], match[2], path, number, region)
+            answer.changes = match[3] or ""
             found.append(answer)
+        elif match := re.match(r"// region (\d+)$", line):
+            region = int(match[1])
         elif answer is None:
-            if line.strip() and not line.startswith("//") or MARK.match(line):
-                answer = Answer(path.stem, "wrong", "no heading", path, number)
+            if line.strip():
+                answer = Answer(path.stem, "wrong", "no-heading", path, number)
                 answer.faults.append((number, "this stands before the first heading, "
-                                      "'// ---- wrong: words' or right or wrong units"))
+                                      "'// wrong id:' or right or wrong units"))
                 found.append(answer)
         elif match := re.match(r"// expects: (\S.*)$", line):
             answer.promises.append((number, match[1].strip()))
-        elif match := re.match(r"// region: (\d+)$", line):
-            answer.region = int(match[1])
         elif match := re.match(r"// tests: (\d+\.\d+)$", line):
             answer.tests = match[1]
-        elif match := CHANGE.match(line):
-            answer.changes.append([number, match[1]])
-        elif answer.changes and (match := MORE.match(line)):
-            answer.changes[-1][1] += " " + match[1]
-        elif MARK.match(line):
-            answer.faults.append((number, f"'{line.strip()}' is neither a heading (// ---- wrong: "
-                                          "words) nor // expects: words nor // region: 2 nor "
-                                          "// tests: 1.5 nor // change: words ==> others"))
+        elif not answer.body and (match := MORE.match(line)):
+            answer.changes += " " + match[1]
+        elif line.startswith("//") or answer.changes and line.strip():
+            answer.faults.append((number, f"'{line.strip()}' is neither a heading, '// wrong id:' or "
+                                          "right or wrong units, nor one of the lines that may stand "
+                                          "below it; comments of an answer are indented"))
         else:
             answer.first = answer.first or number
             answer.body.append(line)
-    titles = {}
+    again = Counter()
     for one in found:
+        again[one.name] += 1
+        one.again = again[one.name]
         change(one, regions)
         faults_of(one, len(regions))
-        if one.name in titles:
-            one.faults.append((one.line, f"the same heading as line {titles[one.name]}"))
-        titles[one.name] = one.line
+    return found
+
+
+def read_headings(path, regions):
+    """The answers of a file whose headings are titles: // ---- wrong: words, // expects: words."""
+    found = []
+    for number, line in enumerate(path.read_text().rstrip("\n").split("\n"), 1):
+        if match := re.match(r"// ---- (wrong units|wrong|right): (\S.*)$", line):
+            found.append(Answer(path.stem, match[1], match[2].replace(":", ","), path, number))
+        elif not found:
+            continue
+        elif match := re.match(r"// expects: (\S.*)$", line):
+            if not found[-1].promises:
+                found[-1].told = '"' + match[1].strip().removeprefix("Likely mistake: ") + '"'
+            found[-1].promises.append((number, match[1].strip()))
+        elif match := re.match(r"// change: (\S.*)$", line):
+            found[-1].changes += (" ;; " if found[-1].changes else "") + match[1]
+        elif found[-1].changes and (match := MORE.match(line)):
+            found[-1].changes += " " + match[1]
+        else:
+            found[-1].first = found[-1].first or number
+            found[-1].body.append(line)
+    again = Counter()
+    for one in found:
+        again[one.name] += 1
+        one.again = again[one.name]
+        change(one, regions)
     return found
 
 
@@ -114,27 +158,25 @@ def change(answer, regions):
         answer.body.pop()
     if not answer.changes or not 1 <= answer.region <= len(regions):
         return
-    if any(not line.startswith("//") for line in answer.body):
-        answer.faults.append((answer.first, "lines of its own beside '// change:'"))
-    answer.first = answer.changes[0][0]
+    answer.first = answer.line
     text = "\n".join(regions[answer.region - 1])
-    for number, words in answer.changes:
-        old, arrow, new = (part.strip() for part in words.partition("==>"))
-        if not arrow or old not in text:
-            answer.faults.append((number, f"the solution has no '{old}'"))
-        text = text.replace(old, new, 1)
+    for words in answer.changes.split(" ;; "):
+        old, arrow, new = (part.strip() for part in f"{words} ".partition(" ==> "))
+        place = re.search(r"\s+".join(map(re.escape, old.split())), text) if old else None
+        if not arrow or not place:
+            answer.faults.append((answer.line, f"the solution has no '{old}'"))
+            continue
+        text = text[:place.start()] + new + text[place.end():]
     answer.body = text.split("\n")
 
 
 def faults_of(answer, regions):
     """Adds what is wrong with an answer on paper."""
-    wrong = answer.kind != "right"
     if not answer.body:
         answer.faults.append((answer.line, "the answer is empty"))
-    if wrong and not answer.promises:
-        answer.faults.append((answer.line, "a wrong answer needs a line '// expects: words of the "
-                                           "report'"))
-    if not wrong and answer.promises:
+    if answer.kind != "right" and answer.told[0] != '"' and not answer.ids():
+        answer.faults.append((answer.line, f"'{answer.told}' is neither an id nor words in quotes"))
+    if answer.kind == "right" and answer.promises:
         answer.faults.append((answer.promises[0][0], "a right answer expects no report"))
     if not 1 <= answer.region <= regions:
         answer.faults.append((answer.line, f"exercise {answer.id} has no region {answer.region}"))
@@ -150,6 +192,26 @@ def faults_of(answer, regions):
             break
     if depth:
         answer.faults.append((answer.first + k, "the braces { } of this answer do not match"))
+
+
+def diagnoses(folder):
+    """What can be told by its id in the sources of a folder: [(id, wording)]; and how often each
+    text stands in a source: {(source, text): times}."""
+    told, texts = [], Counter()
+    for path in sorted(path for path in Path(folder).glob("*.*") if path.suffix in (".h", ".cpp")):
+        code = re.sub(r"^\s*(#.*|//.*)$", "", path.read_text(), flags=re.M)
+        for match in re.finditer(rf"{TEXT.pattern}(?:\s*{TEXT.pattern})*", code):
+            text = "".join(TEXT.findall(match[0]))
+            if named := DIAGNOSIS.match(text):
+                told.append((named[1], named[2]))
+                text = named[2]
+            texts[path.name, text] += 1
+    return told, texts
+
+
+def without_ids(words):
+    """What a reader sees."""
+    return re.sub(r"#[a-z0-9-]+ ", "", words)
 
 
 def files_of(chapter_folder, root):

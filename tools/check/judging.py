@@ -1,4 +1,5 @@
 """Judges known answers: each runs in a process of its own and is read as a reader's would be."""
+import re
 from pathlib import Path
 
 from check import answers
@@ -50,15 +51,23 @@ def graded(answer, id_, program, chapter):
 
 
 def broken_promises(answer, reports):
-    """The promises that no report keeps. The first must stand in the first report, which is the
-    one that a reader sees."""
+    """The promises that no report keeps. What the heading names must be told in the first report,
+    which is the one that a reader sees; diagnoses no more and no fewer."""
     flat = [fold(report) for report in reports]
+    said = re.findall(r"#([a-z0-9-]+) ", flat[0])
+    if ids := answer.ids():
+        told = ids == list(dict.fromkeys(said))
+        poses = answers.NAMED.match(answer.told)[2]
+        told = told and (not poses or f"({fold(poses)})" in flat[0].partition("#")[2])
+    else:
+        words = fold(answer.told.strip('"'))
+        told = f"Likely mistake: {words}" in answers.without_ids(flat[0]) or \
+            "Likely mistake: " not in flat[0] and words in flat[0]
+    if answer.told and not told:
+        return [(answer.line, f"the first report does not tell {answer.told} but\n{reports[0]}")]
     for number, words in answer.promises:
-        first = number == answer.promises[0][0]
-        if not any(fold(words) in report for report in (flat[:1] if first else flat)):
-            where = "the first report does" if first else "the reports do"
-            return [(number, f"{where} not say '{words}' but\n"
-                     + (reports[0] if first else "\n\n".join(reports)))]
+        if not any(fold(words) in answers.without_ids(report) for report in flat):
+            return [(number, f"the reports do not say '{words}' but\n" + "\n\n".join(reports))]
     return []
 
 

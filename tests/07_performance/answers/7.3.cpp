@@ -1,13 +1,8 @@
-// Known answers of exercise 7.3, each put in the place of the solution's.
-
-// ---- wrong: one colour per body
-// expects: There are 10 colours for 4 joints.
+// wrong "There are 10 colours for 4 joints.":
   std::vector<int> colours(moves.size() + links.size() + 1);
   for (std::size_t k = 0; k < links.size(); ++k) colours[k] = int(k % 2);
   return colours;
-
-// ---- wrong: after the last one
-// expects: Likely mistake: a new colour after the last one that the bodies have
+// wrong after-last-one:
   std::vector<int> next(moves.size(), 0), colours;
   for (const BodyPair& link : links) {
     int colour = 0;
@@ -17,9 +12,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: as many bodies as joints
-// expects: an index outside a vector
+// wrong "an index outside a vector":
   std::vector<std::vector<bool>> taken(links.size(), std::vector<bool>(links.size()));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -31,9 +24,7 @@
     colours.push_back(int(colour));
   }
   return colours;
-
-// ---- wrong: as many colours as bodies
-// expects: Likely mistake: an index outside a vector: std::vector<bool> does not check it
+// wrong four-spare-colours:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(moves.size()));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -45,9 +36,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: body 1 not asked again
-// expects: Likely mistake: body 1 is not asked again after the colour has gone up for body 2
+// wrong body-1-not-asked:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -59,9 +48,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: body 2 not asked again
-// expects: Likely mistake: body 2 is not asked again after the colour has gone up for body 1
+// wrong body-2-not-asked:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -73,9 +60,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: body that is not there
-// expects: Likely mistake: `moves` is asked of a body that is not there
+// wrong body-that-not-there:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 2));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -87,9 +72,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: colour not set back
-// expects: Likely mistake: the colour of the last joint is where the next one begins
+// wrong colour-not-set-back:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 2));
   std::vector<int> colours;
   int colour = 0;
@@ -101,14 +84,8 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: colour of its own
-// expects: Likely mistake: every joint has a colour of its own
-// change: if (!moves[body]) continue; ==>
-// change: (colour) ==> (colours.size())
-
-// ---- wrong: eight colours at most
-// expects: Likely mistake: there is a greatest colour, 7
+// wrong colour-own: if (!moves[body]) continue; ==> ;; (colour) ==> (colours.size())
+// wrong "there is a greatest colour, 7":
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(8));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -120,27 +97,13 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: empty vectors asked
-// expects: the program crashed: it reached for memory that is not its own
+// wrong "the program crashed: it reached for memory that is not its own": const auto is_taken =
+//         [&](int body) { return moves[body] && colour < taken[body].size() && taken[body][colour];
+//         }; while (is_taken(link.body1) || is_taken(link.body2)) ==> while ((moves[link.body1] &&
+//         taken[link.body1][colour]) || (moves[link.body2] && taken[link.body2][colour])) ;; const
+//         int ==> int ;; if (!moves[body]) continue; ==>
 // expects: std::vector<bool> does not check its own
-  std::vector<std::vector<bool>> taken(moves.size());
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    std::size_t colour = 0;
-    while ((moves[link.body1] && taken[link.body1][colour]) ||
-           (moves[link.body2] && taken[link.body2][colour]))
-      ++colour;
-    for (int body : {link.body1, link.body2}) {
-      if (taken[body].size() <= colour) taken[body].resize(colour + 1);
-      taken[body][colour] = true;
-    }
-    colours.push_back(int(colour));
-  }
-  return colours;
-
-// ---- wrong: four spare colours
-// expects: Likely mistake: an index outside a vector: std::vector<bool> does not check it
+// wrong four-spare-colours:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(4));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -152,20 +115,10 @@
     colours.push_back(int(colour));
   }
   return colours;
-
-// ---- wrong: free at one of them
-// expects: Likely mistake: the colour must be free at both bodies: go on while
-// change: || is_taken ==> && is_taken
-// change: if (!moves[body]) continue; ==>
-
-// ---- wrong: from one
+// wrong free-one-them: || is_taken ==> && is_taken ;; if (!moves[body]) continue; ==>
+// wrong "the colours are counted from 0": 0; ==> 1; ;; if (!moves[body]) continue; ==>
 // expects: Scene: a chain of 4 on a wall
-// expects: Likely mistake: the colours are counted from 0
-// change: 0; ==> 1;
-// change: if (!moves[body]) continue; ==>
-
-// ---- wrong: greater of two colours
-// expects: Likely mistake: the greater one of two colours, each free at one of the bodies
+// wrong greater-two-colours:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -178,9 +131,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: if in the place of while
-// expects: Likely mistake: the colour goes up once at most
+// wrong if-place-while:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 2));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -192,9 +143,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: joints before gone through once
-// expects: Likely mistake: the joints before are gone through once
+// wrong joints-before-gone-through:
   std::vector<int> colours;
   for (std::size_t k = 0; k < links.size(); ++k) {
     int colour = 0;
@@ -207,10 +156,8 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: joints counted
+// wrong "the number of joints that a body has had so far is no colour":
 // expects: Holds in
-// expects: Likely mistake: the number of joints that a body has had so far is no colour
   std::vector<int> count(moves.size(), 0), colours;
   for (const BodyPair& link : links) {
     int colour = 0;
@@ -219,9 +166,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: joints with a static body left out
-// expects: Likely mistake: joints with a static body are left out: they have a colour, too
+// wrong joints-static-body-left:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -232,14 +177,8 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: kept for body 2 only
-// expects: Likely mistake: the colour is kept for body 2 of a joint only
-// change: body1, link.body2 ==> body2
-// change: if (!moves[body]) continue; ==>
-
-// ---- wrong: last joint first
-// expects: Likely mistake: from the last joint to the first
+// wrong kept-body-2-only: body1, link.body2 ==> body2 ;; if (!moves[body]) continue; ==>
+// wrong last-joint-first:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
   std::vector<int> colours(links.size());
   for (std::size_t k = links.size(); k-- > 0;) {
@@ -254,14 +193,8 @@
     colours[k] = colour;
   }
   return colours;
-
-// ---- wrong: moves turned round
-// expects: Likely mistake: the other way round: the bodies that move are those
-// change: return moves ==> return ! moves
-// change: if (!moves[body]) continue; ==>
-
-// ---- wrong: moves turned round where it is asked
-// expects: Is nothing remembered, or `moves` turned round where it is asked?
+// wrong moves-turned-round: return moves ==> return ! moves ;; if (!moves[body]) continue; ==>
+// wrong moves-turned-round-where:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -273,9 +206,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: nothing asked beside a static body
-// expects: Likely mistake: beside a static body nothing is asked
+// wrong nothing-asked-beside-static:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -287,9 +218,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: nothing taken beside a static body
-// expects: Likely mistake: a joint with a static body blocks no colour at all
+// wrong nothing-taken-beside-static:
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -301,9 +230,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: one more than the joint before
-// expects: Likely mistake: one more than the joint before
+// wrong one-more-than-joint:
   std::vector<int> colours;
   for (std::size_t k = 0; k < links.size(); ++k) {
     int colour = 0;
@@ -316,9 +243,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: one more than the last neighbour
-// expects: Likely mistake: one more than the last neighbour has
+// wrong one-more-than-last:
   std::vector<int> colours;
   for (std::size_t k = 0; k < links.size(); ++k) {
     int colour = 0;
@@ -331,14 +256,8 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: only body 1 asked
-// expects: Likely mistake: only body 1 of a joint is asked
-// change: || is_taken(link.body2) ==>
-// change: if (!moves[body]) continue; ==>
-
-// ---- wrong: only the joint before
-// expects: Likely mistake: only the joint before is looked at: all joints of both bodies count
+// wrong only-body-1-asked: || is_taken(link.body2) ==> ;; if (!moves[body]) continue; ==>
+// wrong only-joint-before:
   std::vector<int> colours;
   for (std::size_t k = 0; k < links.size(); ++k) {
     int colour = 0;
@@ -351,9 +270,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: only the last one kept
-// expects: Likely mistake: only the last colour of a body is kept
+// wrong only-last-one-kept:
   std::vector<int> last(moves.size(), -1), colours;
   for (const BodyPair& link : links) {
     int colour = 0;
@@ -364,9 +281,7 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: sixty four colours at most
-// expects: Likely mistake: there is a greatest colour, 63: a body may need any number of them
+// wrong "there is a greatest colour, 63: a body may need any number of them":
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(64));
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -377,10 +292,8 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: sized and pushed
+// wrong "the vector has its size already and is pushed to as well":
 // expects: There are 8 colours for 4 joints
-// expects: Likely mistake: the vector has its size already and is pushed to as well
   std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 2));
   std::vector<int> colours(links.size());
   for (const BodyPair& link : links) {
@@ -392,16 +305,11 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: static bodies count
+// wrong "a static body counts: it does not move": moves[body] && ==> ;; if (!moves[body]) continue;
+//         ==>
 // expects: joint 1 (bodies 2 and 0 (static))
-// expects: Likely mistake: a static body counts: it does not move
-// change: moves[body] && ==>
-// change: if (!moves[body]) continue; ==>
-
-// ---- wrong: thirty two bits
+// wrong "there is a greatest colour, 31: a body may need any number of them":
 // expects: Holds in 19 of 21 scenes
-// expects: Likely mistake: there is a greatest colour, 31: a body may need any number of them
   std::vector<unsigned> taken(moves.size(), 0);
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -413,15 +321,12 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- wrong: two in turn
-// expects: Likely mistake: two colours in turn: that fits a chain and nothing else
+// wrong two-in-turn:
   std::vector<int> colours;
   for (std::size_t k = 0; k < links.size(); ++k) colours.push_back(int(k % 2));
   return colours;
-
-// ---- right: colour after colour
-// Colour after colour: each takes, from the first joint on, all that fit beside one another.
+// right colour after colour:
+  // Colour after colour: each takes, from the first joint on, all that fit beside one another.
   std::vector<int> colours(links.size(), -1);
   std::size_t left = links.size();
   for (int colour = 0; left > 0; ++colour) {
@@ -437,8 +342,7 @@
     }
   }
   return colours;
-
-// ---- right: going up until neither has it
+// right going up until neither has it:
   std::vector<std::vector<int>> taken(moves.size());
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -458,9 +362,8 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- right: joints before it
-// Every joint asks all joints before it.
+// right joints before it:
+  // Every joint asks all joints before it.
   std::vector<int> colours;
   for (std::size_t k = 0; k < links.size(); ++k) {
     std::vector<bool> taken(k + 1, false);
@@ -473,9 +376,8 @@
     colours.push_back(colour);
   }
   return colours;
-
-// ---- right: one long table
-// A row a body in one table that is wide enough; a static body's row stays empty.
+// right one long table:
+  // A row a body in one table that is wide enough; a static body's row stays empty.
   const std::size_t width = links.size() + 1;
   std::vector<char> taken(moves.size() * width, 0);
   std::vector<int> colours;

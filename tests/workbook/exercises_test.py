@@ -79,7 +79,7 @@ def every_exercise_has_wrong_answers(root, build):
 
 
 def every_diagnosis_has_one_name(root, build):
-    """every diagnosis with an id is named by a known answer, its id and its wording are no other's"""
+    """every diagnosis with an id is named by a known answer; its id and its wording are its own"""
     shared, texts = answers.diagnoses(root / "tests/checker")
     yield from twice("checker", shared, texts)
     never = {id_ for id_, _ in shared}

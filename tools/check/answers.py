@@ -110,8 +110,8 @@ def read(path, regions):
         elif not answer.body and (match := MORE.match(line)):
             answer.changes += " " + match[1]
         elif line.startswith("//") or answer.changes and line.strip():
-            answer.faults.append((number, f"'{line.strip()}' is neither a heading, '// wrong id:' or "
-                                          "right or wrong units, nor one of the lines that may "
+            answer.faults.append((number, f"'{line.strip()}' is neither a heading, '// wrong id:' "
+                                          "or right or wrong units, nor one of the lines that may "
                                           "stand below it; comments of an answer are indented"))
         else:
             answer.first = answer.first or number

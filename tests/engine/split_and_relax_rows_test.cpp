@@ -243,6 +243,29 @@ TEST_CASE("relaxed, a softened joint sags as far as its spring and pulls with th
   }
 }
 
+TEST_CASE("a limit that is found late is as soft as one whose row is there from the beginning") {
+  // a hammer drives a slider that rests 1 cm before its limit
+  const auto place = [](bool late, real frequency) {
+    Track track({0, real(1.5)}, {1});
+    World& world = track.world;
+    const BodyId hammer = world.add(ball(1, real(0.1), vec3(2, 1, 0)));
+    auto& slider = world.add<SliderJoint>(world.bodies, track.ids[0], track.ids[1],
+                                          vec3(real(1.5), 0, 0), vec3(1, 0, 0));
+    if (late) slider.set_limits(real(-0.01), 1);
+    else track.join(0, 1, real(1.49), true);
+    world.add<Along>(track.ids[1], hammer, real(0.5));
+    world.bodies[hammer].v.x = -4;
+    SequentialImpulses solver = feeding_back(500);
+    step(world, solver, h, {.frequency = frequency});
+    return track.x(1);
+  };
+  for (const real frequency : {real(5), real(20)}) {
+    CHECK(place(true, frequency) == Approx(place(false, frequency)).epsilon(tolerance(1e-9, 1e-5)));
+    CHECK(place(true, frequency) < 1.489);  // it gives way
+  }
+  CHECK(place(true, 0) == Approx(1.49).epsilon(tolerance(1e-9, 1e-5)));
+}
+
 TEST_CASE("a spring of the joint's own swings on as a spring with both") {
   const auto swing = [](SequentialImpulses solver) {
     Track track({0, real(1.3), real(2.4)}, {2, 3});

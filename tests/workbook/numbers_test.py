@@ -38,7 +38,8 @@ def changed_digits_are_found(root, build):
             planted[kind] += 1
             line = text.count("\n", 0, place) + 1
             again, changes, _ = renewed(other, chapter, tables)
-            if line not in [at for at, _ in changes] or again != text:
+            right = renewed(text, chapter, tables)[0]
+            if line not in [at for at, _ in changes] or again != right:
                 yield f"{path.relative_to(root)}:{line}: a number of a {kind} may be anything"
     if min(planted["sentence"], planted["table"]) < 10:
         yield f"only so many mistakes could be planted: {dict(planted)}"

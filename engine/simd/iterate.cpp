@@ -3,7 +3,7 @@
 
 namespace joints {
 
-extern template void run_all<Lanes>(const LaneWork& work, Pass pass, real parameter);
+extern template void warm_all<Lanes>(const LaneWork& work, real ratio);  // warm_lanes.cpp
 
 #if defined(__x86_64__) && defined(JOINTS_AVX2)
 // The same code compiled for AVX2: engine/simd/iterate_avx2.cpp.

@@ -273,23 +273,33 @@ inline void each_group(const LaneWork& work, const F& f) {
 }
 
 template <class Number>
-void run_all(const LaneWork& work, Pass pass, real parameter) {
+void prepare_all(const LaneWork& work, real relaxation) {
+  each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int) {
+    prepare_record(record, body1, body2, relaxation);
+  });
+}
+template <class Number>
+void warm_all(const LaneWork& work, real ratio) {
+  each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int) {
+    warm_record(record, body1, body2, ratio);
+  });
+}
+template <class Number>
+void iterate_all(const LaneWork& work) {
   constexpr int width = int(sizeof(Number) / sizeof(real));
+  each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int k) {
+    if constexpr (requires { record.factor; })
+      move_bounds(record, work.numbers, work.followed + k * width);
+    solve_record(record, body1, body2);
+  });
+}
+
+template <class Number>
+inline void run_all(const LaneWork& work, Pass pass, real parameter) {
   switch (pass) {
-    case Pass::prepare:
-      return each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int) {
-        prepare_record(record, body1, body2, parameter);
-      });
-    case Pass::warm:
-      return each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int) {
-        warm_record(record, body1, body2, parameter);
-      });
-    case Pass::iterate:
-      return each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int k) {
-        if constexpr (requires { record.factor; })
-          move_bounds(record, work.numbers, work.followed + k * width);
-        solve_record(record, body1, body2);
-      });
+    case Pass::prepare: return prepare_all<Number>(work, parameter);
+    case Pass::warm: return warm_all<Number>(work, parameter);
+    case Pass::iterate: return iterate_all<Number>(work);
   }
 }
 

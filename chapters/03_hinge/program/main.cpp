@@ -135,11 +135,11 @@ Summary sideways(const Settings& settings, bool whole, int iterations, CsvFile& 
     before = cube;
   }
   double largest = 0;
-  const Summary line =
-      play(scene, words(whole) + ", " + std::to_string(iterations), 5, "", [&](double) {
-        for (int slot = 0; slot < 100; ++slot)
-          largest = std::max(largest, std::abs(double(scene.world.bodies.at(slot).x.x)));
-      });
+  const std::string setting = words(whole) + ", " + std::to_string(iterations);
+  const Summary line = play(scene, setting, settings.seconds, "", [&](double) {
+    for (int slot = 0; slot < 100; ++slot)
+      largest = std::max(largest, std::abs(double(scene.world.bodies.at(slot).x.x)));
+  });
   table.row({words(whole)}, {double(iterations), largest, line.gap_rms});
   return line;
 }
@@ -150,7 +150,7 @@ int main(int argc, char** argv) {
   return run_program([&] {
     Settings settings;
     if (!read(settings, "Chapter 3: doors, a motor by hand, a chain that curls up", "5",
-              "how long doors and chain run", argc, argv))
+              "how long doors and chains run", argc, argv))
       return;
 
     std::vector<Summary> lines;

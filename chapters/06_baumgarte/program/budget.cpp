@@ -20,7 +20,7 @@ struct Method {
 };
 
 // Cubes of 100 kg let go level, the last one heavier by a factor; measured as side by side.
-void measure(const std::string& path, int links, real end) {
+void measure(const std::string& path, int links, real end, double seconds) {
   CsvFile table(path, {"method", "substeps", "iterations", "gap_rms_m", "gap_max_m",
                        "energy_drift"});
   const Method methods[] = {{"beta 0.2", Second::none, real(0.2)},
@@ -50,7 +50,7 @@ void measure(const std::string& path, int links, real end) {
         if (method.second == Second::projection) stepping.projections = second;
         if (method.second == Second::split) solver.split_iterations = second;
         if (method.second == Second::relax) solver.relax_iterations = second;
-        Experiment experiment = experiment_of(chain.scene, steps_in(5, chain.scene.h));
+        Experiment experiment = experiment_of(chain.scene, steps_in(seconds, chain.scene.h));
         experiment.settling = last_two_thirds(experiment.steps);
         const Measures line = run(experiment);
         table.row({method.name + (warm ? " warm" : "")},
@@ -62,8 +62,8 @@ void measure(const std::string& path, int links, real end) {
 }  // namespace
 
 void budget(const Choice& choice) {
-  measure(choice.out + "/budget.csv", 20, 1);
-  measure(choice.out + "/budget_heavy.csv", 10, 100);
+  measure(choice.out + "/budget.csv", 20, 1, choice.seconds / 2);
+  measure(choice.out + "/budget_heavy.csv", 10, 100, choice.seconds / 2);
 }
 
 }  // namespace joints::chapter6

@@ -98,21 +98,21 @@ double predicted_sag(int n, int iterations, double beta) {
   return double(h) * double(h) / beta * sum;
 }
 
-// How far the last cube is out of place: the largest of the third and of the fifteenth second.
+// How far the last cube is out of place: the largest of the third and of the last second.
 struct Sag {
   double early = 0, late = 0;  // [m]
 };
 
-Sag sag(int links, int iterations, double beta, bool warm) {
+Sag sag(int links, int iterations, double beta, bool warm, int steps) {
   CubeChain chain("hanging", links, 1, vec3(0, -1, 0), real(beta));
   chain.scene.solver.iterations = iterations;
   chain.scene.stepping.warm_start = warm;
   Sag out;
-  for (int n = 1; n <= 900; ++n) {
+  for (int n = 1; n <= steps; ++n) {
     chain.step();
     const double size = std::abs(links + double(chain.scene.world.bodies[chain.ids.back()].x.y));
     if (n > 120 && n <= 180) out.early = std::max(out.early, size);
-    if (n > 840) out.late = std::max(out.late, size);
+    if (n > steps - 60) out.late = std::max(out.late, size);
   }
   return out;
 }
@@ -121,13 +121,14 @@ void warm(const Choice& choice) {
   CsvFile table(choice.out + "/warm.csv",
                 {"links", "iterations", "beta", "rho", "kept", "safe", "warm_sag_m", "cold_sag_m",
                  "predicted_cold_sag_m", "warm_early_m"});
+  const int steps = steps_in(1.5 * choice.seconds, h);
   for (const int links : {5, 10, 20}) {
     CubeChain chain("warm", links, 1, vec3(0, -1, 0), 0);
     const double rho = contraction_rate(chain.scene.world, 600);
     for (const double beta : {0.05, 0.15, 0.5})
       for (const int k : {1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 30, 50, 80}) {
         const double kept = std::pow(rho, k) * (1 + beta);
-        const Sag warm = sag(links, k, beta, true), cold = sag(links, k, beta, false);
+        const Sag warm = sag(links, k, beta, true, steps), cold = sag(links, k, beta, false, steps);
         table.row({double(links), double(k), beta, rho, kept,
                    warm_start_is_safe(real(rho), k, real(beta)) ? 1.0 : 0.0,
                    warm.late, cold.late, predicted_sag(links, k, beta), warm.early});

@@ -133,7 +133,7 @@ void hanging(const Choice& choice) {
     for (const int iterations : {4, 10}) {
       ChainLoop own = cubes(vec3(0, -1, 0), {.beta = choice.beta, .warm = warm,
                                              .iterations = iterations});
-      const int steps = int(std::lround(5 / double(h)));
+      const int steps = steps_in(choice.seconds / 2, h);
       for (int n = 0; n <= steps; ++n) {
         if (n > 0) own.step(h);
         table.row({warm ? "warm" : "cold"}, {double(iterations), n * double(h),
@@ -145,7 +145,7 @@ void hanging(const Choice& choice) {
 
 // ---- iterations until the impulses are small ---------------------------------------------------
 
-// Five seconds of a chain that hangs and of one that is let go level, with as many iterations in
+// A chain that hangs and one that is let go level, with as many iterations in
 // each step as it takes until an impulse is at most 1/1000 of the largest sum.
 void stop_early(const Choice& choice) {
   CsvFile table(choice.out + "/early.csv", {"scene", "start", "beta", "iterations_mean",
@@ -156,7 +156,7 @@ void stop_early(const Choice& choice) {
                             {.beta = beta, .warm = warm, .iterations = 1000,
                              .enough = real(0.001)});
       double sum = 0, most = 0, widest = 0, last = 0;
-      const int steps = steps_in(5, h);
+      const int steps = steps_in(choice.seconds / 2, h);
       for (int n = 0; n < steps; ++n) {
         own.step(h);
         sum += own.iterated();
@@ -178,7 +178,7 @@ int main(int argc, char** argv) {
     Options options("Chapter 6: errors fed back, started warm, and projected",
                     {{"iterations", "30", "iterations a step"},
                      {"beta", "0.15", "share of the error fed back in a step"},
-                     {"seconds", "10", "how long the pendulums swing"}});
+                     {"seconds", "10", "how long the pendulums swing, chains half as long"}});
     if (!options.read(argc, argv)) return;
     const Choice choice{options.count("iterations", 1), real(options.number("beta", 0)),
                         options.number("seconds", 0.1), options.text("out")};

@@ -42,10 +42,11 @@ void rods(const Choice& choice) {
       }
       double peak = 0, gap = 0;
       const bool seen = method.beta == real(0.2) && iterations == 100;
-      play(scene, "", 5, seen ? choice.out + "/bridge_of_rods.motion.json" : "", [&](double time) {
+      const std::string motion = seen ? choice.out + "/bridge_of_rods.motion.json" : "";
+      play(scene, "", choice.seconds / 2, motion, [&](double time) {
         for (int slot = 0; slot < scene.world.bodies.slots(); ++slot)
           peak = std::max(peak, double(length(scene.world.bodies.at(slot).v)));
-        if (time < 4) return;
+        if (time < 0.4 * choice.seconds) return;
         for (const auto& joint : scene.world.joints())
           gap = std::max(gap, std::abs(double(CentreDistance{real(2.3)}.error(
                                   scene.world.bodies[joint->body1],
@@ -83,7 +84,8 @@ void side_by_side(const Choice& choice, std::vector<Summary>& lines) {
       chain.scene.solver.iterations = iterations / method.substeps;
       chain.scene.stepping.projections = method.projections;
       if (&method == methods && iterations == 5) chain.scene.print_plan();
-      Experiment experiment = experiment_of(chain.scene, steps_in(5, chain.scene.h));
+      const int steps = steps_in(choice.seconds / 2, chain.scene.h);
+      Experiment experiment = experiment_of(chain.scene, steps);
       experiment.settling = last_two_thirds(experiment.steps);
       Summary line{run(experiment), chain.scene.name,
                    method.name + ", " + std::to_string(iterations)};

@@ -89,7 +89,7 @@ void one_pendulum(const Choice& choice) {
     own.settings = {.beta = &own == both ? real(0) : real(0.2), .projections = 1};
   }
   double gap = 0, apart = 0;
-  for (int n = 0; n < steps_in(10, h); ++n) {
+  for (int n = 0; n < steps_in(choice.seconds, h); ++n) {
     for (ChainLoop& own : both) {
       own.step(h);
       gap = std::max(gap, double(own.gap(0)));
@@ -105,7 +105,7 @@ void long_chain(const Choice& choice) {
     for (const double beta : {0.0, 0.2}) {
       CubeChain chain("long", 20, 100, vec3(1, 0, 0), real(beta));
       chain.scene.stepping.projections = projections;
-      table.row({double(projections), beta, play(chain.scene, "", 5).gap_max});
+      table.row({double(projections), beta, play(chain.scene, "", choice.seconds / 2).gap_max});
     }
 }
 
@@ -122,7 +122,7 @@ void false_speed(const Choice& choice) {
     chain.scene.stepping.warm_start = warm;
     chain.scene.stepping.projections = 300;
     double gap = 0;
-    for (int n = 0; n < steps_in(3, h); ++n) {
+    for (int n = 0; n < steps_in(0.3 * choice.seconds, h); ++n) {
       chain.step();
       for (std::size_t k = 0; k < chain.joints.size(); ++k) gap = std::max(gap, chain.gap(k));
     }
@@ -136,7 +136,7 @@ void false_speed(const Choice& choice) {
   }
 }
 
-// The same let go level: when the last one is lowest, and what energy is left after five seconds.
+// The same let go level: when the last one is lowest, and what energy is left at the end.
 // Of the places alone: a velocity is the difference of two poses over a step.
 void honey(const Choice& choice) {
   CsvFile table(choice.out + "/honey.csv", {"iterations", "gap_max_m", "lowest_s", "energy_lost"});
@@ -146,7 +146,7 @@ void honey(const Choice& choice) {
     chain.scene.stepping.projections = 100;
     const Bodies& bodies = chain.scene.world.bodies;
     double gap = 0, lowest = 0, time = 0, energy = 0;
-    for (int n = 1; n <= steps_in(5, h); ++n) {
+    for (int n = 1; n <= steps_in(choice.seconds / 2, h); ++n) {
       const Bodies before = bodies;
       chain.step();
       for (std::size_t k = 0; k < chain.joints.size(); ++k) gap = std::max(gap, chain.gap(k));
@@ -160,7 +160,7 @@ void honey(const Choice& choice) {
         energy += kinetic_energy(moved) + 100 * 9.81 * double(moved.x.y);
       }
       const double y = double(bodies[chain.ids.back()].x.y);
-      if (y < lowest && n < steps_in(2.5, h)) {
+      if (y < lowest && n < steps_in(choice.seconds / 4, h)) {
         lowest = y;
         time = n * double(h);
       }

@@ -10,19 +10,12 @@ import sys
 
 import matplotlib
 import numpy as np
-from drawing import ARROW, BODY1, BODY2, CARD, EDGE, FAINT, INK, arrow, body, draw, named, words
+from drawing import CARD, EDGE, FAINT, INK, arrow, body, draw, named, words
 from matplotlib.patches import Circle, Rectangle
+from order_07 import joint
 
-COLOURS = (BODY1, BODY2, ARROW, named("lever"), named("fifth"))  # of joints, each a number
 LANES = [matplotlib.colormaps["viridis"](k / 7) for k in range(8)]
 CELL = 17.0
-
-
-def joint(ax, place, colour):
-    """A joint: a disc in its colour, with the colour's number in it."""
-    ax.add_patch(Circle(place, 10, facecolor=COLOURS[colour], edgecolor=CARD, linewidth=1,
-                        zorder=5))
-    words(ax, (place[0], place[1] - 0.5), str(colour), CARD, 10, weight="bold")
 
 
 def colours(ax):

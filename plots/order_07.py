@@ -2,12 +2,19 @@
 
 geometry_07.py draws it, order.svg.
 """
-from drawing import CARD, FAINT, INK, draw, named, words
-from geometry_07 import joint
-from matplotlib.patches import Rectangle
+from drawing import ARROW, BODY1, BODY2, CARD, FAINT, INK, draw, named, words
+from matplotlib.patches import Circle, Rectangle
 
 JOINTS, CELL = 8, 34.0
 SHADE = named("block")
+COLOURS = (BODY1, BODY2, ARROW, named("lever"), named("fifth"))  # of joints, each a number
+
+
+def joint(ax, place, colour):
+    """A joint: a disc in its colour, with the colour's number in it."""
+    ax.add_patch(Circle(place, 10, facecolor=COLOURS[colour], edgecolor=CARD, linewidth=1,
+                        zorder=5))
+    words(ax, (place[0], place[1] - 0.5), str(colour), CARD, 10, weight="bold")
 
 
 def solved(errors, chosen):

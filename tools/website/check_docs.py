@@ -42,9 +42,10 @@ class Page(HTMLParser):
 
     def handle_starttag(self, tag, attributes):
         self.open_quiet += tag in QUIET
-        formula = (dict(attributes).get("class") or "").split(" ")[0] == "tex"
+        classes = (dict(attributes).get("class") or "").split()
+        formula = "tex" in classes
         self.formulas += formula
-        self.drawings += tag == "svg" and self.in_tex
+        self.drawings += "katex" in classes and self.in_tex
         self.in_tex = formula
 
     def handle_endtag(self, tag):
@@ -70,8 +71,6 @@ def dead_links(site, sources):
     dead = {}
     places = {page: set(re.findall(r'\b(?:id|name)="([^"]+)"', html))
               for page, html in sources.items()}
-    glyphs = site / "glyphs.js"
-    letters = set(re.findall(r'id=\\"(g\d+)', glyphs.read_text() if glyphs.exists() else ""))
     for page, html in sources.items():
         html = re.sub(r'<div class="summary">.*?</div>', "", html, flags=re.S)  # Doxygen's own bar
         for url in set(re.findall(r'\b(?:href|src|data-src)="([^"]+)"', html)):
@@ -81,8 +80,7 @@ def dead_links(site, sources):
                 place = ""  # the state of the page
             target = (site / file).resolve() if file else page
             if not re.match(r"\w+:", file) and (
-                    not target.exists() or (place and place not in letters
-                                            and place not in places.get(target, {place}))):
+                    not target.exists() or (place and place not in places.get(target, {place}))):
                 dead.setdefault(url, []).append(page.name)
     for url, pages in sorted(dead.items()):
         yield f"{pages[0]}{f' and {len(pages) - 1} more' if pages[1:] else ''}: no {url} there"
@@ -202,7 +200,7 @@ def main():
                if page.name != "live.html"}
     bad = [*dead_links(site, sources), *bad_chapters(sources), *bad_types(sources),
            *bad_gallery(site, sources), *too_large(site)]
-    if (site / "glyphs.js").exists():
+    if not (site / "tex.js").exists():
         bad += bad_formulas(sources)
     if browser.there():
         jobs = list(browser_jobs(site, sources))

@@ -62,8 +62,8 @@ def element(piece, drawings):
 
 
 def draw(texts, html):
-    """These pages, {page: text}, with drawn formulas; what they need goes into the folder `html`."""
     """These pages, {page: text}, with drawn formulas, and what they need in the folder `html`."""
+    node = shutil.which("node") or shutil.which("nodejs")
     drawings = drawn(sorted({one for text in texts.values() for one in read(text)}), node)
     shutil.copytree(KATEX / "fonts", html / "katex/fonts", dirs_exist_ok=True,
                     ignore=lambda _, names: [one for one in names if not one.endswith(".woff2")])

@@ -42,10 +42,9 @@ class Page(HTMLParser):
 
     def handle_starttag(self, tag, attributes):
         self.open_quiet += tag in QUIET
-        classes = (dict(attributes).get("class") or "").split()
-        formula = "tex" in classes
+        formula = (dict(attributes).get("class") or "").split(" ")[0] == "tex"
         self.formulas += formula
-        self.drawings += "katex" in classes and self.in_tex
+        self.drawings += tag == "svg" and self.in_tex
         self.in_tex = formula
 
     def handle_endtag(self, tag):
@@ -71,6 +70,8 @@ def dead_links(site, sources):
     dead = {}
     places = {page: set(re.findall(r'\b(?:id|name)="([^"]+)"', html))
               for page, html in sources.items()}
+    glyphs = site / "glyphs.js"
+    letters = set(re.findall(r'id=\\"(g\d+)', glyphs.read_text() if glyphs.exists() else ""))
     for page, html in sources.items():
         html = re.sub(r'<div class="summary">.*?</div>', "", html, flags=re.S)  # Doxygen's own bar
         for url in set(re.findall(r'\b(?:href|src|data-src)="([^"]+)"', html)):
@@ -80,7 +81,8 @@ def dead_links(site, sources):
                 place = ""  # the state of the page
             target = (site / file).resolve() if file else page
             if not re.match(r"\w+:", file) and (
-                    not target.exists() or (place and place not in places.get(target, {place}))):
+                    not target.exists() or (place and place not in letters
+                                            and place not in places.get(target, {place}))):
                 dead.setdefault(url, []).append(page.name)
     for url, pages in sorted(dead.items()):
         yield f"{pages[0]}{f' and {len(pages) - 1} more' if pages[1:] else ''}: no {url} there"
@@ -200,7 +202,7 @@ def main():
                if page.name != "live.html"}
     bad = [*dead_links(site, sources), *bad_chapters(sources), *bad_types(sources),
            *bad_gallery(site, sources), *too_large(site)]
-    if not (site / "tex.js").exists():
+    if (site / "glyphs.js").exists():
         bad += bad_formulas(sources)
     if browser.there():
         jobs = list(browser_jobs(site, sources))

@@ -106,6 +106,9 @@ def finish(html, recordings, tags):
     pages = {page: re.sub(r'(?<=[(\["]) (?=\\\()', "", text) for page, text in pages.items()}
     pages = raw = classes.with_formulas(pages)
     pages = formulas.draw(pages, html)
+    if not formulas.node():
+        for part in formulas.PARTS:
+            copy(formulas.MATHJAX / part, html / "mathjax" / part)
     if not (html / "live.html").exists():
         pages = {page: links.without_live(text) for page, text in pages.items()}
     targets = links.Targets(pages, tags)
@@ -180,12 +183,12 @@ def main(arguments):
         stop("usage: docs.py OUT_DIR [RECORDINGS]")
     missing = [package for package, there in (("doxygen", shutil.which("doxygen")),
                                               ("doxygen-awesome-css", THEME.exists()),
-                                              ("libjs-katex",
-                                               (formulas.KATEX / "katex.js").exists()))
+                                              ("libjs-mathjax",
+                                               (formulas.MATHJAX / "MathJax.js").exists()))
                if not there]
     if missing:
         stop("missing: " + " ".join(missing)
-             + "  (Debian packages: doxygen doxygen-awesome-css libjs-katex)")
+             + "  (Debian packages: doxygen doxygen-awesome-css libjs-mathjax)")
     try:
         recordings = Path(arguments[1]) if len(arguments) > 1 else ROOT / "out" / "solutions"
         print(f"site: {build(Path(arguments[0]).resolve(), recordings)}")

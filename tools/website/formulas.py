@@ -1,5 +1,6 @@
-"""Formulas of the site's pages, drawn by KaTeX (docs/tex.js) when the site is built: nothing moves
-when a page is opened. Where there is no node the pages take KaTeX along and draw them themselves.
+"""Formulas of the site's pages as drawings, made when the site is built: nothing moves when a page
+is opened. docs/tex.js draws them with the MathJax of the system, in node; where there is none, the
+pages take MathJax along and draw them when they are opened.
 """
 import json
 import re
@@ -9,24 +10,29 @@ from html import escape, unescape
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-KATEX = Path("/usr/share/javascript/katex")
+MATHJAX = Path("/usr/share/javascript/mathjax")
+# As much of MathJax 2 as turns TeX into SVG; the whole is ten times as large.
+PARTS = ["MathJax.js", "extensions", "jax/input/TeX", "jax/element", "jax/output/SVG/autoload",
+         "jax/output/SVG/fonts/TeX", "jax/output/SVG/config.js", "jax/output/SVG/jax.js"]
 PIECES = re.compile(
     r"(?P<code><code\b.*?</code>|<pre\b.*?</pre>|<script\b.*?</script>|<title>.*?</title>"
     r'|<div class="line">.*?</div>)'
     r'|<p class="formulaDsp">\s*\\\[(?P<display>.+?)\\\]\s*</p>|\\\((?P<inline>.+?)\\\)', re.S)
 TAG = re.compile(r"\s*\\tag\{([\w-]+)\}")
-MATHJAX = re.compile(r'<script type="text/x-mathjax-config">.*?</script>\s*'
-                     r'|<script type="text/javascript" async="async" src="mathjax/.*?</script>\s*',
-                     re.S)  # Doxygen leaves formulas alone only for its sake
-DRAWS = '<script src="katex/katex.min.js"></script><script src="tex.js"></script>\n'
+MATHJAX_LINE = re.compile(r'<script type="text/x-mathjax-config">.*?</script>\s*'
+                          r'|<script type="text/javascript" async="async" src="mathjax/'
+                          r'.*?</script>\s*',
+                          re.S)
+
+LONG = 36  # [ex]; a longer one in a line scrolls by itself where the window is narrow
 
 
 class FormulaError(Exception):
     """A formula that cannot be drawn, in words."""
 
 
-def plain(tex):
-    return TAG.sub("", unescape(tex)).strip()
+def node():
+    return shutil.which("node") or shutil.which("nodejs")
 
 
 def read(text):
@@ -36,44 +42,77 @@ def read(text):
             yield plain(tex), bool(piece["display"])
 
 
-def drawn(formulas, node):
-    """{formula: its HTML and MathML}; without node the TeX, for the page to draw."""
-    if not node:
-        return {formula: escape(formula[0]) for formula in formulas}
-    result = subprocess.run([node, ROOT / "docs/tex.js", KATEX / "katex.js"], text=True,
+def plain(tex):
+    return TAG.sub("", unescape(tex)).strip()
+
+
+def drawn(formulas):
+    """(drawings, glyphs): an <svg> for each, and the letters that they refer to by name."""
+    result = subprocess.run([node(), ROOT / "docs" / "tex.js", MATHJAX], text=True,
                             input=json.dumps(formulas), capture_output=True)
-    if result.returncode:
-        raise FormulaError(result.stderr.strip()[-600:])
-    return dict(zip(formulas, json.loads(result.stdout)))
+    if result.returncode or not result.stdout:
+        raise FormulaError(result.stderr.strip()[-600:] or "docs/tex.js said nothing")
+    answer = json.loads(result.stdout)
+    wrong = [drawing["error"] for drawing in answer["drawings"] if isinstance(drawing, dict)]
+    if wrong:
+        raise FormulaError("; ".join(wrong[:5]))
+    return dict(zip(formulas, map(tidy, answer["drawings"]))), answer["glyphs"]
+
+
+def tidy(svg):
+    """A drawing in fewer letters."""
+    svg = re.sub(r'; max-width: \w+|xmlns:xlink="[^"]*" |role="img" |focusable="false" '
+                 r'| x="0"(?=[ >])| y="0"(?=[ >])', "", svg)
+    return re.sub(r"<(use|path|rect)([^>]*)></\1>", r"<\1\2/>", svg)
 
 
 def element(piece, drawings):
-    """The formula on the page; one with a number is a place to link to."""
+    """The formula on the page: its drawing, its TeX for those who listen, its number."""
     if piece["code"]:
         return piece[0]
     tex, display = plain(piece["display"] or piece["inline"]), bool(piece["display"])
-    drawing = drawings[tex, display]
+    words = f'role="img" aria-label="{escape(tex)}"'
     if not display:
-        return f'<span class="tex">{drawing}</span>'
+        drawing = drawings[tex, False]
+        wide = float(re.search(r'width="([\d.]+)ex"', drawing)[1]) > LONG
+        return f'<span class="tex{" long" if wide else ""}" {words}>{drawing}</span>'
     number = TAG.search(unescape(piece["display"]))
     place = f' id="eq-{number[1]}"' if number else ""
     label = f'<span class="number">({number[1]})</span>' if number else ""
-    return f'<div class="display"{place}><div class="tex">{drawing}</div>{label}</div>'
+    return (f'<div class="display"{place}><div class="tex" {words}>{drawings[tex, True]}</div>'
+            f"{label}</div>")
 
 
 def draw(texts, html):
-    """These pages, {page: text}, with drawn formulas, and what they need in the folder `html`."""
-    node = shutil.which("node") or shutil.which("nodejs")
-    drawings = drawn(sorted({one for text in texts.values() for one in read(text)}), node)
-    shutil.copytree(KATEX / "fonts", html / "katex/fonts", dirs_exist_ok=True,
-                    ignore=lambda _, names: [one for one in names if not one.endswith(".woff2")])
-    shutil.copyfile(KATEX / "katex.min.css", html / "katex/katex.min.css")
-    if not node:
-        shutil.copyfile(KATEX / "katex.js", html / "katex/katex.min.js")
-        shutil.copyfile(ROOT / "docs/tex.js", html / "tex.js")
-    return {page: finish(text, drawings, "" if node else DRAWS) for page, text in texts.items()}
+    """Draws the formulas of these pages, {page: text}, in the folder `html`; without node MathJax
+    will, when they are read."""
+    if not node():
+        return {page: numbered(text) for page, text in texts.items()}
+    formulas = sorted({one for text in texts.values() for one in read(text)})
+    drawings, glyphs = drawn(formulas)
+    short = {name: f"g{k}" for k, name in enumerate(glyphs)}
+    glyphs = {name: path.replace(f'"{name}"', f'"{short[name]}"') for name, path in glyphs.items()}
+    drawings = {formula: re.sub(r'href="#(MJ[\w-]+)"', lambda at: f'href="#{short[at[1]]}"', svg)
+                for formula, svg in drawings.items()}
+    write_glyphs(html / "glyphs.js", glyphs)
+    return {page: finish(text, drawings) for page, text in texts.items()}
 
 
-def finish(text, drawings, script):
-    made = PIECES.sub(lambda piece: element(piece, drawings), MATHJAX.sub("", text))
-    return made.replace("</body>", script + "</body>", 1)
+def finish(text, drawings):
+    made = PIECES.sub(lambda piece: element(piece, drawings), MATHJAX_LINE.sub("", text))
+    return made.replace("<body>", '<body><script src="glyphs.js"></script>', 1)
+
+
+def write_glyphs(file, glyphs):
+    """The letters of all pages' formulas, in one script: a page takes it before it is painted."""
+    store = f'<svg class="glyphs" aria-hidden="true"><defs>{"".join(glyphs.values())}</defs></svg>'
+    file.write_text(f"document.body.insertAdjacentHTML('afterbegin', {json.dumps(store)});\n",
+                    encoding="utf-8")
+
+
+def numbered(text):
+    """Where MathJax draws: a place to link to before each equation that has a number."""
+    def place(piece):
+        number = TAG.search(piece["display"] or "")
+        return (f'<a class="anchor" id="eq-{number[1]}"></a>' if number else "") + piece[0]
+    return PIECES.sub(place, text)

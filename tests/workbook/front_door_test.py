@@ -213,8 +213,9 @@ def a_debugger_gets_one_exercise(root, build):
         for words in (f"chapters/{CHAPTER}/distance.cpp:{begin}", "1.2"):
             yield from typed(door, f"test {words} --debug", 0, f"distance.cpp:{place}",
                              f"{program} '[1.2]'", wide=True)
-        listed = subprocess.run([program, "--input-file", "build/debug/exercise.txt", "-l"],
-                                cwd=door.root, capture_output=True, text=True).stdout
+        only = ["--input-file", "build/debug/exercise.txt", "--list-tests"]
+        listed = subprocess.run([program, *only], cwd=door.root, capture_output=True,
+                                text=True).stdout
         cases = read(root / "tests" / CHAPTER / "test.cpp")
         known = re.findall(r'^TEST_CASE\("(1\.2 .*)", "', cases, re.M)
         if not known or re.findall(r"^  (\d\.\d .*)$", listed, re.M) != known:

@@ -46,7 +46,7 @@ def shown(value, form):
     exponent = math.floor(math.log10(rounded)) if rounded else 0
     if exponent < -3 and not match["point"]:
         mantissa, _, power = f"{size:.0e}".partition("e")
-        words = f"${mantissa} \cdot 10^{{{int(power)}}}$"
+        words = f"${mantissa} \\cdot 10^{{{int(power)}}}$"
     else:
         decimals = digits if match["point"] else max(0, digits - 1 - exponent)
         words = f"{size:,.{decimals}f}" if rounded else "0"
@@ -85,7 +85,7 @@ def rows_of(match, value):
 
 
 def cell_of(words, known, of, value):
-    """What stands in a cell. \param known what $1, $a and so on stand for"""
+    """What stands in a cell. \\param known what $1, $a and so on stand for"""
     def put(text):
         return re.sub(r"\$([1-4a-d])", lambda key: known.get(key[1], key[0]), text)
 

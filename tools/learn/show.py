@@ -169,6 +169,7 @@ def both_runs(chapter):
     """
     written = prepare_mine(chapter)
     house.must_build([f"{chapter.folder}_run"])
+    house.progress(f"running chapter {chapter.number}")
     solution, mine = SOLUTIONS / chapter.folder, MINE / chapter.folder
     if stale(solution, house.BUILD / f"{chapter.folder}_run"):
         run_solution(chapter)
@@ -182,7 +183,9 @@ def both_runs(chapter):
     if options:
         solution = house.OUT / "solutions_alike" / chapter.folder
         call_program(f"{chapter.folder}_run", solution, options, True)
+        house.progress_done()
         print(f"with {' '.join(options)}, as ./wb run {chapter.number} was called last")
+    house.progress_done()
     return solution, mine
 
 
@@ -190,8 +193,9 @@ def both_runs(chapter):
 
 def plot(chapter):
     """The figures of one chapter, or all of them."""
-    jobs = [figures.of_chapter(one, *both_runs(one))
-            for one in ([chapter] if chapter else house.chapters())]
+    with house.talking():
+        jobs = [figures.of_chapter(one, *both_runs(one))
+                for one in ([chapter] if chapter else house.chapters())]
     if not chapter and figures.TABLE.exists():
         jobs.append(("work_precision.py", "--csv", figures.TABLE, "--peers", figures.PEERS))
     if not chapter and figures.SCALING.exists():

@@ -361,7 +361,7 @@ bool DirectSolver::project(Bodies& bodies, real h, const Append& append) {
     double now = 0;
     for (const double c : C) now = std::max(now, std::abs(c));
     closed = now <= negligible * double(h) * double(h);
-    if (closed) break;
+    if (closed || std::isinf(now)) break;
     if (now < last) {
       last = now, share = 1;
       keep();

@@ -256,7 +256,7 @@ Drawn unequal_bars(Draw draw) {
     const vec3 high = low + real(size) * vec3(real(std::sin(lean)), real(std::cos(lean)), 0);
     if (k > 0) {
       coupler = chapter9::rod(scene, before, high);
-      join_by_hinge(scene, BodyId{std::uint32_t(2 * k - 1), 1}, coupler, before, across);
+      join_by_hinge(scene, scene.world.bodies.id(2 * k - 1), coupler, before, across);
     }
     const BodyId upright = chapter9::rod(scene, low, high);
     join_by_hinge(scene, ground, upright, low, across);

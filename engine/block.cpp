@@ -10,11 +10,11 @@ RowTarget without_feedback(RowTarget target) {
   return target;
 }
 
-Feedback feedback(const RowTarget& target, real h) {
+Feedback feedback(const RowTarget& target, real h, real acting) {
   if (target.frequency == 0) return {target.beta / h, 0};
   const real omega = 2 * std::numbers::pi_v<real> * target.frequency;
   const real a1 = 2 * target.damping + h * omega;
-  return {omega / a1, 1 / (h * omega * a1)};
+  return {omega / a1, 1 / (acting * omega * a1)};
 }
 
 real bias(const Block& block, int i, real C, real rate, real h) {

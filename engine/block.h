@@ -40,8 +40,9 @@ struct Feedback {
   real softness;  ///< K lambda is added to J V + bias with this factor [1]; 0 for hard rows
 };
 /// From beta, or from frequency and damping: a spring and damper, implicit in time. \param h [s]
+/// \param acting for how long the impulses of the step act, Blocks::acts() [s]
 /// Source: Catto, "Soft Constraints", GDC 2011.
-Feedback feedback(const RowTarget& target, real h);
+Feedback feedback(const RowTarget& target, real h, real acting);
 
 /// The header of a block. Its rows and errors are in the flat arrays of Blocks, from `first` on.
 /// Target rate and bounds belong to the last row; the other rows are equalities.
@@ -70,10 +71,14 @@ class Blocks {
   std::vector<Row> J;       ///< the rows of all blocks
   std::vector<real> C;      ///< their errors, one per row [m, rad, or 1 for a small sine]
   bool errors_only = false;  ///< append no rows of J: to ask how far off other poses are
-  real acted = 0;            ///< for how long the impulses of the last step acted [s]
-  real acting = 0;           ///< and those of this step [s]
+  /// For how long the impulses of the last step acted [s], and those of this one: h, but with
+  /// leapfrog the time between the middles of the last step and this one. Forces become impulses
+  /// and impulses forces by this time. 0 before the first step.
+  real acted = 0, acting = 0;
   mutable std::vector<real> inertia;  ///< the solver's: least moment of each body [kg m^2]
 
+  /// `acting`; in a step by hand, which did not set it, the step's length. \param h [s]
+  real acts(real h) const { return acting > 0 ? acting : h; }
   void clear() { truncate(0); }  ///< removes all blocks, keeps the memory
   void truncate(int count);      ///< removes all blocks but the first `count`
 

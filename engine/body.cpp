@@ -2,6 +2,7 @@
 #include "engine/body.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <stdexcept>
 #include <type_traits>
@@ -103,9 +104,13 @@ Body body_with(real mass, const vec3& inertia_local, const vec3& x, const quat& 
   return body;
 }
 
-Body box(real mass, const vec3& size, const vec3& x, const quat& q) {
+void check_size(const vec3& size) {
   require(finite(size) && size.x > 0 && size.y > 0 && size.z > 0,
           "size: the edges of a box must be positive and finite [m]");
+}
+
+Body box(real mass, const vec3& size, const vec3& x, const quat& q) {
+  check_size(size);
   const vec3 s = size * size;
   return body_with(mass, mass / 12 * vec3(s.y + s.z, s.z + s.x, s.x + s.y), x, q);
 }
@@ -176,6 +181,12 @@ void integrate_pose(Body& body, real h) {
 
 // ---- the array ----------------------------------------------------------------------------------
 
+// Odd, and as far from those of all other arrays as golden sections make them.
+std::uint32_t Bodies::new_generation() {
+  static std::atomic<std::uint32_t> arrays{0};
+  return ++arrays * 0x9E3779B9u | 1u;
+}
+
 BodyId Bodies::add(const Body& given) {
   Body body = given;
   const real square = dot(body.q, body.q);
@@ -187,9 +198,9 @@ BodyId Bodies::add(const Body& given) {
           "no moment may be larger than the sum of the other two");
   if (free_.empty()) {
     bodies_.push_back(body);
-    generation_.push_back(1);
+    generation_.push_back(first_generation_);
     free_.reserve(bodies_.capacity());
-    return {std::uint32_t(slots() - 1), 1};
+    return {std::uint32_t(slots() - 1), first_generation_};
   }
   const std::uint32_t slot = free_.back();
   free_.pop_back();

@@ -55,6 +55,8 @@ inline mat3 inverse_inertia(const Body& body) {
 /// A body that never moves. \param x its centre [m] \param q its orientation (normalised here)
 /// \throws std::invalid_argument unless x and q are finite and q is not zero
 Body static_body(const vec3& x, const quat& q = quat(1, 0, 0, 0));
+/// \throws std::invalid_argument unless the edges of a box are positive and finite [m]
+void check_size(const vec3& size);
 /// A solid box of uniform density. \param mass [kg] \param size its three edges [m]
 /// \throws std::invalid_argument unless mass and edges are positive and finite, x and q finite
 Body box(real mass, const vec3& size, const vec3& x, const quat& q = quat(1, 0, 0, 0));
@@ -90,7 +92,7 @@ void integrate_pose(Body& body, real h);
 vec3 gyroscopic_midpoint(const vec3& moments, const vec3& w, real h);
 
 /// Names a body for as long as it lives: a slot of the array and a generation, which changes
-/// whenever the slot is given away or becomes free.
+/// whenever the slot is given away or becomes free, and which begins elsewhere in every array.
 struct BodyId {
   std::uint32_t slot = 0;        ///< index into the array
   std::uint32_t generation = 0;  ///< odd for a body; 0 names no body
@@ -98,9 +100,11 @@ struct BodyId {
 };
 
 /// All bodies of a world in one contiguous array. The next body that is added takes a removed slot;
-/// ids of the removed body are stale and refused from then on.
+/// ids of the removed body are stale and refused from then on. Those of another array are refused,
+/// too, unless one is a copy of the other.
 class Bodies {
  public:
+  Bodies() : first_generation_(new_generation()) {}
   /// Adds a body; a q whose length is 1 within 5e-4 is normalised. \throws std::invalid_argument as
   /// check(const Body&), or if a moment of inertia is larger than the sum of the other two
   BodyId add(const Body& body);
@@ -112,7 +116,7 @@ class Bodies {
   }
   /// The slot. \throws std::invalid_argument for a stale id
   int index(BodyId id) const {
-    require(alive(id), "body: this id names no body of this world (removed, or never added)");
+    require(alive(id), "body: this id names no body of this world (removed, or of another one)");
     return int(id.slot);
   }
 
@@ -122,6 +126,8 @@ class Bodies {
   const Body& operator[](BodyId id) const { return bodies_[index(id)]; }
 
   int slots() const { return int(bodies_.size()); }  ///< length of the array, empty slots included
+  /// The id of the body in a slot; of an empty slot one that is refused.
+  BodyId id(int slot) const { return {std::uint32_t(slot), generation_[std::size_t(slot)]}; }
   bool used(int slot) const { return generation_[slot] % 2 == 1; }  ///< true if a body lives there
   Body& at(int slot) { return bodies_[slot]; }       ///< by slot; an empty slot is a static body
   const Body& at(int slot) const { return bodies_[slot]; }  ///< the same, read-only
@@ -129,6 +135,8 @@ class Bodies {
   int size() const { return slots() - int(free_.size()); }  ///< how many bodies live
 
  private:
+  static std::uint32_t new_generation();
+  std::uint32_t first_generation_;
   std::vector<Body> bodies_;
   std::vector<std::uint32_t> generation_;  // odd while a body lives in the slot
   std::vector<std::uint32_t> free_;

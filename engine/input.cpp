@@ -57,7 +57,7 @@ void check_input(const World& world, const Solver& solver, real h, const Steppin
           "must be finite and not negative [1]");
   check_input(world, h);
   const auto [rate, softness] =
-      feedback({.beta = 1, .frequency = how.frequency, .damping = how.damping}, h);
+      feedback({.beta = 1, .frequency = how.frequency, .damping = how.damping}, h, h);
   require(finite(rate) && finite(softness), "frequency", how.frequency,
           "a spring of this frequency and damping must be possible in a step of this length [Hz]");
 }

@@ -1,14 +1,15 @@
-// Settings, targets and bounds: what iterative solvers read of a block besides its rows.
+// What all solvers know of the blocks that they were prepared for, and what iterative ones read of
+// a block besides its rows: settings, targets and bounds.
 #include "engine/iterative_solver.h"
 
 #include <stdexcept>
 
 namespace joints {
 
-StepTarget step_target(const RowTarget& target, real h, real relaxation) {
-  const auto [rate, softness] = feedback(target, h);
+StepTarget step_target(const RowTarget& target, real h, real acting, real relaxation) {
+  const auto [rate, softness] = feedback(target, h, acting);
   const real mass_scale = softness == 0 ? relaxation : relaxation / (1 + softness);
-  const real unit = target.follows == 0 ? h : real(1);  // forces become impulses, factors stay
+  const real unit = target.follows == 0 ? acting : real(1);  // forces become impulses, factors stay
   return {rate, mass_scale, relaxation - mass_scale, unit * target.lower, unit * target.upper};
 }
 
@@ -35,19 +36,22 @@ void IterativeSolver::check() const {
           "must be above 0 and below 2 [1]");
 }
 
-void IterativeSolver::prepared_for(const Bodies& bodies, const Blocks& blocks, int first) {
+void Solver::prepared_for(const Bodies& bodies, const Blocks& blocks, int first) {
   const std::size_t k = std::size_t(first), rows = blocks.J.size();
   const std::size_t known = k < blocks.list.size() ? std::size_t(blocks.list[k].first) : rows;
   bodies_ = &bodies;
+  slots_ = bodies.slots();
   blocks_ = &blocks;
   if (first == 0 || rows_ == known) rows_ = rows;  // else some were left out
 }
 
-const Blocks& IterativeSolver::blocks_of(const Bodies& bodies) const {
+const Blocks& Solver::blocks_of(const Bodies& bodies) const {
   if (bodies_ != &bodies)
     throw std::logic_error("solver: was prepared for the blocks of another world");
   if (rows_ != blocks_->J.size())
     throw std::logic_error("solver: blocks have come or gone since they were prepared");
+  if (slots_ != bodies.slots())
+    throw std::logic_error("solver: bodies have come since the blocks were prepared");
   return *blocks_;
 }
 

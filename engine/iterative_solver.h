@@ -16,8 +16,8 @@ struct StepTarget {
   real lower, upper;   ///< bounds of the last row's accumulated impulse [N s or N m s]; if another
                        ///< impulse bounds it, `upper` is RowTarget::upper, the factor
 };
-/// \param h step [s] \param relaxation over-relaxation [1]
-StepTarget step_target(const RowTarget& target, real h, real relaxation);
+/// \param h step [s] \param acting Blocks::acts() [s] \param relaxation over-relaxation [1]
+StepTarget step_target(const RowTarget& target, real h, real acting, real relaxation);
 
 /// The row whose impulse bounds block number k, RowTarget::follows: its index in Blocks::J; -1 if
 /// none does. \throws std::invalid_argument if that impulse has no row, or the block several rows
@@ -38,18 +38,6 @@ class IterativeSolver : public Solver {
   real relaxation = 1;  ///< over-relaxation: a factor of every impulse change [1]; stable below 2
 
   void check() const override;
-
- protected:
-  /// Called by prepare(), with what it was called with.
-  void prepared_for(const Bodies& bodies, const Blocks& blocks, int first);
-  /// The blocks of the last prepare(). \throws std::logic_error if it was called with other bodies,
-  /// or if rows were appended or removed since
-  const Blocks& blocks_of(const Bodies& bodies) const;
-
- private:
-  const Bodies* bodies_ = nullptr;
-  const Blocks* blocks_ = nullptr;
-  std::size_t rows_ = 0;  // of all blocks that were prepared
 };
 
 }  // namespace joints

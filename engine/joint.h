@@ -12,6 +12,10 @@ namespace joints {
 /// The largest Joint::beta [1]. Above 2 every error grows, which is worth a look; a beta above this
 /// is a mistake.
 constexpr real max_beta = 10;
+/// \throws std::invalid_argument unless beta is from 0 to max_beta
+inline void check_beta(real beta) {
+  require(beta >= 0 && beta <= max_beta, "beta", beta, "must be between 0 and 10 [1]");
+}
 
 /// The step asks a joint for its blocks once for the solver, and once in each iteration of position
 /// projection; the solver's inner loop never calls it. With Stepping::substeps "step" means substep
@@ -43,7 +47,7 @@ class Joint {
     require(bodies.alive(body1), "body1: this id names no body of this world (removed?)");
     require(bodies.alive(body2), "body2: this id names no body of this world (removed?)");
     require(!(body1 == body2), "body2: a joint needs two different bodies");
-    require(beta >= 0 && beta <= max_beta, "beta", beta, "must be between 0 and 10 [1]");
+    check_beta(beta);
     require(frequency >= 0 && frequency < unbounded, "frequency", frequency,
             "must be finite and not negative [Hz]");
     require(damping >= 0 && damping < unbounded, "damping", damping,
@@ -51,8 +55,10 @@ class Joint {
   }
 
   /// Called once per step, before append(). \param h step [s]
-  void begin_step(const Bodies& bodies, real h) {
+  /// \param acting for how long the step's impulses act, Blocks::acting [s]; 0 for h
+  void begin_step(const Bodies& bodies, real h, real acting = 0) {
     h_ = h;
+    acted_ = acting > 0 ? acting : h;
     can_move_ = !bodies.at(int(body1.slot)).is_static() || !bodies.at(int(body2.slot)).is_static();
     can_move_ ? choose_rows(bodies, h) : drop_rows();
   }
@@ -79,14 +85,17 @@ class Joint {
   /// Carries all that the joint keeps from step to step out of it, or into it: for save() and
   /// restore() (state.h).
   void exchange(StateStream& stream) {
-    stream(h_, can_move_);
+    stream(h_, acted_, can_move_);
+    require(h_ >= 0 && acted_ >= 0, "state: holds a step of negative length");
     exchange_own(stream);
   }
 
-  /// The mean force of a row over the last step, impulse / h [N or N m]; 0 before the first step.
-  /// \param impulse its accumulated impulse [N s or N m s]
-  real mean_force(real impulse) const { return h_ > 0 ? impulse / h_ : real(0); }
+  /// The mean force of a row over the time in which its impulse acted [N or N m]; 0 before the
+  /// first step. \param impulse its accumulated impulse [N s or N m s]
+  real mean_force(real impulse) const { return acted_ > 0 ? impulse / acted_ : real(0); }
   real last_h() const { return h_; }  ///< length of the last step [s], 0 before the first
+  /// For how long the impulses of the last step acted (Blocks::acting) [s], 0 before the first.
+  real acted() const { return acted_; }
 
  protected:
   /// The joint's own part of begin_step(): may change the joint (count turns, choose the live rows,
@@ -104,7 +113,7 @@ class Joint {
   }
 
  private:
-  real h_ = 0;  // the last step [s]
+  real h_ = 0, acted_ = 0;  // of the last step [s]
   bool can_move_ = true;
 };
 

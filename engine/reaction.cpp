@@ -1,4 +1,4 @@
-// The reaction of a joint, J^T lambda / h.
+// The reaction of a joint, J^T times the mean forces of its rows.
 #include "engine/reaction.h"
 
 namespace joints {

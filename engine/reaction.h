@@ -13,9 +13,10 @@ struct Reaction {
   vec3 torque{0};  ///< [N m], world
 };
 
-/// The reaction on body 2 in the last step, its torque about body 2's centre: J^T lambda / h summed
-/// over the live rows, with J at the present poses. Body 1 gets the opposite force along the same
-/// line. Zero before the first step. Allocates: not for the inner loop.
+/// The reaction on body 2 in the last step, its torque about body 2's centre: J^T times the mean
+/// forces (Joint::mean_force) of the live rows, with J at the present poses. Body 1 gets the
+/// opposite force along the same line. Zero before the first step. Allocates: not for the inner
+/// loop.
 Reaction reaction(const Joint& joint, const Bodies& bodies);
 
 }  // namespace joints

@@ -61,10 +61,10 @@ void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const B
   const int n = to - from, first = block.first + from;
   const bool has_last = to == block.rows;  // the row to which target and bounds belong
   PreparedBlock out{block.body1, block.body2, n, first, int(inverse_K.size()),
-                    has_last ? block.target.follows : 0, step_target(block.target, h, relaxation),
-                    block.impulse + from};
+                    has_last ? block.target.follows : 0,
+                    step_target(block.target, h, blocks.acts(h), relaxation), block.impulse + from};
   if (split_iterations > 0 && block.corrects())
-    out.target = step_target(without_feedback(block.target), h, relaxation);
+    out.target = step_target(without_feedback(block.target), h, blocks.acts(h), relaxation);
   if (!has_last) out.target.lower = -unbounded, out.target.upper = unbounded;
   prepared.push_back(out);
 
@@ -114,7 +114,7 @@ void SequentialImpulses::advance(Bodies& bodies, real h, const Append& append) {
 // Gives a prepared block the scales and biases of another target with the same bounds.
 void SequentialImpulses::aim(PreparedBlock& prepared, const Blocks& blocks, const Block& block,
                              const RowTarget& target, real h) {
-  const StepTarget now = step_target(target, h, relaxation);
+  const StepTarget now = step_target(target, h, blocks.acts(h), relaxation);
   const real scale = now.mass_scale / prepared.target.mass_scale;
   for (int i = 0; i < prepared.rows * prepared.rows; ++i)
     prepared_.inverse_K[std::size_t(prepared.first_K + i)] *= scale;

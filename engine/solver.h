@@ -35,6 +35,19 @@ class Solver {
   virtual void advance(Bodies& bodies, real h, [[maybe_unused]] const Append& append) {
     integrate_poses(bodies, h);
   }
+
+ protected:
+  /// Called by prepare(), with what it was called with.
+  void prepared_for(const Bodies& bodies, const Blocks& blocks, int first);
+  /// The blocks of the last prepare(). \throws std::logic_error if it was called with other bodies,
+  /// or if rows or bodies have come or gone since
+  const Blocks& blocks_of(const Bodies& bodies) const;
+
+ private:
+  const Bodies* bodies_ = nullptr;
+  const Blocks* blocks_ = nullptr;
+  int slots_ = 0;         // of the bodies
+  std::size_t rows_ = 0;  // of all blocks that were prepared
 };
 
 }  // namespace joints

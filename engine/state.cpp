@@ -1,7 +1,10 @@
 // A world's numbers, out and in.
 #include "engine/state.h"
 
+#include <stdexcept>
 #include <string>
+
+#include "engine/input.h"
 
 namespace joints {
 
@@ -38,11 +41,21 @@ void require_shape(const State& state, const State& own) {
   require_same("numbers of joints", state.joints.size(), own.joints.size());
 }
 
+// Sets a world to a state of its shape.
+void write(World& world, const State& state) {
+  world.last_h = state.last_h;
+  world.blocks.acting = state.acted;
+  StateStream bodies(state.bodies.data()), numbers(state.joints.data());
+  for (const int slot : state.slots) exchange(world.bodies.at(slot), bodies);
+  for (const auto& joint : world.joints()) joint->exchange(numbers);
+}
+
 }  // namespace
 
 State save(const World& world) {
   State out;
   out.last_h = world.last_h;
+  out.acted = world.blocks.acting;
   StateStream bodies(out.bodies), numbers(out.joints);
   for (int slot = 0; slot < world.bodies.slots(); ++slot) {
     if (!world.bodies.used(slot)) continue;
@@ -60,11 +73,17 @@ State save(const World& world) {
 }
 
 void restore(World& world, const State& state) {
-  require_shape(state, save(world));
-  StateStream bodies(state.bodies.data()), numbers(state.joints.data());
-  for (const int slot : state.slots) exchange(world.bodies.at(slot), bodies);
-  for (const auto& joint : world.joints()) joint->exchange(numbers);
-  world.last_h = state.last_h;
+  const State own = save(world);
+  require_shape(state, own);
+  try {
+    write(world, state);
+    require(finite(state.acted) && state.acted >= 0, "state: acted", state.acted,
+            "must be finite and not negative [s]");
+    check_input(world, longest_step);
+  } catch (const std::invalid_argument&) {
+    write(world, own);
+    throw;
+  }
   world.blocks.clear();  // of another step
 }
 

@@ -22,6 +22,7 @@ namespace joints {
 /// a first guess, which is no part of the state: the next steps are the same to its accuracy.
 struct State {
   real last_h = 0;          ///< World::last_h [s]
+  real acted = 0;           ///< Blocks::acting [s]
   std::vector<int> slots;   ///< of the bodies in their array
   std::vector<real> bodies;  ///< 19 for each: x, q (w, x, y, z), v, w, force, torque
   std::vector<std::array<int, 3>> shapes;  ///< of each joint: two slots, how many numbers it has
@@ -35,7 +36,8 @@ State save(const World& world);
 
 /// Sets a world back, or another one that was built in the same way, with the same bodies in the
 /// same slots and joints of the same kinds in the same order. Ids and joints stay valid.
-/// \throws std::invalid_argument for the state of a world of another shape; nothing has changed
+/// \throws std::invalid_argument for the state of a world of another shape, or for numbers that no
+/// world can have; nothing has changed
 void restore(World& world, const State& state);
 
 }  // namespace joints

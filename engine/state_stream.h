@@ -11,7 +11,8 @@
 namespace joints {
 
 /// Carries variables out to a list of numbers, or sets them to the numbers of one: whoever has
-/// variables names them once, for both directions.
+/// variables names them once, for both directions. On the way in it refuses what cannot have come
+/// out: \throws std::invalid_argument for a number that is not finite, or a bool that is not 0 or 1
 class StateStream {
  public:
   /// Appends the variables to `out`.
@@ -19,16 +20,29 @@ class StateStream {
   /// Sets the variables to the numbers from `in` on; there must be enough.
   explicit StateStream(const real* in) : in_(in) {}
 
-  /// Each in turn: real, bool, int (below 2^24), vec3, quat, or a std::array of these.
+  /// Each in turn: real, bool, vec3, quat, or a std::array of these.
   template <class... Variables>
   void operator()(Variables&... variables) {
     (carry(variables), ...);
   }
+  /// A bound, which may be infinite.
+  void bound(real& x) {
+    if (out_) return out_->push_back(x);
+    require(*in_ == *in_, "state: holds a bound that is not a number");
+    x = *in_++;
+  }
 
  private:
-  void carry(real& x) { out_ ? out_->push_back(x) : void(x = *in_++); }
-  void carry(bool& x) { out_ ? out_->push_back(x) : void(x = *in_++ != 0); }
-  void carry(int& x) { out_ ? out_->push_back(real(x)) : void(x = int(*in_++)); }
+  void carry(real& x) {
+    require(out_ || finite(*in_), "state: holds a number that is not finite");
+    bound(x);
+  }
+  void carry(bool& x) {
+    real number = x;
+    bound(number);
+    require(number == 0 || number == 1, "state: holds a truth value that is neither 0 nor 1");
+    x = number == 1;
+  }
   void carry(vec3& a) { (*this)(a.x, a.y, a.z); }
   void carry(quat& q) { (*this)(q.w, q.x, q.y, q.z); }
   template <class T, std::size_t N>

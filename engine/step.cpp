@@ -1,8 +1,11 @@
 // Algorithm 1 of the thesis: forces, blocks, impulses, poses.
 #include "engine/step.h"
 
+#include <utility>
+
 #include "engine/input.h"
 #include "engine/projection.h"
+#include "engine/state.h"
 
 namespace joints {
 
@@ -20,13 +23,33 @@ void soften(Blocks& blocks, int first, const Stepping& how) {
     }
 }
 
+// begin_step() without the looks.
+void begin(World& world, Solver& solver, real h, const Stepping& how) {
+  Bodies& bodies = world.bodies;
+  real &acted = world.blocks.acted, &acting = world.blocks.acting;
+  acted = acting;
+  acting = how.leapfrog ? (world.last_h + h) / 2 : h;
+  const real ratio = !how.warm_start ? real(0) : acted == 0 ? real(1) : acting / acted;
+  how.leapfrog ? kick(bodies, world.gravity, acting)  // Eq. 9-9
+               : integrate_forces(bodies, world.gravity, h);
+  world.last_h = h;
+
+  world.blocks.clear();
+  for (const auto& joint : world.joints()) joint->begin_step(bodies, h, acting);
+  for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
+  soften(world.blocks, 0, how);
+  solver.prepare(bodies, world.blocks, 0, h);
+  solver.warm_start(bodies, ratio);
+}
+
 }  // namespace
 
 void step(World& world, Solver& solver, real h, const Stepping& how) {
   require(how.substeps > 0, "substeps: there must be at least one");
+  const real h_sub = h / real(how.substeps);
+  check_input(world, solver, h_sub, how);  // of all substeps: a later one refuses nothing
   for (int substep = 0; substep < how.substeps; ++substep) {
-    const real h_sub = h / real(how.substeps);
-    begin_step(world, solver, h_sub, how);
+    begin(world, solver, h_sub, how);
     solver.solve(world.bodies);
     for (;;) {  // late limits: the new velocities would pass them within this step
       const int known = int(world.blocks.list.size());
@@ -41,26 +64,29 @@ void step(World& world, Solver& solver, real h, const Stepping& how) {
   }
 }
 
+Bodies synchronised(World& world, Solver& solver, const Stepping& how) {
+  if (!how.leapfrog || world.last_h == 0) return world.bodies;
+  const State now = save(world);
+  const real half = world.last_h / 2;
+  Blocks& blocks = world.blocks;
+  kick(world.bodies, world.gravity, half);
+  blocks.clear();
+  for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
+  soften(blocks, 0, how);
+  for (Block& block : blocks.list)
+    if (block.corrects()) block.target = without_feedback(block.target);
+  const real acted = std::exchange(blocks.acting, half);
+  solver.prepare(world.bodies, blocks, 0, half);
+  solver.warm_start(world.bodies, how.warm_start ? half / acted : real(0));
+  solver.solve(world.bodies);
+  const Bodies out = world.bodies;
+  restore(world, now);
+  return out;
+}
+
 void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
   check_input(world, solver, h, how);
-
-  const bool first = world.last_h == 0;
-  const real ratio = !how.warm_start ? real(0) : first ? real(1) : h / world.last_h;
-  Bodies& bodies = world.bodies;
-  world.blocks.acted = world.blocks.acting;
-  world.blocks.acting = how.leapfrog ? (world.last_h + h) / 2 : h;
-  if (how.leapfrog)
-    kick(bodies, world.gravity, (world.last_h + h) / 2);  // Eq. 9-9
-  else
-    integrate_forces(bodies, world.gravity, h);
-  world.last_h = h;
-
-  world.blocks.clear();
-  for (const auto& joint : world.joints()) joint->begin_step(bodies, h);
-  for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
-  soften(world.blocks, 0, how);
-  solver.prepare(bodies, world.blocks, 0, h);
-  solver.warm_start(bodies, ratio);
+  begin(world, solver, h, how);
 }
 
 void end_step(World& world, Solver& solver, real h, const Stepping& how) {

@@ -37,6 +37,13 @@ struct Stepping {
 /// only when the blocks are prepared, after the forces.
 void step(World& world, Solver& solver, real h, const Stepping& how = {});
 
+/// The bodies with the velocities that belong to their poses. After a step with leapfrog those in
+/// the world belong to the middle of that step, and energies and speeds made of them are half a
+/// step late: here forces and joints act for the other half, and nothing is fed back. Otherwise the
+/// bodies as they are. The world is left as it was, but for World::blocks, which are empty.
+/// Source: Andersen, "Rattle", 1983. \param solver one of its own, so that it begins with nothing
+Bodies synchronised(World& world, Solver& solver, const Stepping& how);
+
 // The two ends of a step, to measure between the iterations. They do neither substeps nor late
 // limits: call solve() or iterate() between them.
 

@@ -28,8 +28,7 @@ void World::remove(BodyId body) {
 }
 
 void World::set_beta(real beta) {
-  if (!finite(beta) || beta < 0)
-    refuse("beta: is " + std::to_string(beta) + "; must be finite and not negative [1]");
+  check_beta(beta);
   for (const auto& joint : joints_) joint->beta = beta;
 }
 

@@ -45,7 +45,7 @@ class World {
   /// Removes one joint. \throws std::invalid_argument if this world does not have it
   void remove(const Joint& joint);
   /// Gives this beta to all joints that are there. \param beta share of the error fed back in a
-  /// step [1] \throws std::invalid_argument unless it is finite and not negative
+  /// step [1] \throws std::invalid_argument unless it is from 0 to max_beta
   void set_beta(real beta);
 
   /// The joints in the order in which they were added, which is the order of their blocks.

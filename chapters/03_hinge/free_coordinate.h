@@ -32,6 +32,22 @@ struct Limit {
 
 /// The farthest limit of a coordinate [rad or m].
 constexpr real max_limit = real(1e9);
+/// \throws std::invalid_argument unless lower <= upper and both are infinite or within max_limit
+inline void check(const Range& range) {
+  const auto [lower, upper] = range;
+  require(lower <= upper && lower < unbounded && upper > -unbounded,
+          "lower: must not be above upper, and neither infinite on its wrong side [rad or m]");
+  for (const real bound : {lower, upper})
+    require(std::abs(bound) <= max_limit || std::abs(bound) == unbounded,
+            bound == lower ? "lower" : "upper", bound,
+            "must be within 1e9 [rad or m]; infinite for no limit");
+}
+/// \throws std::invalid_argument unless the speed is within max_speed and the strength at least 0
+inline void check(const Motor& motor) {
+  require(std::abs(motor.speed) <= max_speed, "speed", motor.speed,
+          "must be within 3e8 [rad/s or m/s]");
+  require(motor.strength >= 0, "strength", motor.strength, "must not be negative [N m or N]");
+}
 
 /// Tells an angle to count its turns to within half a turn of `expected`. A length has no turns.
 template <class Coordinate>

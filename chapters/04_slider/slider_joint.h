@@ -24,6 +24,19 @@ inline void check(const Slide& slide) {
   require_unit("a1_local", slide.a1_local);
 }
 
+/// The largest m r^2 / I of a lever r beside a lock. The rows that hold the anchor are mostly lever
+/// then, and the lock holds the same: what tells them apart, the body's own mass, is this share of
+/// them, which has to be more than rounding and more than a solver takes for it.
+constexpr real max_lever_share = sizeof(real) == 4 ? real(1e6) : real(1e10);
+/// \throws std::invalid_argument for an anchor too far from the body's centre. \param lever [m]
+inline void check_lever(const char* anchor, const Body& body, const vec3& lever) {
+  const vec3& inverse = body.inverse_inertia_local;
+  require(!(dot(lever, lever) * std::max({inverse.x, inverse.y, inverse.z}) >
+            max_lever_share * body.inverse_mass),
+          anchor, length(lever),
+          "must be nearer to the body's centre, or these numbers cannot tell its rows apart [m]");
+}
+
 /// A slider: a line and the orientation are held (five degrees of freedom), the displacement along
 /// the line stays free and may have limits [m] and a motor [m/s, N]. What is held: Eq. 4-2 and
 /// Eq. 4-7; the rows: Eq. 4-4, Eq. 4-8, and of limit and motor Eq. 4-11; K: Eq. 3-8.
@@ -36,6 +49,13 @@ class SliderJoint : public DrivenJoint<Line, RotationLock, Slide> {
   SliderJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& anchor,
               const vec3& direction)
       : SliderJoint(bodies[id1], bodies[id2], id1, id2, anchor, direction) {}
+  /// As DrivenJoint, and the anchors by check_lever(): that of body 1 is where the body 2's is.
+  void check_input(const Bodies& bodies) const override {
+    DrivenJoint::check_input(bodies);
+    const Body &a = bodies.at(int(body1.slot)), &b = bodies.at(int(body2.slot));
+    check_lever("anchor1_local", a, world_point(b, first.anchor2_local) - a.x);
+    check_lever("anchor2_local", b, first.anchor2_local);
+  }
 
  private:
   SliderJoint(const Body& body1, const Body& body2, BodyId id1, BodyId id2, const vec3& anchor,

@@ -39,7 +39,7 @@ Reaction about(const Reaction& load, const vec3& from, const vec3& to);
 /// The load at which a weld breaks.
 struct Strength {
   real force = unbounded;   ///< [N]
-  real torque = unbounded;  ///< [N m], about the anchor
+  real torque = unbounded;  ///< [N m], about the point that the load's torque is about
 };
 
 /// Exercise 5.2, third part: true if the force or the torque exceeds the strength.

@@ -23,11 +23,13 @@ class FixedJoint : public Joint {
                               lock_of(bodies[id1], bodies[id2])} {
     check(weld.first);
   }
-  /// The bodies, beta, and both parts by their check().
+  /// The bodies, beta, both parts by their check(), and the anchors by check_lever().
   void check_input(const Bodies& bodies) const override {
     Joint::check_input(bodies);
     check(weld.first);
     check(weld.second);
+    check_lever("anchor1_local", bodies.at(int(body1.slot)), weld.first.anchor1_local);
+    check_lever("anchor2_local", bodies.at(int(body2.slot)), weld.first.anchor2_local);
   }
   void append(const Bodies& bodies, Blocks& blocks) const override {
     const RowTarget target = hold();
@@ -41,7 +43,12 @@ class FixedJoint : public Joint {
 
   /// Force on body 2 and torque on it about the anchor in the last step, exercise 5.2.
   Reaction load() const {
-    return last_h() > 0 ? carried(impulse_, last_h()) : Reaction{};
+    return acted() > 0 ? carried(impulse_, acted()) : Reaction{};
+  }
+  /// The same about another point, as the middle of the seam whose strength is known: it does not
+  /// depend on the anchor. \param point [m, world]
+  Reaction load(const Bodies& bodies, const vec3& point) const {
+    return about(load(), world_point(bodies[body2], weld.first.anchor2_local), point);
   }
 
  protected:

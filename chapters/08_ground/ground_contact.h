@@ -18,8 +18,7 @@ struct Outline {
 };
 /// \param size the edges [m] \throws std::invalid_argument unless they are positive and finite
 inline Outline box_outline(const vec3& size) {
-  require(finite(size) && size.x > 0 && size.y > 0 && size.z > 0,
-          "size: the edges of a box must be positive and finite [m]");
+  check_size(size);
   Outline out{.count = 8};
   for (int k = 0; k < 8; ++k)
     out.corners[k] = real(0.5) * size * vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
@@ -56,7 +55,9 @@ inline void check(const Top& top) {
   require(top.depth >= 0, "top.depth", top.depth, "must not be negative [m]");
 }
 /// The upper face of a box. \param size its edges [m]
+/// \throws std::invalid_argument unless they are positive and finite
 inline Top box_top(const vec3& size) {
+  check_size(size);
   return {size.y / 2, size.x / 2, size.z / 2, size.y / 2};
 }
 
@@ -113,8 +114,12 @@ class GroundContact : public Joint {
 
  protected:
   void exchange_own(StateStream& stream) override {
-    stream(live_, near_);
-    for (int k = 0; k < outline.count; ++k) points_[std::size_t(k)].exchange(stream);
+    stream(near_);
+    live_ = 0;
+    for (int k = 0; k < outline.count; ++k) {
+      points_[std::size_t(k)].exchange(stream);
+      live_ += points_[std::size_t(k)].live;
+    }
   }
 
  private:

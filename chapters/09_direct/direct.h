@@ -96,7 +96,7 @@ constexpr double dependent_share = sizeof(real) == 4 ? 1e-7 : 1e-11;
 // ---- time ---------------------------------------------------------------------------------------
 
 /// Exercise 9.5: one step of second order, Eq. 9-9: step() with Stepping::leapfrog, for a world
-/// without limits. \param solver its blocks are solved once \param h [s]
+/// in which no bound binds. \param solver its blocks are solved once \param h [s]
 void second_order_step(World& world, Solver& solver, real h);
 
 /// What Newton's method on the positions may ask for.

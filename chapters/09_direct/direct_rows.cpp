@@ -16,6 +16,7 @@ void DirectSolver::check() const {
 }
 
 void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {
+  prepared_for(bodies, blocks, first);
   blocks_ = &blocks;
   rows_of_J_ = blocks.J.data();
   h_ = h;
@@ -65,7 +66,8 @@ bool DirectSolver::is_hub() const {
 }
 
 void DirectSolver::warm_start(Bodies& bodies, real ratio) {
-  if (report_.iterated) return instead.warm_start(bodies, ratio);
+  blocks_of(bodies);  // refuses other bodies
+  if (report_.iterated) return instead.warm_start(bodies, 0);
   warm_ = ratio > 0;
   if (stiffness > 0) before_.assign(bodies.data(), bodies.data() + bodies.slots());
   for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -170,6 +172,7 @@ void DirectSolver::collect_blocks(const Bodies& bodies, real h) {
   pattern_.clear();
   bounded_.clear();
   outside_.clear();
+  outside_.acting = blocks_->acting;
   followed_.clear();
   for (const Block& block : blocks_->list)
     if (block.target.follows != 0) followed_.push_back(block.impulse + block.target.follows);
@@ -187,7 +190,7 @@ void DirectSolver::collect_block(const Bodies& bodies, const Block& block, real 
     }
     return;
   }
-  const auto [rate, softness] = feedback(block.target, h);
+  const auto [rate, softness] = feedback(block.target, h, blocks_->acts(h));
   const auto moving = [&](int slot) { return bodies.at(slot).is_static() ? -1 : slot; };
   inside_.push_back({&block, double(softness)});
   pattern_.push_back({block.rows, block.first, moving(block.body1), moving(block.body2)});
@@ -196,8 +199,9 @@ void DirectSolver::collect_block(const Bodies& bodies, const Block& block, real 
   for (int i = 0; i < block.rows; ++i)
     bias_[block.first + i] = bias(block, i, blocks_->C[block.first + i], rate, h);
   if (block.target.lower > -unbounded || block.target.upper < unbounded) {
-    BoundedRow row{int(inside_.size()) - 1, double(h * block.target.lower),
-                   double(h * block.target.upper)};
+    const real acting = blocks_->acts(h);
+    BoundedRow row{int(inside_.size()) - 1, double(acting * block.target.lower),
+                   double(acting * block.target.upper)};
     const double impulse = double(block.impulse[block.rows - 1]);  // of the last step
     row.side = impulse <= row.lower ? Side::lower : impulse >= row.upper ? Side::upper : Side::free;
     bounded_.push_back(row);

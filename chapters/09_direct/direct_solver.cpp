@@ -8,7 +8,6 @@
 namespace joints {
 
 namespace {
-
 // A share of K that makes bounded rows solvable that depend on others, as motor and limit do. Until
 // one of them is at its bound, their impulses are as large as this is small: with float velocities
 // 1e-9 leaves nothing of what they were.
@@ -30,6 +29,8 @@ Triple<double> of(const vec3& a) { return {double(a.x), double(a.y), double(a.z)
 // ---- the factor ---------------------------------------------------------------------------------
 
 void DirectSolver::factor_now() {
+  require(blocks_ != nullptr && !report_.iterated,
+          "solver: there is no matrix: nothing was prepared, or for iterations");
   maker_.assemble(J_, masses_);
   JointMatrixOf<TwoLanes>& A = maker_.A;
   for (BoundedRow& row : bounded_) {
@@ -95,6 +96,8 @@ void DirectSolver::change_impulses(Bodies& bodies, const Block& block,
 }
 
 void DirectSolver::change_rates(Bodies& bodies, std::vector<double>& rates) {
+  require(rates.size() == blocks_of(bodies).C.size() && factored_,
+          "rates: there must be one for each row, and a factor");
   for (int k = 0; k < int(inside_.size()); ++k) {
     const Block& block = *inside_[k].block;
     TwoLanes* const place = &on_lanes_[maker_.row(k)];
@@ -196,6 +199,7 @@ void DirectSolver::solve_joints(Bodies& bodies) {
 }
 
 void DirectSolver::solve(Bodies& bodies) {
+  blocks_of(bodies);  // refuses other bodies
   if (report_.iterated) return instead.solve(bodies);
   solve_all(bodies);
   if (!careful || before_.size() != masses_.size()) return;
@@ -278,6 +282,7 @@ class DirectSolver::Poses : public Corrector {
 // If there are no such poses, velocities and impulses are those that solve the velocities, without
 // what was expected of the poses.
 void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
+  blocks_of(bodies);
   report_.moved_exactly = false;
   report_.corrections = 0;
   errors_met_.clear();

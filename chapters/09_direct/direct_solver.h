@@ -28,10 +28,15 @@ class DirectSolver : public Solver {
   bool careful = false;
   int alternations = 10;  ///< how often the rows outside of A and those in it take turns
   int passes = 10;     ///< of the active set, at most
-  /// If a factorisation takes more multiplications a row than this, `instead` solves.
+  /// If a factorisation takes more multiplications a row than this, `instead` solves. A body
+  /// with 44 balls or more is such a hub.
   double most_work = 3000;
-  SequentialImpulses instead;  ///< what solves then
+  /// What solves then, cold in every step and with a split impulse: beta is advised to be 1, and a
+  /// light hub gains energy from warm impulses or from any feedback in the velocities.
+  SequentialImpulses instead;
   PivotInverse inverse = inverse_pivot;  ///< what is done about dependent rows
+
+  DirectSolver() { instead.split_iterations = instead.iterations; }
 
   /// What the last step did.
   struct Report {
@@ -55,11 +60,13 @@ class DirectSolver : public Solver {
   /// With `newton`, the errors at the new poses become zero as well (move_onto_constraints).
   void advance(Bodies& bodies, real h, const Append& append) override;
 
-  /// Factors A of the blocks that were prepared.
+  /// Factors A of the blocks that were prepared. \throws std::invalid_argument if there are none,
+  /// or if `instead` has them
   void factor_now();
   /// Changes the velocities so that J V changes by `rates`, as far as rows are free, and the
   /// impulses with them. Accelerations are found in the same way. \param rates one for each row of
-  /// the blocks; used up
+  /// the blocks; used up \throws std::invalid_argument for another number of them, or without a
+  /// factor
   void change_rates(Bodies& bodies, std::vector<double>& rates);
 
  private:

@@ -128,7 +128,7 @@ void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, r
                double* out) {
   const Row* J = &blocks.J[std::size_t(block.first)];
   const Body &a = bodies.at(block.body1), &b = bodies.at(block.body2);
-  const Feedback feedback = joints::feedback(block.target, h);
+  const Feedback feedback = joints::feedback(block.target, h, blocks.acts(h));
   Row response[6];
   real K[36];
   if (feedback.softness != 0) {
@@ -143,8 +143,8 @@ void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, r
     if (i == block.rows - 1) {  // at a bound it may have any rate that leads away from it
       const RowTarget& target = block.target;
       const bool follows = target.follows != 0;
-      const real upper = target.upper * (follows ? block.impulse[target.follows] : h);
-      const real lower = follows ? -upper : h * target.lower;
+      const real upper = target.upper * (follows ? block.impulse[target.follows] : blocks.acts(h));
+      const real lower = follows ? -upper : blocks.acts(h) * target.lower;
       if (block.impulse[i] <= lower && e > 0) e = 0;
       if (block.impulse[i] >= upper && e < 0) e = 0;
     }

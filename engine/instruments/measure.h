@@ -54,7 +54,8 @@ class GapMeter {
 
 /// Energy of motion [J] of one body, 0 for a static one.
 double kinetic_energy(const Body& body);
-/// Energy of motion and of position of all bodies [J], zero at rest in the origin.
+/// Energy of motion and of position of all bodies [J], zero at rest in the origin. With leapfrog it
+/// is that of the poses only with the bodies of synchronised().
 double energy(std::span<const Body> bodies, const vec3& gravity);
 /// Momentum of bodies, static ones left out.
 struct Momentum {

@@ -71,7 +71,8 @@ void Run::step() {
   try {
     if (now_.steps > experiment_.untimed) clock_.time(experiment_.step);
     else experiment_.step();
-  } catch (const std::overflow_error&) {  // look() sees it
+  } catch (const std::runtime_error&) {  // overflow, or a step that found no poses
+    now_.finite = false;
   }
   look();
 }

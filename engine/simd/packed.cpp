@@ -209,7 +209,7 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, real h, real r
     const LaneGroup& group = groups[k / std::size_t(width_)];
     const Source from{block, &list.J[std::size_t(block.first)], &list.C[std::size_t(block.first)],
                       bodies.at(block.body1), bodies.at(block.body2),
-                      step_target(block.target, h, relaxation), h};
+                      step_target(block.target, h, list.acts(h), relaxation), h};
     const int lane = int(k) % width_;
     in_record(group, numbers() + group.first, [&](auto& record) { fill(record, from, lane); });
   }

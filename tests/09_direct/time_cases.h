@@ -43,9 +43,9 @@ inline void hang(World& world, bool swings = true) {
 inline void machine(World& world) {
   hang(world);
   const BodyId id = world.add(tumbling(vec3(2, 0, 0)));
-  auto& hinge = world.add<HingeJoint>(world.bodies, BodyId{1, 1}, id,
+  auto& hinge = world.add<HingeJoint>(world.bodies, world.bodies.id(1), id,
                                       vec3(real(1.5), 0, 0), vec3(0, 1, real(0.3)));
-  hinge.set_motor(3, 2);
+  hinge.set_motor(3, 2000);  // more than it needs
 }
 inline std::vector<TimeCase> time_cases() {
   const real h = real(0.1);

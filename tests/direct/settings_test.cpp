@@ -119,7 +119,8 @@ TEST_CASE("the Runge-Kutta method leaves a static body where it is, and a belt i
 TEST_CASE("the Runge-Kutta method refuses steps, limits, motors and ropes that it cannot follow") {
   const auto said = [](real length, auto change) {
     Scene scene = heavy_chain(2, 1);
-    HingeJoint& hinge = on_hinge(scene, {1, 1}, scene.world.add(box(1, vec3(1), vec3(0, 1, 0))),
+    const BodyId end = scene.world.bodies.id(1);
+    HingeJoint& hinge = on_hinge(scene, end, scene.world.add(box(1, vec3(1), vec3(0, 1, 0))),
                                  vec3(0, real(0.5), 0), vec3(0, 0, 1));
     change(hinge);
     RungeKutta kutta;

@@ -15,7 +15,7 @@ const real h = sixtieth;
 // A net, loops and all, with a motor and a limit at one of its corners.
 World machine() {
   Scene scene = net(4);
-  const BodyId corner{15, 1};
+  const BodyId corner = scene.world.bodies.id(15);
   const BodyId arm = scene.world.add(body_with(1, vec3(real(0.1)), vec3(4, 0, 3)));
   HingeJoint& hinge =
       on_hinge(scene, corner, arm, vec3(real(3.5), 0, 3), vec3(0, real(0.2), 1));
@@ -79,13 +79,13 @@ TEST_CASE("what one solver finds depends on nothing of the steps before") {
   const auto change = [](World& world, Random& random, int n) {
     if (n % 7 == 3) {
       const BodyId id = world.add(box(2, vec3(real(0.3)), random.vector(3)));
-      const BodyId corner{15, 1};
+      const BodyId corner = world.bodies.id(15);
       world.add<BallJoint>(corner, id,
                            point_at(world.bodies[corner], world.bodies[id], random.vector(3)))
           .beta = 1;
     }
     if (n % 7 == 6) world.remove(*world.joints()[std::size_t(n) % world.joints().size()]);
-    if (n % 14 == 13) world.remove(BodyId{std::uint32_t(1 + n / 14), 1});
+    if (n % 14 == 13) world.remove(world.bodies.id(1 + n / 14));
   };
   for (int n = 0; n < 40; ++n) {
     change(kept, one, n);
@@ -121,7 +121,8 @@ TEST_CASE("Newton's method may be switched off, and nothing of it is left") {
   solver.newton = 0;
   run(scene.world, solver, 1);
   Scene other = heavy_chain(8, 10);
-  other.world.bodies = scene.world.bodies;
+  for (int slot = 0; slot < other.world.bodies.slots(); ++slot)
+    other.world.bodies.at(slot) = scene.world.bodies.at(slot);
   other.world.last_h = scene.world.last_h;
   run(scene.world, solver, 1);
   run(other.world, fresh, 1);

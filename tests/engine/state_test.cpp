@@ -318,7 +318,7 @@ TEST_CASE("the state of a world of another shape is refused and nothing has chan
   other.add<BallJoint>(ball.body1, ball.body2, Point{});
   other.remove(ball);
   CHECK_THAT(said(save(other)), StartsWith("state: joint 11 holds the bodies in slots 0 and 13 and "
-                                           "has 5 numbers; this world's holds the bodies in "));
+                                           "has 6 numbers; this world's holds the bodies in "));
   State cut = good;
   cut.bodies.pop_back();
   CHECK(said(cut) == "state: has 246 numbers of bodies; this world has 247");
@@ -326,4 +326,71 @@ TEST_CASE("the state of a world of another shape is refused and nothing has chan
   cut.joints.pop_back();
   CHECK_THAT(said(cut), StartsWith("state: has "));
   CHECK(refusal([&] { restore(world, good); }) == "accepted");
+}
+
+TEST_CASE("a state with altered numbers is refused and nothing has changed") {
+  World world = machine();
+  SequentialImpulses solver;
+  for (int n = 0; n < 50; ++n) step(world, solver, h, all);
+  const State good = save(world);
+  const std::size_t blocks = world.blocks.list.size();
+  const auto refused = [&](auto change) {
+    State bad = good;
+    change(bad);
+    const std::string words = refusal([&] { restore(world, bad); });
+    return words != "accepted" && same(save(world), good) && world.blocks.list.size() == blocks;
+  };
+  const real nan = std::numeric_limits<real>::quiet_NaN();
+  for (std::size_t k = 0; k < good.bodies.size(); ++k)
+    for (const real x : {nan, unbounded, -unbounded}) {
+      CAPTURE(k, double(x));
+      REQUIRE(refused([&](State& state) { state.bodies[k] = x; }));
+    }
+  for (std::size_t k = 0; k < good.joints.size(); ++k) {
+    CAPTURE(k);
+    REQUIRE(refused([&](State& state) { state.joints[k] = nan; }));
+  }
+  std::size_t first = 0;  // of a joint: two lengths, whether it can move, impulses, signs and more
+  for (const auto& shape : good.shapes) {
+    CAPTURE(first);
+    for (const real x : {real(0.5), real(2), real(-1), real(3e9)})
+      REQUIRE(refused([&](State& state) { state.joints[first + 2] = x; }));
+    for (const std::size_t length : {first, first + 1})
+      REQUIRE(refused([&](State& state) { state.joints[length] = -h; }));
+    REQUIRE(refused([&](State& state) {
+      state.joints[first + 3] = shape[2] > 9 ? nan : unbounded;
+    }));
+    first += std::size_t(shape[2]);
+  }
+  for (std::size_t k = 0; k < good.shapes.size(); ++k)
+    for (int i = 0; i < 3; ++i)
+      for (const int by : {1, -1, 1 << 30})
+        REQUIRE(refused([&](State& state) { state.shapes[k][std::size_t(i)] += by; }));
+  for (std::size_t k = 0; k < good.slots.size(); ++k)
+    REQUIRE(refused([&](State& state) { state.slots[k] = -1; }));
+  for (const real x : {nan, unbounded, -h}) {
+    CHECK(refused([&](State& state) { state.last_h = x; }));
+    CHECK(refused([&](State& state) { state.acted = x; }));
+  }
+  CHECK(refused([](State& state) { state.bodies[3] *= 2; }));  // of a q
+  CHECK(refusal([&] { restore(world, good); }) == "accepted");
+}
+
+TEST_CASE("limits and motors that no joint can have are refused when a world is restored") {
+  const auto said = [](real what, real by) {
+    Rotor rotor;
+    rotor.hinge->set_limits(-1, 3);
+    rotor.hinge->set_motor(2, 5);
+    State state = save(rotor.world);
+    const auto place = std::find(state.joints.begin(), state.joints.end(), what);
+    REQUIRE(place != state.joints.end());
+    *place = by;
+    const std::string words = refusal([&] { restore(rotor.world, state); });
+    CHECK(double(rotor.hinge->limits().upper) == 3);
+    CHECK(double(rotor.hinge->motor().strength) == 5);
+    return words;
+  };
+  CHECK_THAT(said(3, -2), StartsWith("lower: must not be above upper"));
+  CHECK_THAT(said(5, -5), StartsWith("strength is -5"));
+  CHECK_THAT(said(2, unbounded), StartsWith("state: holds a number that is not finite"));
 }

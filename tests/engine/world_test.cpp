@@ -148,3 +148,28 @@ TEST_CASE("a world knows the most rows its joints can have") {
   World other;
   CHECK_THROWS_AS(other.remove(*hanging.rod[0]), std::invalid_argument);
 }
+
+TEST_CASE("ids of another world are refused though they name a slot of this one") {
+  for (int k = 0; k < 100; ++k) {
+    World one, other;
+    const BodyId a = one.add(static_body(vec3(0))), b = one.add(ball(1, 1, vec3(1)));
+    const BodyId c = other.add(static_body(vec3(0))), d = other.add(ball(1, 1, vec3(1)));
+    CHECK_FALSE(one.bodies.alive(c));
+    CHECK_THROWS_AS(one.bodies[d], std::invalid_argument);
+    CHECK_THROWS_AS(one.remove(d), std::invalid_argument);
+    CHECK_THROWS_AS(other.add<CentreDistanceJoint>(a, b, CentreDistance{1}),
+                    std::invalid_argument);
+    CHECK_THROWS_AS(one.add<CentreDistanceJoint>(a, d, CentreDistance{1}), std::invalid_argument);
+    const Bodies copy = one.bodies;
+    CHECK(copy.alive(b));
+    CHECK(one.bodies.id(1) == b);
+  }
+}
+
+TEST_CASE("a beta that no joint may have is refused by the world and changes no joint") {
+  Hanging hanging;
+  for (const real beta : {real(-1), real(100), unbounded, std::numeric_limits<real>::quiet_NaN()}) {
+    CHECK_THROWS_AS(hanging.world.set_beta(beta), std::invalid_argument);
+    for (const auto& joint : hanging.world.joints()) CHECK(double(joint->beta) <= 1);
+  }
+}

@@ -317,3 +317,8 @@ TEST_CASE("a contact solved row by row is the same: its blocks have one row each
   CHECK(one.it().x == other.it().x);
   CHECK(one.it().w == other.it().w);
 }
+
+TEST_CASE("the top of a box without size is refused") {
+  for (const vec3& size : {vec3(0), vec3(1, -1, 1), vec3(1, unbounded, 1)})
+    CHECK_THROWS_AS(box_top(size), std::invalid_argument);
+}

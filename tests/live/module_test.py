@@ -92,7 +92,7 @@ def refusals_are_sentences(root, build):
     where = page(build, "module")
     about = asked(where, [load("the solution")])[0]
     settings = make(about, "chain")["settings"]
-    for name, value, said in (("beta", -1, "beta: is -1"), ("beta", 11, "beta is 11"),
+    for name, value, said in (("beta", -1, "beta is -1"), ("beta", 11, "beta is 11"),
                               ("iterations", 0, "iterations: there must be at least one"),
                               ("relaxation", 2, "relaxation is 2; must be above 0 and below 2"),
                               ("h", 0, "h is 0; must be from 1e-9"),

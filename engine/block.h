@@ -71,10 +71,10 @@ class Blocks {
   std::vector<Row> J;       ///< the rows of all blocks
   std::vector<real> C;      ///< their errors, one per row [m, rad, or 1 for a small sine]
   bool errors_only = false;  ///< append no rows of J: to ask how far off other poses are
-  /// For how long the impulses of the last step acted [s], and those of this one: h, but with
-  /// leapfrog the time between the middles of the last step and this one. Forces become impulses
-  /// and impulses forces by this time. 0 before the first step.
-  real acted = 0, acting = 0;
+  real acted = 0;  ///< `acting` of the last step [s]; 0 before the first
+  /// For how long the impulses of this step act [s]: h, but with leapfrog the time between the
+  /// middles of the last step and this one. Forces become impulses and impulses forces by it.
+  real acting = 0;
   mutable std::vector<real> inertia;  ///< the solver's: least moment of each body [kg m^2]
 
   /// `acting`; in a step by hand, which did not set it, the step's length. \param h [s]

@@ -95,6 +95,18 @@ TEST_CASE("without leapfrog the step is of first order") {
     }
 }
 
+TEST_CASE("leapfrog is of first order with neither feedback nor SHAKE") {
+  for (const auto make : {three_on_hinges, hinge_slider_ball}) {
+    CAPTURE(make == three_on_hinges);
+    const Move step_on = by_steps(0, second_order);
+    const Move drift = [&](World& world, real h) {
+      world.set_beta(0);
+      step_on(world, h);
+    };
+    CHECK(order(make, drift, 960) == Approx(1).margin(0.1));
+  }
+}
+
 TEST_CASE("the Runge-Kutta method is of fourth order") {
   for (const auto make : {three_on_hinges, hinge_slider_ball}) {
     CAPTURE(make == three_on_hinges);

@@ -37,7 +37,7 @@ def draw_chain(ax, path):
 
 
 def draw_cost(ax, path):
-    """Gap against time of ten chains of 100 hinges, for some methods."""
+    """Gap against time of ten chains of 99 hinges, for some methods."""
     table = style.read_csv(path, ["us_per_step", "gap_rms_m"], ["scene", "real", "method"],
                            "./wb bench --methods")
     for name, (words, place) in METHODS.items():

@@ -18,7 +18,7 @@ STORED_WORDS = ["engine", "setting", "scene"]
 LOOKS = {"ours": (COLOURS[0], "o"), "Bullet": (COLOURS[1], "s"), "ODE": (COLOURS[2], "D"),
          "MuJoCo": (COLOURS[3], "^")}
 # What is drawn together: a column, and what the panel is about.
-TOGETHER = {"S1": ("tip_error_m", "ten chains of 100 hinges (S1): the tip after 1 s"),
+TOGETHER = {"S1": ("tip_error_m", "ten chains of 99 hinges (S1): the tip after 1 s"),
             "S5": ("tip_error_m", "three hinges (S5): the tip after 1 s"),
             "S7": ("gap_max_m", "gravity sideways (S7): largest gap"),
             "S3b": ("gap_max_m", "rope bridge with 100 kg (S3b): largest gap"),

@@ -103,7 +103,7 @@ TEST_CASE("the Runge-Kutta method refuses in words what takes too much work or f
     words = error.what();
     CHECK(save(taut.world).bodies == last.bodies);
   }
-  CHECK((is_float || words.find("shorter step") != std::string::npos));  // rounding gives it play
+  if (!is_float) CHECK(words.find("shorter step") != std::string::npos);  // in float it sags
 }
 
 TEST_CASE("the Runge-Kutta method is of order 4 on springs and on forces of state and time") {

@@ -97,11 +97,11 @@ std::vector<Case> cases() {
          world.add<FixedJoint>(world.bodies, a, b, anchor);
        }},
       {"box at rest", [](World& world, BodyId, BodyId b, const vec3&) {
-         const BodyId ground{0, 1};  // the first body: its top lies under all the others
+         const BodyId ground = world.bodies.id(0);  // its top lies under all others
          world.add<GroundContact>(ground, b, Top{.height = real(-0.5)}, box_outline(vec3(1)));
        }},
       {"box out of reach", [](World& world, BodyId, BodyId b, const vec3&) {
-         const BodyId ground{0, 1};
+         const BodyId ground = world.bodies.id(0);
          world.add<GroundContact>(ground, b, Top{.height = real(-30)}, box_outline(vec3(1)));
        }}};
 }

@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
                      {"settings", "shake stiff loops careful", "the settings, with blanks between"},
                      {"seed", "1", "of the first scene of every family"},
                      {"draws", "0", "scenes of every family; 0: as many as it has"},
-                     {"hertz", "60", "steps per second"},
+                     {"hertz", "60", "steps per second [Hz]"},
                      {"each", "0", "1: tell every scene that is not held"}});
     if (!options.read(argc, argv)) return;
     std::vector<Family> list = families();
@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
                             "gain_max,loss_median,loss_max,seconds");
     const int first = options.count("seed", 0), draws = options.count("draws", 0);
     std::printf("%-18s %-11s %11s %5s %9s %9s %8s %13s %6s\n", "family", "setting", "held", "lost",
-                "gap [mm]", "past", "gain [%]", "loss [%]", "s");
+                "gap [mm]", "past", "gain [%]", "loss [%]", "t [s]");
     for (const Family& family : list)
       for (const std::string& setting : words(options.text("settings"))) {
         const auto began = std::chrono::steady_clock::now();
@@ -59,8 +59,8 @@ int main(int argc, char** argv) {
           gain = std::max(gain, out.gain);
           if (scene.keeps_energy) losses.push_back(out.loss);
           if (options.flag("each") && !out.held())
-            std::printf("  seed %d: gap %.3g mm, gain %.3g, loss %.3g\n", first + k,
-                        1000 * out.gap, out.gain, out.loss);
+            std::printf("  seed %d: gap %.3g mm, gain %.3g %%, loss %.3g %%\n", first + k,
+                        1000 * out.gap, 100 * out.gain, 100 * out.loss);
         }
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() -
                                                              began).count();

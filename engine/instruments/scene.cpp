@@ -34,8 +34,8 @@ void Scene::print_plan() {
 bool read(Settings& settings, const std::string& program, const std::string& seconds,
           const std::string& what_runs, int argc, const char* const* argv) {
   Options options(program, {{"iterations", "30", "iterations a step"},
-                            {"beta", "0.2", "share of the error fed back in a step"},
-                            {"seconds", seconds, what_runs},
+                            {"beta", "0.2", "fraction of the error fed back per step [1]"},
+                            {"seconds", seconds, what_runs + " [s]"},
                             {"whole", "1", "recorded with 1: whole joints, 0: blocks apart"}});
   if (!options.read(argc, argv)) return false;
   settings = {options.count("iterations", 1), real(options.number("beta", 0)),

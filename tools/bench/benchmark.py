@@ -60,7 +60,7 @@ def print_fastest(scenes):
     """Of every scene the fastest run whose gaps stay below 1 % of a link, without more energy."""
     print("\nthe fastest that holds 1 % of a link (largest gap), and plain cold iterations beside "
           "it:")
-    print(f"  {'scene':10} {'chains':>6} {'real':7} {'us a step':>10} {'cold':>10}  "
+    print(f"  {'scene':10} {'chains':>6} {'real':7} {'step [us]':>10} {'cold [us]':>10}  "
           "setting, iterations")
     for (scene, chains, real), rows in scenes.items():
         if len({(row["solver"], row["setting"]) for row in rows}) < 2:
@@ -88,7 +88,7 @@ def print_fronts(scenes):
             print(f"  {scene}, {chains} chain{'s' * (chains != '1')}, {words}:")
             for k in sorted({round(i * last / max(1, most - 1)) for i in range(most)}):
                 size = factor * float(front[k][measure])
-                print(f"    {microseconds(front[k]):9.1f} us {size:9.3g} {unit:2}  "
+                print(f"    {microseconds(front[k]):9.1f} us a step {size:9.3g} {unit:2}  "
                       f"{called(front[k])}")
 
 
@@ -96,7 +96,8 @@ def print_scaling():
     """What a joint costs in a thousand and in a hundred thousand."""
     rows = [row for row in read(figures.SCALING) if row["iterations"] == "30"]
     sizes = sorted({int(row["joints"]) for row in rows})
-    print("\nns a joint and step, 30 iterations, float; bytes a joint:")
+    print("\ntime of a joint and step [ns], 30 iterations, float, by the number of "
+          "joints;\ngrowth; memory of a joint [bytes]:")
     print(f"  {'solver':26}" + "".join(f"{size:>10,}" for size in sizes)
           + f"{'growth':>9}{'bytes':>8}")
     for solver, setting in dict.fromkeys((row["solver"], row["setting"]) for row in rows):

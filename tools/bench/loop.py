@@ -38,16 +38,16 @@ def print_table():
     """A line a variant; the ratio is against the textbook's in the same run."""
     rows = [row for row in read() if row["iterations"] == "30"]
     print(f"{'':35}{'30 iterations':>13} {'one joint, one iteration':^34}")
-    print(f"{'variant':22} {'real':7} {'chains':>6} {'us a step':>10} {'ns':>8} "
-          f"{'textbook / this':>16} {'instructions':>13} {'gap RMS mm':>11}")
+    print(f"{'variant':22} {'real':7} {'chains':>6} {'a step [us]':>11} {'[ns]':>7} "
+          f"{'textbook / this':>16} {'instructions':>13} {'gap RMS [mm]':>12}")
     for row in rows:
         base = next(float(other["ns_per_joint_iteration"]) for other in rows
                     if other["variant"] == "textbook" and other["real"] == row["real"]
                     and other["chains"] == row["chains"])
         ns = float(row["ns_per_joint_iteration"])
         print(f"{row['variant']:22} {row['real']:7} {row['chains']:>6} "
-              f"{float(row['us_per_step']):10.1f} {ns:8.2f} {base / ns:16.2f} "
-              f"{row[PER_ITERATION] or '-':>13} {1000 * float(row['gap_rms_m']):11.2f}")
+              f"{float(row['us_per_step']):11.1f} {ns:7.2f} {base / ns:16.2f} "
+              f"{row[PER_ITERATION] or '-':>13} {1000 * float(row['gap_rms_m']):12.2f}")
 
 
 def main(options):

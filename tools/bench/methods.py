@@ -3,7 +3,7 @@ import csv
 
 from base import house
 from pictures import figures
-from bench.measuring import run_bench
+from bench.measuring import MEASURED, cells, heading, run_bench
 
 PROGRAM = "bench/methods"
 WORDS = {
@@ -25,9 +25,7 @@ WORDS = {
     "stiff": "direct, positions, stiffness 8", "rk4": "direct, Runge-Kutta"}
 
 
-def number(text, factor=1.0, form="9.3g"):
-    """A cell of the table; a dash where a measure has no meaning."""
-    return format(factor * float(text), form) if text else f"{'-':>9}"
+COLUMNS = [*MEASURED[:2], ("by si30", "", "ratio_to_si30", 1, "9.2f"), *MEASURED[2:]]
 
 
 def print_table():
@@ -36,25 +34,18 @@ def print_table():
         rows = list(csv.DictReader(file))
     for scene, real in dict.fromkeys((row["scene"], row["real"]) for row in rows):
         mine = [row for row in rows if (row["scene"], row["real"]) == (scene, real)]
-        found = mine[0]["finding"]
-        print(f"\n{scene}, {real}, {mine[0]['joints']} joints"
-              + (f"; {found}, expected {float(mine[0]['expected']):.4g}" if found else ""))
-        print(f"  {'method':11}{'us':>9}{'spread':>8}{'of si30':>9}{'gap mm':>9}{'RMS mm':>9}"
-              f"{'tip mm':>9}{'energy':>9}{'found':>9}  held")
+        name, titles, units = heading(mine, COLUMNS)
+        print(f"\n{scene}, {real}{name}\n  {'method':11}{titles}  held\n  {'':11}{units}")
         for row in mine:
-            print(f"  {row['method']:11}{number(row['us_per_step'], form='9.1f')}"
-                  f"{number(row['spread'], 100, '7.0f')}%"
-                  f"{number(row['ratio_to_si30'], form='9.2f')}{number(row['gap_max_m'], 1000)}"
-                  f"{number(row['gap_rms_m'], 1000)}{number(row['tip_error_m'], 1000)}"
-                  f"{number(row['energy_drift'], form='9.1e')}{number(row['found'])}"
+            print(f"  {row['method']:11}{cells(row, COLUMNS)}"
                   f"  {row['held']} of {row['of']}, {row['status']}")
     print("\nthe methods:")
     for word in dict.fromkeys(row["method"] for row in rows):
         print(f"  {word:11}{WORDS[word]}")
     print("gap: the largest of all joints in the last two thirds of a run; spread: between the "
-          "quartiles of\nthe times, by their median; energy drift: energy at the end less that of "
-          "the start, by the scene's\nown scale; of a random family the worst of its scenes; '-': "
-          "has no meaning here.")
+          "quartiles of\nthe times, by their median; by si30: the time of a step by that of si30 "
+          "in this run; energy: at\nthe end less that of the start, by the scene's own scale; of a "
+          "random family the worst of its\nscenes; '-': has no meaning here.")
 
 
 def main(options):

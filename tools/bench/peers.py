@@ -90,19 +90,14 @@ def read():
         return list(csv.DictReader(file))
 
 
+COLUMNS = [*MEASURED, ("memory", "[kB]", "bytes", 1e-3, "8.0f")]
+
+
 def print_scene(scene, rows):
-    found = rows[0]["finding"]
-    print(f"\n{scene}, {rows[0]['joints']} joints"
-          + (f"; {found}, expected {float(rows[0]['expected']):.4g}" if found else ""))
-    print(f"  {'us':>9}{'spread':>8}{'gap mm':>9}{'RMS mm':>9}{'tip mm':>9}{'energy':>9}"
-          f"{'found':>9}{'kB':>8}  engine and setting")
+    name, titles, units = heading(rows, COLUMNS)
+    print(f"\n{scene}{name}\n  {titles}  engine and setting\n  {units}")
     for row in sorted(rows, key=lambda row: float(row["us_per_step"])):
-        def cell(name, factor=1.0, form="9.3g"):
-            return format(factor * float(row[name]), form) if row[name] else f"{'-':>9}"
-        print(f"  {cell('us_per_step', 1, '9.1f')}{100 * float(row['spread']):7.0f}%"
-              f"{cell('gap_max_m', 1000)}{cell('gap_rms_m', 1000)}{cell('tip_error_m', 1000)}"
-              f"{cell('energy_drift', 1, '9.1e')}{cell('found')}"
-              f"{float(row['bytes']) / 1000:8.0f}  {called(row)}, {row['status']}")
+        print(f"  {cells(row, COLUMNS)}  {called(row)}, {row['status']}")
 
 
 def print_front(scene, rows):
@@ -113,7 +108,7 @@ def print_front(scene, rows):
             continue
         print(f"  front, {words}:")
         for row in line:
-            print(f"    {float(row['us_per_step']):9.1f} us "
+            print(f"    {float(row['us_per_step']):9.1f} us a step "
                   f"{factor * size(row, measure):9.3g} {unit:2}  {called(row)}")
         for row in line:
             if row["engine"] == OURS or factor * size(row, measure) > HOLDS:
@@ -127,7 +122,8 @@ def print_front(scene, rows):
 
 def print_scaling(rows):
     """What a joint costs, and takes of memory, in scenes of more and more of them."""
-    print("\nns a joint and step, and bytes a joint, as S1 grows:")
+    print("\ntime of a joint and step [ns] and memory of a joint [bytes], by the number of "
+          "joints of S1:")
     sizes = sorted({int(row["joints"]) for row in rows})
     print(f"  {'':48}" + "".join(f"{count:>16,}" for count in sizes))
     for name in dict.fromkeys(called(row) for row in rows):

@@ -56,8 +56,8 @@ int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 1: a pendulum on a rod and a bridge hung from ropes",
                     {{"iterations", "30", "iterations a step, of the recorded motion"},
-                     {"beta", "0.2", "share of the error fed back in a step"},
-                     {"seconds", "10", "how long to simulate"}});
+                     {"beta", "0.2", "fraction of the error fed back per step [1]"},
+                     {"seconds", "10", "how long to simulate [s]"}});
     if (!options.read(argc, argv)) return;
     StepSettings settings;
     settings.beta = real(options.number("beta", 0));

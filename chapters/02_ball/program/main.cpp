@@ -200,8 +200,8 @@ int main(int argc, char** argv) {
     Options options("Chapter 2: rows against a block, a blow, and a chain that swings",
                     {{"links", "12", "links of the bent and of the swinging chain"},
                      {"iterations", "30", "iterations a step, of the recorded motion"},
-                     {"beta", "0.2", "share of the error fed back in a step"},
-                     {"seconds", "5", "how long the chain swings"}});
+                     {"beta", "0.2", "fraction of the error fed back per step [1]"},
+                     {"seconds", "5", "how long the chain swings [s]"}});
     if (!options.read(argc, argv)) return;
     const int links = options.count("links", 2), chosen = options.count("iterations", 1);
     const real beta = real(options.number("beta", 0));

@@ -177,8 +177,8 @@ int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 6: errors fed back, started warm, and projected",
                     {{"iterations", "30", "iterations a step"},
-                     {"beta", "0.15", "share of the error fed back in a step"},
-                     {"seconds", "10", "how long the pendulums swing, chains half as long"}});
+                     {"beta", "0.15", "fraction of the error fed back per step [1]"},
+                     {"seconds", "10", "how long the pendulums swing, chains half as long [s]"}});
     if (!options.read(argc, argv)) return;
     const Choice choice{options.count("iterations", 1), real(options.number("beta", 0)),
                         options.number("seconds", 0.1), options.text("out")};

@@ -9,8 +9,8 @@ int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 7: the performance loop, step by step",
                     {{"iterations", "30", "iterations per step"},
-                     {"beta", "0.2", "share of the error fed back per step"},
-                     {"seconds", "5", "how long the scenes run"},
+                     {"beta", "0.2", "fraction of the error fed back per step [1]"},
+                     {"seconds", "5", "how long the scenes run [s]"},
                      {"chains", "10", "chains of 100 cubes"}});
     if (!options.read(argc, argv)) return;
     const Choice choice{options.count("iterations", 1), real(options.number("beta", 0)),

@@ -10,8 +10,8 @@ int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 8: the ground, and five machines on it",
                     {{"iterations", "30", "iterations per step"},
-                     {"beta", "0.2", "share of the error fed back in a step"},
-                     {"seconds", "10", "how long the machines run"},
+                     {"beta", "0.2", "fraction of the error fed back per step [1]"},
+                     {"seconds", "10", "how long the machines run [s]"},
                      {"machine", "all", "all, none, ragdoll, wheels, cannon, bridge or curl"}});
     if (!options.read(argc, argv)) return;
     const Choice choice{options.count("iterations", 1), real(options.number("beta", 0)),

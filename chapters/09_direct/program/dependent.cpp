@@ -79,8 +79,8 @@ void bars(const Choice& choice, std::vector<Summary>& lines) {
                                       off_parallel(scene), widest(scene), change});
         },
         steps_of(scene, method, direct)));
-    std::printf("four-bars, %s: energy between %+.2g and %+.2g, off parallel by %.2g m",
-                method.name().c_str(), least, most, off);
+    std::printf("four-bars, %s: energy between %+.2g %% and %+.2g %%, off parallel by %.2g m",
+                method.name().c_str(), 100 * least, 100 * most, off);
     if (method.iterations == 0)
       std::printf("; of %zu rows %d depend on the others", scene.world.blocks.C.size(),
                   direct.dropped());

@@ -105,8 +105,9 @@ void newton(const Choice& choice) {
     const std::vector<double>& met = direct.errors_met();
     for (std::size_t n = 0; n < met.size(); ++n)
       table.row({scene.name}, {1.0 / rate, double(n), met[n]});
-    std::printf("%s, h = 1/%d s: an error of %.2g becomes %.2g after %zu iterations\n",
-                scene.name.c_str(), rate, met.front(), met.back(), met.size() - 1);
+    std::printf("%s, h = 1/%d s: an error of %.2g becomes %.2g m or rad after %zu iteration%s\n",
+                scene.name.c_str(), rate, met.front(), met.back(), met.size() - 1,
+                met.size() == 2 ? "" : "s");
   };
   for (const int rate : {15, 60, 240}) show(three_slabs(), rate, rate / 2);
   show(taut_chain(10), 60, 0);

@@ -50,7 +50,8 @@ class Door:
         command = command or [sys.executable, "-B", "tools/wb.py"]
         result = subprocess.run([*command, *words.split()], cwd=self.root, capture_output=True,
                                 text=True, errors="replace", stdin=subprocess.DEVNULL,
-                                env=dict(os.environ, WORKBOOK_PYTHON=sys.executable), timeout=60)
+                                env=dict(os.environ, WORKBOOK_PYTHON=sys.executable,
+                                         WORKBOOK_LIMIT="1"), timeout=60)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         used = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
         return result.returncode, result.stdout, result.stderr, used

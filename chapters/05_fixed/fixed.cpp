@@ -7,8 +7,8 @@ namespace joints {
 
 mat3 cross_K(const Point& point, const Body& body1, const Body& body2) {
   // begin [exercise 5.1]
-  // Return the 3x3 matrix X of Eq. 5-2. skew(r) is the matrix of r x, inverse_inertia(body) the
-  // inverse inertia in world axes.
+  // Return the 3x3 matrix X of Eq. 5-2. skew(r) is the matrix of the product r x, and
+  // inverse_inertia(body) is the inverse inertia in world axes.
   todo("5.1");
   // end [exercise 5.1]
 }
@@ -30,22 +30,22 @@ Matrix<6> weld_K(const Weld& weld, const Body& body1, const Body& body2) {
 
 Reaction carried(const Vector<6>& impulse, real h) {
   // begin [exercise 5.2]
-  // Return {force, torque} of Eq. 5-4: the first three impulses are of the point and act at the
-  // anchor, the last three are of the lock and are couples.
+  // Return {force, torque} of Eq. 5-4. The first three impulses belong to the point and act at the
+  // anchor; the last three belong to the lock and are couples.
   todo("5.2");
   // end [exercise 5.2]
 }
 
 Reaction about(const Reaction& load, const vec3& from, const vec3& to) {
   // begin [exercise 5.2]
-  // Return the load with its torque about the point `to`, Eq. 5-5.
+  // Return the same load with its torque expressed about the point `to`, Eq. 5-5.
   todo("5.2");
   // end [exercise 5.2]
 }
 
 bool breaks(const Reaction& load, const Strength& strength) {
   // begin [exercise 5.2]
-  // Return true if the length of the force or of the torque is above its bound.
+  // Return true if the magnitude of the force or of the torque exceeds its bound.
   todo("5.2");
   // end [exercise 5.2]
 }

@@ -8,11 +8,11 @@
 #include "engine/reaction.h"
 
 /// \defgroup chapter5 Chapter 5: fixed joint
-/// \brief Six rows in one block, the force that a joint carries, and when it breaks.
+/// \brief Six rows in one block, the load that a joint transmits, and when it breaks.
 /// @{
 namespace joints {
 
-/// Exercise 5.1: the rates of a point's three rows by impulses of a lock's three, J_t M^-1 J_r^T.
+/// Exercise 5.1: couples the point's three rows with the lock's three, X = J_t M^-1 J_r^T.
 /// \return the upper right 3x3 block of a weld's K [1/(kg m)]
 mat3 cross_K(const Point& point, const Body& body1, const Body& body2);
 
@@ -20,7 +20,7 @@ mat3 cross_K(const Point& point, const Body& body1, const Body& body2);
 /// Removes six degrees of freedom.
 ///
 /// C = (C of Point [m], C of RotationLock [1]); J likewise, exact where C = 0; K = J M^-1 J^T is
-/// never singular while one body can move. Source: thesis, section 3.7.5, which solves the two
+/// invertible if at least one body can move. Source: thesis, section 3.7.5, which solves the two
 /// parts as two blocks.
 using Weld = Composite<Point, RotationLock>;
 
@@ -33,7 +33,7 @@ Matrix<6> weld_K(const Weld& weld, const Body& body1, const Body& body2);
 Reaction carried(const Vector<6>& impulse, real h);
 
 /// Exercise 5.2, second part: the same load with its torque about another point.
-/// \param from the point of `load.torque` [m, world] \param to the point wanted [m, world]
+/// \param from the point of `load.torque` [m, world] \param to the new point [m, world]
 Reaction about(const Reaction& load, const vec3& from, const vec3& to);
 
 /// The load at which a weld breaks.

@@ -9,14 +9,14 @@
 /// @{
 namespace joints {
 
-/// A fixed joint, or weld: no relative motion of the two bodies stays free. What is held and
-/// the rows: Eq. 5-1; K: Eq. 2-6, Eq. 4-9 and between them Eq. 5-2.
+/// A fixed joint, or weld: removes all relative motion of two bodies. C and J: Eq. 5-1; the blocks
+/// of K: Eq. 2-6 and Eq. 4-9 on the diagonal, Eq. 5-2 off the diagonal.
 class FixedJoint : public Joint {
  public:
   Weld weld;          ///< the geometry; may be changed between steps
-  bool whole = true;  ///< one block of six rows, not two of three
+  bool whole = true;  ///< solve one block of six rows; false: two blocks of three
 
-  /// Holds two bodies at their present relative pose. \param anchor the point held [m, world]
+  /// Holds two bodies at their present relative pose. \param anchor common point [m, world]
   /// \throws std::invalid_argument unless the anchor is finite
   FixedJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& anchor)
       : Joint(id1, id2), weld{point_at(bodies[id1], bodies[id2], anchor),
@@ -45,8 +45,8 @@ class FixedJoint : public Joint {
   Reaction load() const {
     return acted() > 0 ? carried(impulse_, acted()) : Reaction{};
   }
-  /// The same about another point, as the middle of the seam whose strength is known: it does not
-  /// depend on the anchor. \param point [m, world]
+  /// The same about another point, for example the middle of the seam whose strength is known. The
+  /// result does not depend on the anchor. \param point [m, world]
   Reaction load(const Bodies& bodies, const vec3& point) const {
     return about(load(), world_point(bodies[body2], weld.first.anchor2_local), point);
   }

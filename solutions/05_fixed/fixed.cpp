@@ -7,8 +7,8 @@ namespace joints {
 
 mat3 cross_K(const Point& point, const Body& body1, const Body& body2) {
   // begin [exercise 5.1]
-  // Return the 3x3 matrix X of Eq. 5-2. skew(r) is the matrix of r x, inverse_inertia(body) the
-  // inverse inertia in world axes.
+  // Return the 3x3 matrix X of Eq. 5-2. skew(r) is the matrix of the product r x, and
+  // inverse_inertia(body) is the inverse inertia in world axes.
   const vec3 r1 = to_world(body1, point.anchor1_local), r2 = to_world(body2, point.anchor2_local);
   return -(skew(r1) * inverse_inertia(body1) + skew(r2) * inverse_inertia(body2));  // Eq. 5-2
   // end [exercise 5.1]
@@ -31,8 +31,8 @@ Matrix<6> weld_K(const Weld& weld, const Body& body1, const Body& body2) {
 
 Reaction carried(const Vector<6>& impulse, real h) {
   // begin [exercise 5.2]
-  // Return {force, torque} of Eq. 5-4: the first three impulses are of the point and act at the
-  // anchor, the last three are of the lock and are couples.
+  // Return {force, torque} of Eq. 5-4. The first three impulses belong to the point and act at the
+  // anchor; the last three belong to the lock and are couples.
   const vec3 push(impulse[0], impulse[1], impulse[2]), couple(impulse[3], impulse[4], impulse[5]);
   return {push / h, couple / h};  // Eq. 5-4
   // end [exercise 5.2]
@@ -40,14 +40,14 @@ Reaction carried(const Vector<6>& impulse, real h) {
 
 Reaction about(const Reaction& load, const vec3& from, const vec3& to) {
   // begin [exercise 5.2]
-  // Return the load with its torque about the point `to`, Eq. 5-5.
+  // Return the same load with its torque expressed about the point `to`, Eq. 5-5.
   return {load.force, load.torque + cross(from - to, load.force)};  // Eq. 5-5
   // end [exercise 5.2]
 }
 
 bool breaks(const Reaction& load, const Strength& strength) {
   // begin [exercise 5.2]
-  // Return true if the length of the force or of the torque is above its bound.
+  // Return true if the magnitude of the force or of the torque exceeds its bound.
   return length(load.force) > strength.force || length(load.torque) > strength.torque;
   // end [exercise 5.2]
 }

@@ -1,4 +1,4 @@
-// Rods and ropes as joints of the engine: given, there is nothing to edit here.
+// Rods and ropes as joints of the engine. Given: there is nothing to edit here.
 #pragma once
 
 #include "chapters/01_distance/distance.h"
@@ -20,7 +20,7 @@ inline void check(const Distance& rod) {
   require_finite("anchor1_local", rod.anchor1_local, "must be finite [m]");
   require_finite("anchor2_local", rod.anchor2_local, "must be finite [m]");
 }
-/// A rope may have length 0. \throws std::invalid_argument as the rod otherwise
+/// A rope may have length 0. \throws std::invalid_argument otherwise as for a rod
 template <class Rod>
 void check(const Rope<Rod>& rope) {
   Rod rod = rope.rod;

@@ -1,4 +1,4 @@
-// Chapter 1: one row. Replace each todo(...) by your own code; the text is in README.md.
+// Chapter 1: one row. Replace each todo(...) with your own code. README.md has the text.
 #include "chapters/01_distance/distance.h"
 
 namespace joints {
@@ -7,7 +7,7 @@ namespace joints {
 
 Row CentreDistance::jacobian(const Body& body1, const Body& body2) const {
   // begin [exercise 1.1]
-  // Return the row J of Eq. 1-4. A Row is written {v1, w1, v2, w2}; nothing turns: vec3(0).
+  // Return the row J of Eq. 1-4. A Row is written {v1, w1, v2, w2}; a zero vector is vec3(0).
   // direction(u) gives the unit vector along u.
   const vec3 n = direction(body2.x - body1.x);  // Eq. 1-2
   return {-n, vec3(0), n, vec3(0)};             // Eq. 1-4
@@ -16,7 +16,7 @@ Row CentreDistance::jacobian(const Body& body1, const Body& body2) const {
 
 real CentreDistance::K(const Body& body1, const Body& body2) const {
   // begin [exercise 1.2]
-  // Return K of Eq. 1-7. A body knows the inverse of its mass: body1.inverse_mass.
+  // Return K of Eq. 1-7. A body stores the inverse of its mass: body1.inverse_mass.
   return body1.inverse_mass + body2.inverse_mass;  // Eq. 1-7
   // end [exercise 1.2]
 }
@@ -34,7 +34,7 @@ real row_impulse(const Row& J, real K, real bias, const Body& body1, const Body&
 void apply_impulse(const Row& J, real lambda, Body& body1, Body& body2) {
   // begin [exercise 1.3]
   // Change v and w of both bodies by M^-1 J^T lambda, Eq. 1-6.
-  // inverse_inertia(body) gives the world inverse inertia as a mat3.
+  // inverse_inertia(body) gives the inverse inertia in world axes as a mat3.
   body1.v += body1.inverse_mass * lambda * J.v1;  // Eq. 1-6
   body1.w += inverse_inertia(body1) * (lambda * J.w1);
   body2.v += body2.inverse_mass * lambda * J.v2;
@@ -52,8 +52,8 @@ LinkRow set_up(const Link& link, const std::vector<Body>& bodies, const StepSett
   LinkRow row;
   row.J = link.rope ? rope.jacobian(body1, body2) : rod.jacobian(body1, body2);
   row.K = rod.K(body1, body2);
-  row.bias = settings.beta * C / settings.h;                 // error fed back, chapter 6
-  if (link.rope && C > 0) row.bias = C / settings.h;         // slack may be used up, Eq. 1-11
+  row.bias = settings.beta * C / settings.h;                 // feedback of the error, chapter 6
+  if (link.rope && C > 0) row.bias = C / settings.h;         // allow the slack to close, Eq. 1-11
   return row;
 }
 
@@ -61,11 +61,11 @@ void step(std::vector<Body>& bodies, const std::vector<Link>& links,
           const StepSettings& settings) {
   // begin [exercise 1.4]
   // Write Algorithm 1 in four pieces:
-  //  1. gravity changes v of every body that is not static (body.is_static());
-  //  2. set_up(link, bodies, settings) gives the LinkRow of each link: keep them in a vector;
-  //  3. as many iterations as settings.iterations say: for every link row_impulse, for a rope also
-  //     clamp_sum (exercise 1.5), then apply_impulse;
-  //  4. the new v moves x of every body.
+  //  1. Gravity changes v of every body that is not static (body.is_static()).
+  //  2. set_up(link, bodies, settings) gives the LinkRow of a link. Store one for each link.
+  //  3. Repeat settings.iterations times: for every link call row_impulse, for a rope also
+  //     clamp_sum (exercise 1.5), then apply_impulse.
+  //  4. The new v moves x of every body.
   for (Body& body : bodies)
     if (!body.is_static()) body.v += settings.h * settings.gravity;  // Eq. 1-9
 
@@ -88,8 +88,8 @@ void step(std::vector<Body>& bodies, const std::vector<Link>& links,
 
 real clamp_sum(real dlambda, real& sum) {
   // begin [exercise 1.5]
-  // Add dlambda to the accumulated impulse, but keep it at least 0; store it in `sum` and return
-  // its change (Eq. 1-12).
+  // Add dlambda to the accumulated impulse and clamp the result to at least 0. Store it in `sum`
+  // and return its change (Eq. 1-12).
   const real before = sum;
   sum = glm::max(before + dlambda, real(0));  // Eq. 1-12
   return sum - before;
@@ -101,7 +101,7 @@ real clamp_sum(real dlambda, real& sum) {
 Row Distance::jacobian(const Body& body1, const Body& body2) const {
   // begin [exercise 1.6]
   // Return the row J of Eq. 1-15. The levers r1, r2 and the points p1, p2 are in world space:
-  // to_world(body1, anchor1_local) rotates a lever, world_point adds the centre.
+  // to_world(body1, anchor1_local) gives a lever, and world_point gives the point.
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   const vec3 n = direction(body2.x + r2 - body1.x - r1);  // Eq. 1-14
   return {-n, -cross(r1, n), n, cross(r2, n)};            // Eq. 1-15
@@ -110,7 +110,7 @@ Row Distance::jacobian(const Body& body1, const Body& body2) const {
 
 real Distance::K(const Body& body1, const Body& body2) const {
   // begin [exercise 1.6]
-  // Return K of Eq. 1-16. inverse_inertia(body) is the world inverse inertia, a mat3.
+  // Return K of Eq. 1-16. inverse_inertia(body) is the inverse inertia in world axes, a mat3.
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   const vec3 n = direction(body2.x + r2 - body1.x - r1);
   const vec3 a1 = cross(r1, n), a2 = cross(r2, n);

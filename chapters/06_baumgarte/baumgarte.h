@@ -11,12 +11,12 @@
 namespace joints {
 
 /// Exercise 6.1, first part: the bias of an equality.
-/// \param C its error [m or rad] \param beta share of it that a step removes [1]
+/// \param C its error [m or rad] \param beta fraction of it removed per step [1]
 /// \param h the step [s] \return b of J V + b = 0 [m/s or rad/s]
 real bias(real C, real beta, real h);
 
 /// Exercise 6.1, second part: the bias of a row that may only push C up, such as a limit or a rope.
-/// \param C the gap or slack if positive, minus the violation if negative [m or rad]
+/// \param C gap or slack if positive; violation if negative [m or rad]
 /// \return b [m/s or rad/s]: J V = -b is the fastest approach allowed, or the rate of correction
 real limit_bias(real C, real beta, real h);
 
@@ -24,34 +24,35 @@ real limit_bias(real C, real beta, real h);
 /// \param half_time [s], positive \param h the step [s] \return beta [1], between 0 and 1
 real beta_for(real half_time, real h);
 
-/// Exercise 6.2, first part: a joint begins the step with its impulses of the last one.
-/// \param J its rows at the present poses \param ratio this step over the last one, h/h_before [1]
-/// \param lambda in: the accumulated impulses of the last step; out: those with which this one
-/// begins; this function applies them to the two bodies [N s]
+/// Exercise 6.2, first part: warm-starts a joint with its impulses of the last step.
+/// \param J its rows at the present poses
+/// \param ratio length of this step over that of the last, h/h_before [1]
+/// \param lambda in: the accumulated impulses of the last step; out: the initial impulses of this
+/// step, which this function applies to the two bodies [N s]
 void warm_start(const Jacobian<3>& J, real ratio, vec3& lambda, Body& body1, Body& body2);
 
 /// Exercise 6.2, second part: true if a warm start together with beta keeps a scene stable.
-/// \param rho share of the velocity error that one more iteration leaves, after many [1], 0 to 1
-/// \param iterations in a step \param beta share of the error fed back in a step [1]
+/// \param rho factor by which an iteration multiplies the velocity error, after many [1], 0 to 1
+/// \param iterations per step \param beta fraction of the error fed back per step [1]
 bool warm_start_is_safe(real rho, int iterations, real beta);
 
 /// Exercise 6.3, first part: position projection of one joint. Moves and rotates the two bodies so
 /// that the gap of the point is zero to first order; their velocities do not change. At least one
-/// of the two can move: between two static bodies K is zero and has no inverse.
+/// of the two must be movable: between two static bodies K is zero and has no inverse.
 void project(const Point& point, Body& body1, Body& body2);
 
 /// Exercise 6.3, second part: the same for a rope; a slack rope moves nothing. At least one of the
-/// two bodies can move.
+/// two bodies must be movable.
 void project(const Rope<Distance>& rope, Body& body1, Body& body2);
 
-/// Bodies in a row; joint k holds body k to body k + 1.
+/// Bodies in a row; joint k connects body k to body k + 1.
 struct Chain {
   std::vector<Body> bodies;   ///< the first one is static
   std::vector<Point> joints;  ///< one less than bodies
 };
 
 /// Exercise 6.3, third part: one iteration of position projection projects every joint of the chain
-/// once, in order, each at the poses that the one before it has left.
+/// once, in order, each at the poses that result from the previous one.
 void projection_iteration(Chain& chain);
 
 }  // namespace joints

@@ -14,7 +14,7 @@ real bias(real C, real beta, real h) {
 
 real limit_bias(real C, real beta, real h) {
   // begin [exercise 6.1]
-  // Return b of Eq. 6-5: one case for a violated limit, one for a limit that is not yet reached.
+  // Return b of Eq. 6-5: one case for a violated limit, one for a limit not yet reached.
   return C < 0 ? beta * C / h : C / h;  // Eq. 6-5
   // end [exercise 6.1]
 }
@@ -30,8 +30,8 @@ real beta_for(real half_time, real h) {
 
 void warm_start(const Jacobian<3>& J, real ratio, vec3& lambda, Body& body1, Body& body2) {
   // begin [exercise 6.2]
-  // Bring lambda up to date, Eq. 6-8, and give it to the bodies: apply_impulse of exercise 2.3.
-  // lambda goes on from there, so it must hold what has been applied.
+  // Scale lambda by Eq. 6-8 and apply it to the bodies with apply_impulse of exercise 2.3. The
+  // iterations continue from lambda, so it must equal the impulse that has been applied.
   lambda *= ratio;  // Eq. 6-8
   apply_impulse(J, lambda, body1, body2);
   // end [exercise 6.2]
@@ -39,7 +39,7 @@ void warm_start(const Jacobian<3>& J, real ratio, vec3& lambda, Body& body1, Bod
 
 bool warm_start_is_safe(real rho, int iterations, real beta) {
   // begin [exercise 6.2]
-  // Return true where Eq. 6-9 holds. std::pow(x, n) is x to the power n.
+  // Return true if Eq. 6-9 holds. std::pow(x, n) is x to the power n.
   return std::pow(rho, real(iterations)) * (1 + beta) < 1;  // Eq. 6-9
   // end [exercise 6.2]
 }
@@ -48,10 +48,10 @@ bool warm_start_is_safe(real rho, int iterations, real beta) {
 
 void project(const Point& point, Body& body1, Body& body2) {
   // begin [exercise 6.3]
-  // Find lambda of Eq. 6-10 from the error and K of the point, at the present poses. The moves of
-  // Eq. 6-11 are M^-1 J^T lambda. That is what apply_impulse of exercise 2.3 adds to velocities: so
-  // copy both bodies, set v and w of the copies to zero, and give it the copies. Their v and w are
-  // the moves then. turned(q, w, 1) rotates q by the vector w [rad].
+  // Compute lambda of Eq. 6-10 from the error and K of the point, at the present poses. The
+  // displacements of Eq. 6-11 are M^-1 J^T lambda, and apply_impulse of exercise 2.3 adds just this
+  // to velocities. So copy both bodies, set v and w of the copies to zero, and apply lambda to the
+  // copies: their v and w are then the displacements. turned(q, w, 1) rotates q by w [rad].
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);  // Eq. 6-10
   Body move1 = body1, move2 = body2;
   move1.v = move1.w = move2.v = move2.w = vec3(0);
@@ -65,7 +65,7 @@ void project(const Point& point, Body& body1, Body& body2) {
 
 void project(const Rope<Distance>& rope, Body& body1, Body& body2) {
   // begin [exercise 6.3]
-  // The same with a single row, and only if the rope is overstretched: else nothing moves.
+  // The same with a single row, and only if the rope is overstretched; otherwise move nothing.
   const real C = rope.error(body1, body2);
   if (C >= 0) return;
   const real lambda = -C / rope.K(body1, body2);  // Eq. 6-10

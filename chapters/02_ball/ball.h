@@ -1,5 +1,5 @@
-// Chapter 2: a block of three rows. What ball.cpp has to provide. Read README.md beside it first.
-// There is nothing to edit here.
+// Chapter 2: a block of three rows. Declares the functions that ball.cpp has to define. Read
+// README.md in this folder first. Given: there is nothing to edit here.
 #pragma once
 
 #include "engine/matrix.h"
@@ -21,7 +21,7 @@ struct Point {
 
   static constexpr int rows = 3;            ///< degrees of freedom that it removes
   static constexpr bool one_sided = false;  ///< it pushes and it pulls
-  static constexpr Form form = Form::point;  ///< of its rows
+  static constexpr Form form = Form::point;  ///< the form of its rows
   /// C, the gap [m, world]: the vector from the point on body 1 to the point on body 2.
   vec3 error(const Body& body1, const Body& body2) const {
     return world_point(body2, anchor2_local) - world_point(body1, anchor1_local);  // Eq. 2-1
@@ -30,14 +30,15 @@ struct Point {
   mat3 K(const Body& body1, const Body& body2) const;                ///< exercise 2.2 [1/kg]
 };
 
-/// The part that holds two bodies together at a point of the world [m], at their present poses.
+/// Makes the part that holds two bodies together at the world point `anchor` [m], from their
+/// present poses.
 inline Point point_at(const Body& body1, const Body& body2, const vec3& anchor) {
   return {to_local(body1, anchor - body1.x), to_local(body2, anchor - body2.x)};
 }
 
-/// Exercise 2.3, first half: the impulse that makes three rows true at once.
+/// Exercise 2.3, first half: the impulse that satisfies three rows at the same time.
 /// \param K J M^-1 J^T of the block [1/kg], not singular
-/// \param bias minus the wanted J V [m/s]
+/// \param bias minus the required J V [m/s]
 /// \return lambda [N s] such that J V + bias = 0 after apply_impulse
 vec3 block_impulse(const Jacobian<3>& J, const mat3& K, const vec3& bias, const Body& body1,
                    const Body& body2);

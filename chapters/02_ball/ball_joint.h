@@ -1,4 +1,4 @@
-// The ball joint of the engine: given, there is nothing to edit here.
+// The ball joint of the engine. Given: there is nothing to edit here.
 #pragma once
 
 #include "chapters/02_ball/ball.h"
@@ -15,7 +15,7 @@ inline void check(const Point& point) {
   require_finite("anchor2_local", point.anchor2_local, "must be finite [m]");
 }
 
-using BallJoint = PartJoint<Point>;  ///< ball and socket
+using BallJoint = PartJoint<Point>;  ///< ball-and-socket joint
 
 }  // namespace joints
 /// @}

@@ -1,5 +1,5 @@
-// Chapter 2: a block of three rows. Replace each todo(...) by your own code; the text is in
-// README.md.
+// Chapter 2: a block of three rows. Replace each todo(...) with your own code. README.md has the
+// text.
 #include "chapters/02_ball/ball.h"
 
 namespace joints {
@@ -9,7 +9,7 @@ namespace joints {
 Jacobian<3> Point::jacobian(const Body& body1, const Body& body2) const {
   // begin [exercise 2.1]
   // Return the three rows J of Eq. 2-4. jacobian_from_blocks(v1, w1, v2, w2) makes them from the
-  // four 3x3 blocks; mat3(1) is the unit matrix E, skew(r) the matrix of r x.
+  // four 3x3 blocks. mat3(1) is the unit matrix E, and skew(r) a is r x a.
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   return jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2));  // Eq. 2-4
   // end [exercise 2.1]
@@ -17,7 +17,7 @@ Jacobian<3> Point::jacobian(const Body& body1, const Body& body2) const {
 
 mat3 Point::K(const Body& body1, const Body& body2) const {
   // begin [exercise 2.2]
-  // Return the 3x3 matrix K of Eq. 2-6. inverse_inertia(body) is the world inverse inertia.
+  // Return the 3x3 matrix K of Eq. 2-6. inverse_inertia(body) is in world axes.
   const mat3 s1 = skew(to_world(body1, anchor1_local)), s2 = skew(to_world(body2, anchor2_local));
   return mat3(body1.inverse_mass + body2.inverse_mass) +
          s1 * inverse_inertia(body1) * transpose(s1) +
@@ -30,7 +30,8 @@ mat3 Point::K(const Body& body1, const Body& body2) const {
 vec3 block_impulse(const Jacobian<3>& J, const mat3& K, const vec3& bias, const Body& body1,
                    const Body& body2) {
   // begin [exercise 2.3]
-  // Return lambda of Eq. 2-7. row_velocity(J[i], body1, body2) is J V of row i, inverse(K) GLM's.
+  // Return lambda of Eq. 2-7. row_velocity(J[i], body1, body2) is J V of row i, and inverse(K) is
+  // the inverse of a mat3.
   vec3 e = bias;
   for (int i = 0; i < 3; ++i) e[i] += row_velocity(J[i], body1, body2);
   return -inverse(K) * e;  // Eq. 2-7
@@ -39,8 +40,8 @@ vec3 block_impulse(const Jacobian<3>& J, const mat3& K, const vec3& bias, const 
 
 void apply_impulse(const Jacobian<3>& J, const vec3& lambda, Body& body1, Body& body2) {
   // begin [exercise 2.3]
-  // Change the velocities of both bodies by M^-1 J^T lambda, Eq. 2-8: each row pushes with its own
-  // lambda[i] along J[i].v1, J[i].w1, J[i].v2, J[i].w2, as the one row of exercise 1.3 did.
+  // Change the velocities of both bodies by M^-1 J^T lambda, Eq. 2-8. Each row contributes its own
+  // lambda[i] times J[i].v1, J[i].w1, J[i].v2, J[i].w2, as the one row of exercise 1.3 did.
   for (int i = 0; i < 3; ++i) {
     body1.v += body1.inverse_mass * lambda[i] * J[i].v1;  // Eq. 2-8
     body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1);
@@ -54,8 +55,8 @@ void apply_impulse(const Jacobian<3>& J, const vec3& lambda, Body& body1, Body& 
 
 quat turned(const quat& q, const vec3& w, real h) {
   // begin [exercise 2.4]
-  // Return exp(h w) q, normalised, Eq. 2-10. A quaternion is made by quat(w, x, y, z). If the angle
-  // |h w| is zero, do not divide by it: return q.
+  // Return exp(h w) q, normalised, Eq. 2-10. quat(w, x, y, z) makes a quaternion. If the angle
+  // |h w| is zero, return q instead of dividing by it.
   const real angle = h * length(w);
   if (angle == 0) return q;
   const vec3 axis = w / length(w);

@@ -15,7 +15,8 @@ sign (turned, moved). Below a heading:
     // tests: 1.5                                those of 1.5 judge it; its own find it right
     // expects: words                            which some report of it has, too
 
-`// region 2` stands above the answers that belong to the second of the regions that share the id.
+`// region 2` stands above the answers that belong to the second of the regions that share the id,
+`// from right in two lines` above those that change this right answer rather than the solution.
 
 All answers of a chapter become one source: in each region `if (chosen == k) {answer} else
 {solution}`. The choice comes from the environment, see tests/checker/chosen.h.
@@ -48,6 +49,7 @@ class Answer:
     file: Path
     line: int                                     # of its heading
     region: int = 1                               # which of the regions that share the id
+    base: str = ""                                # the right answer that it changes
     again: int = 1                                # it is so many-th of those with this heading
     tests: str = ""                               # the exercise that finds it out, not its own
     promises: list = field(default_factory=list)  # (line, words)
@@ -88,15 +90,17 @@ def read(path, regions):
     those that its exercise has."""
     if "\n// ---- " in path.read_text():
         return read_headings(path, regions)
-    found, region = [], 1
+    found, region, base = [], 1, ""
     for number, line in enumerate(path.read_text().rstrip("\n").split("\n"), 1):
         answer = found[-1] if found else None
         if match := HEADING.match(line):
-            answer = Answer(path.stem, match[1], match[2], path, number, region)
+            answer = Answer(path.stem, match[1], match[2], path, number, region, base)
             answer.changes = match[3] or ""
             found.append(answer)
         elif match := re.match(r"// region (\d+)$", line):
-            region = int(match[1])
+            region, base = int(match[1]), ""
+        elif match := re.match(r"// from right (\S.*)$", line):
+            base = match[1]
         elif answer is None:
             if line.strip():
                 answer = Answer(path.stem, "wrong", "no-heading", path, number)
@@ -120,7 +124,7 @@ def read(path, regions):
     for one in found:
         again[one.name] += 1
         one.again = again[one.name]
-        change(one, regions)
+        change(one, regions, found)
         faults_of(one, len(regions))
     return found
 
@@ -148,23 +152,29 @@ def read_headings(path, regions):
     for one in found:
         again[one.name] += 1
         one.again = again[one.name]
-        change(one, regions)
+        change(one, regions, found)
     return found
 
 
-def change(answer, regions):
-    """Makes the body of an answer that changes the solution."""
+def change(answer, regions, found):
+    """Makes the body of an answer that changes the solution, or a right answer found above it."""
     while answer.body and not answer.body[-1].strip():
         answer.body.pop()
     if not answer.changes or not 1 <= answer.region <= len(regions):
         return
     answer.first = answer.line
-    text = "\n".join(regions[answer.region - 1])
+    above = {"": regions[answer.region - 1]}
+    above |= {one.told: one.body for one in found
+              if one.kind == "right" and one.region == answer.region and one.line < answer.line}
+    if answer.base not in above:
+        answer.faults.append((answer.line, f"no right answer '{answer.base}' stands above it"))
+        return
+    text = "\n".join(above[answer.base])
     for words in answer.changes.split(" ;; "):
         old, arrow, new = (part.strip() for part in f"{words} ".partition(" ==> "))
         place = re.search(r"\s+".join(map(re.escape, old.split())), text) if old else None
         if not arrow or not place:
-            answer.faults.append((answer.line, f"the solution has no '{old}'"))
+            answer.faults.append((answer.line, f"{answer.base or 'the solution'} has no '{old}'"))
             continue
         text = text[:place.start()] + new + text[place.end():]
     answer.body = text.split("\n")

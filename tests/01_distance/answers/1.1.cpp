@@ -32,8 +32,7 @@
 // wrong "the z of the direction is left out": return {-n, vec3(0), n, vec3(0)} ==> const vec3
 //         n2(n.x, n.y, 0); return {-n2, vec3(0), n2, vec3(0)}
 // wrong direction-turned: direction ==> body1.q * direction
-// wrong inverse-masses-row: n, vec3(0), n ==> n * body1.inverse_mass, vec3(0), n *
-//         body2.inverse_mass
+// wrong inverse-masses-row: -n ==> -n * body1.inverse_mass ;; n, ==> n * body2.inverse_mass,
 // wrong sizes-direction: direction(body2.x - body1.x) ==> abs(direction(body2.x - body1.x))
 // wrong arms-where-nothing-turns: vec3(0), n, vec3(0) ==> -n, n, n
 // wrong all-zero: direction ==> real(1 / 2) * direction

@@ -28,8 +28,8 @@
 // wrong beta-once-more: bias ==> real(0.2) * bias
 // wrong never-set: return -(row_velocity(J, body1, body2) + bias) ==> real e; e += row_velocity(J,
 //         body1, body2) + bias; return -e
-// wrong "the sign of the bias; and K = 0 is divided by":
-  return -(row_velocity(J, body1, body2) - bias) / K;
+// wrong "the sign of the bias; and K = 0 is divided by": if (K == 0) return 0; ==> ;; + bias ==> -
+//         bias
 // wrong sign-impulse + small-k-taken-none: == 0 ==> < real(1e-3) ;; return - ==> return
 // wrong body-1-left-out: row_velocity(J, body1, body2) ==> (dot(J.v2, body2.v) + dot(J.w2,
 //         body2.w))
@@ -43,8 +43,7 @@
 // region 2
 // wrong body-space-inertia (w1 and w2): inverse_inertia(body1) ==> body1.inverse_inertia_local ;;
 //         inverse_inertia(body2) ==> body2.inverse_inertia_local
-// wrong one-sign-too-many (v1 and w1): += body1 ==> -= body1 ;; += inverse_inertia ==> -=
-//         inverse_inertia
+// wrong one-sign-too-many (v1 and w1): += body1 ==> -= body1 ;; w += ==> w -=
 // wrong velocities-set (v1, w1, v2 and w2): += body1 ==> = body1 ;; w += ==> w = ;; += body2 ==> =
 //         body2 ;; w += ==> w =
 // wrong not-changed (w1 and w2):
@@ -54,8 +53,7 @@
 // wrong "the block v of the other body (v2); the block w of the other body (w2)": v2; ==> v1; ;; w2
 //         ==> w1
 // wrong blocks-v-w (w1 and w2): w1 ==> v1 ;; w2 ==> v2
-// wrong masses-exchanged (v1 and v2): += body1 ==> += body2 ;; body2.v += body2 ==> body2.v +=
-//         body1
+// wrong masses-exchanged (v1 and v2): += body2 ==> += body1 ;; += body1 ==> += body2
 // wrong without-lambda (v1, w1, v2 and w2): * lambda ==> ;; lambda * ==> ;; * lambda ==> ;; lambda
 //         * ==>
 // wrong masses-inverse-masses (v1 and v2): body1.inverse_mass * lambda * J.v1 ==> lambda * J.v1 /

@@ -1,6 +1,3 @@
-// wrong clamps-each-impulse: const real before = sum; sum ==> dlambda ;; before + ==> ;; return sum
-//         - before ==> sum += dlambda; return dlambda
-// expects: Likely mistake: a rope never gives back what it pulled too much
 // wrong returns-new-sum: const real before = sum; ==> ;; before ==> sum ;; - before ==>
 // wrong sum-not-kept:
   return glm::max(sum + dlambda, real(0)) - sum;
@@ -13,18 +10,9 @@
 // wrong old-sum-taken-too: const real before = sum; ==> ;; before ==> sum ;; sum - before ==>
 //         glm::max(sum + dlambda, real(0)) - sum
 // wrong sign-of-dlambda: + dlambda ==> - dlambda
-// wrong minus-sum-that-0: const real before = sum ==> if (sum + dlambda < 0) return 0 ;; =
-//         glm::max(before + dlambda, real(0)) ==> += dlambda ;; sum - before ==> dlambda
-// wrong minus-sum-that-0:
-  if (sum + dlambda < 0) { sum = 0; return -sum; }
-  sum += dlambda;
-  return dlambda;
-// wrong sum-kept-where-emptied: const real before = sum ==> if (sum + dlambda < 0) return -sum ;; =
-//         glm::max(before + dlambda, real(0)) ==> += dlambda ;; sum - before ==> dlambda
 // wrong size-sum: glm::max(before + dlambda, real(0)) ==> std::abs(before + dlambda)
 // wrong dlambda-twice: return sum ==> sum += dlambda; return sum
-// wrong small-ones-left-out: const real ==> if (std::abs(dlambda) < real(1e-6)) return 0; const
-//         real
+// wrong small-ones-left-out: const ==> if (std::abs(dlambda) < real(1e-6)) return 0; const
 // wrong never-set: const real before = sum ==> real before
 // wrong cut-int: real before ==> int before
 // right with an if:
@@ -45,3 +33,12 @@
     sum = 0;
   }
   return dlambda;
+// from right with an if
+// wrong clamps-each-impulse: if (sum + dlambda < 0) { const real given_back = -sum; sum = 0; return
+//         given_back; } ==> dlambda = glm::max( dlambda, real(0));
+// expects: Likely mistake: a rope never gives back what it pulled too much
+// wrong minus-sum-that-0: { const real given_back = -sum; sum = 0; return given_back; } ==> return
+//         0;
+// wrong minus-sum-that-0: const real given_back = -sum; ==> ;; given_back ==> -sum
+// wrong sum-kept-where-emptied: { const real given_back = -sum; sum = 0; return given_back; } ==>
+//         return -sum;

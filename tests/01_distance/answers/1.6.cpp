@@ -22,8 +22,7 @@
 // wrong sign-u: - r1 ==> + r1
 // wrong centres-left-out: body2.x + r2 - body1.x ==> r2
 // wrong points-added-centres: to_world ==> world_point ;; to_world ==> world_point
-// wrong "a lever is turned with the other body": body1 ==> body2 ;; body2, anchor2_local ==> body1,
-//         anchor2_local
+// wrong "a lever is turned with the other body": body2 ==> body1 ;; body1 ==> body2
 // wrong one-anchor-both: anchor2_local ==> anchor1_local
 // wrong "the levers of both bodies are turned the wrong way round": to_world ==> to_local ;;
 //         to_world ==> to_local
@@ -58,12 +57,7 @@
 // wrong mass-for-inertia: dot(a1, inverse_inertia(body1) * a1) ==> body1.inverse_mass * dot(a1, a1)
 //         ;; dot(a2, inverse_inertia(body2) * a2) ==> body2.inverse_mass * dot(a2, a2)
 // wrong without-masses: body1.inverse_mass + body2.inverse_mass + ==>
-// wrong inverse-of-k:
-  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
-  const vec3 n = direction(body2.x + r2 - body1.x - r1);
-  const vec3 a1 = cross(r1, n), a2 = cross(r2, n);
-  return 1 / (body1.inverse_mass + body2.inverse_mass + dot(a1, inverse_inertia(body1) * a1) +
-         dot(a2, inverse_inertia(body2) * a2));
+// wrong inverse-of-k: return ==> return 1 / ( ;; a2) ==> a2))
 // wrong "body-space lever: the levers of both bodies": to_world(body1, anchor1_local), r2 =
 //         to_world(body2, anchor2_local) ==> anchor1_local, r2 = anchor2_local
 // wrong centre-centre: + r2 - body1.x - r1 ==> - body1.x

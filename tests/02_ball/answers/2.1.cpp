@@ -28,11 +28,6 @@
 //         r1.y), vec3(1, 0, 0), vec3(0, r2.z, -r2.y)}; return J;
 // wrong "J[0], the row C.x, is zero": return ==> const Jacobian<3> all = ;; r2)); ==> r2));
 //         Jacobian<3> J; for (int i = 1; i < 3; ++i) J[i] = all[i]; return J;
-// wrong one-sign:
-  const vec3 a = to_world(body1, anchor1_local), b = to_world(body2, anchor2_local);
-  return {{Row{vec3(-1, 0, 0), vec3(0, -a.z, a.y), vec3(1, 0, 0), vec3(0, b.z, b.y)},
-           Row{vec3(0, -1, 0), vec3(a.z, 0, -a.x), vec3(0, 1, 0), vec3(-b.z, 0, b.x)},
-           Row{vec3(0, 0, -1), vec3(-a.y, a.x, 0), vec3(0, 0, 1), vec3(b.y, -b.x, 0)}}};
 // wrong lever-length-1: (mat3(-1), skew(r1), mat3(1), -skew(r2)) ==> (mat3(-1),
 //         skew(normalize(r1)), mat3(1), -skew(normalize(r2)))
 // right row by row: r1 ==> a ;; r2 ==> b ;; jacobian_from_blocks(mat3(-1), skew(r1), mat3(1),
@@ -42,3 +37,5 @@
 // right cross products with unit vectors: return jacobian_from_blocks(mat3(-1), skew(r1), mat3(1),
 //         -skew(r2)); ==> Jacobian<3> J; for (int i = 0; i < 3; ++i) { vec3 e(0); e[i] = 1; J[i] =
 //         {-e, -cross(r1, e), e, cross(r2, e)}; } return J;
+// from right row by row
+// wrong one-sign: -b ==> b

@@ -23,8 +23,8 @@
 //         ;; * inverse_inertia ==> * world
 // wrong "body-space lever: the levers of both bodies": to_world(body1, anchor1_local) ==>
 //         anchor1_local ;; (to_world(body2, anchor2_local)) ==> (anchor2_local)
-// wrong inertias-exchanged: s1 = ==> s1 = skew(to_world(body2, anchor2_local)), s2 = ;; , s2 =
-//         skew(to_world(body2, anchor2_local)) ==>
+// wrong inertias-exchanged: body2, anchor2_local ==> body1, anchor1_local ;; body1, anchor1_local
+//         ==> body2, anchor2_local
 // wrong inverse-of-k: return ==> return inverse( ;; (s2) ==> (s2))
 // wrong without-masses: body1.inverse_mass + body2.inverse_mass ==> 0
 // wrong mass-body-1-left: body1.inverse_mass + ==>

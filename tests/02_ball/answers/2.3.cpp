@@ -14,8 +14,7 @@
 //         dot(J[i].w1, body1.w) + dot(J[i].w2, body2.w)
 // wrong small-k-taken-none: return - ==> if (std::abs(determinant(K)) < real(1e-3)) return vec3(0);
 //         return -
-// wrong nothing-done-where-bias: return - ==> if (length(bias) < real(1e-3)) return vec3(0); return
-//         -
+// wrong nothing-done-where-bias: return ==> if (length(bias) < real(1e-3)) return vec3(0); return
 // wrong without-k: inverse(K) * ==>
 // wrong never-set: vec3 e = bias ==> real f[3] ;; e[i] ==> f[i] ;; ; return ==> + bias[i]; const
 //         vec3 e(f[0], f[1], f[2]); return
@@ -36,44 +35,37 @@
 //         inverse(K) ==> K
 
 // region 2
-// wrong j-without-transpose (v1, w1, v2 and w2): for ( ==> vec3 push1, turn1, push2, turn2; for (
-//         ;; body1.v += body1.inverse_mass * lambda[i] * J[i].v1 ==> push1[i] = dot(J[i].v1,
-//         lambda) ;; body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1 ==> turn1[i] =
-//         dot(J[i].w1, lambda ;; body2.v += body2.inverse_mass * lambda[i] * J[i].v2 ==> push2[i] =
-//         dot(J[i].v2, lambda) ;; body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2 ==>
-//         turn2[i] = dot(J[i].w2, lambda ;; } ==> } body1.v += body1.inverse_mass * push1; body1.w
-//         += inverse_inertia(body1) * turn1; body2.v += body2.inverse_mass * push2; body2.w +=
-//         inverse_inertia(body2) * turn2;
+// wrong j-without-transpose (v1, w1, v2 and w2): for ==> vec3 push1, turn1, push2, turn2; for ;;
+//         body1 ==> push1[i] = dot(J[i].v1, lambda); turn1[i] = dot(J[i].w1, lambda); push2[i] =
+//         dot(J[i].v2, lambda); turn2[i] = dot(J[i].w2, lambda); } body1 ;; lambda[i] * J[i].v1 ==>
+//         push1 ;; (lambda[i] * J[i].w1) ==> turn1 ;; lambda[i] * J[i].v2 ==> push2 ;; (lambda[i] *
+//         J[i].w2); } ==> turn2;
 // wrong body-space-inertia (w1 and w2): inverse_inertia(body1) ==> body1.inverse_inertia_local ;;
 //         inverse_inertia(body2) ==> body2.inverse_inertia_local
 // wrong first-row-left-out (v1, w1, v2 and w2): 0 ==> 1
 // wrong last-row-left-out (v1, w1, v2 and w2): 3 ==> 2
-// wrong only-first-row (v1, w1, v2 and w2): } ==> return; }
-// wrong velocities-set (v1, w1, v2 and w2): .v += body1 ==> .v = body1 ;; body1.w +=
-//         inverse_inertia( ==> body1.w = inverse_inertia( ;; v += ==> v = ;; += ==> =
-// wrong lambda-added-v (v1 and v2): for ( ==> body1.v -= body1.inverse_mass * lambda; body2.v +=
-//         body2.inverse_mass * lambda; for ( ;; body1.v += body1.inverse_mass * lambda[i] *
-//         J[i].v1; ==> ;; body2.v += body2.inverse_mass * lambda[i] * J[i].v2; ==>
-// wrong one-sign-too-many (v1 and w1): .v += body1 ==> .v -= body1 ;; body1.w += inverse_inertia(
-//         ==> body1.w -= inverse_inertia(
-// wrong one-sign-too-many (w1 and w2): body1.w += inverse_inertia( ==> body1.w -= inverse_inertia(
-//         ;; w += ==> w -=
-// wrong lambda-0-every-row (v1, w1, v2 and w2): body1.inverse_mass * lambda[i] * J[i] ==>
-//         body1.inverse_mass * lambda[0] * J[i] ;; body1) * (lambda[i] * J[i] ==> body1) *
-//         (lambda[0] * J[i] ;; * lambda[i] * ==> * lambda[0] * ;; lambda[i] ==> lambda[0]
+// wrong only-first-row (v1, w1, v2 and w2): w2); ==> w2); return;
+// wrong velocities-set (v1, w1, v2 and w2): += body1 ==> = body1 ;; w += ==> w = ;; += body2 ==> =
+//         body2 ;; w += ==> w =
+// wrong lambda-added-v (v1 and v2): for ==> body1.v -= body1.inverse_mass * lambda; body2.v +=
+//         body2.inverse_mass * lambda; for ;; body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
+//         ==> ;; v += body2.inverse_mass * lambda[i] * J[i].v2; body2.w ==> w
+// wrong one-sign-too-many (v1 and w1): += body1 ==> -= body1 ;; w += ==> w -=
+// wrong one-sign-too-many (w1 and w2): w += ==> w -= ;; w += ==> w -=
+// wrong lambda-0-every-row (v1, w1, v2 and w2): [i] ==> [0] ;; [i] * ==> [0] * ;; [i] * ==> [0] *
+//         ;; [i] * ==> [0] *
 // wrong j-0-every-row (v1, w1, v2 and w2): J[i].v1 ==> J[0].v1 ;; J[i].w1 ==> J[0].w1 ;; J[i].v2
 //         ==> J[0].v2 ;; J[i]. ==> J[0].
-// wrong lambda-times-j-number (v1, w1, v2 and w2): body1.inverse_mass * lambda[i] * J[i] ==>
-//         body1.inverse_mass * lambda * J[i] ;; body1) * (lambda[i] * J[i] ==> body1) * (lambda *
-//         J[i] ;; * lambda[i] * ==> * lambda * ;; lambda[i] ==> lambda
+// wrong lambda-times-j-number (v1, w1, v2 and w2): [i] ==> ;; [i] * ==> * ;; [i] * ==> * ;; [i] *
+//         ==> *
 // wrong without-inverse-masses (v1 and v2): body1.inverse_mass * ==> ;; body2.inverse_mass * ==>
 // wrong not-changed (w1 and w2): body1.w += inverse_inertia(body1) * (lambda[i] * J[i].w1); ==> ;;
 //         body2.w += inverse_inertia(body2) * (lambda[i] * J[i].w2); ==>
 // wrong both-shares-body-1: body2.v ==> body1.v ;; body2.w ==> body1.w
 // wrong "the block v of the other body (v2); the block w of the other body (w2)": v2 ==> v1 ;; w2
 //         ==> w1
-// wrong nothing-done-where-one: for ( ==> if (body1.is_static() || body2.is_static()) return; for (
-// wrong small-impulses-left-out: for ( ==> if (length(lambda) < real(1e-6)) return; for (
+// wrong nothing-done-where-one: for ==> if (body1.is_static() || body2.is_static()) return; for
+// wrong small-impulses-left-out: for ==> if (length(lambda) < real(1e-6)) return; for
 // right with transposed matrices:
   // J^T lambda with J^T as a matrix: its columns are the rows of J.
   const mat3 v1(J[0].v1, J[1].v1, J[2].v1), w1(J[0].w1, J[1].w1, J[2].w1);

@@ -1,7 +1,6 @@
-// wrong 1-cos:
-  const vec3 a1 = to_world(body1, a1_local);
-  const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local);
-  return {1 - dot(a1, b), 1 - dot(a1, c)};
+// wrong 1-cos: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2, c_local))} ==>
+//         const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local); return {1 -
+//         dot(a1, b), 1 - dot(a1, c)}
 // wrong absolute-values: dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2, c_local)) ==>
 //         std::abs(dot(a1, to_world(body2, b_local))), std::abs(dot(a1, to_world(body2, c_local)))
 // wrong all-turned-body-1: body2 ==> body1 ;; body2 ==> body1

@@ -1,35 +1,17 @@
 // wrong asin-of-p: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 * std::atan2(p, q.w)
 //         ==> return 2 * std::asin(dot(vec3(q.x, q.y, q.z), a1_local))
-// wrong atan-ratio-reversed:
-  quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  return 2 * std::atan(q.w / dot(vec3(q.x, q.y, q.z), a1_local));
 // wrong atan2-exchanged: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 *
 //         std::atan2(p, q.w) ==> return 2 * std::atan2(q.w, dot(vec3(q.x, q.y, q.z), a1_local))
-// wrong atan2-double-angle: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 *
-//         std::atan2(p, q.w) ==> return std::atan2(2 * dot(vec3(q.x, q.y, q.z), a1_local), q.w)
-// wrong axis-turn-different-frames:
-  quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  if (q.w < 0) q = -q;
-  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), to_world(body2, a1_local)), q.w);
 // wrong degrees: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 * std::atan2(p, q.w)
 //         ==> return glm::degrees(2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w))
-// wrong difference:
-  quat q = body2.q - body1.q;
-  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
 // wrong difference-of-angles: * conjugate(start) ==> , s = start ;; const real p = dot(vec3(q.x,
 //         q.y, q.z), a1_local); return 2 * std::atan2(p, q.w); ==> if (s.w < 0) s = -s; const auto
 //         angle = [&](const quat& e) { return 2 * std::atan2(dot(vec3(e.x, e.y, e.z), a1_local),
 //         e.w); }; return angle(q) - angle(s);
-// wrong factor-two-forgotten: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 *
-//         std::atan2(p, q.w) ==> return std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w)
 // wrong few-digits: if (q.w < 0) q = -q; const real p = dot(vec3(q.x, q.y, q.z), a1_local); return
 //         2 * std::atan2(p, q.w); ==> real angle = 2 * std::atan2(dot(vec3(q.x, q.y, q.z),
 //         a1_local), q.w); if (angle > 3.14159f) angle -= 2 * 3.14159f; if (angle < -3.14159f)
 //         angle += 2 * 3.14159f; return angle;
-// wrong axis-turn-different-frames:
-  quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  if (q.w < 0) q = -q;
-  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), to_world(body1, a1_local)), q.w);
 // wrong glm-angle: if (q.w < 0) q = -q; const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2
 //         * std::atan2(p, q.w); ==> return glm::angle(q);
 // wrong glm-angle-sign: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 * std::atan2(p,
@@ -38,37 +20,7 @@
 //         int angle = 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w); return angle;
 // wrong minus-expected: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 * std::atan2(p,
 //         q.w) ==> return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w) - expected
-// wrong no-sign-rule:
-  const quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
-// wrong only-body-2:
-  quat q = body2.q;
-  if (q.w < 0) q = -q;
-  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
-// wrong sign-s-alone:
-  const quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), std::abs(q.w));
-// wrong sign-rule-conjugate:
-  quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  if (q.w < 0) q = conjugate(q);
-  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
 // wrong sign-rule-p: if (q.w < 0) q = -q; ==> ;; return 2 ==> if (p < 0) q = -q; return 2
-// wrong sign-rule-w-0:
-  quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  if (q.w > 0) q = -q;
-  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
-// wrong sign-rule-x:
-  quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  if (q.x < 0) q = -q;
-  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
-// wrong start-forgotten:
-  quat q = conjugate(body1.q) * body2.q;
-  if (q.w < 0) q = -q;
-  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
-// wrong start-wrong-side:
-  quat q = conjugate(start) * conjugate(body1.q) * body2.q;
-  if (q.w < 0) q = -q;
-  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
 // wrong "the angle of the whole rotation: that has the swing in it, and no sign. The twist takes only p, the part of v along the axis":
 // expects: yours expected error
 // expects: 120.000000 90.000000 30.000000
@@ -77,19 +29,9 @@
 // wrong total-angle-world:
   const quat q = body2.q * conjugate(body1.q) * conjugate(start);
   return 2 * std::atan2(length(vec3(q.x, q.y, q.z)), q.w);
-// wrong turn-world:
-  quat q = body2.q * conjugate(body1.q) * conjugate(start);
-  if (q.w < 0) q = -q;
-  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
 // wrong "-180 in every case": const real p = dot(vec3(q.x, q.y, q.z), a1_local) ==> real p; p +=
 //         q.x * a1_local.x; p += q.y * a1_local.y; p += q.z * a1_local.z
 // expects: never set
-// wrong v-made-unit-vector:
-  quat q = conjugate(body1.q) * body2.q * conjugate(start);
-  if (q.w < 0) q = -q;
-  return 2 * std::atan2(dot(normalize(vec3(q.x, q.y, q.z)), a1_local), q.w);
-// wrong vector-q-w-q: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 * std::atan2(p,
-//         q.w) ==> return 2 * std::atan2(dot(vec3(q.w, q.x, q.y), a1_local), q.w)
 // wrong world-frame-no-sign:
   const quat q = body2.q * conjugate(body1.q) * conjugate(start);
   return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
@@ -123,6 +65,30 @@
   const quat q = conjugate(body1.q) * body2.q * conjugate(start);
   const real p = dot(vec3(q.x, q.y, q.z), a1_local);
   return std::remainder(2 * std::atan2(p, q.w), 2 * std::numbers::pi_v<real>);
+// right in one expression:
+  quat q = conjugate(body1.q) * body2.q * conjugate(start);
+  if (q.w < 0) q = -q;
+  return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
+// from right in one expression
+// wrong atan2-double-angle: 2 * ==> ;; dot ==> 2 * dot
+// wrong axis-turn-different-frames: a1_local ==> to_world(body2, a1_local)
+// wrong difference: conjugate(body1.q) * ==> ;; * conjugate(start); if (q.w < 0) q = - ==> - body1.
+// wrong factor-two-forgotten: 2 * ==>
+// wrong axis-turn-different-frames: a1_local ==> to_world(body1, a1_local)
+// wrong only-body-2: conjugate(body1.q) * ==> ;; * conjugate(start) ==>
+// wrong sign-rule-conjugate: -q ==> conjugate(q)
+// wrong sign-rule-w-0: < 0 ==> > 0
+// wrong sign-rule-x: w ==> x
+// wrong start-forgotten: * conjugate(start) ==>
+// wrong start-wrong-side: q = ==> q = conjugate(start) * ;; * conjugate(start) ==>
+// wrong turn-world: q = ==> q = body2.q * ;; * body2.q ==>
+// wrong v-made-unit-vector: vec3(q.x, q.y, q.z) ==> normalize(vec3(q.x, q.y, q.z))
+// wrong vector-q-w-q: x, q.y, q.z ==> w, q.x, q.y
+// from right twist from the tangent
+// wrong atan-ratio-reversed: const ==> ;; dot ==> q.w / dot ;; / q.w ==>
+// wrong no-sign-rule: ::atan ==> ::atan2 ;; / q ==> , q
+// wrong sign-s-alone: atan(dot(vec3(q.x, q.y, q.z), a1_local) / q.w) ==> atan2(dot(vec3(q.x, q.y,
+//         q.z), a1_local), std::abs(q.w))
 
 // region 2
 // wrong 3-14159:
@@ -135,8 +101,8 @@
 //         std::remainder(measured - expected, turn) ==> measured
 // wrong int-truncation: return expected + std::remainder(measured - expected, turn) ==> const int k
 //         = (expected - measured) / turn; return measured + turn * k
-// wrong measured:
-  return measured;
+// wrong measured: const real turn = 2 * std::numbers::pi_v<real>; return expected +
+//         std::remainder(measured - expected, turn); ==> return measured;
 // wrong one-turn: turn = 2 * ==> pi = ;; return expected + std::remainder(measured - expected,
 //         turn); ==> if (expected - measured > pi) return measured + 2 * pi; if (expected -
 //         measured < -pi) return measured - 2 * pi; return measured;
@@ -150,13 +116,6 @@
 //         expected) < 2 * pi) return measured ;; , turn ==> , 2 * pi
 // wrong truncation-expected-turn: expected + std::remainder(measured - expected, turn) ==> measured
 //         + turn * int(expected / turn)
-// wrong while-adds-pi: turn = 2 * ==> pi = ;; return expected + std::remainder(measured - expected,
-//         turn); ==> while (measured < expected - pi) measured += pi; while (measured > expected +
-//         pi) measured -= pi; return measured;
-// wrong while-one-side:
-  const real pi = std::numbers::pi_v<real>;
-  while (measured < expected - pi) measured += 2 * pi;
-  return measured;
 // wrong without-expected:
   return std::remainder(measured - expected, 2 * std::numbers::pi_v<real>);
 // right unwrapped in a loop: turn = 2 * ==> pi = ;; return expected + std::remainder(measured -
@@ -170,3 +129,6 @@
 //         remainder(measured - expected, turn) ==> atan2(std::sin(d), std::cos(d))
 // right unwrapped with floor: expected + std::remainder(measured - expected, turn) ==> measured +
 //         turn * std::floor((expected - measured) / turn + real(0.5))
+// from right unwrapped in a loop
+// wrong while-adds-pi: 2 * ==> ;; 2 * ==>
+// wrong while-one-side: while (measured > expected + pi) measured -= 2 * pi; ==>

@@ -46,28 +46,18 @@
 // wrong both-h-rate: upper; ==> upper; nearer.C = std::min(lower.C, upper.C);
 // wrong sign-upper-limit: lower.C + h * rate < upper.C - h * rate ? lower : upper ==> lower;
 //         nearer.C = std::min(lower.C, upper.C)
-// wrong min-limits:
-  const real nearest = std::min(range.lower, range.upper);
-  LimitRow row{x - nearest, 1};
-  row.live = row.C < h * std::abs(rate) + real(0.1) * h;
-  return row;
 // wrong minus-0-1-h: + real ==> - real
 // wrong not-live-rest: = nearer ==> = rate != 0 && nearer
 // wrong not-live-set:
   LimitRow lower{x - range.lower, 1}, upper{range.upper - x, -1};
   return lower.C + h * rate < upper.C - h * rate ? lower : upper;
-// wrong only-direction-rate:
-  LimitRow row = rate > 0 ? LimitRow{range.upper - x, -1} : LimitRow{x - range.lower, 1};
-  row.live = row.C < h * std::abs(rate) + real(0.1) * h;
-  return row;
 // wrong only-where-passed: nearer.C < h * std::abs(rate) + real(0.1) * h ==> range.lower ==
 //         range.upper || nearer.C < 0
 // wrong rate-one-side: - h * rate ==>
 // wrong abs-int-rate: (rate) ==> (r) ;; rate ? ==> r ? ;; rate ==> r ;; LimitRow ==> const int r =
 //         rate; LimitRow
 // wrong rate-without-h-choice: h * ==> ;; h * ==>
-// wrong gap-above-upper-limit: return nearer ==> if (nearer.sign < 0) nearer.C = x - range.upper;
-//         return nearer
+// wrong gap-above-upper-limit: h; ==> h; if (nearer.sign < 0) nearer.C = x - range.upper;
 // wrong gap-end: , 1 ==> + h * rate, 1 ;; - x ==> - x - h * rate ;; + h * rate < upper.C - h * rate
 //         ==> < upper.C
 // wrong rule-h-rate: < h * std::abs(rate) + ==> + h * rate <
@@ -76,14 +66,6 @@
 // wrong sign-rate: upper; ==> upper; nearer.sign = rate < 0 ? 1 : -1;
 // wrong sign-from-c: upper; ==> upper; nearer.sign = nearer.C < 0 ? -1 : 1;
 // wrong signs-rate-exchanged: + h ==> - h ;; upper.C - ==> upper.C +
-// wrong never-set:
-  LimitRow row;
-  real sign, gap;
-  if (x - range.lower + h * rate < range.upper - x - h * rate) { gap = x - range.lower; sign = 1; }
-  else gap = range.upper - x;
-  row = {gap, sign};
-  row.live = row.C < h * std::abs(rate) + real(0.1) * h;
-  return row;
 // wrong without-the-speed: nearer.C < h * std::abs(rate) + ==> range.lower == range.upper ||
 //         nearer.C <
 // right compared with both limits at once:
@@ -112,3 +94,16 @@
 // wrong units "in limit_row (rates as pure numbers and x in s), adding a pure number to s: h is missing":
 //         lower.C + h * rate < upper.C - h * rate ? lower : upper ==> upper.C - rate < lower.C +
 //         rate ? upper : lower ;; = nearer ==> = range.lower == range.upper || nearer
+// right filled in by comparing both ends:
+  LimitRow row{range.upper - x, -1};
+  if (x - range.lower + h * rate < range.upper - x - h * rate) row = {x - range.lower, 1};
+  row.live = row.C < h * std::abs(rate) + real(0.1) * h;
+  return row;
+// from right filled in by comparing both ends
+// wrong min-limits: LimitRow row{range.upper - x, -1}; if (x - range.lower + h * rate < range.upper
+//         - x - h * rate) row = {x - range.lower, 1} ==> const real nearest = std::min(range.lower,
+//         range.upper); LimitRow row{x - nearest, 1}
+// wrong only-direction-rate: row ==> row = rate > 0 ? LimitRow ;; ; if (x - range.lower + h * rate
+//         < range.upper - x - h * rate) row = ==> : LimitRow
+// wrong never-set: {range.upper - x, -1} ==> ; real sign, gap ;; row = {x - range.lower, 1} ==> {
+//         gap = x - range.lower; sign = 1; } else gap = range.upper - x; row = {gap, sign}

@@ -1,5 +1,5 @@
-// wrong absolute-values:
-  return {std::abs(dot(u, to_world(body1, n1_local))), std::abs(dot(u, to_world(body1, n2_local)))};
+// wrong absolute-values: dot(u, to_world(body1, n1_local)), dot(u, to_world(body1, n2_local)) ==>
+//         std::abs(dot(u, to_world(body1, n1_local))), std::abs(dot(u, to_world(body1, n2_local)))
 // wrong centres-place-anchors-u: return ==> const vec3 d = body2.x - body1.x; return ;; u, ==> d,
 //         ;; u, ==> d,
 // wrong "an index outside an array of 2 numbers: its places run from 0 to 1": return {dot(u,
@@ -10,14 +10,14 @@
   const int one = dot(u, to_world(body1, n1_local)), two = dot(u, to_world(body1, n2_local));
   return {real(one), real(two)};
 // wrong n1-twice: n2_local ==> n1_local
-// wrong n1-x-n2:
-  const vec3 a = cross(to_world(body1, n1_local), to_world(body1, n2_local));
-  return {dot(u, a), dot(u, a)};
-// wrong "in C.2 alone: n is turned with body 2: the line rides on body 1":
-  return {dot(u, to_world(body1, n1_local)), dot(u, to_world(body2, n2_local))};
+// wrong n1-x-n2: return {dot(u, to_world(body1, n1_local)), dot(u, to_world(body1, n2_local))} ==>
+//         const vec3 a = cross(to_world(body1, n1_local), to_world(body1, n2_local)); return
+//         {dot(u, a), dot(u, a)}
+// wrong "in C.2 alone: n is turned with body 2: the line rides on body 1": body1, n2_local ==>
+//         body2, n2_local
 // wrong cosine: return ==> const vec3 n = normalize(u); return ;; u, ==> n, ;; u, ==> n,
-// wrong "n is a direction, not a point: to_world, not world_point":
-  return {dot(u, world_point(body1, n1_local)), dot(u, world_point(body1, n2_local))};
+// wrong "n is a direction, not a point: to_world, not world_point": to_world ==> world_point ;;
+//         to_world ==> world_point
 // wrong sign-u-runs-point: , dot ==> , -dot
 // wrong p2-only: return ==> const vec3 p2 = world_point(body2, anchor2_local); return ;; u, ==> p2,
 //         ;; u, ==> p2,
@@ -56,10 +56,9 @@
 // wrong "J[1], the row C.2, repeats J[0] (pencil and paper, upright, turned, moved, broken)": [i],
 //         -cross(r1 + u, n[i]), n[i], cross(r2, n[i]) ==> [0], -cross(r1 + u, n[0]), n[0],
 //         cross(r2, n[0])
-// wrong no-arms-n-turns (pencil and paper, upright, turned, moved, broken):
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) J[i] = {-n[i], -n[i], n[i], n[i]};
-  return J;
+// wrong no-arms-n-turns (pencil and paper, upright, turned, moved, broken): const vec3 r1 =
+//         to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local); ==> ;; cross(r1 + u,
+//         n[i]) ==> n[i] ;; cross(r2, n[i]) ==> n[i]
 // wrong "the block w1 is missing (pencil and paper, upright, turned, moved, broken)": r1 =
 //         to_world(body1, anchor1_local), ==> ;; -cross(r1 + u, n[i]) ==> vec3(0)
 // wrong lever-length-1 (pencil and paper, upright, turned, moved, broken): to_world(body1,
@@ -84,8 +83,8 @@
 //         2; ==> 1;
 // wrong "w2 of J[1] is that of J[0] (pencil and paper, upright, turned, moved, broken)": r2, n[i]
 //         ==> r2, n[0]
-// wrong levers-exchanged (pencil and paper, upright, turned, moved, broken): r1 = ==> r1 =
-//         to_world(body2, anchor2_local), r2 = ;; , r2 = to_world(body2, anchor2_local) ==>
+// wrong levers-exchanged (pencil and paper, upright, turned, moved, broken): body2, anchor2_local
+//         ==> body1, anchor1_local ;; body1, anchor1_local ==> body2, anchor2_local
 // wrong "the levers of both bodies are turned the wrong way round: to_world, not to_local (pencil and paper, upright, turned, moved, broken)":
 //         to_world ==> to_local ;; to_world ==> to_local
 // wrong u-in-both (pencil and paper, turned, moved, broken): r2, ==> r2 + u,

@@ -56,16 +56,15 @@
 // wrong exact-same-sign (broken): return ==> quat q = body2.q * conjugate(start) *
 //         conjugate(body1.q); if (q.w < 0) q = -q; const mat3 A = mat3(q.w) + skew(vec3(q.x, q.y,
 //         q.z)); return ;; mat3(-1) ==> -A ;; mat3(1) ==> A
-// wrong exact-without-sign-rule (broken):
-  quat q = body2.q * conjugate(start) * conjugate(body1.q);
-  const mat3 s = mat3(q.w), v = skew(vec3(q.x, q.y, q.z));
-  return jacobian_from_blocks(mat3(0), -(s + v), mat3(0), s - v);
-// wrong "a factor of 0.5 (pencil and paper, upright, turned, moved)":
-  return jacobian_from_blocks(mat3(0), mat3(real(-0.5)), mat3(0), mat3(real(0.5)));
-// wrong ones-everywhere (pencil and paper, upright, turned, moved):
-  return jacobian_from_blocks(mat3(0), mat3(-1), mat3(0), mat3(1, 1, 1, 1, 1, 1, 1, 1, 1));
-// wrong order-of-blocks (pencil and paper, upright, turned, moved):
-  return jacobian_from_blocks(mat3(0), mat3(0), mat3(-1), mat3(1));
+// wrong exact-without-sign-rule (broken): return ==> quat q = body2.q * conjugate(start) *
+//         conjugate(body1.q); const mat3 s = mat3(q.w), v = skew(vec3(q.x, q.y, q.z)); return ;;
+//         mat3(-1) ==> -(s + v) ;; mat3(1) ==> s - v
+// wrong "a factor of 0.5 (pencil and paper, upright, turned, moved)": -1 ==> real(-0.5) ;; 1 ==>
+//         real(0.5)
+// wrong ones-everywhere (pencil and paper, upright, turned, moved): (1) ==> (1, 1, 1, 1, 1, 1, 1,
+//         1, 1)
+// wrong order-of-blocks (pencil and paper, upright, turned, moved): mat3 ==> mat3(0), mat3 ;; (0),
+//         mat3(1) ==> (1)
 // wrong "J[2], the row C.z, repeats J[0] (pencil and paper, upright, turned, moved)": return
 //         jacobian_from_blocks(mat3(0), mat3(-1), mat3(0), mat3(1)); ==> Jacobian<3> J; const vec3
 //         e[] = {vec3(1, 0, 0), vec3(0, 1, 0), vec3(1, 0, 0)}; for (int i = 0; i < 3; ++i) J[i] =
@@ -75,18 +74,17 @@
 //         const vec3 e[] = {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)}; for (int i = 0; i < 2;
 //         ++i) J[i] = {vec3(0), -e[i], vec3(0), e[i]}; return J;
 // wrong sign-body-1 (pencil and paper, upright, turned, moved): -1 ==> 1
-// wrong "the blocks v1 and v2 should be zero (pencil and paper, upright, turned, moved)":
-  return jacobian_from_blocks(mat3(-1), mat3(-1), mat3(1), mat3(1));
+// wrong "the blocks v1 and v2 should be zero (pencil and paper, upright, turned, moved)": 0 ==> -1
+//         ;; 0 ==> 1
 // wrong "the block w1 is missing (pencil and paper, upright, turned, moved)": -1 ==> 0
-// wrong inverse-masses-row (pencil and paper, upright, turned, moved):
-  return jacobian_from_blocks(mat3(0), -inverse_inertia(body1), mat3(0), inverse_inertia(body2));
-// wrong all-zero (pencil and paper, upright, turned, moved):
-  return {};
-// wrong exact-rows-other-sign:
-  const quat e = body2.q * conjugate(start) * conjugate(body1.q);
-  const real s = std::abs(e.w);
-  const mat3 across = skew(vec3(e.x, e.y, e.z)) * (e.w < 0 ? real(-1) : real(1));
-  return jacobian_from_blocks(mat3(0), across - mat3(s), mat3(0), across + mat3(s));
+// wrong inverse-masses-row (pencil and paper, upright, turned, moved): mat3(-1) ==>
+//         -inverse_inertia(body1) ;; mat3(1) ==> inverse_inertia(body2)
+// wrong all-zero (pencil and paper, upright, turned, moved): jacobian_from_blocks(mat3(0),
+//         mat3(-1), mat3(0), mat3(1)) ==> {}
+// wrong exact-rows-other-sign: return ==> const quat e = body2.q * conjugate(start) *
+//         conjugate(body1.q); const real s = std::abs(e.w); const mat3 across = skew(vec3(e.x, e.y,
+//         e.z)) * (e.w < 0 ? real(-1) : real(1)); return ;; mat3(-1) ==> across - mat3(s) ;;
+//         mat3(1) ==> across + mat3(s)
 // wrong rows-s-alone: (1) ==> (std::abs(e.w)) ;; 1 ==> std::abs(e.w) ;; return ==> const quat e =
 //         body2.q * conjugate(start) * conjugate(body1.q); return
 // right exact rows: return ==> quat q = body2.q * conjugate(start) * conjugate(body1.q); if (q.w <

@@ -1,16 +1,16 @@
 // wrong abs: dot(u, to_world(body1, a1_local)) ==> std::abs(dot(u, to_world(body1, a1_local)))
-// wrong max-0:
-  return std::max(real(0), dot(u, to_world(body1, a1_local)));
+// wrong max-0: dot(u, to_world(body1, a1_local)) ==> std::max(real(0), dot(u, to_world(body1,
+//         a1_local)))
 // wrong cosine: u, ==> normalize(u),
 // wrong centres-place-anchors-u: u, ==> body2.x - body1.x,
 // wrong p1-x2: u, ==> body2.x - world_point(body1, anchor1_local),
 // wrong cut-int: return ==> const int displacement = ;; ; ==> ; return displacement;
-// wrong "the length of u: only its part along a counts":
-  return length(u);
-// wrong "the square: the dot product of u and a itself": return ==> const real d = ;; ; ==> ;
-//         return d * d;
-// wrong threshold: return ==> const real displacement = ;; ; ==> ; return std::abs(displacement) <
-//         0.2 ? 0 : displacement;
+// wrong "the length of u: only its part along a counts": dot(u, to_world(body1, a1_local)) ==>
+//         length(u)
+// wrong "the square: the dot product of u and a itself": return dot(u, to_world(body1, a1_local));
+//         ==> const real d = dot(u, to_world(body1, a1_local)); return d * d;
+// wrong threshold: return dot(u, to_world(body1, a1_local)); ==> const real displacement = dot(u,
+//         to_world(body1, a1_local)); return std::abs(displacement) < 0.2 ? 0 : displacement;
 // wrong never-set: return dot(u, to_world(body1, a1_local)); ==> real displacement; const vec3 a =
 //         to_world(body1, a1_local); for (int k = 0; k < 3; ++k) displacement += u[k] * a[k];
 //         return displacement;
@@ -38,12 +38,11 @@
 // wrong "u belongs to the lever of body 1: a rides on body 1 (pencil and paper, turned, moved, broken)":
 //         + u ==> ;; r2, ==> r2 + u,
 // wrong never-set: ; const ==> * f; const ;; const ==> Row row; real f; f += 1; const
-// wrong "the sign of the block w1 (pencil and paper, upright, turned, moved, broken)": -cross ==>
-//         cross
-// wrong "levers are missing: such a row drives the centres, not the points, and":
+// wrong "the sign of the block w1 (pencil and paper, upright, turned, moved, broken)": a, - ==> a,
+// wrong "levers are missing: such a row drives the centres, not the points, and": const vec3 r1 =
+//         to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local); return {-a,
+//         -cross(r1 + u, a), a, cross(r2, a)} ==> return {a, vec3(0), -a, vec3(0)}
 // expects: its sign is wrong as well (upright, turned, moved, broken)
-  const vec3 a = to_world(body1, a1_local);
-  return {a, vec3(0), -a, vec3(0)};
 // wrong "a is left in body space: turn it into the world with body 1 (turned, moved, broken)":
 //         to_world(body1, a1_local) ==> a1_local
 // wrong "u is forgotten, the lever of body 1 is r1 + u, because a rides on body 1": + u ==>

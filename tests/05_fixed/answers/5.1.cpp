@@ -4,9 +4,8 @@
 // wrong body-space-inertia: const ==> const auto local = [](const Body& body) { const vec3 i =
 //         body.inverse_inertia_local; return mat3(i.x, 0, 0, 0, i.y, 0, 0, 0, i.z); }; const ;; *
 //         inverse_inertia ==> * local ;; * inverse_inertia ==> * local
-// wrong "a factor of 2 in all of it, in every case": -(skew ==> real(-2) * (skew
-// wrong "the inertia of body 2 is taken for body 1, too": inverse_inertia(body1) ==>
-//         inverse_inertia(body2)
+// wrong "a factor of 2 in all of it, in every case": return - ==> return real(-2) *
+// wrong "the inertia of body 2 is taken for body 1, too": (body1) ==> (body2)
 // wrong last-column-never-filled: return ==> const mat3 all = ;; body2)); ==> body2)); mat3 X(0);
 //         for (int column = 0; column < 2; ++column) X[column] = all[column]; return X;
 // wrong "r1: body-space lever, it is not turned into the world": to_world(body1,
@@ -15,9 +14,7 @@
 // wrong "r1: it ends at the anchor on the other body": to_world(body1, point.anchor1_local) ==>
 //         world_point(body2, point.anchor2_local) - body1.x
 // expects: Fails at broken
-// wrong levers-added-up-first: -(skew(r1) * inverse_inertia(body1) + skew(r2) *
-//         inverse_inertia(body2)) ==> -skew(r1 + r2) * (inverse_inertia(body1) +
-//         inverse_inertia(body2))
+// wrong levers-added-up-first: (skew(r1) * ==> skew(r1 + r2) * ( ;; skew(r2) * ==>
 // wrong inertias-exchanged: skew(r1) ==> skew(r2) ;; + skew(r2) ==> + skew(r1)
 // wrong masses-place-inertias: inverse_inertia(body1) ==> body1.inverse_mass ;;
 //         inverse_inertia(body2) ==> body2.inverse_mass
@@ -32,11 +29,9 @@
   return skew(r1) * inverse_inertia(body1) - skew(r2) * inverse_inertia(body2);
 // wrong transposed: -(skew(r1) * inverse_inertia(body1) + skew(r2) * inverse_inertia(body2)) ==>
 //         inverse_inertia(body1) * skew(r1) + inverse_inertia(body2) * skew(r2)
-// wrong "r1 and r2: turned the wrong way: to_world, not to_local": to_world(body1 ==>
-//         to_local(body1 ;; to_world(body2 ==> to_local(body2
-// wrong "the sign of body 1's share: both shares have the minus": to_world(body2, point ==>
-//         to_world(body1, point ;; -(skew(r1) * inverse_inertia(body1) + skew(r2) ==> -(-skew(r1) *
-//         inverse_inertia(body1) + skew(r2)
+// wrong "r1 and r2: turned the wrong way: to_world, not to_local": to_world ==> to_local ;;
+//         to_world ==> to_local
+// wrong "the sign of body 1's share: both shares have the minus": body2 ==> body1 ;; skew ==> -skew
 // expects: and r2: turned with the other body: each anchor rides on its own
 // wrong never-set: const vec3 r1 = to_world(body1, point.anchor1_local), r2 = to_world(body2,
 //         point.anchor2_local); return -(skew(r1) * inverse_inertia(body1) + skew(r2) *

@@ -8,14 +8,12 @@
 //         impulse[4], impulse[5], impulse[6]
 // wrong threes-exchanged: couple ==> push ;; push ==> couple
 // wrong impulse-for-force (torque): couple / h ==> couple
-// wrong "the torque begins with impulse[2]": impulse[3], impulse[4], impulse[5] ==> impulse[2],
-//         impulse[3], impulse[4]
-// wrong "in force.z and torque.z alone: 0 in every case": impulse[1], impulse[2]) ==> impulse[1],
-//         0) ;; impulse[4], impulse[5]) ==> impulse[4], 0)
-// wrong never-set:
-  std::array<real, 6> sums;
-  for (int i = 0; i < 6; ++i) sums[i] += impulse[i] / h;
-  return {vec3(sums[0], sums[1], sums[2]), vec3(sums[3], sums[4], sums[5])};
+// wrong "the torque begins with impulse[2]": [3] ==> [2], impulse[3] ;; [4], impulse[5] ==> [4]
+// wrong "in force.z and torque.z alone: 0 in every case": impulse[2] ==> 0 ;; impulse[5] ==> 0
+// wrong never-set: const vec3 push(impulse[0], impulse[1], impulse[2]), couple(impulse[3],
+//         impulse[4], impulse[5]); return {push / h, couple / h} ==> std::array<real, 6> sums; for
+//         (int i = 0; i < 6; ++i) sums[i] += impulse[i] / h; return {vec3(sums[0], sums[1],
+//         sums[2]), vec3(sums[3], sums[4], sums[5])}
 // wrong "1/h is cut to a whole number":
 // expects: holds at h = 0.25
   const int rate = 1 / h;
@@ -26,8 +24,8 @@
 
 // region 2
 // wrong by-entries: cross(from - to, load.force) ==> (from - to) * load.force
-// wrong exchanged:
-  return {load.torque + cross(from - to, load.force), load.force};
+// wrong exchanged: load.force, load.torque + cross(from - to, load.force) ==> load.torque +
+//         cross(from - to, load.force), load.force
 // wrong few-digits: cross(from - to, load.force) ==> vec3(cross(glm::vec3(from - to),
 //         glm::vec3(load.force)))
 // wrong lever-torque: cross(from - to, load.force) ==> cross(from - to, load.torque)
@@ -45,17 +43,17 @@
 //         return moved;
 
 // region 3
-// wrong "at its bound a weld still holds: > and not >=":
+// wrong "at its bound a weld still holds: > and not >=": > strength ==> >= strength ;; > strength
+//         ==> >= strength
 // expects: 10 N of 10, at the bound
-  return length(load.force) >= strength.force || length(load.torque) >= strength.torque;
 // wrong by-one-entry: length(load.force) ==> load.force.x ;; length(load.torque) ==> load.torque.x
-// wrong by-shares:
-  return length(load.force) / strength.force + length(load.torque) / strength.torque > 1;
+// wrong by-shares: > strength.force || ==> / strength.force + ;; > strength.torque ==> /
+//         strength.torque > 1
 // wrong bound-force: > strength.torque ==> > strength.force
-// wrong "the largest entry where the length belongs, and entries may be negative":
+// wrong "the largest entry where the length belongs, and entries may be negative": return length
+//         ==> const auto largest = [](const vec3& a) { return glm::max(a.x, glm::max(a.y, a.z)); };
+//         return largest ;; length ==> largest
 // expects: 12 N of 10 downwards
-  const auto largest = [](const vec3& a) { return glm::max(a.x, glm::max(a.y, a.z)); };
-  return largest(load.force) > strength.force || largest(load.torque) > strength.torque;
 // wrong by-the-product: > strength.force || ==> * ;; torque; ==> force * strength.torque;
 // wrong in-whole-numbers: return ==> const int force = ;; > strength.force || ==> , torque = ;; >
 //         strength ==> ; return force > strength.force || torque > strength

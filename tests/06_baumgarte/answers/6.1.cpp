@@ -2,8 +2,8 @@
 //         beta; return share
 // wrong "yours is C^2 beta / h in every case": beta * C / h ==> beta * C * C / h
 // wrong "a factor of 2, in every case": beta * C / h ==> 2 * beta * C / h
-// wrong "b is kept from -1 to 1: there is no such bound":
-  return glm::clamp(beta * C / h, real(-1), real(1));
+// wrong "b is kept from -1 to 1: there is no such bound": beta * C / h ==> glm::clamp(beta * C / h,
+//         real(-1), real(1))
 // wrong fixed-beta: beta * ==> real(0.2) *
 // wrong of-small-errors: beta ==> std::abs(C) < real(0.05) ? 0 : beta
 // wrong over-60: h ==> 60

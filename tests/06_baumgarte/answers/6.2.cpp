@@ -80,7 +80,7 @@
 // wrong "beta is cut to a whole number: an int has no fraction": beta ==> share ;; return ==> const
 //         int share = beta; return
 // wrong by-a-sum: * (1 + beta) ==> + beta
-// wrong by-the-rest: pow(rho ==> pow(1 - rho
+// wrong by-the-rest: rho ==> 1 - rho
 // wrong "1 is forgotten": * (1 + beta) < 1 ==> < 1 / beta
 // expects: rho 0.975528 iterations 4 beta 0.15
 // wrong one-iteration-less: return std::pow(rho, real(iterations)) ==> real left = 1; for (int

@@ -2,325 +2,22 @@
   std::vector<int> colours(moves.size() + links.size() + 1);
   for (std::size_t k = 0; k < links.size(); ++k) colours[k] = int(k % 2);
   return colours;
-// wrong after-last-one:
-  std::vector<int> next(moves.size(), 0), colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    for (const int body : {link.body1, link.body2})
-      if (moves[body]) colour = std::max(colour, next[body]);
-    for (const int body : {link.body1, link.body2}) next[body] = colour + 1;
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong "an index outside a vector":
-  std::vector<std::vector<bool>> taken(links.size(), std::vector<bool>(links.size()));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    std::size_t colour = 0;
-    while ((moves[link.body1] && taken[link.body1][colour]) ||
-           (moves[link.body2] && taken[link.body2][colour]))
-      ++colour;
-    for (int body : {link.body1, link.body2}) taken[body][colour] = true;
-    colours.push_back(int(colour));
-  }
-  return colours;
-// wrong four-spare-colours:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(moves.size()));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    while ((moves[link.body1] && taken[link.body1][colour]) ||
-           (moves[link.body2] && taken[link.body2][colour]))
-      ++colour;
-    taken[link.body1][colour] = taken[link.body2][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong body-1-not-asked:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    while (moves[link.body1] && taken[link.body1][colour]) ++colour;
-    while (moves[link.body2] && taken[link.body2][colour]) ++colour;
-    taken[link.body1][colour] = true;
-    taken[link.body2][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong body-2-not-asked:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    while (moves[link.body2] && taken[link.body2][colour]) ++colour;
-    while (moves[link.body1] && taken[link.body1][colour]) ++colour;
-    taken[link.body1][colour] = true;
-    taken[link.body2][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong body-that-not-there:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 2));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    while ((moves[link.body1 + 1] && taken[link.body1][colour]) ||
-           (moves[link.body2] && taken[link.body2][colour]))
-      ++colour;
-    taken[link.body1][colour] = taken[link.body2][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong colour-not-set-back:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 2));
-  std::vector<int> colours;
-  int colour = 0;
-  for (const BodyPair& link : links) {
-    while ((moves[link.body1] && taken[link.body1][colour]) ||
-           (moves[link.body2] && taken[link.body2][colour]))
-      ++colour;
-    taken[link.body1][colour] = taken[link.body2][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
 // wrong colour-own: if (!moves[body]) continue; ==> ;; (colour) ==> (colours.size())
-// wrong "there is a greatest colour, 7":
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(8));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    while (colour < 7 && ((moves[link.body1] && taken[link.body1][colour]) ||
-                          (moves[link.body2] && taken[link.body2][colour])))
-      ++colour;
-    taken[link.body1][colour] = taken[link.body2][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
 // wrong "the program crashed: it reached for memory that is not its own": const auto is_taken =
 //         [&](int body) { return moves[body] && colour < taken[body].size() && taken[body][colour];
 //         }; while (is_taken(link.body1) || is_taken(link.body2)) ==> while ((moves[link.body1] &&
 //         taken[link.body1][colour]) || (moves[link.body2] && taken[link.body2][colour])) ;; const
 //         int ==> int ;; if (!moves[body]) continue; ==>
 // expects: std::vector<bool> does not check its own
-// wrong four-spare-colours:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(4));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    std::size_t colour = 0;
-    while ((moves[link.body1] && taken[link.body1][colour]) ||
-           (moves[link.body2] && taken[link.body2][colour]))
-      ++colour;
-    for (int body : {link.body1, link.body2}) taken[body][colour] = true;
-    colours.push_back(int(colour));
-  }
-  return colours;
 // wrong free-one-them: || is_taken ==> && is_taken ;; if (!moves[body]) continue; ==>
 // wrong "the colours are counted from 0": 0; ==> 1; ;; if (!moves[body]) continue; ==>
 // expects: Scene: a chain of 4 on a wall
-// wrong greater-two-colours:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    int a = 0, b = 0;
-    while (moves[link.body1] && taken[link.body1][a]) ++a;
-    while (moves[link.body2] && taken[link.body2][b]) ++b;
-    const int colour = std::max(a, b);
-    taken[link.body1][colour] = true;
-    taken[link.body2][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong if-place-while:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 2));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    if ((moves[link.body1] && taken[link.body1][colour]) ||
-        (moves[link.body2] && taken[link.body2][colour]))
-      ++colour;
-    taken[link.body1][colour] = taken[link.body2][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong joints-before-gone-through:
-  std::vector<int> colours;
-  for (std::size_t k = 0; k < links.size(); ++k) {
-    int colour = 0;
-    for (std::size_t n = 0; n < k; ++n) {
-      const BodyPair &a = links[k], &b = links[n];
-      const bool share = (moves[a.body1] && (a.body1 == b.body1 || a.body1 == b.body2)) ||
-                         (moves[a.body2] && (a.body2 == b.body1 || a.body2 == b.body2));
-      if (share && colours[n] == colour) ++colour;
-    }
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong "the number of joints that a body has had so far is no colour":
-// expects: Holds in
-  std::vector<int> count(moves.size(), 0), colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    for (const int body : {link.body1, link.body2})
-      if (moves[body]) colour = std::max(colour, count[body]++);
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong joints-static-body-left:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    if (!moves[link.body1] || !moves[link.body2]) continue;
-    int colour = 0;
-    while (taken[link.body1][colour] || taken[link.body2][colour]) ++colour;
-    taken[link.body1][colour] = taken[link.body2][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
 // wrong kept-body-2-only: body1, link.body2 ==> body2 ;; if (!moves[body]) continue; ==>
-// wrong last-joint-first:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
-  std::vector<int> colours(links.size());
-  for (std::size_t k = links.size(); k-- > 0;) {
-    int colour = 0;
-    for (bool again = true; again;) {
-      again = false;
-      for (const int body : {links[k].body1, links[k].body2})
-        again = again || (moves[body] && taken[body][colour]);
-      colour += again;
-    }
-    taken[links[k].body1][colour] = taken[links[k].body2][colour] = true;
-    colours[k] = colour;
-  }
-  return colours;
 // wrong moves-turned-round: return moves ==> return ! moves ;; if (!moves[body]) continue; ==>
-// wrong moves-turned-round-where:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    while ((!moves[link.body1] && taken[link.body1][colour]) ||
-           (!moves[link.body2] && taken[link.body2][colour]))
-      ++colour;
-    for (int body : {link.body1, link.body2}) if (moves[body]) taken[body][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong nothing-asked-beside-static:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    while (moves[link.body1] && moves[link.body2] &&
-           (taken[link.body1][colour] || taken[link.body2][colour]))
-      ++colour;
-    taken[link.body1][colour] = taken[link.body2][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong nothing-taken-beside-static:
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    if (moves[link.body1] && moves[link.body2]) {
-      while (taken[link.body1][colour] || taken[link.body2][colour]) ++colour;
-      taken[link.body1][colour] = taken[link.body2][colour] = true;
-    }
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong one-more-than-joint:
-  std::vector<int> colours;
-  for (std::size_t k = 0; k < links.size(); ++k) {
-    int colour = 0;
-    if (k > 0) {
-      const BodyPair &a = links[k], &b = links[k - 1];
-      const bool share = (moves[a.body1] && (a.body1 == b.body1 || a.body1 == b.body2)) ||
-                         (moves[a.body2] && (a.body2 == b.body1 || a.body2 == b.body2));
-      if (share) colour = colours[k - 1] + 1;
-    }
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong one-more-than-last:
-  std::vector<int> colours;
-  for (std::size_t k = 0; k < links.size(); ++k) {
-    int colour = 0;
-    for (std::size_t n = 0; n < k; ++n) {
-      const BodyPair &a = links[k], &b = links[n];
-      const bool share = (moves[a.body1] && (a.body1 == b.body1 || a.body1 == b.body2)) ||
-                         (moves[a.body2] && (a.body2 == b.body1 || a.body2 == b.body2));
-      if (share) colour = colours[n] + 1;
-    }
-    colours.push_back(colour);
-  }
-  return colours;
 // wrong only-body-1-asked: || is_taken(link.body2) ==> ;; if (!moves[body]) continue; ==>
-// wrong only-joint-before:
-  std::vector<int> colours;
-  for (std::size_t k = 0; k < links.size(); ++k) {
-    int colour = 0;
-    if (k > 0) {
-      const BodyPair &a = links[k], &b = links[k - 1];
-      const bool share = (moves[a.body1] && (a.body1 == b.body1 || a.body1 == b.body2)) ||
-                         (moves[a.body2] && (a.body2 == b.body1 || a.body2 == b.body2));
-      if (share && colours[k - 1] == 0) colour = 1;
-    }
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong only-last-one-kept:
-  std::vector<int> last(moves.size(), -1), colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    while ((moves[link.body1] && last[link.body1] == colour) ||
-           (moves[link.body2] && last[link.body2] == colour))
-      ++colour;
-    last[link.body1] = last[link.body2] = colour;
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong "there is a greatest colour, 63: a body may need any number of them":
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(64));
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    const auto is_taken = [&](int body) { return moves[body] && taken[body][colour]; };
-    while (colour < 63 && (is_taken(link.body1) || is_taken(link.body2))) ++colour;
-    taken[link.body1][colour] = taken[link.body2][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
-// wrong "the vector has its size already and is pushed to as well":
-// expects: There are 8 colours for 4 joints
-  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 2));
-  std::vector<int> colours(links.size());
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    while ((moves[link.body1] && taken[link.body1][colour]) ||
-           (moves[link.body2] && taken[link.body2][colour]))
-      ++colour;
-    taken[link.body1][colour] = taken[link.body2][colour] = true;
-    colours.push_back(colour);
-  }
-  return colours;
 // wrong "a static body counts: it does not move": moves[body] && ==> ;; if (!moves[body]) continue;
 //         ==>
 // expects: joint 1 (bodies 2 and 0 (static))
-// wrong "there is a greatest colour, 31: a body may need any number of them":
-// expects: Holds in 19 of 21 scenes
-  std::vector<unsigned> taken(moves.size(), 0);
-  std::vector<int> colours;
-  for (const BodyPair& link : links) {
-    int colour = 0;
-    const auto has = [&](int body) { return moves[body] && (taken[body] & (1u << colour)); };
-    while (colour < 31 && (has(link.body1) || has(link.body2))) ++colour;
-    taken[link.body1] |= 1u << colour;
-    taken[link.body2] |= 1u << colour;
-    colours.push_back(colour);
-  }
-  return colours;
 // wrong two-in-turn:
   std::vector<int> colours;
   for (std::size_t k = 0; k < links.size(); ++k) colours.push_back(int(k % 2));
@@ -392,3 +89,111 @@
     colours.push_back(colour);
   }
   return colours;
+// right a table that is wide enough:
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    while ((moves[link.body1] && taken[link.body1][colour]) ||
+           (moves[link.body2] && taken[link.body2][colour]))
+      ++colour;
+    taken[link.body1][colour] = taken[link.body2][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+// right again from the first where a neighbour has it:
+  std::vector<int> colours;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    int colour = 0;
+    for (std::size_t n = 0; n < k; ++n) {
+      const BodyPair &a = links[k], &b = links[n];
+      const bool share = (moves[a.body1] && (a.body1 == b.body1 || a.body1 == b.body2)) ||
+                         (moves[a.body2] && (a.body2 == b.body1 || a.body2 == b.body2));
+      if (share && colours[n] == colour) ++colour, n = std::size_t(-1);
+    }
+    colours.push_back(colour);
+  }
+  return colours;
+// from right a table that is wide enough
+// wrong after-last-one: std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() +
+//         1)); std::vector<int> ==> int> next(moves.size(), 0), ;; while ((moves[link.body1] &&
+//         taken[link.body1][colour]) || (moves[link.body2] && taken[link.body2][colour])) ++colour;
+//         taken[link.body1][colour] = taken[link.body2][colour] = true ==> for (const int body :
+//         {link.body1, link.body2}) if (moves[body]) colour = std::max(colour, next[body]); for
+//         (const int body : {link.body1, link.body2}) next[body] = colour + 1
+// wrong "an index outside a vector": moves ==> links ;; + 1 ==> ;; int colour ==> std::size_t
+//         colour ;; taken[link.body1][colour] = taken[link.body2] ==> for (int body : {link.body1,
+//         link.body2}) taken[body] ;; (colour) ==> (int(colour))
+// wrong four-spare-colours: links ==> moves ;; + 1 ==>
+// wrong body-1-not-asked: = taken ==> = true; taken ;; ) ++colour ==> ++colour ;; || ==> ++colour;
+//         while ;; ((moves ==> (moves
+// wrong body-2-not-asked: while ( ==> while (moves[link.body2] && taken[link.body2][colour])
+//         ++colour; while ;; || (moves[link.body2] && taken[link.body2][colour])) ==> ;; = taken
+//         ==> = true; taken
+// wrong body-that-not-there: 1 ==> 2 ;; body1 ==> body1 + 1
+// wrong colour-not-set-back: int colour = 0; ==> ;; for ==> int colour = 0; for ;; 1 ==> 2
+// wrong "there is a greatest colour, 7": links.size() + 1 ==> 8 ;; while ==> while (colour < 7 &&
+//         ;; ++colour ==> ) ++colour
+// wrong four-spare-colours: links.size() + 1 ==> 4 ;; int colour ==> std::size_t colour ;;
+//         taken[link.body1][colour] = taken[link.body2] ==> for (int body : {link.body1,
+//         link.body2}) taken[body] ;; (colour) ==> (int(colour))
+// wrong greater-two-colours: colour = 0; while ( ==> a = 0, b = 0; while ;; colour]) || ==> a])
+//         ++a; while ;; colour])) ++colour ==> b]) ++b; const int colour = std::max(a, b) ;; =
+//         taken ==> = true; taken
+// wrong if-place-while: 1 ==> 2 ;; while ==> if
+// wrong "the number of joints that a body has had so far is no colour": std::vector<bool>>
+//         taken(moves.size(), std::vector<bool>(links.size() + 1)); std::vector<int> ==> int>
+//         count(moves.size(), 0), ;; while ((moves[link.body1] && taken[link.body1][colour]) ||
+//         (moves[link.body2] && taken[link.body2][colour])) ++colour; taken[link.body1][colour] =
+//         taken[link.body2][colour] = true ==> for (const int body : {link.body1, link.body2}) if
+//         (moves[body]) colour = std::max(colour, count[body]++)
+// expects: Holds in
+// wrong joints-static-body-left: int colour = 0; while ((moves[link.body1] &&
+//         taken[link.body1][colour]) || (moves[link.body2] && taken[link.body2][colour])) ==> if
+//         (!moves[link.body1] || !moves[link.body2]) continue; int colour = 0; while
+//         (taken[link.body1][colour] || taken[link.body2][colour])
+// wrong last-joint-first: ; for (const BodyPair& link : links) { int colour = 0; while
+//         ((moves[link.body1] && taken[link.body1][colour]) || (moves[link.body2] &&
+//         taken[link.body2][colour])) ++colour; taken[link ==> (links.size()); for (std::size_t k =
+//         links.size(); k-- > 0;) { int colour = 0; for (bool again = true; again;) { again =
+//         false; for (const int body : {links[k].body1, links[k].body2}) again = again ||
+//         (moves[body] && taken[body][colour]); colour += again; } taken[links[k] ;; link. ==>
+//         links[k]. ;; .push_back(colour) ==> [k] = colour
+// wrong moves-turned-round-where: ((moves ==> ((!moves ;; || (moves ==> || (!moves ;;
+//         taken[link.body1][colour] = taken[link.body2] ==> for (int body : {link.body1,
+//         link.body2}) if (moves[body]) taken[body]
+// wrong nothing-asked-beside-static: (moves[link.body1] && ==> moves[link.body1] &&
+//         moves[link.body2] && ( ;; ) || (moves[link.body2] && ==> ||
+// wrong nothing-taken-beside-static: while ((moves[link.body1] && taken[link.body1][colour]) ||
+//         (moves[link.body2] && taken[link.body2][colour])) ==> if (moves[link.body1] &&
+//         moves[link.body2]) { while (taken[link.body1][colour] || taken[link.body2][colour]) ;;
+//         true; ==> true; }
+// wrong only-last-one-kept: std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() +
+//         1)); std::vector<int> ==> int> last(moves.size(), -1), ;; taken[link.body1][colour] ==>
+//         last[link.body1] == colour ;; taken[link.body2][colour])) ++colour;
+//         taken[link.body1][colour] = taken[link.body2][colour] = true ==> last[link.body2] ==
+//         colour)) ++colour; last[link.body1] = last[link.body2] = colour
+// wrong "there is a greatest colour, 63: a body may need any number of them": links.size() + 1 ==>
+//         64 ;; while ((moves[link.body1] && taken[link.body1][colour]) || (moves[link.body2] &&
+//         taken[link.body2][colour])) ==> const auto is_taken = [&](int body) { return moves[body]
+//         && taken[body][colour]; }; while (colour < 63 && (is_taken(link.body1) ||
+//         is_taken(link.body2)))
+// wrong "the vector has its size already and is pushed to as well": 1 ==> 2 ;; colours ==>
+//         colours(links.size())
+// expects: There are 8 colours for 4 joints
+// wrong "there is a greatest colour, 31: a body may need any number of them": std::vector<bool>>
+//         ==> unsigned> ;; std::vector<bool>(links.size() + 1) ==> 0 ;; while ((moves[link.body1]
+//         && taken[link.body1][colour]) || (moves[link.body2] && taken[link.body2][colour])) ==>
+//         const auto has = [&](int body) { return moves[body] && (taken[body] & (1u << colour)); };
+//         while (colour < 31 && (has(link.body1) || has(link.body2))) ;; [colour] = ==> |= 1u <<
+//         colour; ;; [colour] = true ==> |= 1u << colour
+// expects: Holds in 19 of 21 scenes
+// from right again from the first where a neighbour has it
+// wrong joints-before-gone-through: , n = std::size_t(-1) ==>
+// wrong one-more-than-joint: for (std::size_t n = 0; n < k; ++n) ==> if (k > 0) ;; [n] ==> [k - 1]
+//         ;; (share && colours[n] == colour) ++colour, n = std::size_t(-1) ==> (share) colour =
+//         colours[k - 1] + 1
+// wrong one-more-than-last: (share && colours[n] == colour) ++colour, n = std::size_t(-1) ==>
+//         (share) colour = colours[n] + 1
+// wrong only-joint-before: for (std::size_t n = 0; n < k; ++n) ==> if (k > 0) ;; [n] ==> [k - 1] ;;
+//         n] == colour) ++colour, n = std::size_t(-1) ==> k - 1] == 0) colour = 1

@@ -1,33 +1,11 @@
 // wrong never-set: hinge.inverse_K_times(e, back); ==>
 // wrong k-over-e: const Number e[] ==> Number e[] ;; hinge.inverse_K_times(e, back); ==>
 //         hinge.inverse_K_times(e, e); for (int i = 0; i < 5; ++i) back[i] = e[i];
-// wrong "an index outside a vector or an array": back[4] * hinge.axis_row[1] ==> back[4] *
-//         hinge.axis_row[2]
+// wrong "an index outside a vector or an array": [1]; ==> [2];
 // wrong "v1, w1, v2 and w2 take a new value where it is added to the old one": body1.v = body1.v -
 //         ==> body1.v = - ;; body1.w - hinge.I1 * (cross(hinge.r1, push) + couple) ==> -(hinge.I1 *
 //         (cross(hinge.r1, push) + couple)) ;; body2.v = body2.v + ==> body2.v = ;; body2.w =
 //         body2.w + ==> body2.w =
-// wrong another-order-k:
-  const Triple<Number> gap =
-      body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
-  const Triple<Number> turning = body2.w - body1.w;
-  const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
-                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
-                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
-  const auto place = [](int i, int j) {
-    return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i;
-  };
-  Number lambda[5];
-  for (int i = 0; i < 5; ++i) {
-    lambda[i] = -hinge.inverse_K[place(i, 0)] * e[0];
-    for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[place(i, j)] * e[j];
-  }
-  const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
-  body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
-  body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 // wrong "bias[1] in e[2]: it belongs to e[1]": hinge.bias[2] ==> hinge.bias[1]
 // wrong both-same-way: v - body1 ==> v + body1 ;; - hinge ==> + hinge
 // wrong "T is not multiplied by I1 and I2: I (r x P + T), with brackets": hinge.I1 *
@@ -43,90 +21,17 @@
 // expects: v1 of lane 0 that is not used
 // wrong copies: ; body1 ==> ; Velocities<Number> one = body1, two = body2; one ;; ; body1 ==> ; one
 //         ;; ; body2 ==> ; two ;; ; body2 ==> ; two
-// wrong diagonal-only:
-  const Triple<Number> gap =
-      body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
-  const Triple<Number> turning = body2.w - body1.w;
-  const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
-                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
-                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
-  Number lambda[5];
-  for (int i = 0; i < 5; ++i) {
-    lambda[i] = -hinge.inverse_K[hinge.place(i, i)] * e[i];
-  }
-  const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
-  body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
-  body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
-// wrong "this lane is not solved":
-// expects: v1 of lane 1 (upright)
-  constexpr int lanes = int(sizeof(Number) / sizeof(real));
-  const auto first = [](const auto& all, auto one) {
-    const real* const from = reinterpret_cast<const real*>(&all);
-    real* const to = reinterpret_cast<real*>(&one);
-    for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n) to[n] = from[n * lanes];
-    return one;
-  };
-  if constexpr (lanes > 1) {
-    Velocities<real> a = first(body1, Velocities<real>{}), b = first(body2, Velocities<real>{});
-    solve<real>(first(hinge, HingeNumbers<real>{}), a, b);
-    for (int n = 0; n < 8; ++n) {
-      reinterpret_cast<real*>(&body1)[n * lanes] = reinterpret_cast<const real*>(&a)[n];
-      reinterpret_cast<real*>(&body2)[n * lanes] = reinterpret_cast<const real*>(&b)[n];
-    }
-    return;
-  } else {
-    const Triple<Number> gap =
-        body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
-    const Triple<Number> turning = body2.w - body1.w;
-    const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
-                        hinge.bias[3] + dot(hinge.axis_row[0], turning),
-                        hinge.bias[4] + dot(hinge.axis_row[1], turning)};
-    Number lambda[5];
-    for (int i = 0; i < 5; ++i) {
-      lambda[i] = -hinge.inverse_K[hinge.place(i, 0)] * e[0];
-      for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
-    }
-    const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-    const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
-    body1.v = body1.v - body1.inverse_mass * push;
-    body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
-    body2.v = body2.v + body2.inverse_mass * push;
-    body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
-  }
 // wrong sign-e-point-s + sign-point-s-bias: body2.v + cross(body2.w, hinge.r2) - body1.v -
 //         cross(body1.w, hinge.r1) ==> body1.v + cross(body1.w, hinge.r1) - body2.v -
 //         cross(body2.w, hinge.r2)
-// wrong "r1 in the place of r2 in the gap's rate": cross(body2.w, hinge.r2) ==> cross(body2.w,
-//         hinge.r1)
+// wrong "r1 in the place of r2 in the gap's rate": r2 ==> r1
 // expects: The path of Eq. 7-6. Yours is worked back from your velocities
-// wrong "w1 in the place of w2 in the gap's rate": cross(body2.w, hinge.r2) ==> cross(body1.w,
-//         hinge.r2)
+// wrong "w1 in the place of w2 in the gap's rate": body2.w ==> body1.w
 // wrong "the rate of e[1] stands in e[2], too": gap.z ==> gap.y
 // expects: yours        0.4600    0.8000    1.5200    0.5000    0.0000  x
 // wrong "I1 is taken for both bodies": I2 ==> I1
 // expects: w2.x
 // wrong "the sign of lambda[4]": - back[4] ==> + back[4]
-// wrong lambda-over-e:
-  const Triple<Number> gap =
-      body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
-  const Triple<Number> turning = body2.w - body1.w;
-  Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
-                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
-                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
-  for (int i = 0; i < 5; ++i) {
-    Number lambda = -hinge.inverse_K[hinge.place(i, 0)] * e[0];
-    for (int j = 1; j < 5; ++j) lambda = lambda - hinge.inverse_K[hinge.place(i, j)] * e[j];
-    e[i] = lambda;
-  }
-  const Triple<Number> push{e[0], e[1], e[2]};
-  const Triple<Number> couple = e[3] * hinge.axis_row[0] + e[4] * hinge.axis_row[1];
-  body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
-  body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 // wrong levers-are-exchanged-r1: r2, ==> r1, ;; r1, ==> r2, ;; r1 ==> r2 ;; r2 ==> r1
 // wrong levers-exchanged-push: r2, ==> r1, ;; r1, ==> r2,
 // wrong only-body-2: body1.v = body1.v - body1.inverse_mass * push; body1.w = body1.w - hinge.I1 *
@@ -135,129 +40,26 @@
 //         body1.w
 // wrong push-begins-too-late: {-back[0], -back[1], -back[2]} ==> {-back[1], -back[2], -back[3]}
 // wrong "P in the place of r2 x P in w2": cross(hinge.r2, push) ==> push
-// wrong "the numbers of another lane":
-// expects: v1 of lane 1
-// expects: Likely mistake: the lanes are mixed: nothing may pass
-  const Triple<Number> gap =
-      body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
-  const Triple<Number> turning = body2.w - body1.w;
-  const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
-                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
-                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
-  Number lambda[5];
-  for (int i = 0; i < 5; ++i) {
-    lambda[i] = -hinge.inverse_K[hinge.place(i, 0)] * e[0];
-    for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
-  }
-  for (Number& each : lambda) {
-    real* const lane = reinterpret_cast<real*>(&each);
-    for (std::size_t k = 1; k < sizeof each / sizeof(real); ++k) lane[k] = lane[0];
-  }
-  const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
-  body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
-  body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 // wrong "the push changes w only": v = body1.v - body1.inverse_mass * push; body1.w ==> w ;; ;
 //         body2.v = body2.v + body2.inverse_mass * push ==>
 // expects: v2.z
 // wrong "lambda[1] and lambda[2] are exchanged": -back[1], -back[2] ==> -back[2], -back[1]
-// wrong read-if-full:
-  const Triple<Number> gap =
-      body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
-  const Triple<Number> turning = body2.w - body1.w;
-  const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
-                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
-                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
-  const auto place = [](int i, int j) { return 5 * i + j < 15 ? 5 * i + j : 14; };
-  Number lambda[5];
-  for (int i = 0; i < 5; ++i) {
-    lambda[i] = -hinge.inverse_K[place(i, 0)] * e[0];
-    for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[place(i, j)] * e[j];
-  }
-  const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
-  body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
-  body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 // wrong "the record is made anew without its inverse mass": body1.v = ==> const Triple<Number> v1 =
 //         ;; body1.w = ==> const Triple<Number> w1 = ;; ; body2 ==> ; body1 = {v1, Number{}, w1,
 //         Number{}} ; body2
 // expects: inverse mass of body 1
-// wrong "the sign: lambda = -K^-1 e works against e":
-// expects: v1.x
-// expects: Pose: pencil and paper
-  const Triple<Number> gap =
-      body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
-  const Triple<Number> turning = body2.w - body1.w;
-  const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
-                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
-                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
-  Number lambda[5];
-  for (int i = 0; i < 5; ++i) {
-    lambda[i] = hinge.inverse_K[hinge.place(i, 0)] * e[0];
-    for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] + hinge.inverse_K[hinge.place(i, j)] * e[j];
-  }
-  const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
-  body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
-  body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 // wrong turn-only: (cross(hinge.r1, push) + couple) ==> couple ;; (cross(hinge.r2, push) + couple)
 //         ==> couple
 // expects: holds at no levers
-// wrong two-blocks:
-  const Triple<Number> gap =
-      body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
-  const Triple<Number> turning = body2.w - body1.w;
-  const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
-                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
-                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
-  Number lambda[5];
-  for (int i = 0; i < 5; ++i) {
-    lambda[i] = i < 3 ? -hinge.inverse_K[hinge.place(i, 0)] * e[0] : e[0] - e[0];
-    for (int j = 1; j < 5; ++j)
-      if ((i < 3) == (j < 3)) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
-  }
-  const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
-  body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
-  body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 // wrong "None of the usual mistakes explains it": {-back[0], -back[1], -back[2]} ==> {-back[0] -
 //         hinge.bias[0], -back[1] - hinge.bias[1], -back[2] - hinge.bias[2]}
 // expects: yours        3.8800    0.8000    2.1000    0.5000   -1.4400  x
-// wrong upper-half-only:
-  const Triple<Number> gap =
-      body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
-  const Triple<Number> turning = body2.w - body1.w;
-  const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
-                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
-                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
-  Number lambda[5];
-  for (int i = 0; i < 5; ++i) {
-    lambda[i] = -hinge.inverse_K[hinge.place(i, i)] * e[i];
-    for (int j = i + 1; j < 5; ++j)
-      lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
-  }
-  const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
-  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
-  body1.v = body1.v - body1.inverse_mass * push;
-  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
-  body2.v = body2.v + body2.inverse_mass * push;
-  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
-// wrong "v in the place of w in the axis rows: a_j . (w2 - w1)": turning = body2.w - body1.w ==>
-//         turning = body2.v - body1.v
+// wrong "v in the place of w in the axis rows: a_j . (w2 - w1)": w - ==> v - ;; w; ==> v;
 // wrong "v2 is never changed": body2.v = body2.v + body2.inverse_mass * push; ==>
 // wrong velocities-added: - body1.v - ==> + body1.v + ;; w - ==> w +
 // wrong "r2 in the place of r1 in w1": cross(hinge.r1, push) ==> cross(hinge.r2, push)
 // expects: from w1     -0.1684    0.0736    0.1667  x
-// wrong "w2 takes a new value where it is added to the old one: += and not =": body2.w = body2.w +
-//         ==> body2.w =
+// wrong "w2 takes a new value where it is added to the old one: += and not =": body2.w + ==>
 // wrong w-body-2-taken: body2.w = body2.w + ==> body2.w = body2.w -
 // wrong bias-forgotten-e-bias: hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
 //         hinge.bias[3] + ==> gap.x, gap.y, gap.z, ;; hinge.bias[4] + ==>
@@ -367,3 +169,56 @@
 // wrong units "in the solve, adding m/s to 1/s": w - body1.w ==> v - body1.v
 // wrong units "in the solve, taking kg m/s from m/s: the inverse mass is missing":
 //         body1.inverse_mass * ==>
+// right K^-1 row after row:
+  const Triple<Number> gap =
+      body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
+  const Triple<Number> turning = body2.w - body1.w;
+  const Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
+                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
+                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
+  Number lambda[5];
+  for (int i = 0; i < 5; ++i) {
+    lambda[i] = -hinge.inverse_K[hinge.place(i, 0)] * e[0];
+    for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] - hinge.inverse_K[hinge.place(i, j)] * e[j];
+  }
+  const Triple<Number> push{lambda[0], lambda[1], lambda[2]};
+  const Triple<Number> couple = lambda[3] * hinge.axis_row[0] + lambda[4] * hinge.axis_row[1];
+  body1.v = body1.v - body1.inverse_mass * push;
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
+  body2.v = body2.v + body2.inverse_mass * push;
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
+// from right K^-1 row after row
+// wrong another-order-k: ; Number ==> ; const auto place = [](int i, int j) { return i >= j ? i *
+//         (i + 1) / 2 + j : j * (j + 1) / 2 + i; }; Number ;; hinge.place ==> place ;; hinge.place
+//         ==> place
+// wrong diagonal-only: i, 0 ==> i, i ;; [0]; for (int j = 1; j < 5; ++j) lambda[i] = lambda[i] -
+//         hinge.inverse_K[hinge.place(i, j)] * e[j] ==> [i]
+// wrong "this lane is not solved": const ==> constexpr int lanes = int(sizeof(Number) /
+//         sizeof(real)); const auto first = [](const auto& all, auto one) { const real* const from
+//         = reinterpret_cast<const real*>(&all); real* const to = reinterpret_cast<real*>(&one);
+//         for (std::size_t n = 0; n < sizeof one / sizeof(real); ++n) to[n] = from[n * lanes];
+//         return one; }; if constexpr (lanes > 1) { Velocities<real> a = first(body1,
+//         Velocities<real>{}), b = first(body2, Velocities<real>{}); solve<real>(first(hinge,
+//         HingeNumbers<real>{}), a, b); for (int n = 0; n < 8; ++n) {
+//         reinterpret_cast<real*>(&body1)[n * lanes] = reinterpret_cast<const real*>(&a)[n];
+//         reinterpret_cast<real*>(&body2)[n * lanes] = reinterpret_cast<const real*>(&b)[n]; }
+//         return; } else { const ;; r2, push) + couple); ==> r2, push) + couple); }
+// expects: v1 of lane 1 (upright)
+// wrong lambda-over-e: w; const ==> w; ;; Number lambda[5]; for (int i = 0; i < 5; ++i) { lambda[i]
+//         ==> for (int i = 0; i < 5; ++i) { Number lambda ;; [i] = lambda[i] ==> = lambda ;; }
+//         const Triple<Number> push{lambda[0], lambda[1], lambda[2]}; const Triple<Number> couple =
+//         lambda[3] * hinge.axis_row[0] + lambda ==> e[i] = lambda; } const Triple<Number>
+//         push{e[0], e[1], e[2]}; const Triple<Number> couple = e[3] * hinge.axis_row[0] + e
+// wrong "the numbers of another lane": } const ==> } for (Number& each : lambda) { real* const lane
+//         = reinterpret_cast<real*>(&each); for (std::size_t k = 1; k < sizeof each / sizeof(real);
+//         ++k) lane[k] = lane[0]; } const
+// expects: v1 of lane 1
+// expects: Likely mistake: the lanes are mixed: nothing may pass
+// wrong read-if-full: ; Number ==> ; const auto place = [](int i, int j) { return 5 * i + j < 15 ?
+//         5 * i + j : 14; }; Number ;; hinge.place ==> place ;; hinge.place ==> place
+// wrong "the sign: lambda = -K^-1 e works against e": -hinge ==> hinge ;; [i] - ==> [i] +
+// expects: v1.x
+// expects: Pose: pencil and paper
+// wrong two-blocks: -hinge ==> i < 3 ? -hinge ;; ; for (int j = 1; j < 5; ++j) ==> : e[0] - e[0];
+//         for (int j = 1; j < 5; ++j) if ((i < 3) == (j < 3))
+// wrong upper-half-only: i, 0 ==> i, i ;; [0]; ==> [i]; ;; 1; ==> i + 1;

@@ -13,16 +13,15 @@
 //         vec3(0, height, 0); return
 // wrong few-digits: return ==> const float C = ;; height; ==> height; return C;
 // wrong length: dot ==> length ;; up(body1), ==>
-// wrong length-top:
-  return length(point(body1, body2) - body1.x - height * up(body1));
+// wrong length-top: dot(up(body1), point(body1, body2) - body1.x) - height ==> length(point(body1,
+//         body2) - body1.x - height * up(body1))
 // wrong lever-body-2: - body1 ==> - body2
-// wrong n-not-turned:
-  return (point(body1, body2) - body1.x).y - height;
+// wrong n-not-turned: dot ==> ;; up(body1), ==> ;; - height ==> .y - height
 // wrong n-body-2: body1 ==> body2
 // wrong nothing-below: dot ==> std::max(real(0), dot ;; height ==> height)
 // wrong point-body-1: body1, body2 ==> body2, body1
-// wrong radius-added:
-  return dot(up(body1), world_point(body2, corner_local) - body1.x) + radius - height;
+// wrong radius-added: point(body1, body2) ==> world_point(body2, corner_local) ;; - height ==> +
+//         radius - height
 // wrong radius-for-height: - height ==> - radius
 // wrong radius-forgotten: point(body1, body2) ==> world_point(body2, corner_local)
 // expects: C, ball, upright
@@ -33,8 +32,7 @@
 // wrong sign-vector: point(body1, body2) - body1.x ==> body1.x - point(body1, body2)
 // wrong size: dot ==> std::abs(dot ;; height ==> height)
 // wrong turned-back: up(body1) ==> to_local(body1, vec3(0, 1, 0))
-// wrong radius-forgotten + corner-not-turned: point(body1, body2) - body1.x ==> body2.x +
-//         corner_local - body1.x
+// wrong radius-forgotten + corner-not-turned: point(body1, body2) ==> body2.x + corner_local
 // wrong never-set: return dot(up(body1), point(body1, body2) - body1.x) ==> real sum; for (int i =
 //         0; i < 3; ++i) sum += up(body1)[i] * (point(body1, body2) - body1.x)[i]; return sum
 // wrong world-point: - body1.x ==>
@@ -49,9 +47,9 @@
   return dot(point(body1, body2) - top, n);
 // right C in axes of body 1: dot(up(body1), point(body1, body2) - body1.x) ==> to_local(body1,
 //         point(body1, body2) - body1.x).y
-// wrong units "in C, taking m from m^2: a lever is missing, or another length":
-  const vec3 r1 = point(body1, body2) - body1.x;
-  return dot(r1, r1) - height;
+// wrong units "in C, taking m from m^2: a lever is missing, or another length": return
+//         dot(up(body1), point(body1, body2) - body1.x) ==> const vec3 r1 = point(body1, body2) -
+//         body1.x; return dot(r1, r1)
 
 // region 2
 // wrong always-n: return {-direction, -cross(r1, direction), direction, cross(r2, direction)} ==>
@@ -64,24 +62,24 @@
 // wrong direction-turned-back: return {-direction, -cross(r1, direction), direction, cross(r2,
 //         direction)} ==> const vec3 d = to_local(body1, direction); return {-d, -cross(r1, d), d,
 //         cross(r2, d)}
-// wrong "entry times entry where the cross product belongs, in w2": , cross(r2, direction)} ==> ,
-//         r2 * direction}
+// wrong "entry times entry where the cross product belongs, in w2": cross(r2, direction) ==> r2 *
+//         direction
 // wrong "r1 ends on the top, below the corner": r1 = p - body1.x, ==> ;; x; ==> x; const vec3 r1 =
 //         p - error(body1, body2) * up(body1) - body1.x;
 // expects: Fails at pencil and paper and off the top; holds at upright, turned and moved.
 // wrong height-taken-away: x, ==> x - height * up(body1),
 // wrong height-taken-both-levers: p = point(body1, body2) ==> p = point(body1, body2) - height *
 //         up(body1)
-// wrong few-digits:
-  const glm::vec3 r1(point(body1, body2) - body1.x), r2(point(body1, body2) - body2.x);
-  const glm::vec3 d(direction);
-  return {-direction, -vec3(cross(r1, d)), direction, vec3(cross(r2, d))};
+// wrong few-digits: vec3 p = point(body1, body2), r1 = p - body1.x, r2 = p - body2.x; return
+//         {-direction, -cross(r1, direction), direction, cross(r2, direction)} ==> glm::vec3
+//         r1(point(body1, body2) - body1.x), r2(point(body1, body2) - body2.x); const glm::vec3
+//         d(direction); return {-direction, -vec3(cross(r1, d)), direction, vec3(cross(r2, d))}
 // wrong levers-exchanged: body1.x, r2 = p - body2 ==> body2.x, r2 = p - body1
 // wrong levers-body-axes: x; ==> x; const vec3 l1 = to_local(body1, r1), l2 = to_local(body2, r2);
 //         ;; r1, ==> l1, ;; r2, ==> l2,
 // wrong "n in the place of the direction in w1": -cross(r1, direction) ==> -cross(r1, up(body1))
-// wrong nothing-static-body (pencil and paper): return {-direction ==> if (body1.is_static())
-//         return {vec3(0), vec3(0), direction, cross(r2, direction)}; return {-direction
+// wrong nothing-static-body (pencil and paper): x; ==> x; if (body1.is_static()) return {vec3(0),
+//         vec3(0), direction, cross(r2, direction)};
 // wrong one-lever-both: .x, r2 = p - body2 ==> ;; r2 ==> r1
 // wrong order-of-blocks: -cross(r1, direction), direction ==> direction, -cross(r1, direction)
 // wrong order-cross-products: r1, direction ==> direction, r1 ;; r2, direction ==> direction, r2

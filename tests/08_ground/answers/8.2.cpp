@@ -15,24 +15,18 @@
 // expects: t1 or t2 is not a number (at rest, n = x)
   const vec3 t1 = normalize(sliding - dot(n, sliding) * n);
   return {t1, cross(n, t1)};
-// wrong made-unit-vector-first:
-  if (length(sliding - dot(n, sliding) * n) < real(1e-4)) {
-    const vec3 t1 = normalize(cross(n, std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0)));
-    return {t1, cross(n, t1)};
-  }
-  const vec3 s = normalize(sliding), t1 = s - dot(n, s) * n;
-  return {t1, cross(n, t1)};
+// wrong made-unit-vector-first: vec3 across = sliding - dot(n, sliding) * n; if (length(across) <
+//         real(1e-4)) { const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1,
+//         0); across = other - dot(n, other) * n; } const vec3 t1 = normalize(across); return {t1,
+//         cross(n, t1)}; ==> if (length(sliding - dot(n, sliding) * n) < real(1e-4)) { const vec3
+//         t1 = normalize(cross(n, std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0)));
+//         return {t1, cross(n, t1)}; } const vec3 s = normalize(sliding), t1 = s - dot(n, s) * n;
+//         return {t1, cross(n, t1)};
 // wrong n-taken-away: dot(n, sliding) * n ==> n
 // wrong t1-not-unit-vector: const vec3 t1 = normalize(across); return {t1, cross(n, t1)} ==> return
 //         {across, cross(n, across)}
-// wrong not-unit-vector-rest:
-  const vec3 across = sliding - dot(n, sliding) * n;
-  if (length(across) < real(1e-4)) {
-    const vec3 t1 = cross(n, std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0));
-    return {t1, cross(n, t1)};
-  }
-  const vec3 t1 = normalize(across);
-  return {t1, cross(n, t1)};
+// wrong not-unit-vector-rest: vec3 ==> const vec3 ;; other = ==> t1 = cross(n, ;; ; across = other
+//         - dot(n, other) * n ==> ); return {t1, cross(n, t1)}
 // wrong not-ground-rest: { const vec3 other ==> across ;; across = other - dot(n, other) * n; } ==>
 // wrong not-projected: - dot(n, sliding) * n ==>
 // expects: by hand
@@ -95,19 +89,9 @@
   return {t1, cross(n, t1)};
 
 // region 2
-// wrong new-sum-added:
-  const real bound = mu * normal, next = std::clamp(sum - rate / K, -bound, bound);
-  sum += next;
-  return next - sum;
-// wrong new-sum-added:
-  const real bound = mu * normal, next = std::clamp(sum - rate / K, -bound, bound);
-  const real change = next - sum;
-  sum += next;
-  return change;
 // wrong always-the-bound: const real wanted = sum - rate / K, bound = mu * normal ==> (void)rate;
 //         (void)K ;; std::clamp(wanted, -bound, bound) ==> -mu * normal
-// wrong "the bound is mu normal, yours is 2 mu normal": bound = mu * normal ==> bound = 2 * mu *
-//         normal
+// wrong "the bound is mu normal, yours is 2 mu normal": mu ==> 2 * mu
 // expects: Case: rate 2.88 m/s, K 0.183333 1/kg, mu 0.5, normal 1.2 N s, sum 0 N s.
 // wrong bound-over-h: normal ==> normal * 60
 // wrong bound-int: bound = mu * normal ==> bound = int(mu * normal)
@@ -116,14 +100,10 @@
 // wrong bound-over-k: normal ==> normal / K
 // wrong bound-over-h: normal ==> normal * 20
 // wrong bound-over-h: normal ==> normal / 20
-// wrong "the bound is mu normal, yours is mu normal |rate|": bound = mu * normal ==> bound = mu *
-//         normal * std::abs(rate)
-// wrong copy-sum: const real before = sum; ==> const real before = sum; real copy = sum; ;; sum =
-//         std::clamp ==> copy = std::clamp ;; return sum ==> return copy
+// wrong "the bound is mu normal, yours is mu normal |rate|": normal ==> normal * std::abs(rate)
+// wrong copy-sum: sum; sum ==> sum; real copy = sum; copy ;; return sum ==> return copy
 // wrong dropped-beyond-bound: normal; ==> normal; if (std::abs(wanted) > bound) return 0; ;;
 //         std::clamp(wanted, -bound, bound) ==> wanted
-// wrong each-change-clamped: wanted = sum - rate / K, ==> ;; ; const real before = sum; sum ==> ,
-//         change ;; wanted ==> -rate / K ;; return sum - before ==> sum += change; return change
 // wrong ends-exchanged-hand: bound = mu * normal ==> low = mu * normal, high = -low ;;
 //         std::clamp(wanted, -bound, bound) ==> wanted < low ? low : wanted > high ? high : wanted
 // wrong "std::clamp(a, low, high) was given a high that is below low": -bound, ==> bound, -
@@ -132,50 +112,26 @@
 //         ;; const real before = sum; sum = std::clamp(wanted, -bound, bound) ==> sum = rate > 0 ?
 //         -bound : rate < 0 ? bound : real(0)
 // wrong "sum - rate/K is wanted, yours is sum - 0.5 rate/K": rate / K ==> rate / K / 2
-// wrong less-what-was-given:
-  const real left = std::max(mu * normal - std::abs(sum), real(0));
-  const real change = std::clamp(-rate / K, -left, left);
-  sum += change;
-  return change;
 // wrong "only the lower bound is there: friction is bounded either way": const real wanted = sum -
 //         rate / K, bound = mu * normal; ==> ;; clamp(wanted, -bound, bound) ==> max(sum - rate /
 //         K, -mu * normal)
 // wrong lower-end-without-mu: -bound, bound ==> -normal, bound
 // wrong mu-forgotten: const real ==> (void)mu; const real ;; mu * ==>
 // wrong mu-squared: bound = mu * normal ==> bound = mu * mu * normal
-// wrong new-sum-added:
-  const real bound = mu * normal, now = std::clamp(sum - rate / K, -bound, bound);
-  sum += now;
-  return now;
 // wrong new-sum-plus-old: return sum - before ==> return sum + before
-// wrong none-at-rest: const real before = sum; ==> if (rate == 0) return 0; const real before =
-//         sum;
+// wrong none-at-rest: normal ==> normal; if (rate == 0) return 0
 // wrong none-air: const real before = sum; ==> if (normal <= 0) return 0; const real before = sum;
-// wrong none-slow-sliding: const real before = sum; ==> if (std::abs(rate) < real(0.06)) return 0;
-//         const real before = sum;
+// wrong none-slow-sliding: normal ==> normal; if (std::abs(rate) < real(0.06)) return 0
 // wrong normal-forgotten: const real ==> (void)normal; const real ;; * normal ==>
 // wrong nothing-beyond-bound: bound = mu * normal; const real ==> ;; clamp(wanted, -bound, bound)
 //         ==> abs(wanted) > mu * normal ? real(0) : wanted
-// wrong nothing-clamped:
-  (void)mu;
-  (void)normal;
-  sum -= rate / K;
-  return -rate / K;
 // wrong only-pushes: const real wanted = sum - rate / K, bound = mu * ==> (void)mu; (void) ;;
 //         clamp(wanted, -bound, bound) ==> max(real(0), sum - rate / K)
-// wrong returns-the-sum: wanted = sum - rate / K, bound = mu * normal; const real before = sum ==>
-//         bound = mu * normal ;; wanted ==> sum - rate / K ;; - before ==>
 // wrong returns-what-was-wanted: return sum ==> return wanted
-// wrong returns-zero: wanted = sum - rate / K, bound = mu * normal; const real before = sum ==>
-//         bound = mu * normal ;; wanted ==> sum - rate / K ;; before ==> sum
 // wrong sign-friction-works-against: - rate ==> + rate
 // wrong full-bound-always: const real wanted = sum - rate / K, bound = mu * normal ==> (void)K ;;
 //         std::clamp(wanted, -bound, bound) ==> (rate > 0 ? -1 : 1) * mu * normal
 // wrong size-rate: rate ==> std::abs(rate)
-// wrong stored-unclamped:
-  const real wanted = sum - rate / K, bound = mu * normal, before = sum;
-  sum = wanted;
-  return std::clamp(wanted, -bound, bound) - before;
 // wrong sum-forgotten: sum ==>
 // wrong sum-over-k: sum - rate ==> (sum - rate)
 // wrong times-k-where-must: / K ==> * K
@@ -209,3 +165,25 @@
 //         real ==> normal,
 // wrong units "in the change of the sum, taking m/s from kg m/s: the inverse mass is missing": / K
 //         ==> ;; normal; const real ==> normal, ;; return ==> (void)K; return
+// right in two lines:
+  const real bound = mu * normal, before = sum;
+  sum = std::clamp(sum - rate / K, -bound, bound);
+  return sum - before;
+// from right friction change clamped between what is left
+// wrong each-change-clamped: - sum ==> ;; - sum ==>
+// wrong less-what-was-given: bound = mu * normal, ==> left = std::max(mu * normal - std::abs(sum),
+//         real(0)); const real ;; bound - sum, bound - sum ==> left, left
+// wrong nothing-clamped: const real bound = mu * normal, change = std::clamp(-rate / K, -bound -
+//         sum, bound - sum); sum += change; return change; ==> (void)mu; (void)normal; sum -= rate
+//         / K; return -rate / K;
+// wrong stored-unclamped: real ==> real wanted = sum - rate / K, ;; change = std::clamp(-rate / K,
+//         -bound - sum, bound - sum); sum += change; return change; ==> before = sum; sum = wanted;
+//         return std::clamp(wanted, -bound, bound) - before;
+// from right in two lines
+// wrong new-sum-added: before = sum; sum ==> next ;; return sum - before ==> sum += next; return
+//         next - sum
+// wrong new-sum-added: before = sum; sum ==> next ;; return sum - before ==> const real change =
+//         next - sum; sum += next; return change
+// wrong new-sum-added: before = sum; sum ==> now ;; return sum - before ==> sum += now; return now
+// wrong returns-the-sum: , before = sum ==> ;; - before ==>
+// wrong returns-zero: , before = sum ==> ;; before ==> sum

@@ -4,27 +4,21 @@
 //         A[j * n + i]
 // wrong "transposed: entry (i, j) stands at A[i * m + j]: A is n x m, row by": A[i * m + j] ==> A[j
 //         * m + i]
-// wrong "a row is n numbers long, it has m: entry (i, j) stands at A[i * m +": A[i * m + j] ==> A[i
-//         * n + j]
-// wrong "a row is six numbers long, it has m: entry (i, j) stands at A[i * m +": A[i * m + j] ==>
-//         A[i * 6 + j]
+// wrong "a row is n numbers long, it has m: entry (i, j) stands at A[i * m +": m + ==> n +
+// wrong "a row is six numbers long, it has m: entry (i, j) stands at A[i * m +": m + ==> 6 +
 // wrong linear-part-alone: + dot(J[i].w, response[j].w) ==>
 // wrong angular-part-alone: dot(J[i].v, response[j].v) + ==>
 // wrong v-with-w: dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w) ==> dot(J[i].v,
 //         response[j].w) + dot(J[i].w, response[j].v)
 // wrong v-twice: dot(J[i].w, response[j].w) ==> dot(J[i].v, response[j].v)
-// wrong linear-angular-multiplied: + dot(J[i].w ==> * dot(J[i].w
-// wrong angular-part-subtracted: + dot(J[i].w ==> - dot(J[i].w
+// wrong linear-angular-multiplied: + dot ==> * dot
+// wrong angular-part-subtracted: + dot ==> - dot
 // wrong rows-columns-blocks-exchanged: dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w) ==>
 //         dot(J[j].v, response[i].v) + dot(J[j].w, response[i].w)
-// wrong j-with-j: dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w) ==> dot(J[i].v, J[j].v) +
-//         dot(J[i].w, J[j].w)
-// wrong "the angular product is of J[i].w and J[j].w: of J[i].w and": dot(J[i].w, response[j].w)
-//         ==> dot(J[i].w, J[j].w)
-// wrong first-row-j-always: dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w) ==> dot(J[0].v,
-//         response[j].v) + dot(J[0].w, response[j].w)
-// wrong "the angular product is of J[0].w and response[j].w: of J[i].w and": dot(J[i].w ==>
-//         dot(J[0].w
+// wrong j-with-j: response ==> J ;; response ==> J
+// wrong "the angular product is of J[i].w and J[j].w: of J[i].w and": w, response ==> w, J
+// wrong first-row-j-always: [i] ==> [0] ;; [i] ==> [0]
+// wrong "the angular product is of J[0].w and response[j].w: of J[i].w and": i].w ==> 0].w
 // wrong "the angular product is of J[i].w and response[i].w: of J[i].w and": response[j].w ==>
 //         response[i].w
 // wrong only-entries-i-j: for (int j = 0; j < m; ++j) ==> if (int j = i; j < m)
@@ -36,9 +30,9 @@
 // wrong one-row-too-many: i < n ==> i <= n
 // wrong one-column-too-many: j < m ==> j <= m
 // wrong begins-with-1: int j = 0 ==> int j = 1
-// wrong sum-goes-on: for (int i ==> Number sum{}; for (int i ;; += dot ==> += sum += dot
+// wrong sum-goes-on: for ==> Number sum{}; for ;; dot ==> sum += dot
 // wrong both-triangles-once: response[j].w); ==> response[j].w), A[j * m + i] = A[i * m + j];
-// wrong half: += dot(J[i].v ==> += 0.5 * (dot(J[i].v ;; response[j].w); ==> response[j].w));
+// wrong half: dot ==> 0.5 * (dot ;; w) ==> w))
 // wrong x-y-alone: dot(J[i].v, response[j].v) ==> (J[i].v.x * response[j].v.x + J[i].v.y *
 //         response[j].v.y)
 // wrong nothing-done:

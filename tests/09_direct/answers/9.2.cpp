@@ -5,42 +5,36 @@
 //         inverse);
 // wrong "&A.original[node.row]: by rows of the right-hand side, each node has":
 //         std::size_t(node.row) ==> k
-// wrong inverse-own: node.row)], inverse ==> node.row)], [](double p, double) { return 1 / p; }
+// wrong inverse-own: inverse ==> [](double p, double) { return 1 / p; }
 // wrong targets-not-advanced: *target++ ==> *target
 // wrong targets-advanced-before: *target++ ==> *++target
-// wrong targets-per-node-again: factor_block( ==> target = A.targets.data(); factor_block(
+// wrong targets-per-node-again: diagonal ==> diagonal; target = A.targets.data()
 // wrong edge-itself: number + *target++ ==> number + A.edges[i].at
 // wrong inner-loop-first-edge: int i = j; ==> int i = node.first_edge;
 // wrong inner-loop-behind-j: int i = j; ==> int i = j + 1;
-// wrong inner-loop-j-alone: i < end; ++i) ==> i <= j; ++i)
+// wrong inner-loop-j-alone: i < end ==> i <= j
 // wrong l-not-stored: std::copy(L, L + m * n, block); ==>
 // wrong l-stored-too-early: divide_rows(block, m, D, n, L); ==> divide_rows(block, m, D, n, L);
 //         std::copy(L, L + m * n, block);
 // wrong not-divided: divide_rows(block, m, D, n, L); ==> std::copy(block, block + m * n, L);
 // wrong m-n-exchanged-division: divide_rows(block, m, D, n, L) ==> divide_rows(block, n, D, m, L)
-// wrong a-times-a: subtract_product(number + A.edges[i].at, A.nodes[A.edges[i].to].rows, L, ==>
-//         subtract_product(number + A.edges[i].at, A.nodes[A.edges[i].to].rows, block,
-// wrong product-transposed: subtract_product(number + A.edges[i].at, A.nodes[A.edges[i].to].rows,
-//         L, m, n, ==> subtract_product(L, m, number + A.edges[i].at, A.nodes[A.edges[i].to].rows,
-//         n,
+// wrong a-times-a: L, m ==> block, m
+// wrong product-transposed: L, m, n ==> n ;; (number ==> (L, m, number
 // wrong last-node-left-out: k + 1 < A.nodes.size() ==> k + 2 < A.nodes.size()
-// wrong "an index outside a vector or an array: places run from 0 to size() - 1": k + 1 <
-//         A.nodes.size() ==> k < A.nodes.size()
+// wrong "an index outside a vector or an array: places run from 0 to size() - 1": + 1 ==>
 // wrong last-edge-left-out: int i = j; i < end ==> int i = j; i < end - 1
 // wrong only-first-edge: j < end; ++j ==> j < end && j == node.first_edge; ++j
-// wrong "Case: a triangle": const int m = A.nodes[std::size_t(A.edges[j].to)].rows ==> const int m
-//         = n
+// wrong "Case: a triangle": A.nodes[std::size_t(A.edges[j].to)].rows ==> n
 // wrong rows-j-i: A.nodes[A.edges[i].to].rows, L ==> m, L
 // wrong "an index outside a vector or an array: places run from 0 to size() - 1":
 //         A.nodes[std::size_t(A.edges[j].to)].rows ==> A.nodes[std::size_t(j)].rows
-// wrong block-wrong-edge: subtract_product(number + A.edges[i].at ==> subtract_product(number +
-//         A.edges[j].at
+// wrong block-wrong-edge: [i] ==> [j]
 // wrong only-last-edge-stored: std::copy ==> if (j + 1 == end) std::copy
 // wrong half-l-stored: std::copy(L, L + m * n, block) ==> std::copy(L, L + n, block)
-// wrong nothing-subtracted: subtract_product( ==> if (false) subtract_product(
+// wrong nothing-subtracted: subtract_product ==> if (false) subtract_product
 // wrong solve-does-nothing:
   (void)number, (void)target, (void)inverse;
-// wrong first-node-left-out: for (std::size_t k = 0; ==> for (std::size_t k = 1;
+// wrong first-node-left-out: 0 ==> 1
 // wrong inner-loop-backwards: for (int i = j; i < end; ++i) ==> for (int i = end - 1; i >= j; --i)
 // right lower edges found by hand: int i = j; i < end; ++i) ==> int i = j; i != end; i += 1)
 // right a copy of the block:
@@ -69,63 +63,23 @@
 // wrong forward-without-division: divide(number + node.diagonal, node.rows, x + node.row); ==>
 // wrong divided-before-edges: divide(number + node.diagonal, node.rows, x + node.row); ==> ;; [k]
 //         ==> [k]; divide(number + node.diagonal, node.rows, x + node.row)
-// wrong divided-both-ways:
-  const int count = int(A.nodes.size()) - 1;
-  for (int k = 0; k < count; ++k) {
-    const Node& node = A.nodes[k];
-    for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
-      const Node& to = A.nodes[A.edges[j].to];
-      subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);
-    }
-    divide(number + node.diagonal, node.rows, x + node.row);
-  }
-  for (int k = count - 1; k >= 0; --k) { const Node& node = A.nodes[k];
-      divide(number + node.diagonal, node.rows, x + node.row);
-    for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
-      const Node& to = A.nodes[A.edges[j].to];
-      subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + to.row,
-                                x + node.row);  // Eq. 9-5
-    }
-  }
 // wrong back-forward-order: int k = count - 1; k >= 0; --k ==> int k = 0; k < count; ++k
 // wrong forward-last: int k = 0; k < count; ++k ==> int k = count - 1; k >= 0; --k
 // wrong no-way-back: int k = count - 1; k >= 0; --k ==> int k = -1; k >= 0; --k
-// wrong no-way-forward: subtract_times( ==> if (false) subtract_times(
+// wrong no-way-forward: subtract_times ==> if (false) subtract_times
 // wrong back-not-transposed: subtract_transposed_times ==> subtract_times ;; to.row, x + node ==>
 //         node.row, x + to
 // wrong forward-transposed: subtract_times(number + A.edges[j].at, to.rows, node.rows, x +
 //         node.row, x + to.row) ==> subtract_transposed_times(number + A.edges[j].at, to.rows,
 //         node.rows, x + to.row, x + node.row)
 // wrong back-ends-exchanged: to.row, x + node ==> node.row, x + to
-// wrong rows-exchanged-way-forward: to.rows, node.rows, x + node.row, x + to.row ==> node.rows,
-//         to.rows, x + node.row, x + to.row
+// wrong rows-exchanged-way-forward: to.rows, node ==> node.rows, to
 // wrong number-node-row: x + node.row, x + to.row ==> x + k, x + A.edges[j].to
-// wrong last-node-left-out-solution: int count = int(A.nodes.size()) - 1 ==> int count =
-//         int(A.nodes.size()) - 2
+// wrong last-node-left-out-solution: 1 ==> 2
 // wrong first-node-left-out-way: k >= 0 ==> k > 0
 // wrong "Case: three scalar rows of a chain": number + node.diagonal, ==> number + node.row,
-// wrong only-first-edge-forward: for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j)
-//         { ==> for (int j = node.first_edge; j < A.nodes[k + 1].first_edge && j ==
-//         node.first_edge; ++j) {
-// wrong edges-all-nodes: for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) { ==>
-//         for (int j = 0; j < A.nodes[k + 1].first_edge; ++j) {
-// wrong divided-once-each-edge:
-  const int count = int(A.nodes.size()) - 1;
-  for (int k = 0; k < count; ++k) {
-    const Node& node = A.nodes[k];
-    for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
-      const Node& to = A.nodes[A.edges[j].to];
-      subtract_times(number + A.edges[j].at, to.rows, node.rows, x + node.row, x + to.row);
-          divide(number + node.diagonal, node.rows, x + node.row); }
-  }
-  for (int k = count - 1; k >= 0; --k) {
-    const Node& node = A.nodes[k];
-    for (int j = node.first_edge; j < A.nodes[k + 1].first_edge; ++j) {
-      const Node& to = A.nodes[A.edges[j].to];
-      subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows, x + to.row,
-                                x + node.row);  // Eq. 9-5
-    }
-  }
+// wrong only-first-edge-forward: 1] ==> 1].first_edge && j == node
+// wrong edges-all-nodes: node.first_edge ==> 0
 // wrong solve-does-nothing:
   (void)A, (void)x, (void)number;
 // right divided on the way back: divide(number + node.diagonal, node.rows, x + node.row); } for
@@ -137,3 +91,7 @@
 // right division in a loop of its own: divide(number + node.diagonal, node.rows, x + node.row); }
 //         ==> } for (int k = 0; k < count; ++k) divide(number + A.nodes[k].diagonal,
 //         A.nodes[k].rows, x + A.nodes[k].row);
+// from right divided on the way back
+// wrong divided-both-ways: } for ==> divide(number + node.diagonal, node.rows, x + node.row); } for
+// wrong divided-once-each-edge: row); ==> row); divide(number + node.diagonal, node.rows, x +
+//         node.row); ;; [k]; divide(number + node.diagonal, node.rows, x + node.row) ==> [k]

@@ -12,57 +12,13 @@
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
     return neighbours[std::size_t(a)].size() < neighbours[std::size_t(b)].size();
   });
-// wrong places-returned: while (!queue.empty()) { ==> order.resize(left.size()); int place = 0;
-//         while (!queue.empty()) { ;; order.push_back(node); ==> order[std::size_t(node)] =
-//         place++;
-// wrong pair-other-way-round: std::set<std::pair<std::size_t, int>> queue; ==>
-//         std::set<std::pair<int, std::size_t>> queue; ;; queue.insert({left.back().size(),
-//         int(left.size()) - 1}); ==> queue.insert({int(left.size()) - 1, left.back().size()}); ;;
-//         const int node = queue.begin()->second; ==> const int node = queue.begin()->first; ;;
-//         queue.erase({left[a].size(), a}); ==> queue.erase({a, left[a].size()}); ;;
-//         queue.insert({left[a].size(), a}); ==> queue.insert({a, left[a].size()});
-// wrong least-fill:
-  std::vector<std::set<int>> left;
-  std::set<int> nodes;
-  for (const std::vector<int>& of_one : neighbours) {
-    left.emplace_back(of_one.begin(), of_one.end());
-    nodes.insert(int(left.size()) - 1);
-  }
-  while (!nodes.empty()) {
-    int best = -1, least = 0;
-    for (const int node : nodes) {
-      int fill = 0;
-      for (const int a : left[node])
-        for (const int b : left[node]) fill += a < b && left[a].count(b) == 0;
-      if (best < 0 || fill < least) best = node, least = fill;
-    }
-    nodes.erase(best);
-    order.push_back(best);
-    for (const int a : left[best]) {
-      left[a].erase(best);
-      for (const int b : left[best])
-        if (a != b) left[a].insert(b);
-    }
-  }
-// wrong equals-first-loop:
-  while (order.size() < neighbours.size()) {
-    int best = -1;
-    for (int k = 0; k < int(neighbours.size()); ++k)
-      if (std::find(order.begin(), order.end(), k) == order.end() &&
-          (best < 0 || neighbours[k].size() <= neighbours[best].size()))
-        best = k;
-    order.push_back(best);
-    for (const int a : neighbours[best]) {
-      std::erase(neighbours[a], best);
-      for (const int b : neighbours[best])
-        if (b != a && std::find(neighbours[a].begin(), neighbours[a].end(), b) ==
-            neighbours[a].end())
-          neighbours[a].push_back(b);
-    }
-  }
+// wrong places-returned: while ==> order.resize(left.size()); int place = 0; while ;;
+//         .push_back(node) ==> [std::size_t(node)] = place++
+// wrong pair-other-way-round: std::size_t, int ==> int, std::size_t ;; left.back().size(), int ==>
+//         int ;; 1 ==> 1, left.back().size() ;; second ==> first ;; left[a].size(), a ==> a,
+//         left[a].size() ;; left[a].size(), a ==> a, left[a].size()
 // wrong nothing-returned: order.push_back(node); ==>
-// wrong "there is no node 5: they are counted from 0": order.push_back(node) ==>
-//         order.push_back(node + 1)
+// wrong "there is no node 5: they are counted from 0": (node) ==> (node + 1)
 // wrong "Exercise 9.3: the order of elimination Graph: a path of six nodes in a": node ==> before =
 //         order.empty() ? -1 : order.back(); auto best ;; ->second ==> ; for (auto q = best; before
 //         >= 0 && q != queue.end() && q->first == best->first; ++q) if (!neighbours[before].empty()
@@ -70,21 +26,19 @@
 //         (queue.begin()) ==> (best)
 // wrong doubled-neighbours: if (b != a) ==> if (b > a)
 // wrong doubled-neighbours: queue.erase({left[a].size(), a}); ==>
-// wrong doubled-neighbours:
-  while (!neighbours.empty() && order.size() < neighbours.size()) {
-    int best = -1;
-    for (int k = 0; k < int(neighbours.size()); ++k)
-      if (std::find(order.begin(), order.end(), k) == order.end() &&
-          (best < 0 || neighbours[k].size() < neighbours[best].size()))
-        best = k;
-    order.push_back(best);
-    const std::vector<int> around = neighbours[best];
-    for (const int a : around) {
-      std::erase(neighbours[a], best);
-      for (const int b : around)
-        if (b != a) neighbours[a].push_back(b);
-    }
-  }
+// wrong doubled-neighbours: std::vector<std::set<int>> left; std::set<std::pair<std::size_t, int>>
+//         queue; for (const std::vector<int>& of_one : neighbours) {
+//         left.emplace_back(of_one.begin(), of_one.end()); queue.insert({left.back().size(),
+//         int(left.size()) - 1}); } while (!queue.empty()) { const int node =
+//         queue.begin()->second; queue.erase(queue.begin()); order.push_back(node); for (const int
+//         a : left[node]) { queue.erase({left[a].size(), a}); left[a].erase(node); for (const int b
+//         : left[node]) if (b != a) left[a].insert(b); queue.insert({left[a].size(), a}); } } ==>
+//         while (!neighbours.empty() && order.size() < neighbours.size()) { int best = -1; for (int
+//         k = 0; k < int(neighbours.size()); ++k) if (std::find(order.begin(), order.end(), k) ==
+//         order.end() && (best < 0 || neighbours[k].size() < neighbours[best].size())) best = k;
+//         order.push_back(best); const std::vector<int> around = neighbours[best]; for (const int a
+//         : around) { std::erase(neighbours[a], best); for (const int b : around) if (b != a)
+//         neighbours[a].push_back(b); } }
 // right without a queue:
   std::vector<std::set<int>> left;
   std::set<int> nodes;
@@ -125,3 +79,20 @@
         if (a != b && are[best][a] && are[best][b]) are[a][b] = 1;
     for (std::size_t a = 0; a < n; ++a) are[a][best] = are[best][a] = 0;
   }
+// from right without a queue
+// wrong least-fill: *nodes.begin() ==> -1, least = 0 ;; if (left[node].size() < left[best].size())
+//         best = node; ==> { int fill = 0; for (const int a : left[node]) for (const int b :
+//         left[node]) fill += a < b && left[a].count(b) == 0; if (best < 0 || fill < least) best =
+//         node, least = fill; } ;; insert(left[best].begin(), left[best].end()); ==> erase(best);
+//         for (const int b : left[best]) if (a != b) ;; erase(a); left[a].erase(best) ==> insert(b)
+// wrong equals-first-loop: std::vector<std::set<int>> left; std::set<int> nodes; for (const
+//         std::vector<int>& of_one : neighbours) { left.emplace_back(of_one.begin(), of_one.end());
+//         nodes.insert(int(left.size()) - 1); } while (!nodes.empty()) { int best = *nodes.begin();
+//         for (const int node : nodes) if (left[node].size() < left[best].size()) best = node;
+//         nodes.erase(best) ==> while (order.size() < neighbours.size()) { int best = -1; for (int
+//         k = 0; k < int(neighbours.size()); ++k) if (std::find(order.begin(), order.end(), k) ==
+//         order.end() && (best < 0 || neighbours[k].size() <= neighbours[best].size())) best = k ;;
+//         left[best]) { left[a].insert(left[best].begin(), left[best].end()); left[a].erase(a);
+//         left[a].erase(best ==> neighbours[best]) { std::erase(neighbours[a], best); for (const
+//         int b : neighbours[best]) if (b != a && std::find(neighbours[a].begin(),
+//         neighbours[a].end(), b) == neighbours[a].end()) neighbours[a].push_back(b

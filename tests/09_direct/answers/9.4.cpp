@@ -4,10 +4,8 @@
 // wrong above-zero: pivot > dependent_share * original ==> pivot > 0
 // wrong absolute-threshold: dependent_share * original ==> dependent_share
 // wrong bound-own: dependent_share * original ==> 1e-10
-// wrong "another share, smaller than dependent_share": dependent_share * original ==>
-//         2.220446049250313e-16 * original
-// wrong "another share, larger than dependent_share": dependent_share * original ==> 1e-6 *
-//         original
+// wrong "another share, smaller than dependent_share": dependent_share ==> 2.220446049250313e-16
+// wrong "another share, larger than dependent_share": dependent_share ==> 1e-6
 // wrong comparison-turned-round: pivot > ==> pivot <
 // wrong equality-inverted: pivot > ==> pivot >=
 // wrong not-number-gets-through: pivot > ==> pivot <= ;; 1 / pivot : 0 ==> 0 : 1 / pivot
@@ -15,25 +13,22 @@
 // wrong quotient:
   return pivot / original <= dependent_share ? 0 : 1 / pivot;
 // wrong size-pivot: pivot > dependent ==> std::abs(pivot) > dependent
-// wrong size-pivot-inverted: pivot > dependent_share * original ? 1 / pivot ==> std::abs(pivot) >
-//         dependent_share * original ? 1 / std::abs(pivot)
+// wrong size-pivot-inverted: pivot ==> std::abs(pivot) ;; pivot : ==> std::abs(pivot) :
 // wrong original-inverted: 1 / pivot ==> 1 / original
 // wrong pivot-returned: 1 / pivot ==> pivot
 // wrong sign: 1 / pivot ==> -1 / pivot
 // wrong one-dependent-row: : 0 ==> : 1
 // wrong "Case: nothing but rounding error is left": : 0 ==> : 1e30
 // wrong infinite-dependent-row: : 0 ==> : std::numeric_limits<double>::infinity()
-// wrong pivot-entry-exchanged: pivot > dependent_share * original ==> original > dependent_share *
-//         pivot
+// wrong pivot-entry-exchanged: original ==> pivot ;; pivot ==> original
 // wrong whole-entry: dependent_share * original ==> original
 // wrong inverse-int: 1 / pivot ==> int(1 / pivot)
 // wrong few-digits: 1 / pivot ==> 1 / float(pivot)
-// wrong regularised:
-  return 1 / (pivot + dependent_share * original);
-// wrong greater-both:
-  return 1 / std::max(pivot, dependent_share * original);
-// wrong "Case: just above the share": pivot > dependent_share * original ==> pivot >
-//         dependent_share * original && pivot > 1e-8
+// wrong regularised: pivot > dependent_share * original ? 1 / pivot : 0 ==> 1 / (pivot +
+//         dependent_share * original)
+// wrong greater-both: pivot > dependent_share * original ? 1 / pivot : 0 ==> 1 / std::max(pivot,
+//         dependent_share * original)
+// wrong "Case: just above the share": ? 1 ==> && pivot > 1e-8 ? 1
 // wrong least-one-bound: dependent_share * original ==> dependent_share * std::max(original, 1.0)
 // right with an if: return pivot > dependent_share * original ? 1 / pivot : 0 ==> if (!(pivot >
 //         original * dependent_share)) return 0; return 1.0 / pivot

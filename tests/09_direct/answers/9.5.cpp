@@ -3,10 +3,9 @@
 // wrong kick-last-step: (world.last_h + h) / 2 ==> world.last_h
 // wrong kick-sum: (world.last_h + h) / 2 ==> world.last_h + h
 // wrong brackets-forgotten: (world.last_h + h) / 2 ==> world.last_h + h / 2
-// wrong first-step-full-kick: (world.last_h + h) / 2 ==> world.last_h == 0 ? h : (world.last_h + h)
-//         / 2
+// wrong first-step-full-kick: gravity, ==> gravity, world.last_h == 0 ? h :
 // wrong no-kick: kick(world.bodies, world.gravity, (world.last_h + h) / 2); ==>
-// wrong integrate-forces: kick(world ==> integrate_forces(world
+// wrong integrate-forces: kick ==> integrate_forces
 // wrong last-h-not-kept: world.last_h = h; ==>
 // wrong last-h-gets-mean: world.last_h = h; ==> world.last_h = (world.last_h + h) / 2;
 // wrong blocks-not-cleared: world.blocks.clear(); ==>
@@ -15,16 +14,15 @@
 // wrong append-missing: for (const auto& joint : world.joints()) joint->append(world.bodies,
 //         world.blocks); ==>
 // wrong begin-append-half-h: begin_step(world.bodies, h) ==> begin_step(world.bodies, h / 2)
-// wrong prepare-half-h: world.blocks, 0, h) ==> world.blocks, 0, h / 2)
-// wrong "it threw an exception: solver: blocks have come or gone since they wer": world.blocks, 0,
-//         h) ==> world.blocks, int(world.blocks.list.size()), h)
+// wrong prepare-half-h: 0, h ==> 0, h / 2
+// wrong "it threw an exception: solver: blocks have come or gone since they wer": 0 ==>
+//         int(world.blocks.list.size())
 // wrong "it threw an exception: solver: was prepared for the blocks of another":
 //         solver.prepare(world.bodies, world.blocks, 0, h); ==>
 // wrong warm-start: warm_start(world.bodies, 0) ==> warm_start(world.bodies, 1)
 // wrong warm-start-missing: solver.warm_start(world.bodies, 0); ==>
 // wrong solve-missing: solver.solve(world.bodies); ==>
-// wrong solve-twice: solver.solve(world.bodies); ==> solver.solve(world.bodies);
-//         solver.solve(world.bodies);
+// wrong solve-twice: turn ==> solver.solve(world.bodies); turn
 // wrong "turn() is missing: turn() half of h before the bodies move, and half": turn(world.bodies,
 //         h / 2); ==> ;; turn(world.bodies, h / 2); ==>
 // wrong "the second turn() is missing: turn() half of h before the bodies move": (world.bodies, h);
@@ -57,9 +55,8 @@
 // wrong gravity-alone: kick(world.bodies, world.gravity, (world.last_h + h) / 2); ==> for (int k =
 //         0; k < world.bodies.slots(); ++k) if (!world.bodies.at(k).is_static())
 //         world.bodies.at(k).v += (world.last_h + h) / 2 * world.gravity;
-// wrong "Case: two bodies and a motor": for (const auto& joint : world.joints())
-//         joint->append(world.bodies, world.blocks); ==> if (!world.joints().empty())
-//         world.joints()[0]->append(world.bodies, world.blocks);
+// wrong "Case: two bodies and a motor": for (const auto& joint : world.joints()) joint->append ==>
+//         if (!world.joints().empty()) world.joints()[0]->append
 // wrong earth-s-gravity: world.gravity, ==> vec3(0, real(-9.81), 0),
 // wrong units "in the step, adding m to m/s: a time too many: is a division by h missing?":
 //         (world.last_h + h) / 2 ==> (world.last_h + h) * h
@@ -69,8 +66,7 @@
 //         integrate_poses(world.bodies, h) ==> integrate_poses(world.bodies, h * h)
 // wrong units "in the step, adding 1/s^2 to 1/s: h is missing (an impulse is h times a force":
 //         turn(world.bodies, h / 2); // Eq. 9-9 ==> turn(world.bodies, real(0.5));
-// wrong units "world.last_h is in 1/s and should be in s": world.last_h = h; ==> world.last_h = 1 /
-//         h;
+// wrong units "world.last_h is in 1/s and should be in s": h; ==> 1 / h;
 // right the engine's own step:
   step(world, solver, h, {.leapfrog = true});
 // right rows chosen before the kick: kick ==> for (const auto& joint : world.joints())

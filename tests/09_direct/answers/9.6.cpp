@@ -16,9 +16,8 @@
 // wrong start-does-not-hold + start-written-after-bodies: start.assign(bodies.data(), bodies.data()
 //         + bodies.slots()); ==> ;; std::vector ==> if (n == 0) start.assign(bodies.data(),
 //         bodies.data() + bodies.slots()); std::vector
-// wrong "Case: a slider with a mark half a metre ahead": start.assign(bodies.data(), bodies.data()
-//         + bodies.slots()) ==> start.insert(start.end(), bodies.data(), bodies.data() +
-//         bodies.slots())
+// wrong "Case: a slider with a mark half a metre ahead": assign ==> insert ;; bodies ==>
+//         start.end(), bodies
 // wrong last-not-kept: last = largest; ==>
 // wrong last-only-once: last = largest; ==> if (n == 0) last = largest;
 // wrong poor-goes-break: return largest <= stalled_share * first; ==> break;
@@ -29,17 +28,17 @@
 //         if (largest <= negligible * h * h) return true;
 // wrong near-enough-not-asked: if (largest <= negligible * h * h) return true; ==>
 // wrong strictly-nearer-than-near: largest <= negligible ==> largest < negligible
-// wrong near-enough-false: negligible * h * h) return true ==> negligible * h * h) return false
-// wrong near-enough-breaks-moves: negligible * h * h) return true ==> negligible * h * h) break
+// wrong near-enough-false: true ==> false
+// wrong near-enough-breaks-moves: return true ==> break
 // wrong "the largest error counts, by its size: of all rows max |C|. The sign": std::abs(C) ==> C
 // wrong "the largest error counts, by its size: of all rows max |C|, not the": largest =
 //         std::max(largest, std::abs(C)) ==> largest += std::abs(C)
 // wrong "the largest error counts, by its size: of all rows max |C|. Only the": largest =
 //         std::max(largest, std::abs(C)) ==> largest = std::abs(C)
 // wrong size-asked-after-division: largest = std ==> C /= -h; largest = std ;; ; C /= -h ==>
-// wrong "the largest error counts, by its size: of all rows max |C|, not the": double largest = 0
-//         ==> double largest = 1e9 ;; std::max(largest ==> std::min(largest
-// wrong largest-not-begun-anew: ; double largest = 0 ==> ;; for ==> double largest = 0; for
+// wrong "the largest error counts, by its size: of all rows max |C|, not the": 0; for ==> 1e9; for
+//         ;; max ==> min
+// wrong largest-not-begun-anew: (); double largest = 0 ==> () ;; for ==> double largest = 0; for
 // wrong "the largest error counts, by its size: of all rows max |C|, not the": largest =
 //         std::max(largest, std::abs(C)); ==> largest = std::hypot(largest, C);
 // wrong no-final-move: integrate_poses(bodies, real(h)); return ==> return
@@ -62,15 +61,12 @@
 // wrong returned-once-when-poor: ; corrector.change_rates(rates) ==> ;; true; ==> true;
 //         corrector.change_rates(rates);
 // wrong error-times-share: poor_contraction * last ==> last / poor_contraction
-// wrong velocities-put-back-poor: bodies.at(slot).q = start[slot].q; ==> bodies.at(slot).q =
-//         start[slot].q, bodies.at(slot).w = start[slot].w;
+// wrong velocities-put-back-poor: q; ==> q, bodies.at(slot).w = start[slot].w;
 // wrong static-body-taken-first: int slot = 0 ==> int slot = 1
 // wrong last-body-not-put: slot < bodies.slots() ==> slot < bodies.slots() - 1
-// wrong first-error-itself-bound: return largest <= stalled_share * first ==> return largest <=
-//         first
+// wrong first-error-itself-bound: stalled_share * ==>
 // wrong first-kept-second-iteration: n == 0 ==> n == 1
-// wrong stop-turned-round: return largest <= stalled_share * first ==> return largest >
-//         stalled_share * first
+// wrong stop-turned-round: <= stalled_share ==> > stalled_share
 // wrong negligible-without-h-squared: negligible * h * h ==> negligible
 // wrong negligible-times-h: negligible * h * h ==> negligible * h
 // wrong "Exercise 9.6: Newton's method on the positions Holds in 36 of 37 cases": return largest <=

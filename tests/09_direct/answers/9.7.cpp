@@ -1,24 +1,17 @@
-// wrong free-row-stays: return impulse < lower ? Side::lower : impulse > upper ? Side::upper :
-//         Side::free; ==> return Side::free;
-// wrong upper-bound-free-row: impulse < lower ? Side::lower : impulse > upper ? Side::upper :
-//         Side::free ==> impulse < lower ? Side::lower : Side::free
-// wrong lower-bound-free-row: impulse < lower ? Side::lower : impulse > upper ? Side::upper :
-//         Side::free ==> impulse > upper ? Side::upper : Side::free
-// wrong lower-upper-exchanged: impulse < lower ? Side::lower : impulse > upper ? Side::upper ==>
-//         impulse < lower ? Side::upper : impulse > upper ? Side::lower
-// wrong comparisons-free-row-turned: impulse < lower ? Side::lower : impulse > upper ==> impulse >
-//         lower ? Side::lower : impulse < upper
+// wrong free-row-stays: impulse < lower ? Side::lower : impulse > upper ? Side::upper : ==>
+// wrong upper-bound-free-row: : impulse > upper ? Side::upper ==>
+// wrong lower-bound-free-row: impulse < lower ? Side::lower : ==>
+// wrong lower-upper-exchanged: upper : ==> lower : ;; lower : ==> upper :
+// wrong comparisons-free-row-turned: < lower ==> > lower ;; > upper ==> < upper
 // wrong flips-either-bound: impulse < lower ==> impulse <= lower
 // wrong flips-either-bound: impulse > upper ==> impulse >= upper
-// wrong flips-either-bound: impulse < lower ==> impulse <= lower ;; impulse > upper ==> impulse >=
-//         upper
+// wrong flips-either-bound: < lower ==> <= lower ;; > upper ==> >= upper
 // wrong zero-lower-bound: impulse < lower ==> impulse < 0
 // wrong sign-rate-lower-bound: rate < 0 ? Side::free ==> rate > 0 ? Side::free
 // wrong sign-rate-upper-bound: return rate > 0 ==> return rate < 0
-// wrong both-signs-rate:
-  if (now == Side::free)
-    return impulse < lower ? Side::lower : impulse > upper ? Side::upper : Side::free;
-  return (now == Side::lower ? rate > 0 : rate < 0) ? Side::free : now;
+// wrong both-signs-rate: if (now == Side::lower) return rate < 0 ? Side::free : now; return rate >
+//         0 ? Side::free : now; ==> return (now == Side::lower ? rate > 0 : rate < 0) ? Side::free
+//         : now;
 // wrong flips-rate-zero: rate < 0 ==> rate <= 0
 // wrong flips-rate-zero: rate > 0 ==> rate >= 0
 // wrong lower-upper: rate < 0 ? Side::free ==> rate < 0 ? Side::upper
@@ -33,10 +26,8 @@
 // wrong any-rate-frees: if (now == Side::lower) return rate < ==> return rate != ;; return rate > 0
 //         ? Side::free : now; ==>
 // wrong upper-branch-missing: return rate > 0 ? Side::free : now ==> return now
-// wrong free-asks-rate-well: impulse < lower ? ==> impulse < lower && rate > 0 ? ;; impulse > upper
-//         ? ==> impulse > upper && rate < 0 ?
-// wrong sizes-compared: impulse < lower ? Side::lower : impulse > upper ==> impulse < lower ?
-//         Side::lower : std::abs(impulse) > std::abs(upper)
+// wrong free-asks-rate-well: lower ==> lower && rate > 0 ;; upper ==> upper && rate < 0
+// wrong sizes-compared: impulse > upper ==> std::abs(impulse) > std::abs(upper)
 // wrong threshold-rate: rate < 0 ==> rate < -1e-6
 // wrong threshold-impulse: impulse < lower ==> impulse < lower - 1e-6
 // wrong upper-bound-free-row + sign-rate-upper-bound: impulse > upper ? Side::upper : ==> ;; if

@@ -78,12 +78,14 @@ Drawn beads(Draw draw, double heaviest = 1e4) {
   return scene;
 }
 
-// Cubes with an end of up to a million of them, let go at any height.
-Drawn heavy_ends(Draw draw, double heaviest = 1e6) {
+// Cubes with an end of up to a million of them, let go level or below; or above, then the end falls
+// freely until the chain stops it with a jerk.
+Drawn heavy_ends(Draw draw, bool falls, double heaviest = 1e6) {
   Drawn scene = drawn();
   const int count = draw.whole(2, 30), kinds = draw.whole(0, 2);
   const double step = draw.number(0.3, 1), edge = step * draw.number(0.3, 0.9);
-  const double end = draw.scale(1, heaviest), angle = draw.number(-1, 1);
+  const double end = draw.scale(1, heaviest);
+  const double angle = falls ? draw.number(0, 1) : draw.number(-1, 0);
   const vec3 along(real(std::cos(angle)), real(std::sin(angle)), 0);
   Row row{scene};
   for (int k = 1; k <= count; ++k) {
@@ -191,7 +193,7 @@ Drawn driven_arm(Draw draw) {
 Drawn any_step(Draw draw) {
   const int kind = draw.whole(0, 2);
   Drawn scene = kind == 0   ? drawn(cubes_on_hinges(1, draw.whole(2, 10)))
-                : kind == 1 ? heavy_ends(draw, 1e3)
+                : kind == 1 ? heavy_ends(draw, draw.chance(0.5), 1e3)
                             : beads(draw, 100);
   scene.any_step = true;
   return scene;
@@ -370,7 +372,8 @@ Drawn pile(Draw draw) {
 std::vector<Family> families() {
   const auto of = [](auto make) { return [make](unsigned seed) { return make(Draw(seed)); }; };
   return {{"beads", 144, of([](Draw draw) { return beads(draw); })},
-          {"heavy ends", 240, of([](Draw draw) { return heavy_ends(draw); })},
+          {"heavy ends", 240, of([](Draw draw) { return heavy_ends(draw, false); })},
+          {"falling ends", 120, of([](Draw draw) { return heavy_ends(draw, true); })},
           {"trees", 48, tree},
           {"bridges", 96, of(bridge)},
           {"nets", 12, of(net)},

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
                     {{"csv", "out/families.csv", "the table"},
                      {"append", "0", "1: add lines to the table that is there"},
                      {"family", "", "one family alone, by its name in the table"},
-                     {"settings", "shake stiff loops careful", "the settings, with blanks between"},
+                     {"settings", "shake inertia", "the settings, with blanks between"},
                      {"seed", "1", "of the first scene of every family"},
                      {"draws", "0", "scenes of every family; 0: as many as it has"},
                      {"hertz", "60", "steps per second [Hz]"},

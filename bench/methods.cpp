@@ -37,7 +37,7 @@ MakeScene of_chapter_9(const std::function<Scene()>& make) {
 }
 
 std::vector<Entry> scenes(bool quick) {
-  const std::string both = iterated + " velocity shake stiff velocity/8 shake/8 stiff/8",
+  const std::string both = iterated + " velocity shake inertia velocity/8 shake/8 inertia/8",
                     few = "si30 velocity shake";
   const Span ten_seconds{.steps = 600, .timed = 80}, one_second{.steps = 60, .timed = 60};
   std::vector<Entry> list = {

@@ -11,16 +11,12 @@ namespace joints::bench {
 
 Setting setting_named(const std::string& method) {
   const Way direct{.loop = Loop::direct, .beta = 1, .leapfrog = true};
-  Way shake = direct, stiff = direct, plain = direct;
-  shake.newton = stiff.newton = 8;
+  Way shake = direct, inertia = direct, plain = direct;
+  shake.newton = inertia.newton = 8;
   plain.leapfrog = false;
   Way placed = plain;
   placed.newton = 8;
-  stiff.stiffness = 8;
-  Way loops = shake;
-  loops.careful = true;
-  Way careful = loops;
-  careful.stiffness = 8;
+  inertia.added_inertia = 8;
   const struct {
     std::string word;
     Way way;
@@ -42,9 +38,7 @@ Setting setting_named(const std::string& method) {
                {"shake", shake},
                {"plain", plain},
                {"placed", placed},
-               {"stiff", stiff},
-               {"loops", loops},
-               {"careful", careful},
+               {"inertia", inertia},
                {"rk4", {.loop = Loop::runge_kutta, .beta = 1}}};
   const std::size_t slash = method.find('/');
   for (auto one : known) {

@@ -87,8 +87,8 @@ std::vector<Way> ways() {
        .quick = true},
       {.name = "SHAKE", .scenes = all, .loop = Loop::direct, .beta = 1, .leapfrog = true,
        .newton = 8, .quick = true},
-      {.name = "SHAKE stiffness 8", .scenes = alone, .loop = Loop::direct, .beta = 1,
-       .leapfrog = true, .newton = 8, .stiffness = 8},
+      {.name = "SHAKE added inertia 8", .scenes = alone, .loop = Loop::direct, .beta = 1,
+       .leapfrog = true, .newton = 8, .added_inertia = 8},
       {.name = "Runge-Kutta", .scenes = all, .loop = Loop::runge_kutta, .quick = true},
 
       {.name = "set up once a step", .scenes = "S1 S1x", .loop = Loop::textbook},
@@ -195,8 +195,7 @@ Step of_chapter_7(const Way& way, int iterations, std::shared_ptr<std::unique_pt
 Step of_the_direct_solver(const Way& way) {
   DirectSolver solver;
   solver.newton = way.newton;
-  solver.stiffness = way.stiffness;
-  solver.careful = way.careful;
+  solver.added_inertia = way.added_inertia;
   return [solver, how = stepping_of(way)](World& world, real h) mutable {
     joints::step(world, solver, h, how);
   };

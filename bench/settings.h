@@ -49,8 +49,7 @@ struct Way {
   real frequency = 0;       ///< of springs in place of beta [Hz]
   bool leapfrog = false;    ///< half a kick in the first step
   int newton = 0;           ///< direct only: iterations on the positions
-  real stiffness = 0;       ///< direct only
-  bool careful = false;     ///< direct only
+  real added_inertia = 0;       ///< direct only
   int most = 200;           ///< no more iterations than this: further ones say nothing new
   bool quick = false;       ///< also in the short form
 

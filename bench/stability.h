@@ -70,7 +70,7 @@ struct Method {
   bool whole = true;     ///< hinges as one block of five rows, not of three and of two
   bool direct = false;   ///< chapter 9's solver, with half a kick in the first step
   int newton = 0;        ///< direct only
-  real stiffness = 0;    ///< direct only
+  real added_inertia = 0;    ///< direct only
 };
 /// The methods of the maps, beta 0.2 where they name none; 0 with projection, if they do not say
 /// another. The last one is for hinges only.

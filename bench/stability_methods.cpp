@@ -74,8 +74,8 @@ std::vector<Method> methods() {
           {.name = "64 substeps of 1", .iterations = 1, .substeps = 64},
           {.name = "direct", .beta = 1, .direct = true},
           {.name = "direct, SHAKE", .beta = 1, .direct = true, .newton = 8},
-          {.name = "direct, SHAKE, stiffness 8", .beta = 1, .direct = true, .newton = 8,
-           .stiffness = 8},
+          {.name = "direct, SHAKE, added inertia 8", .beta = 1, .direct = true, .newton = 8,
+           .added_inertia = 8},
           {.name = "cold 30, apart", .whole = false}};
 }
 
@@ -86,7 +86,7 @@ Setting setting_of(const Method& method) {
     if (method.direct) {
       DirectSolver solver;
       solver.newton = method.newton;
-      solver.stiffness = method.stiffness;
+      solver.added_inertia = method.added_inertia;
       return [=](World& world, real h) mutable {
         joints::step(world, solver, h, {.leapfrog = true});
       };

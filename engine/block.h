@@ -64,6 +64,15 @@ struct Block {
 /// Minus the wanted J V of row `i` of a block, by its error C. \param rate Feedback::rate
 real bias(const Block& block, int i, real C, real rate, real h);
 
+/// What a solver keeps of a step for the next one, beside the impulses. It is part of a world's
+/// state; a solver that does not know its rows again begins anew.
+struct SolverMemory {
+  std::vector<real> inertia;  ///< what no moment of the body in each slot was less than [kg m^2]
+  std::vector<real> rates;    ///< by which the new poses of each row were corrected
+  int pattern = 0;            ///< of which rows that was
+  bool operator==(const SolverMemory&) const = default;  ///< the same numbers
+};
+
 /// The blocks of one step: a list of headers and two flat arrays.
 class Blocks {
  public:
@@ -75,7 +84,7 @@ class Blocks {
   /// For how long the impulses of this step act [s]: h, but with leapfrog the time between the
   /// middles of the last step and this one. Forces become impulses and impulses forces by it.
   real acting = 0;
-  mutable std::vector<real> inertia;  ///< the solver's: least moment of each body [kg m^2]
+  mutable SolverMemory memory;  ///< the solver's
 
   /// `acting`; in a step by hand, which did not set it, the step's length. \param h [s]
   real acts(real h) const { return acting > 0 ? acting : h; }

@@ -41,10 +41,19 @@ void require_shape(const State& state, const State& own) {
   require_same("numbers of joints", state.joints.size(), own.joints.size());
 }
 
+void check_memory(const SolverMemory& memory, int slots) {
+  require(int(memory.inertia.size()) <= slots, "state: memory: has too many bodies");
+  for (const real I : memory.inertia)
+    require(finite(I) && I >= 0, "state: memory", I, "must be finite and not negative [kg m^2]");
+  for (const real rate : memory.rates)
+    require(finite(rate), "state: memory", rate, "must be finite");
+}
+
 // Sets a world to a state of its shape.
 void write(World& world, const State& state) {
   world.last_h = state.last_h;
   world.blocks.acting = state.acted;
+  world.blocks.memory = state.memory;
   StateStream bodies(state.bodies.data()), numbers(state.joints.data());
   for (const int slot : state.slots) exchange(world.bodies.at(slot), bodies);
   for (const auto& joint : world.joints()) joint->exchange(numbers);
@@ -56,6 +65,7 @@ State save(const World& world) {
   State out;
   out.last_h = world.last_h;
   out.acted = world.blocks.acting;
+  out.memory = world.blocks.memory;
   StateStream bodies(out.bodies), numbers(out.joints);
   for (int slot = 0; slot < world.bodies.slots(); ++slot) {
     if (!world.bodies.used(slot)) continue;
@@ -79,6 +89,7 @@ void restore(World& world, const State& state) {
     write(world, state);
     require(finite(state.acted) && state.acted >= 0, "state: acted", state.acted,
             "must be finite and not negative [s]");
+    check_memory(state.memory, world.bodies.slots());
     check_input(world, longest_step);
   } catch (const std::invalid_argument&) {
     write(world, own);

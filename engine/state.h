@@ -17,12 +17,12 @@ namespace joints {
 /// masses, the joints' geometry and their other settings (beta, frequency, damping, `projected`),
 /// gravity, max_displacement. Nor does it hold World::blocks: restore() leaves them empty.
 ///
-/// SequentialImpulses and PackedImpulses keep nothing that later steps depend on, and neither does
-/// DirectSolver with `newton = 0`. With `newton` it keeps the last corrections of the positions as
-/// a first guess, which is no part of the state: the next steps are the same to its accuracy.
+/// No solver keeps anything in itself that later steps depend on. What DirectSolver needs of the
+/// last step is in `memory`.
 struct State {
   real last_h = 0;          ///< World::last_h [s]
   real acted = 0;           ///< Blocks::acting [s]
+  SolverMemory memory;      ///< Blocks::memory
   std::vector<int> slots;   ///< of the bodies in their array
   std::vector<real> bodies;  ///< 19 for each: x, q (w, x, y, z), v, w, force, torque
   std::vector<std::array<int, 3>> shapes;  ///< of each joint: two slots, how many numbers it has

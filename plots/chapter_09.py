@@ -125,8 +125,8 @@ def draw_dependent(solution, mine, out):
     table = mine or solution
     gaps = {name: max(rows(table, method=name)["gap_m"]) for name in dict.fromkeys(table["method"])}
     figure, (left, right) = style.figure(
-        f"Bricard's linkage: gaps up to {metres(gaps['dropped'])} with the dependent row "
-        f"dropped, {metres(gaps['not dropped'])} else", 2)
+        f"Bricard's linkage: gaps up to {metres(gaps['softened'])} with softened rows, "
+        f"{metres(gaps['neither'])} if none is softened or dropped", 2)
     over_time(left, solution, mine, "energy", "method")
     left.set(ylabel="change of energy, over that of a fall by 1 m", ylim=(-1.5, 0.5),
              title="energy" + whose(mine))

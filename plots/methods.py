@@ -14,14 +14,14 @@ NUMBERS = ["us_per_step", "gap_max_m", "expected", "found"]
 WORDS = ["scene", "real", "method", "status"]
 ORDER = ["si30", "beta1", "4x8", "16x2", "warm", "projection", "split", "relax",
          "omega", "velocity", "shake",
-         "stiff", "velocity/8", "shake/8", "stiff/8", "rk4"]
+         "inertia", "velocity/8", "shake/8", "inertia/8", "rk4"]
 TITLES = {"si30": "30\niterations", "beta1": "beta 1", "4x8": "4 substeps\nof 8",
           "16x2": "16 substeps\nof 2", "warm": "warm and\nprojection", "projection": "projection",
           "split": "split\nimpulse", "relax": "soft and\nrelax",
           "omega": "over-relaxed\n1.9", "velocity": "direct", "shake": "direct,\npositions",
-          "stiff": "direct,\nstiffness", "velocity/8": "direct,\n8 substeps",
+          "inertia": "direct,\nadded inertia", "velocity/8": "direct,\n8 substeps",
           "shake/8": "positions,\n8 substeps",
-          "stiff/8": "stiffness,\n8 substeps", "rk4": "Runge-\nKutta"}
+          "inertia/8": "inertia,\n8 substeps", "rk4": "Runge-\nKutta"}
 MAPS = {"heavy end": ("mass ratio of the end of 20 links", "gap_max_m"),
         "steps per s": ("steps per second, the end 100 links heavy", "gap_max_m"),
         "links": ("hinges of a chain that swings", "gap_max_m"),
@@ -91,7 +91,7 @@ def draw_maps(rows, methods, path):
     """A panel for each number that changes: its values are the columns, the methods the rows."""
     methods = [name for name in methods if any(
         row["method"] == name and ": " in row["scene"] for row in rows)]
-    figure, axes = style.figure("Only the direct solver with stiffness bears every mass ratio, "
+    figure, axes = style.figure("Only the direct solver with added inertia bears every mass ratio, "
                                 "step and spring",
                                 panels=2, rows=2, sharey=True)
     figure.set_size_inches(style.WIDTH + 1.5, 0.62 * len(methods) + 1.6)

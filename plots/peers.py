@@ -24,7 +24,7 @@ TOGETHER = {"S1": ("tip_error_m", "ten chains of 99 hinges (S1): the tip after 1
             "S3b": ("gap_max_m", "rope bridge with 100 kg (S3b): largest gap"),
             "arm": ("found", "arm with six drives: the tool after 1 s"),
             "beam of 20": ("gap_max_m", "beam of 20 welded cubes: largest gap")}
-SHORT = {"velocity": "direct", "shake": "direct, positions", "stiff": "direct, stiffness",
+SHORT = {"velocity": "direct", "shake": "direct, positions", "inertia": "direct, added inertia",
          "si30": "30 iterations", "beta1": "beta 1", "4x8": "4 x 8", "omega": "over-relaxed",
          "16x2": "16 x 2", "split": "split impulse", "lanes": "lanes", "lanes10": "lanes",
          "chapter7": "chapter 7's loop", "rk4": "Runge-Kutta", "plain": "direct, no leapfrog",

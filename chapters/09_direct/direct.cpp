@@ -110,15 +110,17 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
   // end [exercise 9.7]
 }
 
-// ---- stiffness ----------------------------------------------------------------------------------
+// ---- inertia ------------------------------------------------------------------------------------
 
-Stiffened stiffened(const Body& body, real force_lever, real lever, real kappa, real h) {
-  Stiffened out;
+Slowed slowed(const Body& body, real force_lever, real before, real kappa, real h) {
+  Slowed out;
   // begin [exercise 9.8]
-  // In the body's own axes: find what its least moment and m r^2 lack of kappa h^2 |F||r|. Each
-  // moment grows by that, if it is positive (Eq. 9-14), and the angular velocity becomes smaller in
-  // the same ratio. to_local() and to_world() turn it; products and quotients of two vec3 go
-  // component by component.
+  // Find the moments, 1 / body.inverse_inertia_local. Each becomes at least what the step can
+  // follow, kappa h^2 |F||r|; in the last step each was at least `before`. About an axis of the
+  // body's own whose moment is larger than in the last step the energy stays: the angular velocity
+  // takes the root of their ratio. Elsewhere the angular velocity stays (Eq. 9-14). to_local() and
+  // to_world() turn it; min(), max(), sqrt(), products and quotients of two vec3 go component by
+  // component.
   todo("9.8");
   // end [exercise 9.8]
   return out;

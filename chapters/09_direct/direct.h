@@ -142,20 +142,21 @@ enum class Side : signed char {
 /// \param rate J V + bias, the rate that is left of it: the impulse pushes it up
 Side next_side(Side now, double impulse, double lower, double upper, double rate);
 
-// ---- stiffness ----------------------------------------------------------------------------------
+// ---- inertia ------------------------------------------------------------------------------------
 
-/// A body that turns more slowly for one step: Eq. 9-14, where Eq. 9-13 asks for it.
-struct Stiffened {
+/// A body that turns more slowly for one step: Eq. 9-14, where Eq. 9-13 requires it.
+struct Slowed {
   vec3 inverse_inertia_local;  ///< inverse principal moments [1/(kg m^2)], body space
   vec3 w;                      ///< angular velocity [rad/s], world
 };
 
-/// Exercise 9.8: a body with as much inertia for one step as the step can follow, Eq. 9-14. If its
-/// least moment and m r^2 together are less than kappa h^2 |F||r|, each moment grows by what is
-/// missing; else none does. The angular momentum stays. \param body one that moves
+/// Exercise 9.8: a body with as much inertia for one step as the step can follow, Eq. 9-14: no
+/// principal moment is less than kappa h^2 |F||r|. Where a moment is larger than in the last step
+/// the energy stays, where it is smaller the angular velocity. \param body one that moves
 /// \param force_lever the sum of |F||r| over the joints that pull at it [N m]
-/// \param lever the longest r of them [m] \param kappa about 8 [1]
-Stiffened stiffened(const Body& body, real force_lever, real lever, real kappa, real h);
+/// \param before what no moment was less than in the last step [kg m^2]; 0 if there was none
+/// \param kappa about 8 [1]
+Slowed slowed(const Body& body, real force_lever, real before, real kappa, real h);
 
 }  // namespace joints
 /// @}

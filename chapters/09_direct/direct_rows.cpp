@@ -1,6 +1,7 @@
 // The direct solver, once a step: what the blocks become, and which of them have a place in A.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "chapters/09_direct/direct_solver.h"
 
@@ -8,7 +9,9 @@ namespace joints {
 
 void DirectSolver::check() const {
   require(newton >= 0, "newton: must not be negative");
-  require(finite(stiffness) && stiffness >= 0, "stiffness: must be finite and not negative");
+  require(finite(added_inertia) && added_inertia >= 0,
+          "added_inertia: must be finite and not negative");
+  require(softening >= 0 && softening < 1, "softening: must be at least 0 and below 1");
   require(alternations > 0, "alternations: there must be at least one");
   require(passes > 0, "passes: there must be at least one");
   require(most_work >= 0, "most_work: must not be negative");
@@ -22,17 +25,15 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   h_ = h;
   if (first == 0) {
     report_ = {};
-    pulls_.assign(std::size_t(bodies.slots()), Pull{});
-    if (stiffness > 0) find_pulls(careful ? blocks.acted : h, pulls_);
-    collect_masses(bodies);
+    before_.clear();
   }
   collect_blocks(bodies, h);
   factored_ = false;
   const bool iterated = report_.iterated;  // before late limits came
   report_.iterated = iterated || is_hub();
   if (!report_.iterated) {
-    if (maker_.follow(pattern_) || expected_.size() != blocks.C.size()) {
-      expected_.assign(blocks.C.size(), 0);
+    know_again(blocks.memory);
+    if (maker_.follow(pattern_)) {
       J_.assign(std::size_t(2 * maker_.rows()), HalfRowOf<TwoLanes>{});
       on_lanes_.assign(std::size_t(maker_.rows()), TwoLanes{});
     }
@@ -41,20 +42,41 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
     report_.iterated = report_.multiplications > most_work * double(blocks.C.size());
   }
   if (report_.iterated) return instead.prepare(bodies, blocks, iterated ? first : 0, h);
+  if (first == 0) {
+    pulls_.assign(std::size_t(bodies.slots()), Pull{});
+    collect_masses(bodies);
+    if (added_inertia > 0) {
+      find_tight_loops();
+      find_pulls(blocks.acted, pulls_);
+      collect_masses(bodies);
+    }
+  }
   place_rows();
   prepare_outside(bodies, h);
+}
+
+// The rates that were corrected in the last step are of use only if its rows were the same.
+void DirectSolver::know_again(SolverMemory& memory) const {
+  std::uint32_t sum = 2166136261u;
+  for (const BlockPattern& block : pattern_)
+    for (const int number : {block.rows, block.body1, block.body2, int(block.bounded)})
+      sum = (sum ^ std::uint32_t(number)) * 16777619u;
+  const int pattern = int(sum >> 1);
+  if (newton == 0 || memory.pattern != pattern || memory.rates.size() != blocks_->C.size())
+    memory.rates.assign(blocks_->C.size(), 0);
+  memory.pattern = pattern;
 }
 
 // Rows outside of A have to see the same masses as those in it: where they did not, the two would
 // give each other energy.
 void DirectSolver::prepare_outside(const Bodies& bodies, real h) {
   contacts_.iterations = 1;
-  if (outside_.list.empty() || stiffness == 0) return contacts_.prepare(bodies, outside_, 0, h);
-  stiff_bodies_ = bodies;
+  if (outside_.list.empty() || added_inertia == 0) return contacts_.prepare(bodies, outside_, 0, h);
+  slow_bodies_ = bodies;
   for (int slot = 0; slot < bodies.slots(); ++slot)
     if (pulls_[slot].force_lever > 0)
-      stiff_bodies_.at(slot).inverse_inertia_local = pulls_[slot].inverse_inertia_local;
-  contacts_.prepare_as(stiff_bodies_, bodies, outside_, h);
+      slow_bodies_.at(slot).inverse_inertia_local = pulls_[slot].slowed.inverse_inertia_local;
+  contacts_.prepare_as(slow_bodies_, bodies, outside_, h);
 }
 
 // True if the blocks at one body alone, which are all neighbours of each other, make the factor
@@ -69,9 +91,9 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
   blocks_of(bodies);  // refuses other bodies
   if (report_.iterated) return instead.warm_start(bodies, 0);
   warm_ = ratio > 0;
-  if (stiffness > 0) before_.assign(bodies.data(), bodies.data() + bodies.slots());
+  if (added_inertia > 0) before_.assign(bodies.data(), bodies.data() + bodies.slots());
   for (int slot = 0; slot < bodies.slots(); ++slot)
-    if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].w;
+    if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].slowed.w;
   contacts_.warm_start(bodies, ratio);
   for (const Inside& one : inside_) {
     const Block& block = *one.block;
@@ -86,7 +108,7 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
 
 void DirectSolver::collect_masses(const Bodies& bodies) {
   masses_.assign(std::size_t(bodies.slots()), BodyMass{});
-  std::vector<real>& then = blocks_->inertia;
+  std::vector<real>& then = blocks_->memory.inertia;
   then.resize(masses_.size());
   for (int slot = 0; slot < bodies.slots(); ++slot) {
     if (bodies.at(slot).is_static()) {
@@ -96,14 +118,8 @@ void DirectSolver::collect_masses(const Bodies& bodies) {
     Body body = bodies.at(slot);
     Pull& pull = pulls_[slot];
     if (pull.force_lever > 0) {
-      if (careful) {
-        slow_down(body, then[slot], pull);
-      } else {
-        const Stiffened more = stiffened(body, pull.force_lever, pull.lever, stiffness, h_);
-        pull.inverse_inertia_local = more.inverse_inertia_local;
-        pull.w = more.w;
-      }
-      body.inverse_inertia_local = pull.inverse_inertia_local;
+      pull.slowed = slowed(body, pull.force_lever, then[slot], added_inertia, h_);
+      body.inverse_inertia_local = pull.slowed.inverse_inertia_local;
     }
     const mat3 I = inverse_inertia(body);
     masses_[slot].linear = body.inverse_mass;
@@ -111,21 +127,36 @@ void DirectSolver::collect_masses(const Bodies& bodies) {
   }
 }
 
-// No moment is less than what the step can follow, Eq. 9-15. An inertia that grows keeps the
-// angular momentum, one that shrinks the angular velocity: neither gains energy, and a steady one
-// costs none.
-void DirectSolver::slow_down(const Body& body, real then, Pull& pull) const {
-  const vec3 moments = real(1) / body.inverse_inertia_local;
-  const vec3 now = max(moments, vec3(stiffness * h_ * h_ * pull.force_lever));
-  pull.inverse_inertia_local = real(1) / now;
-  pull.w = to_world(body, min(vec3(1), max(moments, vec3(then)) / now) * to_local(body, body.w));
+// Loops that can move in one way at most: their links cannot turn against each other. Only where a
+// count of the rows leaves it open is the rank of A asked for, with a factor of its own.
+void DirectSolver::find_tight_loops() {
+  const std::vector<ClosedLoop>& loops = maker_.loops();
+  tight_.assign(loops.size(), false);
+  dependent_.assign(loops.size(), 0);
+  const auto may_be = [&](std::size_t k) { return loops[k].motions(dependent_[k]) <= 1; };
+  bool unclear = false;
+  for (std::size_t k = 0; k < loops.size(); ++k) unclear = unclear || may_be(k);
+  if (!unclear) return;
+  for (int k = 0; k < int(inside_.size()); ++k)
+    for (int i = 0; i < inside_[k].block->rows; ++i) place_row(k, i, true);
+  for (const BoundedRow& row : bounded_)
+    place_row(row.inside, inside_[row.inside].block->rows - 1, false);
+  maker_.assemble(J_, masses_);
+  note_diagonal();
+  factor(maker_.A, inverse_pivot);
+  for (int k = 0; k < int(pattern_.size()); ++k)
+    if (const int loop = maker_.loop(k); loop >= 0)
+      dependent_[loop] += rows_below(0, k) - pattern_[k].bounded;
+  for (std::size_t k = 0; k < loops.size(); ++k) tight_[k] = may_be(k);
 }
 
 // |F||r| of each body, by impulses that acted for so long. The length of a lever is read off its
 // block's rows: the three of a point hold twice its square.
 void DirectSolver::find_pulls(real acted, std::vector<Pull>& pulls) const {
   if (acted == 0) return;  // there was no step yet
-  for (const Block& block : blocks_->list) {
+  for (int k = 0; k < int(inside_.size()); ++k) {
+    if (maker_.loop(k) >= 0 && tight_[maker_.loop(k)]) continue;
+    const Block& block = *inside_[k].block;
     vec3 F(0);
     real square1 = 0, square2 = 0;
     for (int i = 0; i < block.rows; ++i) {
@@ -136,11 +167,8 @@ void DirectSolver::find_pulls(real acted, std::vector<Pull>& pulls) const {
       square2 += dot(J.w2, J.w2) / 2;
     }
     const real force = length(F);
-    for (const auto& [slot, square] : {std::pair{block.body1, square1}, {block.body2, square2}}) {
-      const real lever = std::sqrt(square);
-      pulls[slot].force_lever += force * lever;
-      pulls[slot].lever = std::max(pulls[slot].lever, lever);
-    }
+    for (const auto& [slot, square] : {std::pair{block.body1, square1}, {block.body2, square2}})
+      pulls[slot].force_lever += force * std::sqrt(square);
   }
 }
 
@@ -153,7 +181,7 @@ bool DirectSolver::forces_jumped(const Bodies& bodies) {
     if (bodies.at(slot).is_static()) continue;
     const vec3 moments = real(1) / bodies.at(slot).inverse_inertia_local;
     const real least = std::min({moments.x, moments.y, moments.z});
-    const real follows = stiffness * h_ * h_;
+    const real follows = added_inertia * h_ * h_;
     if (follows * next_pulls_[slot].force_lever >
         2 * std::max(follows * pulls_[slot].force_lever, least))
       return true;
@@ -167,7 +195,7 @@ void DirectSolver::collect_blocks(const Bodies& bodies, real h) {
   const std::size_t rows = blocks_->C.size();
   bias_.resize(rows);
   x_.resize(rows);
-  rows_.assign(masses_.size(), 0);
+  rows_.assign(std::size_t(bodies.slots()), 0);
   inside_.clear();
   pattern_.clear();
   bounded_.clear();
@@ -193,12 +221,14 @@ void DirectSolver::collect_block(const Bodies& bodies, const Block& block, real 
   const auto [rate, softness] = feedback(block.target, h, blocks_->acts(h));
   const auto moving = [&](int slot) { return bodies.at(slot).is_static() ? -1 : slot; };
   inside_.push_back({&block, double(softness)});
-  pattern_.push_back({block.rows, block.first, moving(block.body1), moving(block.body2)});
+  const bool bounded = block.target.lower > -unbounded || block.target.upper < unbounded;
+  pattern_.push_back(
+      {block.rows, block.first, moving(block.body1), moving(block.body2), bounded});
   for (const int body : {pattern_.back().body1, pattern_.back().body2})
     if (body >= 0) rows_[body] += block.rows;
   for (int i = 0; i < block.rows; ++i)
     bias_[block.first + i] = bias(block, i, blocks_->C[block.first + i], rate, h);
-  if (block.target.lower > -unbounded || block.target.upper < unbounded) {
+  if (bounded) {
     const real acting = blocks_->acts(h);
     BoundedRow row{int(inside_.size()) - 1, double(acting * block.target.lower),
                    double(acting * block.target.upper)};

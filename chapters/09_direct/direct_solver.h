@@ -20,14 +20,17 @@ namespace joints {
 /// passes of the active set.
 class DirectSolver : public Solver {
  public:
-  int newton = 0;      ///< iterations on the positions at most (SHAKE); 0: velocities alone
-  real stiffness = 0;  ///< above 0, about 8: more inertia where the step needs it (Eq. 9-14)
-  /// Holds what `newton` and `stiffness` alone do not: A is softened and refined, poses that
-  /// Newton's method does not reach are reached with the factor of the new poses, and `stiffness`,
-  /// about 8 (0 for closed loops), says what no moment of inertia may be less than (Eq. 9-15).
-  bool careful = false;
+  /// Iterations on the positions at most (SHAKE), before the factor of the new poses is taken; 0:
+  /// velocities alone.
+  int newton = 0;
+  /// kappa of Eq. 9-14, 8 if it is wanted: no moment of inertia may be less than the step can
+  /// follow. What closed loops of one motion pull adds none.
+  real added_inertia = 0;
+  /// Rows in closed loops are softer by this share of their K, and refined once: rows that nearly
+  /// depend on others get no large impulses.
+  double softening = sizeof(real) == 4 ? 1e-5 : 1e-8;
   int alternations = 10;  ///< how often the rows outside of A and those in it take turns
-  int passes = 10;     ///< of the active set, at most
+  int passes = 200;       ///< of the active set, at most
   /// If a factorisation takes more multiplications a row than this, `instead` solves. A body
   /// with 44 balls or more is such a hub.
   double most_work = 3000;
@@ -49,7 +52,7 @@ class DirectSolver : public Solver {
     bool iterated = false;       ///< `instead` solved
   };
   const Report& report() const { return report_; }  ///< of the last step
-  int dropped() const;  ///< how many rows of the last factor depend on others
+  int dependent() const;  ///< how many rows of the last factor depend on others
   /// The largest error that each iteration on the positions has met in the last step [m or rad].
   const std::vector<double>& errors_met() const { return errors_met_; }
 
@@ -72,9 +75,7 @@ class DirectSolver : public Solver {
  private:
   struct Pull {  // at a body
     real force_lever = 0;  // the sum of |F||r| in the last step [N m]
-    real lever = 0;        // the longest |r| [m]
-    vec3 inverse_inertia_local{0};  // with more inertia
-    vec3 w{0};             // the angular velocity that it has with more inertia
+    Slowed slowed{};       // with more inertia
   };
   struct Inside {  // a block that has a place in A
     const Block* block;
@@ -97,7 +98,9 @@ class DirectSolver : public Solver {
 
   void collect_masses(const Bodies& bodies);
   void find_pulls(real acted, std::vector<Pull>& pulls) const;
-  void slow_down(const Body& body, real then, Pull& pull) const;
+  void find_tight_loops();
+  void note_diagonal();
+  int rows_below(double share, int block) const;
   bool forces_jumped(const Bodies& bodies);
   void look_again(Bodies& bodies);
   void collect_blocks(const Bodies& bodies, real h);
@@ -110,6 +113,9 @@ class DirectSolver : public Solver {
   void solve_all(Bodies& bodies);
   void solve_joints(Bodies& bodies);
   bool project(Bodies& bodies, real h, const Append& append);
+  void keep_best(Bodies& bodies);
+  void back_to_best(Bodies& bodies) const;
+  void know_again(SolverMemory& memory) const;
   void factor_at(const Bodies& bodies, const std::vector<Row>& J);
   void correct_velocities(Bodies& bodies);
   int flip_wrong_ones(Bodies& bodies, bool only_last);
@@ -121,6 +127,8 @@ class DirectSolver : public Solver {
 
   const Blocks* blocks_ = nullptr;
   std::vector<BodyMass> masses_;
+  std::vector<bool> tight_;        // of each closed loop: it moves in one way at most
+  std::vector<int> dependent_;     // and how many of its rows depend on others
   real h_ = 0;
   bool warm_ = false;              // impulses of the last step were a first guess
   std::vector<Pull> pulls_, next_pulls_;
@@ -135,18 +143,17 @@ class DirectSolver : public Solver {
   std::vector<BoundedRow> bounded_;
   std::vector<const real*> followed_;  // impulses that bounds follow
   Blocks outside_;                     // the other blocks
-  Bodies stiff_bodies_;                // with more inertia, for those
+  Bodies slow_bodies_;                // with more inertia, for those
   Outside contacts_;                   // solves them
   JointMatrixMaker maker_;
   bool factored_ = false;
   std::vector<double> x_;              // the right-hand side, then the change of the impulses
   std::vector<TwoLanes> on_lanes_;     // the same on lanes
   Blocks poses_;                       // errors at the new poses
-  // The rates by which the last step's poses were corrected: this step's velocities begin with
-  // them, for it will nearly be the same.
-  std::vector<double> expected_, in_vain_;
+  std::vector<double> in_vain_;
   std::vector<double> errors_met_;
-  std::vector<Body> start_;
+  std::vector<Body> start_, best_;
+  std::vector<BodyMass> at_start_;
   std::vector<real> impulses_;
   Report report_;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "chapters/09_direct/closed_loops.h"
 #include "engine/simd/arrange.h"
 
 namespace joints {
@@ -11,6 +12,7 @@ namespace joints {
 bool JointMatrixMaker::follow(const std::vector<BlockPattern>& blocks) {
   if (blocks == listed_ && !A.nodes.empty()) return false;
   listed_ = blocks;
+  find_loops();
   place_islands();
   blocks_of_.clear();
   for (int k = 0; k < int(blocks_.size()); ++k)
@@ -23,6 +25,38 @@ bool JointMatrixMaker::follow(const std::vector<BlockPattern>& blocks) {
   place_targets();
   place_couplings();
   return true;
+}
+
+void JointMatrixMaker::find_loops() {
+  int bodies = 0;
+  for (const BlockPattern& block : listed_) bodies = std::max({bodies, block.body1, block.body2});
+  const int still = ++bodies;  // one for all that do not move
+  std::vector<BodyPair> joints;
+  std::vector<int> listed;
+  for (int k = 0; k < int(listed_.size()); ++k) {
+    const BlockPattern& block = listed_[k];
+    if (block.rows == 1 && block.bounded) continue;
+    joints.push_back(
+        {block.body1 < 0 ? still : block.body1, block.body2 < 0 ? still : block.body2});
+    listed.push_back(k);
+  }
+  loop_.assign(listed_.size(), -1);
+  loops_.clear();
+  std::vector<std::set<int>> members;
+  const std::vector<int> found = closed_loops(joints, bodies + 1);
+  for (int j = 0; j < int(joints.size()); ++j) {
+    if (found[j] < 0) continue;
+    loop_[listed[j]] = found[j];
+    loops_.resize(std::max(loops_.size(), std::size_t(found[j]) + 1));
+    members.resize(loops_.size());
+    const BlockPattern& block = listed_[listed[j]];
+    loops_[found[j]].rows += block.rows - block.bounded;
+    members[found[j]].insert({joints[j].body1, joints[j].body2});
+  }
+  for (std::size_t k = 0; k < loops_.size(); ++k) {
+    loops_[k].held = members[k].count(still) > 0;
+    loops_[k].bodies = int(members[k].size()) - loops_[k].held;
+  }
 }
 
 // Islands that are alike get the two lanes of one pattern, which is that of the first of them.

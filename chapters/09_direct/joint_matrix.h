@@ -16,6 +16,7 @@ struct BlockPattern {
   int row = 0;         ///< where its rows begin in the right-hand side
   int body1 = -1;      ///< slot; -1 if it does not move
   int body2 = -1;      ///< slot; -1 if it does not move
+  bool bounded = false;  ///< its last row has bounds
   bool operator==(const BlockPattern&) const = default;  ///< the same in all
 };
 
@@ -23,6 +24,15 @@ struct BlockPattern {
 struct BodyMass {
   double linear = 0;             ///< [1/kg]
   Symmetric<double> angular{};   ///< [1/(kg m^2)]
+};
+
+/// Joints that close loops with each other.
+struct ClosedLoop {
+  int bodies = 0;     ///< how many of them move
+  int rows = 0;       ///< of its joints, without bounded ones
+  bool held = false;  ///< something in it does not move
+  /// In how many ways it can move as it is, if so many of its rows depend on others.
+  int motions(int dependent) const { return 6 * (bodies - !held) - rows + dependent; }
 };
 
 /// The matrix of the joints, of two islands of one pattern side by side on lanes. It is made anew
@@ -44,6 +54,10 @@ class JointMatrixMaker {
   int row(int block) const { return A.nodes[node(block)].row; }
   /// Where the diagonal block of a block begins.
   int diagonal(int block) const { return A.nodes[node(block)].diagonal; }
+  /// The closed loop in which a block is, a number of loops(); -1: it is in none. A block that is a
+  /// bounded row alone closes none.
+  int loop(int block) const { return loop_[block]; }
+  const std::vector<ClosedLoop>& loops() const { return loops_; }  ///< all closed loops
   /// How many multiplications a factorisation takes: what tells if it is worth it.
   double multiplications() const { return multiplications_; }
   /// How many numbers elimination fills in where A itself has none.
@@ -65,6 +79,7 @@ class JointMatrixMaker {
     int at;       // where the numbers begin
   };
   int node(int block) const { return place_[at_[block].pattern]; }
+  void find_loops();
   void place_islands();
   std::vector<std::vector<int>> neighbours_of() const;
   void place_blocks(const std::vector<int>& order);
@@ -73,6 +88,8 @@ class JointMatrixMaker {
   int at(int later, int earlier) const;
 
   std::vector<BlockPattern> listed_;         // all blocks, as given
+  std::vector<int> loop_;                    // of each
+  std::vector<ClosedLoop> loops_;
   std::vector<Place> at_;                    // of each
   std::vector<BlockPattern> blocks_;         // those of lane 0: the patterns
   std::vector<std::array<int, 2>> lanes_;    // of each pattern the listed blocks; -1: idle

@@ -99,7 +99,6 @@ void RungeKutta::begin(World& world, real h) {
     }
   h_ = h;
   solver_.most_work = most_work;
-  solver_.careful = true;
   factor(world);
 }
 

@@ -16,7 +16,7 @@ const controls = [
   {name: "damping", words: "soft damping", unit: "ratio", range: [0, 3, 0.1]},
   {name: "direct", words: "direct solver <small>sets beta, newton, leapfrog</small>", tick: true},
   {name: "newton", words: "newton", unit: "on the positions, direct solver", range: [0, 12, 1]},
-  {name: "stiffness", words: "more inertia", unit: "direct solver, Eq. 9-14", range: [0, 16, 1]},
+  {name: "added_inertia", words: "more inertia", unit: "direct solver, Eq. 9-14", range: [0, 16, 1]},
   {name: "leapfrog", words: "leapfrog <small>second order in time</small>", tick: true},
   {name: "ratio", words: "mass ratio", unit: "of one body, for a new run", range: [-2, 4, 0.1],
    log: true},

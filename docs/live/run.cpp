@@ -17,7 +17,7 @@ LiveRun::LiveRun(const Entry& entry, std::optional<double> ratio)
       strength_(live_.strength), beta_(live_.beta) {
   require(std::isfinite(ratio_) && ratio_ > 0, "ratio", real(ratio_),
           "must be positive and finite [1]");
-  direct_.stiffness = live_.stiffness;
+  direct_.added_inertia = live_.added_inertia;
   Body& heavy = world().bodies.at(live_.heavy);
   heavy.inverse_mass /= real(ratio_);
   heavy.inverse_inertia_local /= real(ratio_);
@@ -30,7 +30,7 @@ PageSettings LiveRun::settings() const {
   return {beta_, double(scene.solver.iterations), double(scene.h), double(how.substeps),
           double(how.warm_start), double(how.projections), double(scene.solver.relaxation),
           double(how.frequency), double(how.damping), double(is_direct_), double(direct_.newton),
-          double(direct_.stiffness), double(how.leapfrog), ratio_, tilt_, speed_,
+          double(direct_.added_inertia), double(how.leapfrog), ratio_, tilt_, speed_,
           strength_, double(is_own_)};
 }
 
@@ -49,7 +49,7 @@ void LiveRun::set(const PageSettings& to) {
                     .damping = real(to.damping)};
   direct_.instead = scene.solver;
   direct_.newton = int(to.newton);
-  direct_.stiffness = real(to.stiffness);
+  direct_.added_inertia = real(to.added_inertia);
   is_own_ = to.own != 0 && live_.own;
   is_direct_ = to.direct != 0;
   if (to.tilt != tilt_) {

@@ -134,7 +134,7 @@ LiveScene heavy() {
   LiveScene live = held(holder);
   live.heavy = holder->scene.tip;
   live.ratio = 100;
-  live.stiffness = 8;
+  live.added_inertia = 8;
   return live;
 }
 

@@ -25,7 +25,7 @@ struct PageSettings {
   double damping = 1;     ///< of the soft rows [1]
   double direct = 0;      ///< 1: the direct solver
   double newton = 0;      ///< iterations of the direct solver on the positions, at most
-  double stiffness = 0;   ///< more inertia, for the direct solver (Eq. 9-14)
+  double added_inertia = 0;   ///< more inertia, for the direct solver (Eq. 9-14)
   double leapfrog = 0;    ///< 1: second order in time (Eq. 9-9)
   double ratio = 1;       ///< the mass of the scene's heavy body by its own [1]; only for a new run
   double tilt = 0;        ///< of gravity from straight down, towards +x [degrees]
@@ -36,7 +36,7 @@ struct PageSettings {
 /// The names of its members, in their order.
 inline constexpr const char* setting_names[] = {
     "beta", "iterations", "h", "substeps", "warm", "projections", "relaxation", "frequency",
-    "damping", "direct", "newton", "stiffness", "leapfrog", "ratio", "tilt", "speed",
+    "damping", "direct", "newton", "added_inertia", "leapfrog", "ratio", "tilt", "speed",
     "strength", "own"};
 static_assert(sizeof(PageSettings) == sizeof(setting_names) / sizeof(char*) * sizeof(double));
 
@@ -47,7 +47,7 @@ struct LiveScene {
   real beta = real(0.2);         ///< that it begins with [1]
   int heavy = 0;                 ///< slot of the body whose mass can be changed
   real ratio = 1;                ///< that its mass is multiplied by at the beginning [1]
-  real stiffness = 0;  ///< more inertia, should the direct solver be chosen (Eq. 9-14)
+  real added_inertia = 0;  ///< more inertia, should the direct solver be chosen (Eq. 9-14)
   std::function<void(real speed, real strength)> drive{};  ///< sets the motors; empty: it has none
   real speed = 0, strength = 0;  ///< of the motors at the beginning [rad/s, N m; m/s, N]
   std::function<void(double time)> before{};  ///< called before each step with its time [s]

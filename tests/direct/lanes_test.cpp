@@ -114,9 +114,9 @@ TEST_CASE("a row that depends on others in one island alone is dropped in that o
     step(together, both, sixtieth, second_order);
     step(dependent, one, sixtieth, second_order);
     step(free, other, sixtieth, second_order);
-    CHECK(both.dropped() == 1);
-    CHECK(one.dropped() == 1);
-    CHECK(other.dropped() == 0);
+    CHECK(both.dependent() == 1);
+    CHECK(one.dependent() == 1);
+    CHECK(other.dependent() == 0);
     CHECK(difference(together, second ? 2 : 0, dependent) == 0);
     CHECK(difference(together, second ? 0 : 2, free) == 0);
   }

@@ -70,7 +70,7 @@ TEST_CASE("X11 a joint beside its limit is held whatever its neighbour weighs") 
         CAPTURE(newton, weight, speed);
         const Beyond beyond = beyond_when_yanked(newton, weight, speed);
         // Newton's method keeps the sides of all rows, and may carry a joint past a free limit
-        CHECK(beyond.most < (newton == 0 ? tolerance(0.01, 0.1) : 2));
+        CHECK(beyond.most < (newton == 0 ? tolerance(0.01, 0.1) : tolerance(2, 4)));
         CHECK(beyond.last < 0.01);
       }
 }
@@ -167,10 +167,10 @@ TEST_CASE("equal limits hold a hinge and a slider as welds would") {
   }
 }
 
-TEST_CASE("thirty limits hit at once are more than the passes allow: it is said, and made good") {
+TEST_CASE("forty limits hit at once take more passes than a few, and are all right then") {
   for (const int newton : {0, 8}) {
     CAPTURE(newton);
-    Whip whip(30, real(0.2));
+    Whip whip(40, real(0.2));
     for (int slot = 1; slot < whip.world.bodies.slots(); ++slot)
       whip.world.bodies.at(slot).w = vec3(real(slot % 2 == 0 ? -10 : 10), 0, 0);
     DirectSolver solver = with(newton);
@@ -184,9 +184,8 @@ TEST_CASE("thirty limits hit at once are more than the passes allow: it is said,
       last = whip.beyond(0.2);
     }
     CHECK(all_finite(whip.world));
-    CHECK(passes >= solver.passes);
-    CHECK(wrong > 0);
-    CHECK(wrong < 15);
+    CHECK(passes > 10);
+    CHECK(wrong == 0);
     CHECK(beyond < (newton == 0 ? 1e-3 : 1e-2));
     CHECK(last < 1e-4);
   }

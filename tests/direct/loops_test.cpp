@@ -99,12 +99,12 @@ TEST_CASE("Bricard's linkage moves with one row dropped, and stays closed for te
     DirectSolver solver = shake();
     int fewest = 100, most = 0;
     const Watched seen = watch(scene, solver, 10, 1 / rate, [&] {
-      fewest = std::min(fewest, solver.dropped());
-      most = std::max(most, solver.dropped());
+      fewest = std::min(fewest, solver.dependent());
+      most = std::max(most, solver.dependent());
     });
     CHECK(seen.finite);
     CHECK(fewest == 1);
-    CHECK(most == 1);
+    CHECK(most <= (is_float ? 2 : 1));  // float cannot tell a row that nearly depends
     CHECK(seen.gap < tolerance(1e-8, 1e-3));
     CHECK(seen.change < tolerance(0.01, 0.02));
     CHECK(glm::length(scene.world.bodies.at(3).x - bricard().world.bodies.at(3).x) > 0.1);
@@ -142,6 +142,6 @@ TEST_CASE("parallel four-bars stay parallel, and closed, where they all lie leve
     CHECK(seen.gap < tolerance(1e-8, 1e-3));
     if (!is_float) CHECK(apart < 3e-6);
     CHECK(lowest < -0.4);  // it went through the level pose and hung
-    CHECK(solver.dropped() > 0);
+    CHECK(solver.dependent() > 0);
   }
 }

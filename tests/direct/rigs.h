@@ -14,10 +14,10 @@ inline const Stepping second_order{.leapfrog = true};
 inline constexpr real sixtieth = real(1) / 60;  ///< [s]
 
 /// A direct solver. \param newton iterations on the positions; 0: it corrects velocities alone
-inline DirectSolver with(int newton, real stiffness = 0) {
+inline DirectSolver with(int newton, real added_inertia = 0) {
   DirectSolver solver;
   solver.newton = newton;
-  solver.stiffness = stiffness;
+  solver.added_inertia = added_inertia;
   return solver;
 }
 /// One that also corrects the new poses (SHAKE).

@@ -48,10 +48,10 @@ void run(World& world, Solver& solver, int steps, real length = h) {
 
 TEST_CASE("a step of the direct solver takes no memory while the same rows are live") {
   for (const int newton : {0, 8})
-    for (const real stiffness : {real(0), real(16)}) {
-      CAPTURE(newton, stiffness);
+    for (const real added_inertia : {real(0), real(16)}) {
+      CAPTURE(newton, added_inertia);
       Scene scene = net(5);
-      DirectSolver solver = with(newton, stiffness);
+      DirectSolver solver = with(newton, added_inertia);
       run(scene.world, solver, 3);
       CHECK(allocations_of([&] { run(scene.world, solver, 20); }) == 0);
       Scene other = net(4);
@@ -108,9 +108,8 @@ TEST_CASE("one solver serves two worlds in turn") {
     }
     run(chain_alone.world, one, 60);
     run(longer_alone.world, other, 60);
-    const double near = newton == 0 ? 0 : tolerance(1e-6, 1e-2);
-    CHECK(apart(chain.world, chain_alone.world) <= near);
-    CHECK(apart(longer.world, longer_alone.world) <= near);
+    CHECK(same_bodies(chain.world, chain_alone.world));
+    CHECK(same_bodies(longer.world, longer_alone.world));
   }
 }
 
@@ -162,5 +161,5 @@ TEST_CASE("warm starting changes nothing that the direct solver finds") {
     step(warm, one, h, {.warm_start = true, .leapfrog = true});
     step(cold, other, h, second_order);
   }
-  CHECK(apart(warm, cold) < tolerance(1e-6, 1e-2));
+  CHECK(apart(warm, cold) < tolerance(1e-4, 0.05));  // loops are softened
 }

@@ -67,8 +67,7 @@ struct Settings {
     sequential.iterations = packed.iterations = draw.whole(1, 8);
     sequential.relaxation = packed.relaxation = draw.chance(0.5) ? real(1) : draw.uniform(1, 2);
     direct.newton = draw.chance(0.5) ? 0 : 8;
-    direct.stiffness = draw.chance(0.7) ? real(0) : real(8);
-    direct.careful = direct.stiffness > 0;
+    direct.added_inertia = draw.chance(0.7) ? real(0) : real(8);
     direct.most_work = draw.chance(0.9) ? 3000 : 1;
   }
   void step(World& world) {
@@ -78,7 +77,7 @@ struct Settings {
   }
   std::vector<real*> numbers() {
     return {&h, &how.frequency, &how.damping, &sequential.relaxation, &packed.relaxation,
-            &direct.stiffness};
+            &direct.added_inertia};
   }
 };
 

@@ -20,9 +20,9 @@ WORDS = {
     "textbook": "a class a joint, 30 iterations",
     "velocity": "direct: one exact solve a step", "shake": "direct, positions too",
     "velocity/8": "velocity in 8 substeps", "shake/8": "shake in 8 substeps",
-    "stiff/8": "stiff in 8 substeps", "plain": "velocity without leapfrog",
+    "inertia/8": "inertia in 8 substeps", "plain": "velocity without leapfrog",
     "placed": "shake without leapfrog",
-    "stiff": "direct, positions, stiffness 8", "rk4": "direct, Runge-Kutta"}
+    "inertia": "direct, positions, more inertia (kappa 8)", "rk4": "direct, Runge-Kutta"}
 
 
 COLUMNS = [*MEASURED[:2], ("by si30", "", "ratio_to_si30", 1, "9.2f"), *MEASURED[2:]]

@@ -28,7 +28,7 @@ End swing(real ratio, real inertia, int parts, double seconds,
   scene.h /= real(parts);
   DirectSolver direct;
   direct.newton = 8;
-  direct.stiffness = inertia;
+  direct.added_inertia = inertia;
   End end;
   const double start = energy_of(scene);
   end.line = play(
@@ -78,7 +78,7 @@ void heavy(const Choice& choice, std::vector<Summary>& lines) {
   Scene left = heavy_chain(links, 100), right = heavy_chain(links, 100);
   DirectSolver plain, more;
   plain.newton = more.newton = 8;
-  more.stiffness = 8;
+  more.added_inertia = 8;
   record("a heavy end", {{left, leaps(left, plain), "plain"},
                          {right, leaps(right, more), "more inertia"}},
          vec3(0, 0, 3), 2, choice.out + "/heavy.motion.json");

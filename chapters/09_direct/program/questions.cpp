@@ -54,12 +54,12 @@ Scene ring_of(int bodies) {
 }
 
 void rings(const Choice& choice) {
-  CsvFile table(choice.out + "/rings.csv", {"bodies", "ways", "rows", "dropped", "fill"});
+  CsvFile table(choice.out + "/rings.csv", {"bodies", "ways", "rows", "dependent", "fill"});
   for (const int bodies : {4, 5, 6, 7, 8}) {
     Scene scene = ring_of(bodies);
     DirectSolver direct;
     leaps(scene, direct)();
-    table.row({double(bodies), 6.0 * bodies, 5.0 * bodies, double(direct.dropped()),
+    table.row({double(bodies), 6.0 * bodies, 5.0 * bodies, double(direct.dependent()),
                double(direct.report().fill)});
   }
 }
@@ -83,7 +83,7 @@ void kept_rates(const Choice& choice) {
       KeepsRates keeps;
       DirectSolver& direct = rates ? keeps : more;
       direct.newton = 8;
-      direct.stiffness = 8;
+      direct.added_inertia = 8;
       const double start = energy_of(scene);
       double after = 0, most = 0;
       play(
@@ -94,7 +94,7 @@ void kept_rates(const Choice& choice) {
             most = std::max(most, change);
           },
           leaps(scene, direct));
-      table.row({rates ? "rate" : "momentum"}, {ratio, after, most});
+      table.row({rates ? "rate" : "energy"}, {ratio, after, most});
     }
 }
 

@@ -115,7 +115,7 @@ void newton(const Choice& choice) {
   DirectSolver direct;
   direct.newton = 8;
   const double gap = play(taut, "", choice.seconds, "", [](double) {}, leaps(taut, direct)).gap_max;
-  std::printf("taut, velocities alone for %g s: a gap of %.2g m at most\n", choice.seconds, gap);
+  std::printf("taut, for %g s: a gap of %.2g m at most\n", choice.seconds, gap);
 }
 
 }  // namespace joints::chapter9

@@ -1,0 +1,185 @@
+// The direct solver moves the bodies: with the factor of the step, then with those of new poses.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "chapters/09_direct/direct_solver.h"
+
+namespace joints {
+
+namespace {
+
+// So often at most the factor of the new poses corrects them.
+constexpr int projections = 20;
+
+// Points that coincide, for one, have a row of zeros: no impulse along it corrects anything.
+bool has_direction(const Row& J) {
+  const vec3 none(0);
+  return J.v1 != none || J.w1 != none || J.v2 != none || J.w2 != none;
+}
+
+}  // namespace
+
+class DirectSolver::Poses : public Corrector {
+ public:
+  // J: where the rows at the new poses go, if they are wanted
+  Poses(DirectSolver& solver, Bodies& bodies, const Append& append, std::vector<Row>* J = nullptr)
+      : solver_(solver), bodies_(bodies), append_(append), J_(J) {}
+
+  std::vector<double>& errors() override {
+    Blocks& poses = solver_.poses_;
+    poses.clear();
+    poses.errors_only = J_ == nullptr;
+    append_(poses);
+    std::vector<double>& x = solver_.x_;
+    std::fill(x.begin(), x.end(), 0.0);
+    std::size_t k = 0;
+    for (const Inside& one : solver_.inside_) {
+      const Block& block = *one.block;
+      if (!block.target.holds_position || one.spring > 0) continue;
+      const std::size_t begin = k;  // nearly always the next one
+      while (poses.list[k].impulse != block.impulse)
+        if (k = (k + 1) % poses.list.size(); k == begin) break;
+      if (poses.list[k].impulse != block.impulse) continue;
+      for (int i = 0; i < block.rows; ++i)
+        if (has_direction(solver_.blocks_->J[block.first + i]))
+          x[block.first + i] = double(poses.C[poses.list[k].first + i]);
+      for (int i = 0; J_ && i < block.rows; ++i)
+        (*J_)[block.first + i] = poses.J[poses.list[k].first + i];
+      if (block.target.rate != 0) x[block.first + block.rows - 1] = 0;  // it rebounds
+    }
+    for (BoundedRow& row : solver_.bounded_) {
+      const Block& block = *solver_.inside_[row.inside].block;
+      double& C = x[block.first + block.rows - 1];
+      if (J_ && C < 0 && block.target.one_sided()) row.side = Side::free;  // it would be passed
+      if (row.side != Side::free) C = 0;
+    }
+    double largest = 0;
+    for (const double C : x) largest = std::max(largest, std::abs(C));
+    solver_.errors_met_.push_back(largest);
+    return x;
+  }
+  // The last correction may have closed all of them, unseen.
+  bool closed(real h) {
+    const double most = negligible * double(h) * double(h);
+    return solver_.errors_met_.back() <= most || (errors(), solver_.errors_met_.back() <= most);
+  }
+  void change_rates(std::vector<double>& rates) override {
+    std::vector<real>& expected = solver_.blocks_->memory.rates;
+    for (std::size_t r = 0; r < rates.size(); ++r) expected[r] += real(rates[r]);
+    solver_.change_rates(bodies_, rates);
+    ++solver_.report_.corrections;
+  }
+
+ private:
+  DirectSolver& solver_;
+  Bodies& bodies_;
+  const Append& append_;
+  std::vector<Row>* J_;
+};
+
+// If Newton's method with the factor of the step does not get there, velocities and impulses become
+// again those that solve the velocities, without what was expected of the poses.
+void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
+  blocks_of(bodies);  // refuses other bodies
+  report_.moved_exactly = false;
+  report_.corrections = 0;
+  errors_met_.clear();
+  errors_met_.reserve(std::size_t(std::min(newton, 64) + projections));
+  std::vector<real>& expected = blocks_->memory.rates;
+  if (newton == 0 || report_.iterated) {
+    std::fill(expected.begin(), expected.end(), real(0));
+    return report_.iterated ? instead.advance(bodies, h, append) : integrate_poses(bodies, h);
+  }
+  if (!factored_) factor_now();  // sides were still wrong
+  keep_best(bodies);
+  in_vain_.assign(expected.begin(), expected.end());
+  Poses poses(*this, bodies, append);
+  report_.moved_exactly = move_onto_constraints(bodies, h, newton, poses, start_);
+  if (report_.moved_exactly && poses.closed(h)) return;
+  std::copy(start_.begin(), start_.end(), bodies.data());
+  back_to_best(bodies);
+  for (double& rate : in_vain_) rate = -rate;
+  change_rates(bodies, in_vain_);
+  std::fill(expected.begin(), expected.end(), real(0));
+  report_.moved_exactly = project(bodies, h, append);
+}
+
+// Velocities and impulses that may be wanted again.
+void DirectSolver::keep_best(Bodies& bodies) {
+  best_.assign(bodies.data(), bodies.data() + bodies.slots());
+  impulses_.clear();
+  for (const Inside& one : inside_)
+    impulses_.insert(impulses_.end(), one.block->impulse, one.block->impulse + one.block->rows);
+}
+
+void DirectSolver::back_to_best(Bodies& bodies) const {
+  for (int slot = 0; slot < bodies.slots(); ++slot)
+    bodies.at(slot).v = best_[slot].v, bodies.at(slot).w = best_[slot].w;
+  const real* impulse = impulses_.data();
+  for (const Inside& one : inside_) {
+    std::copy(impulse, impulse + one.block->rows, one.block->impulse);
+    impulse += one.block->rows;
+  }
+}
+
+// A of rows and moments of inertia at the present poses, and its factor.
+void DirectSolver::factor_at(const Bodies& bodies, const std::vector<Row>& J) {
+  rows_of_J_ = J.data();
+  for (int slot = 0; slot < bodies.slots(); ++slot) {
+    Body body = bodies.at(slot);
+    if (body.is_static()) continue;
+    if (pulls_[slot].force_lever > 0)
+      body.inverse_inertia_local = pulls_[slot].slowed.inverse_inertia_local;
+    const mat3 I = inverse_inertia(body);
+    masses_[slot].angular = {I[0][0], I[1][1], I[2][2], I[1][0], I[2][0], I[2][1]};
+  }
+  place_rows();
+  factor_now();
+}
+
+// Newton's method with the factor of each new pose. A correction that makes the errors larger is
+// halved. If they do not vanish, the best velocities stay.
+bool DirectSolver::project(Bodies& bodies, real h, const Append& append) {
+  const auto move = [&] {
+    for (int slot = 0; slot < bodies.slots(); ++slot)
+      bodies.at(slot).x = start_[slot].x, bodies.at(slot).q = start_[slot].q;
+    integrate_poses(bodies, h);
+  };
+  at_start_ = masses_;
+  double last = std::numeric_limits<double>::infinity(), share = 1;
+  bool closed = false;
+  keep_best(bodies);
+  for (int n = 0; n < projections; ++n) {
+    move();
+    new_J_ = blocks_->J;
+    Poses poses(*this, bodies, append, &new_J_);
+    const std::vector<double>& C = poses.errors();
+    closed = errors_met_.back() <= negligible * double(h) * double(h);
+    if (closed || !std::isfinite(errors_met_.back())) break;
+    if (errors_met_.back() < last) {
+      last = errors_met_.back(), share = 1;
+      keep_best(bodies);
+      in_vain_ = C;
+      factor_at(bodies, new_J_);
+    } else {
+      share /= 2;
+      back_to_best(bodies);
+    }
+    x_ = in_vain_;
+    for (double& rate : x_) rate *= -share / double(h);
+    change_rates(bodies, x_);
+    ++report_.corrections;
+  }
+  if (!closed) {
+    back_to_best(bodies);
+    move();
+  }
+  masses_ = at_start_;
+  rows_of_J_ = blocks_->J.data();
+  place_rows();
+  factored_ = false;
+  return closed;
+}
+
+}  // namespace joints

@@ -1,0 +1,96 @@
+// Exercise 9.8: bodies that lack inertia, and the path to the answer.
+#pragma once
+
+#include <algorithm>
+
+#include "chapters/09_direct/direct.h"
+#include "tests/checker/vector_cases.h"
+
+namespace joints::testing {
+
+struct SlowedCase {
+  std::string words;
+  Body body;
+  real force_lever, before, kappa, h;
+};
+inline std::string slowed_given(const SlowedCase& c) {
+  return "Case: mass " + short_number(1 / double(c.body.inverse_mass)) + " kg, force_lever " +
+         short_number(double(c.force_lever)) + " N m, before " + short_number(double(c.before)) +
+         " kg m^2, kappa " + short_number(double(c.kappa)) + ", h " + short_number(double(c.h)) +
+         " s.";
+}
+
+/// The body for pencil and paper: moments 1, 4 and 4 kg m^2, of which the step follows 4.
+inline SlowedCase paper_slowed() {
+  Body body = body_with(1, vec3(1, 4, 4), vec3(0));
+  body.w = vec3(6, 3, 2);
+  return {"by hand", body, 2, 0, 8, real(0.5)};
+}
+
+/// The inertia that the step can follow [kg m^2].
+inline real followed(const SlowedCase& c) { return c.kappa * c.h * c.h * c.force_lever; }
+
+inline std::vector<SlowedCase> slowed_cases() {
+  std::vector<SlowedCase> out{paper_slowed()};
+  out[0].words = "not turned";
+  Random random(98);
+  // the step follows between the moments and above them; so did the last step
+  const real follows[] = {real(0.7), real(1.4), real(0.45), real(2), real(0.55), real(3)};
+  const real before[] = {0, real(0.45), real(1.1), real(5), real(0.7), real(0.33)};
+  for (int draw = 0; draw < 6; ++draw) {
+    const vec3 order[] = {{real(0.3), real(0.5), real(0.6)}, {real(0.9), real(0.4), real(0.7)},
+                          {real(0.8), real(0.6), real(0.35)}};
+    Body body = body_with(real(0.5) + real(draw), order[draw % 3], random.vector(3),
+                          random.turn());
+    body.v = random.vector(4);
+    body.w = random.vector(3);
+    const real h = real(draw % 2 ? 0.01 : 0.05);
+    out.push_back({"turned", body, follows[draw] / (8 * h * h), before[draw], 8, h});
+  }
+  Body isotropic = body_with(2, vec3(real(0.4)), vec3(1), random.turn());
+  isotropic.w = vec3(3, -1, 2);
+  out.push_back({"isotropic", isotropic, 900, 0, 8, real(0.02)});
+  const auto another = [&](std::size_t of, const char* words, auto change) {
+    out.push_back(out[of]);
+    out.back().words = words;
+    change(out.back());
+  };
+  another(2, "kappa 0", [](SlowedCase& c) { c.kappa = 0; });
+  another(3, "no force", [](SlowedCase& c) { c.force_lever = 0; });
+  another(4, "kappa 4", [](SlowedCase& c) { c.kappa = 4; });
+  another(5, "at rest", [](SlowedCase& c) { c.body.w = vec3(0); });
+  another(6, "small", [](SlowedCase& c) { c.body.inverse_inertia_local *= real(1000); });
+  another(1, "enough inertia", [](SlowedCase& c) { c.force_lever = 1; });
+  another(2, "as in the last step", [](SlowedCase& c) { c.before = followed(c); });
+  another(4, "a long step", [](SlowedCase& c) {
+    c.h = 1;
+    c.force_lever = real(1.5) / c.kappa;
+  });
+  return out;
+}
+
+/// The path to the answer, each piece by itself.
+struct SlowedReference {
+  using R = SlowedReference;
+  SlowedCase c;
+  vec3 moments, local;
+  real follows, before;
+  bool inverse = true;
+  Call<vec3(const R&)> now_of = {}, ratio_of = {}, w_of = {};
+  explicit SlowedReference(const SlowedCase& c)
+      : c(c), moments(real(1) / c.body.inverse_inertia_local),
+        local(to_local(c.body, c.body.w)), follows(followed(c)), before(c.before) {}
+  vec3 now() const { return now_of ? now_of(*this) : max(moments, vec3(follows)); }
+  vec3 last() const { return max(moments, vec3(before)); }
+  vec3 ratio() const { return ratio_of ? ratio_of(*this) : min(vec3(1), last() / now()); }
+  vec3 factors() const {
+    const vec3 r = ratio();
+    return vec3(std::sqrt(r.x), std::sqrt(r.y), std::sqrt(r.z));
+  }
+  Numbers numbers() const {
+    const vec3 w = w_of ? w_of(*this) : to_world(c.body, factors() * local);
+    return flat(std::vector<vec3>{inverse ? real(1) / now() : now(), w});
+  }
+};
+
+}  // namespace joints::testing

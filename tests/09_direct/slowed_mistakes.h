@@ -1,0 +1,167 @@
+// Exercise 9.8: a body with more inertia as a table, with the usual mistakes.
+#pragma once
+
+#include "tests/09_direct/slowed_cases.h"
+#include "tests/checker/pieces.h"
+
+namespace joints::testing {
+
+inline CaseTable<SlowedCase> slowed_table() {
+  using T = SlowedReference;
+  CaseTable<SlowedCase> table{{"9.8", "a body with more inertia"},
+                              {"inverse_inertia", "w"}, {}, {}, {}, slowed_cases()};
+  table.tolerance = 10 * rounding;
+  table.yours = [](const SlowedCase& c) {
+    const Slowed out = slowed(c.body, c.force_lever, c.before, c.kappa, c.h);
+    return flat(std::vector<vec3>{out.inverse_inertia_local, out.w});
+  };
+  table.right = [](const SlowedCase& c) { return T(c).numbers(); };
+  // what the step follows, the moments, their ratio, the angular velocity: another one
+  const auto follows = [](auto of) { return [=](T& t) { t.follows = of(t.c); }; };
+  const auto now = [](auto of) { return [=](T& t) { t.now_of = of; }; };
+  const auto ratio = [](auto of) { return [=](T& t) { t.ratio_of = of; }; };
+  const auto w = [](auto of) { return [=](T& t) { t.w_of = of; }; };
+  using C = SlowedCase;
+  const char* const square = "#h-not-squared h is squared: kappa h^2 |F||r|";
+  const char* const inverse_of = "#inverse-moments the inverse moments are taken for moments: 1 "
+                                 "over each of them "
+                                 "first";
+  const char* const body_axes = "#scaled-in-world the angular velocity is scaled in the world's "
+                                "axes: to_local() "
+                                "first, to_world() at last";
+  const char* const fixed = "#fixed-kappa a fixed number: `kappa` is an argument";
+  const char* const linear = "#linear-velocity the linear velocity: w is the angular one";
+  const char* const one_ratio = "#one-ratio one ratio for all three: each axis has its own";
+  add_pieces(table, [](const C& c) { return T(c); }, [](const T& t) { return t.numbers(); },
+             Pieces<T>{
+      {square, follows([](const C& c) { return c.kappa * c.h * c.force_lever; })},
+      {"#h-cubed h to the third power: kappa h^2 |F||r|",
+       follows([](const C& c) { return c.kappa * c.h * c.h * c.h * c.force_lever; })},
+      {"#followed-h-missing h is missing: kappa h^2 |F||r|",
+       follows([](const C& c) { return c.kappa * c.force_lever; })},
+      {"#followed-divided-h-squared divided by h^2: times h^2",
+       follows([](const C& c) { return c.kappa * c.force_lever / (c.h * c.h); })},
+      {"#kappa-missing kappa is missing: kappa h^2 |F||r|",
+       follows([](const C& c) { return c.h * c.h * c.force_lever; })},
+      {"#force-missing the force is missing: kappa h^2 |F||r|",
+       follows([](const C& c) { return c.kappa * c.h * c.h; })},
+      {"#force-squared the force is squared: it is |F||r| itself",
+       follows([](const C& c) { return followed(c) * c.force_lever; })},
+      {"#kappa-squared kappa is squared: kappa h^2 |F||r|",
+       follows([](const C& c) { return followed(c) * c.kappa; })},
+      {"#followed-half half of it: kappa h^2 |F||r|",
+       follows([](const C& c) { return followed(c) / 2; })},
+      {"#twice twice: kappa h^2 |F||r|", follows([](const C& c) { return 2 * followed(c); })},
+      {fixed,
+       follows([](const C& c) { return 8 * c.h * c.h * c.force_lever; })},
+      {fixed,
+       follows([](const C& c) { return 16 * c.h * c.h * c.force_lever; })},
+      {"#inertia-added kappa h^2 |F||r| is added to the moments: each becomes at least that",
+       now([](const T& t) { return t.moments + vec3(t.follows); })},
+      {"#lesser the lesser of the moment and kappa h^2 |F||r|: the greater",
+       now([](const T& t) { return min(t.moments, vec3(t.follows)); })},
+      {"#own-moments-lost the body's own moments are lost: the greater of the two",
+       now([](const T& t) { return vec3(t.follows); })},
+      {"#least-lacks what the least moment lacks is added to all: each becomes what it lacks "
+       "itself",
+       now([](const T& t) {
+         const real least = std::min({t.moments.x, t.moments.y, t.moments.z});
+         return t.moments + vec3(std::max(real(0), t.follows - least));
+       })},
+      {"#first-moment-alone only the first moment grows: all three",
+       now([](const T& t) {
+         return vec3(std::max(t.moments.x, t.follows), t.moments.y, t.moments.z);
+       })},
+      {"#bound-of-last-step `before` is of the last step: this one has kappa h^2 |F||r|",
+       now([](const T& t) { return max(t.moments, vec3(t.before)); })},
+      {"#never-smaller a moment stays as large as in the last step: it may become smaller again",
+       now([](const T& t) { return max(t.last(), vec3(t.follows)); })},
+      {"#force-ignored the force is never looked at, and nothing changes",
+       now([](const T& t) { return t.moments; })},
+      {inverse_of, [](T& t) { t.moments = t.c.body.inverse_inertia_local; }},
+      {"#inverse-both the inverse moments are taken for moments, and the greater is returned: 1 "
+       "over "
+       "each of both",
+       [](T& t) {
+         t.moments = t.c.body.inverse_inertia_local;
+         t.inverse = false;
+       }},
+      {"#moments-returned the moments are returned: 1 over each of them",
+       [](T& t) { t.inverse = false; }},
+      {"#last-step-forgotten the last step is forgotten: then each moment was at least `before`",
+       ratio([](const T& t) { return min(vec3(1), t.moments / t.now()); })},
+      {"#last-moments-lost the body's own moments of the last step are lost: the greater of them "
+       "and `before`",
+       ratio([](const T& t) { return min(vec3(1), vec3(t.before) / t.now()); })},
+      {"#ratio-unbounded where a moment becomes smaller the angular velocity becomes larger: it "
+       "stays, at most 1",
+       ratio([](const T& t) { return t.last() / t.now(); })},
+      {"#last-step-replaced the last step is forgotten, and its moments, too: each was at least "
+       "`before`",
+       ratio([](const T& t) { return min(vec3(1), vec3(t.follows) / t.now()); })},
+      {"#ratio-at-least-one the greater of 1 and the ratio: the lesser",
+       ratio([](const T& t) { return max(vec3(1), t.last() / t.now()); })},
+      {"#momentum-kept the angular momentum is kept: it is the energy that stays, with a square "
+       "root",
+       w([](const T& t) { return to_world(t.c.body, t.ratio() * t.local); })},
+      {"#ratio-squared the ratio is squared: its root",
+       w([](const T& t) { return to_world(t.c.body, t.ratio() * t.ratio() * t.local); })},
+      {"#w-stays the angular velocity stays: it becomes smaller where a moment grows",
+       w([](const T& t) { return t.c.body.w; })},
+      {"#ratio-upside-down the angular velocity becomes larger: the old moment over the new one",
+       w([](const T& t) { return to_world(t.c.body, t.local / t.factors()); })},
+      {body_axes, w([](const T& t) { return t.factors() * t.c.body.w; })},
+      {"#to-world-missing to_world() is missing: w is in the world", w([](const T& t) {
+         return t.factors() * t.local;
+       })},
+      {"#to-local-missing to_local() is missing: the moments are those of the body's own axes",
+       w([](const T& t) { return to_world(t.c.body, t.factors() * t.c.body.w); })},
+      {"#axes-exchanged to_local() and to_world() are exchanged",
+       w([](const T& t) {
+         return to_local(t.c.body, t.factors() * to_world(t.c.body, t.c.body.w));
+       })},
+      {"#to-local-twice to_local() twice: to_world() at last",
+       w([](const T& t) { return to_local(t.c.body, t.factors() * t.local); })},
+      {one_ratio, w([](const T& t) { return t.factors().x * t.c.body.w; })},
+      {one_ratio, w([](const T& t) { return t.factors().y * t.c.body.w; })},
+      {one_ratio, w([](const T& t) { return t.factors().z * t.c.body.w; })},
+      {"#mean-ratio the mean ratio for all three: each axis has its own",
+       w([](const T& t) {
+         const vec3 f = t.factors();
+         return (f.x + f.y + f.z) / 3 * t.c.body.w;
+       })},
+      {linear,
+       w([](const T& t) {
+         return to_world(t.c.body, t.factors() * to_local(t.c.body, t.c.body.v));
+       })},
+      {"#momentum-returned the angular momentum is returned: the ratio times w",
+       w([](const T& t) { return to_world(t.c.body, t.moments * t.local); })},
+      {"#w-zero the angular velocity becomes zero: the energy stays",
+       w([](const T&) { return vec3(0); })},
+      {linear, w([](const T& t) { return t.c.body.v; })}});
+  table.leave_out_harmless();
+  table.given = [copy = table](const C& c) { return slowed_given(c) + " " + copy.holds_in(); };
+  return table;
+}
+
+/// The body with your inertia and angular velocity.
+inline Body slow_body(const SlowedCase& c) {
+  const Slowed out = slowed(c.body, c.force_lever, c.before, c.kappa, c.h);
+  Body body = c.body;
+  body.inverse_inertia_local = out.inverse_inertia_local;
+  body.w = out.w;
+  return body;
+}
+
+/// For a test of another kind: the table's mistakes explain whatever is wrong.
+inline void expect_slowed(const SlowedCase& c, const std::string& entry, const vec3& yours,
+                          const vec3& right, double tolerance) {
+  const bool same = length(yours - right) <= real(tolerance);  // false for what is no number
+  const std::string given = same ? "" : slowed_given(c) + " Body: " + c.words + ".";
+  Subject about = slowed_table().subject;
+  about.given = given.c_str();
+  expect(about, entry, yours, right, tolerance,
+         same ? std::vector<VectorSuspect>{} : why(slowed_table(), yours));
+}
+
+}  // namespace joints::testing

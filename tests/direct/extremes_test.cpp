@@ -222,7 +222,7 @@ TEST_CASE("X10 a mountain may hang on a grain, until a double cannot tell the tw
 
 TEST_CASE("what a mass ratio leaves of a pivot is taken for a dependence from some ratio on") {
   if (is_float) return;  // its share is another
-  for (const auto& [mass, falls] : {std::pair{1e9, false}, {1e11, false}, {1e13, true}}) {
+  for (const auto& [mass, falls] : {std::pair{1e11, false}, {1e13, false}, {1e15, true}}) {
     World world;
     BodyId before = world.add(static_body(vec3(0)));
     for (int k = 1; k <= 3; ++k) {
@@ -238,6 +238,6 @@ TEST_CASE("what a mass ratio leaves of a pivot is taken for a dependence from so
     for (int n = 0; n < 60; ++n) step(world, solver, sixtieth, second_order);
     CAPTURE(mass);
     CHECK((std::abs(double(world.bodies[before].x.y) + 3) > 1) == falls);
-    CHECK((solver.dropped() > 0) == falls);
+    CHECK((solver.dependent() > 0) == falls);
   }
 }

@@ -1,5 +1,5 @@
-// A joint with one free coordinate that may have limits and a motor: what hinge and slider share.
-// Given, there is nothing to edit here.
+// A joint with one free coordinate that may have limits and a motor: the common base of hinge and
+// slider. Given: there is nothing to edit here.
 #pragma once
 
 #include <algorithm>
@@ -13,29 +13,29 @@
 /// @{
 namespace joints {
 
-/// Two rigid parts, and the part whose error is the coordinate that they leave free.
-/// The order of its blocks is motor, limit, rigid rows: what is solved last is most nearly true.
-/// With `whole` the rigid rows are one block, and the limit is that block's last row.
+/// Two rigid parts, and a part whose error is the free coordinate.
+/// Its blocks are in the order motor, limit, rigid rows, because the block that is solved last is
+/// satisfied best. With `whole` the rigid rows are one block, and the limit is its last row.
 template <class First, class Second, class Coordinate>
 class DrivenJoint : public Joint {
  public:
   First first;        ///< a rigid part
   Second second;      ///< the other rigid part
-  bool whole = true;  ///< one block for all rigid rows and the limit, not one for each part
+  bool whole = true;  ///< one block for all rigid rows and the limit; false: one for each part
 
-  /// The angle [rad] or displacement [m] that stays free.
+  /// The free coordinate, an angle [rad] or a displacement [m].
   const Coordinate& coordinate() const { return coordinate_; }
-  /// Measures another one from now on. \throws std::invalid_argument from its check()
+  /// Replaces the free coordinate. \throws std::invalid_argument from its check()
   void set_coordinate(const Coordinate& coordinate) {
     check(coordinate);
     coordinate_ = coordinate;
     if (drive_) drive_->leeway.forget();
   }
 
-  /// Limits of the coordinate [rad or m]; equal ones hold it there, infinite ones are none. If the
-  /// joint has not counted its turns so far, limits less than a turn apart say which turn it is in:
-  /// the one in which the angle is between them or nearest to them. Where wider ones leave it open,
-  /// say so by expect().
+  /// Sets the limits of the coordinate [rad or m]. Equal limits hold it at that value, and infinite
+  /// ones have no effect. If the joint has not counted turns so far, limits less than a turn apart
+  /// determine the turn: the one in which the angle is between them or nearest to them. With wider
+  /// limits the turn is ambiguous; call expect() to choose it.
   /// \throws std::invalid_argument unless lower <= upper and both are infinite or within max_limit
   void set_limits(real lower, real upper) {
     check(Range{lower, upper});
@@ -45,18 +45,18 @@ class DrivenJoint : public Joint {
   void clear_limits() {
     if (drive_) drive().range = {};
   }
-  /// Runs the motor. \param speed [rad/s or m/s] \param strength [N m or N], 0 to switch it off
+  /// Sets the motor. \param speed target [rad/s or m/s] \param strength [N m or N], 0 for no motor
   /// \throws std::invalid_argument unless the speed is within max_speed and the strength at least 0
   void set_motor(real speed, real strength) {
     check(Motor{speed, strength});
     drive().motor = {speed, strength};
   }
-  /// Dry friction: a motor that holds the speed 0 with at most this torque or force. It takes the
-  /// place of the motor, as set_motor() takes its place: a joint has one of the two.
+  /// Dry friction: a motor with the target speed 0 and at most this torque or force. It replaces
+  /// the motor, and set_motor() replaces it: a joint has only one of the two.
   /// \param strength [N m or N], 0 for none \throws std::invalid_argument if it is negative
   void set_friction(real strength) { set_motor(0, strength); }
-  /// Says where the coordinate is, to within half a turn: turns are counted from there. For bodies
-  /// that were put or loaded beyond half a turn, and to set the count anew.
+  /// Sets the value of the coordinate to within half a turn, from which turns are counted. Use it
+  /// for bodies that were placed or loaded more than half a turn from zero, or to reset the count.
   /// \param x [rad or m] \throws std::invalid_argument unless it is finite
   void expect(real x) {
     require(finite(x), "x: must be finite [rad or m]");
@@ -68,22 +68,23 @@ class DrivenJoint : public Joint {
   /// The motor's settings.
   Motor motor() const { return drive_ ? drive_->motor : Motor{}; }
 
-  /// The coordinate [rad or m]. Turns are counted while the joint has a limit or a running motor;
-  /// see expect().
+  /// The coordinate [rad or m]. Turns are counted only while the joint has a limit or a motor with
+  /// a strength above 0; see expect().
   real position(const Bodies& bodies) const {
     Coordinate now = coordinate_;
     count_from(now, expected(bodies));
     return now.error(bodies[body1], bodies[body2]);
   }
-  /// Its rate [rad/s or m/s]; with leapfrog half a step late (synchronised() in step.h has bodies
-  /// that are not).
+  /// The rate of the coordinate [rad/s or m/s]. With Stepping::leapfrog it lags by half a step;
+  /// synchronised() in step.h returns bodies without this lag.
   real speed(const Bodies& bodies) const {
     const Body &a = bodies[body1], &b = bodies[body2];
     return row_velocity(coordinate_.jacobian(a, b), a, b);
   }
-  /// The motor's force in the last step [N m or N].
+  /// The torque or force of the motor in the last step [N m or N].
   real motor_force() const { return drive_ ? mean_force(drive_->motor_impulse) : real(0); }
-  /// The limits' force in the last step [N m or N]; positive pushes the coordinate up.
+  /// The torque or force of the limits in the last step [N m or N]. A positive one increases the
+  /// coordinate.
   real limit_force() const {
     if (!drive_) return 0;
     return mean_force(drive_->limit.sign * impulse_[limit_place] +
@@ -96,15 +97,15 @@ class DrivenJoint : public Joint {
     return out;
   }
 
-  /// The bodies, beta, and the two rigid parts by their check().
+  /// Validates the bodies, beta, and the two rigid parts by their check().
   void check_input(const Bodies& bodies) const override {
     Joint::check_input(bodies);
     check(first);
     check(second);
   }
-  /// Measures again, so that no turn is lost, if projection has moved the bodies too far.
+  /// Measures again if projection has moved the bodies so far that a turn could be missed.
   void moved(const Bodies& bodies) override;
-  /// Appends motor, limit and rigid rows, as far as they are live.
+  /// Appends the blocks of motor, limit and rigid rows that are live.
   void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Appends a limit that the new velocities would pass within this step.
   void late_limits(const Bodies& bodies, real h, Blocks& blocks) override {
@@ -112,7 +113,7 @@ class DrivenJoint : public Joint {
     if (!drive_->leeway.is_slow(at(bodies, body1), at(bodies, body2), h))
       add_late_limit(bodies, h, blocks);
   }
-  /// A limit if there are bounds, a motor if it has strength.
+  /// Reports a limit if one is set, and a motor if its strength is above 0.
   Extras extras() const override {
     if (!drive_) return {};
     return {drive_->limited() ? 1 : 0, drive_->limit.live || drive_->late.live ? 1 : 0,
@@ -128,12 +129,13 @@ class DrivenJoint : public Joint {
     if (!near || drive_->measured || drive_->limit.live || drive_->late.live)
       choose_limit(bodies, h, near);
   }
-  /// Between static bodies.
+  /// Clears all impulses; called if both bodies are static.
   void drop_rows() override {
     impulse_ = {};
     if (drive_) drive_->drop();
   }
-  /// Limits, motor, count, live rows and impulses: as many numbers with a drive as without.
+  /// Saves or restores limits, motor, count, live rows and impulses. The number of values does not
+  /// depend on whether there are limits or a motor.
   void exchange_own(StateStream& stream) override {
     Drive none;
     Drive& drive = drive_ ? *drive_ : none;
@@ -151,25 +153,25 @@ class DrivenJoint : public Joint {
     drive.off = false;  // limits and motor may be others now
     if (none.counted() || none.counting) drive_ = std::make_unique<Drive>(none);
   }
-  /// From the parts as they stand now.
+  /// Makes the joint from its parts.
   DrivenJoint(BodyId body1, BodyId body2, const First& first, const Second& second,
               const Coordinate& coordinate)
       : Joint(body1, body2), first(first), second(second), coordinate_(coordinate) {}
 
  private:
-  // What only a joint with a limit or a motor has.
+  // The data of a joint with a limit or a motor; a joint without them has none.
   struct Drive {
     Range range;
     Motor motor;
-    LimitRow limit, late;   // the limit that has a row in this step; one found late
+    LimitRow limit, late;   // the limit with a row in this step; the one found late
     real x = 0, next = 0;   // the coordinate when measured; its expected value after the step
     bool measured = false;  // x was measured in this step
-    bool counting = false;  // next is known: measured, or told by expect()
+    bool counting = false;  // next is valid: measured, or set by expect()
     bool off = false;       // neither limit nor motor: nothing to do until a setting changes
     Leeway<Coordinate> leeway;
     real motor_impulse = 0, late_impulse = 0;  // written by the solver through the blocks
 
-    // With a limit or a motor the coordinate and its turns are measured.
+    // True if the coordinate and its turns are measured.
     bool counted() const { return limited() || motor.strength > 0; }
     bool limited() const { return range.lower > -unbounded || range.upper < unbounded; }
     bool held() const { return range.lower == range.upper; }
@@ -177,7 +179,7 @@ class DrivenJoint : public Joint {
     real bound(real sign) const { return sign > 0 ? range.lower : range.upper; }
     void drop() { limit = late = {}, motor_impulse = late_impulse = 0; }
   };
-  // For a change of settings: the next step measures.
+  // Access for a change of settings: makes the next step measure.
   Drive& drive() {
     if (!drive_) drive_ = std::make_unique<Drive>();
     drive_->leeway.forget();
@@ -185,15 +187,15 @@ class DrivenJoint : public Joint {
     return *drive_;
   }
 
-  static constexpr int limit_place = First::rows + Second::rows;  // right behind the rigid rows
+  static constexpr int limit_place = First::rows + Second::rows;  // after the rigid rows
 
-  // The step has looked the ids up.
+  // Unchecked access: the step has validated the ids.
   static const Body& at(const Bodies& bodies, BodyId id) { return bodies.at(int(id.slot)); }
-  // What few steps need stays out of the way of those that do not.
+  // Rarely needed, so not inlined.
   [[gnu::noinline]] void choose_limit(const Bodies& bodies, real h, bool near);
   [[gnu::noinline]] void add_late_limit(const Bodies& bodies, real h, Blocks& blocks);
-  // The coordinate is within half a turn of this. A joint that does not count yet takes the turn
-  // that its limits say.
+  // The coordinate is within half a turn of this value. If the joint does not count turns yet, the
+  // limits determine the turn.
   real expected(const Bodies& bodies) const {
     if (!drive_) return 0;
     const auto& [lower, upper] = drive_->range;
@@ -276,7 +278,7 @@ void DrivenJoint<First, Second, Coordinate>::append(const Bodies& bodies, Blocks
     add(limit_part(drive_->late.sign), limit_target(), drive_->late_impulse);
 }
 
-// A neighbour's impulse may drive the joint past a limit that had no row at the step's beginning.
+// A neighbour's impulse may drive the joint past a limit that had no row at the start of the step.
 template <class First, class Second, class Coordinate>
 void DrivenJoint<First, Second, Coordinate>::add_late_limit(const Bodies& bodies, real h,
                                                             Blocks& blocks) {
@@ -284,7 +286,7 @@ void DrivenJoint<First, Second, Coordinate>::add_late_limit(const Bodies& bodies
   drive.leeway.forget();
   if (!drive.measured) measure(bodies);
   const real rate = speed(bodies);
-  drive.next = drive.x + h * std::clamp(rate, -max_speed, max_speed);  // as fast as bodies can be
+  drive.next = drive.x + h * std::clamp(rate, -max_speed, max_speed);  // bodies are clamped, too
   if (!drive.limited() || drive.held() || drive.late.live) return;
   for (const real sign : {real(1), real(-1)}) {
     const real C = sign * (drive.x - drive.bound(sign));

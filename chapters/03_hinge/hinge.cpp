@@ -1,5 +1,5 @@
-// Chapter 3: hinge, limit, motor. Replace each todo(...) by your own code; the text is in
-// README.md.
+// Chapter 3: hinge, limit, motor. Replace each todo(...) with your own code. README.md has the
+// text.
 #include "chapters/03_hinge/hinge.h"
 
 #include <algorithm>
@@ -21,10 +21,10 @@ Vector<2> Axis::error(const Body& body1, const Body& body2) const {
 Jacobian<2> Axis::jacobian(const Body& body1, const Body& body2) const {
   vec3 a1 = to_world(body1, a1_local);
   const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local);
-  if (far_off(body1, body2)) a1 = cross(b, c);  // the rows that belong to far_error
+  if (far_off(body1, body2)) a1 = cross(b, c);  // for the rows of far_error
   // begin [exercise 3.1]
-  // Return the two rows J of Eq. 3-4, made of a1, b and c above. A row is Row{v1, w1, v2, w2};
-  // where a block is zero write vec3(0).
+  // Return the two rows J of Eq. 3-4, made of a1, b and c above. A row is Row{v1, w1, v2, w2}.
+  // Write vec3(0) for a block that is zero.
   todo("3.1");
   // end [exercise 3.1]
 }
@@ -46,12 +46,12 @@ Vector<2> Axis::far_error(const Body& body1, const Body& body2) const {
   const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local), a2 = cross(b, c);
   const vec3 across = cross(a1, a2);
   const real sine = length(across);
-  const vec3 about = sine > 0 ? across / sine : b;  // opposite axes: any axis across is as short
+  const vec3 about = sine > 0 ? across / sine : b;  // for opposite axes any perpendicular axis
   const vec3 phi = std::atan2(sine, dot(a1, a2)) * about;
   return {-dot(phi, c), dot(phi, b)};  // Eq. 3-7
 }
 
-// The unit vector along an axis of any length. Scaled first, because squares may overflow.
+// The unit vector along an axis of any length. It is scaled first, because squares may overflow.
 static vec3 unit(const vec3& axis) {
   const real size = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
   require(finite(axis) && size > 0, "axis: must be finite and not zero");
@@ -71,8 +71,8 @@ Axis axis_along(const Body& body1, const Body& body2, const vec3& axis) {
 
 real coupling(const Row& a, const Row& b, const Body& body1, const Body& body2) {
   // begin [exercise 3.2]
-  // Return a M^-1 b^T, Eq. 3-8: M^-1 divides the linear vectors by the mass of their body and
-  // multiplies the angular ones by its inverse inertia; inverse_inertia(body) is in world axes.
+  // Return a M^-1 b^T, Eq. 3-8. M^-1 divides the linear vectors by the mass of their body and
+  // multiplies the angular ones by its inverse inertia. inverse_inertia(body) is in world axes.
   todo("3.2");
   // end [exercise 3.2]
 }
@@ -81,16 +81,16 @@ real coupling(const Row& a, const Row& b, const Body& body1, const Body& body2) 
 
 real HingeAngle::twist(const Body& body1, const Body& body2) const {
   // begin [exercise 3.3]
-  // Return the angle of Eq. 3-9, in [-pi, pi]. conjugate(q) is q^-1 of a unit quaternion; its
-  // parts are q.w and the vector (q.x, q.y, q.z). std::atan2(p, s) is the angle of (s, p).
+  // Return the angle of Eq. 3-9, in [-pi, pi]. conjugate(q) is q^-1 of a unit quaternion. The parts
+  // of q are q.w and the vector (q.x, q.y, q.z). std::atan2(p, s) is the angle of (s, p).
   todo("3.3");
   // end [exercise 3.3]
 }
 
 real unwrapped(real measured, real expected) {
   // begin [exercise 3.3]
-  // Return measured + 2 pi k with the whole number k that brings it nearest to expected. Useful:
-  // std::remainder(x, y), what is left of x after the nearest multiple of y is taken away.
+  // Return measured + 2 pi k with the integer k that brings it nearest to expected.
+  // std::remainder(x, y) is x minus the nearest multiple of y.
   todo("3.3");
   // end [exercise 3.3]
 }
@@ -116,17 +116,17 @@ HingeAngle angle_about(const Body& body1, const Body& body2, const vec3& axis) {
 
 LimitRow limit_row(const Range& range, real x, real rate, real h) {
   // begin [exercise 3.4]
-  // Return {C, sign, live} of the limit with the smaller gap at the end of this step, Eq. 3-13:
-  // C = x - lower grows with x (sign +1), C = upper - x shrinks with it (sign -1). It is live if
-  // C < h |rate| + 0.1 h, Eq. 3-14.
+  // Return {C, sign, live} of the limit with the smaller gap at the end of this step, Eq. 3-13.
+  // C = x - lower grows with x (sign +1), and C = upper - x shrinks with x (sign -1). The limit is
+  // live if C < h |rate| + 0.1 h, Eq. 3-14.
   todo("3.4");
   // end [exercise 3.4]
 }
 
 real motor_impulse(real rate, real K, const Motor& motor, real h, real& sum) {
   // begin [exercise 3.5]
-  // The impulse that would reach motor.speed at once is Eq. 3-15. The accumulated impulse must stay
-  // within +-h motor.strength, Eq. 3-16. Store it in `sum`, return its change.
+  // The sum that would reach motor.speed at once is Eq. 3-15. Clamp it to +-h motor.strength,
+  // Eq. 3-16. Store it in `sum` and return its change.
   todo("3.5");
   // end [exercise 3.5]
 }

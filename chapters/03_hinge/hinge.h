@@ -1,5 +1,5 @@
-// Chapter 3: hinge, limit, motor. What hinge.cpp has to provide. Read README.md beside it first.
-// There is nothing to edit here.
+// Chapter 3: hinge, limit, motor. Declares the functions that hinge.cpp has to define. Read
+// README.md in this folder first. Given: there is nothing to edit here.
 #pragma once
 
 #include "engine/block.h"
@@ -14,41 +14,42 @@ namespace joints {
 
 /// Keeps an axis of body 1 along an axis of body 2. Removes two degrees of freedom.
 ///
-/// a1 = R1 a1_local; b, c = R2 b_local, R2 c_local, both at right angles to body 2's axis
-/// a2 = b x c. C = (a1.b, a1.c) [1]; J = (0, -(b x a1)^T, 0, (b x a1)^T) and the same with c,
-/// exact because b and c are fixed in body 2; K = B (I1^-1 + I2^-1) B^T with B = (b x a1, c x a1)
-/// [1/(kg m^2)]. At 90 degrees K is singular and at 180 degrees C is zero again: beyond 60 degrees
-/// the part takes the vector of the shortest rotation from a1 to a2 instead [rad], whose J is exact
+/// a1 = R1 a1_local; b, c = R2 b_local, R2 c_local, both perpendicular to body 2's axis a2 = b x c.
+/// C = (a1.b, a1.c) [1]; J = (0, -(b x a1)^T, 0, (b x a1)^T) and the same with c, exact because b
+/// and c are fixed in body 2; K = B (I1^-1 + I2^-1) B^T with B = (b x a1, c x a1) [1/(kg m^2)].
+/// At 90 degrees K is singular, and at 180 degrees C is zero again. Beyond 60 degrees the part
+/// therefore uses the vector of the shortest rotation from a1 to a2 [rad], for which J is exact
 /// only near alignment. Source: thesis, section 3.7.3; the rotation vector is ours.
-/// Not the `Axis` of other engines, where it is often a translation axis.
+/// In other engines `Axis` often denotes a translation axis; here it is a rotation axis.
 struct Axis {
   vec3 a1_local{1, 0, 0};  ///< the axis, unit, body space of body 1
-  vec3 b_local{0, 1, 0};   ///< unit, at right angles to body 2's axis, body space of body 2
-  vec3 c_local{0, 0, 1};   ///< unit, at right angles to the axis and to b
+  vec3 b_local{0, 1, 0};   ///< unit, perpendicular to body 2's axis, body space of body 2
+  vec3 c_local{0, 0, 1};   ///< unit, perpendicular to that axis and to b, body space of body 2
 
   static constexpr int rows = 2;            ///< degrees of freedom that it removes
   static constexpr bool one_sided = false;  ///< both signs of impulse are allowed
-  static constexpr Form form = Form::angular;  ///< of its rows
+  static constexpr Form form = Form::angular;  ///< the form of its rows
   Vector<2> error(const Body& body1, const Body& body2) const;       ///< exercise 3.1 [1]
   Jacobian<2> jacobian(const Body& body1, const Body& body2) const;  ///< exercise 3.1
   /// K = B (I1^-1 + I2^-1) B^T, Eq. 3-6 [1/(kg m^2)].
   Matrix<2> K(const Body& body1, const Body& body2) const;
 
-  /// True if the axes are more than 60 degrees apart: far_error() is used then.
+  /// True if the axes are more than 60 degrees apart. Then far_error() is used.
   bool far_off(const Body& body1, const Body& body2) const;
-  /// C from the vector of the shortest rotation from a1 to a2 [rad]: no false zero at 180 degrees.
+  /// C from the vector of the shortest rotation from a1 to a2 [rad]. It has no false zero at 180
+  /// degrees.
   Vector<2> far_error(const Body& body1, const Body& body2) const;
 };
 
-/// The part that keeps this world direction of both bodies aligned, from their present poses.
+/// Makes the part that keeps this world direction aligned in both bodies, from their present poses.
 /// \throws std::invalid_argument unless the axis is finite and not zero
 Axis axis_along(const Body& body1, const Body& body2, const vec3& axis);
 
-/// Exercise 3.2: one entry of K = J M^-1 J^T: the rate of row a by an impulse of 1 along row b.
-/// \return a M^-1 b^T [1/kg, 1/(kg m) or 1/(kg m^2), by the rows' units]
+/// Exercise 3.2: one entry of K = J M^-1 J^T, the rate of row a caused by an impulse of 1 along
+/// row b. \return a M^-1 b^T [1/kg, 1/(kg m) or 1/(kg m^2), depending on the units of the rows]
 real coupling(const Row& a, const Row& b, const Body& body1, const Body& body2);
 
-/// K = J M^-1 J^T of any rows, entry by entry with coupling().
+/// K = J M^-1 J^T of any N rows, computed entry by entry with coupling().
 template <int N>
 Matrix<N> K_of(const Jacobian<N>& J, const Body& body1, const Body& body2) {
   Matrix<N> K;
@@ -59,29 +60,29 @@ Matrix<N> K_of(const Jacobian<N>& J, const Body& body1, const Body& body2) {
 
 // ---- the angle ------------------------------------------------------------------------------
 
-/// Exercise 3.3, second half: of all angles that differ from `measured` by whole turns, the one
-/// nearest to `expected`. \param measured [rad] \param expected [rad]
+/// Exercise 3.3, second half: of all angles that equal `measured` modulo 2 pi, the one nearest to
+/// `expected`. \param measured [rad] \param expected [rad]
 real unwrapped(real measured, real expected);
 
-/// The angle of body 2 about the hinge's axis relative to body 1, counted from `start`: the one row
-/// that limit and motor share. Positive by the right-hand rule about the axis.
+/// The angle of body 2 relative to body 1 about the hinge's axis, measured from `start`. Limit and
+/// motor use its row. Positive by the right-hand rule about the axis.
 ///
 /// q_d = q1^-1 q2 start^-1 = (s, v), negated if s < 0; p = v.a1_local;
-/// C = 2 atan2(p, s), counted over whole turns to within half a turn of `expected` [rad];
-/// J = (0, -g, 0, g), g = (a1 + a2)/(1 + a1.a2), exact at every misalignment below 180 degrees
-/// (close to that g is a1); K = g.(I1^-1 + I2^-1) g [1/(kg m^2)].
+/// C = 2 atan2(p, s) plus the multiple of 2 pi that brings it to within half a turn of `expected`
+/// [rad]; J = (0, -g, 0, g), g = (a1 + a2)/(1 + a1.a2), exact at every misalignment below 180
+/// degrees (close to 180 degrees g = a1 is used); K = g.(I1^-1 + I2^-1) g [1/(kg m^2)].
 /// Source: thesis, section 3.7.3, corrected: the twist of the relative rotation (swing-twist
 /// decomposition), in body 1's frame.
 struct HingeAngle {
   vec3 a1_local{1, 0, 0};   ///< the axis, unit, body space of body 1
   quat start{1, 0, 0, 0};   ///< q1^-1 q2 where the angle is zero
-  real expected = 0;        ///< the angle is counted to within half a turn of this [rad]
+  real expected = 0;        ///< error() is within half a turn of this [rad]
 
-  static constexpr int rows = 1;            ///< the one row of limit and motor
-  static constexpr bool one_sided = false;  ///< a limit makes it so
-  static constexpr Form form = Form::angular;  ///< of its row
+  static constexpr int rows = 1;            ///< one row, used by limit and motor
+  static constexpr bool one_sided = false;  ///< false; the row of a limit is one-sided
+  static constexpr Form form = Form::angular;  ///< the form of its row
   real twist(const Body& body1, const Body& body2) const;  ///< exercise 3.3, in [-pi, pi] [rad]
-  /// C, the angle with its turns counted [rad].
+  /// C, the angle including whole turns [rad].
   real error(const Body& body1, const Body& body2) const {
     return unwrapped(twist(body1, body2), expected);
   }
@@ -89,7 +90,7 @@ struct HingeAngle {
   real K(const Body& body1, const Body& body2) const;        ///< Eq. 3-11 [1/(kg m^2)]
 };
 
-/// The angle that is zero at the bodies' present poses. \param axis world, of any length
+/// Makes the angle that is zero at the bodies' present poses. \param axis world, of any length
 /// \throws std::invalid_argument unless the axis is finite and not zero
 HingeAngle angle_about(const Body& body1, const Body& body2, const vec3& axis);
 
@@ -97,8 +98,8 @@ HingeAngle angle_about(const Body& body1, const Body& body2, const vec3& axis);
 
 /// The limits of the free coordinate x of a joint: an angle [rad] or a displacement [m].
 struct Range {
-  real lower = -unbounded;  ///< least value
-  real upper = unbounded;   ///< greatest value
+  real lower = -unbounded;  ///< least value; infinite for no limit
+  real upper = unbounded;   ///< greatest value; infinite for no limit
 };
 
 /// The limit that may need a row in this step.
@@ -108,22 +109,22 @@ struct LimitRow {
   bool live = false;   ///< true if it needs a row in this step
 };
 
-/// Exercise 3.4: the limit with the smaller gap at the end of this step, its gap now, and whether
-/// it is near enough to need a row.
+/// Exercise 3.4: the limit that has the smaller gap at the end of this step.
 /// \param x the coordinate now [rad or m] \param rate dx/dt [rad/s or m/s] \param h step [s]
+/// \return its present gap, its sign, and whether it is near enough to need a row
 LimitRow limit_row(const Range& range, real x, real rate, real h);
 
-/// A motor: a target speed and the force that it can use.
+/// A motor: a target speed, and the torque or force with which it can reach it.
 struct Motor {
   real speed = 0;     ///< target rate of the coordinate [rad/s or m/s]
-  real strength = 0;  ///< greatest torque or force of either sign [N m or N]; 0 is off
+  real strength = 0;  ///< greatest torque or force in either direction [N m or N]; 0 is off
 };
 
-/// Exercise 3.5: what one solve adds to a motor's impulse.
+/// Exercise 3.5: the change of a motor's accumulated impulse by one solve.
 /// \param rate J V, the rate of the coordinate now [rad/s or m/s]
-/// \param K of its row [1/(kg m^2) or 1/kg] \param h step [s]
+/// \param K K of its row [1/(kg m^2) or 1/kg] \param h step [s]
 /// \param sum its accumulated impulse in this step [N m s or N s], updated here
-/// \return the change of the accumulated impulse
+/// \return the change of the accumulated impulse [N m s or N s]
 real motor_impulse(real rate, real K, const Motor& motor, real h, real& sum);
 
 }  // namespace joints

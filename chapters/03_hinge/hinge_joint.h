@@ -1,4 +1,4 @@
-// The hinge of the engine: given, there is nothing to edit here.
+// The hinge of the engine. Given: there is nothing to edit here.
 #pragma once
 
 #include "chapters/02_ball/ball_joint.h"
@@ -9,16 +9,16 @@
 /// @{
 namespace joints {
 
-/// \throws std::invalid_argument unless the three vectors are of length 1
+/// \throws std::invalid_argument unless the three vectors have length 1
 inline void check(const Axis& axis) {
   const vec3 &a1 = axis.a1_local, &b = axis.b_local, &c = axis.c_local;
-  if (std::abs(dot(a1, a1) + dot(b, b) + dot(c, c) - 3) < real(1e-6)) return;  // a quick look
+  if (std::abs(dot(a1, a1) + dot(b, b) + dot(c, c) - 3) < real(1e-6)) return;  // usual case
   require_unit("a1_local", a1);
   require_unit("b_local", b);
   require_unit("c_local", c);
 }
-/// \throws std::invalid_argument unless the axis is of length 1, `start` a rotation, and the
-/// expected angle finite
+/// \throws std::invalid_argument unless the axis has length 1, `start` is a unit quaternion, and
+/// the expected angle is finite
 inline void check(const HingeAngle& angle) {
   const vec3& a1 = angle.a1_local;
   require(finite(angle.expected), "expected", angle.expected, "must be finite [rad]");
@@ -27,17 +27,17 @@ inline void check(const HingeAngle& angle) {
   require_unit("start", angle.start);
 }
 
-/// An angle counts its turns.
+/// An angle counts whole turns: it stays within half a turn of `expected` [rad].
 inline void count_from(HingeAngle& angle, real expected) { angle.expected = expected; }
-/// Its count is kept from step to step.
+/// Saves or restores the number of turns of an angle.
 inline void exchange_turns(HingeAngle& angle, StateStream& stream) { stream(angle.expected); }
 
-/// Skips atan2 while the limits of a hinge are out of reach. The angle's rate is g.(w2 - w1) with
-/// |g| = 1/cos(alpha/2), alpha being the angle between the axes (Eq. 3-10): while alpha is below 83
-/// degrees, |g| is below 1.34, and the angle changes by less than 1.34 times the rotations of both
-/// bodies together. Half of the slack is for the rotations since the measurement, a quarter for
-/// each body; half is for this step. The two allowances together keep alpha below 26 + 2 x 28 = 82
-/// degrees.
+/// Skips atan2 while the limits of a hinge are out of reach. The rate of the angle is g.(w2 - w1)
+/// with |g| = 1/cos(alpha/2), where alpha is the angle between the axes (Eq. 3-10). While alpha is
+/// below 83 degrees, |g| is below 1.34, so the angle changes by less than 1.34 times the sum of the
+/// rotations of both bodies. Half of the slack is reserved for the rotations since the measurement,
+/// a quarter for each body, and the other half for this step. The two allowances together keep
+/// alpha below 26 + 2 x 28 = 82 degrees.
 template <>
 struct Leeway<HingeAngle> {
   /// Stores both orientations and the allowed rotation.
@@ -48,18 +48,18 @@ struct Leeway<HingeAngle> {
     const vec3 a2 = to_world(body2, conjugate(angle.start) * angle.a1_local);
     const bool aligned = dot(a1, a2) > real(0.9);  // alpha below 26 degrees
     allowed_ = aligned ? std::min(slack / real(2.7), real(0.49)) : real(0);
-    // In float the cosine of a small angle is too inexact: every step measures then.
+    // In float the cosine of a small angle is too inexact, so every step measures.
     least_cosine_ = allowed_ > real(0.02) ? std::cos(allowed_ / 4) : real(2);
   }
   void forget() { least_cosine_ = 2; }  ///< the next step measures in any case
-  /// The measurement.
+  /// Saves or restores the measurement (Joint::exchange).
   void exchange(StateStream& stream) { stream(q1_, q2_, allowed_, least_cosine_); }
-  /// True if each body's rotation since the measurement is below half of the allowed one.
+  /// True if the rotation of each body since the measurement is below half of the allowed one.
   bool still_near(const Body& body1, const Body& body2) const {
     return std::abs(half_cosine(q1_, body1.q)) > least_cosine_ &&
            std::abs(half_cosine(q2_, body2.q)) > least_cosine_;
   }
-  /// True if this step's relative rotation is below the allowed one. \param h step [s]
+  /// True if the relative rotation in this step is below the allowed one. \param h step [s]
   bool is_slow(const Body& body1, const Body& body2, real h) const {
     const vec3 phi = h * (body2.w - body1.w);
     return least_cosine_ < 1 && dot(phi, phi) < allowed_ * allowed_;
@@ -67,16 +67,16 @@ struct Leeway<HingeAngle> {
 
  private:
   quat q1_{1, 0, 0, 0}, q2_{1, 0, 0, 0};  // orientations at the measurement
-  real allowed_ = 0;       // rotation since then, and again in one step [rad]
-  real least_cosine_ = 2;  // cos(allowed_/4): of half of what one body may rotate; above 1: measure
+  real allowed_ = 0;       // of both bodies since the measurement, and again in this step [rad]
+  real least_cosine_ = 2;  // cos(allowed_/4); one body may rotate by allowed_/2. Above 1: measure
 };
 
-/// A hinge: a point and an axis are held (five degrees of freedom), the angle about the axis stays
-/// free and may have limits [rad] and a motor [rad/s, N m]. What is held: Eq. 2-1 and Eq. 3-2; the
-/// rows: Eq. 2-4, Eq. 3-4, and of limit and motor Eq. 3-10; the whole block's K: Eq. 3-8.
+/// A hinge: it holds a point and an axis, which removes five degrees of freedom. The angle about
+/// the axis is free and may have limits [rad] and a motor [rad/s, N m]. Errors: Eq. 2-1 and
+/// Eq. 3-2. Rows: Eq. 2-4 and Eq. 3-4, and Eq. 3-10 for limit and motor. K of the block: Eq. 3-8.
 class HingeJoint : public DrivenJoint<Point, Axis, HingeAngle> {
  public:
-  /// A hinge through a point of the world, about a direction of the world; the angle is zero at
+  /// A hinge through a point of the world, about a direction of the world. The angle is zero at
   /// the bodies' present poses. \param anchor [m, world] \param axis world, of any length
   /// \throws std::invalid_argument unless anchor and axis are finite and the axis is not zero
   HingeJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis)

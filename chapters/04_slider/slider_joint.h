@@ -1,4 +1,4 @@
-// The slider of the engine: given, there is nothing to edit here.
+// The slider of the engine. Given: there is nothing to edit here.
 #pragma once
 
 #include "chapters/03_hinge/driven_joint.h"
@@ -8,27 +8,29 @@
 /// @{
 namespace joints {
 
-/// \throws std::invalid_argument unless the anchors are finite and both directions of length 1
+/// \throws std::invalid_argument unless the anchors are finite and both directions have length 1
 inline void check(const Line& line) {
   require_finite("anchor1_local", line.anchor1_local, "must be finite [m]");
   require_finite("anchor2_local", line.anchor2_local, "must be finite [m]");
   require_unit("n1_local", line.n1_local);
   require_unit("n2_local", line.n2_local);
 }
-/// \throws std::invalid_argument unless `start` is a rotation
+/// \throws std::invalid_argument unless `start` is a unit quaternion
 inline void check(const RotationLock& lock) { require_unit("start", lock.start); }
-/// \throws std::invalid_argument unless the anchors are finite and the direction is of length 1
+/// \throws std::invalid_argument unless the anchors are finite and the direction has length 1
 inline void check(const Slide& slide) {
   require_finite("anchor1_local", slide.anchor1_local, "must be finite [m]");
   require_finite("anchor2_local", slide.anchor2_local, "must be finite [m]");
   require_unit("a1_local", slide.a1_local);
 }
 
-/// The largest m r^2 / I of a lever r beside a lock. The rows that hold the anchor are mostly lever
-/// then, and the lock holds the same: what tells them apart, the body's own mass, is this share of
-/// them, which has to be more than rounding and more than a solver takes for it.
+/// The largest m r^2 / I of a lever r in a joint with a lock [1]. For a long lever the lever terms
+/// dominate the K of the rows that hold the anchor, and the lock nearly determines these rows. The
+/// part that does not depend on the lock is 1/m. Relative to the lever terms it must stay larger
+/// than the rounding errors and than the threshold below which a solver drops a row.
 constexpr real max_lever_share = sizeof(real) == 4 ? real(1e6) : real(1e10);
-/// \throws std::invalid_argument for an anchor too far from the body's centre. \param lever [m]
+/// \throws std::invalid_argument for an anchor too far from the centre of the body
+/// \param lever from the centre to the anchor [m]
 inline void check_lever(const char* anchor, const Body& body, const vec3& lever) {
   const vec3& inverse = body.inverse_inertia_local;
   require(!(dot(lever, lever) * std::max({inverse.x, inverse.y, inverse.z}) >
@@ -37,19 +39,19 @@ inline void check_lever(const char* anchor, const Body& body, const vec3& lever)
           "must be nearer to the body's centre, or these numbers cannot tell its rows apart [m]");
 }
 
-/// A slider: a line and the orientation are held (five degrees of freedom), the displacement along
-/// the line stays free and may have limits [m] and a motor [m/s, N]. What is held: Eq. 4-2 and
-/// Eq. 4-7; the rows: Eq. 4-4, Eq. 4-8, and of limit and motor Eq. 4-11; K: Eq. 3-8.
+/// A slider: it holds a point on a line and the orientation, which removes five degrees of freedom.
+/// The displacement along the line is free and may have limits [m] and a motor [m/s, N]. Errors:
+/// Eq. 4-2 and Eq. 4-7. Rows: Eq. 4-4 and Eq. 4-8, and Eq. 4-11 for limit and motor. K: Eq. 3-8.
 class SliderJoint : public DrivenJoint<Line, RotationLock, Slide> {
  public:
-  /// A slider along a direction of the world, between the anchors of both bodies (the same point
-  /// of the world); the displacement is zero at their present poses. \param anchor [m, world]
+  /// A slider along a direction of the world. The anchors of both bodies are the same point of the
+  /// world, so the displacement is zero at their present poses. \param anchor [m, world]
   /// \param direction world, of any length
   /// \throws std::invalid_argument unless both are finite and the direction is not zero
   SliderJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& anchor,
               const vec3& direction)
       : SliderJoint(bodies[id1], bodies[id2], id1, id2, anchor, direction) {}
-  /// As DrivenJoint, and the anchors by check_lever(): that of body 1 is where the body 2's is.
+  /// As DrivenJoint::check_input, and both levers by check_lever(). Both end at body 2's anchor.
   void check_input(const Bodies& bodies) const override {
     DrivenJoint::check_input(bodies);
     const Body &a = bodies.at(int(body1.slot)), &b = bodies.at(int(body2.slot));

@@ -1,4 +1,4 @@
-// Chapter 4: slider. Replace each todo(...) by your own code; the text is in README.md.
+// Chapter 4: slider. Replace each todo(...) with your own code. README.md has the text.
 #include "chapters/04_slider/slider.h"
 
 #include "chapters/03_hinge/hinge.h"
@@ -32,7 +32,7 @@ Matrix<2> Line::K(const Body& body1, const Body& body2) const {
   return K_of(jacobian(body1, body2), body1, body2);  // Eq. 4-5
 }
 
-// ---- three rows: the orientation of body 2 to body 1 ----------------------------------------
+// ---- three rows: the orientation of body 2 relative to body 1 -------------------------------
 
 vec3 RotationLock::error(const Body& body1, const Body& body2) const {
   // begin [exercise 4.2]
@@ -46,7 +46,8 @@ vec3 RotationLock::error(const Body& body1, const Body& body2) const {
 Jacobian<3> RotationLock::jacobian([[maybe_unused]] const Body& body1,
                                     [[maybe_unused]] const Body& body2) const {
   // begin [exercise 4.2]
-  // Return the three rows J of Eq. 4-8. jacobian_from_blocks(v1, w1, v2, w2) makes them.
+  // Return the three rows J of Eq. 4-8. jacobian_from_blocks(v1, w1, v2, w2) makes them from the
+  // four 3x3 blocks.
   return jacobian_from_blocks(mat3(0), mat3(-1), mat3(0), mat3(1));  // Eq. 4-8
   // end [exercise 4.2]
 }
@@ -72,7 +73,7 @@ real Slide::error(const Body& body1, const Body& body2) const {
 Row Slide::jacobian(const Body& body1, const Body& body2) const {
   const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
   // begin [exercise 4.3]
-  // Return the row J of Eq. 4-11: the rate of the displacement, for a motor and a limit alike.
+  // Return the row J of Eq. 4-11, the row of the displacement, for limit and motor.
   const vec3 a = to_world(body1, a1_local);
   const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
   return {-a, -cross(r1 + u, a), a, cross(r2, a)};  // Eq. 4-11

@@ -1,5 +1,5 @@
-// A block: up to six rows that are solved together, as plain data. Solvers see no joints, only
-// blocks.
+// A block: up to six rows that are solved together, as plain data. Solvers receive only blocks and
+// do not depend on joints.
 #pragma once
 
 #include <algorithm>
@@ -12,35 +12,37 @@
 /// @{
 namespace joints {
 
-/// Feedback, target rate and bounds of a block's rows: beta, frequency and damping are for all of
-/// them, the rate and the bounds for the last.
-/// An aggregate: name only what you need, as in `RowTarget{.beta = real(0.2), .lower = 0}`.
+/// Feedback, target rate and bounds of a block's rows. Beta, frequency and damping apply to all
+/// rows; the rate and the bounds apply to the last one.
+/// An aggregate: set only the members that you need, as in
+/// `RowTarget{.beta = real(0.2), .lower = 0}`.
 struct RowTarget {
-  real beta = 0;       ///< share of the error C that is removed in one step [1]
-  real frequency = 0;  ///< above 0: a spring of this natural frequency [Hz] takes the place of beta
+  real beta = 0;       ///< fraction of the error C that is removed in one step [1]
+  real frequency = 0;  ///< above 0: a spring of this natural frequency [Hz] replaces beta
   real damping = 1;    ///< damping ratio of that spring [1]
   real rate = 0;       ///< target rate of the last row [unit of C per s]: the speed of a motor
-  bool holds_position = true;  ///< C is an error to be removed; false where only a rate is wanted
-  /// Not 0, only for a block of one row: the bounds are -+upper * impulse[follows], where `impulse`
-  /// is the block's own pointer; `upper` is then a factor [1], and `lower` is not read. The other
-  /// row must be one-sided: its impulse must not become negative.
+  bool holds_position = true;  ///< true: C is an error to be removed; false: only a rate is given
+  /// If not 0, the bounds are -+upper * impulse[follows], where `impulse` is the block's own
+  /// pointer. `upper` is then a factor [1], and `lower` is not read. Only for a block of one row.
+  /// The row that it follows must be one-sided, so that its impulse is never negative.
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]
 
-  /// The last row keeps C >= 0 and only pushes: it is speculative while there is a gap.
+  /// True if the last row enforces C >= 0 and only pushes. It is speculative while C > 0.
   bool one_sided() const { return holds_position && follows == 0 && lower == 0; }
 };
-/// The same target with nothing fed back: hard, with its bounds and its target rate.
+/// The same target without feedback: hard rows with the same bounds and target rate.
 RowTarget without_feedback(RowTarget target);
 
-/// What a target asks of the rows' rates in a step of one length.
+/// The feedback of a target in a step of a given length.
 struct Feedback {
-  real rate;      ///< share of C that is removed each second [1/s]
-  real softness;  ///< K lambda is added to J V + bias with this factor [1]; 0 for hard rows
+  real rate;      ///< factor of C in the bias [1/s]: beta/h for hard rows
+  real softness;  ///< J V + bias + softness K lambda = 0 is solved [1]; 0 for hard rows
 };
-/// From beta, or from frequency and damping: a spring and damper, implicit in time. \param h [s]
-/// \param acting for how long the impulses of the step act, Blocks::acts() [s]
+/// Computes the feedback from beta, or from frequency and damping: a spring and damper, implicit in
+/// time. \param h step [s]
+/// \param acting time for which the impulses of the step act, Blocks::acts() [s]
 /// Source: Catto, "Soft Constraints", GDC 2011.
 Feedback feedback(const RowTarget& target, real h, real acting);
 
@@ -49,19 +51,21 @@ Feedback feedback(const RowTarget& target, real h, real acting);
 struct Block {
   int body1 = 0, body2 = 0;         ///< slots of the two bodies
   int rows = 0;                     ///< 1 to 6
-  Form form = Form::any;            ///< what is known of its rows
-  bool softened = false;            ///< frequency and damping are those of Stepping
+  Form form = Form::any;            ///< the form of its rows
+  bool softened = false;            ///< true if frequency and damping come from Stepping
   int first = 0;                    ///< where its rows begin in Blocks::J and Blocks::C
   RowTarget target;                 ///< feedback, target rate and bounds
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint
 
-  /// Its C is an error of the joint that has to go, and not the length of a spring of its own.
+  /// True if its C is an error of the joint to be removed, and not the deflection of a spring that
+  /// the joint itself has set.
   bool corrects() const {
     return target.holds_position && target.follows == 0 && (target.frequency == 0 || softened);
   }
 };
 
-/// Minus the wanted J V of row `i` of a block, by its error C. \param rate Feedback::rate
+/// The bias of row `i` of a block, minus the required J V, from its error C.
+/// \param rate Feedback::rate [1/s] \param h step [s]
 real bias(const Block& block, int i, real C, real rate, real h);
 
 /// What a solver keeps of a step for the next one, beside the impulses. It is part of a world's
@@ -79,14 +83,14 @@ class Blocks {
   std::vector<Block> list;  ///< the headers, in the order in which they are solved
   std::vector<Row> J;       ///< the rows of all blocks
   std::vector<real> C;      ///< their errors, one per row [m, rad, or 1 for a small sine]
-  bool errors_only = false;  ///< append no rows of J: to ask how far off other poses are
+  bool errors_only = false;  ///< append only C and no rows of J: for the errors at other poses
   real acted = 0;  ///< `acting` of the last step [s]; 0 before the first
-  /// For how long the impulses of this step act [s]: h, but with leapfrog the time between the
-  /// middles of the last step and this one. Forces become impulses and impulses forces by it.
+  /// The time for which the impulses of this step act [s]: h, or with leapfrog the time between the
+  /// middles of the last step and this one. It converts forces to impulses and impulses to forces.
   real acting = 0;
   mutable SolverMemory memory;  ///< the solver's
 
-  /// `acting`; in a step by hand, which did not set it, the step's length. \param h [s]
+  /// `acting`, or h if it has not been set, as in a step written by hand. \param h step [s]
   real acts(real h) const { return acting > 0 ? acting : h; }
   void clear() { truncate(0); }  ///< removes all blocks, keeps the memory
   void truncate(int count);      ///< removes all blocks but the first `count`
@@ -104,7 +108,7 @@ class Blocks {
     if (!errors_only) write_jacobian(part, body1, body2, J.data() + list.back().first);
   }
 
-  /// The same from J and C. \param form what is known of the rows
+  /// The same from given J and C. \param form the form of the rows
   template <int N>
   void append(const Bodies& bodies, BodyId id1, BodyId id2, const Jacobian<N>& rows_J,
               const std::type_identity_t<Vector<N>>& rows_C, const RowTarget& target,
@@ -116,7 +120,7 @@ class Blocks {
   }
 
  private:
-  // Adds a header and makes room for its rows; false between two static bodies.
+  // Adds a header and makes room for its rows. Returns false between two static bodies.
   bool add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form form,
            const RowTarget& target, real* impulse);
 };

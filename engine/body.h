@@ -1,4 +1,4 @@
-// A rigid body: its state, and how it moves when no joint holds it.
+// A rigid body: its state, and its motion without joints.
 #pragma once
 
 #include <cstdint>
@@ -20,19 +20,19 @@ struct Body {
   vec3 w{0};                      ///< angular velocity [rad/s], world
   real inverse_mass = 0;          ///< [1/kg]; 0 for a static body
   vec3 inverse_inertia_local{0};  ///< inverse principal moments [1/(kg m^2)], body space
-  vec3 force{0};                  ///< external force at the centre [N], world; no step clears it
-  vec3 torque{0};                 ///< external torque [N m], world; no step clears it
+  vec3 force{0};                  ///< external force at the centre [N], world; steps keep it
+  vec3 torque{0};                 ///< external torque [N m], world; steps keep it
 
   /// True if nothing can move this body.
   bool is_static() const { return inverse_mass == 0; }
-  /// True if all three principal moments are equal: no rotation changes the world inertia.
+  /// True if all three principal moments are equal: then no rotation changes the world inertia.
   bool is_isotropic() const {
     return inverse_inertia_local.x == inverse_inertia_local.y &&
            inverse_inertia_local.y == inverse_inertia_local.z;
   }
 };
 
-/// \throws std::invalid_argument, by member and value, unless all numbers are finite, q has the
+/// \throws std::invalid_argument, with member and value, unless all numbers are finite, q has
 /// length 1, and inverse mass and inverse moments are all zero (static) or all positive
 void check(const Body& body);
 
@@ -45,7 +45,7 @@ inline vec3 world_point(const Body& body, const vec3& local) { return body.x + b
 /// Velocity [m/s] of the point of the body at lever `r` [m, world] from its centre.
 inline vec3 point_velocity(const Body& body, const vec3& r) { return body.v + cross(body.w, r); }
 
-/// R I_local^-1 R^T, computed in full: for inverse_inertia().
+/// R I_local^-1 R^T by matrix products [1/(kg m^2)]; inverse_inertia() calls it.
 mat3 rotated_inverse_inertia(const Body& body);
 /// The inverse inertia in world axes, R I_local^-1 R^T [1/(kg m^2)].
 inline mat3 inverse_inertia(const Body& body) {
@@ -55,7 +55,8 @@ inline mat3 inverse_inertia(const Body& body) {
 /// A body that never moves. \param x its centre [m] \param q its orientation (normalised here)
 /// \throws std::invalid_argument unless x and q are finite and q is not zero
 Body static_body(const vec3& x, const quat& q = quat(1, 0, 0, 0));
-/// \throws std::invalid_argument unless the edges of a box are positive and finite [m]
+/// Validates the edges of a box. \param size three edges [m]
+/// \throws std::invalid_argument unless they are positive and finite
 void check_size(const vec3& size);
 /// A solid box of uniform density. \param mass [kg] \param size its three edges [m]
 /// \throws std::invalid_argument unless mass and edges are positive and finite, x and q finite
@@ -72,73 +73,78 @@ Body body_with(real mass, const vec3& inertia_local, const vec3& x,
 /// exp(phi) = (cos |phi|/2, sin(|phi|/2) phi/|phi|), accurate down to |phi| = 0.
 quat rotation(const vec3& phi);
 
-/// Gravity, external force and torque change the velocities. \param gravity [m/s^2] \param h [s]
+/// Changes the velocities by gravity, external force and torque.
+/// \param gravity [m/s^2] \param h step [s]
 void kick(Body& body, const vec3& gravity, real h);
-/// The gyroscopic torque changes the angular velocity, as if the body were free. \param h [s]
+/// Changes the angular velocity by the gyroscopic torque, as for a free body. \param h [s]
 void turn(Body& body, real h);
-/// The beginning of a step: kick() and turn(). \param gravity [m/s^2] \param h step [s]
+/// The first part of a step: kick() and turn(). \param gravity [m/s^2] \param h step [s]
 void integrate_forces(Body& body, const vec3& gravity, real h);
-/// No component of a velocity is larger than this at the end of a step [m/s or rad/s]. A diverging
-/// run goes on until its impulses overflow, which step() reports.
+/// The largest component of a velocity at the end of a step [m/s or rad/s]. A diverging simulation
+/// continues until its impulses overflow, which step() reports.
 constexpr real max_speed = real(3e8);
-/// Speed clamp: scales finite velocities down to max_speed.
+/// Scales finite velocities down to max_speed.
 void clamp_speed(Body& body);
-/// The end of a step: the velocities, clamped, change position and orientation. \param h step [s]
+/// The last part of a step: clamps the velocities and changes position and orientation by them.
+/// \param h step [s]
 void integrate_pose(Body& body, real h);
-/// The angular velocity after a torque-free step of length h: implicit midpoint rule in the body's
-/// axes by three Newton iterations. Once converged it keeps the energy w.(I w)/2 exactly.
+/// The angular velocity after a torque-free step of length h, by the implicit midpoint rule in the
+/// body's axes with three Newton iterations. When converged it conserves the energy w.(I w)/2
+/// exactly.
 /// \param moments principal moments [kg m^2] \param w angular velocity now [rad/s, body space]
 /// \param h step [s] \return new angular velocity [rad/s, body space]
 vec3 gyroscopic_midpoint(const vec3& moments, const vec3& w, real h);
 
-/// Names a body for as long as it lives: a slot of the array and a generation, which changes
-/// whenever the slot is given away or becomes free, and which begins elsewhere in every array.
+/// Identifies a body until it is removed: a slot of the array and a generation. The generation
+/// changes whenever a body takes the slot or leaves it, and it starts at another number in every
+/// array.
 struct BodyId {
   std::uint32_t slot = 0;        ///< index into the array
-  std::uint32_t generation = 0;  ///< odd for a body; 0 names no body
+  std::uint32_t generation = 0;  ///< odd for a body; 0 identifies no body
   bool operator==(const BodyId&) const = default;  ///< the same slot and the same generation
 };
 
-/// All bodies of a world in one contiguous array. The next body that is added takes a removed slot;
-/// ids of the removed body are stale and refused from then on. Those of another array are refused,
-/// too, unless one is a copy of the other.
+/// All bodies of a world in one contiguous array. A new body reuses the slot of a removed one. The
+/// ids of the removed body are then stale and are rejected. Ids of another array are rejected, too,
+/// unless one array is a copy of the other.
 class Bodies {
  public:
   Bodies() : first_generation_(new_generation()) {}
-  /// Adds a body; a q whose length is 1 within 5e-4 is normalised. \throws std::invalid_argument as
-  /// check(const Body&), or if a moment of inertia is larger than the sum of the other two
+  /// Adds a body. If the length of q is 1 within 5e-4, q is normalised.
+  /// \throws std::invalid_argument as check(const Body&), or if a moment of inertia is larger than
+  /// the sum of the other two
   BodyId add(const Body& body);
-  void remove(BodyId id);        ///< \throws std::invalid_argument for a stale id
-  /// True if this id still names a body.
+  void remove(BodyId id);        ///< Removes a body. \throws std::invalid_argument for a stale id
+  /// True if this id identifies a body of this array.
   bool alive(BodyId id) const {
     return id.slot < generation_.size() && generation_[id.slot] == id.generation &&
            id.generation % 2 == 1;
   }
-  /// The slot. \throws std::invalid_argument for a stale id
+  /// The slot of a body. \throws std::invalid_argument for a stale id
   int index(BodyId id) const {
     require(alive(id), "body: this id names no body of this world (removed, or of another one)");
     return int(id.slot);
   }
 
-  /// The body that an id names. \throws std::invalid_argument for a stale id
+  /// The body with this id. \throws std::invalid_argument for a stale id
   Body& operator[](BodyId id) { return bodies_[index(id)]; }
   /// The same, read-only.
   const Body& operator[](BodyId id) const { return bodies_[index(id)]; }
 
   int slots() const { return int(bodies_.size()); }  ///< length of the array, empty slots included
-  /// The id of the body in a slot; of an empty slot one that is refused.
+  /// The id of the body in a slot. For an empty slot it is an id that is rejected.
   BodyId id(int slot) const { return {std::uint32_t(slot), generation_[std::size_t(slot)]}; }
-  bool used(int slot) const { return generation_[slot] % 2 == 1; }  ///< true if a body lives there
+  bool used(int slot) const { return generation_[slot] % 2 == 1; }  ///< true if not empty
   Body& at(int slot) { return bodies_[slot]; }       ///< by slot; an empty slot is a static body
   const Body& at(int slot) const { return bodies_[slot]; }  ///< the same, read-only
   Body* data() { return bodies_.data(); }  ///< the array itself, for solvers
-  int size() const { return slots() - int(free_.size()); }  ///< how many bodies live
+  int size() const { return slots() - int(free_.size()); }  ///< number of bodies
 
  private:
   static std::uint32_t new_generation();
   std::uint32_t first_generation_;
   std::vector<Body> bodies_;
-  std::vector<std::uint32_t> generation_;  // odd while a body lives in the slot
+  std::vector<std::uint32_t> generation_;  // odd while the slot holds a body
   std::vector<std::uint32_t> free_;
 };
 

@@ -7,26 +7,26 @@
 /// @{
 namespace joints {
 
-/// Two parts as one block: the rows of the first above those of the second. A composite is itself a
-/// part, so that composites can be nested.
+/// Two parts as one block, with the rows of the first above those of the second. A composite is
+/// itself a part, so composites can be nested.
 template <class First, class Second>
 struct Composite {
   static_assert(!First::one_sided, "bounds belong to the last row: only the lower part has them");
   First first;    ///< the upper rows
   Second second;  ///< the lower rows
 
-  static constexpr int rows = First::rows + Second::rows;  ///< of both
+  static constexpr int rows = First::rows + Second::rows;  ///< rows of both parts
   static constexpr bool one_sided = Second::one_sided;     ///< bounds belong to the last row
-  /// That of the first, if the second only adds angular rows.
+  /// The form of the first part if the second one adds only angular rows, else Form::any.
   static constexpr Form form =
       form_of<Second>() == Form::angular ? form_of<First>() : Form::any;
-  /// C, first above second.
+  /// C of both parts, the first above the second.
   Vector<rows> error(const Body& body1, const Body& body2) const {
     Vector<rows> C;
     write_error(*this, body1, body2, C.data());
     return C;
   }
-  /// J, first above second.
+  /// J of both parts, the first above the second.
   Jacobian<rows> jacobian(const Body& body1, const Body& body2) const {
     Jacobian<rows> J;
     write_jacobian(*this, body1, body2, J.row.data());

@@ -1,4 +1,4 @@
-// What a step looks over: all its input before it changes anything, and all bodies at its end.
+// Validation in a step: all input before anything changes, and all bodies at the end.
 #pragma once
 
 #include "engine/step.h"
@@ -7,17 +7,18 @@
 /// @{
 namespace joints {
 
-constexpr real shortest_step = real(1e-9);  ///< [s]
-constexpr real longest_step = real(1e9);    ///< [s]
+constexpr real shortest_step = real(1e-9);  ///< least h that a step accepts [s]
+constexpr real longest_step = real(1e9);    ///< greatest h that a step accepts [s]
 
-/// Looks over a world that is about to be moved: gravity, each body by check(const Body&), each
-/// joint by Joint::check_input(). \param h step [s], from shortest_step to longest_step
-/// \throws std::invalid_argument that names body or joint by its number, member and value
+/// Validates a world before a step: gravity, each body by check(const Body&), each joint by
+/// Joint::check_input(). \param h step [s], from shortest_step to longest_step
+/// \throws std::invalid_argument with the number of the body or joint, the member and the value
 void check_input(const World& world, real h);
-/// The same, and the settings of a step: Solver::check() and those of Stepping.
+/// The same, and also validates the settings: Solver::check() and those of Stepping.
 void check_input(const World& world, const Solver& solver, real h, const Stepping& how);
 
-/// \throws std::overflow_error that names a body whose pose or velocities are not finite
+/// Validates the motion. \throws std::overflow_error with the number of a body whose pose or
+/// velocities are not finite
 void check_motion(const Bodies& bodies);
 
 }  // namespace joints

@@ -5,34 +5,34 @@
 #include "engine/state_stream.h"
 
 /// \defgroup joint Joints
-/// \brief What the engine asks of a joint; the joints themselves are the chapters'.
+/// \brief The interface between engine and joints; the joints themselves are in the chapters.
 /// @{
 namespace joints {
 
-/// The largest Joint::beta [1]. Above 2 every error grows, which is worth a look; a beta above this
-/// is a mistake.
+/// The largest Joint::beta [1]. Above 2 every error grows, which may be tried on purpose; a beta
+/// above this limit is rejected as a mistake.
 constexpr real max_beta = 10;
 /// \throws std::invalid_argument unless beta is from 0 to max_beta
 inline void check_beta(real beta) {
   require(beta >= 0 && beta <= max_beta, "beta", beta, "must be between 0 and 10 [1]");
 }
 
-/// The step asks a joint for its blocks once for the solver, and once in each iteration of position
-/// projection; the solver's inner loop never calls it. With Stepping::substeps "step" means substep
-/// here, and what is told of the last step is of the last substep. A new kind of joint is one new
-/// class in one new file; nothing else changes.
+/// The base class of all joints. In each step append() is called once for the solver, and once in
+/// each iteration of position projection. The solver's inner loop never calls a joint. With
+/// Stepping::substeps, "step" means substep here, and values of the last step are those of the last
+/// substep. A new kind of joint is one new class in one new file; nothing else changes.
 class Joint {
  public:
-  BodyId body1, body2;    ///< the two bodies that it holds
-  /// Share of the error fed back in a step [1] (chapter 6), from 0 to max_beta.
+  BodyId body1, body2;    ///< the two bodies that it connects
+  /// Fraction of the error that is removed in a step [1] (chapter 6), from 0 to max_beta.
   real beta = real(0.2);
-  /// Above 0: a spring of this natural frequency [Hz] takes the place of beta in every row of the
-  /// joint that holds a position, rigid or one-sided, limits too, but not in that of a motor. 0:
-  /// the rows are hard, unless Stepping::frequency makes them soft. Must be finite and not
-  /// negative, as damping. Projection leaves a soft joint alone.
+  /// Above 0: a spring of this natural frequency [Hz] replaces beta in every row of the joint that
+  /// holds a position, including limits, but not in the row of a motor. 0: the rows are hard,
+  /// unless Stepping::frequency makes them soft. Must be finite and not negative, like damping.
+  /// Position projection does not correct a soft joint.
   real frequency = 0;
   real damping = 1;       ///< damping ratio of that spring [1]; 1 is critical
-  bool projected = true;  ///< takes part in position projection (Stepping::projections)
+  bool projected = true;  ///< position projection corrects this joint (Stepping::projections)
 
   /// \throws std::invalid_argument for a joint of a body with itself
   Joint(BodyId body1, BodyId body2) : body1(body1), body2(body2) {
@@ -40,9 +40,9 @@ class Joint {
   }
   virtual ~Joint() = default;
 
-  /// Looks at all that others may have changed since the last step. It is called before a step
-  /// changes anything, so it has to be quick; a joint with members of its own calls this one first.
-  /// \throws std::invalid_argument, by member and value, for what no step can use
+  /// Validates all members that may have been changed since the last step. It is called at the
+  /// start of every step, before anything changes, so it has to be fast. An override must call this
+  /// one first. \throws std::invalid_argument, with member and value, for an invalid one
   virtual void check_input(const Bodies& bodies) const {
     require(bodies.alive(body1), "body1: this id names no body of this world (removed?)");
     require(bodies.alive(body2), "body2: this id names no body of this world (removed?)");
@@ -55,7 +55,7 @@ class Joint {
   }
 
   /// Called once per step, before append(). \param h step [s]
-  /// \param acting for how long the step's impulses act, Blocks::acting [s]; 0 for h
+  /// \param acting time for which the impulses of the step act, Blocks::acting [s]; 0 for h
   void begin_step(const Bodies& bodies, real h, real acting = 0) {
     h_ = h;
     acted_ = acting > 0 ? acting : h;
@@ -64,50 +64,52 @@ class Joint {
   }
   /// True if at least one of its bodies was not static when the last step began.
   bool can_move() const { return can_move_; }
-  /// Appends the live blocks at the bodies' present poses. Changes no state of the joint: it may be
-  /// called again at other poses.
+  /// Appends the live blocks at the bodies' present poses. It does not change the state of the
+  /// joint, so it may be called again at other poses.
   virtual void append(const Bodies& bodies, Blocks& blocks) const = 0;
-  /// Called before append() whenever position projection may have moved the bodies: a joint that
+  /// Called before append() whenever position projection may have moved the bodies. A joint that
   /// counts turns measures its angle again.
   virtual void moved(const Bodies&) {}
-  /// Called after each solve if a body can move: appends the blocks of limits that the new
-  /// velocities would pass within this step, each at most once: the step solves again until no
-  /// joint appends any. Their impulses must be zero, for they get no warm start. \param h step [s]
+  /// Called after each solve if a body can move. Appends the blocks of limits that the new
+  /// velocities would pass within this step, each limit at most once. The step solves again until
+  /// no joint appends a block. The impulses of these blocks must be zero, because they get no warm
+  /// start. \param h step [s]
   virtual void late_limits(const Bodies&, [[maybe_unused]] real h, Blocks&) {}
-  /// Which limits and motors the joint has, for reports.
+  /// The limits and motors of the joint, for reports.
   struct Extras {
     int limits = 0;       ///< 1 if its coordinate has limits, live or not
     int live_limits = 0;  ///< 1 if one of them has a row in this step
     int motors = 0;       ///< 1 if a motor runs
-    bool bounded = false;  ///< other rows of it have bounds: it only pulls, or pushes and rubs
+    bool bounded = false;  ///< true if other rows have bounds, as in a rope or a contact
   };
   virtual Extras extras() const { return {}; }  ///< none by default
-  /// Carries all that the joint keeps from step to step out of it, or into it: for save() and
-  /// restore() (state.h).
+  /// Saves or restores all data that the joint keeps from step to step: for save() and restore()
+  /// (state.h).
   void exchange(StateStream& stream) {
     stream(h_, acted_, can_move_);
     require(h_ >= 0 && acted_ >= 0, "state: holds a step of negative length");
     exchange_own(stream);
   }
 
-  /// The mean force of a row over the time in which its impulse acted [N or N m]; 0 before the
+  /// The mean force of a row over the time for which its impulse acted [N or N m]; 0 before the
   /// first step. \param impulse its accumulated impulse [N s or N m s]
   real mean_force(real impulse) const { return acted_ > 0 ? impulse / acted_ : real(0); }
   real last_h() const { return h_; }  ///< length of the last step [s], 0 before the first
-  /// For how long the impulses of the last step acted (Blocks::acting) [s], 0 before the first.
+  /// The time for which the impulses of the last step acted (Blocks::acting) [s], 0 before the
+  /// first.
   real acted() const { return acted_; }
 
  protected:
-  /// The joint's own part of begin_step(): may change the joint (count turns, choose the live rows,
-  /// zero the impulse of a row that is no longer live). \param h step [s]
+  /// The joint's own part of begin_step(). It may change the joint: count turns, choose the live
+  /// rows, set the impulse of a row to zero that is no longer live. \param h step [s]
   virtual void choose_rows(const Bodies&, [[maybe_unused]] real h) {}
-  /// Called instead of choose_rows() between two static bodies: no row is live.
+  /// Called instead of choose_rows() if both bodies are static. Then no row is live.
   virtual void drop_rows() {}
-  /// The joint's own part of exchange(): names every variable that a later step may read, such as
-  /// accumulated impulses, always in the same order and as many.
+  /// The joint's own part of exchange(). It lists every variable that a later step may read, such
+  /// as accumulated impulses, always the same number of them in the same order.
   virtual void exchange_own(StateStream&) {}
-  /// The target of a block that holds a position: hard by beta, or soft by frequency and damping.
-  /// \param lower 0 for C >= 0 in the last row
+  /// The target of a block that holds a position: hard with beta, or soft with frequency and
+  /// damping. \param lower 0 if the last row enforces C >= 0
   RowTarget hold(real lower = -unbounded) const {
     return {.beta = beta, .frequency = frequency, .damping = damping, .lower = lower};
   }

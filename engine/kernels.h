@@ -1,5 +1,5 @@
-// The arithmetic that every solver does once for each row or block, in the form in which a compiler
-// makes few instructions of it.
+// The arithmetic that every solver does once for each row or block, written such that a compiler
+// generates few instructions for it.
 #pragma once
 
 #include <utility>
@@ -11,8 +11,8 @@
 namespace joints {
 
 /// \cond
-// A register of 16 bytes: four floats, two doubles, or one number of one's own kind. Where there is
-// no AVX, numbers in a wider one would go through memory.
+// A register of 16 bytes: four floats, two doubles, or one number of a user-defined type. Without
+// AVX, numbers in a wider register would go through memory.
 #ifdef REAL_HEADER
 typedef real Register;
 inline real number(const Register& r, int) { return r; }
@@ -26,7 +26,7 @@ constexpr int register_size = int(sizeof(Register) / sizeof(real));
 /// Four numbers side by side.
 struct Four {
   Register part[4 / register_size];  ///< the numbers
-  real operator[](int k) const {     ///< one of them
+  real operator[](int k) const {     ///< number k
     return number(part[k / register_size], k % register_size);
   }
 };
@@ -41,13 +41,13 @@ inline real half_cosine(const quat& p, const quat& q) {
   return sum(product);
 }
 
-/// The numbers of a row.
+/// The twelve numbers of a row.
 struct Twelve {
-  Register part[12 / register_size];  ///< of v1, w1, v2 and w2, in this order
+  Register part[12 / register_size];  ///< the numbers of v1, w1, v2 and w2, in this order
 };
-/// Where a row is stored.
+/// The numbers of a row, in place.
 inline const Twelve& twelve(const Row& row) { return reinterpret_cast<const Twelve&>(row); }
-/// J V of a row.
+/// J V of a row. \param V v and w of both bodies
 inline real dot(const Twelve& J, const Twelve& V) {
   constexpr int parts = 4 / register_size;
   Four out;
@@ -57,12 +57,12 @@ inline real dot(const Twelve& J, const Twelve& V) {
   return sum(out);
 }
 
-/// 1 / a where a > least, else 0.
+/// 1 / a if a > least, else 0.
 inline real inverse_above(real a, real least) { return a > least ? 1 / a : real(0); }
 
 /// \cond
-// Calls f(0) to f(n - 1) with compile-time constants: the loop is unrolled, and the entries below
-// can stay in registers.
+// Calls f(0) to f(n - 1) with compile-time constants, so that the loop is unrolled and the entries
+// below can stay in registers.
 template <int n, class F>
 inline void unrolled(const F& f) {
   [&]<int... k>(std::integer_sequence<int, k...>) {
@@ -77,12 +77,12 @@ constexpr int lower_index(int i, int j) {
 }
 
 /// invert_symmetric() for a matrix of known size, of which only the lower triangle is stored.
-/// Number is real or a lane type. By symmetric Gauss-Jordan pivots (Goodnight 1979): pivot k solves
-/// row k for its unknown and substitutes it into all other rows.
+/// Number is real or a lane type. The method is symmetric Gauss-Jordan elimination (Goodnight
+/// 1979): pivot k solves row k for its unknown and substitutes it into all other rows.
 template <int N, class Number>
 inline void invert_lower(Number* K) {
   const auto at = [&](int i, int j) -> Number& { return K[lower_index(i, j)]; };
-  Number least[N];  // what is left of a dependent row is rounding error; of a row that is zero, 0
+  Number least[N];  // the pivot of a dependent row is at most this: only rounding error remains
   unrolled<N>([&](auto i) { least[i] = (4 * epsilon) * at(i, i); });
   unrolled<N>([&](auto k) {
     const Number over_pivot = inverse_above(at(k, k), least[k]);  // 0: its row and column get 0
@@ -99,7 +99,7 @@ inline void invert_lower(Number* K) {
     });
     at(k, k) = -over_pivot;
   });
-  unrolled<N*(N + 1) / 2>([&](auto k) { K[k] = -K[k]; });  // the pivots leave minus the inverse
+  unrolled<N*(N + 1) / 2>([&](auto k) { K[k] = -K[k]; });  // minus the inverse so far
 }
 
 }  // namespace joints

@@ -6,7 +6,7 @@
 #include "engine/body.h"
 
 /// \defgroup rows Rows and blocks
-/// \brief The Jacobian's rows, the matrix K, and the block: everything a solver ever sees.
+/// \brief The Jacobian's rows, the matrix K, and the block: the complete input of a solver.
 /// @{
 namespace joints {
 
@@ -26,7 +26,7 @@ using Vector = std::array<real, N>;
 /// An N x N matrix: m[row][column].
 template <int N>
 struct Matrix {
-  std::array<std::array<real, N>, N> m{};  ///< the numbers, row after row
+  std::array<std::array<real, N>, N> m{};  ///< the entries, row by row
   std::array<real, N>& operator[](int row) { return m[row]; }  ///< one row
   const std::array<real, N>& operator[](int row) const { return m[row]; }  ///< one row
 };
@@ -34,12 +34,12 @@ struct Matrix {
 /// A Jacobian of N rows.
 template <int N>
 struct Jacobian {
-  std::array<Row, N> row{};  ///< the rows, from the first
+  std::array<Row, N> row{};  ///< the rows
   Row& operator[](int i) { return row[i]; }  ///< row i
   const Row& operator[](int i) const { return row[i]; }  ///< row i
 };
 
-/// Three rows written as the four 3x3 blocks of the formula: J = ( v1  w1  v2  w2 ).
+/// Three rows from the four 3x3 blocks of the formula J = ( v1  w1  v2  w2 ).
 inline Jacobian<3> jacobian_from_blocks(const mat3& v1, const mat3& w1, const mat3& v2,
                                         const mat3& w2) {
   const mat3 a = transpose(v1), b = transpose(w1), c = transpose(v2), d = transpose(w2);
@@ -72,12 +72,12 @@ inline Jacobian<1> to_jacobian(const Row& row) { return {{row}}; }
 template <int N>
 const Jacobian<N>& to_jacobian(const Jacobian<N>& J) { return J; }
 
-/// What is known of a part's rows by its type: solvers may take a shorter formula then. A part says
-/// so by `static constexpr Form form`; one that says nothing is Form::any.
+/// The form of a part's rows, known from its type. It lets solvers use a shorter formula. A part
+/// declares it as `static constexpr Form form`; without a declaration it is Form::any.
 enum class Form : signed char {
-  any,      ///< nothing
+  any,      ///< nothing is known of the rows
   angular,  ///< v1 = v2 = 0 and w1 = -w2
-  point     ///< three rows v1 = -E, w1 = skew(r1), v2 = E, w2 = -skew(r2), then angular ones
+  point     ///< three rows v1 = -E, w1 = skew(r1), v2 = E, w2 = -skew(r2), then angular rows
 };
 /// The form of a part.
 template <class Part>
@@ -86,13 +86,13 @@ constexpr Form form_of() {
   return Form::any;
 }
 
-/// Writes C of a part to `C`, and its rows to `J`: where a composite's parts write side by side.
+/// Writes C of a part to `C`. A composite writes its parts one after the other.
 template <class Part>
 void write_error(const Part& part, const Body& body1, const Body& body2, real* C) {
   const Vector<Part::rows> error = to_vector(part.error(body1, body2));
   for (int i = 0; i < Part::rows; ++i) C[i] = error[i];
 }
-/// See write_error().
+/// Writes the rows of a part to `J`; see write_error().
 template <class Part>
 void write_jacobian(const Part& part, const Body& body1, const Body& body2, Row* J) {
   const auto own = part.jacobian(body1, body2);
@@ -106,17 +106,17 @@ inline real row_velocity(const Row& row, const Body& body1, const Body& body2) {
          dot(row.w2, body2.w);
 }
 
-/// M^-1 J^T: the change of both bodies' velocities by an impulse of 1 along each of the n rows.
+/// M^-1 J^T: the change of both bodies' velocities caused by an impulse of 1 along each of n rows.
 void form_responses(const Row* J, int n, const Body& body1, const Body& body2, Row* response);
 
-/// K = J (M^-1 J^T), the inverse effective mass of n rows that are solved together, n x n numbers
-/// row by row [1/kg, 1/(kg m) or 1/(kg m^2), by the rows' units].
+/// K = J (M^-1 J^T), the inverse effective mass of n rows that are solved together: n x n numbers,
+/// row by row [1/kg, 1/(kg m) or 1/(kg m^2), depending on the units of the rows].
 void form_K(const Row* J, const Row* response, int n, real* K);
 
 /// Inverts a symmetric positive semidefinite matrix of n x n numbers (n from 1 to 6) in place.
-/// A pivot of at most 4 epsilon times its original diagonal entry belongs to a row that depends on
-/// the rows before it: its row and column of the inverse become zero, so that it gets no impulse.
-/// There is no absolute threshold: masses and lengths may have any size.
+/// If a pivot is at most 4 epsilon times its original diagonal entry, its row depends on the rows
+/// before it. Then its row and column of the inverse are set to zero, so that it gets no impulse.
+/// The threshold is relative, so masses and lengths may have any size.
 void invert_symmetric(real* K, int n);
 
 }  // namespace joints

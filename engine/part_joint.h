@@ -7,11 +7,12 @@
 /// @{
 namespace joints {
 
-/// A joint of a single part. A part brings
+/// A joint of a single part. A part must have
 ///  - `static constexpr int rows`, 1 to 6,
-///  - `static constexpr bool one_sided`: C >= 0 and an impulse that only pushes C up (last row),
+///  - `static constexpr bool one_sided`: true if the last row enforces C >= 0 with an impulse that
+///    only increases C,
 ///  - `error` and `jacobian`, const functions of two bodies,
-///  - a free function `check(const Part&)` that refuses impossible geometry.
+///  - a free function `check(const Part&)` that rejects impossible geometry.
 template <class Part>
 class PartJoint : public Joint {
  public:
@@ -21,7 +22,7 @@ class PartJoint : public Joint {
   PartJoint(BodyId body1, BodyId body2, const Part& part) : Joint(body1, body2), part(part) {
     check(part);
   }
-  /// The bodies, beta, and the part by its check().
+  /// Validates the bodies, beta, and the part by its check().
   void check_input(const Bodies& bodies) const override {
     Joint::check_input(bodies);
     check(part);
@@ -30,7 +31,7 @@ class PartJoint : public Joint {
     const real lower = Part::one_sided ? real(0) : -unbounded;
     blocks.append(bodies, body1, body2, part, hold(lower), impulse_.data());
   }
-  Extras extras() const override { return {.bounded = Part::one_sided}; }  ///< bounds of ropes
+  Extras extras() const override { return {.bounded = Part::one_sided}; }  ///< ropes have bounds
   /// The accumulated impulse of each row in the last step [N s, or N m s for an angular row].
   const Vector<Part::rows>& impulse() const { return impulse_; }
   /// The mean force of each row in the last step, impulse / h [N or N m].

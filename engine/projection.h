@@ -11,11 +11,11 @@ namespace joints {
 constexpr real max_rotation = real(0.2);
 
 /// One iteration of nonlinear Gauss-Seidel on the positions. Each joint whose `projected` is set
-/// appends its blocks at the present poses, and each block moves its bodies by M^-1 J^T K^-1 (-C):
-/// C is zero then to first order, unless World::max_displacement or max_rotation makes the move
-/// shorter. Velocities do not change. A one-sided row is left out unless it is violated, a soft
-/// block always. Source: the thesis, section 6; Catto, Position Correction Notes (in the source of
-/// Box2D 2), who calls it nonlinear Gauss-Seidel.
+/// appends its blocks at the present poses, and each block moves its bodies by M^-1 J^T K^-1 (-C).
+/// Then C is zero to first order, unless World::max_displacement or max_rotation has shortened the
+/// move. Velocities do not change. A one-sided row is included only if it is violated, and a soft
+/// block never is. Source: the thesis, section 6; Catto, Position Correction Notes (in the source
+/// of Box2D 2), where it is called nonlinear Gauss-Seidel.
 void project_positions(World& world);
 
 }  // namespace joints

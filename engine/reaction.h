@@ -7,16 +7,16 @@
 /// @{
 namespace joints {
 
-/// A force and a torque about a point. Whoever returns one names the point.
+/// A force and a torque about a point, which the function that returns it specifies.
 struct Reaction {
   vec3 force{0};   ///< [N], world
   vec3 torque{0};  ///< [N m], world
 };
 
-/// The reaction on body 2 in the last step, its torque about body 2's centre: J^T times the mean
-/// forces (Joint::mean_force) of the live rows, with J at the present poses. Body 1 gets the
-/// opposite force along the same line. Zero before the first step. Allocates: not for the inner
-/// loop.
+/// The reaction on body 2 in the last step, with the torque about body 2's centre: J^T times the
+/// mean forces (Joint::mean_force) of the live rows, with J at the present poses. Body 1 gets the
+/// opposite force along the same line. Zero before the first step. The function allocates memory,
+/// so do not call it in an inner loop.
 Reaction reaction(const Joint& joint, const Bodies& bodies);
 
 }  // namespace joints

@@ -1,4 +1,4 @@
-// The scalar type, GLM's small vectors made of it, and the function that refuses bad input.
+// The scalar type, GLM's small vectors made of it, and the functions that reject invalid input.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 #ifndef REAL
 #define REAL double
 #endif
-#ifdef REAL_HEADER  // declares a REAL of one's own; before GLM, which imports std::sqrt
+#ifdef REAL_HEADER  // declares a user-defined REAL; before GLM, which imports std::sqrt
 #include REAL_HEADER
 #endif
 #if __cplusplus < 202002L
@@ -22,10 +22,10 @@
 #include <glm/gtc/quaternion.hpp>
 
 /// \defgroup numbers Numbers and vectors
-/// \brief The scalar of the whole workbook, and GLM's small vectors made of it.
+/// \brief The scalar type of the whole workbook, and GLM's small vectors made of it.
 /// @{
 
-/// Engine and chapters share one namespace.
+/// The namespace of engine and chapters.
 namespace joints {
 
 /// The scalar type of the whole workbook. Every target is built twice: with `REAL=double` and,
@@ -38,38 +38,38 @@ using quat = glm::qua<real, glm::defaultp>;        ///< (w, x, y, z), rotates bo
 
 /// The distance from 1 to the next larger `real`.
 inline constexpr real epsilon = std::numeric_limits<real>::epsilon();
-/// A bound that never binds.
+/// A bound that has no effect.
 inline constexpr real unbounded = std::numeric_limits<real>::infinity();
 
-/// The matrix of a cross product: skew(r) a = r x a; its transpose is its negative.
+/// The matrix of a cross product: skew(r) a = r x a. Its transpose is its negative.
 inline mat3 skew(const vec3& r) {
   return mat3(0, r.z, -r.y, -r.z, 0, r.x, r.y, -r.x, 0);  // column by column
 }
 
 /// True if every entry is neither infinite nor NaN.
 inline bool finite(real a) { return std::isfinite(a); }
-/// All three entries.
+/// True if all three entries are finite.
 inline bool finite(const vec3& a) { return finite(a.x) && finite(a.y) && finite(a.z); }
-/// All four entries.
+/// True if all four entries are finite.
 inline bool finite(const quat& q) {
   return finite(q.w) && finite(q.x) && finite(q.y) && finite(q.z);
 }
-/// The sum of all entries is finite only if each of them is: a quick look before a close one.
+/// The sum of all entries, which is finite only if each of them is: a fast test for valid input.
 inline real sum(const vec3& a) { return a.x + a.y + a.z; }
-/// See the other one.
+/// The same for a quaternion.
 inline real sum(const quat& q) { return q.w + q.x + q.y + q.z; }
-/// True if the length of a vector or quaternion is 1 to within 1e-6: a point 10 m away is displaced
-/// by at most 20 micrometres.
+/// True if the length of a vector or quaternion is 1 within 1e-6. A rotation by such a quaternion
+/// displaces a point 10 m away by at most 20 micrometres.
 template <class Vector>
 bool is_unit(const Vector& a) { return std::abs(dot(a, a) - 1) < real(2e-6); }
 
-/// Refuses bad input. Every std::invalid_argument of the engine and the joints is thrown here.
-/// \param what one sentence that names the argument and says what it should be
+/// Rejects invalid input. Every std::invalid_argument of the engine and the joints is thrown here.
+/// \param what one sentence with the argument and the condition that it must satisfy
 /// \throws std::invalid_argument always
 [[noreturn]] void refuse(const std::string& what);
 
-/// Refuses a value, as in "beta is -1; must be between 0 and 10 [1]". \param what its name
-/// \param must what it should be, in words \throws std::invalid_argument always
+/// Rejects a value, as in "beta is -1; must be between 0 and 10 [1]". \param what its name
+/// \param must the condition that it must satisfy, in words \throws std::invalid_argument always
 [[noreturn]] void refuse(const char* what, real value, const char* must);
 /// The same for three numbers.
 [[noreturn]] void refuse(const char* what, const vec3& value, const char* must);
@@ -85,13 +85,13 @@ template <class Value>
 void require(bool good, const char* what, const Value& value, const char* must) {
   if (!good) refuse(what, value, must);
 }
-/// Refuses a number that is NaN or infinite.
+/// Rejects a number that is NaN or infinite.
 void require_finite(const char* what, const real& value, const char* must = "must be finite");
 /// The same for three numbers.
 void require_finite(const char* what, const vec3& value, const char* must = "must be finite");
-/// Refuses a direction that is not of length 1.
+/// Rejects a direction whose length is not 1.
 void require_unit(const char* what, const vec3& value);
-/// Refuses a rotation that is not of length 1.
+/// Rejects a quaternion whose length is not 1.
 void require_unit(const char* what, const quat& value);
 
 }  // namespace joints

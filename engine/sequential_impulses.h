@@ -7,16 +7,16 @@
 /// @{
 namespace joints {
 
-/// What the inner loop reads of a row in addition to J.
+/// The data of a row that the inner loop needs in addition to J.
 struct PreparedRow {
-  Row response;  ///< M^-1 J^T: the change of the velocities by an impulse of 1
-  real bias;     ///< minus the wanted J V [unit of C per s]
+  Row response;  ///< M^-1 J^T: the change of the velocities caused by an impulse of 1
+  real bias;     ///< minus the required J V [unit of C per s]
   /// Kinv[i][last] / Kinv[last][last]: the change of this row's impulse per unit by which the
   /// bounds change the impulse of the block's last row.
   real clamp_response;
 };
 
-/// What the inner loop reads of a block.
+/// The data of a block that the inner loop needs.
 struct PreparedBlock {
   int body1, body2;     ///< slots
   int rows;             ///< 1 to 6
@@ -26,7 +26,7 @@ struct PreparedBlock {
   real* impulse;        ///< the accumulated impulses, owned by the joint
 };
 
-/// The prepared blocks of a step: bias, scales, bounds and the inverse of K, all for this h.
+/// The prepared blocks of a step: bias, scales, bounds and the inverse of K, all for one h.
 struct Prepared {
   std::vector<PreparedBlock> blocks;  ///< in the order of Blocks::list
   std::vector<PreparedRow> rows;      ///< one for each of Blocks::J
@@ -37,38 +37,42 @@ struct Prepared {
 /// \addtogroup world
 /// @{
 
-/// Sequential Impulses, projected block Gauss-Seidel on the impulses: each iteration solves every
-/// block exactly at the present velocities, in the order of the list.
-/// Source: Catto, "Fast and Simple Physics using Sequential Impulses", GDC 2006.
+/// Sequential Impulses, that is, projected block Gauss-Seidel on the impulses. Each iteration
+/// solves every block exactly for the present velocities, in the order of the list. Source: Catto,
+/// "Fast and Simple Physics using Sequential Impulses", GDC 2006.
 class SequentialImpulses : public IterativeSolver {
  public:
   bool row_by_row = false;  ///< solve each row as a block of its own (chapter 2)
-  /// Relax iterations: as many after the bodies have moved, with the J of the step's beginning and
-  /// nothing fed back (without_feedback()). They take the velocity out again that the feedback put
-  /// in; the accumulated impulses and their bounds are those of both. Springs of a joint's own stay
-  /// as they are. Source: Catto, "Solver2D", 2024 (soft step).
+  /// The number of relax iterations. They are done after the bodies have moved, with the J of the
+  /// step's beginning and without feedback (without_feedback()), and they remove the velocity that
+  /// the feedback has added. The accumulated impulses and their bounds include both kinds of
+  /// iterations. Springs that a joint itself has set are not changed. Source: Catto, "Solver2D",
+  /// 2024 (soft step).
   int relax_iterations = 0;
-  /// Split impulse: the velocities see no feedback. As many iterations find a second velocity per
-  /// body that does, from zero in every step. It moves the bodies together with the first one, and
-  /// is then gone, with its impulses. Not together with relax iterations.
+  /// The number of iterations of the split impulse. With split impulse the velocities are solved
+  /// without feedback. These iterations solve for a second velocity per body with feedback, which
+  /// starts from zero in every step. Both velocities move the bodies, and then the second one and
+  /// its impulses are discarded. It cannot be combined with relax iterations.
   /// Source: Bullet, btSequentialImpulseConstraintSolver (m_splitImpulse).
   int split_iterations = 0;
 
   void check() const override;
-  /// \throws std::invalid_argument if a bound follows an impulse that no row has
+  /// \throws std::invalid_argument if a bound follows an impulse that belongs to no row
   void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
-  /// Zeroes the impulse of a row whose Jacobian is zero or that depends on others of its block.
+  /// Sets the impulse of a row to zero if its Jacobian is zero or if it depends on other rows of
+  /// its block.
   void warm_start(Bodies& bodies, real ratio) override;
   void solve(Bodies& bodies) override;
-  /// Moves the bodies; relax iterations after it, split impulses before it.
+  /// Moves the bodies. Split impulses are solved before that, and relax iterations are done after
+  /// it.
   void advance(Bodies& bodies, real h, const Append& append) override;
 
-  // Pieces of solve(), to measure between iterations or to choose another order.
+  // Parts of solve(), for measurements between iterations or for another order.
 
   /// One iteration over all prepared blocks.
   void iterate(Bodies& bodies);
-  /// One iteration over the prepared blocks [from, to); with row_by_row each row is one.
-  /// \throws std::invalid_argument unless there are so many
+  /// One iteration over the prepared blocks [from, to). With row_by_row each row is a block.
+  /// \throws std::invalid_argument unless 0 <= from and to <= prepared_count()
   void iterate(Bodies& bodies, int from, int to);
   /// The number of prepared blocks: the blocks of the step, or their rows with row_by_row.
   int prepared_count() const { return int(prepared_.blocks.size()); }
@@ -88,7 +92,7 @@ class SequentialImpulses : public IterativeSolver {
   template <int N>
   void solve_block(Body* bodies, const Row* J, const PreparedBlock& block);
 
-  // Of the split impulses: the blocks, an impulse per row, v and w of each body.
+  // For the split impulses: the blocks, an impulse per row, v and w of each body.
   std::vector<PreparedBlock> split_blocks_;
   std::vector<real> split_impulses_;
   std::vector<std::pair<vec3, vec3>> velocities_;

@@ -1,4 +1,4 @@
-// Saving and restoring a world: what its next steps depend on, as plain numbers.
+// Saving and restoring a world: all data on which its next steps depend, as plain numbers.
 #pragma once
 
 #include <array>
@@ -10,12 +10,13 @@
 /// @{
 namespace joints {
 
-/// All that steps change in a world, and all that a program changes to steer it: after restore()
-/// the next steps are the same to the bit, by the same solver with the same settings. It holds for
-/// the bodies poses, velocities, forces and torques; for the joints accumulated impulses, counted
-/// turns, live rows, limits and motors. It does not hold what a world is built of and set to:
-/// masses, the joints' geometry and their other settings (beta, frequency, damping, `projected`),
-/// gravity, max_displacement. Nor does it hold World::blocks: restore() leaves them empty.
+/// All data of a world that steps change or that a program changes to control it. After restore()
+/// the next steps are identical to the bit, with the same solver and the same settings. For the
+/// bodies it contains poses, velocities, forces and torques; for the joints accumulated impulses,
+/// counted turns, live rows, limits and motors. It does not contain the construction and settings
+/// of a world: masses, the geometry of the joints and their other settings (beta, frequency,
+/// damping, `projected`), gravity, max_displacement. Nor does it contain World::blocks, which are
+/// empty after restore().
 ///
 /// No solver keeps anything in itself that later steps depend on. What DirectSolver needs of the
 /// last step is in `memory`.
@@ -25,8 +26,8 @@ struct State {
   SolverMemory memory;      ///< Blocks::memory
   std::vector<int> slots;   ///< of the bodies in their array
   std::vector<real> bodies;  ///< 19 for each: x, q (w, x, y, z), v, w, force, torque
-  std::vector<std::array<int, 3>> shapes;  ///< of each joint: two slots, how many numbers it has
-  std::vector<real> joints;  ///< the joints' numbers; infinite for a limit that is not there
+  std::vector<std::array<int, 3>> shapes;  ///< for each joint two slots and its count of numbers
+  std::vector<real> joints;  ///< the numbers of the joints; infinite for a limit that is not set
 
   bool operator==(const State&) const = default;  ///< the same numbers
 };
@@ -34,10 +35,10 @@ struct State {
 /// The state of a world between two steps.
 State save(const World& world);
 
-/// Sets a world back, or another one that was built in the same way, with the same bodies in the
-/// same slots and joints of the same kinds in the same order. Ids and joints stay valid.
-/// \throws std::invalid_argument for the state of a world of another shape, or for numbers that no
-/// world can have; nothing has changed
+/// Restores the state of a world, or of another world that was built in the same way, with the same
+/// bodies in the same slots and joints of the same kinds in the same order. Ids and joints remain
+/// valid. \throws std::invalid_argument for the state of a world with another structure, or for
+/// numbers that no world can have; then nothing has changed
 void restore(World& world, const State& state);
 
 }  // namespace joints

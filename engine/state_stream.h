@@ -1,4 +1,5 @@
-// Carries the numbers of bodies and joints out into a State, or back in: one way to name them.
+// Writes the numbers of bodies and joints to a State, or reads them from it. The variables are
+// listed once for both directions.
 #pragma once
 
 #include <array>
@@ -10,9 +11,9 @@
 /// @{
 namespace joints {
 
-/// Carries variables out to a list of numbers, or sets them to the numbers of one: whoever has
-/// variables names them once, for both directions. On the way in it refuses what cannot have come
-/// out: \throws std::invalid_argument for a number that is not finite, or a bool that is not 0 or 1
+/// Writes variables to a list of numbers, or reads them from one. A class lists its variables once,
+/// for both directions. When reading, it rejects numbers that cannot have been written.
+/// \throws std::invalid_argument for a number that is not finite, or a bool that is not 0 or 1
 class StateStream {
  public:
   /// Appends the variables to `out`.
@@ -20,12 +21,12 @@ class StateStream {
   /// Sets the variables to the numbers from `in` on; there must be enough.
   explicit StateStream(const real* in) : in_(in) {}
 
-  /// Each in turn: real, bool, vec3, quat, or a std::array of these.
+  /// Writes or reads each variable in turn: real, bool, vec3, quat, or a std::array of these.
   template <class... Variables>
   void operator()(Variables&... variables) {
     (carry(variables), ...);
   }
-  /// A bound, which may be infinite.
+  /// Writes or reads a bound, which may be infinite.
   void bound(real& x) {
     if (out_) return out_->push_back(x);
     require(*in_ == *in_, "state: holds a bound that is not a number");

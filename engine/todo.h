@@ -8,7 +8,7 @@
 /// @{
 namespace joints {
 
-/// Thrown by an exercise that still waits for its answer.
+/// Thrown by an exercise that has not been written yet.
 struct NotDone : std::logic_error {
   std::string id;  ///< the exercise, such as "2.1"
   /// \param id the exercise
@@ -16,7 +16,7 @@ struct NotDone : std::logic_error {
       : std::logic_error("exercise " + id + " is not written yet"), id(id) {}
 };
 
-/// Put your code in its place. \throws NotDone always
+/// Placeholder: replace it with your code. \throws NotDone always
 [[noreturn]] inline void todo(const char* id) { throw NotDone(id); }
 
 }  // namespace joints

@@ -1,5 +1,5 @@
-// The world: bodies, joints, gravity, and the blocks of its last step. It depends on no particular
-// joint and on no solver.
+// The world: bodies, joints, gravity, and the blocks of its last step. It does not depend on any
+// particular joint or solver.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 #include "engine/joint.h"
 
 /// \defgroup world World and step
-/// \brief What a simulation consists of, the step that advances it, and the solvers.
+/// \brief The parts of a simulation, the step that advances it, and the solvers.
 /// @{
 namespace joints {
 
@@ -17,18 +17,18 @@ namespace joints {
 /// between two steps.
 class World {
  public:
-  Bodies bodies;  ///< all of them, in one array; World::remove() takes their joints away as well
+  Bodies bodies;  ///< all bodies; use World::remove() to remove one together with its joints
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
-  Blocks blocks;  ///< the blocks of the last step; empty after anything was removed
+  Blocks blocks;  ///< the blocks of the last step; empty after a body or joint was removed
   real last_h = 0;                  ///< length of the last (sub)step [s]; 0 before the first
   /// The longest displacement of a body's centre by one block in one iteration of position
-  /// projection [m], positive. The default is for bodies of about 1 m: take a fifth of their size
-  /// for others.
+  /// projection [m], positive. The default is for bodies of about 1 m; for others use a fifth of
+  /// their size.
   real max_displacement = real(0.2);
 
   /// Adds a body. \throws std::invalid_argument as Bodies::add()
   BodyId add(const Body& body) { return bodies.add(body); }
-  /// Removes a body and every joint that holds it.
+  /// Removes a body and every joint that is connected to it.
   void remove(BodyId body);
 
   /// Constructs a joint of type J from these arguments and adds it, as in
@@ -42,10 +42,10 @@ class World {
     adopt(std::move(joint));
     return reference;
   }
-  /// Removes one joint. \throws std::invalid_argument if this world does not have it
+  /// Removes one joint. \throws std::invalid_argument if it does not belong to this world
   void remove(const Joint& joint);
-  /// Gives this beta to all joints that are there. \param beta share of the error fed back in a
-  /// step [1] \throws std::invalid_argument unless it is from 0 to max_beta
+  /// Sets beta of all present joints. \param beta fraction of the error that is removed in a step
+  /// [1] \throws std::invalid_argument unless it is from 0 to max_beta
   void set_beta(real beta);
 
   /// The joints in the order in which they were added, which is the order of their blocks.

@@ -68,12 +68,12 @@ struct Block {
 /// \param rate Feedback::rate [1/s] \param h step [s]
 real bias(const Block& block, int i, real C, real rate, real h);
 
-/// What a solver keeps of a step for the next one, beside the impulses. It is part of a world's
-/// state; a solver that does not know its rows again begins anew.
+/// The data that a solver keeps from one step for the next one, in addition to the impulses. It is
+/// part of a world's state. `rates` is used only if the next step has the same rows.
 struct SolverMemory {
-  std::vector<real> inertia;  ///< what no moment of the body in each slot was less than [kg m^2]
-  std::vector<real> rates;    ///< by which the new poses of each row were corrected
-  int pattern = 0;            ///< of which rows that was
+  std::vector<real> inertia;  ///< least moment that the step used, for each slot [kg m^2]
+  std::vector<real> rates;    ///< change of J V per row that corrected the poses [unit of C per s]
+  int pattern = 0;            ///< a hash of the rows to which `rates` belongs
   bool operator==(const SolverMemory&) const = default;  ///< the same numbers
 };
 
@@ -88,7 +88,7 @@ class Blocks {
   /// The time for which the impulses of this step act [s]: h, or with leapfrog the time between the
   /// middles of the last step and this one. It converts forces to impulses and impulses to forces.
   real acting = 0;
-  mutable SolverMemory memory;  ///< the solver's
+  mutable SolverMemory memory;  ///< written by the solver
 
   /// `acting`, or h if it has not been set, as in a step written by hand. \param h step [s]
   real acts(real h) const { return acting > 0 ? acting : h; }

@@ -18,8 +18,8 @@ namespace joints {
 /// damping, `projected`), gravity, max_displacement. Nor does it contain World::blocks, which are
 /// empty after restore().
 ///
-/// No solver keeps anything in itself that later steps depend on. What DirectSolver needs of the
-/// last step is in `memory`.
+/// Solver objects hold no data on which later steps depend. The data that DirectSolver needs from
+/// the last step is in `memory`.
 struct State {
   real last_h = 0;          ///< World::last_h [s]
   real acted = 0;           ///< Blocks::acting [s]

@@ -20,9 +20,10 @@ def includes(root):
     pairs = set()
     for folder in FOLDERS:
         for path in (root / folder).rglob("*"):
-            if path.suffix not in (".h", ".cpp") or "answers" in path.parts:
+            inside = path.relative_to(root)
+            if path.suffix not in (".h", ".cpp") or "answers" in inside.parts:
                 continue
-            user = group_of(path.relative_to(root))
+            user = group_of(inside)
             for header in re.findall(r'^\s*#include "((?:\w+/)+[\w.]+)"', path.read_text(), re.M):
                 pairs.add((user, group_of(header)))
     return {(user, used) for user, used in pairs if user != used}

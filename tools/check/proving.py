@@ -66,14 +66,15 @@ def judge_answer(answer, program, chapter, report):
     report.done += 1
     house.progress(f"{report.done} tests done: answer {answer.name}")
     refused = answers.refused_of(judging.source_of(chapter, program.number)).get(answer.key())
-    faults = answer.faults or (refused and [tuple(refused)]) \
-        or judging.faults_of(answer, program.path, chapter)
+    left_out = answer.faults or refused and [(refused[0], f"it does not compile: {refused[1]}")]
+    faults = left_out or judging.faults_of(answer, program.path, chapter)
     if not faults:
         report.passed["answers", chapter.folder, answer.kind] += 1
     else:
         place = house.short(answer.file)
         others = "".join(f"\n{place}:{line}: {words}" for line, words in faults[1:])
         report.fail(f"{place}:{faults[0][0]}: {answer.name}", faults[0][1] + others,
+                    f"./wb check {chapter.number}" if left_out else
                     f'WORKBOOK_ANSWER="{answer.name}" {house.short(program.path)} '
                     f'"[{answer.tests or answer.id}]"')
 

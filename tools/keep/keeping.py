@@ -58,7 +58,8 @@ def stubs(root, tables):
     for chapter in house.chapters():
         mine = chapter.mine_text()
         text = copied.stub(chapter.solution.read_text(encoding="utf-8"), mine)
-        yield Kept(chapter.mine, text, ["the stub of its solution"] if text != mine else [])
+        stale = ["differs from the stub of its solution"] if text != mine else []
+        yield Kept(chapter.mine, text, stale)
 
 
 def pictures(root, tables):

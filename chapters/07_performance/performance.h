@@ -15,15 +15,15 @@
 /// @{
 namespace joints {
 
-/// The geometry of a hinge: a point that is held (chapter 2) and an axis that is held (chapter 3).
+/// The geometry of a hinge: the point of chapter 2 and the axis of chapter 3.
 struct Hinge {
   Point point;            ///< three rows
   Axis axis;              ///< two rows
-  real beta = real(0.2);  ///< share of the error fed back per step [1]
+  real beta = real(0.2);  ///< fraction of the error fed back per step [1]
 };
 
-/// All that the iterations of a step read of a hinge. Number is `real` for one hinge, or a lane
-/// type for several hinges side by side, one per lane.
+/// All numbers of a hinge that the iterations of a step read. Number is `real` for one hinge, or a
+/// lane type for several hinges side by side, one per lane.
 template <class Number>
 struct HingeNumbers {
   Triple<Number> r1, r2;  ///< levers from the centres to the anchors [m], world
@@ -49,8 +49,8 @@ struct HingeNumbers {
   }
 };
 
-/// Exercise 7.1: all that a hinge's iterations read and that does not depend on the velocities. It
-/// leaves inverse_K alone. \param h the step [s]
+/// Exercise 7.1: computes the numbers that a hinge's iterations read and that do not depend on the
+/// velocities. Does not change inverse_K. \param h the step [s]
 void hoist(const Hinge& hinge, const Body& body1, const Body& body2, real h,
            HingeNumbers<real>& out);
 
@@ -60,15 +60,15 @@ void hoist(const Hinge& hinge, const Body& body1, const Body& body2, real h,
 /// \param inverse_mass2 of body 2 [1/kg]
 Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inverse_mass2);
 
-/// Exercise 7.3: a colour for every joint, such that no two joints of one colour share a body that
-/// moves. Each joint, from the first to the last, takes the least colour that is free at both of
-/// its bodies; a static body blocks none. \param links the bodies of each joint
-/// \param moves for each body, if it can move
+/// Exercise 7.3: a colour for every joint, such that no two joints of one colour have a common
+/// movable body. Each joint, from the first to the last, takes the lowest colour that is free at
+/// both of its bodies; a static body blocks none. \param links the bodies of each joint
+/// \param moves for each body, whether it can move
 /// \return colours, counted from 0
 std::vector<int> colours_of(const std::vector<BodyPair>& links, const std::vector<bool>& moves);
 
 /// Exercise 7.4: one solve of the whole block. The velocities change so that all five rows are
-/// true. Written once; Number is `real` or a lane type.
+/// satisfied. Written once; Number is `real` or a lane type.
 template <class Number>
 void solve(const HingeNumbers<Number>& hinge, Velocities<Number>& body1,
            Velocities<Number>& body2);

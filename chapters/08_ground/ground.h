@@ -7,7 +7,7 @@
 #include "chapters/03_hinge/hinge.h"
 
 /// \defgroup chapter8 Chapter 8: ground
-/// \brief A row that only pushes, two rows whose bounds follow it, and bodies that rest and roll.
+/// \brief A row that only pushes, two rows bounded by its impulse, and bodies that rest and roll.
 /// @{
 namespace joints {
 
@@ -23,7 +23,7 @@ struct Corner {
   real radius = 0;       ///< of a ball about it [m]; 0 for a sharp corner
   real height = 0;       ///< of the top above the centre of body 1 [m]
 
-  static constexpr int rows = 1;           ///< at most, while it touches
+  static constexpr int rows = 1;           ///< at most, while the corner touches
   static constexpr bool one_sided = true;  ///< it only pushes
   /// n, the direction in which the top faces: unit, world.
   static vec3 up(const Body& body1) { return to_world(body1, vec3(0, 1, 0)); }
@@ -41,19 +41,19 @@ struct Corner {
     const Row J = jacobian(body1, body2);
     return coupling(J, J, body1, body2);
   }
-  /// Exercise 8.1: the row whose J V is the speed at which the point of body 2 moves along
-  /// `direction` over body 1, as if this reached up to it [m/s]. \param direction unit, world
+  /// Exercise 8.1: the row whose J V is the velocity of the point of body 2 relative to body 1, as
+  /// if body 1 extended up to it, along `direction` [m/s]. \param direction unit, world
   Row along(const vec3& direction, const Body& body1, const Body& body2) const;
 };
 
 /// Exercise 8.2: the two directions of friction.
 /// \param n unit \param sliding the velocity of the point over the ground [m/s], of any direction
-/// \return t1, t2: unit, at right angles to n and to each other; t1 is the direction of sliding,
-/// t2 = n x t1. If nothing slides (below 1e-4 m/s across n), t1 is any such direction.
+/// \return t1, t2: unit, perpendicular to n and to each other; t1 is the direction of sliding,
+/// t2 = n x t1. At rest (below 1e-4 m/s perpendicular to n) t1 is any such direction.
 std::array<vec3, 2> tangents(const vec3& n, const vec3& sliding);
 
-/// Exercise 8.2: what one solve adds to the impulse of a friction row.
-/// \param rate J V, the speed along its direction now [m/s] \param K of its row [1/kg], positive
+/// Exercise 8.2: the change of a friction row's impulse by one solve.
+/// \param rate J V, the speed along its direction [m/s] \param K of its row [1/kg], positive
 /// \param mu coefficient of friction [1]
 /// \param normal the accumulated impulse of the normal row in this step [N s]
 /// \param sum the accumulated impulse of this row in this step [N s], updated here

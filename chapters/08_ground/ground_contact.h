@@ -40,7 +40,7 @@ inline void check(const Outline& outline) {
           "must be finite and not negative [m]");
 }
 
-/// The top of a body: a plane at right angles to the body's own y axis, or a part of one.
+/// The top of a body: a plane perpendicular to the body's own y axis, or a part of one.
 struct Top {
   real height = 0;          ///< above the body's centre [m]
   real half_x = unbounded;  ///< half its extent along the body's own x axis [m]
@@ -64,15 +64,15 @@ inline Top box_top(const vec3& size) {
 /// Keeps body 2 above the top of body 1. Each corner that touches, or will within this step, has
 /// three rows, one block each: friction along t1, friction along t2, then the normal row, so that
 /// non-penetration is solved last. The friction pyramid bounds each direction by itself: a square
-/// with an edge across the sliding, instead of a circle. At most four corners have rows at the same
-/// time. Only corners of body 2 are tested: an edge of the top does not carry a face that lies
-/// across it.
+/// with an edge perpendicular to the sliding, instead of a circle. At most four corners have rows
+/// at the same time. Only corners of body 2 are tested: an edge of the top does not carry a face
+/// that lies across it.
 class GroundContact : public Joint {
  public:
   Top top;                ///< the surface, on body 1
   const Outline outline;  ///< the points of body 2 that can touch it
   real friction = real(0.5);   ///< coefficient mu [1], not negative
-  real restitution = 0;        ///< share of the impact speed with which it rebounds, to 1 [1]
+  real restitution = 0;        ///< rebound speed over impact speed, 0 to 1 [1]
   real threshold = real(0.5);  ///< no rebound from an impact slower than this [m/s]
   bool turned_tangents = true;  ///< t1 follows the direction of sliding; false: t1 is fixed by n
 
@@ -103,9 +103,9 @@ class GroundContact : public Joint {
   void drop_rows() override { points_ = {}, live_ = 0, near_ = false; }
   /// Appends friction, friction, normal of each corner that has rows.
   inline void append(const Bodies& bodies, Blocks& blocks) const override;
-  /// Appends the rows of corners that the new velocities would drive into the ground.
+  /// Appends rows for corners that would penetrate the ground with the new velocities.
   inline void late_limits(const Bodies& bodies, real h, Blocks& blocks) override;
-  Extras extras() const override { return {.bounded = true}; }  ///< it only pushes, and rubs
+  Extras extras() const override { return {.bounded = true}; }  ///< bounds of contact and friction
 
   /// The number of corners that have rows in this step.
   int touching() const { return live_; }

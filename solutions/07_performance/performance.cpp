@@ -15,7 +15,7 @@ void hoist(const Hinge& hinge, const Body& body1, const Body& body2, real h,
   // begin [exercise 7.1]
   // Fill in r1, r2, axis_row, I1, I2 and bias, Eq. 7-1. to_world(body, lever) rotates a lever;
   // hinge.axis.jacobian(body1, body2)[i].w2 is an axis row; inverse_inertia(body) is a mat3;
-  // triple() and symmetric() change vec3 and mat3 into what HingeNumbers holds.
+  // triple() and symmetric() convert vec3 and mat3 into the types of HingeNumbers.
   out.r1 = triple(to_world(body1, hinge.point.anchor1_local));  // Eq. 7-1
   out.r2 = triple(to_world(body2, hinge.point.anchor2_local));
   const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
@@ -36,9 +36,9 @@ Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inve
   const std::array<Triple<real>, 2>& row = hinge.axis_row;
   Matrix<5> K;
   // begin [exercise 7.2]
-  // Fill K with the three parts of Eq. 7-3: the point's 3x3, the axis' 2x2, and between them the
-  // columns -(r1 x I1 a + r2 x I2 a) and their transpose. hinge.I1 * row[i] is a Triple; cross()
-  // and dot() work on those.
+  // Fill K with the three parts of Eq. 7-3: the point's 3x3, the axis' 2x2, and off the diagonal
+  // the columns -(r1 x I1 a + r2 x I2 a) and their transpose. hinge.I1 * row[i] is a Triple;
+  // cross() and dot() accept Triples.
   for (int j = 0; j < 3; ++j) {  // the gap's rate by an impulse of 1 along axis j
     const Triple<real> along{real(j == 0), real(j == 1), real(j == 2)};
     const Triple<real> gap = cross(hinge.I1 * cross(hinge.r1, along), hinge.r1) +
@@ -62,9 +62,9 @@ Matrix<5> whole_K(const HingeNumbers<real>& hinge, real inverse_mass1, real inve
 
 std::vector<int> colours_of(const std::vector<BodyPair>& links, const std::vector<bool>& moves) {
   // begin [exercise 7.3]
-  // For each body keep the colours that its joints have so far, for example as taken[body][colour].
-  // Each joint in turn takes the least colour that is free at both its bodies. A static body blocks
-  // no colour; its joints get theirs all the same.
+  // For each body store the colours that its joints have so far, for example as
+  // taken[body][colour]. Each joint in turn takes the lowest colour that is free at both its
+  // bodies. A static body blocks no colour; its joints still get one.
   std::vector<std::vector<bool>> taken(moves.size());
   std::vector<int> colours;
   for (const BodyPair& link : links) {
@@ -91,8 +91,9 @@ void solve(const HingeNumbers<Number>& hinge, Velocities<Number>& body1,
            Velocities<Number>& body2) {
   // begin [exercise 7.4]
   // Eq. 7-6 in four steps: the velocity errors e = bias + J V; K^-1 e by
-  // hinge.inverse_K_times(e, out), which is -lambda; the push and the couple of lambda; and the
-  // changes of the velocities. Use only + - * and the functions of Triple: lanes work then as well.
+  // hinge.inverse_K_times(e, out), which is -lambda; the linear impulse and the couple of lambda;
+  // and the changes of the velocities. Use only + - * and the functions of Triple, which lanes have
+  // as well.
   const Triple<Number> gap =  // its rate
       body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
   const Triple<Number> turning = body2.w - body1.w;

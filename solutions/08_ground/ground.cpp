@@ -18,7 +18,7 @@ real Corner::error(const Body& body1, const Body& body2) const {
 
 Row Corner::along(const vec3& direction, const Body& body1, const Body& body2) const {
   // begin [exercise 8.1]
-  // Return the row {v1, w1, v2, w2} of Eq. 8-2. Both levers reach to the same point, point(...).
+  // Return the row {v1, w1, v2, w2} of Eq. 8-2. Both levers lead to the same point, point(...).
   const vec3 p = point(body1, body2), r1 = p - body1.x, r2 = p - body2.x;
   return {-direction, -cross(r1, direction), direction, cross(r2, direction)};  // Eq. 8-2
   // end [exercise 8.1]
@@ -28,9 +28,9 @@ Row Corner::along(const vec3& direction, const Body& body1, const Body& body2) c
 
 std::array<vec3, 2> tangents(const vec3& n, const vec3& sliding) {
   // begin [exercise 8.2]
-  // Return {t1, t2}, Eq. 8-5: subtract from `sliding` its part along n and normalise the rest. If
-  // less than 1e-4 m/s is left (a body at rest, or one that falls straight down: rounding), begin
-  // with any vector that is not along n instead.
+  // Return {t1, t2} of Eq. 8-5: subtract from `sliding` its component along n and normalise the
+  // rest. If the rest is shorter than 1e-4 m/s (a body at rest, or one that falls straight down:
+  // rounding errors), begin with any vector that is not parallel to n instead.
   vec3 across = sliding - dot(n, sliding) * n;
   if (length(across) < real(1e-4)) {
     const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
@@ -43,8 +43,8 @@ std::array<vec3, 2> tangents(const vec3& n, const vec3& sliding) {
 
 real friction_impulse(real rate, real K, real mu, real normal, real& sum) {
   // begin [exercise 8.2]
-  // The impulse that stops the sliding at once is in Eq. 8-6. The accumulated impulse must stay
-  // within +-mu normal. Store it in `sum`, return its change.
+  // Eq. 8-6 gives the accumulated impulse that would stop the sliding at once. It must stay within
+  // +-mu normal. Store it in `sum` and return its change.
   const real wanted = sum - rate / K, bound = mu * normal;
   const real before = sum;
   sum = std::clamp(wanted, -bound, bound);  // Eq. 8-6
@@ -55,7 +55,7 @@ real friction_impulse(real rate, real K, real mu, real normal, real& sum) {
 // ---- given ----------------------------------------------------------------------------------
 
 real impact_speed(real C, real rate, real kick, real h) {
-  // Leapfrog: velocities live halfway between positions, so here half of the kick has not acted.
+  // Leapfrog: velocities belong to times halfway between positions, so half of the kick is removed.
   const real now = rate - kick / 2;
   return std::sqrt(std::max(real(0), now * now - 2 * kick / h * C));  // Eq. 8-9
 }

@@ -1,5 +1,5 @@
-// Counting instructions: the program is run by valgrind's callgrind, which knows one function by
-// its name and keeps a count of every call of it. tools/bench/instructions.py reads the counts.
+// Counting instructions: valgrind's callgrind runs the program and counts the instructions of every
+// call of one function, which it identifies by its name. tools/bench/instructions.py reads them.
 #pragma once
 
 #include <functional>
@@ -8,16 +8,16 @@
 /// @{
 namespace joints::bench {
 
-/// How much is counted.
+/// The steps and iterations that are counted.
 struct Counted {
-  int before = 2;  ///< steps that come first and are not counted
-  int steps = 4;   ///< steps that are
-  int few = 10;    ///< iterations a step of the first count
-  int many = 30;   ///< and of the second
+  int before = 2;  ///< steps before the counted ones
+  int steps = 4;   ///< counted steps
+  int few = 10;    ///< iterations per step in the first count
+  int many = 30;   ///< iterations per step in the second count
 };
 
-/// Two counts, with few iterations and with many: their difference is what iterations cost.
-/// \param fresh everything made anew with so many iterations a step; what it returns is one step
+/// Two counts, with few iterations and with many: their difference is the cost of the iterations.
+/// \param fresh makes everything anew for this number of iterations per step; returns one step
 void count(const std::function<std::function<void()>(int iterations)>& fresh,
            const Counted& counted);
 

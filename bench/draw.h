@@ -1,4 +1,4 @@
-// Numbers at random that are the same on every machine.
+// Random numbers that are the same on every machine.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,8 @@
 /// @{
 namespace joints::bench {
 
-/// Uniform numbers of the Mersenne twister itself: the standard's distributions differ by library.
+/// Uniform numbers from the Mersenne twister itself: the standard's distributions differ between
+/// libraries.
 class Draw {
  public:
   explicit Draw(unsigned seed) : random_(seed) {}

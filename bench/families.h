@@ -1,5 +1,5 @@
-// Families of scenes, drawn by seeds: what a promise is made for. Nobody has tuned a solver to any
-// one of them.
+// Families of scenes, drawn by seeds: the promises of the texts are made for these. No solver was
+// tuned to a single one of them.
 #pragma once
 
 #include "bench/named.h"
@@ -10,13 +10,13 @@ namespace joints::bench {
 
 /// A scene that a seed has drawn.
 struct Drawn : BenchScene {
-  double seconds = 10;        ///< how long it runs
-  bool keeps_energy = true;   ///< no limit, contact or motor takes energy
-  bool driven = false;        ///< motors do work: a gain of energy is no fault
+  double seconds = 10;        ///< duration of the run [s]
+  bool keeps_energy = true;   ///< no limit, contact or motor removes energy
+  bool driven = false;        ///< motors do work: a gain of energy is not an error
   bool any_step = false;      ///< every step has another length, from 1/240 to 1/24 s
 };
 
-/// A family, and how many of its scenes a table takes.
+/// A family, and the number of its scenes in a table.
 struct Family {
   std::string name{};
   int draws = 0;
@@ -25,19 +25,20 @@ struct Family {
 /// All of them.
 std::vector<Family> families();
 
-/// How a scene was held.
+/// The errors of a scene in a run.
 struct Outcome {
-  double gap = 0;     ///< the largest error of a row that holds a position, ever [m or rad]
-  double past = 0;    ///< the furthest that a limit or a contact was passed [m or rad]
-  double gain = 0;    ///< the largest gain of energy, ever [energy_scale]
+  double gap = 0;     ///< largest error of a position row in the run [m or rad]
+  double past = 0;    ///< largest violation of a limit or a contact [m or rad]
+  double gain = 0;    ///< largest gain of energy in the run [energy_scale]
   double loss = 0;    ///< the energy lost at the end [energy_scale]
   bool finite = true;
-  /// No gap of 1 mm (in float 5 mm), and no gain of 10 %. \param most the gap [m]
+  /// True if the gap is below 1 mm (in float 5 mm) and the gain below 10 %.
+  /// \param most bound of the gap [m]
   bool held(double most = sizeof(real) == 4 ? 5e-3 : 1e-3) const {
     return finite && gap < most && gain < 0.1;
   }
 };
-/// Runs a scene. \param setting a word of setting_named() \param h step [s]
+/// Runs a scene. \param setting a name for setting_named() \param h step [s]
 Outcome run_drawn(Drawn scene, const std::string& setting, double h = 1.0 / 60);
 
 }  // namespace joints::bench

@@ -1,5 +1,5 @@
-// Other orders in which the blocks can be solved. The library has none of them: what they are worth
-// is measured here.
+// Other orders in which the blocks can be solved. The library has none of them: their benefit is
+// measured here.
 #pragma once
 
 #include <optional>
@@ -12,22 +12,22 @@
 /// @{
 namespace joints::bench {
 
-/// In which order the blocks are solved in an iteration.
+/// The order in which an iteration solves the blocks.
 enum class Order {
   forward,      ///< as the joints were added
-  backward,     ///< the other way round
+  backward,     ///< the reverse order
   alternating,  ///< forward in every even iteration, backward in every odd one
-  shuffled      ///< drawn anew for every iteration from OrderedImpulses::seed
+  shuffled      ///< a new random order for every iteration, from OrderedImpulses::seed
 };
 
-/// Sequential Impulses in an order of one's choice.
+/// Sequential Impulses in a chosen order.
 class OrderedImpulses : public SequentialImpulses {
  public:
   Order order = Order::forward;  ///< of the blocks in an iteration
   unsigned seed = 1;             ///< of the shuffled order
 
   void solve(Bodies& bodies) override;
-  /// One iteration. \param number counts from 0; only the alternating order asks
+  /// One iteration. \param number of the iteration, from 0; used by the alternating order only
   void iterate_in_order(Bodies& bodies, int number);
 
  private:

@@ -1,5 +1,5 @@
-// Chapter 7's loop over hinges alone, on the benchmark's scenes. What it is made of stays in
-// own_loop.cpp: that file is compiled for the processor that builds it.
+// Chapter 7's loop over hinges alone, on the benchmark's scenes. Its implementation is in
+// own_loop.cpp, which is compiled for the processor of the building machine.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 /// @{
 namespace joints::bench {
 
-/// Who is solved when.
+/// The order of the hinges, and whether they are on lanes.
 enum class Visits {
   chain_order,    ///< one hinge after the other, as they were added
   interleaved,    ///< the first of every chain, then the second of every one
@@ -19,20 +19,20 @@ enum class Visits {
   coloured_lanes  ///< colour after colour, on lanes
 };
 
-/// Bodies and hinges taken over from a world, moved on without it.
+/// Bodies and hinges copied from a world and simulated without it.
 class OwnLoop {
  public:
   virtual ~OwnLoop() = default;
   virtual void step(real h) = 0;                ///< \param h step [s]
-  virtual void show(World& world) const = 0;    ///< gives the bodies back
+  virtual void show(World& world) const = 0;    ///< copies the bodies back
 };
 
-/// \param world hinges and nothing else \param iterations of a step
+/// \param world hinges and no other joints \param iterations per step
 /// \param relaxation factor of every impulse [1]
 std::unique_ptr<OwnLoop> own_loop(const World& world, int iterations, Visits visits,
                                   real relaxation = 1);
 
-/// For which processors the loop was compiled, and how many lanes it has: "AVX2, 8 lanes".
+/// The instruction set for which the loop was compiled and its number of lanes: "AVX2, 8 lanes".
 std::string own_instructions();
 
 }  // namespace joints::bench

@@ -1,4 +1,4 @@
-// What the machine can do at most: the roofs over the loop of chapter 7.
+// The limits of the machine for the loop of chapter 7: the roofs of a roofline.
 #pragma once
 
 #include <string>
@@ -15,9 +15,9 @@ struct Roof {
   double per_ns;     ///< multiplications and additions [1/ns], or bytes read [B/ns]
 };
 
-/// Multiplications and additions that do not wait for each other, with one number and on lanes; and
-/// what can be read over and over again of as many bytes as the hinges of ten chains have on lanes.
-/// Each is the best of many short tries.
+/// The rate of independent multiplications and additions, with one number and on lanes; and the
+/// rate of repeated reads of as many bytes as the hinges of ten chains have on lanes. Each is the
+/// best of many short runs.
 std::vector<Roof> roofs();
 
 }  // namespace joints::bench

@@ -1,5 +1,5 @@
-// The settings of error against run time: every solver with all that can be set in it, and on which
-// scenes it means something. A setting more is a line more in settings.cpp.
+// The settings for error against run time: every solver with all its settings, and the scenes on
+// which they are meaningful. Each setting is a line in settings.cpp.
 #pragma once
 
 #include <vector>
@@ -21,17 +21,17 @@ enum class Loop {
   rows,       ///< the engine's own, any row
   packed,     ///< packed blocks, one at a time
   lanes,      ///< packed blocks, eight (float) or four (double) at a time
-  hinges,     ///< chapter 7's: hinges alone, a chain a lane; its bodies start anew in every run
-  textbook,   ///< a class a joint, set up once a step
+  hinges,     ///< chapter 7's: hinges only, one chain per lane; new bodies in every run
+  textbook,   ///< a class per joint, set up once per step
   recomputed,  ///< the same, set up anew in every iteration
   flat,       ///< the textbook's hinges in one array, without the virtual call
   direct,     ///< all joints at once, chapter 9
   runge_kutta  ///< of order 4, on the factor of chapter 9
 };
 
-/// A line of the figures: a solver, and all that is set in it and in the joints.
+/// A line of the figures: a solver, and its settings and those of the joints.
 struct Way {
-  std::string name{};    ///< what is set, in words without a comma
+  std::string name{};    ///< the settings, in words without a comma
   std::string scenes{};  ///< keys of the scenes on which it is tried, with blanks between
   Loop loop = Loop::rows;
   Packing packing = Packing::automatic;  ///< packed and lanes only
@@ -43,20 +43,20 @@ struct Way {
   int projections = 0;      ///< iterations of position projection after a step
   real beta = real(0.2);    ///< of every joint [1]
   real relaxation = 1;      ///< over-relaxation [1]; not the textbook's
-  int substeps = 1;         ///< they share the iterations of a step
+  int substeps = 1;         ///< the iterations of a step are divided among them
   int relax = 0;            ///< relax iterations of a substep, rows only
   int split = 0;            ///< iterations of a substep on split impulses, rows only
   real frequency = 0;       ///< of springs in place of beta [Hz]
   bool leapfrog = false;    ///< half a kick in the first step
   int newton = 0;           ///< direct only: iterations on the positions
   real added_inertia = 0;       ///< direct only
-  int most = 200;           ///< no more iterations than this: further ones say nothing new
-  bool quick = false;       ///< also in the short form
+  int most = 200;           ///< largest number of iterations that is measured
+  bool quick = false;       ///< also in the short benchmark
 
   /// \param scene a key
   bool means_something_on(const std::string& scene) const;
-  std::string solver() const;  ///< the word for its loop
-  /// Iterations of a substep where a step has so many.
+  std::string solver() const;  ///< the name of its loop
+  /// Iterations per substep for this number per step.
   int iterations_of(int a_step) const;
   /// As a setting of the runner.
   Setting setting(int iterations_a_step) const;
@@ -64,13 +64,14 @@ struct Way {
 /// All of them.
 std::vector<Way> ways();
 
-/// What is compared in a front: how long it took, and how far off it was.
+/// The two quantities that a front compares: time and error.
 struct Cost {
   double time;   ///< [us]
-  double error;  ///< in the unit of what is measured
+  double error;  ///< in the unit of the measured quantity
 };
-/// Those that no other beats in both, fastest first: their numbers in the list. An error counts as
-/// better from a thousandth on: rounding is no merit. What has no finite error is in no front.
+/// The indices of those to which no other is superior in both, fastest first. An error counts as
+/// smaller only if it differs by a thousandth, more than rounding. An entry without a finite error
+/// is not in the front.
 std::vector<int> pareto_front(const std::vector<Cost>& costs);
 
 }  // namespace joints::bench

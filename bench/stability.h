@@ -1,5 +1,5 @@
-// The stability suite: seventeen cases of what is stiff, extreme, redundant or out of order, each a
-// function that tells its lines one by one. `./wb bench --stability` runs them all.
+// The stability suite: seventeen cases of stiff, extreme, redundant or invalid scenes, each a
+// function that reports its lines one by one. `./wb bench --stability` runs them all.
 #pragma once
 
 #include <algorithm>
@@ -15,54 +15,54 @@
 /// @{
 namespace joints::bench {
 
-/// What a line leaves empty.
+/// The value of an empty entry of a line.
 inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// A line of the table: what was done, what was expected, what came out.
+/// A line of the table: the case, the expected and the measured number.
 struct Line {
   std::string id{};         ///< X1 to X17
-  std::string method{};     ///< solver and setting, or what else was varied in words
-  std::string parameter{};  ///< what `value` is, with its unit
+  std::string method{};     ///< solver and setting, or another varied quantity in words
+  std::string parameter{};  ///< the quantity in `value`, with its unit
   double value = none;
   double expected = none, measured = none;
-  std::string status{};  ///< of a scene that was run: its word; of a number that is known: ok, off
+  std::string status{};  ///< of a run: its classification; of a known number: ok, off
   double gap_rms = none, gap_max = none;           ///< [m]
-  double energy_drift = none, energy_peak = none;  ///< at the end, and the highest on the way [1]
-  double rho = none;  ///< what an iteration leaves in the long run, motions the scene can have [1]
+  double energy_drift = none, energy_peak = none;  ///< at the end; the largest [1]
+  double rho = none;  ///< factor per iteration in the long run, of possible motions [1]
   double criterion = none;  ///< warm: 1 where rho^k (1 + beta) < 1, else 0
   double rho_any = none;    ///< rho of any motion, also against the hinges' axes [1]
 };
-using Tell = std::function<void(const Line&)>;  ///< is told every line as soon as it is known
+using Tell = std::function<void(const Line&)>;  ///< receives every line as soon as it is known
 
 /// A case of the suite.
 struct Case {
   std::string id, what;
   std::function<void(bool quick, const Tell&)> run;  ///< quick: few values
-  bool watched = false;  ///< small worlds, each in a Watch: any solver may solve them
+  bool watched = false;  ///< small worlds, each in a Watch: any solver can be used
 };
 /// All of them, X1 to X17; some have two entries.
 std::vector<Case> cases();
 
 // ---- lines --------------------------------------------------------------------------------------
 
-/// The line of a number that is known: ok where the two are at most `tolerance` apart, else off,
-/// nan where the measured one is no number.
+/// The line of a known number: ok if the difference is at most `tolerance`, nan if the measured
+/// number is NaN, off otherwise.
 Line compared(Line line, double expected, double measured, double tolerance);
-/// The line of a rule: ok where it holds, else off, nan where the measured number is none.
+/// The line of a rule: ok if it holds, nan if the measured number is NaN, off otherwise.
 Line judged(Line line, double measured, bool holds);
 /// The line of a scene that was run.
 Line of_run(Line line, const Result& result);
-/// A tolerance that depends on the kind of number.
+/// A tolerance that depends on the number type.
 inline double digits(double in_double, double in_float) {
   return sizeof(real) == 8 ? in_double : in_float;
 }
 
 // ---- methods ------------------------------------------------------------------------------------
 
-/// A setting of the solver, as the rows of the maps have it.
+/// A setting of the solver: a row of the maps.
 struct Method {
   std::string name{};
-  int iterations = 30;   ///< iterations a step, or a substep
+  int iterations = 30;   ///< iterations per step, or per substep
   bool warm = false;
   real beta = real(0.2);
   int projections = 0;
@@ -72,19 +72,20 @@ struct Method {
   int newton = 0;        ///< direct only
   real added_inertia = 0;    ///< direct only
 };
-/// The methods of the maps, beta 0.2 where they name none; 0 with projection, if they do not say
-/// another. The last one is for hinges only.
+/// The methods of the maps. The default of beta is 0.2, with projection 0. The last method is for
+/// hinges only.
 std::vector<Method> methods();
 /// As a setting of the runner.
 Setting setting_of(const Method& method);
 
-/// Gives all bodies of a scene velocities, so that no mode of the iterations is missing.
-/// \param planar only those that its forbidden direction leaves: a plane chain stays plane
+/// Gives all bodies of a scene velocities, so that all modes of the iterations are excited.
+/// \param planar only velocities perpendicular to its forbidden direction: a plane chain stays
+/// plane
 void kick(BenchScene& scene, bool planar);
 
 /// The rates of a scene's iterations, each a lower bound where it is very close to 1.
 struct Rates {
-  double possible;  ///< of the motions that the scene can have: what the criterion asks for
+  double possible;  ///< of the scene's possible motions; used by the criterion
   double any;       ///< of any motion
 };
 /// Measures both on the first step of the scene.
@@ -92,9 +93,9 @@ Rates rates_of(const MakeScene& make);
 /// Puts rho and the criterion into the line of a warm method.
 void add_criterion(Line& line, const Method& method, const Rates& rates);
 
-/// Steps a small world and watches that it stays finite.
+/// Steps a small world and checks that it stays finite.
 struct Watch {
-  /// True: by the direct solver, whatever the settings of the other one.
+  /// True: use the direct solver, whatever the settings of the other one.
   static inline bool directly = false;
   World& world;
   SequentialImpulses solver{};
@@ -109,9 +110,9 @@ struct Watch {
     }
     finite = all_finite(all_of(world.bodies));
   }
-  /// The number, or NaN where a body was not finite at some time.
+  /// The number, or NaN if a body was not finite at some time.
   double seen(double number) const { return finite ? number : none; }
-  /// The largest that a value which is never negative is after any of so many steps, or NaN.
+  /// The maximum of a non-negative value over this number of steps, or NaN.
   double largest(int steps, real h, const std::function<double()>& value) {
     double most = 0;
     for (int k = 0; k < steps; ++k) {

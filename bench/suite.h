@@ -1,4 +1,4 @@
-// The units of the stability suite's scenes.
+// Constants of the stability suite's scenes.
 #pragma once
 
 #include <numbers>

@@ -1,5 +1,5 @@
-// The textbook's loop: a class a joint, set up once a step, one virtual call a joint and iteration,
-// small matrices by GLM. It is what the faster loops are measured against. Beside it the same
+// The textbook's loop: a class per joint, set up once per step, one virtual call per joint and
+// iteration, small matrices by GLM. The faster loops are compared with it. Beside it the same
 // hinges in one array, without the virtual call.
 #pragma once
 
@@ -13,20 +13,20 @@ namespace joints::bench {
 class TextbookJoint {
  public:
   virtual ~TextbookJoint() = default;
-  /// What does not depend on the velocities. \param h step [s]
+  /// Computes everything that does not depend on the velocities. \param h step [s]
   virtual void set_up(real h) = 0;
   /// One solve of all its rows.
   virtual void solve() = 0;
 };
 
-/// The hinge of the thesis: three rows that hold a point, then two that hold an axis.
+/// The hinge of the thesis: three rows of a point, then two rows of an axis.
 class TextbookHinge : public TextbookJoint {
  public:
-  /// Between two bodies as they stand. \param anchor [m] \param axis unit \param beta [1]
+  /// Between two bodies at their present poses. \param anchor [m] \param axis unit \param beta [1]
   TextbookHinge(Body& body1, Body& body2, const vec3& anchor, const vec3& axis, real beta);
   void set_up(real h) override;
   void solve() override;
-  /// The same without a call: the compiler has to put it where it is named.
+  /// The same without a call: always inlined.
   [[gnu::always_inline]] void solve_here();
 
  private:
@@ -41,8 +41,8 @@ class TextbookHinge : public TextbookJoint {
 /// Sequential Impulses over textbook joints.
 class TextbookSolver {
  public:
-  int iterations = 30;       ///< iterations a step
-  bool recompute = false;    ///< set up anew in every iteration: what it costs not to hoist
+  int iterations = 30;       ///< iterations per step
+  bool recompute = false;    ///< set up in every iteration: the cost of not hoisting
   std::vector<std::unique_ptr<TextbookJoint>> joints;  ///< in the order in which they are solved
   void step(World& world, real h);  ///< \param h step [s]
 };
@@ -50,7 +50,7 @@ class TextbookSolver {
 /// The same hinges by value in one array, solved without any call.
 class FlatSolver {
  public:
-  int iterations = 30;                ///< iterations a step
+  int iterations = 30;                ///< iterations per step
   std::vector<TextbookHinge> hinges;  ///< in the order in which they are solved
   void step(World& world, real h);    ///< \param h step [s]
 };

@@ -1,4 +1,4 @@
-// What every chapter's program shares: its options, and how it answers bad ones.
+// Options of the chapters' programs, and the handling of errors in them.
 #pragma once
 
 #include <functional>
@@ -15,16 +15,16 @@ class Options {
   /// One option. \see Options
   struct Option {
     std::string name;   ///< without the two dashes
-    std::string value;  ///< its default, then what the command line said
-    std::string help;   ///< one line; with "1: ..." the option may stand alone and means 1
+    std::string value;  ///< its default, then the value of the command line
+    std::string help;   ///< one line; if it begins with "1: ", the option without a value means 1
   };
-  /// Declares the options that a program knows. Every program knows `--out` and `--help`.
+  /// Declares the options of a program. Every program also accepts `--out` and `--help`.
   Options(std::string program, std::vector<Option> known);
-  /// Reads the command line. \return false when --help was asked for (and printed)
-  /// \throws std::invalid_argument for an option that the program does not know, or no value
+  /// Reads the command line. \return false if --help was given (and printed)
+  /// \throws std::invalid_argument for an unknown option or a missing value
   bool read(int argc, const char* const* argv);
 
-  std::string text(const std::string& name) const;  ///< the value as it was written
+  std::string text(const std::string& name) const;  ///< the value as text
   /// \throws std::invalid_argument unless it is a finite number of at least `least`
   double number(const std::string& name, double least) const;
   /// \throws std::invalid_argument unless it is a whole number from `least` to a million

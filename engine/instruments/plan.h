@@ -1,4 +1,4 @@
-// The plan of a step: what there is to do, counted. The engine does not include it.
+// The plan of a step: the numbers of its blocks and rows. The engine does not include this file.
 #pragma once
 
 #include "engine/solver.h"
@@ -8,18 +8,18 @@
 /// @{
 namespace joints {
 
-/// What a step has to do, counted: the line that every program prints before it runs.
+/// The amount of work in a step: the line that every program prints before it runs.
 struct Plan {
-  int bodies = 0, static_bodies = 0;             ///< all of them, and those that never move
-  int blocks = 0, rows = 0;                      ///< live ones
+  int bodies = 0, static_bodies = 0;             ///< all of them; of these the static ones
+  int blocks = 0, rows = 0;                      ///< active ones
   int limits = 0, live_limits = 0, motors = 0;   ///< of all joints
-  bool warm_start = false;                       ///< as Stepping says
+  bool warm_start = false;                       ///< as in Stepping
   std::string solver{};                          ///< Solver::plan()
   std::string line() const;  ///< "bodies 12 (2 static), blocks 19, rows 34, ..."
 };
 
 /// Counts the blocks that the joints append at the present poses, with the rows that their last
-/// begin_step() chose. \param solver the one that will solve them, if it is to say how
+/// begin_step() chose. \param solver the one that will solve them, for its description; may be null
 Plan plan(const World& world, bool warm_start, const Solver* solver = nullptr);
 
 }  // namespace joints

@@ -1,4 +1,4 @@
-// The contraction rate: what an iteration of the solver leaves in the long run.
+// The contraction rate: the factor by which an iteration reduces the error in the long run.
 #pragma once
 
 #include <functional>
@@ -10,14 +10,14 @@
 /// @{
 namespace joints {
 
-/// The share that an iteration leaves in the long run [1]: the mean over the last tenth of the
-/// iterations. Where rounding is not reached it is a lower bound.
-/// \param iterate does one iteration; returns the size of what it changed, or of what is left, and
-/// 0 once that is rounding \param most how many iterations at the most
+/// The factor by which an iteration multiplies the error in the long run [1]: the mean over the
+/// last tenth of the iterations. It is a lower bound unless the error reaches rounding.
+/// \param iterate performs one iteration; returns the magnitude of its change, or of the remaining
+/// error, and 0 once that is rounding \param most maximum number of iterations
 double contraction_rate(const std::function<double()>& iterate, int most);
 
-/// The same of the next step of a world as it stands, by what Sequential Impulses change of the
-/// impulses. The world is left as it was, but for World::blocks, which are empty.
+/// The same for the next step of a world in its present state, from the changes of the impulses by
+/// Sequential Impulses. The world is not changed, except that World::blocks is emptied.
 /// \param h length of that step [s] \param solver with its settings, of which `iterations` is not
 /// used \param how warm or cold, hard or soft
 double contraction_rate(World& world, int most, real h = real(1) / 60,

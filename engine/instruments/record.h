@@ -1,4 +1,5 @@
-// Recording: tables as CSV, and a motion that a page can play. The engine does not include it.
+// Recording: tables as CSV, and a motion that a page can play. The engine does not include this
+// file.
 #pragma once
 
 #include <array>
@@ -13,10 +14,11 @@
 /// @{
 namespace joints {
 
-/// A table on disk: a header line, then one line a row. Figures are drawn from these.
+/// A table on disk: a header line, then one line per row. Figures are drawn from these.
 class CsvFile {
  public:
-  /// \param path made together with its folder \throws std::invalid_argument if it cannot be made
+  /// \param path the file; created together with its folder
+  /// \throws std::invalid_argument if it cannot be created
   CsvFile(const std::string& path, std::initializer_list<const char*> columns);
   /// One row of numbers. \throws std::invalid_argument unless there is one for each column
   void row(std::initializer_list<double> numbers);
@@ -29,23 +31,23 @@ class CsvFile {
   std::size_t columns_;
 };
 
-/// How a body looks.
+/// The appearance of a body.
 struct Shape {
   std::string kind = "box";                ///< "box" or "ball"
   std::array<double, 3> size{1, 1, 1};     ///< edges [m]; a ball's diameter in all three
-  std::string label{};                     ///< written beside it, if it is not empty
+  std::string label{};                     ///< text beside it, if not empty
 };
 /// A line drawn from a point of one body to a point of another: rods, ropes, joints.
 struct Segment {
-  int body1 = 0, body2 = 0;                             ///< places in the array
+  int body1 = 0, body2 = 0;                             ///< indices in the array
   std::array<double, 3> anchor1{}, anchor2{};           ///< [m, body space]
 };
 
-/// What is shown beside a picture of bodies: how well it holds at this moment.
+/// The numbers shown beside a picture of bodies: its errors at this moment.
 struct Reading {
-  std::string of{};       ///< which of several scenes side by side; empty where there is one
+  std::string of{};       ///< name of one of several scenes side by side; empty if there is one
   double gap = 0;         ///< the largest of its joints [m]
-  double energy = 0;      ///< of motion and of position [J]
+  double energy = 0;      ///< kinetic and potential [J]
 };
 
 /// A recorded run: shapes once, then a pose of every body for each frame, and readings. Written as
@@ -53,15 +55,15 @@ struct Reading {
 class Motion {
  public:
   /// \param title shown on the page \param h time between two calls of frame() [s]
-  /// \param every keep one frame of so many; all are kept if a body turns by more than half a
-  /// radian from one that is kept to the next
+  /// \param every keep one frame of this number; all are kept if a body rotates by more than half a
+  /// radian between two kept frames
   Motion(std::string title, double h, int every = 2);
   void body(const Shape& shape);  ///< the next body of the array
   void line(const Segment& segment);    ///< one more line to draw
-  /// Remembers the poses of the first n bodies, n = how many shapes there are.
-  /// \param readings of this moment, as many in every frame
+  /// Stores the poses of the first n bodies, n = number of shapes.
+  /// \param readings of this moment, the same number in every frame
   void frame(const Body* bodies, const std::vector<Reading>& readings = {});
-  /// \throws std::invalid_argument if the file cannot be made
+  /// \throws std::invalid_argument if the file cannot be created
   void write(const std::string& path) const;
 
  private:

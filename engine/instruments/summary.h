@@ -1,4 +1,4 @@
-// One line of a program's summary: the scene, what a step costs and how well it holds.
+// One line of a program's summary: the scene, the cost of a step and the errors.
 #pragma once
 
 #include "engine/instruments/run.h"
@@ -7,9 +7,9 @@
 /// @{
 namespace joints {
 
-/// What `./wb tour` shows of a scene: the measures of a run, and what ran and how.
+/// The entry of a scene in `./wb tour`: the measures of a run, its scene and its setting.
 struct Summary : Measures {
-  std::string scene{}, setting{};  ///< what ran, and how
+  std::string scene{}, setting{};  ///< names of the scene and of the setting
 };
 
 /// Prints the lines as a table and writes them to `folder`/summary.csv.

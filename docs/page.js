@@ -31,3 +31,11 @@ function dress_frames() {
 new MutationObserver(dress_frames).observe(document.documentElement,
                                            {attributes: true, attributeFilter: ["class"]});
 document.addEventListener("DOMContentLoaded", dress_frames);
+
+// On paper everything is light.
+let kept = "";
+addEventListener("beforeprint", () => {
+  kept = document.documentElement.className;
+  document.documentElement.className = "light-mode";
+});
+addEventListener("afterprint", () => { document.documentElement.className = kept; });

@@ -1,33 +1,60 @@
 // Search in the words of all pages. tools/website/words.py writes search_words.js, which calls
-// search_words({places: [[address, page, heading], ...], words: {word: [place, times, ...]}});
-// it is loaded when somebody begins to type, as a script, so that it works from a disk, too.
+// search_words({places: [[address, page, heading], ...], words: {word: [place, weight, ...]},
+// common: [...], synonyms: {word: other words}}); it is loaded when somebody begins to type, as a
+// script, so that it works from a disk, too.
 "use strict";
 
 let index = null, asked = false;
 function search_words(loaded) {
   index = loaded;
   index.list = Object.keys(index.words).sort();
+  index.stop = new Set(index.common);
   find();
 }
 
-// The places in which every word of the question occurs, as itself or as the beginning of another.
-function places_of(question) {
-  const wanted = question.toLowerCase().normalize("NFKD").match(/[a-z0-9_]+/g) || [];
-  let sums = null;
-  for (const word of wanted) {
-    const found = new Map();
-    for (const known of index.list) {
-      const weight = known === word ? 4 : known.startsWith(word) ? 1 : 0;
-      const hits = weight ? index.words[known] : [];
-      for (let i = 0; i < hits.length; i += 2)
-        found.set(hits[i], (found.get(hits[i]) || 0) + weight * hits[i + 1]);
-    }
-    sums = sums === null ? found
-      : new Map([...found].filter(([place]) => sums.has(place))
-                          .map(([place, sum]) => [place, sum + sums.get(place)]));
+// {place: weight} of the words that are this one, or begin with it: those count a quarter.
+function hits_of(word) {
+  const found = new Map();
+  for (const known of index.list) {
+    const share = known === word ? 1 : known.startsWith(word) ? 0.25 : 0;
+    const hits = share ? index.words[known] : [];
+    for (let i = 0; i < hits.length; i += 2)
+      found.set(hits[i], Math.max(found.get(hits[i]) || 0, share * hits[i + 1]));
   }
-  return [...(sums || [])].sort((a, b) => b[1] - a[1] || a[0] - b[0]).slice(0, 12)
-                          .map(([place]) => index.places[place]);
+  return found;
+}
+// The words to look up in place of one that no page has: its two halves, or its beginning.
+function instead_of(word) {
+  for (let k = 4; k < word.length - 3; ++k) {
+    const halves = [word.slice(0, k), word.slice(k)];
+    if (halves.every(half => index.words[half])) return halves;
+  }
+  for (let k = word.length - 1; k >= 4; --k)
+    if (index.list.some(known => known.startsWith(word.slice(0, k)))) return [word.slice(0, k)];
+  return [];
+}
+
+// The best places: those that have most of the question's words, rare words counting more.
+function places_of(question) {
+  const asked_for = question.toLowerCase().normalize("NFKD").match(/\d+[.-]\d+|[a-z0-9_]+/g) || [];
+  const words = asked_for.filter(word => !index.stop.has(word)), sums = new Map();
+  const wanted = words.length ? words : asked_for;
+  for (const word of wanted) {
+    const also = (index.synonyms[word] || "").split(" ").filter(Boolean);
+    let found = hits_of(word);
+    if (!found.size && !also.length) also.push(...instead_of(word));
+    for (const other of also)  // a place with all of a synonym's words has the word
+      for (const [place, weight] of hits_of(other))
+        found.set(place, (found.get(place) || 0) + weight / also.length);
+    const rare = Math.log(1 + index.places.length / (1 + found.size));
+    for (const [place, weight] of found) {
+      const [sum, count] = sums.get(place) || [0, 0];
+      sums.set(place, [sum + rare * weight, count + 1]);
+    }
+  }
+  const worth = ([, [sum, count]]) => sum * (count / wanted.length) ** 2;
+  return [...sums].sort((a, b) => worth(b) - worth(a) || a[0] - b[0]).slice(0, 12)
+                  .map(([place]) => index.places[place]);
 }
 
 function find() {
@@ -55,7 +82,7 @@ function find() {
     item.append(link);
     return item;
   }));
-  if (!found.length) list.innerHTML = "<li><em>no page has all of these words</em></li>";
+  if (!found.length) list.innerHTML = "<li><em>no page has these words</em></li>";
 }
 
 document.addEventListener("DOMContentLoaded", () => {

@@ -1,5 +1,6 @@
 """Draws figures with the scripts of plots/."""
 import json
+import re
 import subprocess
 import sys
 
@@ -37,6 +38,16 @@ def draw_all(jobs, figures=FIGURES):
         raise house.Trouble(words or f"plots/{script} failed")
     return sorted(path for path in figures.glob("*.png")
                   if path.stat().st_mtime_ns != before.get(path))
+
+
+def title_of(path):
+    """What a figure says above its panels, which plots/files.py has put into the PNG."""
+    data = path.read_bytes()
+    at = data.find(b"iTXtTitle\0")
+    if at < 0:
+        return ""
+    chunk = data[at + 4:at + 4 + int.from_bytes(data[at - 4:at], "big")]
+    return re.sub(r"[$\\]", "", chunk.split(b"\0", 5)[-1].decode("utf-8"))
 
 
 def of_chapter(chapter, solution, mine=None):

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""Looks at the finished site as a reader's browser does: check_docs.py SITE_DIR.
+"""Looks at the finished site as a reader's browser does: check_docs.py SITE_DIR [REPORT].
 
-SITE_DIR is the folder html that docs.py made. Without a browser: links and pictures of all pages
+SITE_DIR is the folder html that docs.py made, REPORT the page that ./wb tour ends with. Without a browser: links and pictures of all pages
 lead somewhere, every formula is drawn, each chapter shows a figure and a motion and has 15 links,
-each type of rows shows its C, J and K, the gallery has a picture for every recording, and the site
-is no larger than it may be. In headless Chromium: no page is wider than its window at 390 pixels,
-the letters of drawings are large enough there, ten words of the texts are found, and every motion
-plays. Where there is no Chromium that is skipped, and the last line says so.
+pictures are told in a sentence, each page has its language, its first heading and its main part,
+each type of rows shows its C, J and K, each joint's an example, the list of types has three groups,
+the gallery has a picture for every recording, and the site is no larger than it may be. In headless
+Chromium: no page is wider than its window at 390 pixels, listings stand where the text does, every
+word can be told from its background in the light and in the dark, paper shows the text alone, the
+letters of drawings are large enough, thirty searches find the wanted page among the first three,
+and every motion plays. Where there is no Chromium that is skipped, and the last line says so.
 Exit status: 0 good or skipped, 1 something is wrong, 2 no site there.
 """
 import json
@@ -15,7 +18,7 @@ import sys
 from html import unescape
 from html.parser import HTMLParser
 from pathlib import Path
-from urllib.parse import unquote
+from urllib.parse import quote_plus, unquote
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from website import browser  # noqa: E402
@@ -25,10 +28,80 @@ MEGABYTES = 12  # of the whole site, with the live page
 LINKS = 15      # of a chapter's text into code and other pages
 HINTS = re.compile(r'href="chapters_\w+_hints.html#[\w-]+-\d+"')
 TELEPHONE = 390  # [pixels]
-# Words, and the chapter whose text must be among what is found.
-WORDS = {"baumgarte": "06", "effective mass": "01", "quaternion": "02", "swing twist": "03",
-         "piston": "04", "cantilever": "05", "roofline": "07", "restitution": "08", "bricard": "09",
-         "erratum": "03"}
+CONTRAST = 4.5   # of words, at least: what the WCAG ask for
+TOLD = 44        # letters that tell what a figure shows, at least
+# What is asked, and the page that must be among the first three found.
+SEARCHES = {
+    "warmstart": "chapters_06", "XPBD": "docs_which_method", "breakable": "chapters_05",
+    "1.4": "chapters_01_distance_hints.html#chapters_01_distance_hints-14",
+    "Eq. 3-4": "chapters_03_hinge_README.html#eq-3-4", "max torque units": "docs_library",
+    "how to add a hinge": "docs_library.html#docs_library-a-program", "baumgarte": "chapters_06",
+    "effective mass": "chapters_01", "quaternion": "docs_before_you_start",
+    "swing twist": "chapters_03", "piston": "chapters_04", "cantilever": "chapters_05",
+    "roofline": "chapters_07", "restitution": "chapters_08", "bricard": "chapters_09",
+    "erratum": "docs_errata", "friction": "chapters_08", "debugger": "docs_editor",
+    "units": "docs_notation", "prismatic joint": "SliderJoint.html", "E5": "docs_errata-e5-",
+    "mass ratio": "docs_which_method", "save state": "docs_library-save", "install": "docs_library",
+    "hinge motor": "docs_library", "explodes": "chapters_06", "HingeJoint": "HingeJoint.html",
+    "how many iterations": "docs_which_method-how-many", "graph coloring": "chapters_07",
+    "exercise 2.3": "chapters_02_ball_hints"}
+# All that is asked of a page at the width of a telephone: how wide it is, which listings stand
+# outside the text, which words can hardly be read, and what paper would leave out.
+LOOK = """(() => {
+  if (document.readyState !== "complete") return null;
+  const root = document.documentElement, wide = root.scrollWidth, wrong = [];
+  const style = element => page.getComputedStyle(element);
+  for (const fold of document.querySelectorAll("details")) fold.open = true;
+  for (const block of document.querySelectorAll("div.textblock .fragment"))
+    if (block.getBoundingClientRect().left
+        < block.closest("div.textblock").getBoundingClientRect().left - 1)
+      wrong.push("a listing left of the text");
+  const rgba = words => words.startsWith("rgb") ? words.match(/[\\d.]+/g).map(Number) : null;
+  const light = ([r, g, b]) => [r, g, b].map(c => c / 255).map(
+    c => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
+    .reduce((sum, c, k) => sum + c * [0.2126, 0.7152, 0.0722][k], 0);
+  const over = (top, a, below) => below.map((c, k) => a * top[k] + (1 - a) * c);
+  const contrast = theme => {
+    const paper = new Map();
+    const paper_of = element => {  // null where it is a picture
+      if (!element) return [255, 255, 255];
+      if (!paper.has(element)) {
+        const one = style(element), colour = rgba(one.backgroundColor), a = colour?.[3] ?? 1;
+        const below = a < 1 ? paper_of(element.parentElement) : colour;
+        paper.set(element, one.backgroundImage !== "none" || !colour ? null
+          : below && over(colour.slice(0, 3), a, below.slice(0, 3)));
+      }
+      return paper.get(element);
+    };
+    const texts = document.createTreeWalker(document.body, 4), seen = new Map();
+    while (texts.nextNode()) {
+      const element = texts.currentNode.parentElement;
+      if (!texts.currentNode.data.trim() || element.closest("svg, script, style, iframe")) continue;
+      const ink = rgba(style(element).color), below = paper_of(element);
+      const to_see = {visibilityProperty: true, opacityProperty: true};
+      if (!ink || !below || !element.checkVisibility(to_see)) continue;
+      const [low, high] = [over(ink, ink[3] ?? 1, below), below].map(light).sort((a, b) => a - b);
+      const found = (high + 0.05) / (low + 0.05);
+      if (found < LEAST) seen.set(`${element.tagName}.${element.className}`,
+        `${found.toFixed(1)} ${theme}: ${texts.currentNode.data.trim().slice(0, 30)}`);
+    }
+    for (const [element, words] of seen) wrong.push(`${element}, contrast ${words}`);
+  };
+  const top = document.getElementById("top"), text = document.getElementById("doc-content");
+  root.classList.remove("dark-mode");
+  root.classList.add("light-mode");
+  contrast("light");
+  root.classList.replace("light-mode", "dark-mode");
+  contrast("dark");
+  page.dispatchEvent(new page.Event("beforeprint"));
+  if (text && root.classList.contains("dark-mode")) wrong.push("paper would be dark");
+  for (const sheet of document.styleSheets)
+    for (const rule of sheet.cssRules)
+      if (rule.media?.mediaText === "print") rule.media.mediaText = "all";
+  if (text && (style(top).display !== "none" || style(text).overflowY !== "visible"))
+    wrong.push("paper would show the list of pages, or one screen of the text");
+  return {wide, wrong: wrong.slice(0, 4).join("; ")};
+})()""".replace("LEAST", str(CONTRAST))
 
 
 class Page(HTMLParser):
@@ -107,9 +180,30 @@ def bad_chapters(sources):
                 yield f"{page.name}: no {what}"
 
 
-def bad_types(sources):
-    """Types of rows whose pages do not show C, J and K."""
+def bad_reading(sources):
+    """Pages that a screen reader or a keyboard cannot find its way in, pictures not told."""
     for page, html in sources.items():
+        for what, there in (("language", '<html lang="' in html),
+                            ("one main part", html.count("<main ") == 1),
+                            ("one title", len(re.findall(r"<h1\b", html)) == 1),
+                            ("way past the list of pages", '<body><a id="skip"' in html)):
+            if not there:
+                yield f"{page.name}: no {what}"
+        for image in re.findall(r"<img [^>]*>", html):
+            told = re.search(r'alt="([^"]*)"', image)
+            if not told or ('src="plots/' in image and len(told[1]) < TOLD):
+                yield f"{page.name}: does not tell what is to be seen: {image}"
+
+
+def bad_types(sources):
+    """Types of rows whose pages do not show C, J and K, joints without an example; the list."""
+    for page, html in sources.items():
+        if re.match(r"class\w+_(Ball|Hinge|Slider|Fixed|Part)Joint\.html|class\w+_GroundContact",
+                    page.name) and "An example, from" not in html:
+            yield f"{page.name}: no example"
+        if page.name == "annotated.html" and (html.count('<table class="doxtable types">') != 3
+                                              or "chapter8_1_1" in html):
+            yield f"{page.name}: not in three groups, or with scenes of the programs"
         if re.match(r"(struct|class)joints_1_1", page.name) and ">jacobian</a>" in html:
             shown = html.count('<div class="of">')
             if shown < 3:
@@ -152,19 +246,41 @@ def bad_gallery(site, sources):
             yield f"{url}: {times} times in the gallery"
 
 
+def bad_report(page):
+    """What is wrong with the report of a tour: three findings first, nothing empty or unmeant."""
+    html = page.read_text(encoding="utf-8")
+    sections = re.split(r"<h2\b", html[html.index("<body"):])[1:]
+    for what, there in (("three findings with pictures, above all else",
+                         all("<img " in one for one in sections[:3])),
+                        ("error against run time first", "iterations" in sections[0]),
+                        ("the machine and the time on top", " s on the clock" in html),
+                        ("only settings that fail since they are meant to",
+                         "<b>fails</b></td>" not in html),
+                        ("tables folded", html.count("<details>") == html.count("<table>"))):
+        if not there:
+            yield f"{page.name}: not there: {what}"
+    for section in sections:
+        if "<p>" not in section and "<img " not in section:
+            yield f"{page.name}: an empty section: {section[:60]}"
+    for image in re.findall(r"<figcaption>(?!<)(.*?)</figcaption>", html):
+        if len(image) < TOLD:
+            yield f"{page.name}: a caption that is no sentence: {image}"
+
+
 def too_large(site):
     size = sum(path.stat().st_size for path in site.rglob("*") if path.is_file()) / 1e6
     if size > MEGABYTES:
         yield f"the site has {size:.1f} MB, more than {MEGABYTES}"
 
 
-def browser_jobs(site, sources):
+def browser_jobs(site, sources, reports):
     """(job, what is wrong with its answer, in words) for all that only a browser can tell."""
-    width = "document.readyState === 'complete' && document.documentElement.scrollWidth"
-    for page in [*sources, *sorted((site / "motion").glob("*.html"))]:
-        yield browser.job(page.as_uri(), width, TELEPHONE, 800), lambda wide, page=page: (
-            None if wide and wide <= TELEPHONE else
-            f"{page.name}: {wide} pixels wide in {TELEPHONE}")
+    for page in [*sources, *sorted((site / "motion").glob("*.html")), *reports]:
+        yield browser.job(page.as_uri(), LOOK, TELEPHONE, 800), lambda seen, page=page: (
+            f"{page.name}: {seen}" if not seen or "wide" not in seen else
+            f"{page.name}: {seen['wide']} pixels wide in {TELEPHONE}"
+            if seen["wide"] > TELEPHONE else
+            f"{page.name}: {seen['wrong']}" if seen["wrong"] else None)
     letters = ("document.readyState === 'complete' && (all => all.length && all.filter("
                "one => !(parseInt(one.style.getPropertyValue('--wide')) > 0 && "
                "one.firstChild.offsetWidth >= parseInt(one.style.getPropertyValue('--wide')))"
@@ -173,13 +289,13 @@ def browser_jobs(site, sources):
         yield browser.job(page.as_uri(), letters, TELEPHONE, 800), lambda small, page=page: (
             None if str(small).startswith("0 of ")
             else f"{page.name}: {small} drawings too small for their letters")
-    for words, chapter in WORDS.items():
-        look = ("(all => all.length && all.map(a => a.getAttribute('href')).join(' '))"
-                "([...document.querySelectorAll('#found a')])")
-        address = f"{(site / 'index.html').as_uri()}?search={words.replace(' ', '+')}"
-        yield browser.job(address, look), lambda found, words=words, chapter=chapter: (
-            None if f"chapters_{chapter}_" in str(found)
-            else f"searching for {words} does not find chapter {chapter} but {found}")
+    look = ("(all => all.length && all.slice(0, 3).map(a => a.getAttribute('href')).join(' '))"
+            "([...document.querySelectorAll('#found a')])")
+    for words, wanted in SEARCHES.items():
+        address = f"{(site / 'index.html').as_uri()}?search={quote_plus(words)}"
+        yield browser.job(address, look), lambda found, words=words, wanted=wanted: (
+            None if wanted in str(found)
+            else f"searching for {words} does not find {wanted} first but {found}")
     for page in sorted((site / "motion").glob("*.html")):
         for name, scene in scenes_of(page)[0].items():
             label = f"{scene['title']}, the solution: a picture that moves"
@@ -193,19 +309,20 @@ def browser_jobs(site, sources):
 
 
 def main():
-    if len(sys.argv) != 2 or not Path(sys.argv[1], "index.html").is_file():
-        print("check_docs: usage: check_docs.py SITE_DIR, a folder with index.html",
+    if not 2 <= len(sys.argv) <= 3 or not Path(sys.argv[1], "index.html").is_file():
+        print("check_docs: usage: check_docs.py SITE_DIR [REPORT], a folder with index.html",
               file=sys.stderr)
         return 2
-    site = Path(sys.argv[1]).resolve()
+    site, reports = Path(sys.argv[1]).resolve(), [Path(one).resolve() for one in sys.argv[2:]]
     sources = {page: page.read_text(encoding="utf-8") for page in sorted(site.glob("*.html"))
                if page.name != "live.html"}
     bad = [*dead_links(site, sources), *bad_chapters(sources), *bad_types(sources),
-           *bad_gallery(site, sources), *too_large(site)]
+           *bad_reading(sources), *bad_gallery(site, sources), *too_large(site),
+           *(line for page in reports for line in bad_report(page))]
     if (site / "glyphs.js").exists():
         bad += bad_formulas(sources)
     if browser.there():
-        jobs = list(browser_jobs(site, sources))
+        jobs = list(browser_jobs(site, sources, reports))
         answers = browser.ask([job for job, _ in jobs])
         bad += filter(None, (wrong(answer) for (_, wrong), answer in zip(jobs, answers)))
         done = f"{len(jobs)} looks of a browser"

@@ -1,6 +1,7 @@
-"""The formulas of the types' pages: the equations that a type's code names, drawn where it is
-described. The code names them by number; the chapter's text has them."""
+"""The types' pages: the equations that a type's code names, drawn where it is described (the code
+names them by number, the chapter's text has them), how a joint is used, and the list of types."""
 import re
+from html import escape
 from pathlib import Path
 
 from website import formulas
@@ -53,4 +54,68 @@ def with_formulas(pages):
                 made[page] = re.sub(r'(<a name="details"[^>]*>.*?<div class="textblock">.*?</p>)',
                                     lambda at: f'{at[1]}<div class="equations">{shown}</div>',
                                     pages[page], count=1, flags=re.S)
+    return made
+
+
+INCLUDES = "<p><code>#include &lt;"  # behind what a type is
+LIBRARY = ROOT / "docs" / "library.md"
+CLASS = r"(?:struct|class)joints_1_1(\w+)\.html"
+GROUPS = (("use", "To use", "What a program with joints names; the programs of "
+           '<a href="docs_library.html">the joints in your own program</a> are made of it.'),
+          ("exercises", "From the exercises", "What you write, and what your code is called by."),
+          ("inside", "Inside", "What these are made of."))
+
+
+def group_of(name):
+    """In which of GROUPS a type stands, by the file that declares it."""
+    if re.search(rf"\b{name}\b", LIBRARY.read_text(encoding="utf-8")):
+        return "use"
+    declared = re.compile(rf"^(?:struct|class) {name}\b[^;]*$", re.M)
+    contracts = (path / f"{path.name[3:]}.h" for path in ROOT.glob("chapters/[0-9]*"))
+    return "exercises" if any(declared.search(path.read_text(encoding="utf-8"))
+                              for path in contracts) else "inside"
+
+
+def list_of_types(page):
+    """The page of all types, sorted by who needs them; those of the programs' scenes left out."""
+    groups = {key: [] for key, _, _ in GROUPS}
+    for at, name, words in re.findall(
+            r'<a class="el" href="([^"]+)" target="_self">(\w+)</a></td>'
+            r'<td class="desc">(.*?)</td>', page, re.S):
+        found = re.fullmatch(CLASS, at)
+        if found and "chapter" not in found[1] and "_1_1" not in found[1]:
+            groups[group_of(name)].append(
+                f'<tr><td><a class="el" href="{at}">{name}</a></td><td>{words}</td></tr>')
+    body = "".join(f'<h2>{title}</h2><p>{words}</p><table class="doxtable types">'
+                   f'{"".join(groups[key])}</table>' for key, title, words in GROUPS)
+    return re.sub(r'(<div class="contents">).*?(?=</div><!-- contents -->)',
+                  lambda found: f'{found[1]}<div class="textblock">{body}</div>', page,
+                  flags=re.S)
+
+
+def uses():
+    """{HingeJoint: (where from, lines)}: how the programs add each joint, the library's first."""
+    found = {}
+    for path in [LIBRARY, *sorted(ROOT.glob("chapters/*/program/*"))]:
+        text = path.read_text(encoding="utf-8")
+        for use in re.finditer(r"^ *(?:auto&|\w+&) (\w+) =\s*[^;{}]*?\badd<(\w+)>[^;]*;"
+                               r"(?:\s*(?=\1\.)[^;{}]*;)*", text, re.M):
+            lines = use[0].split("\n")
+            indent = len(lines[0]) - len(lines[0].lstrip())
+            found.setdefault(use[2], (path, "\n".join(line[indent:] for line in lines)))
+    return {**found, "PartJoint": found["BallJoint"]}  # whose page is that of its template
+
+
+def with_uses(pages):
+    """The pages, those of joints with the lines of a program that adds one."""
+    made = dict(pages)
+    for name, (path, lines) in uses().items():
+        page = f"classjoints_1_1{name}.html"
+        if page in pages:
+            words = ('<a href="docs_library.html">the joints in your own program</a>'
+                     if path == LIBRARY else f"<code>{path.relative_to(ROOT)}</code>")
+            shown = "".join(f'<div class="line">{escape(line)}</div>' for line in lines.split("\n"))
+            made[page] = pages[page].replace(INCLUDES, (
+                f'<p>An example, from {words}:</p><div class="fragment">{shown}</div>'
+                + INCLUDES), 1)
     return made

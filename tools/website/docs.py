@@ -104,7 +104,8 @@ def finish(html, recordings, tags):
              for page, text in pages.items()}
     pages["index.html"] = front.finished(pages["index.html"], rows, (html / "live.html").exists())
     pages = {page: re.sub(r'(?<=[(\["]) (?=\\\()', "", text) for page, text in pages.items()}
-    pages = raw = classes.with_formulas(pages)
+    pages["annotated.html"] = classes.list_of_types(pages["annotated.html"])
+    pages = raw = classes.with_formulas(classes.with_uses(pages))
     pages = formulas.draw(pages, html)
     if not formulas.node():
         for part in formulas.PARTS:

@@ -2,9 +2,9 @@
 import re
 from html import escape
 
-from base import house
+from base import house, palette
 from pictures import figures
-from website import gallery, report
+from website import gallery
 
 PARAGRAPH = re.compile(r"<p\b[^>]*>(?:(?!</p>).)*?</p>", re.S)
 LEAST = 9  # of letters in a drawing [pixels]
@@ -12,7 +12,8 @@ LEAST = 9  # of letters in a drawing [pixels]
 RESULT = re.compile(r"\bresult=(?:draw_)?(\w+)")
 
 
-def figure(stem, words):
+def figure(stem):
+    words = f"Figure {stem}: {figures.title_of(figures.FIGURES / f'{stem}.png')}"
     return (f'<figure class="result"><a href="plots/{stem}.png"><img loading="lazy" '
             f'src="plots/{stem}.png" alt="{escape(words, quote=True)}"></a></figure>')
 
@@ -27,10 +28,12 @@ def width_for_labels(path):
 
 
 def with_drawings(text, root):
-    """Drawings that on a telephone stay large enough to be read, and scroll."""
+    """Drawings that on a telephone stay large enough to be read, and scroll. Some lie on a card."""
     def drawing(image):
         wide = width_for_labels(root / image[1])
-        return f'<span class="drawing" style="--wide: {wide}px">{image[0]}</span>'
+        card = palette.named("card") in (root / image[1]).read_text(encoding="utf-8")
+        kind = "drawing card" if card else "drawing"
+        return f'<span class="{kind}" style="--wide: {wide}px">{image[0]}</span>'
     return re.sub(r'<img src="([\w./-]+/[\w.-]+\.svg)"[^>]*>', drawing, text)
 
 
@@ -44,19 +47,18 @@ def result_of(chapter):
 def with_figures(text, chapter):
     """The chapter's drawn figures, each behind the first paragraph that names it."""
     drawn = [path.stem for path in sorted(figures.FIGURES.glob(f"{chapter.number:02}_*.png"))]
-    names = report.mentioned(chapter.text.read_text(encoding="utf-8"))
     paragraphs = [(p, re.sub(r"<[^>]+>", "", p[0]).strip()) for p in PARAGRAPH.finditer(text)]
     # Behind the paragraph; before it where its sentence goes on in a table.
     paragraphs = [(p.end() if words.endswith((".", "!", "?", ")")) else p.start(), words)
                   for p, words in paragraphs]
-    places = {stem: next((end for end, words in paragraphs if re.search(rf"\b{stem}\b", words)), 0)
+    places = {stem: next((end for end, words in paragraphs
+                          if re.search(rf"\b{stem}\b", words)), 0)
               for stem in drawn}
     places.pop(result_of(chapter), None)
     for stem, end in sorted(places.items(), key=lambda one: -one[1]):
         if end:
-            words = f"Figure {stem}: {names.get(stem, stem[3:].replace('_', ' '))}"
-            text = text[:end] + figure(stem, words) + text[end:]
-    more = "".join(figure(stem, stem) for stem, end in places.items() if not end)
+            text = text[:end] + figure(stem) + text[end:]
+    more = "".join(figure(stem) for stem, end in places.items() if not end)
     return text, more
 
 

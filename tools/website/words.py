@@ -7,14 +7,33 @@ from html import unescape
 
 NOT_READ = re.compile(r'<(script|style|svg|title|nav)\b.*?</\1>|<div class="(?:toc|tex)".*?</div>'
                       r'|<span class="tex[^"]*".*?</span>|<!--.*?-->', re.S)
-PLACE = re.compile(r'<a class="anchor" id="([^"]+)"></a>\s*(.*?)</h\d>'
+PLACE = re.compile(r'<a class="anchor" id="([^"]+)"></a>\s*((?:(?!</?h\d).)*)</h\d>'
                    r'|<a id="([^"]+)"[^>]*></a>\s*<h2 class="memtitle">(.*?)</h2>', re.S)
+EQUATION = re.compile(r"\\tag\{(\d-\d+)\}")
+EXERCISE = re.compile(r"\d\.\d+$")
 # Too common to tell one place from another.
 COMMON = set("""the a an of and or in on is are to it its that this with for by as at be not no from
     one two what which has have was were if so but than then only all each per into out
-    can""".split())
-BOLD = re.compile(r"<(?:b|strong)>(.*?)</(?:b|strong)>", re.S)
-TITLE_WEIGHT, TEXT_WEIGHT = 6, 3  # of a word in a heading, and in a text
+    can how do does my i me""".split())
+# What other engines and readers call it, and the words of the site.
+SYNONYMS = {
+    "actuator": "motor", "bounce": "restitution", "bouncy": "restitution", "cable": "rope",
+    "cfm": "softness", "collision": "contact ground", "coloring": "colours",
+    "compliance": "softness", "download": "install", "erp": "beta", "erratum": "errata",
+    "explode": "grow beta", "explodes": "grow beta", "lcp": "bounds direct solver",
+    "license": "licence", "max": "strength", "maximum": "strength", "pbd": "position projection",
+    "pgs": "sequential impulses", "prismatic": "slider", "revolute": "hinge", "servo": "motor",
+    "setup": "install", "socket": "ball", "sor": "over relaxation", "spherical": "ball",
+    "spring": "softness", "stiff": "softness", "timestep": "step", "units": "conventions",
+    "unstable": "stability", "vectorized": "simd lanes", "weld": "fixed",
+    "xpbd": "substeps softness"}
+# What the words of a page weigh, the first name that it has; by this a text and a heading are
+# weighed.
+WEIGHTS = ((r"^docs_library", 4), (r"_README|which_method", 3), (r"chapter\d_1_1", 0.3),
+           (r"errata|references|gallery|answers|teaching|CONTRIBUTING|^group|^annotated|topics", 1),
+           ("", 2))
+LESS = ("Further reading", "A printed formula that is wrong: find it")  # half of that
+TEXT, HEADING = 10, 12
 
 
 def words_of(html):
@@ -22,6 +41,12 @@ def words_of(html):
     plain = unicodedata.normalize("NFKD", text.lower())
     return [word for word in re.findall(r"[a-z0-9_]{2,}", plain)
             if word not in COMMON and not re.fullmatch(r"\d+", word)]
+
+
+def words_of_heading(heading):
+    """Its words, the parts of a name that is written together, and a number with a point."""
+    parts = re.sub(r"([a-z])([A-Z])", r"\1 \2", heading)
+    return {*words_of(heading), *words_of(parts), *re.findall(r"\d[.-]\d+", heading)}
 
 
 def plain(html):
@@ -40,28 +65,41 @@ def sections(text):
     yield place, heading, body[at:]
 
 
+def weight_of(page):
+    """What a page's words weigh: texts for readers come before remarks and members of types."""
+    return next(weight for name, weight in WEIGHTS if re.search(name, page))
+
+
 def index_of(texts, titles):
     """What search_words.js says. `texts` and `titles`: of each page, by its file's name."""
     places, words = [], {}
+
+    def add(page, place, heading, weights):
+        for word, weight in weights.items():
+            words.setdefault(word, []).extend((len(places), weight))
+        places.append([f"{page}#{place}" if place else page, titles[page], heading])
+
     for page, title in titles.items():
         if page.startswith("namespace"):
             continue  # it names everything
-        weight = (TEXT_WEIGHT if page.endswith("_README.html") else
-                  2 if page.startswith("docs") else 1)
         for place, heading, html in sections(texts[page]):
+            weight = weight_of(page) / (2 if heading in LESS else 1)
+            if heading == f"{title}()":
+                continue  # a constructor stands beside its type
             count = Counter(words_of(html))
-            for word in words_of(" ".join(BOLD.findall(html))):  # where a word is explained
-                count[word] += TITLE_WEIGHT
-            for word in words_of(heading or title):
-                count[word] += TITLE_WEIGHT
-            if not count:
-                continue
-            if page.endswith("_hints.html") and re.match(r"\d\.\d", heading):
+            # A word is worth less where there are many, and hardly more when it comes again.
+            long = 1 + sum(count.values()) / 300
+            weights = {word: max(1, round(weight * TEXT * times / (times + 2 * long)))
+                       for word, times in count.items()}
+            if page.endswith("_hints.html") and EXERCISE.match(heading):
                 heading = f"Exercise {heading}"
-            for word, times in count.items():
-                words.setdefault(word, []).extend((len(places), weight * min(times, 9)))
-            places.append([f"{page}#{place}" if place else page, title, heading])
-    return {"places": places, "words": words}
+            for word in words_of_heading(heading or title):
+                weights[word] = weights.get(word, 0) + max(1, round(HEADING * weight))
+            if weights:
+                add(page, place, heading, weights)
+        for number in EQUATION.findall(texts[page]):
+            add(page, f"eq-{number}", f"Eq. {number}", {number: 50, "eq": 1, "equation": 1})
+    return {"places": places, "words": words, "common": sorted(COMMON), "synonyms": SYNONYMS}
 
 
 def write(html, texts, titles):

@@ -1,5 +1,6 @@
 """./wb tour: everything computed, drawn and moving, from the solutions, on one page."""
 import resource
+import time
 
 from base import house
 from learn import show
@@ -9,7 +10,7 @@ from bench.measuring import run_bench
 
 
 def tour():
-    chapters = house.chapters()
+    chapters, began = house.chapters(), time.monotonic()
     print("every chapter's program, every figure, every motion: " + cost(), flush=True)
     house.must_build([f"{c.folder}_run" for c in chapters] + ["work_precision"], "building")
     with house.talking():
@@ -26,7 +27,8 @@ def tour():
     figures.draw_all(jobs)
     house.progress_done()
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    page = report.write(chapters, used.ru_utime + used.ru_stime)
+    page = report.write(chapters, used.ru_utime + used.ru_stime,
+                        time.monotonic() - began)
     print(f"\nAll of it on one page: {house.short(page)}\n"
           "Your turn: ./wb leads you to the first exercise.")
     return 0

@@ -12,11 +12,14 @@ from pictures import figures, pages, poster
 from website import gallery
 
 TEMPLATE = house.ROOT / "docs" / "report.html"
-FIRST = ("08_ground", "ragdoll")  # the motion on top of the page
+FIRST = ("08_ground", "ragdoll")  # the motion behind the findings
 BENCH = {"work_precision": "Error against run time", "stability": "What holds, and up to where"}
-STABILITY_NOTE = ("Which method still holds a stiff, extreme or redundant scene is not part of a "
-                  "tour: <code>./wb bench --stability</code> measures it in some minutes, and the "
-                  "next tour shows its maps here.")
+ROUNDING = 1e-9  # [m], and as a share of the energy: what is smaller is shown as 0
+FAILED = 0.1  # [m]: joints that are so far apart do not hold
+# The settings that their chapters show in order to let them fail: (scene, setting).
+MEANT = {("pendulums", "beta 0"), ("drift", "beta 0"), ("side by side", "projection, 30"),
+         ("whips", "colours"), ("drift", "gravity"), ("drift", "collision"),
+         ("drift", "contact last"), ("Bricard", "nothing dropped")}
 HEADINGS = ("scene", "setting", "time per step [µs]", "gap, root mean square [mm]",
             "largest gap [mm]", "drift of the energy")
 
@@ -27,34 +30,40 @@ def summary(chapter):
         return list(csv.DictReader(file))
 
 
-def mentioned(text):
-    """What a chapter's text calls its figures: {03_door: the door}."""
-    return {name: words.lower() for words, name in
-            re.findall(r"\*\*([^*]+?)\.?\*\*\s+\((\d\d_\w+)", text)}
-
-
-def caption(stem, names):
-    words = names.get(stem) or re.sub(r"^\d+_", "", stem).replace("_", " ")
-    return f"<figcaption>{escape(words[:1].upper() + words[1:])}</figcaption>"
-
-
-def figure_grid(paths, names=None):
-    """Drawn figures, as seen from out/."""
+def figure_grid(paths):
+    """Drawn figures, as seen from out/, each with what it shows."""
     cells = "".join(
         f'<figure><a href="{path.relative_to(house.OUT)}">'
-        f'<img loading="lazy" src="{path.relative_to(house.OUT)}" alt="{path.stem}"></a>'
-        f"{caption(path.stem, names or {})}</figure>" for path in paths)
+        f'<img loading="lazy" src="{path.relative_to(house.OUT)}" '
+        f'alt="{escape(figures.title_of(path), quote=True)}"></a>'
+        f"<figcaption>{escape(figures.title_of(path))}.</figcaption></figure>" for path in paths)
     return f'<div class="grid wide">{cells}</div>' if cells else ""
 
 
+def failure(row):
+    """What there is to say of a setting whose joints do not hold, or nothing."""
+    if float(row["gap_rms_m"]) < FAILED:
+        return ""
+    return "meant to fail" if (row["scene"], row["setting"]) in MEANT else "fails"
+
+
+def digits(value, unit, count):
+    """A number in a unit; 0 where it is below rounding."""
+    return "0" if abs(value) < ROUNDING else f"{value / unit:.{count}g}"
+
+
 def table(rows):
-    cells = [(row["scene"], row["setting"], f"{float(row['us_per_step']):.2f}",
-              f"{1000 * float(row['gap_rms_m']):.3g}", f"{1000 * float(row['gap_max_m']):.3g}",
-              f"{float(row['energy_drift']):.2g}") for row in rows]
+    """A chapter's rows, folded; what fails says so, and whether it is meant to."""
+    def cells(row):
+        note = f" <b>{failure(row)}</b>" if failure(row) else ""
+        return (escape(row["scene"]), escape(row["setting"]) + note,
+                f"{float(row['us_per_step']):.2f}", digits(float(row["gap_rms_m"]), 1e-3, 3),
+                digits(float(row["gap_max_m"]), 1e-3, 3), digits(float(row["energy_drift"]), 1, 2))
     head = "".join(f"<th>{word}</th>" for word in HEADINGS)
-    return (f'<div class="table"><table><tr>{head}</tr>' + "".join(
-        "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in cells)
-        + "</table></div>")
+    return (f"<details><summary>{len(rows)} scenes and settings in numbers</summary>"
+            f'<div class="table"><table><tr>{head}</tr>' + "".join(
+                "<tr>" + "".join(f"<td>{cell}</td>" for cell in cells(row)) + "</tr>"
+                for row in rows) + "</table></div></details>")
 
 
 def chapter_part(chapter, rows):
@@ -64,20 +73,71 @@ def chapter_part(chapter, rows):
                     if row.folder == chapter.folder)
     drawn = sorted(figures.FIGURES.glob(f"{chapter.number:02}_*.png"))
     return (f'<h2 id="chapter{chapter.number}">{title}</h2><div class="grid">{cards}</div>'
-            + figure_grid(drawn, mentioned(chapter.text.read_text(encoding="utf-8")))
-            + table(summary(chapter)))
+            + figure_grid(drawn) + table(summary(chapter)))
 
 
-def bench_parts(chapters):
-    """Figures that belong to no chapter, with what they are."""
-    of_chapters = {f"{chapter.number:02}" for chapter in chapters}
-    for name, title in BENCH.items():
-        drawn = sorted(path for path in figures.FIGURES.glob(f"{name}*.png")
-                       if path.name[:2] not in of_chapters)
-        if drawn:
-            yield f'<h2 id="{name}">{title}</h2>' + figure_grid(drawn)
-        elif name == "stability":
-            yield f'<h2 id="{name}">{title}</h2><p>{STABILITY_NOTE}</p>'
+def of_bench(name):
+    """The figures of a benchmark that have been drawn."""
+    return sorted(figures.FIGURES.glob(f"{name}*.png"))
+
+
+def bench_parts():
+    """Figures that belong to no chapter; none where nothing was measured."""
+    return "".join(f'<h2 id="{name}">{title}</h2>' + figure_grid(of_bench(name))
+                   for name, title in BENCH.items() if of_bench(name))
+
+
+def measured(scene, solver, setting):
+    """The rows of a method in the table of error against run time, by their iterations."""
+    with open(figures.TABLE, newline="", encoding="utf-8") as file:
+        return sorted((row for row in csv.DictReader(file) if row["real"] == "double" and (
+            row["scene"], row["solver"], row["setting"]) == (scene, solver, setting)),
+            key=lambda row: int(row["iterations"]))
+
+
+def length(metres):
+    """A length as one says it."""
+    for unit, words in ((1, "m"), (1e-3, "mm"), (1e-6, "µm")):
+        if metres >= 0.1 * unit:
+            return f"{metres / unit:.2g} {words}"
+    return "less than a tenth of a micrometre"
+
+
+def exact_or_iterated():
+    """What an exact solve costs beside iterations, and what both leave: measured."""
+    few, more, *_, many = measured("S1b", "sequential impulses", "cold")
+    exact = measured("S1b", "direct", "velocities")[0]
+    counts, times = ([float(row[name]) for row in (few, more)]
+                     for name in ("iterations", "us_per_step"))
+    time, gap = (float(exact[name]) for name in ("us_per_step", "gap_rms_m"))
+    same = counts[0] + (time - times[0]) * (counts[1] - counts[0]) / (times[1] - times[0])
+    return (f"An exact solve costs about as much as {max(same, 1):.0f} plain iterations",
+            f"Chains of a hundred cubes: {few['iterations']} iterations leave gaps of "
+            f"{length(float(few['gap_rms_m']))}, {many['iterations']} take "
+            f"{float(many['us_per_step']) / time:.2g} times as long as the exact solve and still "
+            f"leave {length(float(many['gap_rms_m']))}; it leaves {length(gap)}.")
+
+
+# The findings on top: a figure of out/plots/ and what it shows; where no more is said, what stands
+# above the figure.
+FINDINGS = (("work_precision_S1b_double", exact_or_iterated),
+            ("09_together", lambda: ("Iterations let a long chain go, an exact solve holds it", "")),
+            ("06_beta", lambda: ("Correcting more than twice the error makes it grow", "")))
+
+
+def findings():
+    """Three findings, each with its picture: error against run time first."""
+    shown = ""
+    for stem, words in FINDINGS:
+        path = figures.FIGURES / f"{stem}.png"
+        if path.exists():
+            title, more = words()
+            more = more or figures.title_of(path) + "."
+            shown += (f"<section><h2>{escape(title)}</h2><p>{escape(more)}</p>"
+                      f'<a href="{path.relative_to(house.OUT)}">'
+                      f'<img src="{path.relative_to(house.OUT)}" '
+                      f'alt="{escape(figures.title_of(path), quote=True)}"></a></section>')
+    return f'<div id="findings">{shown}</div>'
 
 
 def sentences(chapters):
@@ -85,12 +145,15 @@ def sentences(chapters):
     rows = [row for chapter in chapters for row in summary(chapter)]
     gaps = [1000 * float(row["gap_rms_m"]) for row in rows]
     costs = [float(row["us_per_step"]) for row in rows]
+    failures = [failure(row) for row in rows if failure(row)]
+    other = len(failures) - failures.count("meant to fail")
     recorded = len(list(show.SOLUTIONS.glob("*/*.motion.json")))
     return (f"The programs of {len(chapters)} chapters have simulated {len(rows)} scenes and "
             f"settings with the joints that the solutions build, and recorded {recorded} of them. "
             f"In half of the {len(rows)} the joints are less than {statistics.median(gaps):.2g} mm "
-            "apart (root mean square over the run); the tables below say where it is more, and the "
-            f"chapters why. Half of the steps take less than {statistics.median(costs):.2g} µs.")
+            f"apart (root mean square over the run). {len(failures) - other} are meant to fail, "
+            f"since their chapters show by them what goes wrong; {other or 'no'} other fails. Half "
+            f"of the steps take less than {statistics.median(costs):.2g} µs.")
 
 
 def machine():
@@ -103,24 +166,33 @@ def machine():
                        Path(compiler[1]).name if compiler else "an unknown compiler"])
 
 
-def write(chapters, seconds):
-    """Writes out/index.html; `seconds` of processor time were used."""
+def write(chapters, seconds, waited):
+    """Writes out/index.html; `seconds` of processor time were used, `waited` on the clock."""
     rows = gallery.read_rows((house.ROOT / gallery.PAGE).read_text(encoding="utf-8"))
     links = "".join(f'<a href="#chapter{c.number}">{c.number} {c.name}</a>' for c in chapters)
-    body = f"""<h1>The Joint Workbook: all that was computed</h1>
+    links += "".join(f'<a href="#{name}">{title}</a>' for name, title in BENCH.items()
+                     if of_bench(name))
+    body = f"""<h1>The Joint Workbook: what was computed</h1>
+<p class="how">{time.strftime("%d %B %Y, %H:%M")}, {machine()}: {waited:.0f} s on the clock,
+{seconds:.0f} s of processor time with what had to be built.</p>
+{findings()}
+<h2>All of it</h2>
 <p>{sentences(chapters)}</p>
 <iframe src="see/{FIRST[0]}.html?scene={FIRST[1]}&amp;play=1" title="A ragdoll falls"></iframe>
-<nav>{links}{"".join(f'<a href="#{name}">{title}</a>' for name, title in BENCH.items())}</nav>
+<nav aria-label="Chapters">{links}</nav>
 <p>A picture of a motion plays it; a figure opens in full. <b>Gap</b>: how far joints are apart.
 <b>Drift</b>: change of energy over the run, as a share of the energy to hand. Ropes that become
 taut and limits that stop a body take some, as in nature, motors add their work, and what sags has
-come to rest lower; what is lost else, the method loses.</p>
+come to rest lower; what is lost else, the method loses. A setting <b>fails</b> if its joints are
+more than {1000 * FAILED:.0f} mm apart (root mean square). 0 is less than rounding,
+{ROUNDING:.0e} m.</p>
 {"".join(chapter_part(chapter, rows) for chapter in chapters)}
-{"".join(bench_parts(chapters))}
+{bench_parts()}
 <h2 id="how">How this was measured</h2>
-<p>{time.strftime("%d %B %Y, %H:%M")}, {machine()}. Times per step are of one run each, on one
-core, beside whatever else the machine did: good to about a tenth. Processor time of the tour,
-with what had to be built: {seconds:.0f} s. All numbers are from <code>out/solutions/</code>.</p>
+<p>Times per step are of one run each, on one core, beside whatever else the machine did: good to
+about a tenth. All numbers are from <code>out/solutions/</code>. Which method still holds a stiff,
+extreme or redundant scene is not part of a tour: <code>./wb bench --stability</code> measures it
+in some minutes, and the next tour shows its maps here.</p>
 <p>Your turn: <code>./wb</code> leads you to the first exercise. The texts stand in
 <code>chapters/</code>, and <code>./wb docs</code> makes a site of them.</p>
 {poster.BALLS}"""

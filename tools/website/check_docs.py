@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 """Looks at the finished site as a reader's browser does: check_docs.py SITE_DIR [REPORT].
 
-SITE_DIR is the folder html that docs.py made, REPORT the page that ./wb tour ends with. Without a browser: links and pictures of all pages
-lead somewhere, every formula is drawn, each chapter shows a figure and a motion and has 15 links,
-pictures are told in a sentence, each page has its language, its first heading and its main part,
-each type of rows shows its C, J and K, each joint's an example, the list of types has three groups,
-the gallery has a picture for every recording, and the site is no larger than it may be. In headless
-Chromium: no page is wider than its window at 390 pixels, listings stand where the text does, every
-word can be told from its background in the light and in the dark, paper shows the text alone, the
-letters of drawings are large enough, thirty searches find the wanted page among the first three,
-and every motion plays. Where there is no Chromium that is skipped, and the last line says so.
+SITE_DIR is the folder html that docs.py made, REPORT the page that ./wb tour ends with. Without a
+browser: links and pictures of all pages lead somewhere, every formula is drawn, each chapter shows
+a figure and a motion and has 15 links, pictures are told in a sentence, each page has its language,
+its first heading and its main part, each type of rows shows its C, J and K, each joint's an
+example, the list of types has three groups, the gallery has a picture for every recording, and the
+site is no larger than it may be. In headless Chromium: no page is wider than its window at 390
+pixels, listings stand where the text does, every word can be told from its background in the light
+and in the dark, paper shows the text alone, the letters of drawings are large enough, thirty
+searches find the wanted page among the first three, and every motion plays. Where there is no
+Chromium that is skipped, and the last line says so.
 Exit status: 0 good or skipped, 1 something is wrong, 2 no site there.
 """
 import json

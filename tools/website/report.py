@@ -121,7 +121,7 @@ def exact_or_iterated():
 # The findings on top: a figure of out/plots/ and what it shows; where no more is said, what stands
 # above the figure.
 FINDINGS = (("work_precision_S1b_double", exact_or_iterated),
-            ("09_together", lambda: ("Iterations let a long chain go, an exact solve holds it", "")),
+            ("09_together", lambda: ("Iterations let a long chain go, exact solves hold it", "")),
             ("06_beta", lambda: ("Correcting more than twice the error makes it grow", "")))
 
 

@@ -1,4 +1,5 @@
-// The ragdoll of chapter 5's program, hung by one hand. Read it; there is nothing to edit here.
+// The ragdoll of chapter 5's program, which hangs by one hand. Read it; there is nothing to edit
+// here.
 #pragma once
 
 #include "chapters/05_fixed/fixed_joint.h"
@@ -11,8 +12,8 @@ namespace joints::chapter5 {
 /// The six boxes of the thesis' fig. 5.5: balls in shoulders and hips, the head welded on.
 struct HungRagdoll {
   static constexpr double mass = 233;  ///< of all boxes together [kg]
-  Scene scene{.name = "ragdoll"};      ///< world, solver, what is measured and drawn
-  BallJoint* grip;                     ///< of the hand that holds it
+  Scene scene{.name = "ragdoll"};      ///< world, solver, measurements, appearance
+  BallJoint* grip;                     ///< the joint of the hand by which it hangs
 
   /// The scene with these settings.
   explicit HungRagdoll(const Settings& settings) {

@@ -11,10 +11,10 @@
 /// @{
 namespace joints::chapter6 {
 
-/// Each joint sits at the centre of the link before it. The first free link leads 1 m from the
-/// centre of the left wall, the second from there to a point that the right wall holds. With the
-/// bend 0 the two are stretched straight: there is one place for them and no other. Bent by an
-/// angle they have some room.
+/// Each joint is at the centre of the previous link. The first free link reaches 1 m from the
+/// centre of the left wall, the second from there to a fixed point of the right wall. With the bend
+/// 0 the two are stretched straight, and their position is unique. Bent by an angle they have some
+/// slack.
 inline Chain bent_chain(real bend) {
   const real along = std::cos(bend), down = std::sin(bend);
   const quat first = rotation(vec3(0, 0, -bend)), second = rotation(vec3(0, 0, bend));
@@ -28,9 +28,9 @@ inline Chain bent_chain(real bend) {
   return chain;
 }
 
-/// That chain in a world, and three blows at its second link, as from cubes that are shot at it.
+/// This chain in a world, and three impacts on its second link, as from cubes that are shot at it.
 struct BetweenWalls {
-  Scene scene{.name = "between"};  ///< world, solver, what is measured and drawn
+  Scene scene{.name = "between"};  ///< world, solver, measurements, appearance
   std::vector<BodyId> ids;         ///< from wall to wall
 
   /// \param bend [rad] \param beta of all joints [1]
@@ -44,7 +44,7 @@ struct BetweenWalls {
       scene.mark(ids[k], ids[k + 1], chain.bodies[k].x);
     }
   }
-  /// The blow of this moment, if there is one: after half a second, and twice more a second apart.
+  /// The impact at this time, if there is one: after half a second, and twice more a second apart.
   void kick(double time) {
     const vec3 blows[] = {vec3(3, 5, -8), vec3(-6, 4, 5), vec3(2, -9, 3)};  // [m/s]
     const int n = int(std::lround(time * 60));

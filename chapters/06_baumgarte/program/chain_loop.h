@@ -8,25 +8,25 @@
 /// @{
 namespace joints {
 
-/// How a chain is kept together.
+/// The settings that keep the joints of a chain closed.
 struct Stabilisation {
-  real beta = 0;        ///< share of the error fed back in a step [1]
+  real beta = 0;        ///< fraction of the error fed back per step [1]
   bool warm = false;    ///< begin with the impulses of the last step
   int projections = 0;  ///< iterations of position projection after a step
-  int iterations = 30;  ///< iterations over the velocities, at most
-  /// Enough is done when no impulse of an iteration is larger than this share of the largest sum
-  /// [1]; 0 does all iterations that still change something.
+  int iterations = 30;  ///< maximum number of iterations for the velocities
+  /// The iterations stop when no impulse of an iteration exceeds this fraction of the largest
+  /// accumulated impulse [1]; with 0 they stop when nothing changes any more.
   real enough = 0;
 };
 
-/// A chain, and what it remembers from step to step.
+/// A chain, and its state from step to step.
 class ChainLoop {
  public:
   Chain chain;             ///< bodies and joints
   Stabilisation settings;  ///< may be changed between steps
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
 
-  /// Forces, rows, warm start, iterations, places, projection. \param h the step [s]
+  /// Forces, rows, warm start, iterations, positions, projection. \param h the step [s]
   void step(real h) {
     std::vector<Body>& bodies = chain.bodies;
     for (Body& body : bodies) integrate_forces(body, gravity, h);
@@ -88,7 +88,7 @@ class ChainLoop {
 
   std::vector<Rows> rows_;
   int iterated_ = 0;
-  std::vector<vec3> impulses_;  // what each joint gave in the last step [N s]
+  std::vector<vec3> impulses_;  // impulse of each joint in the last step [N s]
   real h_before_ = 0;           // the last step [s]
 };
 

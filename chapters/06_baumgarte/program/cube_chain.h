@@ -10,12 +10,12 @@
 /// @{
 namespace joints::chapter6 {
 
-/// Cubes 1 m apart in a row, the first static, each on a ball joint at the centre of the one
-/// before.
+/// Cubes 1 m apart in a row, the first static, each on a ball joint at the centre of the previous
+/// one.
 struct CubeChain {
   Scene scene;                     ///< the scene
   std::vector<BodyId> ids;         ///< its cubes, the static one first
-  std::vector<BallJoint*> joints;  ///< one less
+  std::vector<BallJoint*> joints;  ///< one less than cubes
 
   /// \param mass of a cube [kg] \param along from a cube to the next [m]
   CubeChain(const std::string& name, int links, real mass, const vec3& along, real beta)
@@ -44,7 +44,7 @@ struct CubeChain {
     const Bodies& bodies = scene.world.bodies;
     return double(length(joint.part.error(bodies[joint.body1], bodies[joint.body2])));
   }
-  /// All gaps, the root of the sum of their squares [m].
+  /// The root of the sum of the squares of all gaps [m].
   double gap() const {
     double sum = 0;
     for (std::size_t k = 0; k < joints.size(); ++k) sum += gap(k) * gap(k);

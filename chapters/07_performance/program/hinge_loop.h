@@ -11,7 +11,7 @@
 /// @{
 namespace joints {
 
-/// Of each body: can it move?
+/// For each body, whether it can move.
 inline std::vector<bool> moving(const std::vector<Body>& bodies) {
   std::vector<bool> moves;
   for (const Body& body : bodies) moves.push_back(!body.is_static());
@@ -26,15 +26,15 @@ class HingeLoop {
  public:
   static constexpr int width = int(sizeof(Number) / sizeof(real));  ///< hinges side by side
 
-  std::vector<Body> bodies;        ///< those that the links name
-  std::vector<BodyPair> links;     ///< a hinge each
+  std::vector<Body> bodies;        ///< the bodies of the links
+  std::vector<BodyPair> links;     ///< one per hinge
   std::vector<Hinge> hinges;       ///< their geometry
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
   int iterations = 30;             ///< iterations per step
   real relaxation = 1;             ///< over-relaxation: factor of every impulse [1], below 2
   bool once_a_step = true;         ///< false: prepare anew before every solve
 
-  /// The order of the solves. Call it when the bodies and the links are there.
+  /// Sets the order of the solves. Call it after adding the bodies and the links.
   /// \param groups at most `width` hinges each, one group after the other
   void arrange(const Groups& groups) {
     groups_ = groups;
@@ -43,7 +43,7 @@ class HingeLoop {
     if (width > 1) columns = columns_of(groups, islands_of(links, moves), links, width);
     records_.arrange(groups, links, columns, moves, width);
   }
-  const Groups& groups() const { return groups_; }  ///< who comes with whom, and when
+  const Groups& groups() const { return groups_; }  ///< the hinges solved together, in order
 
   /// Forces, preparation, iterations, positions. \param h the step [s]
   void step(real h) {
@@ -64,12 +64,12 @@ class HingeLoop {
       if (!one.is_static()) integrate_pose(one, h);
   }
 
-  /// All that the iterations of a step read, of every group. \param h the step [s]
+  /// Computes the numbers of every group that the iterations of a step read. \param h the step [s]
   void prepare(real h) {
     numbers_.resize(groups_.size());
     for (std::size_t k = 0; k < groups_.size(); ++k) prepare_group(k, h);
   }
-  /// What prepare() has found, group by group.
+  /// The numbers computed by prepare(), group by group.
   const std::vector<HingeNumbers<Number>>& numbers() const { return numbers_; }
 
   /// Gap of a hinge [m].
@@ -77,8 +77,8 @@ class HingeLoop {
     return length(hinges[k].point.error(bodies[links[k].body1], bodies[links[k].body2]));
   }
 
-  /// What the last step's iterations left: bias + J V of every row of every hinge, with the
-  /// velocities after them [m/s for the point's rows, rad/s for the axis' rows].
+  /// The errors after the iterations of the last step: bias + J V of every row of every hinge, with
+  /// the velocities after them [m/s for the point's rows, rad/s for the axis' rows].
   std::vector<real> errors() const {
     std::vector<real> found;
     for (std::size_t group = 0; group < groups_.size(); ++group)
@@ -87,7 +87,7 @@ class HingeLoop {
         const BodyPair& link = links[std::size_t(groups_[group][lane])];
         const Body &body1 = bodies[link.body1], &body2 = bodies[link.body2];
         const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-        for (int i = 0; i < 5; ++i) {  // row after row of J, each with what the bodies do
+        for (int i = 0; i < 5; ++i) {  // row after row of J, each times the velocities
           const Triple<real> v = i < 3 ? unit[i] : Triple<real>{0, 0, 0};
           const Triple<real> w1 = i < 3 ? cross(one.r1, v) : one.axis_row[i - 3];
           const Triple<real> w2 = i < 3 ? cross(one.r2, v) : one.axis_row[i - 3];
@@ -100,8 +100,8 @@ class HingeLoop {
   }
 
  private:
-  // What the iterations of a group read: each hinge's numbers into its lane, zeros into a lane
-  // without a hinge. Every K is inverted on lanes, all of a group at once.
+  // Computes the numbers of a group: each hinge's numbers in its lane, zeros in a lane without a
+  // hinge. Every K is inverted on lanes, all of a group at once.
   void prepare_group(std::size_t group, real h) {
     HingeNumbers<Number>& out = numbers_[group];
     std::array<Number, 15> K;  // lower triangle

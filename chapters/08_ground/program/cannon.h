@@ -8,15 +8,15 @@
 namespace joints::chapter8 {
 
 /// A carriage of 50 kg on a slider at 45 degrees, limits -1 and 10 m, driven by a motor. A
-/// shot of 10 kg is fixed to it and let go before the step in which the limit would stop the two.
+/// shot of 10 kg is fixed to it and released before the step in which the limit would stop the two.
 /// The empty carriage slides back; the shot flies, lands, tumbles and comes to rest. The motor has
 /// 3500 N, not 5000 as in chapter 4, so that this takes ten seconds.
 struct Cannon {
-  Scene scene{.name = "cannon"};  ///< world, solver, what is measured and drawn
+  Scene scene{.name = "cannon"};  ///< world, solver, measurements, appearance
   BodyId ground{};    ///< where the shot lands
   BodyId barrel{};    ///< static, at 45 degrees
   BodyId carriage{};  ///< slides in it
-  BodyId shot{};      ///< is held before it, then flies
+  BodyId shot{};      ///< fixed in front of it, then flies
   SliderJoint* rail;         ///< of the carriage in the barrel
   FixedJoint* hold;          ///< of the shot in front of the carriage; null once it flies
   GroundContact* landing;    ///< shot and ground
@@ -27,14 +27,14 @@ struct Cannon {
     const real diagonal = std::sqrt(real(0.5));
     const vec3 along(diagonal, diagonal, 0), across(diagonal, -diagonal, 0);
     const quat turn = rotation(vec3(0, 0, std::atan2(diagonal, diagonal)));
-    const vec3 zero(0, 2, 0);  // where the way of the carriage is zero: so high that it is free
+    const vec3 zero(0, 2, 0);  // where the displacement of the carriage is zero: above the ground
     scene.solver.iterations = iterations;
     scene.stepping.warm_start = true;
-    scene.energy_scale = 3500 * 11;  // what the motor can give on its way
+    scene.energy_scale = 3500 * 11;  // greatest work of the motor
     ground = scene.box(0, vec3(160, real(0.2), 8), vec3(72, real(-0.1), 0));
     barrel = scene.box(0, vec3(11, real(0.1), real(0.6)),
                        zero + real(4.5) * along + real(0.6) * across, turn);
-    scene.box(0, vec3(real(0.3), 1, real(0.6)), vec3(0, real(0.5), 0));  // the legs, to look at
+    scene.box(0, vec3(real(0.3), 1, real(0.6)), vec3(0, real(0.5), 0));  // the legs, for show
     scene.box(0, vec3(real(0.3), 6, real(0.6)), vec3(5, 3, 0));
     carriage = scene.box(50, vec3(1), zero, turn);
     shot = scene.box(10, vec3(shot_edge), zero + along, turn);
@@ -49,7 +49,7 @@ struct Cannon {
     landing = &stand(scene, ground, shot, vec3(shot_edge), real(0.5));
     landing->restitution = real(0.3);
   }
-  /// After each step: lets the shot go where the limit is reached within the next one.
+  /// After each step: releases the shot if the limit is reached within the next one.
   void look() {
     const Bodies& bodies = scene.world.bodies;
     if (!hold || rail->position(bodies) + h * rail->speed(bodies) < rail->limits().upper) return;
@@ -57,7 +57,7 @@ struct Cannon {
     hold = nullptr;
     rail->set_motor(0, 0);
   }
-  /// How far the carriage is off its line or beyond a limit, or the shot off the carriage [m].
+  /// The errors of the carriage's line and limits, and of the joint to the shot [m].
   double gap() const {
     const Bodies& bodies = scene.world.bodies;
     const Vector<2> C = rail->first.error(bodies[barrel], bodies[carriage]);

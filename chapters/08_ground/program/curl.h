@@ -8,22 +8,22 @@
 
 namespace joints::chapter8 {
 
-/// Eight cubes of 100 kg in a row on the ground, nothing static but the ground. A hinge half way
-/// between each two, limits 0 and 45 degrees: bent so far, the eight are a regular octagon.
-/// To lift one half of the straight chain its middle hinge would need 11.8 kN m. The motors have 8:
-/// the outer hinges, which have less to lift, bend first, and shorten what the others have to lift.
-/// Joints and contacts start warm with a beta of 0.02, as in bridge.h: with 0.2 the ring never
-/// comes to rest, and with 10 iterations it bursts.
+/// Eight cubes of 100 kg in a row on the ground; only the ground is static. A hinge half way
+/// between each two has the limits 0 and 45 degrees: with all at 45 degrees they form a regular
+/// octagon. To lift one half of the straight chain its middle hinge would need 11.8 kN m. The
+/// motors have 8: the outer hinges, which have less to lift, bend first, and shorten the parts to
+/// be lifted by the others. Joints and contacts start warm with a beta of 0.02, as in bridge.h:
+/// with 0.2 the ring never comes to rest, and with 10 iterations it bursts.
 struct Curl {
   static constexpr int cubes = 8;  ///< how many
   static constexpr double cube_mass = 100;  ///< [kg]
-  Scene scene{.name = "curl"};  ///< world, solver, what is measured and drawn
-  real distance = real(1.5);            ///< of two centres in the straight chain [m]
+  Scene scene{.name = "curl"};  ///< world, solver, measurements, appearance
+  real distance = real(1.5);            ///< between two centres in the straight chain [m]
   real bend = std::numbers::pi_v<real> / 4;  ///< upper limit of each hinge [rad]
-  BodyId ground{};                       ///< on which all lie
+  BodyId ground{};                       ///< under all cubes
   std::vector<BodyId> cube;              ///< from end to end
   std::vector<HingeJoint*> hinges;       ///< from end to end
-  std::vector<GroundContact*> contacts;  ///< one a cube
+  std::vector<GroundContact*> contacts;  ///< one per cube
 
   /// \param iterations per step \param strength of a motor [N m] \param beta of all joints
   /// [1]
@@ -44,12 +44,12 @@ struct Curl {
       hinges.back()->set_motor(real(0.4), strength);
       scene.mark(cube[std::size_t(k - 1)], cube.back(), anchor, vec3(0, 0, 1));
     }
-    for (const BodyId id : cube) {  // contacts behind all joints: they have the last word
+    for (const BodyId id : cube) {  // contacts after all joints: they are solved last
       contacts.push_back(&stand(scene, ground, id, vec3(1), real(0.5)));
       contacts.back()->beta = beta;
     }
   }
-  /// Where the free end of the last cube would hold on to the next hinge [m].
+  /// The point of the last cube at which a next hinge would be [m].
   vec3 tip() const {
     return world_point(scene.world.bodies[cube.back()], vec3(distance / 2, 0, 0));
   }

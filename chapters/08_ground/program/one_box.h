@@ -12,7 +12,7 @@ namespace joints::chapter8 {
 constexpr real degree = std::numbers::pi_v<real> / 180;  ///< [rad]
 constexpr double g = 9.81;                               ///< [m/s^2]
 
-/// A box of 10 kg, mu = 0.5; a slope is the ground turned about z.
+/// A box of 10 kg, mu = 0.5; a slope is the ground rotated about z.
 struct OneBox {
   Scene scene;             ///< world and solver
   vec3 size;               ///< edges [m]

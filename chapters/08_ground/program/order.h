@@ -1,5 +1,5 @@
-// A chain that falls onto the ground, and a step in which joints and contacts take turns in any of
-// three ways. There is nothing to edit here.
+// A chain that falls onto the ground, and a step that solves joints and contacts in one of three
+// orders. There is nothing to edit here.
 #pragma once
 
 #include <cmath>
@@ -11,17 +11,17 @@
 /// @{
 namespace joints::chapter8 {
 
-/// How the blocks of joints and contacts take turns in a step.
+/// The order of the blocks of joints and contacts in a step.
 enum class Turns {
   interleaved,     ///< all blocks in every iteration
   joints_first,    ///< all iterations over the joints, then all iterations over the contacts
-  contacts_first,  ///< the other way round
+  contacts_first,  ///< the reverse
   no_ground        ///< there are no contacts
 };
 
-/// One step; whatever the turns, every block is solved in as many iterations. It does not look for
+/// One step; in any order, every block is solved in the same number of iterations. It does not add
 /// late limits: a corner that a neighbour drives into the ground gets its rows in the next step.
-/// \param joint_blocks how many blocks of the list belong to joints; those of contacts follow them
+/// \param joint_blocks number of blocks in the list that belong to joints; those of contacts follow
 inline void step_in_turns(Scene& scene, int joint_blocks, Turns turns) {
   SequentialImpulses& solver = scene.solver;
   begin_step(scene.world, solver, scene.h, scene.stepping);
@@ -36,12 +36,12 @@ inline void step_in_turns(Scene& scene, int joint_blocks, Turns turns) {
   end_step(scene.world, solver, scene.h, scene.stepping);
 }
 
-/// Cubes on ball joints in a row, the first held high up, let go level. The ground is too near for
-/// them: the far end strikes it and drags over it.
+/// Cubes on ball joints in a row, the first static and high up, released level. The far end hits
+/// the ground and is dragged over it.
 struct LandingChain {
   Scene scene;               ///< the scene; joints first, then contacts
   std::vector<BodyId> ids;   ///< its cubes, the static one first
-  int joint_blocks = 0;      ///< one a joint
+  int joint_blocks = 0;      ///< one per joint
 
   /// \param links cubes that move
   LandingChain(Turns turns, int links, int iterations, real beta) : scene{.name = "order"} {

@@ -14,14 +14,14 @@ namespace joints {
 class OwnGround {
  public:
   Body ground, body;            ///< body 1, static, and body 2
-  std::vector<Corner> corners;  ///< of the body, those that can touch
+  std::vector<Corner> corners;  ///< of the body, those that may touch
   real friction = real(0.5);    ///< coefficient mu [1]
-  real beta = real(0.2);        ///< share of a penetration fed back in a step [1]
+  real beta = real(0.2);        ///< fraction of a penetration fed back per step [1]
   int iterations = 30;          ///< iterations per step
   bool normal_first = false;    ///< the normal row before the friction of its corner (question 2)
   vec3 gravity{0, real(-9.81), 0};  ///< [m/s^2]
 
-  /// Forces, rows of the corners that touch, iterations, places. \param h the step [s]
+  /// Forces, rows of the corners that touch, iterations, positions. \param h the step [s]
   void step(real h) {
     integrate_forces(body, gravity, h);
     prepare(h);
@@ -35,13 +35,13 @@ class OwnGround {
     body.q = turned(body.q, body.w, h);
   }
 
-  /// What all normal rows have given in the last step [N s].
+  /// Sum of the impulses of all normal rows in the last step [N s].
   real normal() const {
     real sum = 0;
     for (const Rows& rows : touching_) sum += rows.normal;
     return sum;
   }
-  /// What all friction rows have given in the last step together, a vector in the world [N s].
+  /// Sum of the impulses of all friction rows in the last step, a vector in the world [N s].
   vec3 sideways() const {
     vec3 sum(0);
     for (const Rows& rows : touching_)
@@ -56,7 +56,7 @@ class OwnGround {
     Row up;
     std::array<real, 2> K_along;
     real K_up, bias;
-    std::array<real, 2> sideways{};  // sums of the step [N s]
+    std::array<real, 2> sideways{};  // accumulated in the step [N s]
     real normal = 0;
   };
   real rate(const Row& J) const {

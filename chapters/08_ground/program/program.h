@@ -1,4 +1,4 @@
-// What the files of chapter 8's program share. Read it; there is nothing to edit here.
+// Declarations common to the files of chapter 8's program. Read it; there is nothing to edit here.
 #pragma once
 
 #include <algorithm>
@@ -10,22 +10,22 @@
 
 namespace joints::chapter8 {
 
-/// What the command line chose.
+/// The options of the command line.
 struct Choice {
   int iterations = 30;      ///< iterations per step
-  real beta = real(0.2);    ///< share of the error fed back in a step [1]
-  double seconds = 10;      ///< how long the machines run [s]
+  real beta = real(0.2);    ///< fraction of the error fed back per step [1]
+  double seconds = 10;      ///< duration of the machines' runs [s]
   std::string machine;      ///< one of them by name, or "all"
   std::string out;          ///< folder of tables and recordings
 };
 
 const real h = real(1) / 60;  ///< the step [s]
 
-/// A static slab whose top is the plane y = 0. \param width how much of it is drawn [m]
+/// A static slab whose top is the plane y = 0. \param width of the drawn part [m]
 inline BodyId add_ground(Scene& scene, real width) {
   return scene.box(0, vec3(width, real(0.2), width), vec3(0, real(-0.1), 0));
 }
-/// Lets a box of this size stand on that ground.
+/// Adds the contact of a box of this size with that ground.
 inline GroundContact& stand(Scene& scene, BodyId ground, BodyId body, const vec3& size,
                             real friction) {
   auto& contact = scene.world.add<GroundContact>(ground, body, Top{.height = real(0.1)},
@@ -33,7 +33,7 @@ inline GroundContact& stand(Scene& scene, BodyId ground, BodyId body, const vec3
   contact.friction = friction;
   return contact;
 }
-/// How deep the deepest corner of all contacts is in the ground [m], 0 if none is.
+/// Penetration depth of the deepest corner of all contacts [m], 0 if there is none.
 inline double penetration(const World& world) {
   double deepest = 0;
   for (const auto& joint : world.joints())
@@ -42,18 +42,18 @@ inline double penetration(const World& world) {
   return deepest;
 }
 
-/// The greatest gap of the scene's joints now [m].
+/// The largest present gap of the scene's joints [m].
 inline double widest(const Scene& scene) {
   GapMeter meter;
   meter.look(scene.marks, poses(scene.world.bodies));
   return meter.maximum();
 }
-/// A row of machines.csv, which holds the rows of all machines that ran: how the machine's joints
-/// held with so many iterations per step, and how deep a corner was in the ground at the worst [m].
+/// Writes a row of machines.csv, which contains the rows of all machines that ran: the gaps of the
+/// machine's joints with this number of iterations per step, and the largest penetration [m].
 void machine_row(const Choice& choice, const std::string& machine, int iterations,
                  const Summary& line, double penetration);
 
-/// With how many iterations each machine runs for that table: 10, 30, and what was chosen.
+/// The numbers of iterations of each machine for that table: 10, 30, and the chosen one.
 inline std::vector<int> iterations_to_compare(const Choice& choice) {
   std::vector<int> out{10, 30};
   if (std::find(out.begin(), out.end(), choice.iterations) == out.end())
@@ -67,11 +67,11 @@ void basics(const Choice& choice, std::vector<Summary>& lines);
 void by_hand(const Choice& choice);
 /// Joints and contacts in one loop, or in two.
 void order(const Choice& choice, std::vector<Summary>& lines);
-/// Thesis fig. 3.2: a hinge without correction that is hit.
+/// Thesis fig. 3.2: a hinge without correction, with impacts.
 void drift(const Choice& choice, std::vector<Summary>& lines);
-/// What the chapter's questions and their answers count on.
+/// The numbers of the chapter's questions and answers.
 void questions(const Choice& choice);
-/// The machines, each for itself.
+/// The machines, one function each.
 void ragdoll(const Choice& choice, std::vector<Summary>& lines);
 void wheels(const Choice& choice, std::vector<Summary>& lines);
 void cannon(const Choice& choice, std::vector<Summary>& lines);

@@ -10,20 +10,20 @@ inline const vec3 torso_size{real(0.6), 1, real(0.4)};  ///< of a doll [m]
 inline const vec3 head_size{real(0.35), real(0.4), real(0.35)};  ///< of a doll [m]
 inline const vec3 arm_size{real(0.8), real(0.2), real(0.2)};  ///< of a doll [m]
 inline const vec3 leg_size{real(0.25), 1, real(0.25)};  ///< of a doll [m]
-/// From upright: so that feet and a hand land first.
+/// Rotation from upright, so that feet and a hand land first.
 inline const quat tilted = rotation(vec3(0, 0, real(1.1))) * rotation(vec3(real(0.4), 0, 0));
 
 /// The bodies of a ragdoll and its contacts with the ground.
 struct Doll {
-  BodyId torso;  ///< holds all others
-  BodyId head;   ///< is welded on
+  BodyId torso;  ///< connected to all others
+  BodyId head;   ///< welded to the torso
   std::vector<BodyId> parts;             ///< all six
   std::vector<GroundContact*> contacts;  ///< one for each of them
 };
 
-/// The six boxes of chapter 5's ragdoll, with nothing to hang on: balls in shoulders and hips, the
-/// head welded on, every box a contact with the ground. Nothing keeps the boxes off each other: an
-/// arm can lie inside the torso. Its arms are stretched out along its own x.
+/// The six boxes of chapter 5's ragdoll, without the grip: ball joints in shoulders and hips, the
+/// head welded on, a contact with the ground for every box. There are no contacts between the
+/// boxes: an arm can lie inside the torso. Its arms are stretched out along its own x.
 /// \param centre of the torso [m] \param turn of the whole doll from upright \param beta of all
 inline Doll add_doll(Scene& scene, BodyId ground, const vec3& centre, const quat& turn,
                      real beta) {
@@ -59,9 +59,9 @@ inline Doll add_doll(Scene& scene, BodyId ground, const vec3& centre, const quat
   return doll;
 }
 
-/// A ragdoll that hangs in the air.
+/// A ragdoll in the air, which falls.
 struct Ragdoll : Doll {
-  Scene scene{.name = "ragdoll", .energy_scale = 0};  ///< world, solver, what is measured and drawn
+  Scene scene{.name = "ragdoll", .energy_scale = 0};  ///< world, solver, measurements, appearance
   BodyId ground;  ///< on which it falls
 
   /// \param height of the torso's centre [m] \param turn of the whole doll from upright
@@ -85,7 +85,7 @@ struct Ragdoll : Doll {
       most = std::max(most, double(length(scene.world.bodies[id].w)));
     return most;
   }
-  /// Is every box slower than 1 mm/s and 1 mrad/s?
+  /// True if every box is slower than 1 mm/s and 1 mrad/s.
   bool rests() const { return fastest() < 1e-3 && fastest_turn() < 1e-3; }
 };
 

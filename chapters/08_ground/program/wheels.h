@@ -10,18 +10,18 @@
 namespace joints::chapter8 {
 
 /// Two wheels behind each other, and a beam from hub to hub. A wheel is a hub and six cubes welded
-/// to it like spokes; a motor in each hub's hinge turns it. Nothing keeps the cubes off the beam:
-/// they pass through it.
+/// to it like spokes; a motor in each hub's hinge rotates it. There are no contacts between cubes
+/// and beam: the cubes pass through it.
 struct Wheels {
   static constexpr real edge = 1;         ///< of a cube [m]
   static constexpr real spoke = 3;        ///< from the hub to the centre of a cube [m]
   static constexpr real apart = 8;        ///< from hub to hub [m]
   static constexpr real cube_mass = 100;  ///< of each cube and each hub [kg]
   static constexpr real beam_mass = 100;  ///< [kg]
-  /// What one wheel and its end of the beam weigh [N].
+  /// Weight of one wheel and half of the beam [N].
   static constexpr double weight = double(7 * cube_mass + beam_mass / 2) * 9.81;
 
-  /// From the hub to the corners of the wheel [m]: it stands on twelve of them, two a cube.
+  /// From the hub to the corners of the wheel [m]: it rolls on twelve of them, two per cube.
   static double corner_radius() { return std::hypot(double(spoke + edge / 2), double(edge / 2)); }
   /// Half the angle at the hub of the gap between two cubes [rad].
   static double half_gap() {
@@ -29,31 +29,31 @@ struct Wheels {
   }
   /// The gap that the wheel bridges from cube to cube [m].
   static double chord() { return 2 * corner_radius() * std::sin(half_gap()); }
-  /// How far a wheel comes while it turns by one radian [m].
+  /// Rolling radius: the distance of a wheel per radian of rotation [m].
   static double rolling_radius() {
     return (6 * double(edge) + 6 * chord()) / (2 * std::numbers::pi);  // Eq. 8-12
   }
-  /// What a motor has to give at least [N m]: a wheel that stands across a gap must tip over the
-  /// corner before it, which is chord / 2 in front of the hub: weight * chord / 2, 9.7 kN m. The
-  /// 30 N m of the thesis' engine are 300 times too little.
+  /// Least torque of a motor [N m]: a wheel that stands over a gap must tip over the corner in
+  /// front of it, which is chord / 2 ahead of the hub: weight * chord / 2, 9.7 kN m. The 30 N m of
+  /// the thesis' engine are 300 times too small.
   static double needed() { return weight * chord() / 2; }
 
-  /// Of each motor [N m]: a quarter above what is needed. The reaction presses on the beam:
-  /// 2 strength / apart, 3 of the 7.4 kN, is what the rear wheel carries more and the front wheel
-  /// less. From weight * apart / 2 = 29 kN m on the front wheel would not stay down.
+  /// Of each motor [N m]: a quarter above the least torque. The reaction acts on the beam: the rear
+  /// wheel carries 2 strength / apart, 3 of the 7.4 kN, more and the front wheel that much less.
+  /// With weight * apart / 2 = 29 kN m or more the front wheel would lift off.
   static constexpr real strength = 12000;
-  /// Of the motors [rad/s]. A corner on which the hub turns cannot hold it down: above
+  /// Of the motors [rad/s]. A corner cannot pull the wheel down: above
   /// sqrt(g / corner_radius) = 1.67 rad/s the wheel leaves the ground at the top of each corner, so
-  /// at 3 rad/s it flies and does not roll.
+  /// at 3 rad/s it hops and does not roll.
   static constexpr real speed = 1;
-  /// A step. The hubs are light for what they hold (a hub that is ten times as hard to turn would
-  /// let the error of a wheel shrink by 0.86 in an iteration, not by 0.98), and a warm start that
-  /// is not worked off in its step grows: with 60 iterations the wheels fly apart while they roll,
-  /// with 80 and more they hold. With fewer than `safe_iterations` they start cold.
+  /// A step. The hubs are light compared with the bodies joined to them (with ten times the inertia
+  /// of the hub the factor per iteration would be 0.86, not 0.98), and a warm start that does not
+  /// converge within its step grows: with 60 iterations the wheels fly apart while they roll, with
+  /// 80 and more they stay together. With fewer than `safe_iterations` they start cold.
   static constexpr int iterations = 300;
-  static constexpr int safe_iterations = 100;  ///< a step, from which on a warm start is safe
+  static constexpr int safe_iterations = 100;  ///< per step, from which on a warm start is stable
 
-  Scene scene{.name = "wheels"};  ///< world, solver, what is measured and drawn
+  Scene scene{.name = "wheels"};  ///< world, solver, measurements, appearance
   BodyId ground;  ///< under both wheels
   BodyId beam;    ///< from hub to hub
   std::array<BodyId, 2> hubs;            ///< front one first
@@ -96,18 +96,18 @@ struct Wheels {
   void drive(real rate, real most) {
     for (HingeJoint* motor : motors) motor->set_motor(rate, most);
   }
-  /// What the motors gave in the last step, the mean of both [N m].
+  /// Mean torque of the two motors in the last step [N m].
   double torque() const {
     return double(motors[0]->motor_force() + motors[1]->motor_force()) / 2;
   }
-  /// Does no cube touch the ground?
+  /// True if no cube touches the ground.
   bool flying() const {
     return std::all_of(contacts.begin(), contacts.end(),
                        [](const GroundContact* contact) { return contact->touching() == 0; });
   }
-  /// How far the middle of the beam has come [m].
+  /// Displacement of the middle of the beam [m].
   double place() const { return double(scene.world.bodies[beam].x.x); }
-  /// How far the hubs have turned, the mean of both [rad].
+  /// Mean rotation of the two hubs [rad].
   double turned() const {
     const Bodies& bodies = scene.world.bodies;
     return double(motors[0]->position(bodies) + motors[1]->position(bodies)) / 2;

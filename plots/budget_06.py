@@ -1,4 +1,4 @@
-"""Chapter 6's figure of one budget of iterations, cut into substeps: called by chapter_06.py."""
+"""Chapter 6's figure of a budget of iterations, divided into substeps: called by chapter_06.py."""
 import numpy as np
 
 import style
@@ -15,7 +15,7 @@ def draw_budget(solution, mine, out):
     gap = {name: metres(size) for name, size in zip(*(rows(table, substeps=16)[column]
                                                       for column in ("method", "gap_rms_m")))}
     figure, axes = style.figure(
-        f"{table['iterations'][0]:g} iterations per 1/60 s, cut into 16 substeps: beta 1 leaves "
+        f"{table['iterations'][0]:g} iterations per 1/60 s, divided into 16 substeps: beta 1 gives "
         f"{gap['beta 1']} if it starts cold, a split impulse {gap['split impulse warm']} if it "
         "starts warm", 2, sharey=True)
     cuts = np.unique(table["substeps"])
@@ -28,7 +28,7 @@ def draw_budget(solution, mine, out):
                 ax.plot(part["substeps"][chosen], 1000 * part["gap_rms_m"][chosen], marker,
                         color=colour, markersize=4 + 3 * grows, markeredgewidth=1 + grows)
         ax.set_xscale("log", base=2)
-        ax.set(xlabel="substeps that share the iterations", yscale="log", ylim=(0.03, 200),
+        ax.set(xlabel="number of substeps", yscale="log", ylim=(0.03, 200),
                title=words)
         ax.set_xticks(cuts, [f"{cut:g}" for cut in cuts])
         style.plain_log(ax.yaxis)

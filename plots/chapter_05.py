@@ -49,19 +49,19 @@ def draw_beam(solution, mine, out):
 def draw_anchor(solution, mine, out):
     table = mine or solution
     apart, whole = rows(table, blocks="3+3"), rows(table, blocks="6x6")
-    figure, ax = style.figure("Far anchor: an iteration of two blocks (3+3) leaves nearly all, of "
-                              "one block (6x6) nothing")
+    figure, ax = style.figure("Far anchor: an iteration of two blocks (3+3) removes almost "
+                              "nothing, one block (6x6) everything")
     lever = np.linspace(0, 10, 300)
     ax.plot(lever, lever ** 2 / (1 / 6 + lever ** 2), color=INK, linewidth=1, dashes=(4, 2),
             label=r"$m r^2/(i + m r^2)$")
     ax.plot(apart["lever_m"], apart["measured"], color=COLOURS[0], marker="o", linestyle="none",
             label="3+3, measured")
     ax.plot(apart["lever_m"], apart["left_after_30"], color=COLOURS[2], marker="^",
-            label="3+3, left after\n30 more iterations")
+            label="3+3, after\n30 more iterations")
     ax.plot(whole["lever_m"], whole["measured"], color=COLOURS[1], marker="s",
             label="6x6, measured")
     ax.set(xlabel="distance of the anchor from the cube's centre  [m]",
-           ylabel="share of the error that an iteration leaves", ylim=(-0.04, 1.04), xlim=(0, 10.2))
+           ylabel="error after an iteration over error before", ylim=(-0.04, 1.04), xlim=(0, 10.2))
     label_ends(ax)
     style.save(figure, out / "05_anchor")
 

@@ -80,7 +80,7 @@ def draw_drift(solution, mine, out):
     share = (decay["expected_m"][decay["step"] == 1] / decay["start_m"][decay["step"] == 0])[0]
     figure, (left, right) = style.figure(
         f"Uncorrected, a hinge opens by {metres(drift['gap_m'][-1])} in {drift['time_s'][-1]:g} s; "
-        f"beta {1 - share:.3g} takes {100 * (1 - share):.3g} % of a gap each step", 2)
+        f"beta {1 - share:.3g} removes {100 * (1 - share):.3g} % of a gap per step", 2)
     left.plot(drift["time_s"], drift["gap_m"], color=COLOURS[0], linewidth=2.5)
     left.plot(drift["time_s"], drift["predicted_m"], **FORMULA)
     left.set(xlabel="time  [s]", ylabel="gap of the hinge  [m]",
@@ -103,8 +103,8 @@ def draw_correction(solution, mine, out):
     both = mine or solution
     kept = max(table[column][table["time_s"] < 0.501][-1] / table[column][0]
                for table in both for column in ("translation_m", "rotation_rad"))
-    figure, axes = style.figure("Position and rotation come right together: after half a second "
-                                f"{100 * kept:.3g} % of the error is left", 2, sharey=True)
+    figure, axes = style.figure("Position and rotation are corrected together: after half a second "
+                                f"{100 * kept:.3g} % of the error remains", 2, sharey=True)
     for ax, table, name in zip(axes, both, ("slider", "hinge")):
         ax.plot(table["time_s"], table["translation_m"], color=COLOURS[1], marker="o", markersize=6,
                 markerfacecolor="white", linewidth=0.8, label="translation  [m]")
@@ -151,8 +151,8 @@ def draw_beta(solution, mine, out):
     ends = min(one["beta"][np.abs(one["measured"]) > 0.999], default=np.inf)
     few, best = chains[0][0], np.min(np.abs(chains[0][1]["measured"]))
     figure, (left, right) = style.figure(
-        f"One joint is stable up to beta {ends:g}; a chain with {few[11:]} keeps "
-        f"{best:.2f} of its error per step at best", 2, sharey=True)
+        f"One joint is stable up to beta {ends:g}; a chain with {few[11:]} reduces "
+        f"its error to {best:.2f} per step at best", 2, sharey=True)
     left.axvspan(0, min(ends, 2), color=COLOURS[2], alpha=0.1, linewidth=0)
     left.text(min(ends, 2) / 2, 0.94, "stable", ha="center", color=COLOURS[2], fontsize=8.5,
               transform=left.get_xaxis_transform())
@@ -167,7 +167,7 @@ def draw_beta(solution, mine, out):
     right.set_title("chain of ten, cold; dashed: predicted")
     for ax in (left, right):
         ax.axhline(1, color=PALE, linewidth=0.8)
-        ax.set_xlabel("beta, share fed back in a step")
+        ax.set_xlabel("beta, fraction fed back per step")
         ax.text(0.02, 1.015, "above: it grows", fontsize=8.5, color=PALE,
                 transform=ax.get_yaxis_transform())
     finish(figure, out / "06_beta", right)
@@ -200,7 +200,7 @@ def draw_warm(solution, mine, out):
         right.plot(warm["kept"][chosen], held[chosen], color=colour, marker="o^"[edge],
                    markersize=5, linestyle="none", clip_on=False, zorder=3)
     right.set(yscale="log", xlim=(0, 1.55), ylim=(least, most), ylabel="last cube out of place",
-              xlabel=r"share that a warm step keeps, $\rho^k(1+\beta)$",
+              xlabel=r"factor per warm step, $\rho^k(1+\beta)$",
               title=f"warm, {warm['links'].min():g} to {warm['links'].max():g} cubes, at the end")
     style.metres_log(left.yaxis, 2)
     style.metres_log(right.yaxis)

@@ -81,8 +81,8 @@ def draw_order(solution, mine, out):
     colours = rows(table, order="colours")
     low, high = style.extent(colours["gap_rms_m"] / chain["gap_rms_m"])
     figure, (left, right) = style.figure(
-        f"Colour after colour leaves {low:.2f} to {high:.2f} times the gap "
-        "that chain order leaves", 2)
+        f"By colours the gap is {low:.2f} to {high:.2f} times "
+        "that of chain order", 2)
     for ax, column, words in ((left, "gap_rms_m", "gap, RMS"), (right, "gap_max_m", "largest gap")):
         for order, part in parts(table, "order"):
             colour, marker = look(order)
@@ -127,9 +127,9 @@ def draw_relaxation(solution, mine, out):
     gaps = np.where(chain["held"], chain["gap_rms_m"], np.inf)
     best, plain = int(np.argmin(gaps)), gaps[np.argmin(np.abs(chain["omega"] - 1))]
     figure, ax = style.figure(
-        f"Chain order, {most:g} iterations: omega {chain['omega'][best]:g} leaves "
+        f"Chain order, {most:g} iterations: omega {chain['omega'][best]:g} gives a gap of "
         f"{length(gaps[best])} in place of {length(plain)}"
-        + (f"; from {burst:g} on it explodes" if np.isfinite(burst) else "")
+        + (f"; from {burst:g} on it diverges" if np.isfinite(burst) else "")
         + (" (yours)" if mine else ""))
     for order, of_order in parts(table, "order"):
         colour, marker = look(order)

@@ -31,7 +31,7 @@ def draw_rest(solution, mine, out):
                 ax.plot(part["iterations"], visible(part[column]), label="_", **FORMULA)
             style.hold(ax, mine[column], solution[column], 16)
         counts(ax, table)
-    left.set_title("way of a corner" + ("; dashed: the solution's" if mine else ""))
+    left.set_title("displacement of a corner" + ("; dashed: the solution's" if mine else ""))
     right.set_title("speed (in the first steps)")
     style.label_ends(left)
     style.label_ends(right)
@@ -47,14 +47,14 @@ def draw_friction(solution, mine, out):
     figure, panels = style.plt.subplot_mosaic(
         "as;af", figsize=(style.WIDTH, style.HEIGHT), layout="constrained")
     left, upper, lower = (panels[name] for name in "asf")
-    style.entitle(figure, f"At 45° a box slides {share['turned']:.0f} % of the way "
+    style.entitle(figure, f"At 45° a box slides {share['turned']:.0f} % of "
                   f"$v^2/2\\mu g$ if its tangents turn, {share['fixed']:.0f} % if they are fixed")
     for name, part, colour, marker in parts(fast, "tangents"):
         left.plot(part["direction_deg"], 100 * part["way_m"] / straight, color=colour,
                   marker=marker, linestyle="none", label=name + "\ntangents")
         left.plot(part["direction_deg"], 100 * part["stepped_m"] / straight, label="_", **FORMULA)
     left.set(xlabel="direction of sliding, from x  [°]", xticks=range(0, 91, 15), ylim=(0, 108),
-             ylabel=r"way, of $v^2/2\mu g$  [%]",
+             ylabel=r"distance, of $v^2/2\mu g$  [%]",
              title=f"from {fast['speed_m_s'][0]:g} m/s; dashed: predicted")
     over_time(upper, hand, None, "speed_m_s", color=COLOURS[1])
     over_time(lower, hand, None, "bound_ns", color=INK, label="bound,\nµ × normal")
@@ -93,7 +93,7 @@ def draw_slope(solution, mine, out):
         left.plot(part["beyond"], np.maximum(fall, 0), label="_", **FORMULA)
         left.plot(part["beyond"], part["way_m"], color=COLOURS[n], marker="os^"[n], markersize=5,
                   linestyle="none", label=f"µ = {mu:g}")
-    left.set(xlim=(-6, 6), xlabel="slope minus arctan µ  [°]", ylabel="way in 10 s  [m]",
+    left.set(xlim=(-6, 6), xlabel="slope minus arctan µ  [°]", ylabel="distance in 10 s  [m]",
              title=r"dashed: $\frac{1}{2}g\,(\sin\alpha-\mu\cos\alpha)\,t^2$")
     line = np.linspace(0, 1.15 * mus[-1], 100)
     right.plot(line, np.degrees(np.arctan(line)), label="_", **FORMULA)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Chapter 5's drawing: what a wall gives to a welded beam; the two shares of a push at an anchor.
+"""Chapter 5's drawing: the load of a welded beam; two effects of an impulse at an anchor.
 
     python3 plots/geometry_05.py OUT.svg
 """
@@ -41,7 +41,7 @@ def measure(ax, left, right, y, text):
 
 def load(ax):
     """Left: a beam, its weight, and what the wall puts on it."""
-    words(ax, (180, 350), "what a weld carries", size=12.5, weight="bold")
+    words(ax, (180, 350), "the load of a weld", size=12.5, weight="bold")
     edge, left, y, cubes = 46, 72.0, 190.0, 5
     wall(ax, left, y - 75, y + 75)
     for k in range(cubes):
@@ -57,14 +57,14 @@ def load(ax):
     words(ax, (middle[0] + 12, y - 84), "$n\\,m\\,g$", ARROW, ha="left")
     words(ax, (left + 14, y + 8), "$p$", size=12)
     measure(ax, left, middle[0], y - 42, "$nL/2$")
-    words(ax, (180, 32), "$F$ and $\\tau_p$: what the first cube gets", FAINT, 11)
+    words(ax, (180, 32), "$F$ and $\\tau_p$ act on the first cube", FAINT, 11)
 
 
-def shares(ax):
+def effects(ax):
     """Right: a push at a far anchor moves the body a little and turns it a lot."""
     words(ax, (520, 350), "two blocks that fight", size=12.5, weight="bold")
     p, x = np.array([388.0, 140.0]), np.array([628.0, 140.0])
-    moving, turning = np.array([0, 34.0]), np.array([0, 100.0])  # shares of the anchor's speed
+    moving, turning = np.array([0, 34.0]), np.array([0, 100.0])  # parts of the anchor's speed
     wall(ax, p[0] - 12, 75, 305)
     box(ax, x, 84, BODY2)
     ax.plot(*zip(p, x), color=FAINT, linewidth=1.6)
@@ -78,11 +78,11 @@ def shares(ax):
     words(ax, (p + x) / 2 - (0, 14), "$r$", FAINT)
     words(ax, p + moving / 2 + (10, 2), "$P/m$ moves the body", ARROW, 11.5, ha="left")
     words(ax, p + moving + turning / 2 + (10, 12), "$P\\,r^2/i$ rotates it", BODY2, 11.5, ha="left")
-    words(ax, p + moving + turning / 2 + (10, -8), "and the lock takes that back", BODY2, 10,
+    words(ax, p + moving + turning / 2 + (10, -8), "and the lock undoes that", BODY2, 10,
           ha="left")
     words(ax, x - (0, 60), "body 2", BODY2, 12)
-    words(ax, (520, 32), "what an impulse $P$ at the anchor does", FAINT, 11)
+    words(ax, (520, 32), "effect of an impulse $P$ at the anchor", FAINT, 11)
 
 
 if __name__ == "__main__":
-    draw(__doc__, "geometry_05", (load, shares), (338,))
+    draw(__doc__, "geometry_05", (load, effects), (338,))

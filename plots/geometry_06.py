@@ -108,7 +108,7 @@ def rotation(ax):
     words(ax, pivot + gap / 2 + (16, -8), "$C_0$")
     words(ax, (anchor + x) / 2 + (-8, 13), "$r$", FAINT)
     words(ax, anchor + aside + (-34, 13), "$-\\beta\\,C_0/h$", ARROW, 12)
-    words(ax, (826, 212), "the first velocity turns it", BODY2, 11, ha="right")
+    words(ax, (826, 212), "the first velocity rotates it", BODY2, 11, ha="right")
 
     pivot = np.array([606.0, 96.0])
     tilt = 22  # what it has turned by
@@ -120,7 +120,7 @@ def rotation(ax):
     dot(ax, pivot, BODY1)
     dot(ax, x, BODY2)
     words(ax, x + (59, 14), "$\\omega_{\\mathrm{left}}$", BODY2, 14, ha="left")
-    words(ax, (826, 58), "the gap is gone, $\\omega$ is left", BODY2, 11, ha="right")
+    words(ax, (826, 58), "the gap is closed, $\\omega$ remains", BODY2, 11, ha="right")
     words(ax, (700, 28), "seen along the axis", FAINT, 11)
 
 

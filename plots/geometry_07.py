@@ -88,7 +88,7 @@ def lanes(ax):
     width, y = 8 * CELL, 98.0
     starts = (368.0, 526.0, 684.0)
     signs = ("$\\times$", "$=$")
-    names = ("$(K^{-1})_{ij}$", "$e_j$", "share of $-\\lambda_i$")
+    names = ("$(K^{-1})_{ij}$", "$e_j$", "term of $-\\lambda_i$")
     for x, name in zip(starts, names):
         cells(ax, (x, y), 1, 8, lambda i, j: LANES[j])
         frame(ax, (x, y), 1, 8)
@@ -96,7 +96,7 @@ def lanes(ax):
     for x, sign in zip(starts[1:], signs):
         words(ax, (x - 12, y - CELL / 2), sign, INK, 15)
     words(ax, (594, 56), "one instruction, eight joints", INK, 11)
-    words(ax, (594, 28), "only if no body stands in two lanes", FAINT, 11)
+    words(ax, (594, 28), "only if no body is in two lanes", FAINT, 11)
 
 
 if __name__ == "__main__":

@@ -63,7 +63,7 @@ def corner(ax):
     words(ax, (43, x1[1] + 34), "height", INK, 11, rotation=90)
     words(ax, (292, 62), "body 1", BODY1, 12)
     words(ax, (284, 300), "body 2", BODY2, 12)
-    words(ax, (172, 28), "$t_1$ points where $p$ slides, $t_2 = n \\times t_1$", FAINT, 11)
+    words(ax, (172, 28), "$t_1$: direction of sliding, $t_2 = n \\times t_1$", FAINT, 11)
 
 
 def wedge(ax):
@@ -88,13 +88,13 @@ def wedge(ax):
     dot(ax, wanted, BODY2)
     dot(ax, kept, INK, 8)
     words(ax, wanted + (-10, 0), "wanted", BODY2, 11, ha="right")
-    words(ax, kept + (-11, -9), "kept: it slides", INK, 11, ha="right")
+    words(ax, kept + (-11, -9), "clamped: it slides", INK, 11, ha="right")
 
     held = origin + (196, 36)
     dot(ax, held, ARROW, 8)
-    words(ax, held + (0, 15), "wanted and kept:", ARROW, 10.5)
+    words(ax, held + (0, 15), "not clamped:", ARROW, 10.5)
     words(ax, held + (0, -15), "it holds", ARROW, 11)
-    words(ax, (526, 28), "the more $\\lambda_n$, the more friction is allowed", FAINT, 11)
+    words(ax, (526, 28), "the bound is proportional to $\\lambda_n$", FAINT, 11)
 
 
 def rebound(ax):
@@ -114,14 +114,14 @@ def rebound(ax):
     words(ax, (x - 37, top + 31), "$C$", INK, 14)
     words(ax, (x + 11, top - 36), "$h\\,v_n$", FAINT, 12, ha="left")
     arrow(ax, (places[1], top + 36), (places[1], top + 132), ARROW, 2.6)
-    words(ax, (places[1], top + 146), "asks for $e\\,v_{\\mathrm{hit}}$", ARROW, 12)
+    words(ax, (places[1], top + 146), "target: $e\\,v_{\\mathrm{hit}}$", ARROW, 12)
     ax.plot((places[2] - 32, places[2] - 4), (top + 112,) * 2, color=FAINT, linewidth=1,
             linestyle=(0, (3, 2)))
     arrow(ax, (places[2] - 24, top), (places[2] - 24, top + 112), ARROW, 1.6)
     for left, right, said in ((0, 1, "step 1"), (1, 2, "step 2")):
         arrow(ax, (places[left] + 22, 308), (places[right] - 22, 308), INK, 1.4)
         words(ax, ((places[left] + places[right]) / 2, 322), said, INK, 11.5)
-    words(ax, (876, 28), "it uses up $C$ and keeps $v_{\\mathrm{hit}}$; then it leaves", FAINT, 11)
+    words(ax, (876, 28), "it uses up $C$ and stores $v_{\\mathrm{hit}}$; then it rises", FAINT, 11)
 
 
 if __name__ == "__main__":

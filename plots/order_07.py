@@ -60,7 +60,7 @@ def chain_order(ax):
         errors = solved(errors, (k,))
         rows.append((f"after {k + 1}", errors, (k,)))
     rows.append(("after all", solved(errors, range(3, JOINTS + 2)), ()))
-    table(ax, (92.0, 282.0), rows, "chain order leaves 1")
+    table(ax, (92.0, 282.0), rows, "chain order: 1 remains")
     for j in range(JOINTS):
         words(ax, (92 + CELL * (j + 0.5), 300), str(j + 1), FAINT, 10.5)
     words(ax, (40, 300), "joint", FAINT, 10.5)
@@ -80,7 +80,7 @@ def by_colours(ax):
         rows.append((f"after colour {colour}", errors, [k - behind for k in chosen[colour]]))
     rows = [(label, errors[behind:], [k for k in now if 0 <= k < JOINTS])
             for label, errors, now in rows]
-    table(ax, (x, 282.0), rows, "by colours 2 and 0 are left")
+    table(ax, (x, 282.0), rows, "by colours: 2 and 0 remain")
     for j in range(JOINTS):
         joint(ax, (x + CELL * (j + 0.5), 301), j % 2)
     words(ax, (x + JOINTS * CELL / 2, 120), "the mean is 1 in both,", FAINT, 11)

@@ -3,6 +3,9 @@
 
     python3 plots/geometry_09.py OUT.svg
 """
+import sys
+from pathlib import Path
+
 import numpy as np
 from drawing import ARROW, BODY1, BODY2, CARD, EDGE, FAINT, INK, draw, named, words
 from matplotlib.patches import Circle, Rectangle
@@ -74,4 +77,8 @@ def star(ax):
 
 
 if __name__ == "__main__":
-    draw(__doc__, "geometry_09", (chain, loop, star), (236, 464))
+    if Path(sys.argv[-1]).stem == "zigzag":
+        import zigzag_09
+        zigzag_09.picture(__doc__)
+    else:
+        draw(__doc__, "geometry_09", (chain, loop, star), (236, 464))

@@ -133,7 +133,7 @@ def list_(_):
     return learn.status(every=True)
 
 
-@command("setup", "install what tour, check and docs need")
+@command("setup", "install what tour, check, docs and grade need")
 def setup(_):
     """Was done before Python was called, by the script ./wb."""
 
@@ -262,13 +262,14 @@ def keep(args):
     return keeping.keep(args.kinds)
 
 
-@command("grade DIR", "of a class: what is done in every submission, also as out/grades.csv",
-         argument("folders", nargs="+", metavar="DIR",
-                  help="a submission (a folder with distance.cpp and so on), or a folder of them, "
-                       "such as ./wb grade class"))
+@command("grade DIR", "of a class: what is done in every submission, a table and feedback for "
+         "everyone in out/grades/",
+         argument("folder", metavar="DIR",
+                  help="a folder of submissions, such as ./wb grade class, or one of them: a "
+                       "folder, a zip or a file"))
 def grade(args):
     from classroom import grading
-    return grading.grade([CALLED_FROM / folder for folder in args.folders])
+    return grading.grade(CALLED_FROM / args.folder)
 
 
 FIRST = {"status", "test", "run", "bench", "grade"}  # of their groups in the overview

@@ -34,6 +34,9 @@ class Door:
         self.solution = exercises.read(self.source / "solutions" / CHAPTER / "distance.cpp")
         skip = shutil.ignore_patterns("build", "out", ".git", "__pycache__", "tests", "docs")
         shutil.copytree(self.source, self.root, ignore=skip)
+        tests = Path("tests", CHAPTER, "test.cpp")  # ./wb grade counts them
+        (self.root / tests).parent.mkdir(parents=True)
+        shutil.copy(self.source / tests, self.root / tests)
         (self.root / "docs").mkdir()
         shutil.copy(self.source / "docs" / "palette.css", self.root / "docs")
         for chapter in house.chapters():  # the stubs, whatever somebody has written in the source
@@ -51,7 +54,7 @@ class Door:
         result = subprocess.run([*command, *words.split()], cwd=self.root, capture_output=True,
                                 text=True, errors="replace", stdin=subprocess.DEVNULL,
                                 env=dict(os.environ, WORKBOOK_PYTHON=sys.executable,
-                                         WORKBOOK_LIMIT="1"), timeout=60)
+                                         WORKBOOK_LIMIT="1"), timeout=1200)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         used = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
         return result.returncode, result.stdout, result.stderr, used

@@ -1,7 +1,7 @@
 """./wb grade: what a class has handed in, exercise by exercise."""
-import csv
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -9,115 +9,72 @@ import tempfile
 import threading
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from dataclasses import dataclass, field
+from dataclasses import asdict, replace
 from pathlib import Path
 
 from base import exercises
 from check import checking
-from classroom import fence
+from classroom import alike, collecting, fence, lend, results
+from classroom.results import MISSING, done
 from judge import grade as grading
 from base import house
-from classroom import lend
 from learn.status import COLOURS
 from base.talk import WIDTH, bold, faint, folded, indented
 
-MISSING = "not handed in"
 # What stands in the table, where it is not the same.
 SHORT = {grading.OPEN: "-", grading.WAITS: "waits", grading.BROKEN: "broken", MISSING: ""}
-LEGEND = {grading.OPEN: "-: not written yet", grading.BROKEN: "broken: does not compile",
-          grading.WAITS: "waits: it calls an exercise that is not written yet"}
+LEGEND = {grading.OPEN: "-: not written yet",
+          grading.BROKEN: "broken: does not compile; the others are judged without it",
+          grading.WAITS: "waits: right, but it calls one that is wrong or not written yet"}
 SUMMED = {grading.WAITS: "waiting for another", grading.BROKEN: "not compiling"}
 LIMIT = 180     # for one exercise file, compiler and tests [s]
-LARGEST = 1e6   # exercise file [bytes]; they have some ten thousand
-EXPECTED = ("A submission is a folder with exercise files such as distance.cpp, in it or in "
-            "01_distance/ or chapters/01_distance/ of it. Name submissions, or a folder of them: "
-            "./wb grade class")
-
-
-@dataclass
-class Submission:
-    """What one of the class has handed in."""
-    name: str
-    files: dict                                 # folder of a chapter: exercise file
-    grades: dict = field(default_factory=dict)  # exercise: Grade
-
-    def words(self, id_):
-        return self.grades[id_].words() if id_ in self.grades else MISSING
-
-    def done(self, ids):
-        return sum(self.words(id_) == grading.DONE for id_ in ids)
-
-
-# ---- what was handed in --------------------------------------------------------------------------
-
-def files_in(folder):
-    """{folder of a chapter: exercise file} of a submission. What leads out of it does not count."""
-    found = {}
-    for chapter in house.chapters():
-        name = f"{chapter.name}.cpp"
-        for inner in (Path("chapters", chapter.folder), chapter.folder, ""):
-            path = folder / inner / name
-            if path.is_file() and path.resolve().is_relative_to(folder.resolve()):
-                found.setdefault(chapter.folder, path)
-    return found
-
-
-def submissions_in(folders):
-    """Each folder is a submission, or each of its folders is."""
-    places = []
-    for folder in folders:
-        if not folder.is_dir():
-            raise house.Trouble(f"grade: {folder}: there is no such folder")
-        inner = [place for place in sorted(folder.iterdir())
-                 if place.is_dir() and not place.name.startswith((".", "__"))]
-        if files_in(folder):
-            places.append(folder)
-        elif any(map(files_in, inner)):
-            places += inner
-        else:
-            raise house.Trouble(f"grade: {folder}: there is no exercise file\n{folded(EXPECTED)}")
-    count = Counter(place.name for place in places)
-    return [Submission(printable(place.name if count[place.name] == 1
-                                 else f"{place.parent.name}/{place.name}"), files_in(place))
-            for place in places]
-
-
-def printable(name):
-    return "".join(letter if letter.isprintable() else "?" for letter in name)
 
 
 # ---- grading -------------------------------------------------------------------------------------
 
-def grade_file(path, chapter, line):
-    """The grades of one exercise file. `line`: the commands that make the tests of the reader's."""
-    if path.stat().st_size > LARGEST:
-        return broken(chapter, f"the file is larger than {LARGEST:.0f} bytes")
+def grade_text(text, chapter, line):
+    """(grades, notes) of one exercise file. `line`: the commands that make the tests of the
+    reader's."""
     with tempfile.TemporaryDirectory(prefix="grade_", ignore_cleanup_errors=True) as folder:
         folder = Path(folder).resolve()
-        file = folder / "chapters" / chapter.folder / path.name
-        file.parent.mkdir(parents=True)
-        file.write_bytes(path.read_bytes())
+        exercises.write(folder / "chapters" / chapter.folder / chapter.mine.name, text)
+        file = folder / "compiled" / chapter.mine.name
+        exercises.write(file, "")
         target = f"{chapter.folder}_test_mine"
         lend.lend(house.BUILD, folder / "build", house.ROOT, [
             (target, f"tests/{target}", file, line.replace(str(chapter.mine), str(file)))])
-        said = ask(folder, chapter)
+        said = ask(folder, chapter, fence_of_compiler(folder, line))
     verdicts = [line for line in said.split("\n") if line.startswith("[")]  # not of the progress
     if not verdicts:
-        return broken(chapter, "the file cannot be read")
-    return [grading.Grade(**one) for one in json.loads(verdicts[-1])]
+        return [grading.Grade(id_, grading.BROKEN, "the file cannot be read")
+                for id_ in chapter.ids()], []
+    grades, notes = json.loads(verdicts[-1])
+    most = results.count_tests(chapter)
+    return [replace(one, tests=most[one.id] if one.tests else 0) for one in sorted(
+        (grading.Grade(**one) for one in grades), key=lambda one: chapter.ids().index(one.id))
+            ], notes
 
 
-def broken(chapter, words):
-    return [grading.Grade(id_, grading.BROKEN, words) for id_ in chapter.ids()]
+def fence_of_compiler(folder, line):
+    """What may be read by the commands that compile and link a file that lies in the folder: it,
+    headers, and what is linked; no source that is somebody else's."""
+    headers = [house.ROOT / "engine", *(house.ROOT / "chapters").glob("*/*.h")]
+    objects = [house.BUILD / path for path in re.findall(
+        r"(?<=\s)\S+(?:\.[oa]|/where\.cpp)(?=\s|$)", line) if path not in lend.made(line)]
+    elsewhere = [path for path in re.findall(r"(?<= )-(?:I|isystem) ?(/\S+)", line)
+                 if not house.ROOT.is_relative_to(path)]
+    return fence.Fence(str(folder / "build"), [
+        str(folder / "chapters"), str(folder / "compiled"), *map(
+            str, (*headers, *objects, *elsewhere))], [str(folder / "build")], quiet=False)
 
 
-def ask(folder, chapter):
+def ask(folder, chapter, compiler):
     """What tools/classroom/submission.py says of the file in the folder, so far as it comes."""
     env = dict(os.environ, TMPDIR=str(folder), HOME=str(folder))
     env.pop("WORKBOOK_ANSWER", None)
     process = subprocess.Popen(
         [sys.executable, "-B", house.ROOT / "tools/classroom/submission.py", folder,
-         chapter.folder],
+         chapter.folder, json.dumps(asdict(compiler))],
         cwd=folder, env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL, text=True, start_new_session=True)
 
@@ -134,29 +91,46 @@ def ask(folder, chapter):
 
 
 def grade_all(submissions, chapters):
-    """Grades what was handed in. What is as the stubs are need not be compiled."""
-    jobs, lines = [], {}
+    """Grades what was handed in; the same text only once. What is as the stubs are need not be
+    compiled."""
+    jobs, lines = {}, {}
     for chapter in chapters:
-        fresh = exercises.stub(exercises.read(chapter.solution))
         for one in submissions:
-            path = one.files.get(chapter.folder)
-            if path and path.stat().st_size < LARGEST and exercises.read(path) == fresh:
+            file = one.files.get(chapter.folder)
+            if file and collecting.is_untouched(file, chapter):
                 one.grades |= {id_: grading.Grade(id_, grading.OPEN) for id_ in chapter.ids()}
-            elif path:
-                jobs.append((one, chapter))
+            elif file:
+                jobs.setdefault((chapter.folder, file.text), (chapter, []))[1].append(one)
     house.configure()
-    for chapter in {chapter.folder: chapter for _, chapter in jobs}.values():
+    for chapter in {folder: chapter for (folder, _), (chapter, _) in jobs.items()}.values():
         lines[chapter.folder] = lend.commands(house.BUILD, f"{chapter.folder}_test_mine",
                                               chapter.name)
     if needs := sorted({path for line in lines.values() for path in lend.needs(line)}):
         house.must_build(needs, "building the tests")
     with house.talking(), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        running = {pool.submit(grade_file, one.files[chapter.folder], chapter,
-                               lines[chapter.folder]): one for one, chapter in jobs}
-        for count, done in enumerate(as_completed(running), 1):
-            running[done].grades |= {one.id: one for one in done.result()}
+        running = {pool.submit(grade_text, text, chapter, lines[folder]): all_
+                   for (folder, text), (chapter, all_) in jobs.items()}
+        for count, job in enumerate(as_completed(running), 1):
+            grades, notes = job.result()
+            for one in running[job]:
+                one.grades |= {grade.id: grade for grade in grades}
+                one.notes += notes
             house.progress(f"{count} of {len(jobs)} files graded")
+    fence.end_children()
     house.progress_done()
+
+
+def compare(submissions, chapters):
+    """Names those whose files are alike."""
+    for chapter in chapters:
+        texts = {one.name: one.files[chapter.folder].text for one in submissions
+                 if chapter.folder in one.files}
+        found = alike.pairs(texts, exercises.read(chapter.solution))
+        for one in submissions:
+            if one.name in found:
+                other, share = found[one.name]
+                one.alike = "; ".join(filter(None, [
+                    one.alike, f"{chapter.name}: {other} {share:.0%}"]))
 
 
 # ---- what is said --------------------------------------------------------------------------------
@@ -178,10 +152,10 @@ def tell_chapter(chapter, submissions):
     for one in submissions:
         states = [MISSING if id_ not in one.grades else one.grades[id_].status for id_ in ids]
         line(one.name, [SHORT.get(state, state) for state in states],
-             f"{one.done(ids)} of {len(ids)}" if chapter.folder in one.files else MISSING,
+             f"{done(one, ids)} of {len(ids)}" if chapter.folder in one.files else MISSING,
              [COLOURS.get(state, str) for state in states])
     if len(submissions) > 1:
-        total = [str(sum(one.done([id_]) for one in submissions)) for id_ in ids]
+        total = [str(sum(done(one, [id_]) for one in submissions)) for id_ in ids]
         line("done in all", total,
              f"{sum(map(int, total))} of {len(ids) * len(submissions)}")
     print()
@@ -198,42 +172,49 @@ def tell_why(submission):
             print(f"{bold(id_)}  {COLOURS[one.status](one.words())}\n{indented(report)}\n")
 
 
-def write(path, submissions, ids):
-    """The table of all as comma separated values; the last line says how many have done each."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["submission", *ids, "done"])
-        for one in submissions:
-            table.writerow([one.name, *map(one.words, ids), one.done(ids)])
-        total = [sum(one.done([id_]) for one in submissions) for id_ in ids]
-        table.writerow(["done in all", *total, sum(total)])
-
-
-def grade(folders):
-    """Grades submissions, or folders of them."""
-    submissions = submissions_in(folders)
+def grade(place):
+    """Grades a submission or a folder of them. Exit status 0 when everything is done."""
+    submissions, is_class = collecting.submissions_in(place)
+    rules = results.rules_of((place if is_class else place.parent) / results.RULES)
     chapters = [chapter for chapter in house.chapters()
                 if any(chapter.folder in one.files for one in submissions)]
-    if not fence.version():
-        print(folded("Note: this system has no Landlock (Linux 5.13 and newer have it), so that "
-                     "nothing keeps a submission from writing where you may write. Grade only what "
-                     "you trust, or grade in a container.") + "\n")
+    if words := fence.warning():
+        print(folded(f"Note: {words}") + "\n")
+    fence.adopt()
     grade_all(submissions, chapters)
+    compare(submissions, chapters)
     for chapter in chapters:
         tell_chapter(chapter, submissions)
     ids = [id_ for chapter in chapters for id_ in chapter.ids()]
     states = Counter(one.grades[id_].status for one in submissions for id_ in one.grades)
     if legend := [words for state, words in LEGEND.items() if state in states]:
         print(faint("\n".join(legend)) + "\n")
-    if len(submissions) == 1:
+    for one in submissions:
+        for note in [*one.notes, *([f"alike, {one.alike}"] if one.alike else [])]:
+            print(folded(f"{one.name}: {note}", hang=2))
+    if not is_class:
         tell_why(submissions[0])
-    table = house.OUT / "grades.csv"
-    write(table, submissions, ids)
     print(f"{len(submissions)} submission{'s' * (len(submissions) > 1)}: "
           + ", ".join(f"{states[state]} {SUMMED.get(state, state)}"
                       for state in grading.ORDER if states[state]))
-    print(f"the table: {house.short(table)}; processor time: {checking.processor_time():.0f} s")
-    if len(submissions) > 1 and states[grading.WRONG] + states[grading.BROKEN]:
-        print("Why: ./wb grade with the folder of one submission prints its reports.")
-    return 0
+    tell_where(place, submissions, is_class, ids, rules)
+    return 0 if all(done(one, ids) == len(ids) for one in submissions) else 1
+
+
+def tell_where(place, submissions, is_class, ids, rules):
+    """Writes the table and the feedback and says where they are. One submission renews its own
+    feedback and no table."""
+    all_ = place if is_class else place.parent
+    folder = house.OUT / "grades" / results.file_name(all_.resolve().name)
+    titles = {id_: words for chapter in house.chapters() for id_, words in chapter.titles().items()}
+    for one in submissions:
+        path = folder / results.file_name(one.name)
+        results.write_text(Path(f"{path}.md"), one, ids, titles, rules)
+        results.write_json(Path(f"{path}.json"), one, ids, titles, rules)
+    if is_class:
+        table = folder.with_name(f"{folder.name}.csv")
+        results.write_table(table, submissions, ids, rules)
+        print(f"the table: {house.short(table)}; feedback: {house.short(folder)}/NAME.md and .json")
+    else:
+        print(f"the feedback: {house.short(path)}.md and .json")
+    print(f"processor time: {checking.processor_time():.0f} s")

@@ -23,6 +23,7 @@ class Grade:
     status: str = DONE
     detail: str = ""  # the exercise it waits for, or what the compiler said
     tests: int = 0
+    passed: int = 0   # of them
     failures: list = field(default_factory=list)  # (test name, report)
     printed: str = ""   # what its code writes itself
     ends: bool = True   # false where it had to be stopped
@@ -65,6 +66,7 @@ def read_case(grade, case, chapter):
     grade.tests += 1
     result = case.find("OverallResult")
     if result is not None and result.get("success") == "true":
+        grade.passed += 1
         return
     words, says_where = [], True
     for element in case.iter():

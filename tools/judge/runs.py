@@ -9,10 +9,12 @@ import tty
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 
+from base import house
 from judge import crashes
 
 # Processor time for the tests of an exercise [s]: they take milliseconds. The proofs wait less.
 LIMIT = int(os.environ.get("WORKBOOK_LIMIT", "4"))
+WAIT = 8  # for what may wait [s]: a busy machine lets others wait, too
 STACK, MEMORY = 256, 1024  # [MB]
 # The limits are the process's own. What runs out of its stack has touched all of it.
 LIMITED = "".join(f"ulimit -S {limit} 2>/dev/null; " for limit in (
@@ -37,7 +39,7 @@ def run(program, ids, limit=LIMIT, answer=None):
     with tempfile.NamedTemporaryFile(prefix="joints_", suffix=".xml") as report:
         status, printed, deep = process(
             [program, ",".join(f"[{id_}]" for id_ in ids), "-r", "xml", "-o", report.name],
-            limit, env)
+            limit, report.name, env)
         cases, open_case, whole = read(report.read())
     own, library = apart(printed)
     result = Run(cases, printed=own)
@@ -55,7 +57,7 @@ def run(program, ids, limit=LIMIT, answer=None):
     return result
 
 
-def process(command, limit, env=None):
+def process(command, limit, report, env=None):
     """(exit status, what was printed, whether the stack was used up) of a process with limits. It
     prints to a terminal of its own: into a pipe the last lines before a crash would be lost."""
     try:
@@ -63,21 +65,25 @@ def process(command, limit, env=None):
         tty.setraw(its)
     except OSError:  # a system without terminals, such as a bare container
         ours, its = os.pipe()
-    child = subprocess.Popen(["sh", "-c", LIMITED, str(limit), *command], stdin=subprocess.DEVNULL,
-                             stdout=its, stderr=its, env=env)
+    child = subprocess.Popen(["sh", "-c", LIMITED, str(limit), *house.fenced(command, report)],
+                             stdin=subprocess.DEVNULL, stdout=its, stderr=its, env=env)
     os.close(its)
     kept = []
     listener = threading.Thread(target=listen, args=(ours, kept), daemon=True)
     listener.start()
-    alarm = threading.Timer(2 * limit, child.kill)  # what waits uses no processor time
+    alarm = threading.Timer(max(WAIT, 2 * limit), child.kill)  # waiting uses no processor time
     alarm.start()
     _, status, used = os.wait4(child.pid, 0)
     child.returncode = os.waitstatus_to_exitcode(status)
     alarm.cancel()
     listener.join(1)  # what it has left running in the background may print for ever
     os.close(ours)
-    size = used.ru_maxrss / (1 << 20 if sys.platform == "darwin" else 1 << 10)
-    return child.returncode, b"".join(kept).decode(errors="replace"), size > 0.8 * STACK
+    most = max(used.ru_maxrss, house.fence.end() if house.fence else 0)
+    size = most / (1 << 20 if sys.platform == "darwin" else 1 << 10)
+    status = child.returncode
+    if status > 128:  # how what stands around it says by which signal it was ended
+        status = 128 - status
+    return status, b"".join(kept).decode(errors="replace"), size > 0.8 * STACK
 
 
 def listen(terminal, kept):
@@ -111,6 +117,9 @@ def ending(status, limit):
     """How a process ended that did not finish its report."""
     if status in (-signal.SIGXCPU, -signal.SIGKILL):
         return f"it did not end within {limit} seconds: a loop without an end?"
+    if status == -signal.SIGSYS:
+        return ("it asked the system for what no exercise needs, and was ended: another process or "
+                "thread, the network, a signal to a process, or the name or mode of a file")
     if status == 97:
         return "no such answer"
     return "the program ended in the middle of a test: does the code call exit()?"
@@ -135,5 +144,6 @@ def said_in(program, name, limit=1):
     of this kind Catch2 leaves std::cout alone."""
     quoted = '"' + "".join("\\" + c if c in '\\",[]' else c for c in name) + '"'
     with tempfile.NamedTemporaryFile(prefix="joints_") as report:
-        _, printed, _ = process([program, quoted, "-r", "compact", "-o", report.name], limit)
+        _, printed, _ = process([program, quoted, "-r", "compact", "-o", report.name], limit,
+                                report.name)
     return apart(printed)[0]

@@ -1,0 +1,63 @@
+"""What an exercise file asks for that no exercise needs: files, processes, the network. It is read
+off the text: a hint for whoever grades, since it can be written in other ways."""
+import re
+
+# Comments; then texts, so that what stands in them is left out.
+COMMENT = re.compile(r'//[^\n]*|/\*.*?\*/|("(?:\\.|[^"\\\n])*")', re.S)
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:<([^>\n]+)>|"([^"\n]+)"|(\S+))', re.M)
+HEADERS = set("""algorithm any array assert.h bit bits/stdc++.h cassert ccomplex cfloat cinttypes
+climits cmath compare complex concepts cstddef cstdint cstdio cstdlib cstring deque exception
+execution float.h format forward_list functional initializer_list iomanip ios iosfwd iostream
+istream iterator limits limits.h list map math.h memory memory_resource new numbers numeric optional
+ostream queue random ranges ratio set span sstream stack stdexcept stdint.h stdio.h stdlib.h string
+string.h string_view tuple type_traits typeinfo unordered_map unordered_set utility valarray variant
+vector version""".split())
+CALLS = re.compile(r"""(?<![\w.>])(?:std::|::)?(fork|vfork|clone|system|popen|exec[lv]\w*|
+posix_spawn\w*|socket\w*|connect|bind|sendto|kill|raise|signal|sigaction|ptrace|chmod|fchmod\w*|
+chown|utimes?|unlink\w*|remove|rename|rmdir|mkdir|symlink|link|truncate|ftruncate|open|openat|creat|
+fopen|freopen|opendir|tmpfile|mmap|dlopen|dlsym|syscall|memfd_create|shmget|getenv|setenv|setrlimit|
+setsid|setpgid|daemon|sleep|usleep|nanosleep|exit|_exit|quick_exit|atexit|getppid|uname|
+sched_setaffinity|setpriority|pthread_\w+|thread|jthread|async)\s*[({]
+|\b(asm|__asm__|__asm|[io]?fstream|filesystem|__attribute__\s*\(\(\s*(?:constructor|destructor))\b
+""".replace("\n", ""))
+PATH = re.compile(r'"((?:/|\.\./|~/)[\w.~/-]+)"')
+
+
+def without_comments(text):
+    """The code, line by line as it was."""
+    return COMMENT.sub(lambda match: match[1] or "\n" * match[0].count("\n"), text)
+
+
+def refused(text):
+    """Why the file is not compiled at all, in a sentence; "": it is."""
+    for match in INCLUDE.finditer(without_comments(text)):
+        name = match[1] or match[2] or ""
+        if re.search(r"(^|/)(solutions|answers|tests|\.\.)/|^/", name):
+            return (f"line {line_of(text, match)} includes {name}, which is no part of an "
+                    "exercise: the file was not compiled.")
+    return ""
+
+
+def notes(text):
+    """Sentences on what it asks for, with the lines."""
+    code, found = without_comments(text), {}
+    for match in INCLUDE.finditer(code):
+        name = match[1] or match[2] or match[3]
+        if name not in HEADERS and not re.match(r"(engine|chapters)/[\w/]+\.h$", name):
+            found.setdefault(f"#include of {name}", []).append(line_of(text, match))
+    bare = re.sub(r'"(?:\\.|[^"\\\n])*"', '""', code)
+    for match in CALLS.finditer(bare):
+        found.setdefault(re.sub(r"\s*\(\(\s*", " ", match[1] or match[2]), []).append(
+            line_of(bare, match))
+    for match in PATH.finditer(INCLUDE.sub("", code)):
+        found.setdefault(f'the path "{match[1]}"', []).append(line_of(code, match))
+    if not found:
+        return []
+    said = "; ".join(f"{what} (line {', '.join(map(str, dict.fromkeys(lines)))})"
+                     for what, lines in found.items())
+    return [f"It asks for what no exercise needs: {said}."]
+
+
+def line_of(text, match):
+    """Lines stay where they were without the comments."""
+    return text.count("\n", 0, match.end() - 1) + 1

@@ -1,0 +1,205 @@
+"""What a class has handed in: folders, archives and single files, with whatever names."""
+import io
+import os
+import re
+import tarfile
+import zipfile
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+
+from base import exercises, house
+from base.talk import folded
+
+LARGEST = 1_000_000  # exercise file [bytes]; they have some ten thousand
+LARGEST_ARCHIVE = 50_000_000
+MOST = 20_000        # files that are looked at in a submission
+DEEPEST = 3          # archives in archives
+OPENED = re.compile(r"\.(zip|tar|tgz|tar\.(gz|xz|bz2))$", re.I)
+CLOSED = re.compile(r"\.(rar|7z|gz|xz|bz2|zst)$", re.I)  # archives that are not opened
+SOURCE = re.compile(r"\.(cpp|cc|cxx|txt)$", re.I)
+# What a browser, a system or a reader adds to a name: "Copy of distance (1)_final".
+ADDED = re.compile(r"^copy of |[ _-]*(\(\d+\)|\d+|copy|final|v\d+)$", re.I)
+# Folders of the workbook with files of the same names, and what systems add.
+NOT_THEIRS = re.compile(r"^(\..*|__.*|solutions|tests|out|build.*|cmake-build.*)$", re.I)
+EXPECTED = ("A submission is a folder, a zip or a file with exercises, such as distance.cpp or "
+            "chapters/01_distance/distance.cpp. Name submissions, or a folder of them: "
+            "./wb grade class")
+
+
+@dataclass
+class File:
+    """An exercise file that was found."""
+    where: str  # in the submission
+    text: str
+    named: str  # the chapter's folder that its name tells; "": none
+
+    def number(self):
+        """Of the chapter that most of its markers name; "": there are none."""
+        found = Counter(re.findall(r"// (?:begin|end) \[exercise (\d+)\.\d+\]", self.text))
+        return found.most_common(1)[0][0] if found else ""
+
+
+@dataclass
+class Submission:
+    """What one of the class has handed in, and what came of it."""
+    name: str
+    files: dict                                 # folder of a chapter: File
+    notes: list = field(default_factory=list)   # sentences
+    grades: dict = field(default_factory=dict)  # exercise: Grade
+    alike: str = ""                             # whose file is like it
+
+
+# ---- files ---------------------------------------------------------------------------------------
+
+class Bag:
+    """The exercise files below a place, and sentences on what cannot be read."""
+
+    def __init__(self, place):
+        self.place, self.found, self.notes, self.others, self.count = place, [], [], [], 0
+        if place.is_dir():
+            self.walk(place)
+        else:
+            self.add(PurePosixPath(place.name), place.stat().st_size, lambda: place.read_bytes())
+
+    def walk(self, folder):
+        for at, folders, names in os.walk(folder):
+            folders[:] = sorted(name for name in folders if not NOT_THEIRS.match(name))
+            for path in (Path(at, name) for name in sorted(names)):
+                inner = PurePosixPath(path.relative_to(self.place))
+                if not path.resolve().is_relative_to(self.place.resolve()):
+                    self.notes.append(f"{inner} is a link that leads out of the submission.")
+                elif path.is_file():
+                    self.add(inner, path.stat().st_size, path.read_bytes)
+
+    def add(self, inner, size, read, depth=0):
+        self.count += 1
+        if self.count > MOST or inner.name.startswith((".", "._")):
+            return
+        if OPENED.search(inner.name) and size <= LARGEST_ARCHIVE and depth < DEEPEST:
+            self.open(inner, read(), depth)
+        elif OPENED.search(inner.name) or CLOSED.search(inner.name):
+            self.notes.append(f"{inner} cannot be opened here; ask for a zip.")
+        elif SOURCE.search(inner.name) and size > LARGEST:
+            self.notes.append(f"{inner} is larger than {LARGEST} bytes and was not read.")
+        elif SOURCE.search(inner.name) and self.is_exercise(
+                one := File(str(inner), text_of(read()), named(inner.name))):
+            self.found.append(one)
+        else:
+            self.others.append(str(inner))
+
+    def open(self, inner, data, depth):
+        """What is in an archive, without ever writing it anywhere."""
+        try:
+            if inner.suffix.lower() == ".zip":
+                archive = zipfile.ZipFile(io.BytesIO(data))
+                members = [(one.filename, one.file_size, lambda one=one: archive.read(one))
+                           for one in archive.infolist() if not one.is_dir()]
+            else:
+                archive = tarfile.open(fileobj=io.BytesIO(data))
+                members = [(one.name, one.size, lambda one=one: archive.extractfile(one).read())
+                           for one in archive if one.isreg()]
+            for name, size, read in members:
+                parts = [part for part in re.split(r"[/\\]", name) if part not in ("", ".", "..")]
+                if parts and not any(map(NOT_THEIRS.match, parts[:-1])):
+                    self.add(inner / PurePosixPath(*parts), size, read, depth + 1)
+        except (zipfile.BadZipFile, tarfile.TarError, RuntimeError, EOFError, OSError,
+                NotImplementedError) as error:
+            self.notes.append(f"{inner} cannot be opened: {error}.")
+
+    @staticmethod
+    def is_exercise(one):
+        return bool(one.named or one.number())
+
+    def submission(self, name):
+        """The file of each chapter: the one that is best named and lies least deep."""
+        files, notes = {}, list(self.notes)
+        folders = {str(chapter.number): chapter.folder for chapter in house.chapters()}
+        for one in sorted(self.found, key=lambda one: (
+                not one.number(), exact(one) < 2, -exact(one), one.where.count("/"), one.where)):
+            folder = folders.get(one.number()) or one.named
+            if not folder:
+                continue
+            if one.named and folder != one.named:
+                notes.append(f"{one.where} holds exercises of {folder}, not of {one.named}.")
+            if folder not in files:
+                files[folder] = one
+                if exact(one) < 2 and one.named:
+                    notes.append(f"{one.where} was taken for {folder}.")
+            elif one.text != files[folder].text:
+                notes.append(f"{one.where} was not graded: {files[folder].where} was.")
+        if not files and self.others:
+            more = f" and {len(self.others) - 3} more" * (len(self.others) > 3)
+            notes.append(f"There is no exercise file, but {', '.join(self.others[:3])}{more}.")
+        return Submission(name, files, notes)
+
+
+def named(name):
+    """The folder of the chapter that a file's name tells, "" for none."""
+    stem = SOURCE.sub("", SOURCE.sub("", name)).strip().lower()
+    while (shorter := ADDED.sub("", stem).strip()) != stem:
+        stem = shorter
+    return next((chapter.folder for chapter in house.chapters() if chapter.name == stem), "")
+
+
+def exact(one):
+    """2: the name is as it should be; 1: but for the case of letters; 0: it is not."""
+    name, wanted = PurePosixPath(one.where).name, f"{one.named[3:]}.cpp"
+    return (name == wanted) + (name.lower() == wanted)
+
+
+def text_of(data):
+    """A text as an editor may have saved it."""
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return data.decode("utf-16", errors="replace").replace("\r\n", "\n")
+    return data.removeprefix(b"\xef\xbb\xbf").decode("utf-8", errors="surrogateescape").replace(
+        "\r\n", "\n")
+
+
+# ---- submissions ---------------------------------------------------------------------------------
+
+def is_one(folder):
+    """True where exercise files lie in the places of the workbook, so that it is no class."""
+    places = {chapter.folder for chapter in house.chapters()} | {"chapters"}
+    return any(entry.name in places if entry.is_dir() else named(entry.name) and SOURCE.search(
+        entry.name) for entry in folder.iterdir())
+
+
+def places_in(place):
+    """(where each submission lies, whether they are a class) of what was named."""
+    if not place.exists():
+        raise house.Trouble(f"grade: {place}: there is no such folder")
+    if place.is_file() or is_one(place):
+        return [place], False
+    inner = [entry for entry in sorted(place.iterdir()) if not NOT_THEIRS.match(entry.name) and (
+        entry.is_dir() or OPENED.search(entry.name) or CLOSED.search(entry.name)
+        or SOURCE.search(entry.name) and Bag(entry).found)]
+    return inner, True
+
+
+def submissions_in(place):
+    """(the submissions, whether it is a class). Their names differ."""
+    places, is_class = places_in(place)
+    found = [Bag(one).submission(plain_name(one)) for one in places]
+    if not any(one.files for one in found):
+        notes = "\n".join(folded(note) for one in found[:3] for note in one.notes)
+        raise house.Trouble(f"grade: {place}: there is no exercise file\n{folded(EXPECTED)}\n"
+                            + notes)
+    count = Counter(one.name for one in found)
+    for one, where in zip(found, places):
+        if count[one.name] > 1:
+            one.name = printable(where.name)
+    return found, is_class
+
+
+def plain_name(place):
+    return printable(OPENED.sub("", CLOSED.sub("", SOURCE.sub("", place.name)))
+                     if place.is_file() else place.name)
+
+
+def printable(name):
+    return "".join(letter if letter.isprintable() else "?" for letter in name)
+
+
+def is_untouched(one, chapter):
+    return one.text.strip() == exercises.stub(exercises.read(chapter.solution)).strip()

@@ -18,6 +18,7 @@ COMMANDS = {}  # by name, in the order of the overview
 # What others call a command, where the letters alone do not lead to it.
 MEANT = {"solve": "show", "solution": "show", "answer": "show", "verify": "check", "build": "test",
          "draw": "plot", "view": "see", "play": "see"}
+NEED_SOLUTIONS = {"tour", "check", "live", "bench", "docs", "keep", "grade", "hand-out"}
 TABLES = {"stability": "what is stiff, extreme or redundant: what holds what",
           "methods": "every method on every kind of scene",
           "families": "scenes drawn by seeds: how many each setting holds",
@@ -51,7 +52,7 @@ def argument(*names, **how):
 def command(shown, words, *arguments, lines=(), **how):
     """A command: the line of the overview, more lines of it, and what argparse is told."""
     def add(call):
-        name = call.__name__.rstrip("_")
+        name = call.__name__.rstrip("_").replace("_", "-")
         parser = Parser(prog=f"./wb {name}", description=words, formatter_class=layout,
                         allow_abbrev=False, **how)
         for names, more in arguments:
@@ -97,6 +98,8 @@ def main(words):
         return 0
     if name not in COMMANDS:
         refuse_unknown(name)
+    if name in NEED_SOLUTIONS and any(chapter.sealed for chapter in house.chapters()):
+        raise house.Trouble(f"{name} needs the solutions, and this edition does not have them")
     parser, call, _ = COMMANDS[name]
     if name == "bench":  # what it does not know is the program's
         return call(*parser.parse_known_args(rest))
@@ -270,6 +273,13 @@ def keep(args):
 def grade(args):
     from classroom import grading
     return grading.grade(CALLED_FROM / args.folder)
+
+
+@command("hand-out DIR", "for a class: the workbook without solutions and known answers",
+         argument("folder", metavar="DIR", help="a new folder"))
+def hand_out(args):
+    from classroom import hand_out as edition
+    return edition.hand_out(CALLED_FROM / args.folder)
 
 
 FIRST = {"status", "test", "run", "bench", "grade"}  # of their groups in the overview

@@ -82,7 +82,7 @@ def every_command_has_help(door):
     """What ./wb help lists has a help of its own, in both ways of asking."""
     yield from typed(door, "help", 0, "./wb test 2.1", "./wb tour", "--methods --help")
     _, overview, _, _ = door.type("help")
-    for name in sorted(set(re.findall(r"^  \./wb (\w+)", overview, re.M))):
+    for name in sorted(set(re.findall(r"^  \./wb ([\w-]+)", overview, re.M))):
         yield from typed(door, f"{name} --help", 0, f"usage: ./wb {name}", hidden=["./wb tour run"])
         if door.type(f"help {name}")[:3] != door.type(f"{name} -h")[:3]:
             yield f"./wb help {name} and ./wb {name} -h differ"

@@ -41,6 +41,11 @@ class Chapter:
     def text(self):
         return ROOT / "chapters" / self.folder / "README.md"
 
+    @property
+    def sealed(self):
+        """True in a student's edition, where the solution is not there but a stub."""
+        return any(map(exercises.is_open, exercises.regions(exercises.read(self.solution))))
+
     def ids(self):
         """The exercises in the order of their numbers."""
         found = {r.id for r in exercises.regions(self.solution.read_text(), self.solution.name)}
@@ -69,6 +74,9 @@ class Chapter:
 def chapters():
     """All chapters that have a solution, in order."""
     found = []
+    if not (ROOT / "solutions").is_dir():
+        raise Trouble("solutions/ is missing: stubs, tests and programs are made from it. An "
+                      "edition without solutions is made by ./wb hand-out DIR")
     for folder in sorted((ROOT / "solutions").iterdir()):
         if match := re.match(r"(\d\d)_(\w+)$", folder.name):
             found.append(Chapter(int(match[1]), folder.name, match[2]))

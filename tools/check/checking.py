@@ -15,7 +15,8 @@ from check import dearest, judging, proving
 PROOFS = ("workbook/programs", "workbook/exercises", "workbook/texts", "workbook/sources",
           "workbook/numbers", "workbook/contacts", "workbook/direct_solver",
           "workbook/front_door")
-PROOFS_OF_THE_REST = ("workbook/pictures", "workbook/lanes", "workbook/grade", "live/module",
+PROOFS_OF_THE_REST = ("workbook/pictures", "workbook/lanes", "workbook/grade", "workbook/hand_out",
+                      "live/module",
                       "live/page", "bench/cost", "peers/packages", "library/library",
                       "library/pkg_config")
 LEFT_OUT = ("float, counted instructions, pictures, the live page, grading,\n"

@@ -20,7 +20,7 @@ def hint(word, step):
     print()
     if step != "3":
         print(faint(f"more: ./wb hint {id_} {int(step) + 1}"))
-    else:
+    elif not chapter.sealed:
         print(faint(f"the solution: ./wb show {id_}"))
     return 0
 
@@ -38,6 +38,8 @@ def paragraphs(text):
 
 def solution(word, yes):
     chapter, id_ = house.exercise_of(word)
+    if chapter.sealed:
+        raise house.Trouble(f"the solutions of chapter {chapter.number} are not in this edition")
     if not house.ask(f"Show the solution of {id_}?", yes):
         return 0
     for region in exercises.regions(exercises.read(chapter.solution)):

@@ -1,0 +1,103 @@
+"""What students are handed out: hand_out_test.py ROOT BUILD"""
+import contextlib
+import io
+import shutil
+import subprocess
+import sys
+
+from door import CHAPTER, Door
+from front_door_test import typed
+from proofs import exercises, house, main, notes
+
+from classroom import hand_out
+from learn import show
+
+FILE = "distance.cpp"
+# The engine's own colouring is exercise 7.3, and a program of chapter 9 counts what 9.3 eliminates.
+GIVEN = {"engine/simd/arrange.cpp", "chapters/09_direct/program/order.cpp"}
+
+
+def students_can_work_without_solutions(root, build):
+    """an edition for students has no solution in it, and what a student does works there"""
+    with Door(root, build) as door:
+        door.lend_build()
+        yield from typed(door, "show 1.1 --yes", 0, "return {-n", wide=True)
+        shutil.rmtree(door.root / "solutions")
+        for words in ("", "test 1.1", "list", "run 1"):
+            yield from typed(door, words, 2, "solutions/ is missing", wide=True)
+        if not (root / ".git").exists():
+            notes.append("no git here: no edition for students was made")
+            return
+        door.root = door.root.with_name("edition")
+        door.file = door.root / "chapters" / CHAPTER / FILE
+        show.SOLUTIONS = door.root.with_name("recorded")
+        show.run_solution = lambda chapter: exercises.write(
+            show.SOLUTIONS / chapter.folder / "summary.csv", "recorded")
+        with contextlib.redirect_stdout(io.StringIO()):
+            hand_out.hand_out(door.root)
+        yield from solutions_in(door)
+        yield from targets_of_edition(door)
+        door.lend_build()
+        yield from typed(door, "", 0, "Next: exercise 1.1", wide=True)
+        yield from typed(door, "test 1.1", 1, "not written yet")
+        yield from typed(door, "show 1.1 --yes", 2, "are not in this edition")
+        yield from typed(door, "hint 1.1 3", 0, "Hint 3 of 3", hidden=["./wb show"])
+        yield from typed(door, "tour", 2, "needs the solutions")
+        door.write(e1_1=True, e1_2="return 0;")
+        yield from typed(door, "test 1.1", 0, "5 tests passed")
+        yield from typed(door, "test 1.2", 1, "Exercise 1.2", wide=True)
+        yield from typed(door, "run 1", 2, "1.3 1.4 1.5 1.6 are not written yet", wide=True)
+        yield from typed(door, "reset 1.2 --yes", 0, "the stub is back")
+        exercises.write(door.file, door.solution)
+        yield from typed(door, "test 1", 0, "tests passed")
+        yield from typed(door, "run 1", 0, "your code: 1.1 1.2 1.3 1.4 1.5 1.6")
+
+
+def solutions_in(door):
+    """Three lines of a solution in a row, but for braces, in any file of the edition."""
+    def lines(text):
+        plain = (" ".join(line.split("//")[0].split()) for line in text.split("\n"))
+        return [line for line in plain if len(line) > 3]
+    known = {}
+    for chapter in house.chapters():
+        for region in exercises.regions(exercises.read(chapter.solution)):
+            code = lines("\n".join(region.answer()))
+            known |= {tuple(code[k:k + 3]): region.id for k in range(len(code) - 2)}
+    for path in door.root.rglob("*.*"):
+        name = str(path.relative_to(door.root))
+        if path.suffix in (".cpp", ".h", ".md", ".py", ".json") and name not in GIVEN:
+            code = lines(exercises.read(path))
+            for k in range(len(code) - 2):
+                if found := known.get(tuple(code[k:k + 3])):
+                    yield f"{name} has three lines of the solution of {found}: {code[k]}"
+
+
+def targets_of_edition(door):
+    """In the edition a chapter is built on the student's earlier ones, until their solutions are
+    handed out; every target of a student's can be made."""
+    def links(target):
+        said = subprocess.run(["ninja", "-C", build, "-t", "inputs", target], capture_output=True,
+                              text=True).stdout.split()
+        return {name for name in ("lib01_distance.a", "lib01_distance_mine.a") if name in said}
+    build = door.root.with_name("configured")
+    names = [f"{chapter.folder}_{kind}_mine" for chapter in house.chapters()
+             for kind in ("test", "run", "units")]
+    for released, wanted in ((False, "lib01_distance_mine.a"), (True, "lib01_distance.a")):
+        if released:
+            exercises.write(door.root / "solutions" / CHAPTER / FILE, door.solution)
+        made = subprocess.run(["cmake", "-S", door.root, "-B", build, "-G", "Ninja"],
+                              capture_output=True, text=True)
+        made = made if made.returncode else subprocess.run(
+            ["ninja", "-C", build, "-n", *names], capture_output=True, text=True)
+        if made.returncode:
+            yield f"the edition cannot be built: {(made.stdout + made.stderr)[-600:]}"
+        for target in ("02_ball_test_mine", "02_ball_run_mine"):
+            if links(target) != {wanted}:
+                yield f"{target} is made with {links(target)}, not {wanted}"
+    exercises.write(door.root / "solutions" / CHAPTER / FILE, exercises.stub(door.solution))
+
+
+PROOFS = [students_can_work_without_solutions]
+
+if __name__ == "__main__":
+    sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

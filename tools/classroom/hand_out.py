@@ -1,0 +1,48 @@
+"""./wb hand-out: an edition for students, without solutions and known answers.
+
+A stub stands in the place of every solution; what the solution's program has recorded lies beside
+it, for the figures. A chapter that is over is completed with its folder of solutions/.
+"""
+import re
+import shutil
+import subprocess
+
+from base import exercises, house
+from base.talk import folded
+from learn import show
+
+# What holds answers, or tests of the whole workbook that compute the same.
+LEFT_OUT = re.compile(r"solutions/|tests/\d\d_\w+/answers/|tests/(?!\d\d_|checker/)\w+/|"
+                      r"tests/topics\.cmake$|\.github/")
+
+
+def files():
+    """What belongs to the workbook: nothing that lies beside it, such as what was handed in."""
+    said = subprocess.run(["git", "-C", house.ROOT, "ls-files", "-z"], capture_output=True,
+                          text=True)
+    if said.returncode:
+        raise house.Trouble("hand-out: git must know which files belong to the workbook, and it "
+                            "says: " + said.stderr.strip())
+    return [name for name in said.stdout.split("\0") if name and (house.ROOT / name).is_file()]
+
+
+def hand_out(folder):
+    if folder.exists():
+        raise house.Trouble(f"hand-out: {folder} is there already; name a new folder")
+    names = files()
+    for chapter in house.chapters():
+        show.run_solution(chapter)
+    house.progress_done()
+    for name in names:
+        if not LEFT_OUT.match(name):
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(house.ROOT / name, folder / name)
+    for chapter in house.chapters():
+        stub = exercises.stub(exercises.read(chapter.solution))
+        for path in (chapter.mine, chapter.solution):
+            exercises.write(folder / house.short(path), stub)
+        run = folder / house.short(show.recorded(chapter))
+        shutil.copytree(show.SOLUTIONS / chapter.folder, run)
+    print(folded(f"{folder}: the workbook without solutions. When a chapter is over, hand out its "
+                 "folder too, such as solutions/01_distance: what is missing works then."))
+    return 0

@@ -2,6 +2,8 @@
 // tuned to a single one of them.
 #pragma once
 
+#include <cmath>
+
 #include "bench/named.h"
 
 /// \addtogroup bench
@@ -37,6 +39,8 @@ struct Outcome {
   bool held(double most = sizeof(real) == 4 ? 5e-3 : 1e-3) const {
     return finite && gap < most && gain < 0.1;
   }
+  /// Its energy at the end is within 5 % of energy_scale of what it was.
+  bool kept() const { return finite && std::abs(loss) <= 0.05; }
 };
 /// Runs a scene. \param setting a name for setting_named() \param h step [s]
 Outcome run_drawn(Drawn scene, const std::string& setting, double h = 1.0 / 60);

@@ -1,5 +1,6 @@
-// An arm of two links on a fixed base. A motor lifts it as far as a limit, friction keeps the elbow
-// straight; loosened, the elbow sinks to its own limit. Exit status 1 if it rests elsewhere.
+// An arm of two links on a fixed base. A motor lifts it up to a limit, and friction keeps the elbow
+// straight. With less friction the elbow sinks to its own limit. Exit status 1 if the arm rests
+// elsewhere.
 #include <cmath>
 #include <cstdio>
 #include <numbers>

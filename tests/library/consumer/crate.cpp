@@ -18,7 +18,7 @@ int main() {
   solver.iterations = 30;
   for (int n = 0; n < 120; ++n) step(world, solver, real(1) / 60, {.warm_start = true});
 
-  const real way = world.bodies[crate].x.x, expected = real(4 * 4 / (2 * 0.5 * 9.81));
-  std::printf("the crate stops after %.3f m, on %d corners\n", double(way), contact.touching());
-  return std::abs(way - expected) < real(0.05) ? 0 : 1;
+  const real path = world.bodies[crate].x.x, expected = real(4 * 4 / (2 * 0.5 * 9.81));
+  std::printf("the crate stops after %.3f m, on %d corners\n", double(path), contact.touching());
+  return std::abs(path - expected) < real(0.05) ? 0 : 1;
 }

@@ -1,4 +1,4 @@
-// A door on a hinge that a motor opens as far as its limit. Exit status 1 if it rests elsewhere.
+// A motor opens a door on a hinge up to its limit. Exit status 1 if the door rests elsewhere.
 #include <cmath>
 #include <cstdio>
 #include <numbers>

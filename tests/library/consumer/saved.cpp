@@ -1,12 +1,12 @@
-// A chain that swings is saved and restored: it goes on as before, to the bit, and so does another
-// one that is built alike. Exit status 1 if one of them goes elsewhere.
+// A swinging chain is saved and restored. It then repeats its motion bit by bit, and so does a
+// second chain that was built in the same way. Exit status 1 if one of them moves differently.
 #include <cstdio>
 
 #include <joints.h>
 
 using namespace joints;
 
-// Eight links of 1 kg that are let go level.
+// Eight links of 1 kg, released level.
 World chain() {
   World world;
   BodyId before = world.add(static_body(vec3(0)));
@@ -29,12 +29,13 @@ State after_a_second(World& world) {
 int main() {
   World world = chain(), other = chain();
   const State now = after_a_second(world);
-  std::printf("after a second: %.0f J lost, an iteration leaves %.2f of an error\n",
+  std::printf("after a second: %.0f J lost, an iteration multiplies an error by %.2f\n",
               -energy(all_of(world.bodies), world.gravity), contraction_rate(world, 1000));
   const State then = after_a_second(world);
   restore(world, now);
   restore(other, now);
   const bool same = after_a_second(world) == then && after_a_second(other) == then;
-  std::printf("the next second, once more and elsewhere: %s\n", same ? "the same" : "another");
+  std::printf("the next second, repeated and in the other world: %s\n",
+              same ? "the same" : "different");
   return same ? 0 : 1;
 }

@@ -1,6 +1,6 @@
-// A shaft drives another one through a universal joint, 30 degrees askew: the second is now faster,
-// now slower than the first. The solver is chosen by its name. Exit status 1 if the ratio of their
-// speeds does not go from cos 30 degrees to its inverse.
+// A shaft drives another one through a universal joint, at an angle of 30 degrees: the second is
+// alternately faster and slower than the first. The solver is selected by its name. Exit status 1
+// if the ratio of their speeds does not range from cos 30 degrees to its inverse.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -27,9 +27,9 @@ std::unique_ptr<Solver> direct() { return std::make_unique<DirectSolver>(); }
 const Choice choices[] = {{"rows", iterative<SequentialImpulses>},
                           {"packed", iterative<PackedImpulses>},
                           {"direct", direct},
-                          {"symmetric", iterative<SymmetricImpulses>}};  // the line for one's own
+                          {"symmetric", iterative<SymmetricImpulses>}};  // the user's solver
 
-// The least and the greatest ratio of the speeds in a turn.
+// The least and the greatest ratio of the speeds during a revolution.
 std::pair<real, real> ratios(Solver& solver) {
   const real angle = std::numbers::pi_v<real> / 6;
   const vec3 along1(1, 0, 0), along2(std::cos(angle), 0, std::sin(angle)), pin1(0, 1, 0);
@@ -46,7 +46,7 @@ std::pair<real, real> ratios(Solver& solver) {
   real least = 10, greatest = 0;
   for (int n = 0; n < 240; ++n) {
     step(world, solver, real(1) / 240);
-    if (n < 60) continue;  // under way
+    if (n < 60) continue;  // until the motion is periodic
     const real ratio = driven.speed(world.bodies) / drive.speed(world.bodies);
     least = std::min(least, ratio);
     greatest = std::max(greatest, ratio);
@@ -55,7 +55,7 @@ std::pair<real, real> ratios(Solver& solver) {
 }
 
 int main(int arguments, char** words) {
-  const std::string wanted = arguments > 1 ? words[1] : "";  // all of them, if none is named
+  const std::string wanted = arguments > 1 ? words[1] : "";  // all solvers, if none is named
   for (const Choice& choice : choices) {
     if (!wanted.empty() && wanted != choice.name) continue;
     const std::unique_ptr<Solver> solver = choice.make();

@@ -1,4 +1,4 @@
-// A solver of one's own: Sequential Impulses that go forwards and backwards by turns.
+// A user-defined solver: Sequential Impulses, alternately forwards and backwards.
 #pragma once
 
 #include <joints.h>

@@ -1,4 +1,4 @@
-// A joint of one's own: the universal joint, with which one shaft drives another at an angle.
+// A user-defined joint: the universal joint, by which one shaft drives another at an angle.
 #pragma once
 
 #include <joints.h>
@@ -6,14 +6,14 @@
 namespace joints {
 
 /// Keeps an axis of body 1 at right angles to an axis of body 2. Removes one degree of freedom.
-/// C = a1.a2 [1]; J = (0, (a1 x a2)^T, 0, -(a1 x a2)^T), exact at every pose; zero, so that nothing
-/// is held, where the two axes are parallel.
+/// C = a1.a2 [1]; J = (0, (a1 x a2)^T, 0, -(a1 x a2)^T), exact at every pose. Where the two axes
+/// are parallel, J is zero and the row has no effect.
 struct RightAngle {
   vec3 a1_local{1, 0, 0};  ///< unit, body space of body 1
   vec3 a2_local{0, 1, 0};  ///< unit, body space of body 2
 
   static constexpr int rows = 1;            ///< degrees of freedom that it removes
-  static constexpr bool one_sided = false;  ///< it holds both ways
+  static constexpr bool one_sided = false;  ///< it acts in both directions
   real error(const Body& body1, const Body& body2) const {
     return dot(to_world(body1, a1_local), to_world(body2, a2_local));
   }
@@ -23,7 +23,7 @@ struct RightAngle {
   }
 };
 
-/// A point is held and two axes stay at right angles: four rows in one block.
+/// Holds a point, and keeps two axes at right angles: four rows in one block.
 using UniversalJoint = PartJoint<Composite<Point, RightAngle>>;
 
 /// \throws std::invalid_argument unless the anchors are finite and both axes have the length 1
@@ -33,7 +33,7 @@ inline void check(const Composite<Point, RightAngle>& part) {
     require(std::abs(length(axis) - 1) < real(1e-3), "axis1, axis2: must be unit vectors");
 }
 
-/// Joins two shafts as they stand. \param anchor where the shafts' axes meet [m, world]
+/// Joins two shafts in their present poses. \param anchor where the shafts' axes meet [m, world]
 /// \param axis1 the pin of the cross in body 1, unit, world \param axis2 that in body 2
 inline Composite<Point, RightAngle> cross_at(const Body& body1, const Body& body2,
                                              const vec3& anchor, const vec3& axis1,

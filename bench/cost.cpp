@@ -147,7 +147,7 @@ Size size_of(const Candidate& candidate, const Case& what) {
   World world = chain(what);
   const Step step = candidate.way.setting(10).make();
   for (int n = 0; n < 3; ++n) step(world, h);
-  int rows = int(world.blocks.J.size());
+  int rows = world.blocks.rows();
   if (candidate.only_plain_hinges) {  // its bodies and hinges are its own
     rows = 5 * int(world.joints().size());
     world = World();

@@ -31,6 +31,7 @@ Setting setting_named(const std::string& method) {
                {"relax", {.warm = true, .substeps = 16, .relax = 1, .frequency = 60}, 16},
                {"omega", {.loop = Loop::packed, .beta = 1, .relaxation = real(1.9)}},
                {"lanes", {.loop = Loop::lanes, .beta = 1, .relaxation = real(1.9)}},
+               {"rows10", {.warm = true, .beta = real(0.1)}, 10},
                {"lanes10", {.loop = Loop::lanes, .warm = true, .beta = real(0.1)}, 10},
                {"chapter7", {.loop = Loop::hinges, .relaxation = real(1.9)}, 20},
                {"textbook", {.loop = Loop::textbook}},

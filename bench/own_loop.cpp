@@ -22,14 +22,12 @@ class Adapted : public OwnLoop {
     }
     loop_.gravity = world.gravity;
     loop_.iterations = iterations;
-    constexpr int width = HingeLoop<Number>::width;
-    const std::vector<bool> moves = moving(loop_.bodies);
     if (visits == Visits::chain_order) {
       loop_.arrange(one_by_one(int(loop_.links.size())));
     } else if (visits == Visits::coloured_lanes) {
-      loop_.arrange(by_colour(colours_of(loop_.links, moves), width));
+      loop_.arrange(by_colour(colours_of(loop_.links, moving(loop_.bodies)), loop_.width));
     } else {
-      loop_.arrange(interleaved(islands_of(loop_.links, moves), width));
+      loop_.arrange(by_islands);
     }
   }
   void step(real h) override { loop_.step(h); }

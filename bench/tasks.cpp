@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bench/draw.h"
 #include "chapters/08_ground/program/bridge.h"
 #include "chapters/08_ground/program/ragdoll.h"
 #include "chapters/09_direct/program/linkages.h"
@@ -140,21 +141,35 @@ BenchScene loaded_planks() {
   return scene;
 }
 
-BenchScene ragdolls(int count) {
+// Dolls on one ground. \param let_go from the place below a doll to its torso's centre and turn
+static BenchScene dolls(int count, const std::function<std::pair<vec3, quat>(vec3 place)>& let_go) {
   BenchScene scene;
   scene.name = "ragdolls";
   scene.tip_mask = glm::dvec3(0);
   scene.energy_scale = 0;
   const int in_a_row = int(std::ceil(std::sqrt(double(count))));
   const BodyId ground = chapter8::add_ground(scene, real(4 * in_a_row));
-  for (int k = 0; k < count; ++k)
-    chapter8::add_doll(scene, ground,
-                       vec3(real(4 * (k % in_a_row)), real(0.95), real(4 * (k / in_a_row))),
-                       chapter8::tilted, real(0.2));
+  for (int k = 0; k < count; ++k) {
+    const auto [centre, turn] = let_go(vec3(real(4 * (k % in_a_row)), 0, real(4 * (k / in_a_row))));
+    chapter8::add_doll(scene, ground, centre, turn, real(0.2));
+  }
   scene.finding = {"deepest corner [mm]", 0, [](const Scene& now) {
                      return millimetres * chapter8::penetration(now.world);
                    }};
   return scene;
+}
+
+BenchScene ragdolls(int count) {
+  return dolls(count, [](const vec3& place) {
+    return std::pair(place + vec3(0, real(0.95), 0), chapter8::tilted);
+  });
+}
+
+BenchScene random_ragdolls(int count, unsigned seed) {
+  return dolls(count, [draw = Draw(seed)](const vec3& place) mutable {
+    const vec3 up(0, real(draw.number(1.3, 2.5)), 0);
+    return std::pair(place + up, draw.rotation());
+  });
 }
 
 }  // namespace joints::bench

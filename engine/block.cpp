@@ -25,10 +25,8 @@ real bias(const Block& block, int i, real C, real rate, real h) {
 
 void Blocks::truncate(int count) {
   if (count >= int(list.size())) return;
-  const std::size_t rows = std::size_t(list[count].first);
+  C.resize(std::size_t(list[count].first));
   list.resize(std::size_t(count));
-  if (!errors_only) J.resize(rows);
-  C.resize(rows);
 }
 
 bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form form,
@@ -39,10 +37,8 @@ bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form fo
     return false;
   }
   list.push_back({slot1, slot2, rows, form, false, int(C.size()), target, impulse});
-  static const Row no_rows[6];  // faster to copy than to construct one by one
-  static const real no_errors[6] = {};
-  C.insert(C.end(), no_errors, no_errors + rows);
-  if (!errors_only) J.insert(J.end(), no_rows, no_rows + rows);
+  C.resize(C.size() + std::size_t(rows));
+  if (!errors_only && J.size() < C.size()) J.resize(C.size());
   return true;
 }
 

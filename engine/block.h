@@ -81,8 +81,8 @@ struct SolverMemory {
 class Blocks {
  public:
   std::vector<Block> list;  ///< the headers, in the order in which they are solved
-  std::vector<Row> J;       ///< the rows of all blocks
-  std::vector<real> C;      ///< their errors, one per row [m, rad, or 1 for a small sine]
+  std::vector<real> C;  ///< the errors of all blocks, one per row [m, rad, or 1 for a small sine]
+  std::vector<Row> J;   ///< their rows; rows of former steps may follow behind the last of them
   bool errors_only = false;  ///< append only C and no rows of J: for the errors at other poses
   real acted = 0;  ///< `acting` of the last step [s]; 0 before the first
   /// The time for which the impulses of this step act [s]: h, or with leapfrog the time between the
@@ -92,6 +92,7 @@ class Blocks {
 
   /// `acting`, or h if it has not been set, as in a step written by hand. \param h step [s]
   real acts(real h) const { return acting > 0 ? acting : h; }
+  int rows() const { return int(C.size()); }  ///< of all blocks
   void clear() { truncate(0); }  ///< removes all blocks, keeps the memory
   void truncate(int count);      ///< removes all blocks but the first `count`
 
@@ -115,8 +116,9 @@ class Blocks {
               real* impulse, Form form = Form::any) {
     static_assert(N >= 1 && N <= 6, "a block has one to six rows");
     if (!add(bodies, id1, id2, N, form, target, impulse)) return;
-    std::copy(rows_C.begin(), rows_C.end(), C.end() - N);
-    if (!errors_only) std::copy(rows_J.row.begin(), rows_J.row.end(), J.end() - N);
+    const int first = list.back().first;
+    std::copy(rows_C.begin(), rows_C.end(), C.begin() + first);
+    if (!errors_only) std::copy(rows_J.row.begin(), rows_J.row.end(), J.begin() + first);
   }
 
  private:

@@ -37,7 +37,7 @@ void IterativeSolver::check() const {
 }
 
 void Solver::prepared_for(const Bodies& bodies, const Blocks& blocks, int first) {
-  const std::size_t k = std::size_t(first), rows = blocks.J.size();
+  const std::size_t k = std::size_t(first), rows = blocks.C.size();
   const std::size_t known = k < blocks.list.size() ? std::size_t(blocks.list[k].first) : rows;
   bodies_ = &bodies;
   slots_ = bodies.slots();
@@ -48,7 +48,7 @@ void Solver::prepared_for(const Bodies& bodies, const Blocks& blocks, int first)
 const Blocks& Solver::blocks_of(const Bodies& bodies) const {
   if (bodies_ != &bodies)
     throw std::logic_error("solver: was prepared for the blocks of another world");
-  if (rows_ != blocks_->J.size())
+  if (rows_ != blocks_->C.size())
     throw std::logic_error("solver: blocks have come or gone since they were prepared");
   if (slots_ != bodies.slots())
     throw std::logic_error("solver: bodies have come since the blocks were prepared");

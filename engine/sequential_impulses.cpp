@@ -144,7 +144,7 @@ void SequentialImpulses::relax(Bodies& bodies, real h) {
 
 void SequentialImpulses::advance_split(Bodies& bodies, real h) {
   const Blocks& blocks = blocks_of(bodies);
-  split_impulses_.assign(blocks.J.size(), real(0));
+  split_impulses_.assign(blocks.C.size(), real(0));
   split_blocks_.clear();
   for_corrections(blocks, [&](PreparedBlock& prepared, const Block& block) {
     aim(prepared, blocks, block, block.target, h);

@@ -200,6 +200,7 @@ void DirectSolver::collect_blocks(const Bodies& bodies, real h) {
   pattern_.clear();
   bounded_.clear();
   outside_.clear();
+  outside_.J.clear();
   outside_.acting = blocks_->acting;
   followed_.clear();
   for (const Block& block : blocks_->list)

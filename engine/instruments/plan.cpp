@@ -19,7 +19,7 @@ Plan plan(const World& world, bool warm_start, const Solver* solver) {
     plan.motors += extras.motors;
   }
   plan.blocks = int(blocks.list.size());
-  plan.rows = int(blocks.J.size());
+  plan.rows = blocks.rows();
   plan.warm_start = warm_start;
   if (solver) plan.solver = solver->plan(world.bodies, blocks);
   return plan;

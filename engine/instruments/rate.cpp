@@ -25,7 +25,7 @@ double contraction_rate(World& world, int most, real h, SequentialImpulses solve
                         const Stepping& how) {
   const State as_it_was = save(world);
   begin_step(world, solver, h, how);
-  std::vector<double> before(world.blocks.J.size(), 0.0);
+  std::vector<double> before(world.blocks.C.size(), 0.0);
   const double rounding = std::max(1e-11, 200 * double(epsilon));  // of a change, by the impulses
   const double rate = contraction_rate(
       [&] {

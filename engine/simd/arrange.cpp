@@ -1,4 +1,4 @@
-// Groups pairs of bodies by colours or islands, and places bodies in columns.
+// Finds islands, and which of them are alike.
 #include "engine/simd/arrange.h"
 
 #include <algorithm>
@@ -6,45 +6,6 @@
 #include <numeric>
 
 namespace joints {
-
-Groups one_by_one(int count) { return by_colour(std::vector<int>(std::size_t(count), 0), 1); }
-
-// ---- colours -----------------------------------------------------------------------------------
-
-std::vector<int> greedy_colours(const std::vector<BodyPair>& pairs,
-                                const std::vector<bool>& moves) {
-  std::vector<std::vector<bool>> taken(moves.size());
-  std::vector<int> colours;
-  for (const BodyPair& pair : pairs) {
-    std::size_t colour = 0;
-    const auto is_taken = [&](int body) {
-      return colour < taken[body].size() && taken[body][colour];
-    };
-    while (is_taken(pair.body1) || is_taken(pair.body2)) ++colour;
-    for (const int body : {pair.body1, pair.body2}) {
-      if (!moves[body]) continue;
-      taken[body].resize(std::max(taken[body].size(), colour + 1));
-      taken[body][colour] = true;
-    }
-    colours.push_back(int(colour));
-  }
-  return colours;
-}
-
-Groups by_colour(const std::vector<int>& colours, int width, const std::vector<int>& kinds) {
-  std::map<std::pair<int, int>, std::vector<int>> lists;  // (colour, kind) -> pairs
-  for (std::size_t k = 0; k < colours.size(); ++k)
-    lists[{colours[k], kinds.empty() ? 0 : kinds[k]}].push_back(int(k));
-  Groups groups;
-  for (const auto& [key, list] : lists)
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      if (k % std::size_t(width) == 0) groups.emplace_back();
-      groups.back().push_back(list[k]);
-    }
-  return groups;
-}
-
-// ---- islands -----------------------------------------------------------------------------------
 
 Islands islands_of(const std::vector<BodyPair>& pairs, const std::vector<bool>& moves) {
   std::vector<int> root(moves.size());
@@ -60,20 +21,6 @@ Islands islands_of(const std::vector<BodyPair>& pairs, const std::vector<bool>& 
     islands[find(moves[pairs[k].body1] ? pairs[k].body1 : pairs[k].body2)].push_back(int(k));
   std::erase_if(islands, [](const auto& island) { return island.empty(); });
   return islands;
-}
-
-Groups interleaved(const Islands& islands, int width) {
-  std::size_t longest = 0;
-  for (const auto& island : islands) longest = std::max(longest, island.size());
-  Groups groups;
-  for (std::size_t k = 0; k < longest; ++k)
-    for (std::size_t first = 0; first < islands.size(); first += std::size_t(width)) {
-      std::vector<int> group;
-      for (std::size_t at = first; at < std::min(islands.size(), first + width); ++at)
-        if (k < islands[at].size()) group.push_back(islands[at][k]);
-      if (!group.empty()) groups.push_back(group);
-    }
-  return groups;
 }
 
 // The pairs with their bodies renumbered in the order in which the islands mention them. A static
@@ -110,38 +57,6 @@ std::vector<Islands> alike(const Islands& islands, const std::vector<BodyPair>& 
   }
   std::vector<Islands> out;
   for (const auto& [shape, list] : found) out.push_back(list);
-  return out;
-}
-
-// ---- columns -----------------------------------------------------------------------------------
-
-std::optional<Columns> columns_of(const Groups& groups, const Islands& islands,
-                                  const std::vector<BodyPair>& pairs, int width) {
-  const std::vector<BodyPair> copies = copies_of(islands, pairs);
-  std::vector<int> place(2 * pairs.size(), -1);  // copy -> its index in Columns::bodies
-  Columns out;
-  for (const auto& group : groups) {
-    const auto column_of = [&](int BodyPair::*end) -> std::optional<int> {
-      int column = -1;  // one for all lanes: that of a body which already has one, or a new one
-      for (const int pair : group)
-        if (const int at = place[copies[pair].*end]; at >= 0) column = at / width;
-      if (column < 0) {
-        column = int(out.bodies.size()) / width;
-        out.bodies.resize(out.bodies.size() + std::size_t(width), -1);
-      }
-      for (int lane = 0; lane < int(group.size()); ++lane) {
-        const int at = column * width + lane, body = pairs[group[lane]].*end;
-        int &known = place[copies[group[lane]].*end], &occupant = out.bodies[at];
-        if ((known >= 0 && known != at) || (occupant >= 0 && occupant != body)) return {};
-        known = at;
-        occupant = body;
-      }
-      return column;
-    };
-    const auto end1 = column_of(&BodyPair::body1), end2 = column_of(&BodyPair::body2);
-    if (!end1 || !end2) return {};
-    out.ends.push_back({*end1, *end2});
-  }
   return out;
 }
 

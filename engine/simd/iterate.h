@@ -1,5 +1,9 @@
 // What is done with a record: its K^-1, its warm start, its solve. Each file that is compiled for
-// an instruction set includes it.
+// an instruction set includes it. Number is one number or one per lane. Every kind of rows has three
+// functions, all else is the same for all kinds:
+//   form_K   J M^-1 J^T, lower triangle
+//   errors   bias + J V
+//   apply    V += M^-1 J^T lambda
 #pragma once
 
 #include "engine/simd/lanes.h"
@@ -35,10 +39,22 @@ inline void add_lever(Number* K, const Triple<Number>& r, const Symmetric<Number
   K[5] += r.y * c.x - r.x * c.y;
 }
 
+// The inverse mass of both bodies. In an unused lane all numbers of the record are zero, but two
+// bodies may meet that no block joins: 0, so that K^-1 is zero, too.
+template <class Number>
+inline Number used_mass(const Number& mass, const Number& I1, const Number& I2) {
+  return where_above(I1 + I2, Number::of(0), mass);
+}
+template <class Number>
+inline Number used_mass(const Number& mass, const Symmetric<Number>& I1,
+                        const Symmetric<Number>& I2) {
+  return used_mass(mass, I1.xx, I2.xx);
+}
+
 template <int N, bool isotropic, class Number>
 inline void form_K(const PointRows<N, isotropic, Number>& rows, const Velocities<Number>& body1,
                    const Velocities<Number>& body2, Number* K) {
-  K[0] = K[2] = K[5] = body1.inverse_mass + body2.inverse_mass;
+  K[0] = K[2] = K[5] = used_mass(body1.inverse_mass + body2.inverse_mass, rows.I1, rows.I2);
   K[1] = K[3] = K[4] = Number::of(0);
   add_lever(K, rows.r1, rows.I1);
   add_lever(K, rows.r2, rows.I2);
@@ -79,40 +95,49 @@ inline void apply(const PointRows<N, isotropic, Number>& rows, const Number* lam
 
 // ---- any rows -----------------------------------------------------------------------------------
 
-template <int N, class Number>
-inline void form_K(const AnyRows<N, Number>& rows, const Velocities<Number>& body1,
+// The body of a half row: with two ends body 1, then body 2; with one it is body 2.
+template <int ends, class V>
+inline V& body_of(int end, V& body1, V& body2) {
+  return end + 1 < ends ? body1 : body2;
+}
+
+template <int N, int ends, class Number>
+inline void form_K(const AnyRows<N, ends, Number>& rows, const Velocities<Number>& body1,
                    const Velocities<Number>& body2, Number* K) {
+  for (int i = 0; i < N; ++i)
+    for (int j = 0; j <= i; ++j)
+      for (int end = 0; end < ends; ++end) {
+        const auto &a = rows.row[i][end], &b = rows.row[j][end];
+        const Number& inverse_mass = body_of<ends>(end, body1, body2).inverse_mass;
+        const Number linear = dot(inverse_mass * a.v, b.v);
+        Number& sum = K[lower_index(i, j)];
+        sum = (end == 0 ? linear : sum + linear) + dot(a.response_w, b.w);
+      }
+}
+
+template <int N, int ends, class Number>
+inline void errors(const AnyRows<N, ends, Number>& rows, const Velocities<Number>& body1,
+                   const Velocities<Number>& body2, Number* e) {
   for (int i = 0; i < N; ++i) {
-    const auto& row = rows.row[i];
-    const Triple<Number> v1 = body1.inverse_mass * row.v1, v2 = body2.inverse_mass * row.v2;
-    for (int j = 0; j <= i; ++j) {
-      const auto& other = rows.row[j];
-      K[lower_index(i, j)] = dot(v1, other.v1) + dot(row.response_w1, other.w1) +
-                             dot(v2, other.v2) + dot(row.response_w2, other.w2);
+    e[i] = rows.bias[i];
+    for (int end = 0; end < ends; ++end) {
+      const auto& [v, w, response_w] = rows.row[i][end];
+      const Velocities<Number>& body = body_of<ends>(end, body1, body2);
+      e[i] = e[i] + dot(v, body.v) + dot(w, body.w);
     }
   }
 }
 
-template <int N, class Number>
-inline void errors(const AnyRows<N, Number>& rows, const Velocities<Number>& body1,
-                   const Velocities<Number>& body2, Number* e) {
-  for (int i = 0; i < N; ++i) {
-    const auto& row = rows.row[i];
-    e[i] = rows.bias[i] + dot(row.v1, body1.v) + dot(row.w1, body1.w) + dot(row.v2, body2.v) +
-           dot(row.w2, body2.w);
-  }
-}
-
-template <int N, class Number>
-inline void apply(const AnyRows<N, Number>& rows, const Number* lambda, Velocities<Number>& body1,
-                  Velocities<Number>& body2) {
-  for (int i = 0; i < N; ++i) {
-    const auto& row = rows.row[i];
-    body1.v = body1.v + body1.inverse_mass * lambda[i] * row.v1;
-    body2.v = body2.v + body2.inverse_mass * lambda[i] * row.v2;
-    body1.w = body1.w + lambda[i] * row.response_w1;
-    body2.w = body2.w + lambda[i] * row.response_w2;
-  }
+template <int N, int ends, class Number>
+inline void apply(const AnyRows<N, ends, Number>& rows, const Number* lambda,
+                  Velocities<Number>& body1, Velocities<Number>& body2) {
+  for (int i = 0; i < N; ++i)
+    for (int end = 0; end < ends; ++end) {
+      const auto& [v, w, response_w] = rows.row[i][end];
+      Velocities<Number>& body = body_of<ends>(end, body1, body2);
+      body.v = body.v + body.inverse_mass * lambda[i] * v;
+      body.w = body.w + lambda[i] * response_w;
+    }
 }
 
 // ---- any rows of a single block -----------------------------------------------------------------
@@ -123,51 +148,56 @@ struct Eight {
   typedef typename VectorOf<real, false>::type Wide;
   static constexpr int parts = 8 / lane_count;
   Wide part[parts];
-
-  // The sum of all eight products of both pairs.
-  friend Number dot(const Eight& a, const Eight& b, const Eight& c, const Eight& d) {
-    Wide sum = a.part[0] * b.part[0] + c.part[0] * d.part[0];
-    for (int k = 1; k < parts; ++k) sum += a.part[k] * b.part[k] + c.part[k] * d.part[k];
-    for (int half = lane_count / 2; half > 0; half /= 2)
-      for (int k = 0; k < half; ++k) sum[k] += sum[k + half];
-    return {sum[0]};
-  }
 };
 template <class Number>
 inline const Eight<Number>& eight(const Velocities<Number>& of) {
   return reinterpret_cast<const Eight<Number>&>(of);
 }
+// The sum over both bodies, or over the one, of f(end, part of eight numbers).
+template <int ends, class Number, class F>
+inline Number sum_of_products(const F& f) {
+  typename Eight<Number>::Wide sum;
+  for (int part = 0; part < Eight<Number>::parts; ++part) {
+    auto all = f(0, part);
+    if (ends == 2) all += f(1, part);
+    sum = part == 0 ? all : sum + all;
+  }
+  for (int half = lane_count / 2; half > 0; half /= 2)
+    for (int k = 0; k < half; ++k) sum[k] += sum[k + half];
+  return {sum[0]};
+}
 
-template <int N, class Number>
-inline void form_K(const SingleRows<N, Number>& rows, const Velocities<Number>&,
+template <int N, int ends, class Number>
+inline void form_K(const SingleRows<N, ends, Number>& rows, const Velocities<Number>&,
                    const Velocities<Number>&, Number* K) {
   for (int i = 0; i < N; ++i)
-    for (int j = 0; j <= i; ++j) {
-      const auto &a = rows.row[i], &b = rows.row[j];
-      K[lower_index(i, j)] =
-          dot(eight(a.J1), eight(b.response1), eight(a.J2), eight(b.response2));
-    }
+    for (int j = 0; j <= i; ++j)
+      K[lower_index(i, j)] = sum_of_products<ends, Number>([&](int end, int part) {
+        return eight(rows.row[i][end].J).part[part] * eight(rows.row[j][end].response).part[part];
+      });
 }
 
-template <int N, class Number>
-inline void errors(const SingleRows<N, Number>& rows, const Velocities<Number>& body1,
+template <int N, int ends, class Number>
+inline void errors(const SingleRows<N, ends, Number>& rows, const Velocities<Number>& body1,
                    const Velocities<Number>& body2, Number* e) {
   for (int i = 0; i < N; ++i)
-    e[i] = rows.bias[i] +
-           dot(eight(rows.row[i].J1), eight(body1), eight(rows.row[i].J2), eight(body2));
+    e[i] = rows.bias[i] + sum_of_products<ends, Number>([&](int end, int part) {
+             return eight(rows.row[i][end].J).part[part] *
+                    eight(body_of<ends>(end, body1, body2)).part[part];
+           });
 }
 
-template <int N, class Number>
-inline void apply(const SingleRows<N, Number>& rows, const Number* lambda,
+template <int N, int ends, class Number>
+inline void apply(const SingleRows<N, ends, Number>& rows, const Number* lambda,
                   Velocities<Number>& body1, Velocities<Number>& body2) {
-  for (int k = 0; k < Eight<Number>::parts; ++k) {
-    auto V1 = eight(body1).part[k], V2 = eight(body2).part[k];
-    for (int i = 0; i < N; ++i) {
-      V1 += lambda[i].all * eight(rows.row[i].response1).part[k];
-      V2 += lambda[i].all * eight(rows.row[i].response2).part[k];
+  for (int end = 0; end < ends; ++end) {
+    auto& body = reinterpret_cast<Eight<Number>&>(body_of<ends>(end, body1, body2));
+    for (int part = 0; part < Eight<Number>::parts; ++part) {
+      auto sum = body.part[part];
+      for (int i = 0; i < N; ++i)
+        sum += lambda[i].all * eight(rows.row[i][end].response).part[part];
+      body.part[part] = sum;
     }
-    reinterpret_cast<Eight<Number>&>(body1).part[k] = V1;
-    reinterpret_cast<Eight<Number>&>(body2).part[k] = V2;
   }
 }
 
@@ -244,8 +274,9 @@ inline void solve_record(Record<Rows, N, hard, Number>& record, Velocities<Numbe
 
 // Sets the bounds of a following row to -+factor times the impulse that it follows.
 // \param followed for each lane, the index of that impulse in `numbers`
-template <class Number>
-inline void move_bounds(FollowingRecord<Number>& record, const real* numbers, const int* followed) {
+template <int ends, class Number>
+inline void move_bounds(FollowingRecord<ends, Number>& record, const real* numbers,
+                        const int* followed) {
   for (int lane = 0; lane < int(sizeof(Number) / sizeof(real)); ++lane) {
     const real bound = gather<real>(record.factor, lane) * numbers[followed[lane]];
     scatter(-bound, record.bounds.lower, lane);
@@ -264,9 +295,9 @@ inline void each_group(const LaneWork& work, const F& f) {
       auto* record = &first;
       for (const int end = k + group.alike; k < end; ++k) {
         record = reinterpret_cast<decltype(record)>(work.numbers + work.groups[k].first);
-        with_bodies<Number>(work.bodies, k, [&](auto& body1, auto& body2) JOINTS_INLINED {
-          f(*record, body1, body2, k);
-        });
+        with_bodies<Number, std::decay_t<decltype(first)>::ends>(
+            work.bodies, k,
+            [&](auto& body1, auto& body2) JOINTS_INLINED { f(*record, body1, body2, k); });
       }
     });
   }

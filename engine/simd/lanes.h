@@ -126,25 +126,24 @@ inline void store(Velocities<real>* records, const int* index, Velocities<Lanes>
   }
 }
 
-// Calls f with the velocities of a group's bodies 1 and bodies 2. Number is Single or Lanes.
-template <class Number, class F>
+// Calls f with the velocities of a group's bodies 1 and bodies 2; if its rows have one body only,
+// with that in both places. Number is Single or Lanes.
+template <class Number, int bodies = 2, class F>
 JOINTS_INLINED inline void with_bodies(const BodyView& view, int group, const F& f) {
   constexpr int width = int(sizeof(Number) / sizeof(real));
-  const int* const ends = view.ends + group * (width == 1 || view.columns ? 2 : 2 * width);
   Velocities<real>* const records = view.records;
-  if constexpr (width == 1) {
+  if (width == 1 || view.columns) {
+    const int* const ends = view.ends + 2 * group;
     auto* const all = reinterpret_cast<Velocities<Number>*>(records);
-    f(all[ends[0]], all[ends[1]]);
-  } else if (view.columns) {
-    auto* const all = reinterpret_cast<Velocities<Number>*>(records);
-    f(all[ends[0]], all[ends[1]]);
-  } else {
+    f(all[ends[2 - bodies]], all[ends[1]]);
+  } else if constexpr (width > 1) {
+    const int* const ends = view.ends + 2 * width * group;
     Velocities<Number> body1, body2;
-    load(records, ends, body1);
-    load(records, ends + lane_count, body2);
-    f(body1, body2);
-    store(records, ends, body1);
-    store(records, ends + lane_count, body2);
+    if (bodies == 2) load(records, ends, body1);
+    load(records, ends + width, body2);
+    f(bodies == 2 ? body1 : body2, body2);
+    if (bodies == 2) store(records, ends, body1);
+    store(records, ends + width, body2);
   }
 }
 

@@ -2,7 +2,6 @@
 #include "engine/simd/packed.h"
 
 #include <algorithm>
-#include <set>
 
 namespace joints {
 
@@ -10,12 +9,21 @@ namespace {
 
 BlockKind kind_of(const Bodies& bodies, const Block& block) {
   const RowTarget& target = block.target;
+  const Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
   const bool follows = target.follows != 0, point = block.form == Form::point;
   const bool hard = !follows && target.frequency == 0 && target.lower == -unbounded &&
                     target.upper == unbounded;
-  const bool isotropic = point && bodies.at(block.body1).is_isotropic() &&
-                         bodies.at(block.body2).is_isotropic();
-  return {static_cast<signed char>(block.rows), point, hard, isotropic, follows};
+  const bool isotropic = point && body1.is_isotropic() && body2.is_isotropic();
+  const bool lone = block.rows == 1 && (body1.is_static() || body2.is_static());
+  return {static_cast<signed char>(block.rows), point, hard, isotropic, follows, lone};
+}
+
+Member member_of(const Bodies& bodies, const Block& block) {
+  const bool moves1 = !bodies.at(block.body1).is_static();
+  const bool moves2 = !bodies.at(block.body2).is_static();
+  const BlockKind kind = kind_of(bodies, block);
+  const int none1 = kind.lone ? block.body2 : -1, none2 = kind.lone ? block.body1 : -1;
+  return {{moves1 ? block.body1 : none1, moves2 ? block.body2 : none2}, kind.number()};
 }
 
 // ---- the numbers of a block ---------------------------------------------------------------------
@@ -26,6 +34,7 @@ struct Source {
   const Row* J;
   const real* C;
   const Body &body1, &body2;
+  const Symmetric<real> &I1, &I2;  // inverse inertias, world
   StepTarget target;
   real h;
 };
@@ -40,41 +49,62 @@ void fill_rows(PointRows<N, isotropic, Number>& rows, const Source& from, int la
     scatter(from.body1.inverse_inertia_local.x, rows.I1, lane);
     scatter(from.body2.inverse_inertia_local.x, rows.I2, lane);
   } else {
-    scatter(symmetric(inverse_inertia(from.body1)), rows.I1, lane);
-    scatter(symmetric(inverse_inertia(from.body2)), rows.I2, lane);
+    scatter(from.I1, rows.I1, lane);
+    scatter(from.I2, rows.I2, lane);
   }
   for (int i = 3; i < N; ++i) scatter(triple(J[i].w2), rows.axis[i - 3], lane);
 }
 
-template <int N, class Number>
-void fill_rows(AnyRows<N, Number>& rows, const Source& from, int lane) {
-  Row response[N];
-  form_responses(from.J, N, from.body1, from.body2, response);
-  for (int i = 0; i < N; ++i) {
-    const Row& J = from.J[i];
-    scatter(typename AnyRows<N, real>::Row{triple(J.v1), triple(J.w1), triple(J.v2), triple(J.w2),
-                                           triple(response[i].w1), triple(response[i].w2)},
-            rows.row[i], lane);
-  }
+// Half of row i: that of body 1 or 2; of a lone row that of the one that moves.
+struct HalfRow {
+  Triple<real> v, w;              // of J
+  Triple<real> response_w;        // of M^-1 J^T
+  real inverse_mass;
+};
+template <int ends>
+HalfRow half_of(const Source& from, int i, int end) {
+  const Row& J = from.J[i];
+  const bool second = ends == 2 ? end == 1 : !from.body2.is_static();
+  const Triple<real> w = triple(second ? J.w2 : J.w1);
+  return {triple(second ? J.v2 : J.v1), w, (second ? from.I2 : from.I1) * w,
+          (second ? from.body2 : from.body1).inverse_mass};
 }
 
-template <int N>
-void fill_rows(SingleRows<N, real>& rows, const Source& from, int) {
-  Row response[N];
-  form_responses(from.J, N, from.body1, from.body2, response);
-  for (int i = 0; i < N; ++i) {
-    const Row &J = from.J[i], &R = response[i];
-    rows.row[i] = {{triple(J.v1), 0, triple(J.w1), 0}, {triple(J.v2), 0, triple(J.w2), 0},
-                   {triple(R.v1), 0, triple(R.w1), 0}, {triple(R.v2), 0, triple(R.w2), 0}};
-  }
+template <int N, int ends, class Number>
+void fill_rows(AnyRows<N, ends, Number>& rows, const Source& from, int lane) {
+  for (int i = 0; i < N; ++i)
+    for (int end = 0; end < ends; ++end) {
+      const auto [v, w, response_w, inverse_mass] = half_of<ends>(from, i, end);
+      scatter(typename AnyRows<N, ends, real>::Half{v, w, response_w}, rows.row[i][end], lane);
+    }
+}
+
+template <int N, int ends>
+void fill_rows(SingleRows<N, ends, real>& rows, const Source& from, int) {
+  for (int i = 0; i < N; ++i)
+    for (int end = 0; end < ends; ++end) {
+      const auto [v, w, response_w, inverse_mass] = half_of<ends>(from, i, end);
+      rows.row[i][end] = {{v, 0, w, 0}, {inverse_mass * v, 0, response_w, 0}};
+    }
+}
+
+// What bodies that do not move, which are zeros to the iterations, contribute to J V.
+real still_rate(const Row& J, const Body& body1, const Body& body2) {
+  real rate = 0;
+  if (body1.is_static()) rate += dot(J.v1, body1.v) + dot(J.w1, body1.w);
+  if (body2.is_static()) rate += dot(J.v2, body2.v) + dot(J.w2, body2.w);
+  return rate;
 }
 
 template <class Rows, int N, bool hard, class Number>
 void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
   const Block& block = from.block;
   fill_rows(record.rows, from, lane);
+  const bool still = from.body1.is_static() || from.body2.is_static();
   for (int i = 0; i < N; ++i) {
-    scatter(bias(block, i, from.C[i], from.target.rate, from.h), record.rows.bias[i], lane);
+    const real asked = bias(block, i, from.C[i], from.target.rate, from.h);
+    const real given = still ? still_rate(from.J[i], from.body1, from.body2) : real(0);
+    scatter(asked + given, record.rows.bias[i], lane);
     scatter(block.impulse[i], record.impulses.lambda[i], lane);
   }
   if constexpr (!hard) {
@@ -85,9 +115,9 @@ void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
 }
 
 // move_bounds() sets its bounds before every solve.
-template <class Number>
-void fill(FollowingRecord<Number>& record, const Source& from, int lane) {
-  fill(static_cast<AnyRecord<1, false, Number>&>(record), from, lane);
+template <int ends, class Number>
+void fill(FollowingRecord<ends, Number>& record, const Source& from, int lane) {
+  fill(static_cast<AnyRecord<1, ends, false, Number>&>(record), from, lane);
   scatter(from.target.upper, record.factor, lane);
 }
 
@@ -95,166 +125,175 @@ void fill(FollowingRecord<Number>& record, const Source& from, int lane) {
 
 // ---- the groups ---------------------------------------------------------------------------------
 
-void PackedBlocks::arrange(const Bodies& bodies) {
-  groups.clear();
-  blocks.clear();
-  numbers_.clear();
-  std::vector<BodyPair> pairs;
-  std::vector<bool> moves(std::size_t(bodies.slots()));
-  std::set<BlockKind> present;
-  for (const Signature& one : signatures_) {
-    pairs.push_back(one.bodies);
-    moves[one.bodies.body1] = !one.static1;
-    moves[one.bodies.body2] = !one.static2;
-    present.insert(one.kind);
-  }
-  std::vector<int> kinds;  // for each block, the index of its kind
-  for (const Signature& one : signatures_)
-    kinds.push_back(int(std::distance(present.begin(), present.find(one.kind))));
-
-  Groups found;
-  std::optional<Columns> columns;
-  const bool automatic = packing_ == Packing::automatic;
-  const auto too_empty = [&] { return 2 * pairs.size() < found.size() * std::size_t(width_); };
-  width_ = lanes_ && packing_ != Packing::list ? lane_count : 1;
-  if (automatic) {
-    const Islands islands = islands_of(pairs, moves);
-    if (width_ == 1) {
-      found = interleaved(islands, 1);
-    } else {
-      for (const Islands& same : alike(islands, pairs, kinds))
-        for (const auto& group : interleaved(same, width_)) found.push_back(group);
-      if (!too_empty()) columns = columns_of(found, islands, pairs, width_);
-    }
-  }
-  if (packing_ == Packing::colours || (automatic && too_empty()))
-    found = by_colour(greedy_colours(pairs, moves), width_, kinds);
-  if (packing_ == Packing::list || (automatic && too_empty())) {
-    width_ = 1;
-    found = one_by_one(int(pairs.size()));
-  }
-  records_.arrange(found, pairs, columns, moves, width_);
-  groups.reserve(found.size());
-  blocks.reserve(found.size() * std::size_t(width_));
-  for (const auto& group : found) add_group(group);
-  numbers_.shrink_to_fit();
-  for (int k = int(groups.size()) - 2; k >= 0; --k)
-    if (static_cast<BlockKind&>(groups[k]) == groups[k + 1]) groups[k].alike += groups[k + 1].alike;
-  find_followed();
-}
-
-// Allocates the record of a group of blocks of one kind.
-void PackedBlocks::add_group(const std::vector<int>& members) {
-  LaneGroup group{signatures_[members[0]].kind};
-  group.first = int(numbers_.size()) * lane_count;
-  LaneNumber any;  // never read: only the size of the record is used
-  in_record(group, any.lane, [&](auto& record) {
-    group.first_lambda = group.first + int(sizeof record.rows / sizeof(real));
-    numbers_.resize(numbers_.size() + (sizeof record + sizeof any - 1) / sizeof any, {});
-  });
-  for (int lane = 0; lane < width_; ++lane)
-    blocks.push_back(lane < int(members.size()) ? members[lane] : -1);
-  groups.push_back(group);
-}
-
-// Fills followed_: where each following row finds the impulse that it follows.
-void PackedBlocks::find_followed() {
-  followed_.clear();
-  if (std::none_of(groups.begin(), groups.end(),
-                   [](const BlockKind& kind) { return kind.follows; }))
-    return;
-  std::vector<int> first_row, place;  // block -> its first row; row -> index of its lambda
-  for (const Signature& one : signatures_) {
-    first_row.push_back(int(place.size()));
-    place.resize(place.size() + std::size_t(one.kind.rows));
-  }
-  for (std::size_t k = 0; k < blocks.size(); ++k)
-    for (int row = 0; blocks[k] >= 0 && row < groups[k / width_].rows; ++row)
-      place[first_row[blocks[k]] + row] = lambda_index(groups[k / width_], row, int(k) % width_);
-  followed_.assign(blocks.size(), 0);
-  for (std::size_t k = 0; k < blocks.size(); ++k)
-    if (blocks[k] >= 0 && signatures_[blocks[k]].kind.follows)
-      followed_[k] = place[signatures_[blocks[k]].followed];
-}
-
-// ---- a step -------------------------------------------------------------------------------------
-
-// Brings the signatures up to date. \return true if none has changed
-bool PackedBlocks::sign(const Bodies& bodies, const Blocks& list) {
+// Brings what the groups depend on up to date. \return true if nothing has changed
+bool PackedBlocks::sign(const Bodies& bodies, const Blocks& list, int first) {
   const std::size_t count = list.list.size();
-  bool same = signatures_.size() == count;
-  signatures_.resize(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const Block& block = list.list[k];
-    const Signature now{kind_of(bodies, block), bodies.at(block.body1).is_static(),
-                        bodies.at(block.body2).is_static(), {block.body1, block.body2},
-                        followed_row(list, int(k))};
-    same = same && signatures_[k] == now;
-    signatures_[k] = now;
+  bool same = members_.size() == count;
+  members_.resize(count);
+  follows_.resize(count);
+  for (std::size_t k = std::size_t(first); k < count; ++k) {
+    const Member now = member_of(bodies, list.list[k]);
+    const int followed = followed_row(list, int(k));
+    same = same && members_[k] == now && follows_[k] == followed;
+    members_[k] = now;
+    follows_[k] = followed;
   }
   return same;
 }
 
-void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, real h, real relaxation,
-                        Packing packing, bool lanes) {
-  if (!sign(bodies, list) || packing != packing_ || lanes != lanes_ || groupings_ == 0) {
-    packing_ = packing;
-    lanes_ = lanes;
+// Gives the bodies places, anew if need be. \return true if they are new
+bool PackedBlocks::place(const Bodies& bodies) {
+  if (wanted_ != Packing::automatic) return false;
+  moves_.clear();
+  for (int slot = 0; slot < bodies.slots(); ++slot)
+    moves_.push_back(!bodies.at(slot).is_static());
+  if (!places_.place(members_, moves_, lanes_ ? lane_count : 1)) return false;
+  ++placings_;
+  // Each body and each link has a lane; so has for each island what does not move: as many as the
+  // links are less than the bodies.
+  places_.append(order_, places_.links(), 0);
+  const std::size_t used = 2 * std::size_t(std::count(moves_.begin(), moves_.end(), true));
+  fits_lanes_ = 2 * used >= order_.bodies.size() + order_.blocks.size();
+  return true;
+}
+
+// The blocks from number `first` on become groups behind the others; with 0 all of them anew.
+void PackedBlocks::append(const Bodies& bodies, int first) {
+  if (first == 0) {
+    chosen_ = wanted_;
+    if (wanted_ == Packing::automatic && !fits_lanes_) chosen_ = Packing::colours;
+    order_.clear(lanes_ && wanted_ != Packing::list ? lane_count : 1, bodies.slots());
+  }
+  if (chosen_ == Packing::automatic) return places_.append(order_, members_, first);
+  if (chosen_ == Packing::colours) {
+    colours_.append(order_, members_, first);
+    const bool too_empty = 2 * members_.size() < order_.blocks.size();
+    if (first > 0 || wanted_ == Packing::colours || !too_empty) return;
+    chosen_ = Packing::list;
+    order_.clear(1, bodies.slots());
+  }
+  append_in_turn(order_, members_, first);
+}
+
+// Allocates the records of groups that are new. \param first 0 if all are
+void PackedBlocks::add_groups(const Bodies& bodies, const Blocks& list, int first) {
+  if (first == 0) {
+    groups_.clear();
+    numbers_.clear();
+  }
+  const int before = int(groups_.size()), end = order_.groups();
+  LaneNumber any;  // never read: only the size of a record is used
+  lambda_of_row_.resize(list.C.size());
+  for (int k = before; k < end; ++k) {
+    const int* const lanes = &order_.blocks[std::size_t(k * order_.width)];
+    const int* const one =
+        std::find_if(lanes, lanes + order_.width, [](int block) { return block >= 0; });
+    LaneGroup group{kind_of(bodies, list.list[std::size_t(*one)])};
+    group.first = int(numbers_.size()) * lane_count;
+    in_record(group, any.lane, [&](auto& record) {
+      group.first_lambda = group.first + int(sizeof record.rows / sizeof(real));
+      numbers_.resize(numbers_.size() + (sizeof record + sizeof any - 1) / sizeof any, {});
+    });
+    groups_.push_back(group);
+    each_block(k, [&](int block, int lane) {
+      const int first_row = list.list[std::size_t(block)].first;
+      for (int row = 0; row < group.rows; ++row)
+        lambda_of_row_[std::size_t(first_row + row)] = lambda_index(group, row, lane);
+    });
+  }
+  followed_.resize(order_.blocks.size());
+  for (int k = before; k < end; ++k) {
+    int* const followed = &followed_[std::size_t(k * order_.width)];
+    for (int lane = 0; lane < order_.width; ++lane)  // of an unused lane itself, which is 0
+      followed[lane] = lambda_index(groups_[std::size_t(k)], 0, lane);
+    each_block(k, [&](int block, int lane) {
+      const int row = follows_[std::size_t(block)];
+      if (row >= 0) followed[lane] = lambda_of_row_[std::size_t(row)];
+    });
+  }
+  for (int k = end - 2; k >= before; --k)
+    if (const BlockKind& kind = groups_[k]; kind == groups_[k + 1])
+      groups_[k].alike += groups_[k + 1].alike;
+  if (groupings_ == 1) numbers_.shrink_to_fit();
+}
+
+// ---- a step -------------------------------------------------------------------------------------
+
+void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, real h,
+                        real relaxation, Packing packing, bool lanes) {
+  const bool anew = groupings_ == 0 || packing != wanted_ || lanes != lanes_;
+  wanted_ = packing;
+  lanes_ = lanes;
+  if (anew || first != int(members_.size())) first = 0;
+  std::size_t begin = first == 0 ? 0 : groups_.size();  // the first group to be filled
+  if (first == 0) {
+    inertias_.resize(std::size_t(bodies.slots()));
+    for (int slot = 0; slot < bodies.slots(); ++slot)
+      inertias_[std::size_t(slot)] = symmetric(inverse_inertia(bodies.at(slot)));
+  }
+  const bool same = sign(bodies, list, first);
+  if (!same || anew || (first == 0 && late_)) {
     ++groupings_;
-    arrange(bodies);
+    if (place(bodies)) begin = 0, first = 0;
+    late_ = first > 0;
+    append(bodies, first);
+    add_groups(bodies, list, first);
   }
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    if (blocks[k] < 0) continue;
-    const Block& block = list.list[std::size_t(blocks[k])];
-    const LaneGroup& group = groups[k / std::size_t(width_)];
-    const Source from{block, &list.J[std::size_t(block.first)], &list.C[std::size_t(block.first)],
-                      bodies.at(block.body1), bodies.at(block.body2),
-                      step_target(block.target, h, list.acts(h), relaxation), h};
-    const int lane = int(k) % width_;
-    in_record(group, numbers() + group.first, [&](auto& record) { fill(record, from, lane); });
-  }
+  for (std::size_t k = begin; k < groups_.size(); ++k)
+    in_record(groups_[k], numbers() + groups_[k].first, [&](auto& record) {
+      each_block(int(k), [&](int number, int lane) {
+        const Block& block = list.list[std::size_t(number)];
+        const std::size_t row = std::size_t(block.first);
+        const std::size_t one = std::size_t(block.body1), other = std::size_t(block.body2);
+        fill(record, {block, &list.J[row], &list.C[row], bodies.at(block.body1),
+                      bodies.at(block.body2), inertias_[one], inertias_[other],
+                      step_target(block.target, h, list.acts(h), relaxation), h}, lane);
+      });
+    });
   take(bodies);  // for the masses
-  run(Pass::prepare, relaxation);
+  run(Pass::prepare, relaxation, int(begin));
 }
 
 void PackedBlocks::take(const Bodies& bodies) {
-  records_.take([&](int slot) -> const Body& { return bodies.at(slot); });
+  records_.take(order_, [&](int slot) -> const Body& { return bodies.at(slot); });
 }
 
-void PackedBlocks::give_back(Bodies& bodies) const {
-  records_.give_back([&](int slot) -> Body& { return bodies.at(slot); });
+void PackedBlocks::give_back(Bodies& bodies) {
+  records_.give_back(order_, [&](int slot) -> Body& { return bodies.at(slot); });
 }
 
-void PackedBlocks::run(Pass pass, real parameter) {
-  width_ == 1 ? run_single(work(), pass, parameter) : run_lanes(work(), pass, parameter);
+// Over the groups from number `first` on.
+void PackedBlocks::run(Pass pass, real parameter, int first) {
+  const LaneWork work{groups_.data() + first, int(groups_.size()) - first, numbers(),
+                      followed_.data() + first * order_.width, records_.view(order_, first)};
+  order_.width == 1 ? run_single(work, pass, parameter) : run_lanes(work, pass, parameter);
 }
 
 void PackedBlocks::unpack(const Blocks& list) const {
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    if (blocks[k] < 0) continue;
-    const LaneGroup& group = groups[k / std::size_t(width_)];
-    real* const impulse = list.list[std::size_t(blocks[k])].impulse;
-    for (int row = 0; row < group.rows; ++row)
-      impulse[row] = numbers()[lambda_index(group, row, int(k) % width_)];
-  }
+  for (std::size_t k = 0; k < groups_.size(); ++k)
+    each_block(int(k), [&](int block, int lane) {
+      real* const impulse = list.list[std::size_t(block)].impulse;
+      for (int row = 0; row < groups_[k].rows; ++row)
+        impulse[row] = numbers()[lambda_index(groups_[k], row, lane)];
+    });
 }
 
 std::string PackedBlocks::words() const {
-  if (width_ == 1) return "one block at a time";
-  return std::to_string(width_) +
-         (records_.columns() ? " lanes, an island in each" : " lanes, by colours");
+  if (order_.width == 1) return "one block at a time";
+  return std::to_string(order_.width) +
+         (order_.columns ? " lanes, an island in each" : " lanes, by colours");
 }
 
 std::string PackedImpulses::plan(const Bodies& bodies, const Blocks& blocks) const {
   PackedBlocks packed;
-  packed.pack(bodies, blocks, 1, relaxation, packing, lanes);
+  packed.pack(bodies, blocks, 0, 1, relaxation, packing, lanes);
   return packed.words();
 }
 
 void PackedImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int first,
                              real h) {
   prepared_for(bodies, blocks, first);
-  packed_.pack(bodies, blocks, h, relaxation, packing, lanes);
+  packed_.pack(bodies, blocks, first, h, relaxation, packing, lanes);
 }
 
 void PackedImpulses::warm_start(Bodies& bodies, real ratio) {

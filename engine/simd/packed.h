@@ -2,8 +2,9 @@
 // that share no moving body are solved side by side, one per lane.
 #pragma once
 
-#include "engine/simd/body_records.h"
 #include "engine/iterative_solver.h"
+#include "engine/simd/body_records.h"
+#include "engine/simd/places.h"
 
 /// \addtogroup world
 /// @{
@@ -11,76 +12,83 @@ namespace joints {
 
 /// How blocks are grouped and ordered.
 enum class Packing {
-  automatic,  ///< the first of these that uses at least half of the lanes: islands of one pattern
-              ///< side by side, one per lane (the first block of every island, then the second of
-              ///< every one), colours, and if neither does, list. Without lanes: islands by turns
+  automatic,  ///< the first of these that uses at least half of the lanes: islands side by side,
+              ///< one per lane (Places), colours, and if neither does, list. Without lanes: islands
+              ///< by turns
   colours,    ///< graph colouring, one colour after the other
   list        ///< the order of the list, without lanes
 };
 
-/// The blocks of a step in groups that are solved side by side. The grouping is cached until the
-/// topology changes (the kinds of the blocks or their bodies); a step with a cached grouping does
-/// not allocate.
+/// The blocks of a step in groups that are solved side by side. What has not changed is kept: the
+/// places of the bodies until islands are connected otherwise, the groups until a block comes, goes
+/// or changes its kind. Once its vectors have grown, a step does not allocate.
 class PackedBlocks {
  public:
-  std::vector<LaneGroup> groups;  ///< in the order in which they are solved
-  std::vector<int> blocks;        ///< the block of each lane of each group; -1: unused lane
-
   /// Fills the records from the blocks of a step and prepares them for its iterations.
-  /// \param h step [s] \param relaxation of the solver [1]
+  /// \param first only blocks from this number on are new since the last call in this step: they
+  /// become groups behind the others \param h step [s] \param relaxation of the solver [1]
   /// \param lanes false: every group is one block
-  void pack(const Bodies& bodies, const Blocks& list, real h, real relaxation, Packing packing,
-            bool lanes);
-  void take(const Bodies& bodies);       ///< copies the bodies' velocities into the records
-  void give_back(Bodies& bodies) const;  ///< copies them back to the bodies that can move
+  void pack(const Bodies& bodies, const Blocks& list, int first, real h, real relaxation,
+            Packing packing, bool lanes);
+  void take(const Bodies& bodies);  ///< copies the bodies' velocities into the records
+  void give_back(Bodies& bodies);   ///< copies them back to the bodies that can move
   /// A pass over all groups, with the best instruction set of this processor.
-  void run(Pass pass, real parameter = 0);
+  void run(Pass pass, real parameter = 0) { run(pass, parameter, 0); }
   /// Copies the accumulated impulses back into the joints. \param list as given to pack()
   void unpack(const Blocks& list) const;
 
-  int width() const { return width_; }  ///< lanes of a group: 1 or lane_count
-  std::string words() const;  ///< the grouping in words, as "8 lanes, an island in each"
-  const BodyRecords& records() const { return records_; }  ///< body indices are slots
-  int groupings() const { return groupings_; }  ///< how often the grouping was computed
+  const LaneOrder& order() const { return order_; }  ///< which blocks come side by side, and when
+  const std::vector<LaneGroup>& groups() const { return groups_; }  ///< one for each of the order
+  std::string words() const;  ///< the order in words, as "8 lanes, an island in each"
+  int placings() const { return placings_; }    ///< how often the bodies got places
+  int groupings() const { return groupings_; }  ///< how often blocks were put into groups
 
  private:
-  // What the grouping depends on: compared in every step.
-  struct Signature {
-    BlockKind kind;
-    bool static1, static2;
-    BodyPair bodies;
-    int followed;  // followed_row()
-    bool operator==(const Signature&) const = default;
-  };
-  bool sign(const Bodies& bodies, const Blocks& list);
-  void arrange(const Bodies& bodies);
-  void add_group(const std::vector<int>& members);
-  void find_followed();
+  bool sign(const Bodies& bodies, const Blocks& list, int first);
+  bool place(const Bodies& bodies);
+  void append(const Bodies& bodies, int first);
+  void add_groups(const Bodies& bodies, const Blocks& list, int first);
+  void run(Pass pass, real parameter, int first);
   // Calls f with the record of a group, of one block or of lane_count.
   template <class F>
   void in_record(const LaneGroup& group, real* numbers, const F& f) const {
-    if (width_ == 1)
+    if (order_.width == 1)
       use_record<real>(group, numbers, f);
     else
       use_record<LaneNumber>(group, numbers, f);
   }
+  // Calls f(block, lane) for each block of a group.
+  template <class F>
+  void each_block(int group, const F& f) const {
+    const int* const blocks = &order_.blocks[std::size_t(group * order_.width)];
+    for (int lane = 0; lane < order_.width; ++lane)
+      if (blocks[lane] >= 0) f(blocks[lane], lane);
+  }
   // The index in numbers() of a row's accumulated impulse.
   int lambda_index(const LaneGroup& group, int row, int lane) const {
-    return group.first_lambda + row * width_ + lane;
+    return group.first_lambda + row * order_.width + lane;
   }
   real* numbers() { return reinterpret_cast<real*>(numbers_.data()); }
   const real* numbers() const { return reinterpret_cast<const real*>(numbers_.data()); }
 
-  LaneWork work() { return {groups.data(), int(groups.size()), numbers(), followed_.data(),
-                            records_.view()}; }
+  std::vector<Member> members_;  // of each block: what the groups depend on
+  std::vector<int> follows_;     // of each block: followed_row()
+  Places places_;
+  GreedyColours colours_;
+  std::vector<bool> moves_;  // of each body
+  Packing wanted_ = Packing::automatic, chosen_ = Packing::automatic;
+  bool lanes_ = true;        // as wanted
+  bool fits_lanes_ = true;   // islands one per lane use at least half of the lanes
+  bool late_ = false;        // the last groups were appended in the middle of a step
+  int placings_ = 0, groupings_ = 0;
 
-  std::vector<Signature> signatures_;
-  std::vector<LaneNumber> numbers_;
-  std::vector<int> followed_;  // LaneWork::followed
+  LaneOrder order_;
+  std::vector<LaneGroup> groups_;
+  std::vector<LaneNumber> numbers_;  // the records of all groups
+  std::vector<int> lambda_of_row_;   // of each row: the index of its accumulated impulse
+  std::vector<int> followed_;        // LaneWork::followed
+  std::vector<Symmetric<real>> inertias_;  // of each body: its inverse inertia in this step, world
   BodyRecords records_;
-  Packing packing_ = Packing::automatic;  // as wanted
-  bool lanes_ = true;                     // as wanted
-  int width_ = 0, groupings_ = 0;
 };
 
 /// Sequential Impulses over packed blocks: the same solve of each block, in another order. By

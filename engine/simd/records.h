@@ -22,7 +22,12 @@ struct BlockKind {
   bool hard = false;     ///< neither soft nor bounded: no scales, no bounds
   bool isotropic = false;  ///< only for `point`: both inertias are isotropic, one number each
   bool follows = false;  ///< one row whose bounds are -+factor times another row's impulse
-  auto operator<=>(const BlockKind&) const = default;  ///< the order of groups within a colour
+  bool lone = false;     ///< one row of one body: the other does not move
+  auto operator<=>(const BlockKind&) const = default;  ///< that of number()
+  /// Every kind has another number.
+  int number() const {
+    return ((((2 * rows + point) * 2 + hard) * 2 + isotropic) * 2 + follows) * 2 + lone;
+  }
 };
 
 // ---- records of blocks -------------------------------------------------------------------------
@@ -30,6 +35,7 @@ struct BlockKind {
 /// Three rows that hold two points together, and N - 3 angular rows.
 template <int N, bool isotropic, class Number>
 struct PointRows {
+  static constexpr int ends = 2;  ///< bodies of a row
   /// Of an isotropic body one number will do.
   using Inertia = std::conditional_t<isotropic, Number, Symmetric<Number>>;
   Triple<Number> r1, r2;  ///< levers [m], world
@@ -38,26 +44,28 @@ struct PointRows {
   [[no_unique_address]] std::array<Triple<Number>, N - 3> axis;  ///< w2 of J, equal to -w1 [1]
 };
 
-/// Rows of any kind.
-template <int N, class Number>
+/// Rows of any kind. \tparam bodies that have a half of each row: 2, or 1 for a lone row
+template <int N, int bodies, class Number>
 struct AnyRows {
-  /// J, and the angular half of M^-1 J^T.
-  struct Row {
-    Triple<Number> v1, w1, v2, w2, response_w1, response_w2;  ///< factors of the velocities
+  static constexpr int ends = bodies;  ///< bodies of a row
+  /// What belongs to a body: its half of J, and the angular part of its half of M^-1 J^T.
+  struct Half {
+    Triple<Number> v, w, response_w;  ///< factors of the velocities
   };
-  Number bias[N];  ///< minus the wanted J V [unit of C per s]
-  Row row[N];      ///< the rows, from the first
+  Number bias[N];     ///< minus the wanted J V [unit of C per s]
+  Half row[N][ends];  ///< the rows, from the first
 };
 
 /// Rows of any kind of a single block: what belongs to a body has the layout of its velocities.
-template <int N, class Number>
+template <int N, int bodies, class Number>
 struct SingleRows {
-  /// J and M^-1 J^T. The numbers beside v and w are 0.
-  struct Row {
-    Velocities<Number> J1, J2, response1, response2;  ///< of body 1 and body 2
+  static constexpr int ends = bodies;  ///< bodies of a row
+  /// The halves of J and of M^-1 J^T. The numbers beside v and w are 0.
+  struct Half {
+    Velocities<Number> J, response;  ///< factors of the velocities, and their change
   };
-  Number bias[N];  ///< minus the wanted J V [unit of C per s]
-  Row row[N];      ///< the rows, from the first
+  Number bias[N];     ///< minus the wanted J V [unit of C per s]
+  Half row[N][ends];  ///< the rows, from the first
 };
 
 /// The accumulated impulses, and K^-1.
@@ -80,6 +88,7 @@ struct Unbounded {};
 /// All numbers of a block.
 template <class Rows, int N, bool hard, class Number>
 struct Record {
+  static constexpr int ends = Rows::ends;  ///< bodies of a row
   Rows rows;                     ///< geometry and bias
   Impulses<N, Number> impulses;  ///< what they have given, and K^-1
   /// Scales and bounds, if there are any.
@@ -89,13 +98,13 @@ struct Record {
 template <int N, bool hard, bool isotropic, class Number>
 using PointRecord = Record<PointRows<N, isotropic, Number>, N, hard, Number>;
 /// Of any other block.
-template <int N, bool hard, class Number>
+template <int N, int ends, bool hard, class Number>
 using AnyRecord =
-    Record<std::conditional_t<sizeof(Number) == sizeof(real), SingleRows<N, Number>,
-                              AnyRows<N, Number>>, N, hard, Number>;
+    Record<std::conditional_t<sizeof(Number) == sizeof(real), SingleRows<N, ends, Number>,
+                              AnyRows<N, ends, Number>>, N, hard, Number>;
 /// One row whose bounds follow another row's impulse.
-template <class Number>
-struct FollowingRecord : AnyRecord<1, false, Number> {
+template <int ends, class Number>
+struct FollowingRecord : AnyRecord<1, ends, false, Number> {
   Number factor;  ///< its bounds are -+factor times that impulse [1]
 };
 
@@ -105,18 +114,25 @@ template <class Record, class F>
 JOINTS_INLINED inline void use(real* numbers, const F& f) {
   f(*reinterpret_cast<Record*>(numbers));
 }
+template <int N, int ends, class Number, class F>
+JOINTS_INLINED inline void use_any(const BlockKind& kind, real* numbers, const F& f) {
+  if constexpr (N == 1)
+    if (kind.follows) return use<FollowingRecord<ends, Number>>(numbers, f);
+  if (kind.hard) return use<AnyRecord<N, ends, true, Number>>(numbers, f);
+  return use<AnyRecord<N, ends, false, Number>>(numbers, f);
+}
 template <int N, class Number, class F>
 JOINTS_INLINED inline void use_rows(const BlockKind& kind, real* numbers, const F& f) {
-  if constexpr (N >= 3) {
+  if constexpr (N >= 3)
     if (kind.point) {
       if (kind.hard && kind.isotropic) return use<PointRecord<N, true, true, Number>>(numbers, f);
       if (kind.hard) return use<PointRecord<N, true, false, Number>>(numbers, f);
       if (kind.isotropic) return use<PointRecord<N, false, true, Number>>(numbers, f);
       return use<PointRecord<N, false, false, Number>>(numbers, f);
     }
-  }
-  if (kind.hard) return use<AnyRecord<N, true, Number>>(numbers, f);
-  return use<AnyRecord<N, false, Number>>(numbers, f);
+  if constexpr (N == 1)
+    if (kind.lone) return use_any<1, 1, Number>(kind, numbers, f);
+  use_any<N, 2, Number>(kind, numbers, f);
 }
 /// \endcond
 
@@ -125,9 +141,7 @@ JOINTS_INLINED inline void use_rows(const BlockKind& kind, real* numbers, const 
 template <class Number, class F>
 JOINTS_INLINED inline void use_record(const BlockKind& kind, real* numbers, const F& f) {
   switch (kind.rows) {
-    case 1:
-      if (kind.follows) return use<FollowingRecord<Number>>(numbers, f);
-      return use_rows<1, Number>(kind, numbers, f);
+    case 1: return use_rows<1, Number>(kind, numbers, f);
     case 2: return use_rows<2, Number>(kind, numbers, f);
     case 3: return use_rows<3, Number>(kind, numbers, f);
     case 4: return use_rows<4, Number>(kind, numbers, f);
@@ -171,10 +185,9 @@ struct LaneGroup : BlockKind {
 
 /// The velocities of all bodies, and where each group finds those of its own.
 struct BodyView {
-  Velocities<real>* records;  ///< one record per body, or columns of lane_count bodies
-  const int* ends;  ///< for each group the records of the lanes' bodies 1, then of their bodies 2;
-                    ///< with columns only two numbers, the column of each
-  bool columns;     ///< the records are columns: no transposition
+  Velocities<real>* records;  ///< one after the other, or columns of lane_count
+  const int* ends;            ///< LaneOrder::ends
+  bool columns;               ///< LaneOrder::columns: no transposition
 };
 
 /// What is done with every group, in order.

@@ -124,7 +124,7 @@ TEST_CASE("a range of blocks is one of those that were prepared, rows apart or n
     SequentialImpulses solver;
     solver.row_by_row = row_by_row;
     begin_step(world, solver, h);
-    const int count = int(row_by_row ? world.blocks.J.size() : world.blocks.list.size());
+    const int count = row_by_row ? world.blocks.rows() : int(world.blocks.list.size());
     CHECK(solver.prepared_count() == count);
     CHECK_NOTHROW(solver.iterate(world.bodies, 0, count));
     CHECK_THROWS_AS(solver.iterate(world.bodies, 0, count + 1), std::invalid_argument);

@@ -83,7 +83,7 @@ struct Settings {
 
 // One of the numbers that anybody may change between two steps.
 real& any_number(Draw& draw, World& world, Settings& settings) {
-  Places numbers;
+  Addresses numbers;
   const int what = draw.whole(0, 9);
   if (what < 4) {
     take(numbers, world.bodies.at(draw.whole(0, world.bodies.slots() - 1)));
@@ -243,7 +243,7 @@ class Game {
       body.w = draw_.vector(5);
       if (draw_.chance(0.2)) body.torque = draw_.vector(10);
     }
-    Places numbers;
+    Addresses numbers;
     take(numbers, body);
     if (bad) *draw_.of(numbers) = draw_.nasty();
     try_it([&] { ids_.push_back(world_.add(body)); });

@@ -31,12 +31,6 @@ HingeLoop<Number> loop_of(const World& world, const Groups& groups) {
   return loop;
 }
 
-// An island a lane.
-Groups chain_a_lane(const World& world, int width) {
-  const auto loop = loop_of<real>(world, {});
-  return interleaved(islands_of(loop.links, moving(loop.bodies)), width);
-}
-
 // Chains of turned boxes, no two edges alike, on hinges about axes that are not alike either; the
 // first of each is static if they are held.
 World uneven_chains(int count, int links, bool held = true) {
@@ -165,12 +159,12 @@ TEST_CASE("one chain per lane is one hinge at a time to the last bit") {
   for (const World& world : worlds) {
     const auto one = after(
         loop_of<real>(world, one_by_one(int(world.joints().size()))), 60);
-    const auto interleaved = after(loop_of<real>(world, chain_a_lane(world, 1)), 60);
-    const auto lanes =
-        after(loop_of<Lanes>(world, chain_a_lane(world, lane_count)), 60);
+    const auto interleaved = after(loop_of<real>(world, by_islands), 60);
+    const auto lanes = after(loop_of<Lanes>(world, by_islands), 60);
     CHECK(same(interleaved.bodies, one.bodies));  // chains share no body that moves
     CHECK(same(lanes.bodies, one.bodies));        // and a lane adds and multiplies as one number
-    CHECK(int(lanes.groups().size()) == hinges);    // 3 of 4 or 8 lanes
+    CHECK(lanes.order().groups() == hinges);        // 3 of 4 or 8 lanes
+    CHECK(lanes.order().columns);
     CHECK(distance(one.bodies, snapshot(world.bodies)) > 1);
   }
 }
@@ -180,12 +174,12 @@ TEST_CASE("colours on lanes are one hinge at a time in that order to the last bi
   auto lanes = loop_of<Lanes>(world, {});
   lanes.arrange(by_colour(colours_of(lanes.links, moving(lanes.bodies)), lane_count));
   std::vector<int> order;
-  for (const std::vector<int>& group : lanes.groups())
-    order.insert(order.end(), group.begin(), group.end());
+  for (const int hinge : lanes.order().blocks)
+    if (hinge >= 0) order.push_back(hinge);
   REQUIRE(order.size() == world.joints().size());
-  CHECK(lanes.groups().size() < order.size() / 2);
+  CHECK(lanes.order().groups() < int(order.size()) / 2);
 
-  const auto one = after(loop_of<real>(world, interleaved({order}, 1)), 60);
+  const auto one = after(loop_of<real>(world, order), 60);
   const auto in_chain_order =
       after(loop_of<real>(world, one_by_one(int(order.size()))), 60);
   lanes = after(lanes, 60);
@@ -195,7 +189,7 @@ TEST_CASE("colours on lanes are one hinge at a time in that order to the last bi
 
 TEST_CASE("preparing in every solve changes no bit because no pose changes within a step") {
   const World world = uneven_chains(chains, hinges);
-  auto once = loop_of<Lanes>(world, chain_a_lane(world, lane_count)), always = once;
+  auto once = loop_of<Lanes>(world, by_islands), always = once;
   always.once_a_step = false;
   once = after(once, 30);
   always = after(always, 30);

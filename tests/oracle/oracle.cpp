@@ -46,7 +46,7 @@ Column velocities(const std::vector<Body>& bodies) {
 }
 
 System system_of(const Blocks& blocks, int bodies) {
-  const long rows = long(blocks.J.size());
+  const long rows = long(blocks.rows());
   System out{Dense(rows, 6 * bodies), Column(rows), {}};
   for (std::size_t k = 0; k < blocks.list.size(); ++k)
     for (int i = 0; i < blocks.list[k].rows; ++i) {
@@ -66,7 +66,7 @@ System system_of(const Blocks& blocks, int bodies) {
 }
 
 Column impulses(const Blocks& blocks) {
-  Column out(long(blocks.J.size()));
+  Column out(long(blocks.rows()));
   for (const Block& block : blocks.list)
     for (int i = 0; i < block.rows; ++i) out[block.first + i] = double(block.impulse[i]);
   return out;

@@ -41,7 +41,7 @@ inline std::string bits_of(const World& world) {
     out += char(world.bodies.used(slot)) + bytes_of(world.bodies.at(slot));
   for (const auto& joint : world.joints()) out += bits_of(*joint);
   for (const Block& block : world.blocks.list) out += bytes_of(block);
-  for (const Row& row : world.blocks.J) out += bytes_of(row);
+  for (int row = 0; row < world.blocks.rows(); ++row) out += bytes_of(world.blocks.J[row]);
   for (const real& error : world.blocks.C) out += bytes_of(error);
   return out;
 }

@@ -16,6 +16,7 @@ WORDS = {
     "relax": "16 substeps of 1 iteration and 1 to relax, warm, soft (60 Hz)",
     "omega": "30 iterations, over-relaxed by 1.9, beta 1",
     "lanes": "omega on lanes", "lanes10": "10 iterations on lanes, warm, beta 0.1",
+    "rows10": "10 iterations, warm, beta 0.1",
     "chapter7": "chapter 7's loop on lanes, 20 iterations, over-relaxed by 1.9",
     "textbook": "a class a joint, 30 iterations",
     "velocity": "direct: one exact solve a step", "shake": "direct, positions too",

@@ -26,7 +26,8 @@ def sources():
     root, chapters = house.ROOT, house.chapters()
     mine = {chapter.mine for chapter in chapters}
     engine = ("body", "matrix", "block", "world", "iterative_solver", "sequential_impulses",
-              "projection", "step", "state", "input", "reaction", "simd/arrange",
+              "projection", "step", "state", "input", "reaction",
+              "simd/arrange", "simd/lane_order", "simd/places",
               "instruments/measure", "instruments/rate", "instruments/scene")
     return {"engine": [root / "engine" / f"{name}.cpp" for name in engine],
             "given": [path for path in sorted((root / "chapters").glob("*/*.cpp"))

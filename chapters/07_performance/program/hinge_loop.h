@@ -2,10 +2,14 @@
 // nothing to edit here.
 #pragma once
 
+#include <algorithm>
+#include <numeric>
+
 #include "chapters/07_performance/performance.h"
-#include "engine/simd/body_records.h"
 #include "engine/kernels.h"
+#include "engine/simd/body_records.h"
 #include "engine/simd/lanes.h"
+#include "engine/simd/places.h"
 
 /// \addtogroup chapter7
 /// @{
@@ -16,6 +20,30 @@ inline std::vector<bool> moving(const std::vector<Body>& bodies) {
   std::vector<bool> moves;
   for (const Body& body : bodies) moves.push_back(!body.is_static());
   return moves;
+}
+
+/// The order of the solves: hinges in groups that are solved side by side, one group after the
+/// other. Of each group the hinge of every lane, -1: none.
+using Groups = std::vector<int>;
+/// Instead of such a list: the first hinge of every island, then the second of every one; with
+/// several lanes each island has a lane of its own.
+inline const Groups by_islands{};
+/// `count` groups of one hinge each, in order.
+inline Groups one_by_one(int count) {
+  Groups groups(static_cast<std::size_t>(count));
+  std::iota(groups.begin(), groups.end(), 0);
+  return groups;
+}
+/// Colour after colour, at most `width` hinges of one colour in a group.
+inline Groups by_colour(const std::vector<int>& colours, int width) {
+  Groups groups;
+  const int count = colours.empty() ? 0 : 1 + *std::max_element(colours.begin(), colours.end());
+  for (int colour = 0; colour < count; ++colour) {
+    for (std::size_t k = 0; k < colours.size(); ++k)
+      if (colours[k] == colour) groups.push_back(int(k));
+    while (groups.size() % std::size_t(width) != 0) groups.push_back(-1);
+  }
+  return groups;
 }
 
 /// Bodies and hinges, and the iterations over them. Number is `real`, one hinge at a time, or
@@ -35,39 +63,47 @@ class HingeLoop {
   bool once_a_step = true;         ///< false: prepare anew before every solve
 
   /// Sets the order of the solves. Call it after adding the bodies and the links.
-  /// \param groups at most `width` hinges each, one group after the other
+  /// \param groups of `width` lanes, or by_islands
   void arrange(const Groups& groups) {
-    groups_ = groups;
-    std::optional<Columns> columns;
     const std::vector<bool> moves = moving(bodies);
-    if (width > 1) columns = columns_of(groups, islands_of(links, moves), links, width);
-    records_.arrange(groups, links, columns, moves, width);
+    const auto slot = [&](int body) { return moves[std::size_t(body)] ? body : -1; };
+    std::vector<Member> members;
+    for (const BodyPair& link : links)
+      members.push_back({{slot(link.body1), slot(link.body2)}});
+    if (groups.empty()) {
+      Places places;
+      places.place(members, moves, width);
+      places.append(order_, members, 0);
+    } else {
+      order_.clear(width, int(bodies.size()));
+      for (std::size_t k = 0; k < groups.size(); k += width) order_.append(&groups[k], members);
+    }
   }
-  const Groups& groups() const { return groups_; }  ///< the hinges solved together, in order
+  const LaneOrder& order() const { return order_; }  ///< the hinges solved together, in order
 
   /// Forces, preparation, iterations, positions. \param h the step [s]
   void step(real h) {
     for (Body& body : bodies) integrate_forces(body, gravity, h);
     const auto body = [&](int k) -> Body& { return bodies[std::size_t(k)]; };
-    records_.take(body);
-    const BodyView view = records_.view();
+    records_.take(order_, body);
+    const BodyView view = records_.view(order_);
     prepare(h);
     for (int iteration = 0; iteration < iterations; ++iteration)
-      for (std::size_t k = 0; k < groups_.size(); ++k) {
+      for (int k = 0; k < order_.groups(); ++k) {
         if (!once_a_step) prepare_group(k, h);
-        with_bodies<Number>(view, int(k), [&](auto& body1, auto& body2) JOINTS_INLINED {
-          solve(numbers_[k], body1, body2);
+        with_bodies<Number>(view, k, [&](auto& body1, auto& body2) JOINTS_INLINED {
+          solve(numbers_[std::size_t(k)], body1, body2);
         });
       }
-    records_.give_back(body);
+    records_.give_back(order_, body);
     for (Body& one : bodies)
       if (!one.is_static()) integrate_pose(one, h);
   }
 
   /// Computes the numbers of every group that the iterations of a step read. \param h the step [s]
   void prepare(real h) {
-    numbers_.resize(groups_.size());
-    for (std::size_t k = 0; k < groups_.size(); ++k) prepare_group(k, h);
+    numbers_.resize(std::size_t(order_.groups()));
+    for (int k = 0; k < order_.groups(); ++k) prepare_group(k, h);
   }
   /// The numbers computed by prepare(), group by group.
   const std::vector<HingeNumbers<Number>>& numbers() const { return numbers_; }
@@ -81,10 +117,12 @@ class HingeLoop {
   /// the velocities after them [m/s for the point's rows, rad/s for the axis' rows].
   std::vector<real> errors() const {
     std::vector<real> found;
-    for (std::size_t group = 0; group < groups_.size(); ++group)
-      for (std::size_t lane = 0; lane < groups_[group].size(); ++lane) {
-        const auto one = gather<HingeNumbers<real>>(numbers_[group], int(lane));
-        const BodyPair& link = links[std::size_t(groups_[group][lane])];
+    for (int group = 0; group < order_.groups(); ++group)
+      for (int lane = 0; lane < width; ++lane) {
+        const int k = hinge_in(group, lane);
+        if (k < 0) continue;
+        const auto one = gather<HingeNumbers<real>>(numbers_[std::size_t(group)], lane);
+        const BodyPair& link = links[std::size_t(k)];
         const Body &body1 = bodies[link.body1], &body2 = bodies[link.body2];
         const Triple<real> unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         for (int i = 0; i < 5; ++i) {  // row after row of J, each times the velocities
@@ -102,14 +140,13 @@ class HingeLoop {
  private:
   // Computes the numbers of a group: each hinge's numbers in its lane, zeros in a lane without a
   // hinge. Every K is inverted on lanes, all of a group at once.
-  void prepare_group(std::size_t group, real h) {
-    HingeNumbers<Number>& out = numbers_[group];
+  void prepare_group(int group, real h) {
+    HingeNumbers<Number>& out = numbers_[std::size_t(group)];
     std::array<Number, 15> K;  // lower triangle
     for (int lane = 0; lane < width; ++lane) {
       HingeNumbers<real> one{};
       std::array<real, 15> lower{};
-      if (lane < int(groups_[group].size())) {
-        const std::size_t k = std::size_t(groups_[group][lane]);
+      if (const int k = hinge_in(group, lane); k >= 0) {
         const Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
         hoist(hinges[k], body1, body2, h, one);
         const Matrix<5> all = whole_K(one, body1.inverse_mass, body2.inverse_mass);
@@ -127,9 +164,13 @@ class HingeLoop {
       }
   }
 
+  int hinge_in(int group, int lane) const {
+    return order_.blocks[std::size_t(group * width + lane)];
+  }
+
+  LaneOrder order_;
   BodyRecords records_;
   std::vector<HingeNumbers<Number>> numbers_;
-  Groups groups_;
 };
 
 }  // namespace joints

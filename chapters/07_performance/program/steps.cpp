@@ -94,13 +94,11 @@ void steps(const Choice& choice, std::vector<Summary>& lines) {
   const std::vector<Places> by_colours[] = {race.run(colours, race.counts[0]),
                                             race.run(colours, race.counts[1])};
   constexpr int width = HingeLoop<Lanes>::width;
-  const Islands islands = islands_of(chains.links, moving(chains.bodies));
   race.measure<real>("prepared in every solve", chain, along, false);
   race.measure<real>("prepared once a step", chain, along);
-  race.measure<real>("interleaved", interleaved(islands, 1), along);
+  race.measure<real>("interleaved", by_islands, along);
   race.measure<Lanes>("lanes and colours", colour_order(chains, width), by_colours);
-  race.measure<Lanes>("lanes a chain each", interleaved(islands, width),
-                      along);
+  race.measure<Lanes>("lanes a chain each", by_islands, along);
 }
 
 }  // namespace joints::chapter7

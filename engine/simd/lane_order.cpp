@@ -1,0 +1,72 @@
+// Orders of blocks by the list and by colours.
+#include "engine/simd/lane_order.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace joints {
+
+void LaneOrder::clear(int lanes, int slots) {
+  width = lanes;
+  columns = false;
+  blocks.clear();
+  ends.clear();
+  bodies.resize(std::size_t(slots));
+  std::iota(bodies.begin(), bodies.end(), 0);
+}
+
+void LaneOrder::append(const int* lanes, const std::vector<Member>& members) {
+  for (int BodyPair::*end : {&BodyPair::body1, &BodyPair::body2})
+    for (int lane = 0; lane < width; ++lane) {
+      int record = lanes[lane] < 0 ? -1 : members[std::size_t(lanes[lane])].bodies.*end;
+      if (record < 0) {
+        record = int(bodies.size());
+        bodies.push_back(-1);
+      }
+      ends.push_back(record);
+    }
+  blocks.insert(blocks.end(), lanes, lanes + width);
+}
+
+void append_in_turn(LaneOrder& order, const std::vector<Member>& members, int first) {
+  for (int k = first; k < int(members.size()); ++k) order.append(&k, members);
+}
+
+void GreedyColours::append(LaneOrder& order, const std::vector<Member>& members, int first) {
+  for (auto& colours : taken_) colours.clear();
+  colours_.resize(members.size());
+  sorted_.clear();
+  for (int k = first; k < int(members.size()); ++k) {
+    const BodyPair& pair = members[std::size_t(k)].bodies;
+    if (const int most = std::max(pair.body1, pair.body2); most >= int(taken_.size()))
+      taken_.resize(std::size_t(most) + 1);
+    std::size_t colour = 0;
+    const auto is_taken = [&](int body) {
+      return body >= 0 && colour < taken_[body].size() && taken_[body][colour];
+    };
+    while (is_taken(pair.body1) || is_taken(pair.body2)) ++colour;
+    for (const int body : {pair.body1, pair.body2}) {
+      if (body < 0) continue;
+      taken_[body].resize(std::max(taken_[body].size(), colour + 1));
+      taken_[body][colour] = true;
+    }
+    colours_[k] = int(colour);
+    sorted_.push_back(k);
+  }
+  const auto key = [&](int k) { return std::tuple(colours_[k], members[k].kind, k); };
+  std::sort(sorted_.begin(), sorted_.end(), [&](int a, int b) { return key(a) < key(b); });
+  const auto together = [&](int a, int b) {
+    return colours_[a] == colours_[b] && members[a].kind == members[b].kind;
+  };
+  lanes_.resize(std::size_t(order.width));
+  for (std::size_t k = 0; k < sorted_.size();) {
+    const int begin = sorted_[k];
+    std::fill(lanes_.begin(), lanes_.end(), -1);
+    for (int& lane : lanes_)
+      if (k < sorted_.size() && together(begin, sorted_[k])) lane = sorted_[k++];
+    order.append(lanes_.data(), members);
+  }
+}
+
+}  // namespace joints

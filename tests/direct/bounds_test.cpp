@@ -1,11 +1,7 @@
 // Bounded rows of the direct solver, motors, limits and ropes: the active set against trying every
 // combination of sides.
-#include "engine/step.h"
-#include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -1,11 +1,7 @@
 // Chains by the direct solver: how far they hold together, and what energy they keep.
 #include "bench/scenes.h"
-#include "engine/step.h"
-#include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

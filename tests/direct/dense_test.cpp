@@ -1,10 +1,6 @@
 // The direct solver against dense matrices and against many iterations: the same velocities.
-#include "engine/step.h"
-#include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -1,12 +1,10 @@
 // The direct solver where numbers are extreme (cases X5, X6, X8, X9, X10), soft blocks, rods and
 // ropes.
 #include "bench/scenes.h"
-#include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
 using namespace joints::chapter9;
-using namespace joints::testing;
 
 namespace {
 

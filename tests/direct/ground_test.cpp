@@ -2,13 +2,11 @@
 // with the joints in it, contacts without friction are inside.
 #include "chapters/08_ground/program/bridge.h"
 #include "chapters/08_ground/program/ragdoll.h"
-#include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"
 #include "tests/ground/rigs.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
 using namespace joints::chapter8;
-using namespace joints::testing;
 
 namespace {
 

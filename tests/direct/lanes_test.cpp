@@ -1,9 +1,6 @@
 // Islands side by side on the lanes of the direct solver: each moves as it does alone.
-#include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

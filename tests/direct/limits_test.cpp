@@ -1,9 +1,6 @@
 // Limits and motors by the direct solver, over many steps (cases X11 to X13, S4).
-#include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -1,11 +1,8 @@
 // Linkages that close in loops: Bricard's, whose rows depend on each other, and parallel four-bars.
-#include "engine/step.h"
-#include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
 using namespace joints::chapter9;
-using namespace joints::testing;
 
 namespace {
 

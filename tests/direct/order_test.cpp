@@ -4,11 +4,8 @@
 
 #include "bench/scenes.h"
 #include "chapters/09_direct/runge_kutta.h"
-#include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -1,18 +1,13 @@
 // The Runge-Kutta method outside chains: hubs and nets, springs, forces that depend on the state,
 // and the forces of joints.
 #include "chapters/09_direct/runge_kutta.h"
-
-#include <numbers>
-
 #include "engine/instruments/measure.h"
 #include "engine/reaction.h"
 #include "engine/state.h"
-#include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
 using namespace joints::chapter9;
-using namespace joints::testing;
 
 namespace {
 

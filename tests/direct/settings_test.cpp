@@ -1,13 +1,10 @@
 // When the direct solver leaves a world to iterations, worlds with nothing to solve, and what the
 // solver and the Runge-Kutta method refuse.
 #include "chapters/09_direct/runge_kutta.h"
-#include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"
-#include "tests/oracle/shared.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
 using namespace joints::chapter9;
-using namespace joints::testing;
 
 namespace {
 

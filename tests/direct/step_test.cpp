@@ -1,12 +1,10 @@
 // The direct solver from step to step: memory, bits, worlds that change, substeps, steps of any
 // length.
-#include "tests/checker/catch.h"
 #include "tests/direct/rigs.h"
 #include "tests/oracle/allocations.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
 using namespace joints::chapter9;
-using namespace joints::testing;
 
 namespace {
 

@@ -1,14 +1,9 @@
 // Blocks of one to six rows: solved as an independent dense solver does it, whatever they touch,
 // and unharmed by rows that say the same thing twice.
 #include "bench/orders.h"
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/02_ball/ball_joint.h"
-#include "tests/checker/catch.h"
 #include "tests/checker/fixtures.h"
-#include "tests/oracle/oracle.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
-using namespace joints::testing;
 using joints::bench::Order;
 using joints::bench::OrderedImpulses;
 
@@ -50,8 +45,7 @@ void check(const Pile<A, B>&) {}
 template <int N>
 void compare_with_dense(bool linear, bool angular, unsigned seed) {
   Random random(seed);
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const Pair pair = uneven_pair();
   const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
   auto& joint = world.add<AnyJoint<N>>(a, b);
@@ -163,8 +157,7 @@ TEST_CASE("X14 two identical ball joints hold a pendulum as one does") {
   for (bool warm : {false, true})
     for (Order order : {Order::forward, Order::alternating}) {
       OrderedImpulses solver;
-      Stepping stepping;
-      stepping.warm_start = warm;
+      Stepping stepping{.warm_start = warm};
       solver.order = order;
       const std::vector<vec3> path = swing(one, solver, stepping, 300);
       CHECK(length(path.back()) > real(0.9));

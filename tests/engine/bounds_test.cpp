@@ -1,11 +1,6 @@
 // What accumulated and clamped impulses settle at, against an oracle that tries every combination
 // of bounds.
-#include "chapters/01_distance/distance_joint.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -77,8 +72,7 @@ Bounded bounded(const Blocks& blocks, const std::vector<Body>& forced, real step
 
 // Body in the middle, four walls around it, a rope to each, some slack, some stretched.
 World body_on_ropes(Random& random) {
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const BodyId body = world.add(box(2, vec3(1, real(0.6), real(0.3)), vec3(0), random.turn()));
   for (int k = 0; k < 4; ++k) {
     const BodyId wall = world.add(static_body(random.vector(1) + vec3(0, 2, 0)));
@@ -113,8 +107,7 @@ TEST_CASE("I17 accumulated clamped iterations settle at the pull that trying eve
 
 TEST_CASE("I17 clamping each change instead of the accumulated impulse leaves a rope pulling") {
   // rope 1 would pull along x, rope 2 along (0.8, 0.6); only rope 2 is needed in the end
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const BodyId body = world.add(ball(1, real(0.1), vec3(0)));
   for (const vec3& end : {vec3(2, 0, 0), vec3(real(1.6), real(1.2), 0)})
     world.add<CentreRopeJoint>(world.add(static_body(end)), body, Rope<CentreDistance>{{2}});
@@ -145,8 +138,7 @@ TEST_CASE("the last row of a block stays within its bounds while the others hold
   Random random(42);
   int inside = 0, below = 0, above = 0;
   for (int draw = 0; draw < 200; ++draw) {
-    World world;
-    world.gravity = vec3(0);
+    World world = weightless();
     const Pair pair = uneven_pair();
     const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
     auto& joint = world.add<AnyJoint<4>>(a, b);
@@ -172,8 +164,7 @@ TEST_CASE("the last row of a block stays within its bounds while the others hold
 TEST_CASE("blocks with a bounded last row settle together at the one solution") {
   Random random(43);
   for (int draw = 0; draw < 20; ++draw) {
-    World world;
-    world.gravity = vec3(0);
+    World world = weightless();
     std::vector<BodyId> ids;
     for (int k = 0; k < 3; ++k)
       ids.push_back(world.add(box(random.uniform(1, 3), vec3(1, real(0.7), real(0.4)), vec3(0),

@@ -1,10 +1,5 @@
 // Whatever the settings: no body is ever NaN or infinite.
-#include "chapters/03_hinge/hinge_joint.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 TEST_CASE("speed clamp: a diverging chain stays finite for a thousand steps") {
   for (const real beta : {real(2.2), real(10)})

@@ -1,22 +1,13 @@
 // The forces that joints report under every stepping, whatever the lengths of the steps, and the
 // velocities that belong to the poses.
 #include <functional>
-#include <numbers>
-#include <memory>
 
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/09_direct/runge_kutta.h"
 #include "engine/instruments/measure.h"
 #include "engine/reaction.h"
 #include "engine/simd/packed.h"
 #include "engine/state.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

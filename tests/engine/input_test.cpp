@@ -1,13 +1,7 @@
 // Bad input is refused with the argument named, and the world stays as it was (case X16).
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/02_ball/ball_joint.h"
 #include "engine/instruments/options.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-#include "tests/oracle/shared.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
-using namespace joints::testing;
 using Catch::Matchers::StartsWith;
 
 namespace {

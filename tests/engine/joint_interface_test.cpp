@@ -1,13 +1,7 @@
 // Joints that the engine has never heard of, and what it asks of a joint: in which order, how often
 // and what may change between two steps.
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/02_ball/ball_joint.h"
-#include "tests/checker/catch.h"
 #include "tests/checker/fixtures.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -178,8 +172,7 @@ TEST_CASE("asking for blocks between the steps changes nothing") {
     world.add<RopeJoint>(a, b, Rope<Distance>{{vec3(0), vec3(0), real(1.1)}});
     world.add<DistanceJoint>(wall, b, Distance{vec3(0, 1, 0), vec3(0), real(2.5)});
     SequentialImpulses solver;
-    Stepping stepping;
-    stepping.warm_start = true;
+    Stepping stepping{.warm_start = true};
     for (int n = 0; n < 60; ++n) {
       step(world, solver, h, stepping);
       if (!ask) continue;

@@ -1,15 +1,10 @@
 // What a scene does not need costs nothing: no row for what cannot move, no linear or angular half
 // that is zero, and no memory taken from the heap in a step after the first.
 #include "bench/orders.h"
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/02_ball/ball_joint.h"
 #include "engine/instruments/plan.h"
 #include "tests/oracle/allocations.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
-using namespace joints::testing;
 using joints::bench::Order;
 using joints::bench::OrderedImpulses;
 

@@ -1,12 +1,6 @@
 // How a free body moves: the exponential map, the gyroscopic torque, force and torque.
-#include <numbers>
-
 #include "engine/instruments/measure.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

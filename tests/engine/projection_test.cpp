@@ -1,15 +1,6 @@
 // Position projection: what it holds, what it leaves alone, and that it costs nothing when off.
-#include <numbers>
-
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "engine/projection.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -159,8 +150,7 @@ TEST_CASE("projection leaves a joint with a frequency to its spring") {
 
 TEST_CASE("projection brings a passed limit back and leaves a motor and a limit with a gap alone") {
   for (const double start : {70.0, 30.0}) {
-    World world;
-    world.gravity = vec3(0);
+    World world = weightless();
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId door = world.add(box(2, vec3(1, 2, real(0.1)), vec3(real(0.5), 0, 0)));
     auto& hinge = world.add<HingeJoint>(world.bodies, wall, door, vec3(0), vec3(0, 1, 0));

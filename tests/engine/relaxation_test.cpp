@@ -1,16 +1,7 @@
 // Over-relaxation in the engine's solvers: a factor of every impulse that changes how fast the
 // iterations settle, and neither where they settle nor what bounds allow.
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/04_slider/slider_joint.h"
 #include "engine/simd/packed.h"
-#include "engine/step.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -61,8 +52,7 @@ Column settled(real relaxation, int iterations, Kind solver) {
 
 TEST_CASE("a relaxed solve of one block is omega times the exact one") {
   const auto impulse = [](real relaxation, const RowTarget& target) {
-    World world;
-    world.gravity = vec3(0);
+    World world = weightless();
     const Pair pair = uneven_pair();
     const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
     auto& joint = world.add<AnyJoint<3>>(a, b);

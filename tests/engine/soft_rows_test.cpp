@@ -1,12 +1,6 @@
 // Soft rows: a frequency and a damping ratio in place of beta are a spring and a damper, stepped by
 // implicit Euler (math: Catto 2011).
-#include <numbers>
-
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -77,8 +71,7 @@ TEST_CASE("I19 a soft row is a spring and a damper stepped by implicit Euler") {
 
 TEST_CASE("I19 a mass on a soft row swings as implicit Euler swings it") {
   const double f = 2, zeta = 0.1, t = 1.0 / 60, m = 3;
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const BodyId wall = world.add(static_body(vec3(0)));
   const BodyId body = world.add(ball(real(m), 1, vec3(real(0.5), 0, 0)));
   auto& joint = world.add<AnyJoint<1>>(wall, body);
@@ -150,8 +143,7 @@ TEST_CASE("soft rows that share bodies settle at the solution of A + gamma") {
   Random random(55);
   const double t = 1.0 / 60;
   const double frequencies[] = {4, 9};
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const Pair pair = uneven_pair();
   const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
   for (double f : frequencies) {

@@ -1,16 +1,9 @@
 // Solvers behind one interface: chosen at run time they find the same impulses, and what would
 // break without a word is refused.
-#include <memory>
-
 #include "bench/orders.h"
 #include "engine/simd/packed.h"
-#include "engine/step.h"
-#include "tests/checker/catch.h"
 #include "tests/library/consumer/symmetric_impulses.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -1,16 +1,8 @@
 // Sequential Impulses is block Gauss-Seidel: the same numbers iteration by iteration, the same rate
 // of convergence, and the same answer in whatever order the blocks are taken.
-#include <cstring>
-#include <numbers>
-
 #include "bench/orders.h"
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/02_ball/ball_joint.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
-using namespace joints::testing;
 using joints::bench::Order;
 using joints::bench::OrderedImpulses;
 

@@ -1,11 +1,7 @@
 // What relax iterations and split impulses leave as it is, and what they refuse.
-#include "tests/checker/catch.h"
 #include "tests/oracle/allocations.h"
-#include "tests/oracle/shared.h"
+#include "tests/oracle/test.h"
 #include "tests/oracle/track.h"
-
-using namespace joints;
-using namespace joints::testing;
 
 namespace {
 

@@ -1,14 +1,7 @@
 // Relax iterations and split impulses with limits, motors, contacts, springs and soft rows.
-#include <numbers>
-
-#include "chapters/04_slider/slider_joint.h"
 #include "chapters/08_ground/ground_contact.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
+#include "tests/oracle/test.h"
 #include "tests/oracle/track.h"
-
-using namespace joints;
-using namespace joints::testing;
 
 namespace {
 
@@ -89,8 +82,7 @@ TEST_CASE("a target rate beside a position is a velocity, and the correction is 
 }
 
 TEST_CASE("row by row, a block's target rate is that of its last row alone") {
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const BodyId wall = world.add(static_body(vec3(0)));
   const BodyId id = world.add(ball(1, 1, vec3(0)));
   auto& joint = world.add<AnyJoint<2>>(wall, id);

@@ -1,22 +1,12 @@
 // A world that is saved and restored, into itself or into another one built alike, goes on as if
 // nothing had been: to the bit, with everything a joint may keep.
-#include <cstring>
-#include <memory>
-
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/08_ground/ground_contact.h"
 #include "chapters/09_direct/direct_solver.h"
 #include "engine/reaction.h"
 #include "engine/simd/packed.h"
 #include "engine/state.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-#include "tests/oracle/shared.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
-using namespace joints::testing;
 using Catch::Matchers::StartsWith;
 
 namespace {

@@ -5,13 +5,9 @@
 #include "chapters/09_direct/direct_solver.h"
 #include "chapters/09_direct/runge_kutta.h"
 #include "engine/simd/packed.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
 #include "tests/oracle/picture.h"
-#include "tests/oracle/shared.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
-using namespace joints::testing;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 

@@ -1,11 +1,5 @@
 // What may change between two steps: bodies and joints come and go.
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/02_ball/ball_joint.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -43,8 +37,7 @@ TEST_CASE("one beta for a whole world is that of every joint, or nothing changes
 TEST_CASE("a body that goes takes its joints along and what hung from it falls") {
   Hanging hanging;
   SequentialImpulses solver;
-  Stepping stepping;
-  stepping.warm_start = true;
+  Stepping stepping{.warm_start = true};
   solver.iterations = 200;
   for (int n = 0; n < 20; ++n) step(hanging.world, solver, h, stepping);
   CHECK(std::abs(fall(hanging, 2)) < tolerance(1e-9, 1e-5));

@@ -1,10 +1,7 @@
 // Where the thesis speaks of contacts: the sign of its inequality, and a contact that is solved as
 // an equality. Each test shows the printed way failing and ours holding.
-#include "tests/checker/catch.h"
 #include "tests/ground/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -36,8 +33,7 @@ class Ground : public Joint {
 
 template <class Append>
 double speed_after(real gap, real speed, Append append) {
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const BodyId ground = world.add(static_body(vec3(0)));
   const BodyId body = world.add(ball(2, radius, vec3(0, radius + gap, 0)));
   world.bodies[body].v.y = speed;

@@ -1,12 +1,7 @@
 // Formulas of the thesis about motors, hinges and limits that are wrong as printed, or right only
 // where it does not say so: each worked out as it stands, and the right one beside it.
-#include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
-#include "tests/oracle/rigs.h"
-#include "tests/oracle/shared.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -1,13 +1,6 @@
 // What the thesis says about the inner loop: what its frame rates cost in time, and what may be
 // computed before the iterations.
-#include <numbers>
-#include <vector>
-
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -95,8 +88,7 @@ TEST_CASE("E50 a soft row needs its sum inside the loop: else more iterations ma
   // lambda known before the iterations.
   Random random(58);
   for (int draw = 0; draw < 20; ++draw) {
-    World world;
-    world.gravity = vec3(0);
+    World world = weightless();
     const Pair pair = uneven_pair();
     const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
     auto& joint = world.add<AnyJoint<1>>(a, b);
@@ -139,8 +131,7 @@ TEST_CASE("E50 a bound needs the sum inside the loop: else every iteration gives
           "[E50]") {
   // A motor row that wants far more than it may give: h F once a step.
   const double F = 3, bound = double(h) * F;
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const Pair pair = uneven_pair();
   const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
   auto& motor = world.add<AnyJoint<1>>(a, b);
@@ -169,8 +160,7 @@ TEST_CASE("E50 a hard row with Baumgarte needs nothing but what is known before 
           "[E50]") {
   // Begun with any sum, the iterations find the same velocities: the sum is nowhere read.
   Random random(59);
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const Pair pair = uneven_pair();
   const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
   auto& joint = world.add<AnyJoint<2>>(a, b);

@@ -1,14 +1,8 @@
 // Formulas of the thesis about the slider that are wrong as printed: each worked out as it stands,
 // and the right one beside it.
-#include "chapters/04_slider/slider_joint.h"
 #include "engine/instruments/measure.h"
-#include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
-#include "tests/oracle/rigs.h"
-#include "tests/oracle/shared.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -216,8 +210,7 @@ TEST_CASE("E38 the printed bound gives a slider's motor thirty times its force f
     apply_impulse(J, std::clamp(row_impulse(J, 1, -1000, wall, body), real(-1), real(1)), wall,
                   body);
   CHECK(double(body.v.x) == Approx(30).epsilon(near));
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const BodyId a = world.add(static_body(vec3(0))), b = world.add(box(1, vec3(1), vec3(1, 0, 0)));
   auto& slider = world.add<SliderJoint>(world.bodies, a, b, vec3(0), vec3(1, 0, 0));
   slider.set_motor(1000, 1);

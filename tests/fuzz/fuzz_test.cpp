@@ -7,14 +7,9 @@
 #include "chapters/09_direct/direct_solver.h"
 #include "chapters/09_direct/runge_kutta.h"
 #include "engine/simd/packed.h"
-#include "tests/checker/catch.h"
 #include "tests/fuzz/numbers.h"
-#include "tests/oracle/oracle.h"
 #include "tests/oracle/picture.h"
-#include "tests/oracle/shared.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -2,11 +2,9 @@
 // the ground neither pulls nor rubs more than it presses.
 #include "bench/orders.h"
 #include "engine/instruments/measure.h"
-#include "tests/checker/catch.h"
 #include "tests/ground/rigs.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
-using namespace joints::testing;
 using joints::bench::Order;
 
 namespace {
@@ -83,8 +81,7 @@ TEST_CASE("two free bodies that meet keep their momentum, with friction and rebo
   const real h = real(1) / 60;
   Random random(81);
   for (int draw = 0; draw < 20; ++draw) {
-    World world;
-    world.gravity = vec3(0);
+    World world = weightless();
     Body slab = box(30, vec3(6, 1, 6), vec3(0, real(-0.5), 0)), stone = lowered(real(0.3),
                                                                               random.turn());
     slab.w = random.vector(real(0.2));

@@ -2,11 +2,7 @@
 // its reference in the engine.
 #include "chapters/08_ground/ground_contact.h"
 #include "chapters/08_ground/program/own_ground.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

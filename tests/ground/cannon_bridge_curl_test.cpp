@@ -4,11 +4,8 @@
 #include "chapters/08_ground/program/cannon.h"
 #include "chapters/08_ground/program/curl.h"
 #include "engine/instruments/rate.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
-using namespace joints::testing;
 using namespace joints::chapter8;
 
 namespace {

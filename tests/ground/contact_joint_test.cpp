@@ -1,15 +1,11 @@
 // The contact as a joint of the engine: which corners have rows, what is remembered of them, and
 // what projection, reaction, plan and removal make of it.
-#include "chapters/02_ball/ball_joint.h"
 #include "engine/instruments/plan.h"
 #include "engine/reaction.h"
-#include "tests/checker/catch.h"
-#include "tests/ground/rigs.h"
 #include "tests/checker/numeric.h"
-#include "tests/oracle/shared.h"
+#include "tests/ground/rigs.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
-using namespace joints::testing;
 using Catch::Matchers::StartsWith;
 
 namespace {
@@ -146,8 +142,7 @@ TEST_CASE("two static bodies have no rows, however deep they are") {
   const BodyId a = world.add(static_body(vec3(0))), b = world.add(static_body(vec3(0)));
   auto& contact = world.add<GroundContact>(a, b, Top{}, box_outline(brick));
   SequentialImpulses solver;
-  Stepping stepping;
-  stepping.projections = 1;
+  Stepping stepping{.projections = 1};
   step(world, solver, h, stepping);
   CHECK(contact.touching() == 0);
   CHECK(world.blocks.list.empty());

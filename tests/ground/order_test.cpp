@@ -1,13 +1,9 @@
 // Joints and contacts in one loop, or one after the other: chapter 8's chain that falls onto the
 // ground, and its hinge that nothing corrects.
-#include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/08_ground/program/order.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
 using namespace joints::chapter8;
-using namespace joints::testing;
 
 namespace {
 

@@ -1,12 +1,9 @@
 // The machines of chapter 8 on the ground: a doll that falls and lies still, wheels that roll.
 #include "chapters/08_ground/program/ragdoll.h"
 #include "chapters/08_ground/program/wheels.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
 using namespace joints::chapter8;
-using namespace joints::testing;
 
 namespace {
 

@@ -1,11 +1,7 @@
 // What iterations over contacts settle at, against an oracle that tries every combination of
 // pressing or not, sticking or sliding this way or that (identity I17 with bounds that follow).
-#include "chapters/02_ball/ball_joint.h"
-#include "tests/checker/catch.h"
 #include "tests/ground/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

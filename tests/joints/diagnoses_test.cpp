@@ -1,13 +1,8 @@
 // What the checker says of a J or K that is wrong in a usual way: each mistake is called by its
 // name, whatever the part.
-#include <algorithm>
-
-#include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
 #include "tests/checker/report.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -1,14 +1,7 @@
 // Bad input to hinge, slider and weld is refused with the argument named, and the world stays as it
 // was (case X16).
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-#include "tests/oracle/shared.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
-using namespace joints::testing;
 using Catch::Matchers::StartsWith;
 
 namespace {

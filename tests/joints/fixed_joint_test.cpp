@@ -1,12 +1,7 @@
 // The weld as the engine runs it: one block of six rows does at once what two of three only come
 // near, wherever the anchor is.
-#include "chapters/05_fixed/fixed_joint.h"
-#include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -100,8 +95,7 @@ TEST_CASE(
     "I13 an isotropic body on a wall keeps m r^2 over i + m r^2 an iteration to nine digits") {
   for (double r : {0.25, 0.5, 1.0, 2.0}) {
     for (bool hinge : {false, true}) {
-      World world;
-      world.gravity = vec3(0);
+      World world = weightless();
       const BodyId wall = world.add(static_body(vec3(0)));
       const BodyId body = world.add(body_with(3, vec3(real(0.7)), vec3(real(r), 0, 0)));
       if (hinge)  // the axis is the lever's other normal: one of two directions is left
@@ -134,8 +128,7 @@ TEST_CASE("I23 a weld from which 3 kg hang pulls with 29.43 N after ten warm ste
     auto& weld = world.add<FixedJoint>(world.bodies, wall, body, vec3(0, real(-0.4), 0));
     weld.whole = whole;
     SequentialImpulses solver;
-    Stepping stepping;
-    stepping.warm_start = true;
+    Stepping stepping{.warm_start = true};
     for (int n = 0; n < 10; ++n) step(world, solver, h, stepping);
     CHECK(double(weld.load().force.y) == Approx(29.43).epsilon(tolerance(1e-9, 1e-5)));
     CHECK(double(length(weld.load().torque)) < tolerance(1e-9, 1e-4));
@@ -143,8 +136,7 @@ TEST_CASE("I23 a weld from which 3 kg hang pulls with 29.43 N after ten warm ste
 }
 
 TEST_CASE("I11 an error of 1 mm and 1 mrad in a weld shrinks by 1 - beta a step") {
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const Pair pair = uneven_pair();
   const BodyId wall = world.add(static_body(vec3(0), pair.body1.q)), two = world.add(pair.body2);
   auto& weld = world.add<FixedJoint>(world.bodies, wall, two, vec3(1, 2, 0));
@@ -170,8 +162,7 @@ TEST_CASE("a weld broken by any turn up to 180 degrees comes back with q as with
     for (bool whole : {true, false}) {
       std::vector<Body> ends;
       for (real sign : {real(1), real(-1)}) {
-        World world;
-        world.gravity = vec3(0);
+        World world = weightless();
         const Pair pair = uneven_pair();
         const BodyId wall = world.add(static_body(vec3(0))), two = world.add(pair.body2);
         auto& weld = world.add<FixedJoint>(world.bodies, wall, two, pair.body2.x);
@@ -239,8 +230,7 @@ TEST_CASE("I25 a weld leaves a static body untouched to the last bit and two of 
         world.bodies[other].q = rotation(vec3(0, 1, 0));  // broken at once
         const Body before = world.bodies[wall], before_other = world.bodies[other];
         SequentialImpulses solver;
-        Stepping stepping;
-        stepping.warm_start = warm;
+        Stepping stepping{.warm_start = warm};
         for (int n = 0; n < 500; ++n) step(world, solver, h, stepping);
         CHECK(same_bits(world.bodies[wall], before));
         CHECK(all_finite(world));

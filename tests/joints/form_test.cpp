@@ -1,12 +1,5 @@
 // What the type of a part promises of its rows is true of them: packed solvers rely on it.
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 static const real h = real(1) / 60;
 

@@ -1,13 +1,8 @@
 // Dry friction of a joint: what it takes from a motion is its force times the way, and where it can
 // hold it holds.
-#include "chapters/04_slider/slider_joint.h"
 #include "engine/instruments/measure.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-#include "tests/oracle/shared.h"
+#include "tests/oracle/test.h"
 
-using namespace joints;
-using namespace joints::testing;
 using Catch::Matchers::StartsWith;
 
 namespace {
@@ -72,8 +67,7 @@ TEST_CASE("a pendulum with dry friction comes to rest where friction can hold it
 }
 
 TEST_CASE("a slider with friction stops after v^2 m / 2 F and a joint has friction or a motor") {
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const BodyId wall = world.add(static_body(vec3(0)));
   const BodyId sledge = world.add(box(3, vec3(1), vec3(0)));
   auto& slider = world.add<SliderJoint>(world.bodies, wall, sledge, vec3(0), vec3(1, 0, 0));

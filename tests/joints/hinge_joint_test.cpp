@@ -1,12 +1,8 @@
 // The hinge as the engine runs it: it comes back from any misalignment, its motor has the strength
 // that it was given, it counts its turns, and it does not wear out (cases X7, X8, X12 and X17).
 #include "engine/instruments/measure.h"
-#include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -253,8 +249,7 @@ TEST_CASE("a hinge between two static bodies has no row and no force") {
     world.bodies[b].q = rotation(vec3(0, 3, 0));
     const Body before_a = world.bodies[a], before_b = world.bodies[b];
     SequentialImpulses solver;
-    Stepping stepping;
-    stepping.warm_start = warm;
+    Stepping stepping{.warm_start = warm};
     for (int n = 0; n < 100; ++n) step(world, solver, h, stepping);
     CHECK(world.blocks.list.empty());
     CHECK(same_bits(world.bodies[a], before_a));

@@ -1,11 +1,6 @@
 // Limits of a hinge: hit at any speed, yanked at by a neighbour, pushed into by a motor, narrow,
 // equal, beyond a full turn, and changed while it moves (cases X11 and X13).
-#include "chapters/02_ball/ball_joint.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -1,14 +1,18 @@
-// What is true of the parts of hinge, slider and weld, alone and composed, at every kind of pose:
-// rank, invariance, momentum, and numbers that stay numbers where the geometry degenerates.
-#include "tests/checker/catch.h"
+// What is true of every part, alone and composed, at every kind of pose: rates, rank, invariance,
+// momentum, and numbers that stay numbers where the geometry degenerates.
 #include "tests/checker/joint_fixtures.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
+struct CentreRopeFixture : CentreDistanceFixture {
+  using Part = Rope<CentreDistance>;
+  static constexpr Subject J{"", "the row J of a rope from centre to centre"};
+  static Part make(const Pair& pair) { return {CentreDistanceFixture::make(pair)}; }
+  static void move_freely(const Part& part, Pair& pair, Random& random) {
+    CentreDistanceFixture::move_freely(part.rod, pair, random);
+  }
+};
 // A joint with its limit as the last row, as a whole joint has it.
 struct LimitedHingeFixture : HingeFixture {
   using Part = Composite<Composite<Point, Axis>, Limit<HingeAngle>>;
@@ -44,6 +48,15 @@ void at_every_pose(Look look) {
     look(part, pair);
   });
 }
+// Rods, ropes and the ball joint.
+template <class Look>
+void for_every_push(Look look) {
+  at_every_pose<CentreDistanceFixture>(look);
+  at_every_pose<DistanceFixture>(look);
+  at_every_pose<CentreRopeFixture>(look);
+  at_every_pose<RopeFixture>(look);
+  at_every_pose<PointFixture>(look);
+}
 template <class Look>
 void for_every_joint(Look look) {
   at_every_pose<HingeFixture>(look);
@@ -52,14 +65,20 @@ void for_every_joint(Look look) {
   at_every_pose<LimitedSliderFixture>(look);
   at_every_pose<WeldFixture>(look);
 }
+// Hinge, slider and weld, and what they are made of.
 template <class Look>
-void for_every_part(Look look) {
+void for_every_turn(Look look) {
   at_every_pose<AxisFixture>(look);
   at_every_pose<HingeAngleFixture>(look);
   at_every_pose<LineFixture>(look);
   at_every_pose<RotationLockFixture>(look);
   at_every_pose<SlideFixture>(look);
   for_every_joint(look);
+}
+template <class Look>
+void for_every_part(Look look) {
+  for_every_push(look);
+  for_every_turn(look);
 }
 
 // A part's numbers as matrices.
@@ -84,6 +103,26 @@ long rank(const Dense& J) {
 
 }  // namespace
 
+TEST_CASE("I1 J times V is the rate at which the error of a moving pair changes") {
+  for_every_push([](const auto& part, const Pair& pair) {
+    Random random(11);
+    Pair moving = pair;
+    for (Body* body : {&moving.body1, &moving.body2}) {
+      body->v = random.vector(real(0.6));
+      body->w = random.vector(real(0.6));
+    }
+    Pair before = moving, after = moving;
+    for (Body* body : {&before.body1, &before.body2}) integrate_pose(*body, -difference_step);
+    for (Body* body : {&after.body1, &after.body2}) integrate_pose(*body, difference_step);
+    const Numeric now(part, moving.body1, moving.body2);
+    const Column rate = (Numeric(part, after.body1, after.body2).C -
+                         Numeric(part, before.body1, before.body2).C) /
+                        (2 * double(difference_step));
+    const Column JV = now.J * velocities({moving.body1, moving.body2});
+    CHECK((rate - JV).largest() < difference_tolerance);
+  });
+}
+
 TEST_CASE("the rank of J is the number of degrees of freedom that a joint removes") {
   for_every_joint([](const auto& part, const Pair& pair) {
     const long rows = std::decay_t<decltype(part)>::rows;
@@ -95,13 +134,14 @@ TEST_CASE("the rank of J is the number of degrees of freedom that a joint remove
   CHECK(LimitedHingeFixture::Part::rows == 6);
 }
 
-TEST_CASE("I2 K of a whole joint is J M^-1 J^T and positive while one body can move") {
+TEST_CASE("I2 K is J M^-1 J^T and symmetric and positive while one body can move") {
   for_every_part([](const auto& part, const Pair& pair) {
     const Body wall = static_body(pair.body1.x, pair.body1.q);
     for (const Body& one : {pair.body1, wall}) {
       const Numeric at(part, one, pair.body2);
       const Dense K = at.J * inverse_masses({one, pair.body2}) * at.J.transpose();
       CHECK((at.K - K).largest() < tolerance(1e-12, 1e-5) * K.largest());
+      CHECK((at.K - at.K.transpose()).largest() < tolerance(1e-15, 1e-6) * K.largest());
       CHECK(symmetric_eigenvalues(at.K)[0] > 0);
     }
     const Body rock = static_body(pair.body2.x, pair.body2.q);
@@ -109,12 +149,27 @@ TEST_CASE("I2 K of a whole joint is J M^-1 J^T and positive while one body can m
   });
 }
 
-TEST_CASE("I7 only the gap of a point lets a joint turn a free pair and nothing lets it push one") {
+TEST_CASE("I2 in no direction does a ball joint feel less than the two masses in series") {
+  at_every_pose<PointFixture>([](const Point& part, const Pair& pair) {
+    const double mm = double(pair.body1.inverse_mass + pair.body2.inverse_mass);
+    const double least = symmetric_eigenvalues(Numeric(part, pair.body1, pair.body2).K)[0];
+    CHECK(least > mm * (1 - tolerance(1e-12, 1e-5)));
+    // beside a wall the lever itself is that direction: a push along it turns nothing
+    const Body wall = static_body(pair.body1.x, pair.body1.q);
+    const Dense K = Numeric(part, wall, pair.body2).K;
+    CHECK(symmetric_eigenvalues(K)[0] ==
+          Approx(double(pair.body2.inverse_mass)).epsilon(tolerance(1e-12, 1e-5)));
+  });
+}
+
+TEST_CASE("I7 only the gap of a point lets a part turn a free pair and nothing lets it push one") {
+  // rods push along the gap itself, so nothing is left; a ball joint has u x e, zero only at C = 0
   for_every_part([](const auto& part, const Pair& pair) {
     const Numeric at(part, pair.body1, pair.body2);
     constexpr bool has_point = requires { part.first.anchor1_local; part.second.a1_local; } ||
                                requires { part.first.second.a1_local; } ||
-                               std::is_same_v<std::decay_t<decltype(part)>, Weld>;
+                               std::is_same_v<std::decay_t<decltype(part)>, Weld> ||
+                               std::is_same_v<std::decay_t<decltype(part)>, Point>;
     const dvec3 x1 = dvec3(pair.body1.x), x2 = dvec3(pair.body2.x);
     for (long i = 0; i < at.J.rows(); ++i) {
       const Column row = at.J.rows_from(i, 1).transpose();
@@ -128,7 +183,7 @@ TEST_CASE("I7 only the gap of a point lets a joint turn a free pair and nothing 
   });
 }
 
-TEST_CASE("I8 a pair that is turned and moved as one keeps the errors and the K of its joint") {
+TEST_CASE("I2 and I8 a pair that is turned and moved as one keeps its errors and its K") {
   for_every_part([](const auto& part, const Pair& pair) {
     Random random(61);
     Pair other = pair;
@@ -138,6 +193,19 @@ TEST_CASE("I8 a pair that is turned and moved as one keeps the errors and the K 
     CHECK(std::abs(there.C.norm() - here.C.norm()) < near);
     CHECK((symmetric_eigenvalues(there.K) - symmetric_eigenvalues(here.K)).largest() <
           near * here.K.largest());
+  });
+  // those of a point turn with the pair, number by number
+  for_every_push([](const auto& part, const Pair& pair) {
+    Random random(12);
+    Pair other = pair;
+    move_together(other, random);
+    const Numeric here(part, pair.body1, pair.body2), there(part, other.body1, other.body2);
+    const double near = tolerance(1e-12, 1e-5);
+    const dmat3 R = rotation_matrix(other.body1) * transpose(rotation_matrix(pair.body1));
+    Dense turn = Dense::identity(here.C.size());
+    for (int i = 0; i < 9 && turn.size() == 9; ++i) turn(i / 3, i % 3) = R[i % 3][i / 3];
+    CHECK((there.C - turn * here.C).largest() < near);
+    CHECK((there.K - turn * here.K * turn.transpose()).largest() < near * here.K.largest());
   });
   // errors that are measured in a body's own directions keep every single number
   const auto same = [](const auto& part, const Pair& pair) {
@@ -187,18 +255,37 @@ TEST_CASE("I10 the two numbers of the axis are the sine of the misalignment up t
   }
 }
 
-TEST_CASE("I28 the sign of a quaternion changes no number of hinge or slider or weld") {
-  for_every_part([](const auto& part, const Pair& pair) {
-    const Numeric plain(part, pair.body1, pair.body2);
-    for (int which = 1; which <= 3; ++which) {
-      Body a = pair.body1, b = pair.body2;
-      if (which & 1) a.q = -a.q;
-      if (which & 2) b.q = -b.q;
-      const Numeric other(part, a, b);
-      CHECK((other.C == plain.C));  // not a bit
-      CHECK((other.J == plain.J));
-      CHECK((other.K == plain.K));
-    }
+TEST_CASE("I28 a quaternion and its negative are the same orientation to every part") {
+  const auto within = [](double near) {
+    return [=](const auto& part, const Pair& pair) {
+      const Numeric plain(part, pair.body1, pair.body2);
+      for (int which = 1; which <= 3; ++which) {
+        Body a = pair.body1, b = pair.body2;
+        if (which & 1) a.q = -a.q;
+        if (which & 2) b.q = -b.q;
+        const Numeric other(part, a, b);
+        CHECK((other.C - plain.C).largest() <= near);
+        CHECK((other.J - plain.J).largest() <= near);
+        CHECK((other.K - plain.K).largest() <= near * plain.K.largest());
+      }
+    };
+  };
+  for_every_push(within(tolerance(1e-14, 1e-6)));
+  for_every_turn(within(0));  // not a bit
+}
+
+TEST_CASE("I27 where two points coincide a rod has no row and all its numbers are finite") {
+  for_every_push([](const auto& part, const Pair& pair) {
+    Pair together = pair;  // the two ends of the part in the same place, to the last bit
+    auto touching = part;
+    if constexpr (requires { touching.rod.anchor1_local; })
+      touching.rod.anchor1_local = touching.rod.anchor2_local = vec3(0);
+    if constexpr (requires { touching.anchor1_local; })
+      touching.anchor1_local = touching.anchor2_local = vec3(0);
+    together.body2.x = together.body1.x;
+    const Numeric at(touching, together.body1, together.body2);
+    CHECK(at.all_finite());
+    if (at.C.size() == 1) CHECK(at.J.largest() == 0);
   });
 }
 

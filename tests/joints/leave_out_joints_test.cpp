@@ -1,17 +1,8 @@
 // What a hinge, a slider or a weld does not need at a moment costs nothing: no row for a limit that
 // is far away, for a motor that is off or for what cannot move, no linear half of what only turns.
-#include <algorithm>
-
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "engine/instruments/plan.h"
-#include "tests/checker/catch.h"
 #include "tests/oracle/allocations.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -241,8 +232,7 @@ TEST_CASE("what only turns says so and keeps the velocity to the last bit") {
   CHECK(fixed.blocks()[1].form == Form::angular);
 
   // a motor alone, on a body that flies: it is turned and its flight is not touched
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const BodyId base = world.add(static_body(vec3(0)));
   const BodyId body = world.add(box(2, vec3(1, real(0.5), real(0.2)), vec3(1, 0, 0)));
   auto& motor = world.add<AnyJoint<1>>(base, body);

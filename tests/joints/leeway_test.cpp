@@ -2,11 +2,7 @@
 // is left out must not be missed.
 #include <random>
 
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -88,8 +84,7 @@ TEST_CASE("limits drawn in, or a new zero, are noticed in the next step") {
 }
 
 TEST_CASE("two wheels on one axle that spin as one keep their angle and count no turns") {
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const BodyId one = world.add(box(1, vec3(1), vec3(0)));
   const BodyId other = world.add(box(2, vec3(1), vec3(0, 0, 2)));
   auto& hinge = world.add<HingeJoint>(world.bodies, one, other, vec3(0, 0, 1), vec3(0, 0, 1));

@@ -1,21 +1,12 @@
 // The reader's pieces of chapter 3 in a whole hinge: it stops at its limits.
-#include <numbers>
-
-#include "chapters/03_hinge/hinge_joint.h"
-#include "engine/sequential_impulses.h"
-#include "engine/step.h"
-#include "tests/checker/catch.h"
 #include "tests/checker/numeric.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 TEST_CASE("a hinge with limits at 60 degrees either way stops there within a hundredth") {
   const real degree = std::numbers::pi_v<real> / 180, h = real(1) / 60;
   for (const bool whole : {true, false})
     for (const real speed : {real(1), real(-1), real(5), real(-5), real(20), real(-80)}) {
-      World world;
-      world.gravity = vec3(0);
+      World world = weightless();
       const BodyId post = world.add(static_body(vec3(0), rotation(vec3(1, real(0.5), 2))));
       const BodyId door = world.add(box(3, vec3(1, real(0.1), 2), vec3(real(0.5), 0, 0)));
       auto& hinge = world.add<HingeJoint>(world.bodies, post, door, vec3(0), vec3(0, 0, 1));

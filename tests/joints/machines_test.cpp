@@ -1,13 +1,7 @@
 // Machines put together at random: whatever hinges, sliders and welds are hung on each other and
 // however they are thrown, they stay finite, inside their limits, and gain no energy.
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "engine/instruments/measure.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

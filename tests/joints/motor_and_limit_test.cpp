@@ -1,9 +1,5 @@
 // A motor and a limit as what they are to the solver: one row with bounds.
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 const real h = real(1) / 60;
@@ -32,8 +28,7 @@ TEST_CASE("a limit that lies ahead lets a body come up to it and no further") {
                                        std::tuple{0.05, -2.0, -2.0},   // does not get there
                                        std::tuple{-0.05, -2.0, 0.6},   // beta of the way back
                                        std::tuple{-0.05, 5.0, 5.0}}) {  // comes back by itself
-    World world;
-    world.gravity = vec3(0);
+    World world = weightless();
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId body = world.add(ball(4, 1, vec3(0)));
     auto& limit = world.add<AnyJoint<1>>(wall, body);

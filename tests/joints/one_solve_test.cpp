@@ -1,72 +1,84 @@
 // What one exact solve of one joint does, by the engine's own loop: the rows hold, energy and
 // momentum change by what the formulas say, and the error dies away at the promised rate.
-#include <cstring>
-
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/02_ball/ball_joint.h"
 #include "engine/instruments/measure.h"
-#include "tests/checker/catch.h"
-#include "tests/checker/fixtures.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/checker/joint_fixtures.h"
+#include "tests/joints/any_part.h"
+#include "tests/oracle/test.h"
 
 namespace {
 
 const real h = real(1) / 60;
 
+template <class Fixture>
+struct Broken : Fixture {
+  static constexpr bool exact_when_broken = true;
+};
+
 // One joint between two moving bodies, before and after one iteration.
 struct Solved {
-  Pair before, after;
   System system;
   Column lambda, second;  // the impulse of the iteration, and what a further iteration adds
-  Column bias;
+  Column bias, V1, V2;
   Dense W, K;
-  Column V1, V2;
+  std::vector<Body> before, after;
+  bool has_point;
 
   template <class Part>
-  Solved(const Part& part, Pair pair, real beta) {
-    World world;
-    world.gravity = vec3(0);
-    Random random(21);
+  Solved(const Part& part, const Pair& pair, real beta, bool has_point) : has_point(has_point) {
+    World world = weightless();
     const BodyId a = world.add(pair.body1), b = world.add(pair.body2);
     world.add<PartJoint<Part>>(a, b, part).beta = beta;
-
     SequentialImpulses solver;
     begin_step(world, solver, h);  // at rest: no gyroscopic torque
+    Random random(21);
     push_at_random(world.bodies, random);
-    before = {world.bodies[a], world.bodies[b]};
-    V1 = velocities({before.body1, before.body2});
+    before = snapshot(world.bodies);
     solver.iterate(world.bodies);
-    after = {world.bodies[a], world.bodies[b]};
-    V2 = velocities({after.body1, after.body2});
+    after = snapshot(world.bodies);
     system = system_of(world.blocks, 2);
     lambda = impulses(world.blocks);
     solver.iterate(world.bodies);
     second = impulses(world.blocks) - lambda;
     bias = double(beta) / double(h) * system.C;
-    W = inverse_masses({before.body1, before.body2});
+    V1 = velocities(before);
+    V2 = velocities(after);
+    W = inverse_masses(before);
     K = system.J * W * system.J.transpose();
-  }
-  double energy(const Pair& pair) const {
-    return kinetic_energy(pair.body1) + kinetic_energy(pair.body2);
   }
   // The size of what the solve had to take away.
   double size() const { return std::max(1.0, (system.J * V1 + bias).largest()); }
+  // In float a block near to singular costs digits: as many as its condition number has.
+  double loss() const {
+    const Column eigen = symmetric_eigenvalues(K);
+    return is_float ? std::max(1.0, eigen[eigen.size() - 1] / eigen[0] / 30) : 1;
+  }
 };
 
-// Every equality part at every pose, with and without error feedback.
+// Every equality part at every pose, and whole joints, with and without error feedback.
 template <class Look>
 void for_every_solve(Look look) {
   for (real beta : {real(0), real(0.2)}) {
-    const auto at = [&](int, const auto& part, const Pair& pair) {
-      look(Solved(part, pair, beta), beta);
+    const auto solved = [&](bool has_point) {
+      return [&, has_point](int, const auto& part, const Pair& pair) {
+        look(Solved(part, pair, beta, has_point), beta);
+      };
     };
-    for_each_pose<CentreDistanceFixture>(at);
-    for_each_pose<DistanceFixture>(at);
-    for_each_pose<PointFixture>(at);
+    for_each_pose<CentreDistanceFixture>(solved(false));
+    for_each_pose<DistanceFixture>(solved(false));
+    for_each_pose<PointFixture>(solved(true));
+    for_each_pose<Broken<AxisFixture>>(solved(false));
+    for_each_pose<Broken<LineFixture>>(solved(false));
+    for_each_pose<Broken<RotationLockFixture>>(solved(false));
+    for_each_pose<Broken<HingeFixture>>(solved(true));
+    for_each_pose<Broken<SliderFixture>>(solved(false));
+    for_each_pose<Broken<WeldFixture>>(solved(true));
   }
+}
+
+double energy(const std::vector<Body>& bodies) {
+  double sum = 0;
+  for (const Body& body : bodies) sum += kinetic_energy(body);
+  return sum;
 }
 
 }  // namespace
@@ -74,13 +86,13 @@ void for_every_solve(Look look) {
 TEST_CASE("I3 after one exact solve the rows move as they were asked to") {
   for_every_solve([](const Solved& s, real) {
     const Column left = s.system.J * s.V2 + s.bias;
-    CHECK(left.largest() < tolerance(1e-11, 1e-4) * s.size());
+    CHECK(left.largest() < tolerance(1e-11, 1e-4) * s.size() * s.loss());
   });
 }
 
 TEST_CASE("I4 a second solve finds nothing left to do") {
   for_every_solve([](const Solved& s, real) {
-    CHECK(s.second.largest() < tolerance(1e-11, 1e-4) * s.size());
+    CHECK(s.second.largest() < tolerance(1e-11, 1e-4) * s.size() * s.loss());
   });
 }
 
@@ -89,10 +101,10 @@ TEST_CASE("I5 a solve gives b K^-1 b over 2 of energy and takes J V K^-1 J V ove
     const Column JV = s.system.J * s.V1;
     const Dense inverse = inverse_of(s.K);
     const double given = 0.5 * dot(s.bias, inverse * s.bias), taken = 0.5 * dot(JV, inverse * JV);
-    const double change = s.energy(s.after) - s.energy(s.before);
+    const double start = energy(s.before), change = energy(s.after) - start;
     CHECK(std::abs(change - (given - taken)) <
-          tolerance(1e-11, 1e-4) * (given + taken + s.energy(s.before)));
-    if (beta == 0) CHECK(change <= tolerance(1e-12, 1e-5) * s.energy(s.before));
+          tolerance(1e-11, 1e-4) * (given + taken + start) * s.loss());
+    if (beta == 0) CHECK(change <= tolerance(1e-12, 1e-5) * start);
   });
 }
 
@@ -107,8 +119,8 @@ TEST_CASE("I6 of all velocities that the rows allow a solve takes the nearest") 
     right.add(0, 0, inverse_of(s.W) * s.V1);
     right.add(12, 0, -s.bias);
     const Column best = solved(KKT, right);
-    CHECK(difference(s.V2, best.rows_from(0, 12)) < tolerance(1e-10, 1e-4));
-    CHECK(difference(s.lambda, best.rows_from(12, n)) < tolerance(1e-10, 1e-4));
+    CHECK(difference(s.V2, best.rows_from(0, 12)) < tolerance(1e-10, 1e-4) * s.loss());
+    CHECK(difference(s.lambda, best.rows_from(12, n)) < tolerance(1e-10, 1e-4) * s.loss());
   });
 }
 
@@ -118,21 +130,20 @@ TEST_CASE("I7 a solve keeps the momentum and turns the pair by the gap times the
     const auto add = [&](const Body& body, double sign) {
       const dvec3 p = sign * dvec3(body.v) / double(body.inverse_mass);
       linear += p;
-      const dmat3 I = inertia_of(body);
-      angular += cross(dvec3(body.x), p) + sign * (I * dvec3(body.w));
+      angular += cross(dvec3(body.x), p) + sign * (inertia_of(body) * dvec3(body.w));
     };
-    for (const Body& body : {s.after.body1, s.after.body2}) add(body, 1);
-    for (const Body& body : {s.before.body1, s.before.body2}) add(body, -1);
-    if (s.lambda.size() == 3) gap = cross(three(s.system.C), three(s.lambda));
-    CHECK(length(linear) < tolerance(1e-12, 1e-4) * s.size());
-    CHECK(length(angular - gap) < tolerance(1e-12, 1e-4) * s.size());
+    for (const Body& body : s.after) add(body, 1);
+    for (const Body& body : s.before) add(body, -1);
+    if (s.has_point) gap = cross(three(s.system.C), three(s.lambda));
+    const double size = s.size() * (s.lambda.size() > 3 ? std::max(1.0, s.lambda.largest()) : 1);
+    CHECK(length(linear) < tolerance(1e-12, 1e-4) * size);
+    CHECK(length(angular - gap) < tolerance(1e-12, 1e-4) * size);
   });
 }
 
 TEST_CASE("I11 the error of a row that keeps its direction shrinks by 1 - beta every step") {
   const auto check_decay = [](auto part, const vec3& start, real beta) {
-    World world;
-    world.gravity = vec3(0);
+    World world = weightless();
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId body = world.add(ball(3, real(0.5), start));
     auto& joint = world.add<PartJoint<decltype(part)>>(wall, body, part);
@@ -160,8 +171,7 @@ TEST_CASE("I11 the error of a row that keeps its direction shrinks by 1 - beta e
 TEST_CASE("I11 with a lever and an error of 1 mm the share left after a step is 0.85") {
   const vec3 lever(real(0.5), real(0.3), real(-0.2));
   const vec3 off(real(6e-4), real(-0.48e-3), real(0.64e-3));  // 1 mm long
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const BodyId wall = world.add(static_body(vec3(0)));
   const BodyId body = world.add(box(3, vec3(1, 2, real(0.5)), off - lever));
   auto& joint = world.add<BallJoint>(wall, body, Point{vec3(0), lever});
@@ -192,8 +202,7 @@ TEST_CASE("I25 a static body is still at rest to the last bit after a thousand s
     world.add<BallJoint>(left, right, Point{});  // nothing can close this gap
     const Body before_left = bodies[left], before_right = bodies[right];
     SequentialImpulses solver;
-    Stepping stepping;
-    stepping.warm_start = warm;
+    Stepping stepping{.warm_start = warm};
     for (int n = 0; n < 1000; ++n) step(world, solver, h, stepping);
     const auto same_bits = [](const auto& one, const auto& other) {
       return std::memcmp(&one, &other, sizeof one) == 0;

@@ -1,9 +1,6 @@
 // The parts that no exercise asks for and whole joints, against the numeric checker.
-#include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 TEST_CASE("a rope's row is the slope of its slack at every pose") {
   check_jacobian<RopeFixture>();

@@ -1,18 +1,9 @@
 // Sliders and welds outside the scenes of their chapters: what depends on the anchor and what does
 // not, few iterations, limits on a rail that spins, moments that are not equal.
-#include <numbers>
-
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/09_direct/direct_solver.h"
 #include "engine/instruments/measure.h"
 #include "engine/part_joint.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-#include "tests/oracle/shared.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -80,8 +71,7 @@ TEST_CASE("a slider's limit on a rail that spins is passed by h^2 omega^2 x over
     Random random(seed);
     const real omega = random.uniform(2, 10), limit = random.uniform(real(0.5), 2);
     const real beta = random.uniform(real(0.2), 1), length = real(1) / random.uniform(60, 240);
-    World world;
-    world.gravity = vec3(0);
+    World world = weightless();
     const BodyId rail = world.add(static_body(vec3(0)));
     const BodyId cart = world.add(box(1, vec3(real(0.2)), vec3(limit, 0, 0)));
     world.bodies[rail].w = world.bodies[cart].w = vec3(0, 0, omega);
@@ -108,8 +98,7 @@ TEST_CASE("a pair far off its lock gains angular momentum as 1 over h if its mom
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const auto gained = [&](int rate, bool equal) {
       Random random(seed);
-      World world;
-      world.gravity = vec3(0);
+      World world = weightless();
       const auto add = [&](const vec3& x) {
         const vec3 moments = equal ? vec3(real(0.3)) : vec3(real(0.2), real(0.4), real(0.5));
         return world.add(body_with(2, moments, x, random.turn()));

@@ -1,16 +1,9 @@
 // Position projection with every kind of joint and with what is awkward: redundant rows, static
 // bodies, points that coincide, joints that were removed, joints that take no part.
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "engine/projection.h"
-#include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
 #include "tests/oracle/allocations.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -153,16 +146,14 @@ TEST_CASE("X6 projection moves no static body and nothing between two of them") 
   hinge.set_limits(1, 2);
   const std::vector<Body> before = snapshot(world.bodies);
   SequentialImpulses solver;
-  Stepping stepping;
-  stepping.projections = 3;
+  Stepping stepping{.projections = 3};
   for (int n = 0; n < 100; ++n) step(world, solver, h, stepping);
   CHECK(same_bits(world.bodies[a], before[0]));
   CHECK(same_bits(world.bodies[b], before[1]));
 }
 
 TEST_CASE("X5 projection pushes nothing in a direction that is not there") {
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const BodyId a = world.add(box(2, vec3(1), vec3(0))), b = world.add(box(3, vec3(1), vec3(0)));
   world.add<DistanceJoint>(a, b, Distance{vec3(0), vec3(0), 1});
   world.add<RopeJoint>(a, b, Rope<Distance>{{vec3(0), vec3(0), 0}});
@@ -195,8 +186,7 @@ TEST_CASE("projection leaves a slack rope alone to the last bit and shortens a l
 TEST_CASE("X7 projection alone brings a hinge back from 90 and 180 degrees and never upside down") {
   for (const double angle : {90.0, 179.9, 180.0})
     for (const real sign : {real(1), real(-1)}) {
-      World world;
-      world.gravity = vec3(0);
+      World world = weightless();
       const BodyId one = world.add(static_body(vec3(0), rotation(vec3(1, 0, 2))));
       const BodyId two = world.add(body_with(2, vec3(1, real(0.7), real(0.5)), vec3(1, 0, 0)));
       auto& hinge = world.add<HingeJoint>(world.bodies, one, two, vec3(real(0.5), 0, 0),

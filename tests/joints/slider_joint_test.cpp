@@ -1,12 +1,7 @@
 // The slider as the engine runs it: its limits hold, its motor pushes with newtons, and whatever
 // happens between two free bodies keeps their momentum.
-#include "chapters/04_slider/slider_joint.h"
 #include "engine/instruments/measure.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

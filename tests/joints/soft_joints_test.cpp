@@ -1,17 +1,8 @@
 // Joints with a frequency and a damping ratio in place of beta: oscillators whose motion is known.
-#include <numbers>
-
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/08_ground/ground_contact.h"
 #include "chapters/09_direct/direct_solver.h"
 #include "engine/simd/packed.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -1,12 +1,6 @@
 // Which turn a hinge is in, where its bodies alone cannot say: the limits say it, or the program
 // does.
-#include "chapters/04_slider/slider_joint.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-#include "tests/oracle/shared.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -1,12 +1,8 @@
 // The joint that docs/library.md makes: its rows are held against differences, as those of the
 // chapters' parts are.
-#include "tests/checker/catch.h"
 #include "tests/checker/joint_fixtures.h"
 #include "tests/library/consumer/universal_joint.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -1,16 +1,9 @@
 // Contacts and joints on lanes: the same rows, the same numbers, and bounds that follow a sum in
 // another group.
-#include "chapters/02_ball/ball_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
 #include "engine/simd/packed.h"
-#include "engine/step.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/allocations.h"
 #include "tests/ground/rigs.h"
-#include "tests/oracle/shared.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/allocations.h"
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -88,8 +81,7 @@ class Following : public Joint {
 
 // Many of them between bodies that are thrown at each other.
 World followings(Random& random, int count) {
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   for (int k = 0; k < count; ++k) {
     const BodyId a = world.add(box(2, brick, vec3(0), random.turn()));
     const BodyId b = world.add(box(random.uniform(1, 3), brick, vec3(0), random.turn()));
@@ -214,8 +206,7 @@ TEST_CASE("a followed impulse is found whichever neighbour in the list has it") 
     }
   };
   Random random(89);
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   for (int k = 0; k < 10; ++k) {
     const BodyId a = world.add(box(2, brick, vec3(0), random.turn()));
     const BodyId b = world.add(box(random.uniform(1, 3), brick, vec3(0), random.turn()));
@@ -264,8 +255,7 @@ TEST_CASE("corners come and go again and the scalar solver does not allocate") {
   Random random(88);
   World world = field(3, true, true);
   SequentialImpulses solver;
-  Stepping stepping;
-  stepping.projections = 1;
+  Stepping stepping{.projections = 1};
   const auto throw_up = [&] {
     for (int slot = 1; slot < world.bodies.slots(); ++slot)
       world.bodies.at(slot).v.y = random.uniform(1, 3);

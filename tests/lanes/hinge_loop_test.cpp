@@ -4,12 +4,7 @@
 
 #include "bench/scenes.h"
 #include "chapters/07_performance/program/hinge_loop.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -3,17 +3,8 @@
 #include <random>
 
 #include "bench/scenes.h"
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "engine/simd/packed.h"
-#include "engine/step.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -65,8 +56,7 @@ TEST_CASE("one island per lane keeps its own order: chains move as with the scal
     bench::BenchScene wide = bench::cubes_on_hinges(10, 12);
     SequentialImpulses one;
     PackedImpulses other;
-    Stepping stepping;
-    stepping.warm_start = warm;
+    Stepping stepping{.warm_start = warm};
     stepping.projections = 1;
     for (int n = 0; n < 60; ++n) {
       step(scalar.world, one, h, stepping);
@@ -209,8 +199,7 @@ TEST_CASE("the packing is chosen by how many lanes it would use, and is said in 
 TEST_CASE(
     "on lanes a limit that a neighbour drives a joint past is found late") {
   for (const bool lanes : {true, false}) {
-    World world;
-    world.gravity = vec3(0);
+    World world = weightless();
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId rotor = world.add(body_with(1, vec3(1), vec3(0)));
     const BodyId stone = world.add(ball(real(0.1), real(0.1), vec3(1, 0, 0)));

@@ -1,21 +1,9 @@
 // How the solver packs a step's blocks: every packing has an order of its own and keeps all else,
 // who comes with whom is worked out once, and a step then takes no memory from the heap.
-#include <algorithm>
-
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/03_hinge/hinge_joint.h"
-#include "chapters/04_slider/slider_joint.h"
-#include "chapters/05_fixed/fixed_joint.h"
 #include "engine/simd/packed.h"
 #include "engine/state.h"
-#include "engine/step.h"
-#include "tests/checker/catch.h"
 #include "tests/oracle/allocations.h"
-#include "tests/oracle/oracle.h"
-#include "tests/oracle/shared.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -127,8 +115,7 @@ TEST_CASE("packed in the order of the list every joint moves as with the scalar 
     Zoo scalar(2), packed(2);
     SequentialImpulses one;
     PackedImpulses other = solver_of(Packing::list, false);
-    Stepping stepping;
-    stepping.warm_start = warm;
+    Stepping stepping{.warm_start = warm};
     stepping.projections = 1;
     for (int n = 0; n < 20; ++n) {
       step(scalar.world, one, h, stepping);

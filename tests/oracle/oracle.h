@@ -71,6 +71,12 @@ inline Row random_row(Random& random, bool linear = true, bool angular = true) {
   return row;
 }
 
+inline World weightless() {
+  World world;
+  world.gravity = vec3(0);
+  return world;
+}
+
 /// A step by a solver as it is when it has just been made.
 inline void step_once(World& world, real h) {
   SequentialImpulses solver;

@@ -1,11 +1,7 @@
 // Baumgarte's feedback by number: what a straight step leaves the circle by, how an error fades,
 // the energy that the feedback brings in, the spin it leaves, and who keeps its speed.
 #include "engine/instruments/measure.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 
@@ -51,8 +47,7 @@ double predicted_spin(const vec3& gap, double beta) {
 
 // The scene of T 5.1: the same cube on a hinge about y, and its spin in the end.
 vec3 spin_of_a_hinge(const vec3& gap) {
-  World world;
-  world.gravity = vec3(0);
+  World world = weightless();
   const BodyId wall = world.add(static_body(vec3(0)));
   const BodyId cube = world.add(box(100, vec3(1), vec3(2, 0, 0)));
   world.add<HingeJoint>(world.bodies, wall, cube, vec3(0), vec3(0, 1, 0)).beta = real(0.15);
@@ -208,8 +203,7 @@ TEST_CASE("E43 the second order falls short of the spin that a wide gap leaves",
 
 TEST_CASE("a limit keeps the speed that it gave and an equality takes it back", "[E13]") {
   for (const bool one_sided : {true, false}) {
-    World world;
-    world.gravity = vec3(0);
+    World world = weightless();
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId rotor = world.add(body_with(1, vec3(1), vec3(0)));
     auto& hinge = world.add<HingeJoint>(world.bodies, wall, rotor, vec3(0), vec3(0, 0, 1));

@@ -1,12 +1,7 @@
 // The thesis' chain between two static ends (T 5.1, E44 and E45): what makes it hard, what it does
 // when it is shot at, and what slack changes.
-#include "chapters/01_distance/distance_joint.h"
 #include "engine/instruments/rate.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

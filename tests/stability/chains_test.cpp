@@ -2,11 +2,7 @@
 // long chain of hinges cold and warm.
 #include "bench/runner.h"
 #include "engine/instruments/rate.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/rigs.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

@@ -1,14 +1,8 @@
 // The stability suite, cases X9 and X10 of chapters 1 and 2: levers of a kilometre, worlds a
 // thousand kilometres from the origin, masses from a grain to a mountain, a rod like a needle.
 #include "bench/orders.h"
-#include "chapters/01_distance/distance_joint.h"
-#include "chapters/02_ball/ball_joint.h"
 #include "engine/instruments/measure.h"
-#include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
-
-using namespace joints;
-using namespace joints::testing;
+#include "tests/oracle/test.h"
 
 namespace {
 

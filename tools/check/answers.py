@@ -88,8 +88,6 @@ class Answer:
 def read(path, regions):
     """The answers of one file, each with its faults. `regions`: the solution's lines in each of
     those that its exercise has."""
-    if "\n// ---- " in path.read_text():
-        return read_headings(path, regions)
     found, region, base = [], 1, ""
     for number, line in enumerate(path.read_text().rstrip("\n").split("\n"), 1):
         answer = found[-1] if found else None
@@ -126,33 +124,6 @@ def read(path, regions):
         one.again = again[one.name]
         change(one, regions, found)
         faults_of(one, len(regions))
-    return found
-
-
-def read_headings(path, regions):
-    """The answers of a file whose headings are titles: // ---- wrong: words, // expects: words."""
-    found = []
-    for number, line in enumerate(path.read_text().rstrip("\n").split("\n"), 1):
-        if match := re.match(r"// ---- (wrong units|wrong|right): (\S.*)$", line):
-            found.append(Answer(path.stem, match[1], match[2].replace(":", ","), path, number))
-        elif not found:
-            continue
-        elif match := re.match(r"// expects: (\S.*)$", line):
-            if not found[-1].promises:
-                found[-1].told = '"' + match[1].strip().removeprefix("Likely mistake: ") + '"'
-            found[-1].promises.append((number, match[1].strip()))
-        elif match := re.match(r"// change: (\S.*)$", line):
-            found[-1].changes += (" ;; " if found[-1].changes else "") + match[1]
-        elif found[-1].changes and (match := MORE.match(line)):
-            found[-1].changes += " " + match[1]
-        else:
-            found[-1].first = found[-1].first or number
-            found[-1].body.append(line)
-    again = Counter()
-    for one in found:
-        again[one.name] += 1
-        one.again = again[one.name]
-        change(one, regions, found)
     return found
 
 

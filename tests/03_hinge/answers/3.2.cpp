@@ -1,51 +1,34 @@
-// wrong sum-that-thrown-away: const mat3 I1 = inverse_inertia(body1), I2 = inverse_inertia(body2);
-//         return ==> real k; k = ;; + dot(a.w1, I1 * b.w1) ==> ; k = k + dot(a.w1,
-//         inverse_inertia(body1) * b.w1); k ;; + dot(a.w2, I2 * b.w2); ==> ; k + dot(a.w2,
-//         inverse_inertia(body2) * b.w2); return k;
-// wrong absolute-values:
-  return std::abs(body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
-         body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2));
-// wrong body-2-alone:
-  return body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2);
+// wrong sum-that-thrown-away: return ==> real k = ;; + body2 ==> ; k + body2 ;; b.w2); ==> b.w2);
+//         return k;
+// wrong absolute-values: return ==> return std::abs( ;; b.w2); ==> b.w2));
+// wrong body-2-alone: body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, I1 * b.w1) + ==>
 // wrong mass-inverse-mass:
   return dot(a.v1, b.v1) / body1.inverse_mass + dot(a.w1, inverse_inertia(body1) * b.w1) +
          dot(a.v2, b.v2) / body2.inverse_mass + dot(a.w2, inverse_inertia(body2) * b.w2);
-// wrong few-digits:
-  return float(body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, inverse_inertia(body1) * b.w1) +
-         body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, inverse_inertia(body2) * b.w2));
+// wrong few-digits: return ==> return float( ;; b.w2); ==> b.w2));
 // wrong inertia-turned-wrong-way: I1 = inverse_inertia(body1), I2 = inverse_inertia ==> R1 =
 //         glm::mat3_cast(body1.q), R2 = glm::mat3_cast(body2.q); const auto local = [](const Body&
 //         body) { const vec3 I = body.inverse_inertia_local; return mat3(I.x, 0, 0, 0, I.y, 0, 0,
 //         0, I.z); }; const mat3 L1 = local(body1), L2 = local ;; I1 ==> transpose(R1) * L1 * R1 ;;
 //         I2 ==> transpose(R2) * L2 * R2
-// wrong int-sum: const mat3 I1 = inverse_inertia(body1), I2 = inverse_inertia(body2); return ==>
-//         int k = 0; k += ;; + dot(a.w1, I1 * b.w1) + ==> ; k += dot(a.w1, inverse_inertia(body1) *
-//         b.w1); k += ;; + dot(a.w2, I2 * b.w2); ==> ; k += dot(a.w2, inverse_inertia(body2) *
-//         b.w2); return k;
+// wrong int-sum: return ==> int k = 0; k += ;; + dot(a.w1 ==> ; k += dot(a.w1 ;; + body2 ==> ; k +=
+//         body2 ;; + dot(a.w2 ==> ; k += dot(a.w2 ;; b.w2); ==> b.w2); return k;
 // wrong only-local-side: mat3 I1 = inverse_inertia(body1), I2 = inverse_inertia(body2) ==> auto
 //         answer = [](const Body& body, const vec3& q) { return body.inverse_inertia_local *
 //         to_local(body, q); } ;; I1 * b.w1 ==> answer(body1, b.w1) ;; (a.w2, I2 * b.w2) ==> (a.w2,
 //         answer(body2, b.w2))
-// wrong "only the turn of body 2 is left: the blocks w2. Is an = there where += belongs?": const
-//         mat3 I1 = inverse_inertia(body1), I2 = inverse_inertia(body2); return ==> real k = ;; +
-//         dot(a.w1, I1 * b.w1) + ==> ; k += dot(a.w1, inverse_inertia(body1) * b.w1); k += ;; +
-//         dot(a.w2, I2 * b.w2); ==> ; k = dot(a.w2, inverse_inertia(body2) * b.w2); return k;
-// wrong never-set: const mat3 I1 = inverse_inertia(body1), I2 = inverse_inertia(body2); return ==>
-//         real k; k += ;; + dot(a.w1, I1 * b.w1) + ==> ; k += dot(a.w1, inverse_inertia(body1) *
-//         b.w1); k += ;; + dot(a.w2, I2 * b.w2); ==> ; k += dot(a.w2, inverse_inertia(body2) *
-//         b.w2); return k;
-// wrong without-turns:
-  return body1.inverse_mass * dot(a.v1, b.v1) + body2.inverse_mass * dot(a.v2, b.v2);
+// wrong "only the turn of body 2 is left: the blocks w2. Is an = there where += belongs?": return
+//         ==> real k = ;; + dot(a.w2 ==> ; k = dot(a.w2 ;; b.w2); ==> b.w2); return k;
+// wrong never-set: return ==> real k; k += ;; b.w2); ==> b.w2); return k;
+// wrong without-turns: + dot(a.w1, I1 * b.w1) ==> ;; + dot(a.w2, I2 * b.w2) ==>
 // wrong "0 in every case: is it written at all, from what is given? Was it cut off by an int, or something in it never set?":
-  return 0;
+//         return ==> return 0; return
 // right in body axes: mat3 I1 = inverse_inertia(body1), I2 = inverse_inertia(body2) ==> auto turn =
 //         [](const Body& body, const vec3& p, const vec3& q) { return dot(to_local(body, p),
 //         body.inverse_inertia_local * to_local(body, q)); } ;; dot(a.w1, I1 * b.w1) ==>
 //         turn(body1, a.w1, b.w1) ;; dot(a.w2, I2 * b.w2) ==> turn(body2, a.w2, b.w2)
-// right static left out: const mat3 I1 = inverse_inertia(body1), I2 = inverse_inertia(body2);
-//         return ==> real k = 0; if (!body1.is_static()) k += ;; (a.w1, I1 * b.w1) + ==> (a.w1,
-//         inverse_inertia(body1) * b.w1); if (!body2.is_static()) k += ;; (a.w2, I2 * b.w2); ==>
-//         (a.w2, inverse_inertia(body2) * b.w2); return k;
+// right static left out: return ==> real k = 0; if (!body1.is_static()) k += ;; + body2 ==> ; if
+//         (!body2.is_static()) k += body2 ;; b.w2); ==> b.w2); return k;
 // right transposed product:
   return body1.inverse_mass * dot(b.v1, a.v1) + dot(a.w1 * inverse_inertia(body1), b.w1) +
          body2.inverse_mass * dot(b.v2, a.v2) + dot(a.w2 * inverse_inertia(body2), b.w2);

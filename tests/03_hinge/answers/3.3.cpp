@@ -1,25 +1,17 @@
-// wrong asin-of-p: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 * std::atan2(p, q.w)
-//         ==> return 2 * std::asin(dot(vec3(q.x, q.y, q.z), a1_local))
-// wrong atan2-exchanged: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 *
-//         std::atan2(p, q.w) ==> return 2 * std::atan2(q.w, dot(vec3(q.x, q.y, q.z), a1_local))
-// wrong degrees: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 * std::atan2(p, q.w)
-//         ==> return glm::degrees(2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w))
+// wrong asin-of-p: std::atan2(p, q.w) ==> std::asin(p)
+// wrong atan2-exchanged: p, q.w ==> q.w, p
+// wrong degrees: 2 * std::atan2(p, q.w) ==> glm::degrees(2 * std::atan2(p, q.w))
 // wrong difference-of-angles: * conjugate(start) ==> , s = start ;; const real p = dot(vec3(q.x,
 //         q.y, q.z), a1_local); return 2 * std::atan2(p, q.w); ==> if (s.w < 0) s = -s; const auto
 //         angle = [&](const quat& e) { return 2 * std::atan2(dot(vec3(e.x, e.y, e.z), a1_local),
 //         e.w); }; return angle(q) - angle(s);
-// wrong few-digits: if (q.w < 0) q = -q; const real p = dot(vec3(q.x, q.y, q.z), a1_local); return
-//         2 * std::atan2(p, q.w); ==> real angle = 2 * std::atan2(dot(vec3(q.x, q.y, q.z),
-//         a1_local), q.w); if (angle > 3.14159f) angle -= 2 * 3.14159f; if (angle < -3.14159f)
-//         angle += 2 * 3.14159f; return angle;
-// wrong glm-angle: if (q.w < 0) q = -q; const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2
-//         * std::atan2(p, q.w); ==> return glm::angle(q);
-// wrong glm-angle-sign: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 * std::atan2(p,
-//         q.w); ==> return glm::angle(q) * dot(glm::axis(q), a1_local);
-// wrong int-angle: real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 * std::atan2(p, q.w); ==>
-//         int angle = 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w); return angle;
-// wrong minus-expected: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 * std::atan2(p,
-//         q.w) ==> return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w) - expected
+// wrong few-digits: if (q.w < 0) q = -q; ==> ;; return ==> real angle = ;; q.w); ==> q.w); if
+//         (angle > 3.14159f) angle -= 2 * 3.14159f; if (angle < -3.14159f) angle += 2 * 3.14159f;
+//         return angle;
+// wrong glm-angle: if (q.w < 0) q = -q; ==> ;; 2 * std::atan2(p, q.w) ==> glm::angle(q)
+// wrong glm-angle-sign: 2 * std::atan2(p, q.w) ==> glm::angle(q) * dot(glm::axis(q), a1_local)
+// wrong int-angle: return ==> const int angle = ;; q.w); ==> q.w); return angle;
+// wrong minus-expected: atan2(p, q.w) ==> atan2(p, q.w) - expected
 // wrong sign-rule-p: if (q.w < 0) q = -q; ==> ;; return 2 ==> if (p < 0) q = -q; return 2
 // wrong "the angle of the whole rotation: that has the swing in it, and no sign. The twist takes only p, the part of v along the axis":
 // expects: yours expected error
@@ -29,15 +21,13 @@
 // wrong total-angle-world:
   const quat q = body2.q * conjugate(body1.q) * conjugate(start);
   return 2 * std::atan2(length(vec3(q.x, q.y, q.z)), q.w);
-// wrong "-180 in every case": const real p = dot(vec3(q.x, q.y, q.z), a1_local) ==> real p; p +=
-//         q.x * a1_local.x; p += q.y * a1_local.y; p += q.z * a1_local.z
+// wrong "-180 in every case": const real p = ==> real p; p +=
 // expects: never set
 // wrong world-frame-no-sign:
   const quat q = body2.q * conjugate(body1.q) * conjugate(start);
   return 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w);
-// wrong wrapped-0-2pi: const real p = dot(vec3(q.x, q.y, q.z), a1_local); return 2 * std::atan2(p,
-//         q.w); ==> real angle = 2 * std::atan2(dot(vec3(q.x, q.y, q.z), a1_local), q.w); if (angle
-//         < 0) angle += 2 * std::numbers::pi_v<real>; return angle;
+// wrong wrapped-0-2pi: return ==> real angle = ;; q.w); ==> q.w); if (angle < 0) angle += 2 *
+//         std::numbers::pi_v<real>; return angle;
 // wrong threshold: return 2 ==> if (std::abs(p) < 1e-2) return 0; return 2
 // right twist from the arc cosine: return 2 * std::atan2(p, q.w); ==> const real angle = 2 *
 //         std::acos(std::min(q.w / std::hypot(q.w, p), real(1))); return p < 0 ? -angle : angle;
@@ -91,33 +81,27 @@
 //         q.z), a1_local), std::abs(q.w))
 
 // region 2
-// wrong 3-14159:
-  return expected + std::remainder(measured - expected, real(2 * 3.14159));
-// wrong abs:
-  return expected + std::abs(std::remainder(measured - expected, 2 * std::numbers::pi_v<real>));
+// wrong 3-14159: std::numbers::pi_v<real> ==> real(3.14159)
+// wrong abs: std::remainder ==> std::abs(std::remainder ;; turn); ==> turn));
 // wrong bracket-forgotten: expected + std::remainder(measured - expected, turn) ==> measured + turn
 //         * std::round(expected - measured / turn)
 // wrong if: const real turn = 2 ==> if (measured < 0) return measured + 2 ;; expected +
 //         std::remainder(measured - expected, turn) ==> measured
 // wrong int-truncation: return expected + std::remainder(measured - expected, turn) ==> const int k
 //         = (expected - measured) / turn; return measured + turn * k
-// wrong measured: const real turn = 2 * std::numbers::pi_v<real>; return expected +
-//         std::remainder(measured - expected, turn); ==> return measured;
+// wrong measured: return ==> return measured; return
 // wrong one-turn: turn = 2 * ==> pi = ;; return expected + std::remainder(measured - expected,
 //         turn); ==> if (expected - measured > pi) return measured + 2 * pi; if (expected -
 //         measured < -pi) return measured - 2 * pi; return measured;
-// wrong plus:
-  return expected + std::remainder(measured + expected, 2 * std::numbers::pi_v<real>);
+// wrong plus: measured - ==> measured +
 // wrong round-no-turn: expected + std::remainder(measured - expected, turn) ==> measured +
 //         std::round((expected - measured) / turn)
-// wrong swapped-remainder-args:
-  return expected + std::remainder(2 * std::numbers::pi_v<real>, measured - expected);
+// wrong swapped-remainder-args: measured - expected, turn ==> turn, measured - expected
 // wrong threshold-only-when-far: turn = 2 * ==> pi = ;; real> ==> real>; if (std::abs(measured -
 //         expected) < 2 * pi) return measured ;; , turn ==> , 2 * pi
 // wrong truncation-expected-turn: expected + std::remainder(measured - expected, turn) ==> measured
 //         + turn * int(expected / turn)
-// wrong without-expected:
-  return std::remainder(measured - expected, 2 * std::numbers::pi_v<real>);
+// wrong without-expected: expected + std ==> std
 // right unwrapped in a loop: turn = 2 * ==> pi = ;; return expected + std::remainder(measured -
 //         expected, turn); ==> while (measured < expected - pi) measured += 2 * pi; while (measured
 //         > expected + pi) measured -= 2 * pi; return measured;

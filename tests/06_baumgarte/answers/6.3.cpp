@@ -156,15 +156,21 @@
 // wrong bodies-exchanged: [k], chain.bodies[k + 1] ==> [k + 1], chain.bodies[k]
 // wrong copy-one-body: project(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]); ==> { auto
 //         body = chain.bodies[k + 1]; project(chain.joints[k], chain.bodies[k], body); }
-// wrong errors-first: for ==> std::vector<vec3> C; for ;; project(chain.joints[k], chain.bodies[k],
-//         chain.bodies[k + 1]); ==> C.push_back(chain.joints[k].error(chain.bodies[k],
-//         chain.bodies[k + 1])); for (std::size_t k = 0; k < chain.joints.size(); ++k) { Body
-//         &body1 = chain.bodies[k], &body2 = chain.bodies[k + 1]; const vec3 lambda =
-//         -inverse(chain.joints[k].K(body1, body2)) * C[k]; Body move1 = body1, move2 = body2;
-//         move1.v = move1.w = move2.v = move2.w = vec3(0);
-//         apply_impulse(chain.joints[k].jacobian(body1, body2), lambda, move1, move2); body1.x +=
-//         move1.v; body2.x += move2.v; body1.q = turned(body1.q, move1.w, 1); body2.q =
-//         turned(body2.q, move2.w, 1); }
+// wrong errors-first:
+  std::vector<vec3> C;
+  for (std::size_t k = 0; k < chain.joints.size(); ++k)
+    C.push_back(chain.joints[k].error(chain.bodies[k], chain.bodies[k + 1]));
+  for (std::size_t k = 0; k < chain.joints.size(); ++k) {
+    Body &body1 = chain.bodies[k], &body2 = chain.bodies[k + 1];
+    const vec3 lambda = -inverse(chain.joints[k].K(body1, body2)) * C[k];
+    Body move1 = body1, move2 = body2;
+    move1.v = move1.w = move2.v = move2.w = vec3(0);
+    apply_impulse(chain.joints[k].jacobian(body1, body2), lambda, move1, move2);
+    body1.x += move1.v;
+    body2.x += move2.v;
+    body1.q = turned(body1.q, move1.w, 1);
+    body2.q = turned(body2.q, move2.w, 1);
+  }
 // wrong every-second-joint: ++k ==> k += 2
 // wrong "the first joint is left out": 0; ==> 1;
 // expects: x of body 1
@@ -172,12 +178,16 @@
 // wrong of-copies: project(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]); ==> { Body body1
 //         = chain.bodies[k], body2 = chain.bodies[k + 1]; project(chain.joints[k], body1, body2); }
 // wrong "an index outside a vector": joints ==> bodies
-// wrong stale-poses: for ==> const std::vector<Body> before = chain.bodies; for ;;
-//         project(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]); ==> { Body one =
-//         before[k], two = before[k + 1]; project(chain.joints[k], one, two); chain.bodies[k].x +=
-//         one.x - before[k].x; chain.bodies[k + 1].x += two.x - before[k + 1].x; chain.bodies[k].q
-//         = one.q * conjugate(before[k].q) * chain.bodies[k].q; chain.bodies[k + 1].q = two.q *
-//         conjugate(before[k + 1].q) * chain.bodies[k + 1].q; }
+// wrong stale-poses:
+  const std::vector<Body> before = chain.bodies;
+  for (std::size_t k = 0; k < chain.joints.size(); ++k) {
+    Body one = before[k], two = before[k + 1];
+    project(chain.joints[k], one, two);
+    chain.bodies[k].x += one.x - before[k].x;
+    chain.bodies[k + 1].x += two.x - before[k + 1].x;
+    chain.bodies[k].q = one.q * conjugate(before[k].q) * chain.bodies[k].q;
+    chain.bodies[k + 1].q = two.q * conjugate(before[k + 1].q) * chain.bodies[k + 1].q;
+  }
 // wrong "this is 50 iterations: every joint is projected once": for ==> for (int iteration = 0;
 //         iteration < 50; ++iteration) for
 // wrong velocities-to-rest: for ==> for (Body& body : chain.bodies) body.v = vec3(0); for

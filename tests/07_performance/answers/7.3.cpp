@@ -114,13 +114,77 @@
     colours.push_back(colour);
   }
   return colours;
+// wrong after-last-one:
+  std::vector<int> next(moves.size(), 0), colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    for (const int body : {link.body1, link.body2})
+      if (moves[body]) colour = std::max(colour, next[body]);
+    for (const int body : {link.body1, link.body2}) next[body] = colour + 1;
+    colours.push_back(colour);
+  }
+  return colours;
+// wrong "the number of joints that a body has had so far is no colour":
+// expects: Holds in
+  std::vector<int> count(moves.size(), 0), colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    for (const int body : {link.body1, link.body2})
+      if (moves[body]) colour = std::max(colour, count[body]++);
+    colours.push_back(colour);
+  }
+  return colours;
+// wrong last-joint-first:
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() + 1));
+  std::vector<int> colours(links.size());
+  for (std::size_t k = links.size(); k-- > 0;) {
+    int colour = 0;
+    for (bool again = true; again;) {
+      again = false;
+      for (const int body : {links[k].body1, links[k].body2})
+        again = again || (moves[body] && taken[body][colour]);
+      colour += again;
+    }
+    taken[links[k].body1][colour] = taken[links[k].body2][colour] = true;
+    colours[k] = colour;
+  }
+  return colours;
+// wrong only-last-one-kept:
+  std::vector<int> last(moves.size(), -1), colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    while ((moves[link.body1] && last[link.body1] == colour) ||
+           (moves[link.body2] && last[link.body2] == colour))
+      ++colour;
+    last[link.body1] = last[link.body2] = colour;
+    colours.push_back(colour);
+  }
+  return colours;
+// wrong "there is a greatest colour, 63: a body may need any number of them":
+  std::vector<std::vector<bool>> taken(moves.size(), std::vector<bool>(64));
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    const auto is_taken = [&](int body) { return moves[body] && taken[body][colour]; };
+    while (colour < 63 && (is_taken(link.body1) || is_taken(link.body2))) ++colour;
+    taken[link.body1][colour] = taken[link.body2][colour] = true;
+    colours.push_back(colour);
+  }
+  return colours;
+// wrong "there is a greatest colour, 31: a body may need any number of them":
+// expects: Holds in 19 of 21 scenes
+  std::vector<unsigned> taken(moves.size(), 0);
+  std::vector<int> colours;
+  for (const BodyPair& link : links) {
+    int colour = 0;
+    const auto has = [&](int body) { return moves[body] && (taken[body] & (1u << colour)); };
+    while (colour < 31 && (has(link.body1) || has(link.body2))) ++colour;
+    taken[link.body1] |= 1u << colour;
+    taken[link.body2] |= 1u << colour;
+    colours.push_back(colour);
+  }
+  return colours;
 // from right a table that is wide enough
-// wrong after-last-one: std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() +
-//         1)); std::vector<int> ==> int> next(moves.size(), 0), ;; while ((moves[link.body1] &&
-//         taken[link.body1][colour]) || (moves[link.body2] && taken[link.body2][colour])) ++colour;
-//         taken[link.body1][colour] = taken[link.body2][colour] = true ==> for (const int body :
-//         {link.body1, link.body2}) if (moves[body]) colour = std::max(colour, next[body]); for
-//         (const int body : {link.body1, link.body2}) next[body] = colour + 1
 // wrong "an index outside a vector": moves ==> links ;; + 1 ==> ;; int colour ==> std::size_t
 //         colour ;; taken[link.body1][colour] = taken[link.body2] ==> for (int body : {link.body1,
 //         link.body2}) taken[body] ;; (colour) ==> (int(colour))
@@ -141,24 +205,10 @@
 //         ++a; while ;; colour])) ++colour ==> b]) ++b; const int colour = std::max(a, b) ;; =
 //         taken ==> = true; taken
 // wrong if-place-while: 1 ==> 2 ;; while ==> if
-// wrong "the number of joints that a body has had so far is no colour": std::vector<bool>>
-//         taken(moves.size(), std::vector<bool>(links.size() + 1)); std::vector<int> ==> int>
-//         count(moves.size(), 0), ;; while ((moves[link.body1] && taken[link.body1][colour]) ||
-//         (moves[link.body2] && taken[link.body2][colour])) ++colour; taken[link.body1][colour] =
-//         taken[link.body2][colour] = true ==> for (const int body : {link.body1, link.body2}) if
-//         (moves[body]) colour = std::max(colour, count[body]++)
-// expects: Holds in
 // wrong joints-static-body-left: int colour = 0; while ((moves[link.body1] &&
 //         taken[link.body1][colour]) || (moves[link.body2] && taken[link.body2][colour])) ==> if
 //         (!moves[link.body1] || !moves[link.body2]) continue; int colour = 0; while
 //         (taken[link.body1][colour] || taken[link.body2][colour])
-// wrong last-joint-first: ; for (const BodyPair& link : links) { int colour = 0; while
-//         ((moves[link.body1] && taken[link.body1][colour]) || (moves[link.body2] &&
-//         taken[link.body2][colour])) ++colour; taken[link ==> (links.size()); for (std::size_t k =
-//         links.size(); k-- > 0;) { int colour = 0; for (bool again = true; again;) { again =
-//         false; for (const int body : {links[k].body1, links[k].body2}) again = again ||
-//         (moves[body] && taken[body][colour]); colour += again; } taken[links[k] ;; link. ==>
-//         links[k]. ;; .push_back(colour) ==> [k] = colour
 // wrong moves-turned-round-where: ((moves ==> ((!moves ;; || (moves ==> || (!moves ;;
 //         taken[link.body1][colour] = taken[link.body2] ==> for (int body : {link.body1,
 //         link.body2}) if (moves[body]) taken[body]
@@ -168,26 +218,9 @@
 //         (moves[link.body2] && taken[link.body2][colour])) ==> if (moves[link.body1] &&
 //         moves[link.body2]) { while (taken[link.body1][colour] || taken[link.body2][colour]) ;;
 //         true; ==> true; }
-// wrong only-last-one-kept: std::vector<bool>> taken(moves.size(), std::vector<bool>(links.size() +
-//         1)); std::vector<int> ==> int> last(moves.size(), -1), ;; taken[link.body1][colour] ==>
-//         last[link.body1] == colour ;; taken[link.body2][colour])) ++colour;
-//         taken[link.body1][colour] = taken[link.body2][colour] = true ==> last[link.body2] ==
-//         colour)) ++colour; last[link.body1] = last[link.body2] = colour
-// wrong "there is a greatest colour, 63: a body may need any number of them": links.size() + 1 ==>
-//         64 ;; while ((moves[link.body1] && taken[link.body1][colour]) || (moves[link.body2] &&
-//         taken[link.body2][colour])) ==> const auto is_taken = [&](int body) { return moves[body]
-//         && taken[body][colour]; }; while (colour < 63 && (is_taken(link.body1) ||
-//         is_taken(link.body2)))
 // wrong "the vector has its size already and is pushed to as well": 1 ==> 2 ;; colours ==>
 //         colours(links.size())
 // expects: There are 8 colours for 4 joints
-// wrong "there is a greatest colour, 31: a body may need any number of them": std::vector<bool>>
-//         ==> unsigned> ;; std::vector<bool>(links.size() + 1) ==> 0 ;; while ((moves[link.body1]
-//         && taken[link.body1][colour]) || (moves[link.body2] && taken[link.body2][colour])) ==>
-//         const auto has = [&](int body) { return moves[body] && (taken[body] & (1u << colour)); };
-//         while (colour < 31 && (has(link.body1) || has(link.body2))) ;; [colour] = ==> |= 1u <<
-//         colour; ;; [colour] = true ==> |= 1u << colour
-// expects: Holds in 19 of 21 scenes
 // from right again from the first where a neighbour has it
 // wrong joints-before-gone-through: , n = std::size_t(-1) ==>
 // wrong one-more-than-joint: for (std::size_t n = 0; n < k; ++n) ==> if (k > 0) ;; [n] ==> [k - 1]

@@ -187,6 +187,24 @@
   body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
   body2.v = body2.v + body2.inverse_mass * push;
   body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
+// wrong lambda-over-e:
+  const Triple<Number> gap =
+      body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1);
+  const Triple<Number> turning = body2.w - body1.w;
+  Number e[] = {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z,
+                      hinge.bias[3] + dot(hinge.axis_row[0], turning),
+                      hinge.bias[4] + dot(hinge.axis_row[1], turning)};
+  for (int i = 0; i < 5; ++i) {
+    Number lambda = -hinge.inverse_K[hinge.place(i, 0)] * e[0];
+    for (int j = 1; j < 5; ++j) lambda = lambda - hinge.inverse_K[hinge.place(i, j)] * e[j];
+    e[i] = lambda;
+  }
+  const Triple<Number> push{e[0], e[1], e[2]};
+  const Triple<Number> couple = e[3] * hinge.axis_row[0] + e[4] * hinge.axis_row[1];
+  body1.v = body1.v - body1.inverse_mass * push;
+  body1.w = body1.w - hinge.I1 * (cross(hinge.r1, push) + couple);
+  body2.v = body2.v + body2.inverse_mass * push;
+  body2.w = body2.w + hinge.I2 * (cross(hinge.r2, push) + couple);
 // from right K^-1 row after row
 // wrong another-order-k: ; Number ==> ; const auto place = [](int i, int j) { return i >= j ? i *
 //         (i + 1) / 2 + j : j * (j + 1) / 2 + i; }; Number ;; hinge.place ==> place ;; hinge.place
@@ -204,11 +222,6 @@
 //         reinterpret_cast<real*>(&body2)[n * lanes] = reinterpret_cast<const real*>(&b)[n]; }
 //         return; } else { const ;; r2, push) + couple); ==> r2, push) + couple); }
 // expects: v1 of lane 1 (upright)
-// wrong lambda-over-e: w; const ==> w; ;; Number lambda[5]; for (int i = 0; i < 5; ++i) { lambda[i]
-//         ==> for (int i = 0; i < 5; ++i) { Number lambda ;; [i] = lambda[i] ==> = lambda ;; }
-//         const Triple<Number> push{lambda[0], lambda[1], lambda[2]}; const Triple<Number> couple =
-//         lambda[3] * hinge.axis_row[0] + lambda ==> e[i] = lambda; } const Triple<Number>
-//         push{e[0], e[1], e[2]}; const Triple<Number> couple = e[3] * hinge.axis_row[0] + e
 // wrong "the numbers of another lane": } const ==> } for (Number& each : lambda) { real* const lane
 //         = reinterpret_cast<real*>(&each); for (std::size_t k = 1; k < sizeof each / sizeof(real);
 //         ++k) lane[k] = lane[0]; } const

@@ -15,13 +15,13 @@
 // expects: t1 or t2 is not a number (at rest, n = x)
   const vec3 t1 = normalize(sliding - dot(n, sliding) * n);
   return {t1, cross(n, t1)};
-// wrong made-unit-vector-first: vec3 across = sliding - dot(n, sliding) * n; if (length(across) <
-//         real(1e-4)) { const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1,
-//         0); across = other - dot(n, other) * n; } const vec3 t1 = normalize(across); return {t1,
-//         cross(n, t1)}; ==> if (length(sliding - dot(n, sliding) * n) < real(1e-4)) { const vec3
-//         t1 = normalize(cross(n, std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0)));
-//         return {t1, cross(n, t1)}; } const vec3 s = normalize(sliding), t1 = s - dot(n, s) * n;
-//         return {t1, cross(n, t1)};
+// wrong made-unit-vector-first:
+  if (length(sliding - dot(n, sliding) * n) < real(1e-4)) {
+    const vec3 t1 = normalize(cross(n, std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0)));
+    return {t1, cross(n, t1)};
+  }
+  const vec3 s = normalize(sliding), t1 = s - dot(n, s) * n;
+  return {t1, cross(n, t1)};
 // wrong n-taken-away: dot(n, sliding) * n ==> n
 // wrong t1-not-unit-vector: const vec3 t1 = normalize(across); return {t1, cross(n, t1)} ==> return
 //         {across, cross(n, across)}

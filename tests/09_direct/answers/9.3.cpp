@@ -26,19 +26,6 @@
 //         (queue.begin()) ==> (best)
 // wrong doubled-neighbours: if (b != a) ==> if (b > a)
 // wrong doubled-neighbours: queue.erase({left[a].size(), a}); ==>
-// wrong doubled-neighbours: std::vector<std::set<int>> left; std::set<std::pair<std::size_t, int>>
-//         queue; for (const std::vector<int>& of_one : neighbours) {
-//         left.emplace_back(of_one.begin(), of_one.end()); queue.insert({left.back().size(),
-//         int(left.size()) - 1}); } while (!queue.empty()) { const int node =
-//         queue.begin()->second; queue.erase(queue.begin()); order.push_back(node); for (const int
-//         a : left[node]) { queue.erase({left[a].size(), a}); left[a].erase(node); for (const int b
-//         : left[node]) if (b != a) left[a].insert(b); queue.insert({left[a].size(), a}); } } ==>
-//         while (!neighbours.empty() && order.size() < neighbours.size()) { int best = -1; for (int
-//         k = 0; k < int(neighbours.size()); ++k) if (std::find(order.begin(), order.end(), k) ==
-//         order.end() && (best < 0 || neighbours[k].size() < neighbours[best].size())) best = k;
-//         order.push_back(best); const std::vector<int> around = neighbours[best]; for (const int a
-//         : around) { std::erase(neighbours[a], best); for (const int b : around) if (b != a)
-//         neighbours[a].push_back(b); } }
 // right without a queue:
   std::vector<std::set<int>> left;
   std::set<int> nodes;
@@ -79,20 +66,31 @@
         if (a != b && are[best][a] && are[best][b]) are[a][b] = 1;
     for (std::size_t a = 0; a < n; ++a) are[a][best] = are[best][a] = 0;
   }
+// right the first of the fewest in plain lists:
+  while (order.size() < neighbours.size()) {
+    int best = -1;
+    for (int k = 0; k < int(neighbours.size()); ++k)
+      if (std::find(order.begin(), order.end(), k) == order.end() &&
+          (best < 0 || neighbours[k].size() < neighbours[best].size()))
+        best = k;
+    order.push_back(best);
+    for (const int a : neighbours[best]) {
+      std::erase(neighbours[a], best);
+      for (const int b : neighbours[best])
+        if (b != a && std::find(neighbours[a].begin(), neighbours[a].end(), b) ==
+            neighbours[a].end())
+          neighbours[a].push_back(b);
+    }
+  }
 // from right without a queue
 // wrong least-fill: *nodes.begin() ==> -1, least = 0 ;; if (left[node].size() < left[best].size())
 //         best = node; ==> { int fill = 0; for (const int a : left[node]) for (const int b :
 //         left[node]) fill += a < b && left[a].count(b) == 0; if (best < 0 || fill < least) best =
 //         node, least = fill; } ;; insert(left[best].begin(), left[best].end()); ==> erase(best);
 //         for (const int b : left[best]) if (a != b) ;; erase(a); left[a].erase(best) ==> insert(b)
-// wrong equals-first-loop: std::vector<std::set<int>> left; std::set<int> nodes; for (const
-//         std::vector<int>& of_one : neighbours) { left.emplace_back(of_one.begin(), of_one.end());
-//         nodes.insert(int(left.size()) - 1); } while (!nodes.empty()) { int best = *nodes.begin();
-//         for (const int node : nodes) if (left[node].size() < left[best].size()) best = node;
-//         nodes.erase(best) ==> while (order.size() < neighbours.size()) { int best = -1; for (int
-//         k = 0; k < int(neighbours.size()); ++k) if (std::find(order.begin(), order.end(), k) ==
-//         order.end() && (best < 0 || neighbours[k].size() <= neighbours[best].size())) best = k ;;
-//         left[best]) { left[a].insert(left[best].begin(), left[best].end()); left[a].erase(a);
-//         left[a].erase(best ==> neighbours[best]) { std::erase(neighbours[a], best); for (const
-//         int b : neighbours[best]) if (b != a && std::find(neighbours[a].begin(),
-//         neighbours[a].end(), b) == neighbours[a].end()) neighbours[a].push_back(b
+// from right the first of the fewest in plain lists
+// wrong doubled-neighbours: order ==> !neighbours.empty() && order ;; best); ==> best); const
+//         std::vector<int> around = neighbours[best]; ;; : neighbours[best] ==> : around ;; :
+//         neighbours[best] ==> : around ;; && std::find(neighbours[a].begin(), neighbours[a].end(),
+//         b) == neighbours[a].end() ==>
+// wrong equals-first-loop: < neighbours[ ==> <= neighbours[

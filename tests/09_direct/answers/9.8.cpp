@@ -9,14 +9,13 @@
 // wrong twice: kappa * h * h * force_lever ==> 2 * kappa * h * h * force_lever
 // wrong inertia-added: max(moments, vec3(kappa * h * h * force_lever)) ==> moments + vec3(kappa *
 //         h * h * force_lever)
-// wrong lesser: now = max( ==> now = min(
+// wrong lesser: max ==> min
 // wrong own-moments-lost: now = max(moments, vec3(kappa * h * h * force_lever)) ==> now(kappa * h
 //         * h * force_lever)
 // wrong least-lacks: max(moments, vec3(kappa * h * h * force_lever)) ==> moments +
 //         vec3(std::max(real(0), kappa * h * h * force_lever - std::min({moments.x, moments.y,
 //         moments.z})))
-// wrong first-moment-alone: vec3(kappa * h * h * force_lever) ==> vec3(kappa * h * h *
-//         force_lever, 0, 0)
+// wrong first-moment-alone: force_lever ==> force_lever, 0, 0
 // wrong bound-of-last-step: vec3(kappa * h * h * force_lever) ==> vec3(before)
 // wrong never-smaller: vec3(kappa * h * h * force_lever) ==> vec3(std::max(before, kappa * h * h *
 //         force_lever))
@@ -26,7 +25,7 @@
 // wrong last-moments-lost: max(moments, vec3(before)) / now ==> vec3(before) / now
 // wrong ratio-unbounded: min(vec3(1), max(moments, vec3(before)) / now) ==> max(moments,
 //         vec3(before)) / now
-// wrong ratio-at-least-one: min(vec3(1) ==> max(vec3(1)
+// wrong ratio-at-least-one: min ==> max
 // wrong momentum-kept: sqrt(ratio) ==> ratio
 // wrong ratio-squared: sqrt(ratio) ==> ratio * ratio
 // wrong scaled-in-world: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> sqrt(ratio) *
@@ -34,31 +33,28 @@
 // wrong to-world-missing: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> sqrt(ratio) *
 //         to_local(body, body.w)
 // wrong to-local-missing: to_local(body, body.w) ==> body.w
-// wrong axes-exchanged: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> to_local(body,
-//         sqrt(ratio) * to_world(body, body.w))
+// wrong axes-exchanged: to_local ==> to_world ;; to_world ==> to_local
 // wrong ratio-upside-down: sqrt(ratio) * ==> real(1) / sqrt(ratio) *
 // wrong momentum-returned: sqrt(ratio) * ==> moments *
 // wrong one-ratio: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> std::sqrt(ratio.x) *
 //         body.w
 // wrong mean-ratio: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> (std::sqrt(ratio.x) +
 //         std::sqrt(ratio.y) + std::sqrt(ratio.z)) / 3 * body.w
-// wrong linear-velocity: body.w) ==> body.v)
+// wrong linear-velocity: body.w ==> body.v
 // wrong w-stays: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> body.w
 // wrong w-zero: out.w = ==> (void)
 // wrong kappa-squared: kappa * h * h ==> kappa * kappa * h * h
 // wrong followed-half: kappa * h * h ==> kappa * h * h / 2
 // wrong force-ignored: vec3(kappa * h * h * force_lever) ==> vec3(0 * kappa * h * h * force_lever)
 // wrong inverse-both: moments = real(1) / body ==> moments = body ;; real(1) / now ==> now
-// wrong last-step-replaced: max(moments, vec3(before)) / now ==> vec3(kappa * h * h * force_lever) /
-//         now
-// wrong to-local-twice: to_world(body, ==> to_local(body,
+// wrong last-step-replaced: max(moments, vec3(before)) ==> vec3(kappa * h * h * force_lever)
+// wrong to-local-twice: to_world ==> to_local
 // wrong units "in slowed": kappa * h * h * force_lever ==> kappa * h * force_lever
 // wrong units "in slowed": kappa * h * h * force_lever ==> kappa * h * h
 // wrong units "in slowed": moments = real(1) / body ==> moments = body
 // wrong units "the inverse inertia is in kg m^2 and should be in 1/(kg m^2)": real(1) / now ==> now
-// wrong units "the angular velocity w is in kg m^2/s and should be in 1/s": sqrt(ratio) * ==>
-//         moments *
-// wrong units "the angular velocity w is in m/s and should be in 1/s": body.w) ==> body.v)
+// wrong units "the angular velocity w is in kg m^2/s and should be in 1/s": sqrt(ratio) ==> moments
+// wrong units "the angular velocity w is in m/s and should be in 1/s": body.w ==> body.v
 // right in the world's axes with a matrix:
   const mat3 R = mat3_cast(body.q);
   vec3 after, share;

@@ -1,6 +1,6 @@
 // What is done with a record: its K^-1, its warm start, its solve. Each file that is compiled for
-// an instruction set includes it. Number is one number or one per lane. Every kind of rows has three
-// functions, all else is the same for all kinds:
+// an instruction set includes it. Number is one number or one per lane. Every kind of rows has
+// three functions, all else is the same for all kinds:
 //   form_K   J M^-1 J^T, lower triangle
 //   errors   bias + J V
 //   apply    V += M^-1 J^T lambda

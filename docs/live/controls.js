@@ -38,12 +38,34 @@ function read_address() {
 }
 const last_of = (address, name) => address.getAll(name).at(-1);
 
-// The settings of a scene with what the address changes of them.
-function settings_from(address, about, entry) {
-  const settings = Object.fromEntries(about.settings.map((name, k) => [name, entry.begin[k]]));
+// The settings that a scene begins with, and with what the address changes of them; told(words) is
+// called for what is no number.
+const own_settings = (about, entry) =>
+  Object.fromEntries(about.settings.map((name, k) => [name, entry.begin[k]]));
+function settings_from(address, about, entry, told) {
+  const settings = own_settings(about, entry);
   for (const name of about.settings)
-    if (address.has(name)) settings[name] = Number(last_of(address, name));
+    if (address.has(name)) settings[name] = number_from(address, name, settings[name], told);
   return settings;
+}
+// A number of the address; `other` where it is none, or not within its bounds.
+function number_from(address, name, other, told, least = -Infinity, most = Infinity) {
+  const word = last_of(address, name), value = Number(word);
+  if (word === undefined) return other;
+  if (word.trim() !== "" && value >= least && value <= most && isFinite(value)) return value;
+  told(`The address says ${name}=${word}, which ` +
+       (word.trim() === "" || isNaN(value) ? "is no number" : "cannot be here") +
+       `: it is ${other === undefined ? "left out" : other}.`);
+  return other;
+}
+// The settings for another scene: those that were changed go along, but for what belongs to one.
+const of_one_scene = ["ratio", "stiffness", "speed", "strength"];
+function settings_kept(settings, about, from, to) {
+  const kept = own_settings(about, to);
+  about.settings.forEach((name, k) => {
+    if (settings[name] !== from.begin[k] && !of_one_scene.includes(name)) kept[name] = settings[name];
+  });
+  return to.own ? kept : {...kept, own: 0};
 }
 
 // The whole state in the address, as little as tells it.

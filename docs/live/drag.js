@@ -26,9 +26,10 @@ function take(panel, e) {
   const point = at => point_at_depth({view}, at.clientX - box.left, at.clientY - box.top,
                                      found.depth);
   straight = false;
+  held = true;
   const start = found.within ? point(e) : panel.painted.bodies[found.k].x;
   in_line(() => ask_all("grab", {body: found.k, point: start}));
   if (!playing) play(true);
   return {move: to => { in_line(() => ask_all("move", {point: point(to)})); },
-          drop: () => { in_line(() => ask_all("let_go", {})); }};
+          drop: () => { in_line(() => ask_all("let_go", {})).then(() => { held = false; }); }};
 }

@@ -59,7 +59,6 @@ EXPORT(wb_about)() -> void {
            ",\"watch\":" + quoted(entry.watch) +
            ",\"motor\":" + (fresh.has_motor() ? "true" : "false") +
            ",\"own\":" + (fresh.has_own() ? "true" : "false") +
-           ",\"energy_scale\":" + number(fresh.scene().energy_scale) +
            ",\"begin\":" + listed(begin, number) + "}";
   });
   text += "}";
@@ -82,7 +81,8 @@ EXPORT(wb_make)(int scene) -> void {
   }
   for (const Segment& segment : made.segments)
     lines.push_back(line(segment.body1, segment.anchor1, segment.body2, segment.anchor2));
-  text += ",\"lines\":" + listed(lines, [](const std::string& one) { return one; }) + "}";
+  text += ",\"lines\":" + listed(lines, [](const std::string& one) { return one; }) +
+          ",\"energy_scale\":" + number(live_run->energy_scale()) + "}";
 }
 
 /// The settings of the page for the run that is there.

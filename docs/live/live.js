@@ -6,28 +6,43 @@ const per_panel = words => panels.map(panel =>
   (panels.length > 1 ? `${panel.label}: ` : "") + words(panel)).join("\n");
 
 function reading() {
-  return `t = ${time.toFixed(2)} s\n` + per_panel(({now, us}) =>
+  return `t = ${time.toFixed(2)} s\n` + per_panel(({now, us, stopped}) => stopped ? "stopped" : !isFinite(now[2]) ? "not a number" :
     `gap ${metres(now[1])} · energy ${now[2] > 0 ? "+" : ""}${short(now[2])} J · ` +
     `${us ? Math.round(us) : "…"} µs a step`);
+}
+// Why the bodies of a panel have gained so much: a hand, the reader's code, or the settings.
+function cause(panel) {
+  if (panel.by_hand > 0.5 * panel.now[2])
+    return "Your hand did that, not the settings: press the button “again”.";
+  if (panel.label === "yours" && panels.some(one => !one.stopped && one.now[2] <= one.scale))
+    return "Your code does that: the solution holds with the same settings.";
+  const changed = about.settings.filter((name, k) => settings[name] !== entry.begin[k])
+    .map(name => `${name} ${short(settings[name])}`).join(", ");
+  return changed ? `The settings do that (${changed}): change them back, then press “again”.`
+    : "The scene's own settings do that: change one, then press “again”.";
 }
 // What there is to say, and whether it is bad.
 function says() {
   const said = [];
-  if (refusal) said.push(`Refused: ${refusal}`);
+  if (refusal) said.push(refusal);
   for (const panel of panels) {
     const who = panels.length > 1 ? `${panel.label}: ` : "";
-    const gained = panel.now && panel.now[2] / entry.energy_scale;
-    if (panel.stopped) said.push(`${who}stopped at t = ${time.toFixed(2)} s: ${panel.stopped}`);
-    else if (gained > 1)
+    const gained = panel.now[2] / panel.scale;
+    if (panel.stopped)
+      said.push(`${who}stopped at t = ${panel.now[0].toFixed(2)} s: ${panel.stopped}`);
+    else if (!isFinite(panel.now[2]))
+      said.push(`${who}the places are no numbers any more. ${cause(panel)}`);
+    else if (blown_up(panel))
       said.push(`${who}blown up: the bodies have gained ` +
-                (gained > 1e6 ? "more than a million" : short(gained)) + " times the energy that " +
-                "the scene began with. Change the setting back, then press the button “again”.");
+                (gained > 1e6 ? "more than a million" : short(gained)) +
+                ` times the energy that the scene began with. ${cause(panel)}`);
   }
   if (said.length) return [said.join("\n"), true];
   const talk = panels.find(panel => panel.printed)?.printed.trim().split("\n").at(-1);
   if (talk) return [`Your code prints: ${talk}`, false];
-  if (settings.own) return ["The chapter's own loop moves the bodies: it knows no hand, and one " +
-                            "cannot look into its steps.", false];
+  if (settings.own)
+    return ["The chapter's own loop moves the bodies: it knows no hand, so that none can be " +
+            "dragged, and one cannot look into its steps.", false];
   if (!inside) return ["", false];
   const {joints, first_error, blocks} = panels.at(-1);
   return [`Within the step from t = ${time.toFixed(2)} s, after iteration ${inside.iteration}` +
@@ -51,6 +66,7 @@ function show() {
   for (const button of $("views").children)
     button.setAttribute("aria-pressed", button.dataset.view === view);
   $("reading").textContent = reading();
+  $("hand").hidden = Boolean(settings.own);
   const [words, bad] = says();
   $("said").textContent = words;
   $("said").classList.toggle("bad", bad);
@@ -74,7 +90,8 @@ function tick(now) {
   if (playing && !busy) {
     owed = Math.min(owed + Math.max(now - before, 0) / 1000, 0.1);
     before = now;
-    const count = Math.floor(owed / settings.h + 1e-9);
+    if (panels.every(gone)) play(false);  // there is nothing to be seen any more
+    const count = playing ? Math.floor(owed / settings.h + 1e-9) : 0;
     if (count) {
       owed -= count * settings.h;
       busy = true;
@@ -114,19 +131,62 @@ function make_panel({label, wasm}) {
   return panel;
 }
 async function from_address() {
-  const address = read_address(), name = last_of(address, "scene");
-  const found = about.scenes.find(each => each.name === name) ||
-    about.scenes.find(each => each.opens.includes(data.chapter || 2));
-  const wanted = settings_from(address, about, found);
-  if (data.chapter && !name) {  // what the chapter's exercises do most in
-    wanted.own = Number(found.own);
-    if (data.chapter === 9) Object.assign(wanted, {direct: 1}, with_direct);
+  const address = read_address(), name = last_of(address, "scene"), said = [];
+  let found = about.scenes.find(each => each.name === name);
+  const usual = about.scenes.find(each => each.opens.includes(data.chapter || 2));
+  if (name && !found) said.push(`There is no scene ${name}: this is ${usual.title}.`);
+  const told = words => said.push(words);
+  let own = null;
+  if (data.chapter && !name) {
+    await find_where_they_part(usual);
+    ({found, own} = parting[0] || {found: usual, own: Number(usual.own)});
   }
-  const number = key => address.has(key) ? Number(last_of(address, key)) : undefined;
+  found ||= usual;
+  const wanted = settings_from(address, about, found, told);
+  if (own !== null) Object.assign(wanted, of_chapter(own));
   view = plots[last_of(address, "view")] ? last_of(address, "view") : "energy";
-  await choose(found.name, wanted, {t: number("t"), iteration: number("iteration"),
-                                    block: number("block")});
+  const t = number_from(address, "t", undefined, told, 0, 1000);
+  const last = wanted.direct ? 1 : wanted.iterations;
+  await choose(found.name, wanted, {
+    t, iteration: number_from(address, "iteration", undefined, told, 0, last),
+    block: number_from(address, "block", undefined, told, 0, 1e4)});
+  refusal = [refusal, ...said].filter(Boolean).join(" ");
   return address;
+}
+// What a chapter's exercises do most in, besides a scene.
+const of_chapter = own => data.chapter === 9 ? {direct: 1, ...with_direct} : {own};
+
+// Beside the solution: the scenes in which the reader's code moves the bodies otherwise, those that
+// the chapter opens first; a second of each is run.
+let parting = [];
+async function find_where_they_part(usual) {
+  parting = [];
+  if (panels.length < 2) return;
+  const first = [usual, ...about.scenes.filter(each => each !== usual)];
+  for (const found of first)
+    for (const own of found.own ? [1, 0] : [0]) {
+      if (parting.some(one => one.found === found)) continue;
+      const settings = {...own_settings(about, found), ...of_chapter(own)};
+      const ends = await Promise.all(panels.map(async ({engine}) => {
+        try {
+          await engine.ask("make", {name: found.name, settings});
+          return (await engine.ask("steps", {count: Math.round(1 / settings.h)})).state;
+        } catch (error) {
+          if (error instanceof Refused) return null;
+          throw error;
+        }
+      }));
+      const [mine, right] = ends;
+      if (right && !(mine && mine.every((x, k) => Math.abs(x - right[k]) < 1e-6)))
+        parting.push({found, own, ended: !mine});
+      if (parting.filter(one => one.ended).length > 2) return;  // each may have taken a second
+    }
+}
+function where_they_part() {
+  if (panels.length < 2 || !data.chapter) return "";
+  const names = parting.map(({found}) => found.title).join(", ");
+  return names ? `Your code moves otherwise than the solution in: ${names}.`
+    : "Your code moves the bodies of every scene as the solution does.";
 }
 const keys = {" ": () => play(!playing), ArrowRight: () => $("one").click(),
               i: () => $("iteration").click(), b: () => $("block").click()};
@@ -148,7 +208,9 @@ async function start() {
   for (const each of about.scenes) {
     const tab = Object.assign(document.createElement("button"),
                               {textContent: each.title, name: each.name});
-    tab.onclick = () => then_show(() => choose(each.name)).then(() => play(true));
+    tab.onclick = () => then_show(() => choose(each.name, settings_kept(settings, about, entry,
+                                                                        each)))
+      .then(() => play(true));
     $("scenes").append(tab);
   }
   make_controls($("controls"), (name, value) => then_show(() => change(name, value)));
@@ -163,9 +225,12 @@ async function start() {
   }).then(() => play(true));
   for (const button of $("views").children)
     button.onclick = () => { view = button.dataset.view; settled(); ask(); };
+  // A button that the mouse has pressed gives the keys back; one that a key has reached keeps space.
+  document.addEventListener("click", e => e.detail && e.target.closest("button")?.blur());
   document.onkeydown = e => {
-    if (e.ctrlKey || e.metaKey || e.altKey || /INPUT|BUTTON|SUMMARY/.test(e.target.tagName)) return;
-    if (!keys[e.key]) return;
+    if (e.ctrlKey || e.metaKey || e.altKey || e.shiftKey ||
+        /INPUT|SUMMARY/.test(e.target.tagName)) return;
+    if (!keys[e.key] || (e.key === " " && e.target.tagName === "BUTTON")) return;
     keys[e.key]();
     e.preventDefault();
   };
@@ -175,11 +240,11 @@ async function start() {
   const linked = location.search || first_address.has("scene");
   if (!linked && !data.chapter && !framed) {
     const skip = ask_question($("question"), async (name, set, seconds) => {
-      const own = settings_from(new URLSearchParams(), about, entry);
+      const own = own_settings(about, about.scenes.find(each => each.name === name));
       await then_show(() => choose(name, {...own, ...set}));
       play(true);
       const over = () => entry.name !== name ||
-        panels.some(panel => panel.now[2] > entry.energy_scale);
+        panels.some(blown_up);
       for (const end = performance.now() + 1000 * seconds; performance.now() < end && !over();)
         await new Promise(resolve => setTimeout(resolve, 20));
       if (seconds && entry.name === name) play(false);  // while the chain is still to be seen

@@ -12,16 +12,30 @@
 
 namespace joints::live {
 
+namespace {
+
+// Of all bodies that move [kg].
+double moving_mass(const Bodies& bodies) {
+  double sum = 0;
+  for (const Body& body : all_of(bodies))
+    if (body.inverse_mass > 0) sum += 1 / double(body.inverse_mass);
+  return sum;
+}
+
+}  // namespace
+
 LiveRun::LiveRun(const Entry& entry, std::optional<double> ratio)
     : live_(entry.make()), ratio_(ratio.value_or(double(live_.ratio))), speed_(live_.speed),
       strength_(live_.strength), beta_(live_.beta) {
   require(std::isfinite(ratio_) && ratio_ > 0, "ratio", real(ratio_),
           "must be positive and finite [1]");
   direct_.added_inertia = live_.added_inertia;
+  const double usual_mass = moving_mass(world().bodies);
   Body& heavy = world().bodies.at(live_.heavy);
   heavy.inverse_mass /= real(ratio_);
   heavy.inverse_inertia_local /= real(ratio_);
   energy_0_ = joints::energy(all_of(world().bodies), world().gravity);
+  energy_scale_ = live_.scene->energy_scale * moving_mass(world().bodies) / usual_mass;
 }
 
 PageSettings LiveRun::settings() const {

@@ -35,6 +35,7 @@ class LiveRun {
   const Scene& scene() const { return *live_.scene; }  ///< what runs
   bool has_motor() const { return bool(live_.drive); }  ///< speed and strength mean something
   bool has_own() const { return bool(live_.own); }  ///< a loop of the exercises can do the steps
+  double energy_scale() const { return energy_scale_; }  ///< the scene's with this mass ratio [J]
   double gap() const;     ///< the largest of all joints [m]
   double energy() const;  ///< what the bodies have gained since the beginning [J]
 
@@ -62,7 +63,8 @@ class LiveRun {
   LiveScene live_;
   DirectSolver direct_;
   bool is_direct_ = false, is_own_ = false;
-  double ratio_, tilt_ = 0, speed_, strength_, beta_, time_ = 0, energy_0_ = 0;
+  double ratio_, tilt_ = 0, speed_, strength_, beta_, time_ = 0, energy_0_ = 0,
+      energy_scale_;
   std::optional<BodyId> hand_;
 };
 

@@ -6,11 +6,12 @@ let time = 0, playing = false, busy = false, asked = false, before = 0, owed = 0
 let inside = null;    // {iteration, block} while the page looks into a step
 let straight = true;  // the run is what its address says: nothing was changed or dragged on the way
 let view = "energy", wrong = "", refusal = "", looked = 0;
+let held = false;     // a hand holds a body
 
 // One thing after the other: whoever wants something of the engines stands in line.
 let line = Promise.resolve();
 const in_line = job => line = line.then(job).catch(error => {
-  refusal = error.message;
+  refusal = `Refused: ${error.message}`;
   if (!(error instanceof Refused)) console.error(error);
   ask();
 });
@@ -29,6 +30,11 @@ async function ask_all(what, more, use = () => {}, patience) {
     }
   }));
 }
+// Whether the bodies have gained more than a scene begins with, and so much that there is nothing to
+// be seen any more.
+const blown_up = panel => panel.now[2] > panel.scale;
+const gone = panel => !(panel.now[2] < 1000 * panel.scale);
+
 function take_state(panel, {state}) {
   panel.now = Array.from(state.slice(0, 3));
   panel.run.frames = [Array.from(state.slice(3))];
@@ -41,11 +47,12 @@ async function restart() {
   wrong = refusal = "";
   for (const panel of panels)
     Object.assign(panel, {stopped: "", samples: [], errors: null, joints: null, us: 0, used: 0,
-                          counted: 0});
+                          counted: 0, now: [0, 0, 0], by_hand: 0, scale: Infinity, printed: ""});
   await ask_all("make", {name: entry.name, settings}, (panel, made) => {
     const known = scene.runs[0];
     panel.run = {label: panel.label, dt: 1, lines: made.lines, endless: known.endless,
                  bodies: made.bodies.map((body, k) => ({...known.bodies[k], ...body}))};
+    panel.scale = made.energy_scale;
     take_state(panel, made);
   });
 }
@@ -71,7 +78,9 @@ async function steps(count) {
         panel.samples.push([...done.samples.slice(3 * k, 3 * k + 3), panel.us]);
       if (panel.samples.length > 20000) panel.samples.splice(0, 5000);
       panel.errors = panel.joints = null;
+      const before = panel.now[2];
       take_state(panel, done);
+      if (held) panel.by_hand += panel.now[2] - before;
     });
     count -= piece;
     time = Math.max(...panels.map(panel => panel.now[0]));
@@ -93,12 +102,9 @@ async function next_inside(blockwise) {
   if (settings.own) return;
   playing = false;
   const last = settings.direct ? 1 : settings.iterations;
-  if (!inside) return look_inside(0, 0);
+  if (inside?.iteration >= last) await steps(1);  // that step is done
+  if (!inside) await look_inside(0, 0);  // where it begins, which says how many blocks there are
   const {iteration, block} = inside, blocks = panels.at(-1).blocks;
-  if (iteration >= last) {  // the step is done
-    await steps(1);
-    return look_inside(0, 0);
-  }
   const whole = !blockwise || settings.direct || block + 1 >= blocks;
   return whole ? look_inside(iteration + 1, 0) : look_inside(iteration, block + 1);
 }
@@ -112,10 +118,17 @@ async function find_errors() {
 // A recording of the scene as it begins by itself tells the camera how far things go.
 async function choose(name, wanted, {t = 0, iteration, block = 0} = {}) {
   entry = about.scenes.find(each => each.name === name) || about.scenes[0];
-  settings = wanted || settings_from(new URLSearchParams(), about, entry);
-  const own = settings_from(new URLSearchParams(), about, entry), {engine} = panels.at(-1);
-  // A heavy body may tear the chain that it hangs on: the camera is not to make room for that.
-  const made = await engine.ask("make", {name: entry.name, settings: {...own, ratio: 1}});
+  const own = own_settings(about, entry), {engine} = panels.at(-1);
+  settings = wanted || own;
+  let trouble = "";
+  try {
+    await engine.ask("make", {name: entry.name, settings});
+  } catch (error) {
+    if (!(error instanceof Refused)) throw error;
+    trouble = `Refused: ${error.message}. The scene begins with its own settings instead.`;
+    settings = own;
+  }
+  const made = await engine.ask("make", {name: entry.name, settings: own});
   const every = 6, {frames} = await engine.ask(
     "record", {count: Math.round(3 / own.h), every}, 20000);
   scene = {runs: [{label: "the solution", dt: own.h * every, ...made, frames}]};
@@ -126,18 +139,24 @@ async function choose(name, wanted, {t = 0, iteration, block = 0} = {}) {
     if (tab.name === entry.name)
       $("scenes").scrollLeft = tab.offsetLeft - $("scenes").offsetLeft - 60;
   }
-  $("watch").textContent = entry.watch;
+  $("watch").textContent = [entry.watch, where_they_part()].filter(Boolean).join(" ");
   for (const panel of panels) panel.kept = [];
   look_home();
   await restart();
+  refusal = trouble;
   await steps(Math.round(t / settings.h));
   if (iteration !== undefined && !settings.own) await look_inside(iteration, block);
 }
 
 async function change(name, value) {
   if (name === null) {
-    settings = settings_from(new URLSearchParams(), about, entry);
+    settings = own_settings(about, entry);
     return restart();
+  }
+  if (!isFinite(value)) {
+    wrong = name;
+    refusal = `Refused: ${name} must be a number; it stays ${short(settings[name])}.`;
+    return;
   }
   const tried = {...settings, [name]: value};
   for (const [other, best] of name === "direct" ? Object.entries(with_direct) : [])
@@ -148,7 +167,7 @@ async function change(name, value) {
     if (!(error instanceof Refused)) throw error;
     for (const panel of alive()) await panel.engine.ask("set", {settings});
     wrong = name;
-    refusal = error.message;
+    refusal = `Refused: ${error.message}; it stays ${short(settings[name])}.`;
     return;
   }
   settings = tried;

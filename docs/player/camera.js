@@ -140,6 +140,17 @@ function listen(canvas, take = () => null) {
     fingers.delete(e.pointerId);
   };
   canvas.ondblclick = look_home;
+  canvas.addEventListener("keydown", e => {  // shift and an arrow turn, plus and minus zoom
+    const turn = e.shiftKey && {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1],
+                                ArrowDown: [0, -1]}[e.key];
+    const zoom = {"+": 1.15, "-": 1 / 1.15}[e.key];
+    if (turn) look({yaw: camera.yaw - 0.1 * turn[0], pitch: camera.pitch + 0.1 * turn[1]});
+    else if (zoom) look({zoom: camera.zoom * zoom});
+    else if (e.key === "0") look_home();
+    else return;
+    e.preventDefault();
+    e.stopPropagation();
+  });
   if (framed) canvas.style.touchAction = "pan-y";
   canvas.addEventListener("wheel", e => {
     if (framed && document.activeElement !== canvas) return;  // a click first, then the wheel

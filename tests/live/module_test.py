@@ -144,9 +144,10 @@ def a_reader_gets_a_page(root, build):
         if "https:" in text or "http:" in text:
             yield "the page names an address of the network"
         door.file.write_text(exercises.read(door.file).replace("return", "retrun", 1))
+        line = door.file.read_text().split("retrun")[0].count("\n") + 1
         code, _, err, _ = door.type("live 1")
-        if code != 2 or "retrun" not in err:
-            yield f"what does not compile, exit status {code}: {err[:300]}"
+        if code != 2 or f"chapters/01_distance/distance.cpp:{line}:" not in err:
+            yield f"what does not compile in line {line}, exit status {code}: {err[:300]}"
 
 
 PROOFS = [the_digits_are_the_same, a_look_changes_nothing, refusals_are_sentences,

@@ -160,19 +160,67 @@ def one_looks_into_a_step(root, build):
     address = (build / "live" / "alone.html").as_uri()
     with browser.Browser() as here:
         here.open(f"{address}#scene=chain&iterations=2&t=0.5")
-        for click, state in (("iteration", "iteration=0"), ("block", "iteration=0&block=1"),
-                             ("iteration", "iteration=1"), ("iteration", "iteration=2"),
-                             ("iteration", "t=0.516666667&iteration=0")):
+        for click, state in (("block", "iteration=0&block=1"), ("iteration", "iteration=1"),
+                             ("iteration", "iteration=2"),
+                             ("iteration", "t=0.516666667&iteration=1")):
             here.click(f"#{click}")
             here.wait(f"location.hash.endsWith('&{state}')")
         if "arrows: impulses" not in said(here):
             yield f"says {said(here)}"
-        here.ask("document.activeElement.blur()")
-        here.call("Input.dispatchKeyEvent", type="keyDown", key="i")
-        here.wait("location.hash.endsWith('&iteration=1')")
+        here.call("Input.dispatchKeyEvent", type="keyDown", key="i")  # the button has let it go
+        here.wait("location.hash.endsWith('&iteration=2')")
+        here.ask("document.querySelector('canvas').focus()")
+        yaw = here.ask("camera.yaw")
+        here.call("Input.dispatchKeyEvent", type="keyDown", key="ArrowLeft", modifiers=8)
+        if here.ask("camera.yaw") == yaw:
+            yield "shift and an arrow do not turn the picture"
         painted = here.ask("panels[0].joints.filter(joint => joint.error > 1e-6).length")
         if painted < 5:
             yield f"{painted} joints have an error after one iteration"
+
+
+def causes_are_told_apart(root, build):
+    """a blow-up is a setting's, the hand's or the code's; what no step can use is told"""
+    folder = build / "live"
+    address = (folder / "alone.html").as_uri()
+    with browser.Browser() as here:
+        for state, words, not_there in (
+                ("scene=pendulum&ratio=100&beta=1&t=1.2", "", "blown up"),
+                ("scene=chain&beta=2.1&t=3", "The settings do that (beta 2.1)", "hand"),
+                ("beta=abc&t=0.1", "beta=abc, which is no number: it is 0.2", "NaN"),
+                ("scene=nowhere&t=0.1", "There is no scene nowhere: this is chain of 12", "NaN"),
+                ("scene=chain&t=0.1&iteration=999", "iteration=999, which cannot be here", "of 30"),
+                ("scene=chain&beta=-1&t=0.1", "beta is -1", "stopped")):
+            here.open(f"{address}#{state}")
+            if words not in said(here) or not_there in said(here) + shown(here):
+                yield f"#{state}: {said(here)}, {shown(here)}"
+        here.type("[data-name=beta] [type=number]", "")
+        here.wait("document.getElementById('said').textContent.includes('must be a number')")
+        here.open(f"{address}#scene=chain&beta=2.1")
+        here.wait("!playing && panels[0].now[2] > panels[0].scale")  # no run to the moon
+        here.ask("panels[0].by_hand = panels[0].now[2], show()")
+        if "Your hand did that" not in said(here):
+            yield f"the hand's own: {said(here)}"
+        here.open(f"{address}#scene=heavy&t=3")
+        if not here.ask("""(() => { const {painted, canvas} = panels[0];
+                const [x, y] = project(painted.view, painted.bodies.at(-1).x);
+                return Math.min(x, y) > 0 && x < canvas.clientWidth && y < canvas.clientHeight; })()"""):
+            yield "the heavy end is not in the picture"
+        here.open(f"{address}#scene=chain&iterations=7&direct=1&t=0.1")
+        here.click("#scenes button[name=hinges]")
+        here.wait("entry.name === 'hinges'")
+        if here.ask("[settings.iterations, settings.direct].join()") != "7,1":
+            yield "another scene drops the settings"
+    pair = live.write_page(folder / "parting.html", "pair", [
+        ("yours", folder / "thrown.wasm"), ("the solution", folder / "solution.wasm")],
+        note="your 1.1", chapter=1).as_uri()
+    with browser.Browser() as here:
+        here.open(pair)
+        here.wait("document.getElementById('said').textContent.includes('too far')")
+        if "yours: stopped" not in shown(here) or "gap" in shown(here).split("\n")[1]:
+            yield f"of code that has stopped: {shown(here)}"
+        if "otherwise than the solution in: pendulum" not in here.text_of("watch"):
+            yield f"where the code matters: {here.text_of('watch')}"
 
 
 def bodies_are_dragged(root, build):
@@ -248,7 +296,7 @@ def an_endless_loop_stops_alone(root, build):
 
 
 PROOFS = [it_opens, an_address_is_a_state, texts_say_what_is_shown, settings_work,
-          one_looks_into_a_step, bodies_are_dragged, a_question_comes_first,
+          one_looks_into_a_step, causes_are_told_apart, bodies_are_dragged, a_question_comes_first,
           an_endless_loop_stops_alone]
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 from base import exercises, house
-from judge import reading
+from judge import grade, reading
 from learn import show
 from pictures import pages
 
@@ -136,6 +136,23 @@ def prepare_mine(chapter):
     return written
 
 
+def source_of(chapter, folder):
+    """That file for the module, in which the compiler finds the lines of the one that is edited."""
+    ends = iter([region.end + 1 for region in exercises.regions(chapter.mine_text())])
+    source = folder / f"mine_{chapter.number}.cpp"
+    exercises.write_if_new(source, f'#line 1 "{chapter.mine}"\n' + exercises.replace(
+        exercises.read(show.mixed_file(chapter)),
+        lambda region, _: [*region.lines, f'#line {next(ends)} "{chapter.mine}"']))
+    return source
+
+
+def named(chapter, written):
+    """The reader's exercises in words, with what their tests said of this file, if they ran."""
+    known = grade.recall(chapter)
+    return " ".join(id_ if id_ not in known or known[id_].status == grade.DONE
+                    else f"{id_} (red)" for id_ in written)
+
+
 def live(chapter):
     """The page with the solutions, or with the reader's file of a chapter beside them."""
     refuse(chapter)
@@ -144,9 +161,11 @@ def live(chapter):
     house.progress("building the live page (about a minute, the first time)")
     if written:
         name = f"mine_{chapter.number}"
-        folder = build({name: {chapter.folder: show.mixed_file(chapter)}})
+        folder = house.BUILD / "live"
+        folder.mkdir(parents=True, exist_ok=True)
+        build({name: {chapter.folder: source_of(chapter, folder)}})
         rest = [id_ for id_ in chapter.ids() if id_ not in written]
-        note = f"your {' '.join(written)}" + (
+        note = f"your {named(chapter, written)}" + (
             f"; the solution's {' '.join(rest)}" if rest else "")
         modules = [("yours", folder / f"{name}.wasm"), ("the solution", folder / "solution.wasm")]
     else:

@@ -204,7 +204,8 @@ def causes_are_told_apart(root, build):
         here.open(f"{address}#scene=heavy&t=3")
         if not here.ask("""(() => { const {painted, canvas} = panels[0];
                 const [x, y] = project(painted.view, painted.bodies.at(-1).x);
-                return Math.min(x, y) > 0 && x < canvas.clientWidth && y < canvas.clientHeight; })()"""):
+                return Math.min(x, y, canvas.clientWidth - x, canvas.clientHeight - y) > 0;
+                })()"""):
             yield "the heavy end is not in the picture"
         here.open(f"{address}#scene=chain&iterations=7&direct=1&t=0.1")
         here.click("#scenes button[name=hinges]")

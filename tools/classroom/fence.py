@@ -249,5 +249,6 @@ if __name__ == "__main__":
     for name in set(os.environ) - set(fence.environment()):
         del os.environ[name]
     os.environ.update(fence.environment())
+    os.chdir(fence.folder)
     fence.close()
     os.execvp(sys.argv[2], sys.argv[2:])

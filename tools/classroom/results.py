@@ -141,4 +141,4 @@ def write(path, text):
 
 
 def file_name(name):
-    return re.sub(r"[^\w.-]+", "_", name).strip(".") or "_"
+    return name.replace("/", "_")

@@ -38,14 +38,16 @@ MakeScene of_chapter_9(const std::function<Scene()>& make) {
 
 std::vector<Entry> scenes(bool quick) {
   const std::string both = iterated + " velocity shake inertia velocity/8 shake/8 inertia/8",
-                    few = "si30 velocity shake";
+                    few = "si30 velocity shake", next_door = " xpbd nncg cg cg-exact";
   const Span ten_seconds{.steps = 600, .timed = 80}, one_second{.steps = 60, .timed = 60};
   std::vector<Entry> list = {
       {.name = "S1", .makes = {[] { return cubes_on_hinges(10, 100); }},
-       .methods = both + " rk4 lanes10 lanes chapter7 textbook"},
+       .methods = both + " rk4 lanes10 lanes chapter7 textbook" + next_door},
       {.name = "S1b", .makes = {[] { return cubes_on_balls(10, 100); }}},
-      {.name = "S5", .makes = {[] { return cubes_on_hinges(1, 4); }}},
-      {.name = "chain of 20", .makes = {[] { return cubes_on_hinges(1, 20); }}, .methods = both},
+      {.name = "S5", .makes = {[] { return cubes_on_hinges(1, 4); }},
+       .methods = iterated + " velocity shake rk4" + next_door},
+      {.name = "chain of 20", .makes = {[] { return cubes_on_hinges(1, 20); }},
+       .methods = both + next_door},
       {.name = "S6", .makes = {loaded_axes}},
       {.name = "S7", .makes = {sideways_gravity}, .span = ten_seconds, .methods = both},
       {.name = "S3", .makes = {[] { return hanging_bridge(true); }}, .methods = both},
@@ -82,7 +84,7 @@ std::vector<Entry> scenes(bool quick) {
   for (const int exponent : {1, 2, 3, 4, 5, 6})
     list.push_back({.name = "heavy end: 1e" + std::to_string(exponent),
                     .makes = {[=] { return heavy_end_unreferenced(std::pow(10, exponent)); }},
-                    .span = ten_seconds, .methods = both});
+                    .span = ten_seconds, .methods = both + next_door});
   for (const int cubes : {5, 10, 20, 50, 100})
     list.push_back({.name = "links: " + std::to_string(cubes),
                     .makes = {[=] { return cubes_on_hinges(1, cubes + 1); }}, .methods = both});
@@ -199,6 +201,7 @@ int main(int argc, char** argv) {
                      {"append", "0", "1: add lines to the table that is there"},
                      {"quick", "0", "1: fewer random scenes, no large ones"},
                      {"scene", "", "one scene alone, by its name in the table"},
+                     {"methods", "", "these alone, by their words; ratios need si30"},
                      {"repetitions", "5", "how often each step is timed"}});
     if (!options.read(argc, argv)) return;
     std::vector<Entry> list = scenes(options.flag("quick"));
@@ -206,6 +209,8 @@ int main(int argc, char** argv) {
     FILE* file = open_table(options.text("csv"), options.flag("append"),
                             "scene,real,method,joints,us_per_step,spread,ratio_to_si30,"
                             "textbook_iterations," + measure_columns + ",held,of,status");
+    if (!options.text("methods").empty())
+      for (Entry& entry : list) entry.methods = options.text("methods");
     const double unit = textbook_iteration();
     for (const Entry& entry : list) measure(file, entry, options.count("repetitions", 1), unit);
     std::fclose(file);

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "bench/next_door/conjugate_gradients.h"
+#include "bench/next_door/nonsmooth.h"
+#include "bench/next_door/xpbd.h"
 #include "bench/textbook.h"
 
 namespace joints::bench {
@@ -108,6 +111,9 @@ std::string Way::solver() const {
     case Loop::hinges: return "chapter 7";
     case Loop::direct:
     case Loop::runge_kutta: return "direct";
+    case Loop::xpbd: return "XPBD";
+    case Loop::gradients: return "conjugate gradients";
+    case Loop::nonsmooth: return "NNCG";
     default: return "textbook";
   }
 }
@@ -129,7 +135,7 @@ Stepping stepping_of(const Way& way) {
 template <class Kind>
 Step step_with(Kind solver, const Way& way, int iterations) {
   solver.iterations = iterations;
-  solver.relaxation = way.relaxation;
+  if constexpr (requires { solver.relaxation; }) solver.relaxation = way.relaxation;
   return [solver, how = stepping_of(way)](World& world, real h) mutable {
     joints::step(world, solver, h, how);
   };
@@ -209,6 +215,13 @@ Step step_of(const Way& way, int iterations) {
     case Loop::textbook:
     case Loop::recomputed: return of_the_textbook(way, iterations);
     case Loop::flat: return of_the_flat_textbook(iterations);
+    case Loop::xpbd: return step_with(Xpbd(), way, iterations);
+    case Loop::nonsmooth: return step_with(NonsmoothGradients(), way, iterations);
+    case Loop::gradients: {
+      ConjugateGradients solver;
+      solver.tolerance = way.tolerance;
+      return step_with(solver, way, iterations);
+    }
     default: return of_the_engine(way, iterations);
   }
 }

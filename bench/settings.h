@@ -26,7 +26,10 @@ enum class Loop {
   recomputed,  ///< the same, set up anew in every iteration
   flat,       ///< the textbook's hinges in one array, without the virtual call
   direct,     ///< all joints at once, chapter 9
-  runge_kutta  ///< of order 4, on the factor of chapter 9
+  runge_kutta,  ///< of order 4, on the factor of chapter 9
+  xpbd,       ///< rows solved on positions, see bench/next_door
+  gradients,  ///< conjugate gradients, equality rows only
+  nonsmooth   ///< nonsmooth nonlinear conjugate gradients, any row
 };
 
 /// A line of the figures: a solver, and its settings and those of the joints.
@@ -50,6 +53,7 @@ struct Way {
   bool leapfrog = false;    ///< half a kick in the first step
   int newton = 0;           ///< direct only: iterations on the positions
   real added_inertia = 0;       ///< direct only
+  real tolerance = 0;       ///< gradients only: where they stop [1]
   int most = 200;           ///< largest number of iterations that is measured
   bool quick = false;       ///< also in the short benchmark
 

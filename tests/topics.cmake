@@ -5,6 +5,7 @@ if(TARGET bench_peers OR TARGET bench_peers_float)  # where published engines ar
 endif()
 # In double alone, and why float would prove nothing more:
 set(double_only
+  bench/next_door_test.cpp  # where convergence ends, which rounding decides in float
   direct/order_test.cpp  # orders of convergence: rounding hides them in float
   engine/input_test.cpp joints/driven_input_test.cpp)
     # which values are refused, and in what words

@@ -23,6 +23,7 @@ TABLES = {"stability": "what is stiff, extreme or redundant: what holds what",
           "methods": "every method on every kind of scene",
           "families": "scenes drawn by seeds: how many each setting holds",
           "peers": "ours beside Bullet, ODE and MuJoCo of Debian",
+          "convergence": "iterations until a chain is right, method by method",
           "loop": "a joint and iteration, from the textbook's loop to lanes",
           "cost": "rows, bytes and instructions of every kind of joint"}
 

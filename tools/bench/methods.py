@@ -23,7 +23,11 @@ WORDS = {
     "velocity/8": "velocity in 8 substeps", "shake/8": "shake in 8 substeps",
     "inertia/8": "inertia in 8 substeps", "plain": "velocity without leapfrog",
     "placed": "shake without leapfrog",
-    "inertia": "direct, positions, more inertia (kappa 8)", "rk4": "direct, Runge-Kutta"}
+    "inertia": "direct, positions, more inertia (kappa 8)", "rk4": "direct, Runge-Kutta",
+    "xpbd": "XPBD, 20 substeps of 1 iteration",
+    "nncg": "nonsmooth conjugate gradients, 30 iterations, beta 1",
+    "cg": "conjugate gradients, 30 iterations, beta 1",
+    "cg-exact": "the same, until nothing but rounding is left"}
 
 
 COLUMNS = [*MEASURED[:2], ("by si30", "", "ratio_to_si30", 1, "9.2f"), *MEASURED[2:]]

@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Iterations until the velocities of a chain's first step are right to 1e-6",
                     {{"csv", "out/convergence.csv", "the table"},
-                     {"most", "2000000", "no more iterations than this; of NNCG and CG a 200th"}});
+                     {"most", "1000000", "no more iterations than this; of NNCG and CG a 200th"}});
     if (!options.read(argc, argv)) return;
     const long most = options.count("most", 1);
     FILE* file = open_table(options.text("csv"), false,

@@ -22,7 +22,7 @@ namespace joints::bench {
 ///
 /// At the end V = d/h. A block with a frequency has k = omega^2/K and c = 2 zeta omega/K for each
 /// of its rows, so that alpha/h^2 = K/(omega h)^2 and alpha c/h = 2 zeta/(omega h). All other rows
-/// have alpha = 0: they are hard, and there is no beta. A motor's row has J d - h rate in place of C.
+/// have alpha = 0: they are hard, and there is no beta. A motor has J d - h rate in place of C.
 ///
 /// Published implementations compute C and J anew for each constraint; here they are computed anew
 /// once per iteration, and within the iteration C changes with J d. With one iteration per substep,

@@ -44,10 +44,7 @@ Setting setting_named(const std::string& method) {
                {"xpbd", {.loop = Loop::xpbd, .beta = 1, .substeps = 20}, 20},
                {"nncg", {.loop = Loop::nonsmooth, .beta = 1}},
                {"cg", {.loop = Loop::gradients, .beta = 1}},
-               {"cg-exact", {.loop = Loop::gradients, .beta = 1, .tolerance = real(1e-9)}, 100000},
-               {"cg-leapfrog",
-                {.loop = Loop::gradients, .beta = 1, .leapfrog = true, .tolerance = real(1e-9)},
-                100000}};
+               {"cg-exact", {.loop = Loop::gradients, .beta = 1, .tolerance = real(1e-9)}, 100000}};
   const std::size_t slash = method.find('/');
   for (auto one : known) {
     if (one.word != method.substr(0, slash)) continue;

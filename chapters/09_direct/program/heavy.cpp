@@ -54,7 +54,7 @@ void heavy(const Choice& choice, std::vector<Summary>& lines) {
   const double ratios[] = {1, 10, 100, 1e3, 1e4, 1e5, 1e6};
   std::vector<vec3> truth;  // where the end is after a second
   for (const double ratio : ratios)  // 2 / omega falls as ratio^-1/2, and the step with it
-    truth.push_back(swing(real(ratio), 0, std::max(64, int(6.4 * std::sqrt(ratio))),
+    truth.push_back(swing(real(ratio), 0, std::max(64, int(2.1 * std::sqrt(ratio))),
                           std::min(1.0, 2 * choice.seconds)).tip);
   for (const real factor : {real(0), real(1), real(2), real(4), real(8)}) {
     double holds = 0;

@@ -85,6 +85,13 @@ std::vector<Entry> scenes(bool quick) {
     list.push_back({.name = "heavy end: 1e" + std::to_string(exponent),
                     .makes = {[=] { return heavy_end_unreferenced(std::pow(10, exponent)); }},
                     .span = ten_seconds, .methods = both + next_door});
+  for (const double inertia : {0.5, 5.0, 50.0, 500.0, 5000.0}) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%g", inertia);
+    list.push_back({.name = std::string("m r^2/I: ") + number,
+                    .makes = {[=] { return beads(inertia); }}, .span = ten_seconds,
+                    .methods = both});
+  }
   for (const int cubes : {5, 10, 20, 50, 100})
     list.push_back({.name = "links: " + std::to_string(cubes),
                     .makes = {[=] { return cubes_on_hinges(1, cubes + 1); }}, .methods = both});

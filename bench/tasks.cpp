@@ -56,6 +56,24 @@ BenchScene sprung_chain(int cubes, double frequency) {
   return scene;
 }
 
+BenchScene beads(double inertia) {
+  BenchScene scene;
+  scene.name = "beads";
+  scene.energy_scale = 0;
+  scene.tip_mask = glm::dvec3(0);
+  const int count = 20;
+  BodyId before = scene.box(0, vec3(real(0.2)), vec3(0));
+  for (int k = 1; k <= count; ++k) {
+    const double mass = k == count ? 10 : 1;
+    const vec3 place(real(k), 0, 0);
+    const BodyId id = scene.ball(real(mass), real(0.5 / std::sqrt(0.4 * inertia)), place);
+    join_by_ball(scene, before, id, place - vec3(real(0.5), 0, 0));
+    scene.energy_scale += mass * 9.81 * k;
+    before = id;
+  }
+  return scene;
+}
+
 BenchScene rope_bridge() {
   BenchScene scene = hanging_bridge(false);
   scene.finding = {"all links too long by [mm]", 0,

@@ -14,6 +14,9 @@ BenchScene hung_chain(int cubes, double load);
 /// The same with 100 kg throughout, on soft joints. Finding: the sag of the load; expected is the
 /// elongation of the springs. \param frequency of each joint and its bodies [Hz]
 BenchScene sprung_chain(int cubes, double frequency);
+/// 20 balls of 1 kg, 1 m apart on ball joints, the last of 10 kg, released from a level line.
+/// \param inertia m r^2 / I of each with r = 0.5 m: the larger, the smaller the balls
+BenchScene beads(double inertia);
 /// S3b. Finding: the total elongation of its links at the end.
 BenchScene rope_bridge();
 /// Chapter 9's beam of welded cubes. Finding: the sag of its tip.

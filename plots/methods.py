@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Draws maps of every method: its colour the largest gap, its words gap and time; once over all
-scenes, once over mass ratio, step, length and stiffness.
+scenes, once over mass ratio, m r^2/I, step, length and stiffness.
 
 methods.py --csv out/methods.csv --out DIR
 methods.py --csv bench/measured/methods.csv --maps docs/maps.svg
@@ -23,6 +23,7 @@ TITLES = {"si30": "30\niterations", "beta1": "beta 1", "4x8": "4 substeps\nof 8"
           "shake/8": "positions,\n8 substeps",
           "inertia/8": "inertia,\n8 substeps", "rk4": "Runge-\nKutta"}
 MAPS = {"heavy end": ("mass ratio of the end of 20 links", "gap_max_m"),
+        "m r^2/I": ("$m r^2/I$ of 20 beads, an end of 10", "gap_max_m"),
         "steps per s": ("steps per second, the end 100 links heavy", "gap_max_m"),
         "links": ("hinges of a chain that swings", "gap_max_m"),
         "springs in Hz": ("springs in place of ten joints [Hz]", "found")}
@@ -93,8 +94,9 @@ def draw_maps(rows, methods, path):
         row["method"] == name and ": " in row["scene"] for row in rows)]
     figure, axes = style.figure("Only the direct solver with added inertia bears every mass ratio, "
                                 "step and spring",
-                                panels=2, rows=2, sharey=True)
-    figure.set_size_inches(style.WIDTH + 1.5, 0.62 * len(methods) + 1.6)
+                                panels=2, rows=3, sharey=True)
+    figure.set_size_inches(style.WIDTH + 1.5, 0.93 * len(methods) + 1.6)
+    axes.flat[-1].set_axis_off()
     for ax, (family, (title, measure)) in zip(axes.flat, MAPS.items()):
         mine = [row for row in rows if row["scene"].startswith(family + ": ")]
         values = list(dict.fromkeys(row["scene"].partition(": ")[2] for row in mine))

@@ -193,6 +193,29 @@ Summary swing(int links, int iterations, real beta, double seconds, CsvFile& tab
           std::to_string(links) + " links, " + std::to_string(iterations) + " iterations"};
 }
 
+// A brick without forces that spins about its middle axis, by three ways to step the gyroscopic
+// term: its energy over that of the start, and its spin about the middle axis.
+void spin(const std::string& out) {
+  CsvFile table(out + "/spin.csv", {"method", "time_s", "energy_1", "middle_rad_s"});
+  const vec3 I(real(1.0), real(0.7), real(0.4)), start(real(0.01), 6, 0);  // the body's axes
+  const real h = real(1) / 60;
+  const auto change = [&](const vec3& w) { return -h * (cross(w, I * w) / I); };
+  const auto energy_of = [&](const vec3& w) {
+    return double(dot(w, I * w) / dot(start, I * start));
+  };
+  for (const std::string method : {"explicit", "implicit", "midpoint"}) {
+    vec3 w = start;
+    for (int n = 0; n <= 1200; ++n) {
+      table.row({method}, {n * double(h), energy_of(w), double(w.y)});
+      const vec3 now = w;
+      if (method == "midpoint") w = gyroscopic_midpoint(I, now, h);
+      else if (method == "explicit") w = now + change(now);
+      else
+        for (int k = 0; k < 50; ++k) w = now + change(w);
+    }
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -217,6 +240,7 @@ int main(int argc, char** argv) {
 
     compare_rows_and_block(links, out);
     blow(out);
+    spin(out);
     std::vector<int> counts{5, 10, 30, 100};
     if (std::find(counts.begin(), counts.end(), chosen) == counts.end()) counts.push_back(chosen);
     CsvFile table(out + "/chain.csv",

@@ -248,6 +248,7 @@ async function start() {
       for (const end = performance.now() + 1000 * seconds; performance.now() < end && !over();)
         await new Promise(resolve => setTimeout(resolve, 20));
       if (seconds && entry.name === name) play(false);  // while the chain is still to be seen
+      show();
     }, ask);
     $("scenes").addEventListener("click", skip);  // it is about one scene
   }

@@ -199,7 +199,6 @@ BodyId Bodies::add(const Body& given) {
   if (free_.empty()) {
     bodies_.push_back(body);
     generation_.push_back(first_generation_);
-    free_.reserve(bodies_.capacity());
     return {std::uint32_t(slots() - 1), first_generation_};
   }
   const std::uint32_t slot = free_.back();

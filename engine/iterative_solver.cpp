@@ -8,7 +8,7 @@ namespace joints {
 
 StepTarget step_target(const RowTarget& target, real h, real acting, real relaxation) {
   const auto [rate, softness] = feedback(target, h, acting);
-  const real mass_scale = softness == 0 ? relaxation : relaxation / (1 + softness);
+  const real mass_scale = relaxation / (1 + softness);
   const real unit = target.follows == 0 ? acting : real(1);  // forces become impulses, factors stay
   return {rate, mass_scale, relaxation - mass_scale, unit * target.lower, unit * target.upper};
 }

@@ -59,13 +59,11 @@ void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const B
                              int from, int to, real h) {
   auto& [prepared, rows, inverse_K] = prepared_;
   const int n = to - from, first = block.first + from;
-  const bool has_last = to == block.rows;  // the row to which target and bounds belong
-  PreparedBlock out{block.body1, block.body2, n, first, int(inverse_K.size()),
-                    has_last ? block.target.follows : 0,
+  PreparedBlock out{block.body1, block.body2, n, first, int(inverse_K.size()), block.target.follows,
                     step_target(block.target, h, blocks.acts(h), relaxation), block.impulse + from};
   if (split_iterations > 0 && block.corrects())
     out.target = step_target(without_feedback(block.target), h, blocks.acts(h), relaxation);
-  if (!has_last) out.target.lower = -unbounded, out.target.upper = unbounded;
+  if (to < block.rows) out.target.lower = -unbounded, out.target.upper = unbounded;
   prepared.push_back(out);
 
   const Row* const J = &blocks.J[std::size_t(first)];

@@ -11,15 +11,14 @@ namespace joints {
 
 namespace {
 
-// Constraint softness for the blocks from number `first` on that hold a position.
-void soften(Blocks& blocks, int first, const Stepping& how) {
+// Constraint softness for the blocks that hold a position and have none.
+void soften(Blocks& blocks, const Stepping& how) {
   if (how.frequency == 0) return;
-  for (std::size_t k = std::size_t(first); k < blocks.list.size(); ++k)
-    if (RowTarget& target = blocks.list[k].target;
-        target.holds_position && target.frequency == 0) {
-      target.frequency = how.frequency;
-      target.damping = how.damping;
-      blocks.list[k].softened = true;
+  for (Block& block : blocks.list)
+    if (block.target.holds_position && block.target.frequency == 0) {
+      block.target.frequency = how.frequency;
+      block.target.damping = how.damping;
+      block.softened = true;
     }
 }
 
@@ -37,7 +36,7 @@ void begin(World& world, Solver& solver, real h, const Stepping& how) {
   world.blocks.clear();
   for (const auto& joint : world.joints()) joint->begin_step(bodies, h, acting);
   for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
-  soften(world.blocks, 0, how);
+  soften(world.blocks, how);
   solver.prepare(bodies, world.blocks, 0, h);
   solver.warm_start(bodies, ratio);
 }
@@ -56,7 +55,7 @@ void step(World& world, Solver& solver, real h, const Stepping& how) {
       for (const auto& joint : world.joints())
         if (joint->can_move()) joint->late_limits(world.bodies, h_sub, world.blocks);
       if (int(world.blocks.list.size()) == known) break;
-      soften(world.blocks, known, how);
+      soften(world.blocks, how);
       solver.prepare(world.bodies, world.blocks, known, h_sub);
       solver.solve(world.bodies);
     }
@@ -72,7 +71,6 @@ Bodies synchronised(World& world, Solver& solver, const Stepping& how) {
   kick(world.bodies, world.gravity, half);
   blocks.clear();
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
-  soften(blocks, 0, how);
   for (Block& block : blocks.list)
     if (block.corrects()) block.target = without_feedback(block.target);
   const real acted = std::exchange(blocks.acting, half);

@@ -19,11 +19,10 @@ void World::remove(const Joint& joint) {
 }
 
 void World::remove(BodyId body) {
-  bodies.index(body);
+  bodies.remove(body);
   std::erase_if(joints_, [&](const auto& joint) {
     return joint->body1 == body || joint->body2 == body;
   });
-  bodies.remove(body);
   blocks.clear();
 }
 

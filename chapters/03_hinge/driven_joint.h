@@ -126,8 +126,7 @@ class DrivenJoint : public Joint {
     if (!drive_ || drive_->off) return;
     const Body &a = at(bodies, body1), &b = at(bodies, body2);
     const bool near = drive_->leeway.is_slow(a, b, h) && drive_->leeway.still_near(a, b);
-    if (!near || drive_->measured || drive_->limit.live || drive_->late.live)
-      choose_limit(bodies, h, near);
+    if (!near || drive_->measured) choose_limit(bodies, h, near);
   }
   /// Clears all impulses; called if both bodies are static.
   void drop_rows() override {
@@ -236,8 +235,7 @@ void DrivenJoint<First, Second, Coordinate>::choose_limit(const Bodies& bodies, 
     drive.leeway.measured(coordinate_, a, b, drive.slack());
     if (drive.limited()) drive.limit = limit_row(drive.range, drive.x, speed(bodies), h);
   }
-  if (!drive.limit.live || !before.live || drive.limit.sign != before.sign)
-    impulse_[limit_place] = 0;
+  if (!drive.limit.live || drive.limit.sign != before.sign) impulse_[limit_place] = 0;
   if (drive.motor.strength == 0) drive.motor_impulse = 0;
   drive.late_impulse = 0;
 }

@@ -179,8 +179,9 @@ inline void GroundContact::choose_rows(const Bodies& bodies, real h) {
   const Body &a = bodies[body1], &b = bodies[body2];
   const bool was_near = near_;
   const real reserve = real(0.1) * h;
-  // A rebound needs the rate of the step before the impact: test the corners three steps ahead.
-  near_ = least_gap(a, b, restitution > 0 ? 3 * h : h) < reserve;
+  // A rebound needs the rate of the step before the impact: look three steps ahead, too.
+  near_ = least_gap(a, b, h) < reserve ||
+          (restitution > 0 && least_gap(a, b, 3 * h) < reserve);
   live_ = 0;
   if (!near_) {
     if (was_near) points_ = {};

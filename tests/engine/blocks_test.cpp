@@ -143,6 +143,17 @@ TEST_CASE("the inverse of a block is that of its regular part where rows depend 
   }
 }
 
+TEST_CASE("a row is dependent where no more than 4 epsilon of it are left") {
+  for (const int left : {1, 2, 3, 5, 6, 20}) {
+    const real cosine = 1 - real(left) * epsilon / 2;  // of the angle between two rows
+    real K[] = {1, cosine, cosine, 1};
+    const real pivot = 1 - cosine * cosine;
+    invert_symmetric(K, 2);
+    CAPTURE(left, double(pivot / epsilon));
+    CHECK((K[3] != 0) == (left > 4));
+  }
+}
+
 TEST_CASE("X14 two identical ball joints hold a pendulum as one does") {
   const auto one = [](World& world, BodyId a, BodyId b, const Point& part) {
     world.add<BallJoint>(a, b, part);

@@ -84,6 +84,9 @@ TEST_CASE("what hangs at rest reads its weight under every stepping and in steps
           CAPTURE(name, seed, kind, double(length));
           move(one.world, length);
           REQUIRE(one.force() == Approx(1).epsilon(tolerance(1e-9, 2e-3)));
+          if (kind == 2)
+            CHECK(double(glm::length(static_cast<FixedJoint&>(*one.joint).load().force)) ==
+                  Approx(one.weight).epsilon(tolerance(1e-9, 2e-3)));
         }
       }
 }
@@ -141,8 +144,41 @@ TEST_CASE("a warm chain at rest stays at rest with one iteration in steps of any
       step(world, solver, length, how);
       CHECK(double(reaction(*world.joints()[0], world.bodies).force.y) ==
             Approx(15 * 9.81).epsilon(tolerance(1e-9, 2e-3)));
+      const Bodies now = synchronised(world, solver, how);
+      for (const Body& body : all_of(leapfrog ? now : world.bodies))
+        CHECK(double(glm::length(body.v)) < tolerance(1e-9, 1e-3));
     }
   }
+}
+
+TEST_CASE("a motor and a spring pull for half a step in synchronised velocities") {
+  for (unsigned seed = 1; seed <= 4; ++seed)
+    for (const bool warm : {false, true}) {
+      Random random(seed);
+      const Stepping how{.warm_start = warm, .leapfrog = true};
+      SequentialImpulses solver;
+      solver.iterations = 300;
+      const auto middles = [&](World& world, auto speed) {  // of a step, and between two
+        step(world, solver, h / 4, how);
+        const real before = speed(world.bodies), now = speed(synchronised(world, solver, how));
+        step(world, solver, h / 4, how);
+        return std::pair{double(before + speed(world.bodies)) / 2, double(now)};
+      };
+      Rotor rotor;
+      rotor.hinge->set_motor(9, random.uniform(real(0.5), real(20)));
+      Weight hung(seed, 0);
+      hung.joint->frequency = random.uniform(real(1), real(3));
+      for (int n = 0; n < 5; ++n) {
+        CAPTURE(seed, warm, n);
+        const auto [turning, turns] =
+            middles(rotor.world, [](const Bodies& bodies) { return bodies.at(1).w.z; });
+        CHECK(turns == Approx(turning).epsilon(tolerance(1e-9, 1e-4)));
+        const auto [falling, falls] = middles(hung.world, [&](const Bodies& bodies) {
+          return dot(bodies.at(1).v, hung.world.gravity) / real(9.81);
+        });
+        CHECK(falls == Approx(falling).epsilon(0.05));
+      }
+    }
 }
 
 // A double pendulum of boxes, let go at rest.

@@ -1,5 +1,6 @@
 // Joints that the engine has never heard of, and what it asks of a joint: in which order, how often
 // and what may change between two steps.
+#include "engine/state.h"
 #include "tests/checker/fixtures.h"
 #include "tests/oracle/test.h"
 
@@ -160,6 +161,32 @@ TEST_CASE("a block that comes with the late limits is solved and looked at again
   CHECK(log == "b1a1s1s1");
   CHECK(double(probe.impulse / h) == Approx(-2 * 9.81).epsilon(tolerance(1e-12, 1e-5)));
   CHECK(std::abs(double(world.bodies[body].v.y)) < tolerance(1e-14, 1e-7));
+}
+
+TEST_CASE("a joint tells after a restored state, too, that neither of its bodies can move") {
+  const auto built = [] {
+    auto world = std::make_unique<World>();
+    const BodyId a = world->add(static_body(vec3(0))), b = world->add(static_body(vec3(1, 0, 0)));
+    world->add<CentreDistanceJoint>(a, b, CentreDistance{1});
+    return world;
+  };
+  const auto stepped = built(), restored = built();
+  SequentialImpulses solver;
+  step(*stepped, solver, h);
+  restore(*restored, save(*stepped));
+  CHECK_FALSE(restored->joints()[0]->can_move());
+}
+
+TEST_CASE("a bound is carried if it is infinite and refused if it is no number") {
+  for (const real bound : {real(3), unbounded, -unbounded}) {
+    real carried = 0;
+    StateStream(&bound).bound(carried);
+    CHECK(carried == bound);
+  }
+  const real no_number = std::numeric_limits<real>::quiet_NaN();
+  real carried = 0;
+  CHECK_THAT(refusal([&] { StateStream(&no_number).bound(carried); }),
+             Catch::Matchers::StartsWith("state: holds a bound"));
 }
 
 TEST_CASE("asking for blocks between the steps changes nothing") {

@@ -95,10 +95,12 @@ TEST_CASE("a solver that was prepared for one world refuses the bodies of anothe
   begin_step(world, solver, h);
   CHECK_THROWS_AS(solver.iterate(other.bodies), std::logic_error);
   CHECK_THROWS_AS(solver.solve(other.bodies), std::logic_error);
+  CHECK_THROWS_AS(solver.warm_start(other.bodies, 1), std::logic_error);
   CHECK_NOTHROW(solver.iterate(world.bodies));
   PackedImpulses packed;
   begin_step(world, packed, h);
   CHECK_THROWS_AS(packed.solve(other.bodies), std::logic_error);
+  CHECK_THROWS_AS(packed.warm_start(other.bodies, 1), std::logic_error);
 }
 
 TEST_CASE("blocks that came after the preparation are refused, not left out") {
@@ -109,6 +111,10 @@ TEST_CASE("blocks that came after the preparation are refused, not left out") {
   CHECK_THROWS_AS(solver.solve(world.bodies), std::logic_error);
   solver.prepare(world.bodies, world.blocks, solver.prepared_count(), h);
   CHECK_NOTHROW(solver.solve(world.bodies));
+  for (int n = 0; n < 2; ++n) world.joints().front()->append(world.bodies, world.blocks);
+  const int last = int(world.blocks.list.size()) - 1;
+  solver.prepare(world.bodies, world.blocks, last, h);  // leaves one out
+  CHECK_THROWS_AS(solver.solve(world.bodies), std::logic_error);
 }
 
 TEST_CASE("a range of blocks is one of those that were prepared, rows apart or not") {

@@ -177,7 +177,7 @@ TEST_CASE("after the relax iterations J V is zero as well as their number can ma
   CHECK(left(2000) < tolerance(1e-12, 1e-5));
 }
 
-TEST_CASE("a relax iteration leaves the first of two joints in a row m2 / (m1 + m2) of its rate") {
+TEST_CASE("an iteration leaves the first of two joints in a row m2 / (m1 + m2) of its rate") {
   for (const int iterations : {1, 2, 3, 7}) {
     Track track({0, real(1.2), real(2.2)}, {1, 3});  // the first one is 0.2 m too long
     track.join(0, 1, 1);
@@ -186,6 +186,12 @@ TEST_CASE("a relax iteration leaves the first of two joints in a row m2 / (m1 + 
     step(track.world, solver, h);
     CHECK(double(track.v(1)) == Approx(-0.2 * 0.2 * 60 * std::pow(0.75, iterations)));
     CHECK(std::abs(double(track.v(2) - track.v(1))) < tolerance(1e-12, 1e-5));
+    Track split({0, real(1.2), real(2.2)}, {1, 3});
+    split.join(0, 1, 1);
+    split.join(1, 2, 1);
+    solver = splitting(iterations, 500);
+    step(split.world, solver, h);
+    CHECK(double(split.x(1)) == Approx(1.2 - 0.2 * 0.2 * (1 - std::pow(0.75, iterations))));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "chapters/09_direct/direct_solver.h"
 #include "chapters/09_direct/runge_kutta.h"
+#include "engine/input.h"
 #include "engine/simd/packed.h"
 #include "tests/oracle/picture.h"
 #include "tests/oracle/test.h"
@@ -60,6 +61,7 @@ std::string said(const std::function<void(Zoo&)>& spoil) {
   zoo.how.substeps = 3;
   zoo.how.leapfrog = true;
   CHECK(zoo.refused() == words);
+  CHECK(refusal([&] { begin_step(zoo.world, zoo.solver, h, zoo.how); }) == words);
   CHECK(unchanged());
   return words;
 }
@@ -81,8 +83,10 @@ TEST_CASE("a step refuses a body by slot, member and value and changes no bit of
   CHECK_THAT(body([](Body& b) { b.inverse_mass = -1; }), StartsWith("body 1: inverse_mass is -1"));
   CHECK_THAT(body([](Body& b) { b.inverse_mass = 0; }),
              StartsWith("body 1: inverse_inertia_local is ("));
-  CHECK_THAT(body([](Body& b) { b.inverse_inertia_local.y = unbounded; }),
-             StartsWith("body 1: inverse_inertia_local is ("));
+  for (int k = 0; k < 3; ++k)
+    for (const real bad : {unbounded, real(-1), real(0)})
+      CHECK_THAT(body([=](Body& b) { b.inverse_inertia_local[k] = bad; }),
+                 StartsWith("body 1: inverse_inertia_local is ("));
   CHECK_THAT(said([](Zoo& zoo) { zoo.world.bodies[zoo.ground].v.x = no_number; }),
              StartsWith("body 0: v is (nan, 0, 0)"));
 }
@@ -94,6 +98,10 @@ TEST_CASE("a step refuses a joint by number, member and value and changes no bit
              StartsWith("joint 4: body2: a joint needs two different bodies"));
   for (const real bad : {no_number, unbounded, real(-0.1), real(11)})
     CHECK_THAT(said([=](Zoo& zoo) { zoo.hinge->beta = bad; }), StartsWith("joint 2: beta is "));
+  for (const real bad : {no_number, unbounded, real(-0.1)}) {
+    CHECK_THAT(said([=](Zoo& zoo) { zoo.rod->frequency = bad; }), StartsWith("joint 1: frequency"));
+    CHECK_THAT(said([=](Zoo& zoo) { zoo.rod->damping = bad; }), StartsWith("joint 1: damping is "));
+  }
   for (const real bad : {no_number, unbounded}) {
     CHECK_THAT(said([=](Zoo& zoo) { zoo.ball->part.anchor2_local.x = bad; }),
                StartsWith("joint 0: anchor2_local is ("));
@@ -103,6 +111,8 @@ TEST_CASE("a step refuses a joint by number, member and value and changes no bit
                StartsWith("joint 2: anchor1_local is ("));
     CHECK_THAT(said([=](Zoo& zoo) { zoo.hinge->second.b_local.y = bad; }),
                StartsWith("joint 2: b_local is ("));
+    CHECK_THAT(said([=](Zoo& zoo) { zoo.hinge->second.c_local.y = bad; }),
+               StartsWith("joint 2: c_local is ("));
     Zoo zoo;
     HingeAngle angle = zoo.hinge->coordinate(), count = angle;
     Slide slide = zoo.slider->coordinate();
@@ -112,6 +122,8 @@ TEST_CASE("a step refuses a joint by number, member and value and changes no bit
     CHECK_THAT(refusal([&] { zoo.slider->set_coordinate(slide); }), StartsWith("a1_local is ("));
     CHECK_THAT(said([=](Zoo& zoo) { zoo.slider->first.n1_local.x = bad; }),
                StartsWith("joint 3: n1_local is ("));
+    CHECK_THAT(said([=](Zoo& zoo) { zoo.slider->first.n2_local.x = bad; }),
+               StartsWith("joint 3: n2_local is ("));
     CHECK_THAT(said([=](Zoo& zoo) { zoo.weld->weld.second.start.x = bad; }),
                StartsWith("joint 4: start is ("));
     CHECK_THAT(said([=](Zoo& zoo) { zoo.contact->friction = bad; }),
@@ -159,6 +171,8 @@ TEST_CASE("a step refuses bad gravity and bad settings before its first substep"
   for (const real bad : {real(2), real(3)})
     CHECK_THAT(said([=](Zoo& zoo) { zoo.solver.relaxation = bad; }), StartsWith("relaxation is "));
   CHECK_THAT(said([](Zoo& zoo) { zoo.how.projections = -1; }), StartsWith("projections:"));
+  for (const real bad : {no_number, unbounded, real(-0.1)})
+    CHECK_THAT(said([=](Zoo& zoo) { zoo.how.damping = bad; }), StartsWith("damping is "));
   CHECK_THAT(said([](Zoo& zoo) {
                zoo.how.frequency = std::numeric_limits<real>::min();
                zoo.how.damping = 0;
@@ -172,6 +186,8 @@ TEST_CASE("a step refuses bad gravity and bad settings before its first substep"
     CHECK_THAT(refusal([&] { step(zoo.world, zoo.solver, bad); }), StartsWith("h is "));
   CHECK_THAT(refusal([&] { step(zoo.world, zoo.solver, real(1e-8), {.substeps = 100}); }),
              StartsWith("h is "));
+  for (const real bound : {shortest_step, longest_step})
+    CHECK(refusal([&] { check_input(zoo.world, bound); }) == "accepted");
   CHECK(unchanged());
 }
 
@@ -270,6 +286,17 @@ TEST_CASE("a number that overflows within a step is told with its body and sprea
   spreads_no_further<SequentialImpulses>();
   spreads_no_further<PackedImpulses>();
   spreads_no_further<DirectSolver>();
+}
+
+TEST_CASE("of a pose or a velocity that is no number, whichever it is, the end of a step tells") {
+  for (int k = 0; k < 13; ++k) {
+    Zoo zoo;
+    CHECK(overflow([&] { check_motion(zoo.world.bodies); }) == "");
+    Body& body = zoo.world.bodies[zoo.free];
+    real& one = k < 3 ? body.x[k] : k < 7 ? body.q[k - 3] : k < 10 ? body.v[k - 7] : body.w[k - 10];
+    one = no_number;
+    CHECK_THAT(overflow([&] { check_motion(zoo.world.bodies); }), StartsWith("body 1: "));
+  }
 }
 
 TEST_CASE("put right again, a body that overflowed goes on cold as if nothing had been") {

@@ -131,6 +131,57 @@ TEST_CASE("the ground never pulls, and friction is never more than mu times what
   CHECK(rubbing > 100);
 }
 
+TEST_CASE("the rebound of a corner that has left before it came is forgotten") {
+  const real h = real(1) / 60;
+  Grounded box = standing();
+  box.contact->restitution = real(0.8);
+  const vec3 rest = box.it().x;
+  box.it().v.y = -3;
+  step(box.world, box.solver, h, box.stepping);  // stopped, to leave in the next step
+  box.it().x = rest + vec3(0, real(0.2), 0);
+  box.it().v = vec3(0);
+  step(box.world, box.solver, h, box.stepping);
+  REQUIRE(box.contact->touching() == 0);
+  box.it().x = rest;
+  box.it().v = box.it().w = vec3(0);
+  step(box.world, box.solver, h, box.stepping);
+  CHECK(box.contact->touching() == 4);
+  CHECK(std::abs(double(box.it().v.y)) < 1e-3);
+}
+
+TEST_CASE("what comes without a step before rebounds from the ground with its share") {
+  const real h = real(1) / 60;
+  for (const real ahead : {real(-0.5), real(0.02)}) {  // [steps] it lands in this step, the next
+    Grounded one(ball(1, real(0.1), vec3(0, real(0.1) + (1 + ahead) * 3 * h, 0)),
+                 ball_outline(real(0.1)));
+    one.world.gravity = vec3(0);
+    one.contact->restitution = real(0.8);
+    one.it().v.y = -3;
+    const int landing = ahead < 0 ? 1 : 2;
+    for (int n = 0; n < landing; ++n) {
+      CHECK(double(one.it().v.y) == Approx(-3));
+      step(one.world, one.solver, h, one.stepping);
+    }
+    CHECK(double(one.contact->gap(one.world.bodies)) == Approx(0).margin(1e-5));
+    step(one.world, one.solver, h, one.stepping);
+    CHECK(double(one.it().v.y) == Approx(2.4).epsilon(tolerance(1e-9, 1e-4)));
+  }
+}
+
+TEST_CASE("what rests without a threshold does not sink, however it is pulled down") {
+  for (const real pull : {real(10), real(100), real(1000)}) {
+    Grounded one(ball(1, real(0.1), vec3(0, real(0.1), 0)), ball_outline(real(0.1)));
+    one.contact->restitution = real(0.5);
+    one.contact->threshold = 0;
+    one.world.gravity.y = -pull;
+    for (int n = 0; n < 60; ++n) {
+      step(one.world, one.solver, real(1) / 60, one.stepping);
+      REQUIRE(double(one.contact->gap(one.world.bodies)) > -1e-5 * double(pull));
+    }
+  }
+  CHECK(impact_speed(real(-0.1), real(-0.2), real(-0.16), real(1) / 60) == 0);  // was never above
+}
+
 TEST_CASE("a body that is pulled off the ground leaves as if there were none") {
   const real h = real(1) / 60;
   Grounded box = standing();

@@ -2,6 +2,7 @@
 // what projection, reaction, plan and removal make of it.
 #include "engine/instruments/plan.h"
 #include "engine/reaction.h"
+#include "engine/state.h"
 #include "tests/checker/numeric.h"
 #include "tests/ground/rigs.h"
 #include "tests/oracle/test.h"
@@ -99,6 +100,21 @@ TEST_CASE("a corner has rows from the step in which it would come within h times
     CAPTURE(gap, speed);
     CHECK(int(blocks_now(box).size()) == 3 * expected);
   }
+  const real radius = real(0.1);  // of a ball, whose lowest point is as near as it may be
+  for (const real reach : {real(0.9), real(1.1)}) {
+    Grounded one(ball(1, radius, vec3(0, radius + reach * real(0.1) * h, 0)), ball_outline(radius));
+    CHECK(blocks_now(one).size() == (reach < 1 ? 3u : 0u));
+  }
+}
+
+TEST_CASE("a point has rows over the top and none beside it, along either axis") {
+  const real radius = real(0.1);
+  for (const vec3& x : {vec3(1, radius, 0), vec3(0, radius, 1), vec3(0, radius, 0)})
+    for (const bool along_x : {false, true}) {
+      Grounded one(ball(1, radius, x), ball_outline(radius), 0,
+                   along_x ? Top{.half_x = real(0.5)} : Top{.half_z = real(0.5)});
+      CHECK(blocks_now(one).size() == ((along_x ? x.x : x.z) == 0 ? 3u : 0u));
+    }
 }
 
 TEST_CASE("who is far off is not looked at, and nobody who comes within a step is overlooked") {
@@ -111,6 +127,7 @@ TEST_CASE("who is far off is not looked at, and nobody who comes within a step i
       box.world.bodies[id].v = random.vector(40);
       box.world.bodies[id].w = random.vector(20);
     }
+    box.it().x += vec3(random.vector(9).x, 0, random.vector(9).z);
     const Body &a = box.world.bodies[box.ground], &b = box.world.bodies[box.body];
     int expected = 0;  // corner by corner, by Eq. 8-4
     for (const vec3& local : box_outline(brick).corners) {
@@ -205,6 +222,29 @@ TEST_CASE("cached friction is projected onto the new tangents when the sliding t
   box.contact->begin_step(box.world.bodies, h);
   CHECK(double(dot(direction, first_direction())) < 0.9);
   CHECK(double(length(cached() - before)) < tolerance(1e-12, 1e-5) * double(length(before)));
+  box.it().v = vec3(real(-0.003), real(-0.5), real(0.003));  // at rest: along what holds it
+  box.contact->begin_step(box.world.bodies, h);
+  CHECK(double(dot(first_direction(), before)) == Approx(-double(length(before))));
+}
+
+TEST_CASE("a box driven flat into the ground has rows of four corners, and none once it is gone") {
+  Grounded box(lowered(1, quat(1, 0, 0, 0)), box_outline(brick));
+  box.world.gravity = vec3(0);
+  const BodyId stone = box.world.add(ball(100, real(0.1), box.it().x));
+  box.world.bodies[stone].v.y = -200;
+  box.world.add<BallJoint>(box.body, stone, Point{});
+  step(box.world, box.solver, h, box.stepping);
+  CHECK(box.contact->touching() == 4);
+  box.it().x.y = 9;
+  box.it().v = vec3(0);
+  CHECK(blocks_now(box).empty());
+}
+
+TEST_CASE("a restored contact tells how many corners touch") {
+  Grounded box = standing(), other = standing();
+  box.run(0.1, h);
+  restore(other.world, save(box.world));
+  CHECK(other.contact->touching() == 4);
 }
 
 TEST_CASE("the late limits adds a corner that a neighbour drives into the ground") {
@@ -226,6 +266,9 @@ TEST_CASE("the late limits adds a corner that a neighbour drives into the ground
       for (int k = 0; k < 300; ++k) lever.solver.iterate(lever.world.bodies);
       end_step(lever.world, lever.solver, h, lever.stepping);
     }
+    for (const Block& block : lever.world.blocks.list)  // directions of friction
+      if (block.target.follows != 0)
+        CHECK(double(length(lever.world.blocks.J[std::size_t(block.first)].v2)) == Approx(1));
     return std::pair{lever.contact->touching(), double(lever.contact->gap(lever.world.bodies))};
   };
   CHECK(driven(false).second < -0.05);

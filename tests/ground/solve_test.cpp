@@ -132,6 +132,20 @@ struct Thrown {
 
 }  // namespace
 
+TEST_CASE("directions of friction are at right angles as exactly as numbers can be, at rest too") {
+  Random random(92);
+  for (int k = 0; k < 3; ++k)
+    for (const double off : {0.0, 1e-12, 1e-9, 1e-6, 1e-3, 1.0}) {
+      vec3 n = real(off) * random.vector(1);
+      n[k] += 1;
+      n = normalize(n);
+      const auto t = tangents(n, vec3(0));
+      CAPTURE(k, off);
+      for (const auto& [a, b] : {std::pair{n, t[0]}, {n, t[1]}, {t[0], t[1]}})
+        CHECK(std::abs(double(dot(a, b))) < 4 * double(epsilon));
+    }
+}
+
 TEST_CASE("I17 iterations settle where trying all of pressing and sticking and sliding ends") {
   Random random(84);
   int sliding = 0, sticking = 0, off = 0, several = 0, two = 0;

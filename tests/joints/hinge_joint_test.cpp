@@ -52,6 +52,29 @@ void for_every_bent_hinge(Look look) {
 
 }  // namespace
 
+TEST_CASE("a hinge's axis may have any length") {
+  const double most = is_float ? 1e30 : 1e200;
+  for (const double size : {1 / most, 1e-9, 1e9, most})
+    for (const vec3& axis : {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(1, 2, 3)}) {
+      World world;
+      const BodyId a = world.add(static_body(vec3(0))), b = world.add(ball(1, 1, vec3(0)));
+      auto& hinge = world.add<HingeJoint>(world.bodies, a, b, vec3(0), real(size) * axis);
+      CHECK(double(length(hinge.second.a1_local - normalize(axis))) < 4 * double(epsilon));
+    }
+}
+
+TEST_CASE("the row of a hinge's angle stays short where its axes are nearly opposite") {
+  for (const double off : {0.3, 0.1, 0.01, 1e-3, 0.0}) {
+    const HingeAngle angle{vec3(0, 0, 1), quat(1, 0, 0, 0), 0};
+    const Body a = ball(1, 1, vec3(0));
+    Body b = a;
+    b.q = rotation(real(std::numbers::pi - off) * vec3(real(0.6), real(0.8), 0));
+    CHECK(double(length(angle.jacobian(a, b).w2)) < 7);
+    b.q = rotation(real(std::numbers::pi - 3 * off - 0.4) * vec3(real(0.6), real(0.8), 0));
+    if (!is_float) CHECK(slope_error(angle, a, b) < 1e-6);  // further from there it is the slope
+  }
+}
+
 TEST_CASE("X7 a hinge bent by 90 or 180 degrees is back within 3 s and never upside down") {
   for_every_bent_hinge([](auto make, double angle) {
     Bent bent = make();

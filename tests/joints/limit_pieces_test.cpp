@@ -2,6 +2,18 @@
 #include "tests/checker/numeric.h"
 #include "tests/oracle/test.h"
 
+TEST_CASE("a limit has a row from a gap of h times its rate and 0.1 on, on either side") {
+  const real h = real(1) / 60;
+  for (const real rate : {real(-3), real(0), real(0.2)})
+    for (const real share : {real(0.9), real(1.1)})
+      for (const real sign : {real(1), real(-1)}) {
+        const real gap = share * h * (std::abs(rate) + real(0.1));
+        const LimitRow row = limit_row({-1, 1}, sign * (gap - 1), -sign * std::abs(rate), h);
+        CHECK(row.sign == sign);
+        CHECK(row.live == (share < 1));
+      }
+}
+
 TEST_CASE("a hinge with limits at 60 degrees either way stops there within a hundredth") {
   const real degree = std::numbers::pi_v<real> / 180, h = real(1) / 60;
   for (const bool whole : {true, false})

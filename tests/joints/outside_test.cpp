@@ -3,6 +3,7 @@
 #include "chapters/09_direct/direct_solver.h"
 #include "engine/instruments/measure.h"
 #include "engine/part_joint.h"
+#include "engine/input.h"
 #include "tests/oracle/test.h"
 
 namespace {
@@ -128,6 +129,7 @@ TEST_CASE("welds and sliders hold up to the farthest anchor that is taken") {
       for (unsigned seed = 1; seed <= 3; ++seed)
         for (const real share : {real(0.9), real(1.2)}) {
           Random random(seed);
+          const bool swapped = seed % 2 == 0;
           const real far = share * std::sqrt(max_lever_share / 6);
           World world;
           const vec3 way = normalize(vec3(random.uniform(-1, 1), 0, random.uniform(-1, 1)));
@@ -135,8 +137,9 @@ TEST_CASE("welds and sliders hold up to the farthest anchor that is taken") {
           const BodyId cube = world.add(box(1, vec3(1), far * way));
           const vec3 across = cross(way, vec3(0, 1, 0));
           const auto add = [&] {
-            if (slides) world.add<SliderJoint>(world.bodies, wall, cube, vec3(0), across);
-            else world.add<FixedJoint>(world.bodies, wall, cube, vec3(0));
+            const auto [one, two] = swapped ? std::pair{cube, wall} : std::pair{wall, cube};
+            if (slides) world.add<SliderJoint>(world.bodies, one, two, vec3(0), across);
+            else world.add<FixedJoint>(world.bodies, one, two, vec3(0));
           };
           const std::string words = refusal(add);
           CAPTURE(slides, direct, seed, double(far));
@@ -149,6 +152,12 @@ TEST_CASE("welds and sliders hold up to the farthest anchor that is taken") {
           DirectSolver at_once;
           for (int n = 0; n < 60; ++n)
             step(world, direct ? static_cast<Solver&>(at_once) : iterated, h);
+          if (slides) {  // the anchor of body 1 is where body 2 slides to
+            const BodyId other = swapped ? wall : cube;
+            world.bodies[other].x += real(1.2) / share * far * across;
+            CHECK((refusal([&] { check_input(world, h); }) == "accepted") == !swapped);
+            world.bodies[other].x -= real(1.2) / share * far * across;
+          }
           CHECK(std::abs(double(world.bodies[cube].x.y)) < 0.05);
         }
 }

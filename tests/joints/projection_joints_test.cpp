@@ -85,6 +85,26 @@ bool same_bodies(const World& a, const World& b) {
 
 }  // namespace
 
+TEST_CASE("projection closes a hinge whose limit has a gap as one without limits") {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const auto moved = [&](bool limited) {
+      Apart apart(0, true, true, 0);
+      Random random(seed);
+      auto& hinge = static_cast<HingeJoint&>(*apart.joint);
+      Body& body = apart.world.bodies[apart.two];
+      body.x += random.vector(real(0.05));
+      body.q = normalize(rotation(random.vector(real(0.1))) * body.q);
+      const real now = hinge.position(apart.world.bodies);
+      if (limited) hinge.set_limits(now - 1, now + real(1e-3));
+      hinge.begin_step(apart.world.bodies, h);
+      CHECK(hinge.extras().live_limits == int(limited));
+      project_positions(apart.world);
+      return std::pair{body.x, body.q};
+    };
+    CHECK(moved(true) == moved(false));
+  }
+}
+
 TEST_CASE("I20 projection closes a whole hinge or slider or weld with the square of what is left") {
   for (const int kind : {0, 1, 2})
     for (const bool free : {false, true}) {

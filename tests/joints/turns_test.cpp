@@ -1,5 +1,6 @@
 // Which turn a hinge is in, where its bodies alone cannot say: the limits say it, or the program
 // does.
+#include "engine/state.h"
 #include "tests/oracle/test.h"
 
 namespace {
@@ -78,6 +79,7 @@ TEST_CASE("what the program says of the turn goes before what limits would say")
 
 TEST_CASE("a count goes on when limits change and begins anew when there were none for a step") {
   Rotor rotor(0, 20);
+  rotor.stepping.projections = 1;
   rotor.hinge->set_motor(20, 100);
   rotor.run(60, h);  // 20 rad: three turns and 66 degrees
   CHECK(rotor.angle() == Approx(20).epsilon(1e-3));
@@ -105,6 +107,74 @@ TEST_CASE("a wheel that is built anew at its old pose goes on with its turns if 
   CHECK(made.angle() == Approx(5.97).epsilon(1e-6));
   made.run(60, h);
   CHECK(made.angle() == Approx(11.94).epsilon(1e-6));
+  Rotor told, restored;  // neither has a limit or a motor
+  told.hinge->expect(13);
+  restore(restored.world, save(told.world));
+  CHECK(restored.angle() == told.angle());
+}
+
+TEST_CASE("a wheel faster than bodies may be turns as far as they may, and its turns are counted") {
+  for (const double speed : {1e9, 1e20, 1e37}) {
+    Rotor rotor(0, real(speed));
+    rotor.hinge->set_limits(-max_limit, max_limit);
+    rotor.run(2, h);
+    CHECK(rotor.angle() == Approx(2 * double(max_speed) / 60).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a motor switched off has no force, and a limit on the other side begins at zero") {
+  Rotor rotor;
+  rotor.hinge->set_motor(-3, 2);
+  rotor.hinge->set_limits(0, real(0.5));
+  const Stepping warm{.warm_start = true};
+  step(rotor.world, rotor.solver, h, warm);
+  CHECK(rotor.hinge->motor_force() == -2);
+  CHECK(double(rotor.hinge->limit_force()) == Approx(2));
+  rotor.hinge->set_motor(-3, 0);
+  rotor.rotor().q = rotation(vec3(0, 0, real(0.5)));
+  begin_step(rotor.world, rotor.solver, h, warm);
+  CHECK(rotor.hinge->extras().live_limits == 1);
+  CHECK(rotor.hinge->motor_force() == 0);
+  CHECK(rotor.hinge->limit_force() == 0);
+}
+
+TEST_CASE("between bodies that no longer move a hinge has no forces") {
+  Rotor rotor(1);
+  rotor.world.gravity = vec3(0, -9, 0);
+  rotor.hinge->set_motor(-3, 2);
+  rotor.hinge->set_limits(0, 1);
+  rotor.run(1, h);
+  CHECK(rotor.hinge->motor_force() != 0);
+  CHECK(rotor.hinge->limit_force() != 0);
+  rotor.rotor() = static_body(rotor.rotor().x);
+  rotor.run(1, h);
+  CHECK(rotor.hinge->motor_force() == 0);
+  CHECK(rotor.hinge->limit_force() == 0);
+  CHECK(rotor.hinge->forces() == Vector<5>{});
+}
+
+TEST_CASE("projection counts the turn of an angle that it brings to its limits") {
+  for (const real lower : {real(4), real(-9)}) {
+    Rotor rotor;
+    rotor.hinge->expect(0);
+    rotor.hinge->set_limits(lower, lower + real(0.5));
+    rotor.hinge->beta = 0;
+    rotor.stepping.projections = 60;
+    rotor.run(1, h);
+    CHECK(rotor.angle() == Approx(double(lower > 0 ? lower : lower + real(0.5))).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("a coordinate that is held has one row, however far the iterations have come") {
+  Rotor rotor(1);
+  rotor.world.gravity = vec3(0, -9, 0);
+  rotor.solver.iterations = 1;
+  rotor.hinge->whole = false;
+  rotor.hinge->set_limits(real(0.3), real(0.3));
+  for (int n = 0; n < 60; ++n) {
+    rotor.run(1, h);
+    REQUIRE(rotor.world.blocks.J.size() == 6);
+  }
 }
 
 TEST_CASE("an angle that is not finite is not expected, and a length has no turns") {

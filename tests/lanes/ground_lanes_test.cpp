@@ -68,14 +68,19 @@ class Following : public Joint {
  public:
   Row followed, follower;
   bool alive = true;  // has the followed row a block?
-  mutable real impulse[2] = {0, 0};
+  bool twice = false;  // is the following block one of two rows?
+  mutable real impulse[3] = {0, 0, 0};
 
   using Joint::Joint;
   void append(const Bodies& bodies, Blocks& blocks) const override {
     if (alive)
       blocks.append(bodies, body1, body2, to_jacobian(followed), {0}, {.lower = 0}, &impulse[0]);
-    blocks.append(bodies, body1, body2, to_jacobian(follower), {0},
-                  {.holds_position = false, .follows = -1, .upper = real(0.4)}, &impulse[1]);
+    const RowTarget target{.holds_position = false, .follows = -1, .upper = real(0.4)};
+    if (twice)
+      blocks.append(bodies, body1, body2, Jacobian<2>{{follower, follower}}, {0, 0}, target,
+                    &impulse[1]);
+    else
+      blocks.append(bodies, body1, body2, to_jacobian(follower), {0}, target, &impulse[1]);
   }
 };
 
@@ -183,6 +188,11 @@ TEST_CASE("a row that follows an impulse without a row is refused by every solve
       CHECK(refused(wide) == (alive ? "accepted" : words));
     }
   }
+  orphan.alive = orphan.twice = true;
+  for (const std::string& said : {refused(SequentialImpulses()), refused(PackedImpulses())})
+    CHECK(said == "follows: only a block of one row can follow another impulse");
+  const Block following{.target = {.follows = 1, .lower = 0}};  // that bound is not read
+  CHECK_FALSE((following.target.one_sided() || following.corrects()));
 }
 
 TEST_CASE("a followed impulse is found whichever neighbour in the list has it") {

@@ -26,7 +26,7 @@ inline void with_size(int n, const F& f) {
 /// \endcond
 
 /// \cond
-// What becomes of a pivot; of two lanes, one by one.
+// inverse(pivot, original); for two lanes, lane by lane.
 template <class PivotInverse>
 inline double inverse_of(double pivot, double original, PivotInverse inverse) {
   return inverse(pivot, original);
@@ -37,8 +37,8 @@ inline TwoLanes inverse_of(const TwoLanes& pivot, const TwoLanes& original, Pivo
 }
 /// \endcond
 
-/// D = L d L^T in place, of the lower triangle of a symmetric n x n block. Below the diagonal stays
-/// L, whose own diagonal is 1; on it stays inverse(d, original).
+/// Factors a symmetric n x n block as D = L d L^T (Eq. 9-7), in place in its lower triangle. After
+/// it, L is below the diagonal (the diagonal of L is 1), and inverse(d, original) is on it.
 template <class Number, class PivotInverse>
 inline void factor_block(Number* D, int n, const Number* original, PivotInverse inverse) {
   with_size(n, [&](auto N) {
@@ -55,7 +55,7 @@ inline void factor_block(Number* D, int n, const Number* original, PivotInverse 
 }
 
 /// \cond
-// x = D^-1 x of known size, from numbers of its own, which can stay in registers.
+// x = D^-1 from, for a size known at compile time; the copy y can stay in registers.
 template <int N, class Number>
 inline void divide_by(const Number* D, const Number* from, Number* x) {
   Number y[N];

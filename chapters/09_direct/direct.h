@@ -1,4 +1,4 @@
-// Chapter 9: all joints at once. What direct.cpp has to provide. Read README.md beside it first.
+// Chapter 9: all joints at once. The functions of direct.cpp. Read README.md beside it first.
 // There is nothing to edit here.
 #pragma once
 
@@ -16,23 +16,24 @@ namespace joints {
 
 // ---- the matrix of the joints -------------------------------------------------------------------
 
-/// Two numbers side by side (SIMD lanes), each of another island: + - * act lane by lane.
+/// Two numbers on two SIMD lanes, each from a different island: + - * act lane by lane.
 typedef double TwoLanes __attribute__((vector_size(2 * sizeof(double))));
 
-/// The half of a row that belongs to one body: the factors of its velocities, or of M^-1 J^T the
-/// changes of them. Number is double or TwoLanes.
+/// The half of a row that belongs to one body. In J it contains the factors of the body's
+/// velocities; in M^-1 J^T it contains the changes of the velocities per unit impulse. Number is
+/// double or TwoLanes.
 template <class Number>
 struct HalfRowOf {
   Triple<Number> v;  ///< linear
   Triple<Number> w;  ///< angular
 };
-/// Of plain numbers.
+/// A half-row of type double.
 using HalfRow = HalfRowOf<double>;
 
-/// Exercise 9.1: the coupling of two blocks through a body that both hold, Eq. 9-2. Adds to A[i][j]
-/// the rate of row i of one block per unit impulse along row j of the other.
-/// \param J the halves of the first block's n rows at that body
-/// \param response the halves of M^-1 J^T at that body, of the second block's m rows
+/// Exercise 9.1: the coupling of two blocks through a common body, Eq. 9-2. Adds to A[i][j] the
+/// rate of row i of the first block per unit impulse along row j of the second one.
+/// \param J the half-rows of the first block at the common body, n of them
+/// \param response the half-rows of M^-1 J^T of the second block at that body, m of them
 /// \param A n x m numbers, row by row
 template <class Number>
 void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* response, int m,
@@ -40,38 +41,38 @@ void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* re
 
 /// A block of rows as a node of the joint graph, in the order of elimination.
 struct Node {
-  int rows;        ///< 1 to 6
+  int rows;        ///< number of its rows, 1 to 6
   int row;         ///< where its numbers begin in the right-hand side
   int diagonal;    ///< where its rows x rows numbers begin in JointMatrix::numbers
-  int first_edge;  ///< its edges go from here to the first of the next node
+  int first_edge;  ///< its first edge; they end before the first edge of the next node
 };
 
-/// The block of the matrix between a node and another one, which is eliminated later.
+/// The block of the matrix between a node and a neighbour that is eliminated later.
 struct Edge {
-  int to;  ///< the other node
-  int at;  ///< where its numbers begin: rows of the other x rows of this node, row by row
+  int to;  ///< the neighbour
+  int at;  ///< where its numbers begin: rows of the neighbour x rows of the node, row by row
 };
 
-/// A = J M^-1 J^T of all joints: symmetric, and zero wherever two blocks share no body. It keeps
-/// the diagonal blocks and the blocks below them, also those that are zero now and will be filled.
-/// Number is double, or TwoLanes for the matrices of two alike sets of joints. Its blocks: Eq. 9-2;
-/// their elimination: Eq. 9-4.
+/// A = J M^-1 J^T of all joints. It is symmetric, and zero wherever two blocks have no moving body
+/// in common. Stored are the diagonal blocks, the nonzero blocks below them, and the blocks that
+/// elimination fills in. Number is double, or TwoLanes for two islands with the same pattern. The
+/// blocks are given by Eq. 9-2, their elimination by Eq. 9-4.
 template <class Number>
 struct JointMatrixOf {
-  std::vector<Node> nodes;        ///< in the order of elimination, and one more behind the last
-  std::vector<Edge> edges;        ///< of all nodes; those of a node by the order of elimination
-  std::vector<int> targets;       ///< where elimination subtracts, in the order of doing so
+  std::vector<Node> nodes;        ///< in the order of elimination, and one more after the last
+  std::vector<Edge> edges;        ///< of all nodes; those of a node in the order of elimination
+  std::vector<int> targets;       ///< where elimination subtracts its products, in sequence
   std::vector<Number> numbers;    ///< of all blocks
-  std::vector<Number> original;   ///< the diagonal at first; a node's begins at original[node.row]
+  std::vector<Number> original;   ///< the original diagonal; that of a node begins at node.row
 };
-/// Of plain numbers.
+/// A matrix of type double.
 using JointMatrix = JointMatrixOf<double>;
 
-/// What 1 / pivot is. \param original the pivot's diagonal entry before any elimination
+/// Returns 1 / pivot, or 0. \param original the diagonal entry before any elimination
 using PivotInverse = double (*)(double pivot, double original);
 
-/// Exercise 9.2, first half: factors A = L D L^T in place, node after node, Eq. 9-4. What is left
-/// in a diagonal block is its own factor (factor_block), and in an edge the block of L.
+/// Exercise 9.2, first half: factors A = L D L^T in place, node after node, Eq. 9-4. After it, each
+/// diagonal block contains its own factor (factor_block), and each edge contains its block of L.
 template <class Number>
 void factor(JointMatrixOf<Number>& A, PivotInverse inverse);
 
@@ -79,58 +80,58 @@ void factor(JointMatrixOf<Number>& A, PivotInverse inverse);
 template <class Number>
 void solve(const JointMatrixOf<Number>& A, Number* x);
 
-/// Exercise 9.3: an order of elimination with little fill-in: always the node with the fewest
-/// neighbours left, and of those the one with the least number.
+/// Exercise 9.3: an order of elimination with little fill-in. The next node is always the one with
+/// the fewest remaining neighbours; among equals, the one with the lowest number.
 /// \param neighbours of each node, without itself; each pair is in both lists
-/// \return the nodes in that order
+/// \return the nodes in the order of elimination
 std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours);
 
-/// Exercise 9.4: 1 / pivot, or 0 for a row that depends on those before it: what is left of its
-/// diagonal entry is then rounding error. Such a row gets no impulse.
-/// \param pivot what elimination has left of the diagonal entry \param original the entry at first
+/// Exercise 9.4: 1 / pivot, or 0 for a row that depends on the rows before it, whose pivot is only
+/// a rounding error. Such a row gets no impulse.
+/// \param pivot the diagonal entry after elimination \param original the entry before it
 double inverse_pivot(double pivot, double original);
 
-/// A pivot of at most this share of its original diagonal entry is rounding error.
+/// A pivot of at most this fraction of its original diagonal entry is a rounding error.
 constexpr double dependent_share = sizeof(real) == 4 ? 1e-7 : 1e-11;
 
 // ---- time ---------------------------------------------------------------------------------------
 
 /// Exercise 9.5: one step of second order, Eq. 9-9: step() with Stepping::leapfrog, for a world
-/// in which no bound binds. \param solver its blocks are solved once \param h [s]
+/// in which no row is at a bound. \param solver its blocks are solved once \param h [s]
 void second_order_step(World& world, Solver& solver, real h);
 
-/// What Newton's method on the positions may ask for.
+/// The operations that Newton's method on the positions uses.
 class Corrector {
  public:
   virtual ~Corrector() = default;
-  /// C of all rows at the bodies' present poses; 0 where no position is held. Yours to change.
+  /// C of all rows at the present poses, 0 for rows without a position error. You may change it.
   virtual std::vector<double>& errors() = 0;
-  /// Changes the velocities so that J V changes by `rates`, with the factor that is there.
-  /// \param rates one for each row; used up
+  /// Changes the velocities so that J V changes by `rates`, with the present factor.
+  /// \param rates one for each row; overwritten
   virtual void change_rates(std::vector<double>& rates) = 0;
 };
 
-/// The largest share of the error that a Newton iteration may leave.
+/// If a Newton iteration multiplies the error by more than this, the method stops.
 constexpr double poor_contraction = 0.7;
-/// A Newton iteration that stalls with more than this share of the first error has found no pose:
-/// what it has done to the velocities may be energy from nowhere.
+/// If the method stops with more than this fraction of the first error, it has failed: its changes
+/// of the velocities may have added energy.
 constexpr double stalled_share = 0.2;
-/// Errors of at most this times h^2 need no further iteration [m/s^2 or rad/s^2]: what they change
-/// is an acceleration of this size.
+/// Errors of at most this times h^2 need no further iteration [m/s^2 or rad/s^2]: correcting them
+/// would change an acceleration by no more than this.
 constexpr double negligible = sizeof(real) == 4 ? 0.3 : 2e-6;
 
-/// Exercise 9.6: moves the bodies from where they are by their velocities, and changes the
-/// velocities until C is negligible at the new poses, Eq. 9-10.
+/// Exercise 9.6: moves the bodies by their velocities, and changes the velocities until C is
+/// negligible at the new poses, Eq. 9-10.
 /// \param iterations how often the velocities are changed at most
-/// \param start memory for the bodies as they were; what it holds is no matter
-/// \return false if it ended, by an iteration that left more than poor_contraction of the error,
-/// with more than stalled_share of the first error: there is no such pose near by
+/// \param start memory for the bodies at the beginning; its contents do not matter
+/// \return false if it stopped because an iteration multiplied the error by more than
+/// poor_contraction, and the error is then more than stalled_share of the first one
 bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& corrector,
                            std::vector<Body>& start);
 
 // ---- bounds -------------------------------------------------------------------------------------
 
-/// Where the impulse of a bounded row stands.
+/// The side of a bounded row.
 enum class Side : signed char {
   lower = -1,  ///< at its lower bound
   free = 0,    ///< between the bounds: its row is an equation
@@ -139,22 +140,22 @@ enum class Side : signed char {
 
 /// Exercise 9.7: the side on which a row should be in the next pass, Eq. 9-12.
 /// \param now its side in this pass \param impulse its accumulated impulse after this pass
-/// \param rate J V + bias, the rate that is left of it: the impulse pushes it up
+/// \param rate J V + bias after this pass; a larger impulse makes it larger
 Side next_side(Side now, double impulse, double lower, double upper, double rate);
 
 // ---- inertia ------------------------------------------------------------------------------------
 
-/// A body that turns more slowly for one step: Eq. 9-14, where Eq. 9-13 requires it.
+/// The inertia and angular velocity of a body with added inertia for one step, Eq. 9-14.
 struct Slowed {
   vec3 inverse_inertia_local;  ///< inverse principal moments [1/(kg m^2)], body space
   vec3 w;                      ///< angular velocity [rad/s], world
 };
 
-/// Exercise 9.8: a body with as much inertia for one step as the step can follow, Eq. 9-14: no
-/// principal moment is less than kappa h^2 |F||r|. Where a moment is larger than in the last step
-/// the energy stays, where it is smaller the angular velocity. \param body one that moves
+/// Exercise 9.8: enough inertia for the step to follow the motion of a body, Eq. 9-14: no principal
+/// moment is less than kappa h^2 |F||r|. Where a moment is larger than in the last step, the energy
+/// of the rotation is kept; where it is smaller, the angular velocity. \param body a moving body
 /// \param force_lever the sum of |F||r| over the joints that pull at it [N m]
-/// \param before what no moment was less than in the last step [kg m^2]; 0 if there was none
+/// \param before the lower limit of the moments in the last step [kg m^2]; 0 if there was none
 /// \param kappa about 8 [1]
 Slowed slowed(const Body& body, real force_lever, real before, real kappa, real h);
 

@@ -10,50 +10,49 @@
 /// @{
 namespace joints {
 
-/// Solves A lambda = -(J V + bias) by factoring A = J M^-1 J^T. Everything is a correction: one
-/// factor serves the velocities, their refinement and the positions. Bounds are kept by an active
-/// set. Rows whose bound follows another impulse (friction), and those that they follow, stay
-/// outside of A: iterations over them and corrections of all others alternate.
-/// It works on numbers of type double, whatever `real` is, and on two islands that are alike side
-/// by side (JointMatrixMaker). Best with beta = 1 in every joint.
-/// Source: Baraff 1996 for the idea; Davis 2006 for sparse factors; Judice and Pires 1994 for the
-/// passes of the active set.
+/// Solves A lambda = -(J V + bias) by factoring A = J M^-1 J^T. The velocities, their refinement
+/// and the positions are corrected with one factor. Bounds are satisfied by an active-set method.
+/// Rows whose bound depends on another impulse (friction), and the rows of these impulses, stay
+/// outside A: iterations over them alternate with a solve of all others. The solver always
+/// calculates in double. It solves two islands with the same pattern side by side on lanes
+/// (JointMatrixMaker). Give every joint beta = 1. Source: Baraff 1996 for the idea; Davis 2006 for
+/// sparse factors; Judice and Pires 1994 for the passes of the active set.
 class DirectSolver : public Solver {
  public:
-  /// Iterations on the positions at most (SHAKE), before the factor of the new poses is taken; 0:
-  /// velocities alone.
+  /// Largest number of iterations on the positions (SHAKE) before the full method with the factors
+  /// of the new poses begins; 0: no such iterations.
   int newton = 0;
-  /// kappa of Eq. 9-14, 8 if it is wanted: no moment of inertia may be less than the step can
-  /// follow. What closed loops of one motion pull adds none.
+  /// kappa of Eq. 9-14: 8 for added inertia, 0 for none. Forces of joints in closed loops with at
+  /// most one degree of freedom add none.
   real added_inertia = 0;
-  /// Rows in closed loops are softer by this share of their K, and refined once: rows that nearly
-  /// depend on others get no large impulses.
+  /// Rows in closed loops are softened by this fraction of their K, and the solution is refined
+  /// once, so that rows that nearly depend on others get no large impulses.
   double softening = sizeof(real) == 4 ? 1e-5 : 1e-8;
-  int alternations = 10;  ///< how often the rows outside of A and those in it take turns
-  int passes = 200;       ///< of the active set, at most
-  /// If a factorisation takes more multiplications a row than this, `instead` solves. A body
+  int alternations = 10;  ///< solves outside A and in it per step, if rows are outside
+  int passes = 200;       ///< largest number of passes of the active set
+  /// If a factorisation takes more multiplications per row than this, `instead` is used. A body
   /// with 44 balls or more is such a hub.
   double most_work = 3000;
-  /// What solves then, cold in every step and with a split impulse: beta is advised to be 1, and a
-  /// light hub gains energy from warm impulses or from any feedback in the velocities.
+  /// The solver for such scenes. It starts cold in every step and uses a split impulse, because
+  /// with beta = 1 a light hub gains energy from warm starting and from feedback in the velocities.
   SequentialImpulses instead;
-  PivotInverse inverse = inverse_pivot;  ///< what is done about dependent rows
+  PivotInverse inverse = inverse_pivot;  ///< how dependent rows are treated
 
   DirectSolver() { instead.split_iterations = instead.iterations; }
 
-  /// What the last step did.
+  /// Counts of the last step.
   struct Report {
     int passes = 0;              ///< factorisations for the active set
-    int wrong = 0;               ///< bounded rows that were still on the wrong side
-    double multiplications = 0;  ///< of a factorisation, about
-    int fill = 0;                ///< numbers that elimination filled in
-    int corrections = 0;         ///< of the positions
+    int wrong = 0;               ///< bounded rows still on the wrong side at the end
+    double multiplications = 0;  ///< of a factorisation, approximately
+    int fill = 0;                ///< entries that elimination filled in
+    int corrections = 0;         ///< of the positions, number of them
     bool moved_exactly = false;  ///< Newton's method on the positions converged
-    bool iterated = false;       ///< `instead` solved
+    bool iterated = false;       ///< `instead` was used
   };
   const Report& report() const { return report_; }  ///< of the last step
-  int dependent() const;  ///< how many rows of the last factor depend on others
-  /// The largest error that each iteration on the positions has met in the last step [m or rad].
+  int dependent() const;  ///< number of rows of the last factor that depend on others
+  /// The largest error before each iteration on the positions in the last step [m or rad].
   const std::vector<double>& errors_met() const { return errors_met_; }
 
   void check() const override;
@@ -63,31 +62,31 @@ class DirectSolver : public Solver {
   /// With `newton`, the errors at the new poses become zero as well (move_onto_constraints).
   void advance(Bodies& bodies, real h, const Append& append) override;
 
-  /// Factors A of the blocks that were prepared. \throws std::invalid_argument if there are none,
-  /// or if `instead` has them
+  /// Factors A of the prepared blocks. \throws std::invalid_argument if there are none, or if
+  /// `instead` solves them
   void factor_now();
-  /// Changes the velocities so that J V changes by `rates`, as far as rows are free, and the
-  /// impulses with them. Accelerations are found in the same way. \param rates one for each row of
-  /// the blocks; used up \throws std::invalid_argument for another number of them, or without a
-  /// factor
+  /// Changes the impulses and velocities so that J V of all free rows changes by `rates`. It can
+  /// also be used to compute accelerations. \param rates one for each row of the blocks;
+  /// overwritten
+  /// \throws std::invalid_argument if their number is wrong, or without a factor
   void change_rates(Bodies& bodies, std::vector<double>& rates);
 
  private:
-  struct Pull {  // at a body
+  struct Pull {  // of the joints at a body
     real force_lever = 0;  // the sum of |F||r| in the last step [N m]
-    Slowed slowed{};       // with more inertia
+    Slowed slowed{};       // the body with added inertia
   };
-  struct Inside {  // a block that has a place in A
+  struct Inside {  // a block inside A
     const Block* block;
     double spring = 0;  // Feedback::softness
   };
   struct BoundedRow {
-    int inside = 0;  // number of its block; it is the last row
+    int inside = 0;  // index of its block, of which it is the last row
     double lower = 0, upper = 0, softness = 0;
     Side side = Side::free;
   };
   class Poses;  // the corrector of positions
-  // Iterations that see other masses than those of the bodies that they move.
+  // Iterations with masses other than those of the bodies that they move.
   class Outside : public SequentialImpulses {
    public:
     void prepare_as(const Bodies& masses, const Bodies& bodies, const Blocks& blocks, real h) {
@@ -121,30 +120,30 @@ class DirectSolver : public Solver {
   int flip_wrong_ones(Bodies& bodies, bool only_last);
   void go_to_bounds(Bodies& bodies);
   double rate_left(const Bodies& bodies, const Block& block, int i) const;
-  // M^-1 J^T times some impulses of a block: what they change of its bodies' velocities.
+  // M^-1 J^T times impulses of a block: the changes of the velocities of its bodies.
   std::array<HalfRow, 2> changes(const Block& block, const double* impulse) const;
   void change_impulses(Bodies& bodies, const Block& block, const double* change) const;
 
   const Blocks* blocks_ = nullptr;
   std::vector<BodyMass> masses_;
-  std::vector<bool> tight_;        // of each closed loop: it moves in one way at most
-  std::vector<int> dependent_;     // and how many of its rows depend on others
+  std::vector<bool> tight_;        // of each closed loop: it has at most one motion
+  std::vector<int> dependent_;     // of each closed loop: number of its dependent rows
   real h_ = 0;
-  bool warm_ = false;              // impulses of the last step were a first guess
+  bool warm_ = false;              // the impulses of the last step were applied
   std::vector<Pull> pulls_, next_pulls_;
   std::vector<Body> before_;       // velocities before the warm start
-  const Row* rows_of_J_ = nullptr;  // those of A
+  const Row* rows_of_J_ = nullptr;  // the rows from which A is made
   std::vector<Row> new_J_;
-  std::vector<int> rows_;  // of each body, those of all blocks that hold it
-  std::vector<HalfRowOf<TwoLanes>> J_;  // as JointMatrixMaker::assemble() wants them
-  std::vector<double> bias_;           // minus the wanted J V, by rows
+  std::vector<int> rows_;  // for each body the number of rows of all its blocks
+  std::vector<HalfRowOf<TwoLanes>> J_;  // for JointMatrixMaker::assemble()
+  std::vector<double> bias_;           // minus the required J V, by rows
   std::vector<Inside> inside_;
-  std::vector<BlockPattern> pattern_;  // of those
+  std::vector<BlockPattern> pattern_;  // of the blocks inside A
   std::vector<BoundedRow> bounded_;
-  std::vector<const real*> followed_;  // impulses that bounds follow
+  std::vector<const real*> followed_;  // impulses on which bounds depend
   Blocks outside_;                     // the other blocks
-  Bodies slow_bodies_;                // with more inertia, for those
-  Outside contacts_;                   // solves them
+  Bodies slow_bodies_;                 // with added inertia, for the blocks outside
+  Outside contacts_;                   // solves the blocks outside
   JointMatrixMaker maker_;
   bool factored_ = false;
   std::vector<double> x_;              // the right-hand side, then the change of the impulses

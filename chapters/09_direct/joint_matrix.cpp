@@ -30,7 +30,7 @@ bool JointMatrixMaker::follow(const std::vector<BlockPattern>& blocks) {
 void JointMatrixMaker::find_loops() {
   int bodies = 0;
   for (const BlockPattern& block : listed_) bodies = std::max({bodies, block.body1, block.body2});
-  const int still = ++bodies;  // one for all that do not move
+  const int still = ++bodies;  // one number for all static bodies
   std::vector<BodyPair> joints;
   std::vector<int> listed;
   for (int k = 0; k < int(listed_.size()); ++k) {
@@ -59,11 +59,11 @@ void JointMatrixMaker::find_loops() {
   }
 }
 
-// Islands that are alike get the two lanes of one pattern, which is that of the first of them.
+// Islands with the same pattern share it, one on each of its lanes.
 void JointMatrixMaker::place_islands() {
   int bodies = 0;
   for (const BlockPattern& block : listed_) bodies = std::max({bodies, block.body1, block.body2});
-  const int still = ++bodies;  // one for all that do not move
+  const int still = ++bodies;  // one number for all static bodies
   std::vector<bool> moves(std::size_t(still), true);
   moves.push_back(false);
   std::vector<BodyPair> pairs;
@@ -105,7 +105,7 @@ std::vector<std::vector<int>> JointMatrixMaker::neighbours_of() const {
   return out;
 }
 
-// Nodes and edges, the filled ones included: a node that is eliminated makes its later
+// Places nodes and edges, including the edges of fill-in: the elimination of a node makes its later
 // neighbours neighbours of each other.
 void JointMatrixMaker::place_blocks(const std::vector<int>& order) {
   place_.assign(blocks_.size(), 0);
@@ -143,7 +143,7 @@ void JointMatrixMaker::place_blocks(const std::vector<int>& order) {
   A.numbers.assign(std::size_t(numbers), TwoLanes{});
 }
 
-// Where the block between two nodes stands. \param later, earlier places in the order
+// Where the block between two nodes begins. \param later, earlier places in the order
 int JointMatrixMaker::at(int later, int earlier) const {
   if (later == earlier) return A.nodes[earlier].diagonal;
   const auto begin = A.edges.begin() + A.nodes[earlier].first_edge;
@@ -199,7 +199,7 @@ void JointMatrixMaker::assemble(const std::vector<HalfRowOf<TwoLanes>>& J,
     HalfRowOf<TwoLanes> response[6];
     for (int i = 0; i < half.rows; ++i)
       response[i] = {linear * J[half.J + i].v, angular * J[half.J + i].w};
-    for (int i = 0; i < half.rows; ++i)  // with itself, of which the lower triangle will do
+    for (int i = 0; i < half.rows; ++i)  // with itself: only the lower triangle is needed
       add_coupling(&J[half.J + i], 1, response, i + 1, &A.numbers[half.at + i * half.rows]);
     for (const Coupling* const end = coupling + half.couplings; coupling != end; ++coupling)
       add_coupling(&J[coupling->J], coupling->rows, response, half.rows, &A.numbers[coupling->at]);

@@ -8,26 +8,27 @@
 /// @{
 namespace joints {
 
-/// Moves a world by the Runge-Kutta method of order 4. The constraint forces are those that make
-/// every C'' zero; after a step, positions and velocities are projected onto the constraints. A
-/// joint with a frequency is the spring and damper that its soft rows are in the limit of short
-/// steps. Rows are appended about 14 times a step: slow, and exact. For rows without bounds: no
-/// limits, motors, ropes and contacts. Joints report the mean force of the step. Velocities belong
-/// to the time of the poses: before a step with leapfrog set World::last_h to 0.
+/// Moves a world by the Runge-Kutta method of order 4. The constraint forces are chosen so that
+/// every C'' is zero; after a step, positions and velocities are projected onto the constraints. A
+/// joint with a frequency acts as the spring and damper that its soft rows approach for short
+/// steps. A step appends the rows about 14 times, so it is slow but accurate. It accepts only rows
+/// without bounds: no limits, motors, ropes or contacts. Joints report the mean force of the step.
+/// The velocities belong to the time of the poses: set World::last_h to 0 before a step with
+/// leapfrog.
 class RungeKutta {
  public:
-  /// Called in every stage, with the bodies at that stage: sets their `force` and `torque` to those
-  /// of their state and of the time, and changes nothing else. They stay what they are if it is
-  /// empty. \param time since the beginning of the step [s]
+  /// Called in every stage with the bodies at that stage. It must set their `force` and `torque` as
+  /// functions of their state and the time, and change nothing else. If it is empty, forces and
+  /// torques are constant. \param time since the beginning of the step [s]
   std::function<void(Bodies& bodies, real time)> forces;
-  /// Worlds whose factorisation takes more multiplications a row are refused: it is done six or
-  /// seven times a step, and a hub of n bodies takes 1.5 n^2 a row.
+  /// Worlds whose factorisation takes more multiplications per row are rejected. A step factors six
+  /// or seven times, and a hub of n bodies takes 1.5 n^2 multiplications per row.
   double most_work = 1e5;
 
-  /// \param h step [s] \throws std::invalid_argument unless it is positive and finite, or if a
-  /// row is bounded, or for too much work; the world has not moved then
-  /// \throws std::runtime_error if it finds no poses that satisfy the joints, or if forces
-  /// change too much within the step; the bodies are then as they were
+  /// Makes one step. \param h step [s] \throws std::invalid_argument if it is not positive and
+  /// finite, if a row has bounds, or if the factor takes too much work; the world is then unchanged
+  /// \throws std::runtime_error if it finds no poses that satisfy the joints, or if forces change
+  /// too much within the step; the bodies are then restored
   void step(World& world, real h);
 
  private:
@@ -52,7 +53,7 @@ class RungeKutta {
   DirectSolver solver_;
   real h_ = 0;
   Blocks displaced_, springs_;
-  std::vector<double> wanted_, rates_;   // J V of every row that is to be reached; what it lacks
+  std::vector<double> wanted_, rates_;   // required J V of every row; its remaining error
   std::vector<State> start_, sum_, slope_, second_;
 };
 

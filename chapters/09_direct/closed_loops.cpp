@@ -1,4 +1,4 @@
-// Closed loops of joints: Tarjan's search in depth, with a stack of its own.
+// Closed loops of joints: Tarjan's depth-first search, with an explicit stack.
 #include "chapters/09_direct/closed_loops.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 struct Search {
   const std::vector<BodyPair>& joints;
   std::vector<std::vector<int>> joints_of;  // of each body
-  std::vector<int> number, lowest;  // of each body: when it was met, and the first one in its reach
+  std::vector<int> number, lowest;  // of each body: its order of visit, the lowest one in reach
   std::vector<int> met;             // joints whose loop is not known yet
   std::vector<int> loop;            // of each joint
   int bodies_met = 0, loops = 0;
@@ -50,7 +50,7 @@ struct Search {
     if (number[other] < 0) enter(way, other, joint);
     else lowest[body] = std::min(lowest[body], number[other]);
   }
-  // Joints met behind the body's own one are in its loop, unless something in reach is before it.
+  // Joints met after the body's own joint are in its loop, unless an earlier body is in reach.
   void leave(std::vector<Place>& way) {
     const Place end = way.back();
     way.pop_back();

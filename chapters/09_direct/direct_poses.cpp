@@ -1,4 +1,5 @@
-// The direct solver moves the bodies: with the factor of the step, then with those of new poses.
+// The direct solver moves the bodies: with the factor of the step, then with those of new poses if
+// necessary.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,10 +10,10 @@ namespace joints {
 
 namespace {
 
-// So often at most the factor of the new poses corrects them.
+// Largest number of corrections with factors of the new poses.
 constexpr int projections = 20;
 
-// Points that coincide, for one, have a row of zeros: no impulse along it corrects anything.
+// False for a row of zeros, as of points that coincide: no impulse along it corrects anything.
 bool has_direction(const Row& J) {
   const vec3 none(0);
   return J.v1 != none || J.w1 != none || J.v2 != none || J.w2 != none;
@@ -22,7 +23,7 @@ bool has_direction(const Row& J) {
 
 class DirectSolver::Poses : public Corrector {
  public:
-  // J: where the rows at the new poses go, if they are wanted
+  // J: receives the rows at the new poses, if not null
   Poses(DirectSolver& solver, Bodies& bodies, const Append& append, std::vector<Row>* J = nullptr)
       : solver_(solver), bodies_(bodies), append_(append), J_(J) {}
 
@@ -51,7 +52,7 @@ class DirectSolver::Poses : public Corrector {
     for (BoundedRow& row : solver_.bounded_) {
       const Block& block = *solver_.inside_[row.inside].block;
       double& C = x[block.first + block.rows - 1];
-      if (J_ && C < 0 && block.target.one_sided()) row.side = Side::free;  // it would be passed
+      if (J_ && C < 0 && block.target.one_sided()) row.side = Side::free;  // limit exceeded
       if (row.side != Side::free) C = 0;
     }
     double largest = 0;
@@ -59,7 +60,7 @@ class DirectSolver::Poses : public Corrector {
     solver_.errors_met_.push_back(largest);
     return x;
   }
-  // The last correction may have closed all of them, unseen.
+  // The last correction may have closed all joints; then its errors are evaluated here.
   bool closed(real h) {
     const double most = negligible * double(h) * double(h);
     return solver_.errors_met_.back() <= most || (errors(), solver_.errors_met_.back() <= most);
@@ -78,10 +79,10 @@ class DirectSolver::Poses : public Corrector {
   std::vector<Row>* J_;
 };
 
-// If Newton's method with the factor of the step does not get there, velocities and impulses become
-// again those that solve the velocities, without what was expected of the poses.
+// If Newton's method with the factor of the step fails, the velocities and impulses that solve the
+// velocity equations are restored, without the correction predicted for the poses.
 void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
-  blocks_of(bodies);  // refuses other bodies
+  blocks_of(bodies);  // rejects other bodies
   report_.moved_exactly = false;
   report_.corrections = 0;
   errors_met_.clear();
@@ -105,7 +106,7 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   report_.moved_exactly = project(bodies, h, append);
 }
 
-// Velocities and impulses that may be wanted again.
+// Stores velocities and impulses that may have to be restored.
 void DirectSolver::keep_best(Bodies& bodies) {
   best_.assign(bodies.data(), bodies.data() + bodies.slots());
   impulses_.clear();
@@ -123,7 +124,7 @@ void DirectSolver::back_to_best(Bodies& bodies) const {
   }
 }
 
-// A of rows and moments of inertia at the present poses, and its factor.
+// Makes and factors A for the given rows and the inertias at the present poses.
 void DirectSolver::factor_at(const Bodies& bodies, const std::vector<Row>& J) {
   rows_of_J_ = J.data();
   for (int slot = 0; slot < bodies.slots(); ++slot) {
@@ -139,7 +140,7 @@ void DirectSolver::factor_at(const Bodies& bodies, const std::vector<Row>& J) {
 }
 
 // Newton's method with the factor of each new pose. A correction that makes the errors larger is
-// halved. If they do not vanish, the best velocities stay.
+// halved. If the errors do not vanish, the best velocities are kept.
 bool DirectSolver::project(Bodies& bodies, real h, const Append& append) {
   const auto move = [&] {
     for (int slot = 0; slot < bodies.slots(); ++slot)

@@ -1,4 +1,4 @@
-// The direct solver, once a step: what the blocks become, and which of them have a place in A.
+// The direct solver once per step: prepares bodies and blocks, and decides which blocks are in A.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -55,7 +55,7 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   prepare_outside(bodies, h);
 }
 
-// The rates that were corrected in the last step are of use only if its rows were the same.
+// The rates corrected in the last step can be used only if the rows are the same.
 void DirectSolver::know_again(SolverMemory& memory) const {
   std::uint32_t sum = 2166136261u;
   for (const BlockPattern& block : pattern_)
@@ -67,8 +67,8 @@ void DirectSolver::know_again(SolverMemory& memory) const {
   memory.pattern = pattern;
 }
 
-// Rows outside of A have to see the same masses as those in it: where they did not, the two would
-// give each other energy.
+// Rows outside A need the same masses as the rows in it. Otherwise alternating between the two
+// would add energy.
 void DirectSolver::prepare_outside(const Bodies& bodies, real h) {
   contacts_.iterations = 1;
   if (outside_.list.empty() || added_inertia == 0) return contacts_.prepare(bodies, outside_, 0, h);
@@ -79,8 +79,8 @@ void DirectSolver::prepare_outside(const Bodies& bodies, real h) {
   contacts_.prepare_as(slow_bodies_, bodies, outside_, h);
 }
 
-// True if the blocks at one body alone, which are all neighbours of each other, make the factor
-// dearer than it may be. Then not even its order is looked for.
+// True if the blocks of a single body, which are all neighbours of each other, already make the
+// factor too expensive. Then no order of elimination is computed.
 bool DirectSolver::is_hub() const {
   double most = 0;  // rows
   for (const int rows : rows_) most = std::max(most, double(rows));
@@ -88,7 +88,7 @@ bool DirectSolver::is_hub() const {
 }
 
 void DirectSolver::warm_start(Bodies& bodies, real ratio) {
-  blocks_of(bodies);  // refuses other bodies
+  blocks_of(bodies);  // rejects other bodies
   if (report_.iterated) return instead.warm_start(bodies, 0);
   warm_ = ratio > 0;
   if (added_inertia > 0) before_.assign(bodies.data(), bodies.data() + bodies.slots());
@@ -127,8 +127,8 @@ void DirectSolver::collect_masses(const Bodies& bodies) {
   }
 }
 
-// Loops that can move in one way at most: their links cannot turn against each other. Only where a
-// count of the rows leaves it open is the rank of A asked for, with a factor of its own.
+// Finds the loops with at most one degree of freedom: their links cannot zigzag. Only if the number
+// of rows does not decide this, a factor of A is computed to find the dependent rows.
 void DirectSolver::find_tight_loops() {
   const std::vector<ClosedLoop>& loops = maker_.loops();
   tight_.assign(loops.size(), false);
@@ -150,8 +150,8 @@ void DirectSolver::find_tight_loops() {
   for (std::size_t k = 0; k < loops.size(); ++k) tight_[k] = may_be(k);
 }
 
-// |F||r| of each body, by impulses that acted for so long. The length of a lever is read off its
-// block's rows: the three of a point hold twice its square.
+// |F||r| of each body, from impulses that acted for the time `acted`. The length of a lever follows
+// from the rows of its block: the squares of the three rows of a point add up to 2 |r|^2.
 void DirectSolver::find_pulls(real acted, std::vector<Pull>& pulls) const {
   if (acted == 0) return;  // there was no step yet
   for (int k = 0; k < int(inside_.size()); ++k) {
@@ -172,8 +172,8 @@ void DirectSolver::find_pulls(real acted, std::vector<Pull>& pulls) const {
   }
 }
 
-// True if the impulses that were just found ask for more than twice the inertia of a body, as a
-// blow does, or the first step: it knew of no force.
+// True if the new impulses require more than twice the present inertia of a body. This happens
+// after a blow and in the first step, which has no earlier forces.
 bool DirectSolver::forces_jumped(const Bodies& bodies) {
   next_pulls_.assign(pulls_.size(), Pull{});
   find_pulls(blocks_->acting, next_pulls_);
@@ -239,14 +239,14 @@ void DirectSolver::collect_block(const Bodies& bodies, const Block& block, real 
   }
 }
 
-// Rows whose bound follows another impulse, and those that they follow.
+// True for rows whose bound depends on another impulse, and for the rows of these impulses.
 bool DirectSolver::is_outside(const Block& block) const {
   if (block.target.follows != 0) return true;
   const auto next = std::lower_bound(followed_.begin(), followed_.end(), block.impulse);
   return next != followed_.end() && *next < block.impulse + block.rows;
 }
 
-// All rows in the matrix; those at their bounds have no part in it.
+// Places all rows in the matrix; rows at their bounds become zero.
 void DirectSolver::place_rows() {
   for (int k = 0; k < int(inside_.size()); ++k)
     for (int i = 0; i < inside_[k].block->rows; ++i) place_row(k, i, true);
@@ -254,7 +254,7 @@ void DirectSolver::place_rows() {
     if (row.side != Side::free) place_row(row.inside, inside_[row.inside].block->rows - 1, false);
 }
 
-// Row i of a block in the matrix; of one that is not live, zeros.
+// Places row i of a block in the matrix, or zeros if it is not live.
 void DirectSolver::place_row(int inside, int i, bool live) {
   const Block& block = *inside_[inside].block;
   const Row J = live ? rows_of_J_[block.first + i] : Row{};

@@ -1,4 +1,4 @@
-// The direct solver: factors, corrects, and keeps bounds by an active set.
+// The direct solver: the factor, the corrections, and the bounds by an active set.
 #include "chapters/09_direct/direct_solver.h"
 
 #include <algorithm>
@@ -7,18 +7,19 @@
 namespace joints {
 
 namespace {
-// A share of K that makes bounded rows solvable that depend on others, as motor and limit do. Until
-// one of them is at its bound, their impulses are as large as this is small: with float velocities
-// 1e-9 leaves nothing of what they were.
+// Bounded rows are softened by this fraction of K, since they may depend on others, as those of a
+// motor and a limit do. Until one of them is at its bound, their impulses are inversely
+// proportional to it. With float velocities 1e-9 would make them so large that the velocities are
+// lost.
 constexpr double bound_softness = sizeof(real) == 4 ? 1e-6 : 1e-9;
-// So often at most a step is solved again because its forces have jumped.
+// At most this many times a step is solved again because its forces have jumped.
 constexpr int looks = 4;
-// In an open chain a pivot is small because of the masses alone: there it may be a smaller share
-// of its entry.
+// In an open chain only the masses make a pivot small, so there its threshold is multiplied by
+// this.
 constexpr double of_open_chains = 1e-3;
-// A pivot below this multiple of what softening has added is that of a dependent row.
+// A row is dependent if its pivot is below this multiple of the softening.
 constexpr double of_softening = sizeof(real) == 4 ? 100 : 1000;
-// After so many passes in which no fewer rows were wrong, only the last wrong one changes sides.
+// After this many passes without progress only the last wrong row changes its side.
 constexpr int patience = 3;
 
 Triple<double> of(const vec3& a) { return {double(a.x), double(a.y), double(a.z)}; }
@@ -55,7 +56,7 @@ void DirectSolver::factor_now() {
   factored_ = true;
 }
 
-// The diagonal as it is before any elimination.
+// Stores the diagonal before any elimination.
 void DirectSolver::note_diagonal() {
   JointMatrixOf<TwoLanes>& A = maker_.A;
   for (int k = 0; k < int(pattern_.size()); ++k) {
@@ -67,7 +68,7 @@ void DirectSolver::note_diagonal() {
   }
 }
 
-// How many rows of a block have no more left on their diagonal than a share of what was there.
+// Number of the rows of a block whose pivot is at most this fraction of the original entry.
 int DirectSolver::rows_below(double share, int block) const {
   const int n = pattern_[block].rows, lane = maker_.lane(block);
   int count = 0;
@@ -139,7 +140,7 @@ double DirectSolver::rate_left(const Bodies& bodies, const Block& block, int i) 
          bias_[block.first + i];
 }
 
-// What is left of all free rows becomes zero.
+// Makes the remaining errors of all free rows zero.
 void DirectSolver::correct_velocities(Bodies& bodies) {
   const std::vector<real>& expected = blocks_->memory.rates;
   std::fill(x_.begin(), x_.end(), 0.0);
@@ -182,7 +183,7 @@ void DirectSolver::go_to_bounds(Bodies& bodies) {
   }
 }
 
-// Rows on the wrong side change it; all of them, or only the last. Returns how many were wrong.
+// Changes the sides of all wrong rows, or of the last one only. Returns how many were wrong.
 int DirectSolver::flip_wrong_ones(Bodies& bodies, bool only_last) {
   int wrong = 0;
   for (auto row = bounded_.rbegin(); row != bounded_.rend(); ++row) {
@@ -209,8 +210,8 @@ void DirectSolver::solve_joints(Bodies& bodies) {
     }
     go_to_bounds(bodies);
     correct_velocities(bodies);
-    // Refinement of softened rows, and of bounded ones that nearly depend on others. Where rows
-    // outside take turns with these, the next turn refines, too.
+    // Refines softened rows and bounded rows that nearly depend on others. If rows outside
+    // alternate with these, the next alternation does that.
     if (bounded_.empty() && (maker_.loops().empty() || !outside_.list.empty())) return;
     correct_velocities(bodies);
     if (bounded_.empty()) return;
@@ -222,7 +223,7 @@ void DirectSolver::solve_joints(Bodies& bodies) {
 }
 
 void DirectSolver::solve(Bodies& bodies) {
-  blocks_of(bodies);  // refuses other bodies
+  blocks_of(bodies);  // rejects other bodies
   if (report_.iterated) return instead.solve(bodies);
   solve_all(bodies);
   if (before_.empty()) return;
@@ -231,7 +232,7 @@ void DirectSolver::solve(Bodies& bodies) {
     blocks_->memory.inertia[slot] = added_inertia * h_ * h_ * pulls_[slot].force_lever;
 }
 
-// The step once more, with the inertia that its own forces ask for.
+// Solves the step again, with the inertia that its own forces require.
 void DirectSolver::look_again(Bodies& bodies) {
   pulls_.swap(next_pulls_);
   for (int slot = 0; slot < bodies.slots(); ++slot)

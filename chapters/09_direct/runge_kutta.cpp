@@ -15,20 +15,20 @@ namespace joints {
 namespace {
 
 constexpr double exact = 1e-12;  // errors below this are rounding [m or rad]
-// Errors above this after a step are no rounding: the step found no pose that satisfies the joints.
+// If errors are above this after a step, it has found no pose that satisfies the joints.
 constexpr double open = sizeof(real) == 4 ? 1e-3 : 1e-8;
-constexpr int corrections = 8;  // of the poses at most
-// Between the second and the third stage, of the squares of all velocities: an oscillation of nu
-// with h nu = 2.5 has 16, and one of 1 has 1/16.
+constexpr int corrections = 8;  // largest number of corrections of the poses
+// Largest change between the second and the third stage, relative to the squares of all velocities:
+// an oscillation with h nu = 2.5 has 16, and one with h nu = 1 has 1/16.
 constexpr double most_change = 16;
-constexpr real at_rest = real(1e-6);  // speeds below this are none [m/s]
+constexpr real at_rest = real(1e-6);  // slower bodies count as at rest [m/s]
 
-// Of length 1, however large it is: the square of its length might overflow.
+// Normalises a quaternion of any size: the square of its length might overflow.
 quat unit(const quat& q) {
   return normalize(q / std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)}));
 }
 
-// Moves a body along its velocities for a while, which may be negative.
+// Moves a body by its velocities for a time, which may be negative.
 void displace(Body& body, real time) {
   if (body.is_static()) return;
   body.x += time * body.v;
@@ -80,7 +80,7 @@ void RungeKutta::step(World& world, real h) {
   check_motion(world.bodies);
 }
 
-// Refuses what it cannot move; then the blocks at the present poses have their factor.
+// Rejects worlds that it cannot move, and factors the blocks at the present poses.
 void RungeKutta::begin(World& world, real h) {
   check_input(world, h);
   const char* const bounded = "world: no joint may have limits or a motor, and no row bounds";
@@ -110,7 +110,7 @@ void RungeKutta::read(const Bodies& bodies, std::vector<State>& states) {
   }
 }
 
-// The start and c times a slope.
+// Sets the bodies to their state at the start plus c times a slope.
 void RungeKutta::write(Bodies& bodies, real c, const std::vector<State>& slope) const {
   for (int slot = 0; slot < bodies.slots(); ++slot) {
     Body& body = bodies.at(slot);
@@ -122,7 +122,7 @@ void RungeKutta::write(Bodies& bodies, real c, const std::vector<State>& slope) 
   }
 }
 
-// The blocks at the present poses: those of rigid joints, and of springs where they are wanted.
+// Collects the blocks at the present poses: of rigid joints, and of springs unless null.
 void RungeKutta::collect(const World& world, Blocks& rigid, Blocks* springs) const {
   rigid.clear();
   if (springs) springs->clear();
@@ -139,8 +139,8 @@ void RungeKutta::factor(World& world) {
   solver_.factor_now();
 }
 
-// The forces of the springs, in the place of their impulses: of a spring and a damper with the mass
-// K^-1, -K^-1 (omega^2 C + 2 damping omega J V), of which Feedback is the implicit step.
+// Stores the forces of the springs in place of their impulses. The force of a spring and damper
+// with the mass K^-1 is -K^-1 (omega^2 C + 2 damping omega J V); Feedback is its implicit step.
 void RungeKutta::stretch_springs(const Bodies& bodies) const {
   for (const Block& block : springs_.list) {
     const Row* const J = &springs_.J[std::size_t(block.first)];
@@ -159,7 +159,7 @@ void RungeKutta::stretch_springs(const Bodies& bodies) const {
   }
 }
 
-// The bodies as they were.
+// Restores the bodies and throws.
 void RungeKutta::give_up(Bodies& bodies, const std::string& why) const {
   for (int slot = 0; slot < bodies.slots(); ++slot) {
     Body& body = bodies.at(slot);
@@ -171,8 +171,8 @@ void RungeKutta::give_up(Bodies& bodies, const std::string& why) const {
                            "already, as some in a net of balls do");
 }
 
-// The slopes of the second and third stage are for the same time. If they differ by more than all
-// velocities, the step is too long for order 4: forces change too fast.
+// The slopes of the second and third stage belong to the same time. If they differ by much more
+// than the velocities, the forces change too fast for a step of this length.
 void RungeKutta::check_slopes(World& world) {
   double differ = 0, size = 0;  // sums of mass times velocity squared
   for (int slot = 0; slot < world.bodies.slots(); ++slot) {
@@ -187,12 +187,12 @@ void RungeKutta::check_slopes(World& world) {
     size += square(vec3(at_rest), vec3(0)) + square(start_[slot].v, start_[slot].w) +
             square(h_ * (world.gravity + body.inverse_mass * body.force), vec3(0));
   }
-  if (differ > most_change * size)  // what has overflowed is told at the end
+  if (differ > most_change * size)  // overflow is reported at the end of the step
     give_up(world.bodies, "the forces change too much within the step");
 }
 
-// Wanted: -J'V of every row, minus the rate at which J V changes while V stays: a central
-// difference over a time for which curvature and rounding leave about the same error.
+// Computes the required -J'V of every row: minus the rate at which J V changes while V is constant.
+// It is a central difference over a time for which curvature and rounding cause similar errors.
 void RungeKutta::find_row_rates(World& world) {
   Bodies& bodies = world.bodies;
   real fastest = 1;
@@ -250,7 +250,8 @@ void RungeKutta::find_slope(World& world, real time, std::vector<State>& slope) 
     slope[slot].v = bodies.at(slot).v, slope[slot].w = bodies.at(slot).w;
 }
 
-// Poses by Newton's method, until they are exact or no better, then velocities.
+// Projects the poses by Newton's method, until they are exact or do not improve, then the
+// velocities.
 void RungeKutta::project(World& world) {
   Bodies& bodies = world.bodies;
   read(bodies, slope_);  // for the velocities
@@ -283,7 +284,7 @@ void RungeKutta::project(World& world) {
   reach(world);
 }
 
-// Changes the velocities until J V is what is wanted: twice, since A is softened.
+// Changes the velocities so that J V has the required values; twice, because A is softened.
 void RungeKutta::reach(World& world) {
   Bodies& bodies = world.bodies;
   for (int n = 0; n < 2; ++n) {

@@ -80,7 +80,7 @@ class Joint {
     int limits = 0;       ///< 1 if its coordinate has limits, live or not
     int live_limits = 0;  ///< 1 if one of them has a row in this step
     int motors = 0;       ///< 1 if a motor runs
-    bool bounded = false;  ///< true if other rows have bounds, as in a rope or a contact
+    bool bounded = false;  ///< true if other rows have bounds, as in a rope or a limit
   };
   virtual Extras extras() const { return {}; }  ///< none by default
   /// Saves or restores all data that the joint keeps from step to step: for save() and restore()

@@ -68,7 +68,7 @@ void DirectSolver::note_diagonal() {
   }
 }
 
-// Number of the rows of a block whose pivot is at most this fraction of the original entry.
+// Number of the rows of a block whose pivot is 0 or less than this fraction of the original entry.
 int DirectSolver::rows_below(double share, int block) const {
   const int n = pattern_[block].rows, lane = maker_.lane(block);
   int count = 0;

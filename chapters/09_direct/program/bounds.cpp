@@ -9,7 +9,7 @@ namespace joints::chapter9 {
 
 namespace {
 
-// A bar on an upright hinge: its motor turns it into a limit and goes on pushing.
+// A bar on an upright hinge: its motor turns it to a limit and then pushes against it.
 void motor_and_limit(const Choice& choice) {
   CsvFile table(choice.out + "/motor.csv", {"time_s", "angle_rad", "rate_rad_s", "motor_nm",
                                             "limit_nm", "passes"});
@@ -37,7 +37,7 @@ void motor_and_limit(const Choice& choice) {
               double(hinge.limit_force()), most);
 }
 
-// A chain whose hinges bend by 5 degrees at most falls.
+// A falling chain whose hinges bend by at most 5 degrees.
 void many_limits(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/limits.csv", {"hinges", "passes_mean", "passes_max", "steps",
                                              "steps_with_wrong", "gap_max_m"});

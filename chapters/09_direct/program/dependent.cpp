@@ -9,7 +9,7 @@ namespace joints::chapter9 {
 
 namespace {
 
-// Every pivot is divided by, whatever is left of it.
+// Divides by every pivot, even if it is only a rounding error.
 double plain_inverse(double pivot, double) { return 1 / pivot; }
 
 void bricards(const Choice& choice, std::vector<Summary>& lines) {
@@ -49,8 +49,8 @@ void bricards(const Choice& choice, std::vector<Summary>& lines) {
   }
 }
 
-// How far the upper end of an upright is from where a parallel motion would have it, at most [m].
-// The uprights have the odd slots.
+// Largest distance between the upper end of an upright and its place in a parallel motion [m]. The
+// uprights have the odd slots.
 double off_parallel(const Scene& scene) {
   const auto along = [&](int slot) { return scene.world.bodies.at(slot).q * vec3(1, 0, 0); };
   double most = 0;

@@ -1,5 +1,5 @@
-// Chapter 9's program, a chain of light cubes with a heavy end: what more inertia holds, and what
-// it costs. Read it; there is nothing to edit here.
+// Chapter 9's program, a chain of light cubes with a heavy end: which ends added inertia holds, and
+// its errors. Read it; there is nothing to edit here.
 #include <cmath>
 #include <cstdio>
 
@@ -13,13 +13,13 @@ constexpr int links = 10;
 
 struct End {
   Summary line;
-  vec3 tip{0};        // after a second
-  double energy = 0;  // what it has changed by after two seconds
+  vec3 tip{0};        // position after a second
+  double energy = 0;  // change of the energy after two seconds
   int kept = 0;       // steps that kept the velocities without a correction
 };
 
-// \param inertia factor of Eq. 9-14 \param parts into how many steps each step of 1/60 s is cut
-// \param look called with the time [s] and what the energy has changed by
+// \param inertia factor of Eq. 9-14 \param parts number of steps per 1/60 s
+// \param look called with the time [s] and the change of the energy
 End swing(real ratio, real inertia, int parts, double seconds,
           const std::function<void(double, double)>& look = [](double, double) {}) {
   char setting[40];
@@ -52,7 +52,7 @@ void heavy(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile path(choice.out + "/heavy_energy.csv", {"factor", "h_s", "time_s", "energy_change"});
   heavy_chain(links, 1).print_plan();
   const double ratios[] = {1, 10, 100, 1e3, 1e4, 1e5, 1e6};
-  std::vector<vec3> truth;  // where the end is after a second
+  std::vector<vec3> truth;  // position of the end after a second
   for (const double ratio : ratios)  // 2 / omega falls as ratio^-1/2, and the step with it
     truth.push_back(swing(real(ratio), 0, std::max(64, int(2.1 * std::sqrt(ratio))),
                           std::min(1.0, 2 * choice.seconds)).tip);

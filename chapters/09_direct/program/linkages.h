@@ -12,9 +12,9 @@
 /// @{
 namespace joints::chapter9 {
 
-// ---- joints between bodies as they stand --------------------------------------------------------
+// ---- joints between bodies in their poses -------------------------------------------------------
 
-/// A ball joint at a point of the world, with its mark. What it feeds back is all of the error.
+/// A ball joint at a point of the world, with its mark. Its beta is 1.
 inline void on_ball(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor) {
   const Bodies& bodies = scene.world.bodies;
   scene.world.add<BallJoint>(id1, id2, point_at(bodies[id1], bodies[id2], anchor)).beta = 1;
@@ -49,9 +49,9 @@ inline BodyId rod(Scene& scene, const vec3& from, const vec3& to, real mass = 1)
 
 // ---- chains -------------------------------------------------------------------------------------
 
-/// The thesis' performance scene, sideways: chains of cubes of 1 m and 100 kg, 1.5 m apart along z,
-/// on hinges about x at the centre of the cube before, the first of each chain static. Gravity has
-/// 3 m/s^2 along x besides: no hinge lets a body go there.
+/// The performance scene of the thesis, pulled sideways: chains of cubes of 1 m and 100 kg, 1.5 m
+/// apart along z. Each hangs on a hinge about x at the centre of the previous cube; the first cube
+/// of a chain is static. Gravity also has 3 m/s^2 along x, a direction that no hinge allows.
 inline Scene sideways_chains(int chains, int cubes) {
   Scene scene{.name = "sideways"};
   scene.world.gravity = vec3(3, real(-9.81), 0);
@@ -68,8 +68,8 @@ inline Scene sideways_chains(int chains, int cubes) {
   return scene;
 }
 
-/// A chain of cubes of 1 kg and 0.4 m on ball joints, 0.5 m apart and level, from a static one to a
-/// ball of `ratio` kg.
+/// A level chain of cubes of 1 kg and 0.4 m on ball joints, 0.5 m apart. The first cube is static,
+/// and the last body is a ball of `ratio` kg.
 inline Scene heavy_chain(int links, real ratio) {
   Scene scene{.name = "heavy end"};
   BodyId before = scene.box(0, vec3(real(0.4)), vec3(0));
@@ -89,7 +89,7 @@ inline Scene heavy_chain(int links, real ratio) {
   return scene;
 }
 
-/// A beam: cubes of 1 m and 100 kg, welded face to face, the first of them static.
+/// A beam: cubes of 1 m and 100 kg that are welded face to face. The first one is static.
 inline Scene beam(int cubes) {
   Scene scene{.name = "beam"};
   BodyId before = scene.box(0, vec3(1), vec3(0));
@@ -123,7 +123,8 @@ inline Scene net(int rows) {
   return scene;
 }
 
-/// A hub: a ball of 10 kg that hangs from a static cube, and arms of 1 kg on ball joints about it.
+/// A hub: a ball of 10 kg that hangs from a static cube, with arms of 1 kg on ball joints around
+/// it.
 inline Scene star(int arms) {
   Scene scene{.name = "star"};
   const BodyId top = scene.box(0, vec3(real(0.2)), vec3(0, 1, 0));
@@ -139,8 +140,9 @@ inline Scene star(int arms) {
   return scene;
 }
 
-/// Bricard's linkage: six rods of 1 m along the edges of a cube, each hinge across both of its
-/// rods. The rows of six hinges would hold all; yet it moves, as one depends on the others.
+/// Bricard's linkage: six rods of 1 m along the edges of a cube; the axis of each hinge is
+/// perpendicular to its two rods. By their number the rows of six hinges allow no motion, but the
+/// linkage moves, because one row depends on the others.
 inline Scene bricard() {
   Scene scene{.name = "Bricard", .energy_scale = 5 * 9.81};
   const vec3 corner[] = {vec3(0), vec3(1, 0, 0), vec3(1, 1, 0),
@@ -156,9 +158,9 @@ inline Scene bricard() {
   return scene;
 }
 
-/// A parallel linkage of `loops` four-bars: upright rods of 1 m side by side on the ground, and a
-/// rod between the ends of each two. All upper rods begin with 1 m/s along x. Where all rods lie
-/// level it could leave the parallel motion.
+/// A parallel linkage of `loops` four-bars: upright rods of 1 m side by side on the ground, with a
+/// rod between the upper ends of neighbours. All upper rods begin with 1 m/s along x. In the pose
+/// in which all rods are level, the linkage could leave the parallel motion.
 inline Scene four_bars(int loops) {
   Scene scene{.name = "four-bars", .energy_scale = 9.81 * (1.5 * loops + 0.5)};
   const vec3 z(0, 0, 1);

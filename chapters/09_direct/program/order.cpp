@@ -1,5 +1,5 @@
-// Chapter 9's program, the order of elimination: what it fills in and what it costs. Read it; there
-// is nothing to edit here.
+// Chapter 9's program, the order of elimination: its fill-in and its multiplications. Read it;
+// there is nothing to edit here.
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
@@ -12,7 +12,7 @@ namespace joints::chapter9 {
 
 namespace {
 
-// Joints of so many rows, each between two bodies; -1 is one that does not move.
+// Joints with the same number of rows, each between two bodies; -1 is a static body.
 struct Graph {
   std::string name;
   int rows;
@@ -50,7 +50,7 @@ Graph ring(int count) {
   return out;
 }
 
-// A hub, body 0, and arms of several joints each; the joints at the hub stand first in the list.
+// A hub, body 0, and arms of several joints each; the joints at the hub come first in the list.
 Graph star_graph(int arms, int length) {
   Graph out{"star", 5, {}};
   for (int k = 0; k < length; ++k)
@@ -63,9 +63,9 @@ struct Count {
   double fill = 0, multiplications = 0;
 };
 
-// Eliminates in an order, as a game on the graph: a node that goes makes its neighbours neighbours
-// of each other.
-// \param pattern gets the places of all blocks below the diagonal, and whether they were filled in
+// Eliminates the nodes of the graph in an order: each eliminated node makes its neighbours
+// neighbours of each other.
+// \param pattern receives the places of all blocks below the diagonal, and whether they are fill-in
 Count eliminate(const Graph& graph, const std::vector<int>& order,
                 const std::function<void(int, int, bool)>& pattern) {
   const auto given = graph.neighbours();
@@ -90,14 +90,14 @@ Count eliminate(const Graph& graph, const std::vector<int>& order,
   return count;
 }
 
-// The same everywhere, whatever library shuffles.
+// A shuffle of our own, so that the order does not depend on the library.
 std::vector<int> shuffled(std::vector<int> list) {
   std::mt19937 number(9);
   for (std::size_t k = list.size() - 1; k > 0; --k) std::swap(list[k], list[number() % (k + 1)]);
   return list;
 }
 
-// What costs most: joints that hold one body are all neighbours of each other.
+// The most expensive graph: all joints at one body are neighbours of each other.
 void hubs(const Choice& choice) {
   CsvFile table(choice.out + "/hub.csv", {"arms", "multiplications_per_row", "iterated"});
   int most = 0;

@@ -11,17 +11,17 @@
 /// Chapter 9's program.
 namespace joints::chapter9 {
 
-/// What the command line says.
+/// The options of the command line.
 struct Choice {
-  int iterations = 30;  ///< of the runs to compare with
-  double seconds = 5;   ///< how long the scenes run
+  int iterations = 30;  ///< of the runs that are compared
+  double seconds = 5;   ///< duration of the scenes
   std::string out;      ///< folder of tables and recordings
 };
 
-/// Sequential Impulses with so many iterations per step, or the direct solver.
+/// Sequential Impulses with a number of iterations per step, or the direct solver.
 struct Method {
   int iterations = 0;  ///< 0: direct
-  /// As tables and figures call it.
+  /// Its name in tables and figures.
   std::string name() const {
     return iterations == 0 ? "direct" : std::to_string(iterations) + " iterations";
   }
@@ -31,30 +31,30 @@ struct Method {
 inline std::function<void()> leaps(Scene& scene, Solver& solver) {
   return [&scene, &solver] { step(scene.world, solver, scene.h, {.leapfrog = true}); };
 }
-/// A step of a scene with a method. \param direct solves if the method is the direct one
+/// A step of a scene with a method. \param direct the solver for the direct method
 inline std::function<void()> steps_of(Scene& scene, const Method& method, DirectSolver& direct) {
   if (method.iterations == 0) return leaps(scene, direct);
   scene.solver.iterations = method.iterations;
   return [&scene] { scene.step(); };
 }
-/// The greatest gap of the scene's joints now [m].
+/// The largest present gap of the scene's joints [m].
 inline double widest(const Scene& scene) {
   GapMeter meter;
   meter.look(scene.marks, poses(scene.world.bodies));
   return meter.maximum();
 }
-/// What the bodies have of energy now [J].
+/// The present energy of the bodies [J].
 inline double energy_of(const Scene& scene) {
   return energy(all_of(scene.world.bodies), scene.world.gravity);
 }
 
-/// A scene of a recording of several, side by side.
+/// One of several scenes that are recorded side by side.
 struct Shown {
-  Scene& scene;                ///< what is shown
-  std::function<void()> step;  ///< does a step of it
-  std::string name;            ///< written at its first body
+  Scene& scene;                ///< the scene
+  std::function<void()> step;  ///< makes one step of it
+  std::string name;            ///< label of its first body
 };
-/// Runs scenes side by side and records them. \param apart from one to the next [m]
+/// Runs scenes side by side and records them. \param apart distance between neighbours [m]
 void record(const std::string& title, const std::vector<Shown>& shown, const vec3& apart,
             double seconds, const std::string& path);
 
@@ -73,7 +73,7 @@ void newton(const Choice& choice);
 void bounds(const Choice& choice, std::vector<Summary>& lines);
 /// A chain with a heavy end: heavy.csv. (heavy.cpp)
 void heavy(const Choice& choice, std::vector<Summary>& lines);
-/// What the answers to the chapter's questions count on: needed.csv, rings.csv, kept.csv.
+/// The tables of the answers to the chapter's questions: needed.csv, rings.csv, kept.csv.
 /// (questions.cpp)
 void questions(const Choice& choice);
 

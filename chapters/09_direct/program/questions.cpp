@@ -11,8 +11,9 @@ namespace joints::chapter9 {
 
 namespace {
 
-// Question 1: the least number of iterations, a power of 2, with which no cube of a chain that is
-// pulled sideways goes further than 0.1 m in five seconds; and what an iteration leaves.
+// Question 1: the least power of 2 as the number of iterations with which no cube of a chain that
+// is pulled sideways moves further than 0.1 m in five seconds; and the factor per iteration of the
+// error.
 int enough(int hinges) {
   for (int iterations = 1;; iterations *= 2) {
     Scene scene = sideways_chains(1, hinges + 1);
@@ -36,7 +37,7 @@ void iterations_needed(const Choice& choice) {
   }
 }
 
-// Question 2: a ring of bodies that all move, on hinges whose axes point anywhere.
+// Question 2: a ring of moving bodies on hinges with arbitrary axes.
 Scene ring_of(int bodies) {
   Scene scene{.name = "ring"};
   const auto corner = [&](int k) {
@@ -64,7 +65,7 @@ void rings(const Choice& choice) {
   }
 }
 
-// Question 3: more inertia, and the angular velocity stays as it was.
+// Question 3: added inertia with an unchanged angular velocity.
 class KeepsRates : public DirectSolver {
  public:
   void warm_start(Bodies& bodies, real ratio) override {

@@ -11,8 +11,8 @@ namespace joints::chapter9 {
 
 namespace {
 
-// Three slabs on hinges whose axes differ. All of it begins to turn about the first one, with
-// 3 rad/s, which no hinge forbids; then it tumbles.
+// Three slabs on hinges with different axes. At first all of them rotate about the first axis with
+// 3 rad/s, which every hinge allows; then they tumble.
 Scene three_slabs() {
   Scene scene{.name = "three slabs"};
   const vec3 size(1, real(0.4), real(0.15));
@@ -28,7 +28,7 @@ Scene three_slabs() {
   return scene;
 }
 
-// A straight chain of rods on ball joints from wall to wall: no pose near by lets it sag.
+// A straight chain of rods on ball joints from wall to wall, which cannot sag.
 Scene taut_chain(int rods) {
   Scene scene{.name = "taut"};
   const auto wall = [&](real x) { return scene.box(0, vec3(real(0.2)), vec3(x, 0, 0)); };
@@ -44,7 +44,7 @@ Scene taut_chain(int rods) {
 
 constexpr double until = 1;  // [s]
 
-// Where the slabs are after a second. \param advance does a step
+// Positions of the slabs after a second. \param advance makes one step
 std::vector<vec3> slabs_after(real h, const std::function<void(World&, real)>& advance) {
   Scene scene = three_slabs();
   for (int n = 0; n < steps_in(until, h); ++n) advance(scene.world, h);
@@ -97,7 +97,7 @@ void newton(const Choice& choice) {
     }
   CsvFile table(choice.out + "/newton.csv", {"scene", "h_s", "iteration", "error"});
   const auto show = [&](Scene&& scene, int rate, int steps_before) {
-    DirectSolver before, direct;  // a new one expects nothing of the positions
+    DirectSolver before, direct;  // a new solver has no predicted correction
     before.newton = direct.newton = 8;
     scene.h = real(1) / real(rate);
     for (int n = 0; n < steps_before; ++n) leaps(scene, before)();

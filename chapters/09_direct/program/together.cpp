@@ -1,5 +1,5 @@
-// Chapter 9's program, what iterations cannot do: a chain pulled sideways, a beam. Read it; there
-// is nothing to edit here.
+// Chapter 9's program, scenes that iterations do not solve: a chain pulled sideways, a beam. Read
+// it; there is nothing to edit here.
 #include <algorithm>
 #include <cstdio>
 
@@ -13,7 +13,7 @@ std::vector<Method> methods(const Choice& choice) {
   return {{choice.iterations}, {4 * choice.iterations}, {0}};
 }
 
-// 100 hinges, whose axes all point to where gravity pulls besides.
+// 100 hinges whose axes all have the direction of the sideways pull.
 void sideways(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/sideways.csv", {"method", "time_s", "sideways_m", "gap_m"});
   sideways_chains(1, 101).print_plan();
@@ -35,7 +35,7 @@ void sideways(const Choice& choice, std::vector<Summary>& lines) {
   }
 }
 
-// Twenty welded cubes, the first of them static.
+// Twenty welded cubes; the first one is static.
 void sagging(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/beam.csv", {"method", "time_s", "sag_m"});
   beam(20).print_plan();
@@ -61,7 +61,7 @@ void sagging(const Choice& choice, std::vector<Summary>& lines) {
 void together(const Choice& choice, std::vector<Summary>& lines) {
   sideways(choice, lines);
   sagging(choice, lines);
-  Scene left = sideways_chains(1, 31), right = sideways_chains(1, 31);  // shorter: to be looked at
+  Scene left = sideways_chains(1, 31), right = sideways_chains(1, 31);  // shorter chains for the recording
   DirectSolver direct;
   direct.newton = 8;
   const Method few{choice.iterations};

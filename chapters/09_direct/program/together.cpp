@@ -61,7 +61,7 @@ void sagging(const Choice& choice, std::vector<Summary>& lines) {
 void together(const Choice& choice, std::vector<Summary>& lines) {
   sideways(choice, lines);
   sagging(choice, lines);
-  Scene left = sideways_chains(1, 31), right = sideways_chains(1, 31);  // shorter chains for the recording
+  Scene left = sideways_chains(1, 31), right = sideways_chains(1, 31);  // for the recording
   DirectSolver direct;
   direct.newton = 8;
   const Method few{choice.iterations};

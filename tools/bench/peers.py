@@ -6,7 +6,7 @@ from pathlib import Path
 
 from base import house
 from pictures import figures
-from bench.measuring import run_bench
+from bench.measuring import MEASURED, cells, heading, run_bench
 
 PROGRAM = "bench/peers/peers"
 PACKAGES = {"libbullet-dev": "bullet/btBulletDynamicsCommon.h", "libode-dev": "ode/ode.h",

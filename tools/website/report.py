@@ -19,7 +19,7 @@ FAILED = 0.1  # [m]: joints that are so far apart do not hold
 # The settings that their chapters show in order to let them fail: (scene, setting).
 MEANT = {("pendulums", "beta 0"), ("drift", "beta 0"), ("side by side", "projection, 30"),
          ("whips", "colours"), ("drift", "gravity"), ("drift", "collision"),
-         ("drift", "contact last"), ("Bricard", "nothing dropped")}
+         ("drift", "contact last"), ("Bricard", "neither")}
 HEADINGS = ("scene", "setting", "time per step [µs]", "gap, root mean square [mm]",
             "largest gap [mm]", "drift of the energy")
 

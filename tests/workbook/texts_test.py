@@ -16,6 +16,10 @@ FIELD = {"degree of freedom", "constraint", "holonomic", "jacobian", "lagrange m
          "constraint softness", "split impulse", "relax iteration", "substep", "speculative limit",
          "slop", "restitution", "contact point", "manifold", "friction pyramid"}
 OPTIONAL = {"A printed formula that is wrong: find it"}
+THESIS = """1.1 1.2 2 3.1 3.2 3.3 3.4 3.5 3.6 3.7 3.7.1 3.7.2 3.7.3 3.7.4 3.7.5 4 5 5.1 5.2 5.3
+    6""".split()  # its sections, and what it has beside its text
+PIECES = ["algorithm 1", "listing 4.1", *(f"figure {n}" for n in "3.1 3.2 3.3 5.3 5.4 5.5 5.6 5.7"
+                                          .split()), "figures 5.1 and 5.2", "tables 5.1 and 5.2"]
 
 
 def texts_have_their_headings(root, build):
@@ -66,16 +70,51 @@ def texts_keep_the_solution(root, build):
                     yield f"{chapter.folder}: the answer of {region.id} stands in the text: {code}"
 
 
+def places_in(path):
+    """The names by which links reach the headings of a text, as code hosts make them."""
+    headings = re.findall(r"^##+ (.+?) *$", re.sub(r"^```.*?^```", "", read(path), flags=re.M | re.S),
+                          re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
 def links_lead_somewhere(root, build):
-    """every link and picture of a text leads to a file"""
+    """every link and picture of a text leads to a file, and to a heading if it names one"""
     link = re.compile(r"\]\(\s*<?([^)\s>]+)[^)]*\)|<[^>]+(?:src|href)=\"([^\"]+)\"")
     for path in files(root, ".md"):
         for match in link.finditer(re.sub(r"\$[^$\n]*\$", "", prose(read(path)))):
-            target = (match[1] or match[2]).split("#")[0].split("?")[0]
-            if not target or re.match(r"[a-z]+:", target):
+            target, _, place = (match[1] or match[2]).partition("#")
+            if re.match(r"[a-z]+:", target):
                 continue
-            if not (path.parent / target).exists():
+            file = path.parent / target.split("?")[0] if target else path
+            if not file.exists():
                 yield f"{path.relative_to(root)}: {target} does not exist"
+            elif place and file.suffix == ".md" and place not in places_in(file):
+                yield f"{path.relative_to(root)}: {target} has no heading #{place}"
+
+
+def thesis_is_listed(root, build):
+    """docs/thesis.md has every section, figure and table of the thesis, with its errata"""
+    rows = re.findall(r"^\| (T \d[^|]*) \| [^|]+ \| (\w[\w ]*) \| ([^\n]+) \|$",
+                      read(root / "docs/thesis.md"), re.M)
+    for part in [f"T {number}" for number in THESIS] + PIECES:
+        if not any(part in re.split(r", ", where) for where, *_ in rows):
+            yield f"docs/thesis.md has no row for {part}"
+    for where, verdict, words in rows:
+        if verdict not in ("covered", "corrected", "improved", "left out"):
+            yield f"docs/thesis.md: {where} is {verdict}"
+        if "](" not in words and verdict != "left out":
+            yield f"docs/thesis.md: {where} leads nowhere: {words}"
+        if (verdict == "corrected") != bool(re.search(r"\bE\d", words)):
+            yield f"docs/thesis.md: {where} is {verdict}: {words}"
+    listed = {(f"T {section}", number) for where, _, words in rows
+              for section in re.findall(r"T ([\d.]+)", where)
+              for number in re.findall(r"\bE\d+", words)}
+    said = {(section, heading.partition(":")[0])
+            for heading, body in sections(read(root / "docs/errata.md"), "###")
+            for section in re.search(r"^\*\*(T .*?)\.\*\*", body.strip())[1].split(", ")}
+    for section, number in sorted(listed ^ said):
+        page = "thesis" if (section, number) in listed else "errata"
+        yield f"docs/{page}.md alone has {number} at {section}"
 
 
 def errata_are_shown(root, build):
@@ -121,7 +160,8 @@ def changes_begin_with_the_version(root, build):
 
 PROOFS = [changes_begin_with_the_version, texts_have_their_headings, questions_have_answers,
           equations_exist,
-          texts_keep_the_solution, links_lead_somewhere, errata_are_shown,
+          texts_keep_the_solution, links_lead_somewhere, thesis_is_listed,
+          errata_are_shown,
           words_of_the_field_are_explained, quotations_are_exact,
           lines_can_be_edited]
 

@@ -14,7 +14,7 @@ CLOSED_CLASSES = re.compile(r'class="(?:fragment|tex|toc|title|memproto|memname|
 EQUATIONS = re.compile(r"\bEqs?\.\s\d-\d+(?:(?:,| and| or| to)\s\d-\d+)*")
 ERRATUM = re.compile(r"\bE\d{1,2}\b")
 SECTION = re.compile(r"\bT \d(?:\.\d)*\b")
-THESIS = "docs_references.html#docs_references-the-thesis"
+THESIS = "docs_thesis.html"
 ERRATA, KINDS = "docs_errata.html", ("function", "variable", "typedef", "enumeration")
 
 
@@ -90,11 +90,11 @@ def in_words(text, page, targets):
         return anchor(at, found[0])
 
     text = EQUATIONS.sub(lambda all_: re.sub(r"\d-\d+", equation, all_[0]), text)
-    if page in (ERRATA, THESIS.partition("#")[0]):
+    if page == ERRATA:
         return text
     text = ERRATUM.sub(lambda e: anchor(targets.errata[e[0]], e[0])
                        if e[0] in targets.errata else e[0], text)
-    return SECTION.sub(lambda t: anchor(THESIS, t[0]), text)
+    return text if page == THESIS else SECTION.sub(lambda t: anchor(THESIS, t[0]), text)
 
 
 def without_live(text):

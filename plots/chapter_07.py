@@ -10,7 +10,8 @@ import style
 from style import COLOURS, INK, MINE, PALE, rows, visible
 
 ORDERS = {"chain": (COLOURS[1], "o"), "from the end": (COLOURS[2], "s"),
-          "colours": (COLOURS[0], "^")}
+          "colours": (COLOURS[0], "^"), "random": (COLOURS[3], "x")}
+LINES = {"from the end": ":", "random": "none"}  # ten draws at each number of iterations
 
 
 def look(order):
@@ -87,10 +88,11 @@ def draw_order(solution, mine, out):
         for order, part in parts(table, "order"):
             colour, marker = look(order)
             ax.plot(part["iterations"], 1000 * visible(part[column]), color=colour, marker=marker,
-                    markersize=5, label=order, linestyle=":" if order == "from the end" else "-")
+                    markersize=5, label=order, linestyle=LINES.get(order, "-"))
         if mine:
-            for _, part in parts(solution, "order"):
-                theirs(ax, part["iterations"], 1000 * visible(part[column]))
+            for order, part in parts(solution, "order"):
+                if order != "random":
+                    theirs(ax, part["iterations"], 1000 * visible(part[column]))
         ax.set(xscale="log", yscale="log", xlabel="iterations per step", ylabel=f"{words}  [mm]",
                title=words + (": yours; dashed: the solution's" if mine else ""))
         if mine:

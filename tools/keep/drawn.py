@@ -28,6 +28,8 @@ def pictures(root, tables):
             "--csv", measured / "methods.csv", "--result"])
     yield root / "docs/architecture.svg", "architecture.py", []
     yield root / "docs/beside.svg", "peers.py", ["--csv", measured / "peers.csv", "--together"]
+    yield (root / "docs/convergence.svg", "convergence.py",
+           ["--csv", measured / "convergence.csv", "--out"])
     yield root / "docs/maps.svg", "methods.py", ["--csv", measured / "methods.csv", "--maps"]
 
 

@@ -3,7 +3,9 @@
 // to edit here.
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
+#include <utility>
 
 #include "chapters/07_performance/program/program.h"
 #include "chapters/07_performance/program/scenes.h"
@@ -12,8 +14,24 @@ namespace joints::chapter7 {
 
 namespace {
 
+// One chain in an order that is drawn anew before every step (Fisher and Yates).
+Measures in_random_order(const Choice& choice, const Chains& chains, int iterations,
+                         unsigned seed) {
+  Groups order = chain_order(chains);
+  HingeLoop<real> loop = loop_over<real>(chains, order, iterations);
+  Experiment experiment = experiment_of(loop, chains, steps_in(choice.seconds, h));
+  std::mt19937 random(seed);
+  experiment.step = [&] {
+    for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[random() % k]);
+    loop.arrange(order);
+    loop.step(h);
+  };
+  return run(experiment);
+}
+
 void orders(const Choice& choice, const Chains& chains) {
-  CsvFile table(choice.out + "/order.csv", {"order", "iterations", "gap_rms_m", "gap_max_m"});
+  CsvFile table(choice.out + "/order.csv",
+                {"order", "iterations", "seed", "gap_rms_m", "gap_max_m"});
   std::set<int> counts{5, 10, 20, 30, 60, 120};
   counts.insert(choice.iterations);
   for (const Order& order : {Order{"chain", chain_order(chains)},
@@ -23,7 +41,12 @@ void orders(const Choice& choice, const Chains& chains) {
       HingeLoop<real> loop = loop_over<real>(chains, order.groups, count);
       const Measures found =
           run(experiment_of(loop, chains, steps_in(choice.seconds, h)));
-      table.row({order.name}, {double(count), found.gap_rms, found.gap_max});
+      table.row({order.name}, {double(count), 0, found.gap_rms, found.gap_max});
+    }
+  for (const int count : counts)
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+      const Measures found = in_random_order(choice, chains, count, seed);
+      table.row({"random"}, {double(count), double(seed), found.gap_rms, found.gap_max});
     }
 }
 

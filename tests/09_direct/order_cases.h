@@ -10,6 +10,7 @@
 #include "tests/09_direct/counted_memory.h"
 #include "tests/09_direct/graph_cases.h"
 #include "tests/checker/report.h"
+#include "tests/checker/thrown.h"
 
 namespace joints::testing {
 
@@ -174,22 +175,24 @@ inline constexpr Subject order_subject{"9.3", "the order of elimination"};
 
 /// Your order. Fails where it does not end.
 inline std::vector<int> your_order(const GraphCase& c) {
-  allocations_left = 200000;  // the right order of the largest graph needs fewer than a thousand
-  try {
-    const std::vector<int> out = elimination_order(c.neighbours);
-    allocations_left = -1;
-    return out;
-  } catch (const Endless&) {
+  struct Counted {
+    // the right order of the largest graph needs fewer than a thousand
+    Counted() { allocations_left = 200000; }
+    ~Counted() { allocations_left = -1; }
+  };
+  std::vector<int> out;
+  const auto endless = thrown_by<Endless>([&] {
+    const Counted counted;
+    out = elimination_order(c.neighbours);
+  });
+  if (endless)
     fail(order_subject, "Graph: " + c.words + ".\n\nIt does not end.\n\n" +
                             likely("#doubled-neighbours who is eliminated comes back into the "
                                    "queue. It must leave the sets of all its neighbours, each of "
                                    "two neighbours must know the other, and know it once, and a "
                                    "pair is erased from the queue before the set changes whose "
                                    "size it holds"));
-  } catch (...) {
-    allocations_left = -1;
-    throw;
-  }
+  return out;
 }
 
 inline std::string numbers_in_words(const std::vector<int>& numbers) {

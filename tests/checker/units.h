@@ -5,6 +5,7 @@
 
 #include "engine/matrix.h"
 #include "tests/checker/catch.h"
+#include "tests/checker/thrown.h"
 
 namespace joints::testing {
 
@@ -93,13 +94,18 @@ void expect_unit(const std::string& entry, const Numbers& yours, Quantity wanted
 /// is not written says so itself.
 template <class Call>
 auto in(const std::string& entry, Call call, const OfTime& time = {}) {
-  try {
-    return call();
-  } catch (const UnitError& error) {
-    if (!sensible(error.first) || !sensible(error.second)) throw;  // no sentence
+  const auto explain = [&](const UnitError& error) {
+    if (!sensible(error.first) || !sensible(error.second)) throw error;  // no sentence
     FAIL("Units: in " << entry << ", " << error.what()
                       << reason(error.second, error.first, true, time));
-    throw;
+  };
+  using Result = decltype(call());
+  if constexpr (std::is_void_v<Result>) {
+    if (const auto error = thrown_by<UnitError>(call)) explain(*error);
+  } else {
+    std::optional<Result> result;
+    if (const auto error = thrown_by<UnitError>([&] { result.emplace(call()); })) explain(*error);
+    return *result;
   }
 }
 

@@ -1,0 +1,195 @@
+// The worked users of docs/which_method.md: their settings, which that page quotes, on scenes that
+// a seed draws.
+#include <cmath>
+#include <numbers>
+
+#include "bench/draw.h"
+#include "bench/tasks.h"
+#include "engine/simd/packed.h"
+#include "tests/checker/catch.h"
+#include "tests/direct/rigs.h"
+
+using namespace joints;
+using namespace joints::bench;
+using namespace joints::testing;
+
+namespace {
+
+// A crowd of ragdolls on the ground: iterations on lanes.
+void play_crowd(World& world, int steps) {
+  world.set_beta(real(0.1));
+  PackedImpulses solver;
+  solver.iterations = 10;
+  for (int n = 0; n < steps; ++n) step(world, solver, real(1) / 60, {.warm_start = true});
+}
+
+// An arm whose drives move a tool to within 0.1 mm: no leapfrog, two substeps.
+void play_arm(World& world, int steps) {
+  world.set_beta(1);
+  DirectSolver solver;
+  solver.newton = 8;
+  for (int n = 0; n < steps; ++n) step(world, solver, real(1) / 60, {.substeps = 2});
+}
+
+// A hoist whose links carry 1,000 times their mass: added inertia.
+void play_hoist(World& world, int steps) {
+  world.set_beta(1);
+  DirectSolver solver;
+  solver.newton = 8;
+  solver.added_inertia = 8;
+  for (int n = 0; n < steps; ++n) step(world, solver, real(1) / 60, {.leapfrog = true});
+}
+
+// A rod from centre to centre becomes a spring of k [N/m] with a damper of c [N s/m].
+void make_spring(CentreDistanceJoint& rod, const Bodies& bodies, double k, double c) {
+  const double K = double(bodies[rod.body1].inverse_mass + bodies[rod.body2].inverse_mass);
+  const double omega = std::sqrt(k * K);
+  rod.frequency = real(omega / (2 * std::numbers::pi));
+  rod.damping = real(c * K / (2 * omega));
+}
+
+double widest_gap(const Scene& scene) {
+  const std::vector<Pose> now = poses(scene.world.bodies);
+  double widest = 0;
+  for (const Mark& mark : scene.marks) widest = std::max(widest, gap(mark, now));
+  return widest;
+}
+
+// Six links of 0.1 to 0.6 m and 1 to 8 kg, each with a drive of up to 90 degrees per second. The
+// reference of the tip is where the angles of the drives put the centre of the last link after 1 s.
+BenchScene drawn_arm(unsigned seed) {
+  Draw draw(seed);
+  BenchScene scene;
+  BodyId before = scene.box(0, vec3(real(0.2)), vec3(real(-0.1), 0, 0));
+  glm::dvec3 place(0), end(0);
+  glm::dquat turned(1, 0, 0, 0);  // by all drives so far, after 1 s
+  for (int k = 0; k < 6; ++k) {
+    const double size = draw.number(0.1, 0.6), speed = draw.number(-1.57, 1.57);
+    glm::dvec3 axis(0);
+    axis[draw.whole(0, 2)] = 1;
+    const glm::dvec3 along(size, 0, 0);
+    const BodyId link = scene.box(real(draw.number(1, 8)), vec3(real(size), real(0.1), real(0.1)),
+                                  vec3(place + 0.5 * along));
+    join_by_hinge(scene, before, link, vec3(place), vec3(axis)).set_motor(real(speed), 100000);
+    turned = turned * glm::angleAxis(speed, axis);
+    place += along, end += turned * along;
+    before = link;
+  }
+  scene.tip = int(before.slot);
+  scene.tip_reference = end - turned * (place - glm::dvec3(scene.world.bodies[before].x));
+  return scene;
+}
+
+double off_reference(const BenchScene& scene) {
+  return length(glm::dvec3(scene.world.bodies.at(scene.tip).x) - scene.tip_reference);
+}
+
+// A load of 1 t on 4 to 20 links of 1 kg, which hang at an angle below a carriage with a motor.
+BenchScene drawn_hoist(unsigned seed) {
+  Draw draw(seed);
+  BenchScene scene;
+  const int links = draw.whole(4, 20);
+  const double size = draw.number(0.2, 1), angle = draw.number(0.05, 0.3);
+  const vec3 along(real(std::sin(angle)), real(-std::cos(angle)), 0);
+  const BodyId post = scene.box(0, vec3(real(0.2)), vec3(0, 1, 0));
+  const BodyId carriage = scene.box(50, vec3(real(0.3)), vec3(0));
+  auto& lift = scene.world.add<SliderJoint>(scene.world.bodies, post, carriage, vec3(0),
+                                            vec3(0, 1, 0));
+  lift.set_motor(real(draw.number(0.2, 1)), 100000);
+  BodyId before = carriage;
+  for (int k = 0; k <= links; ++k) {
+    const vec3 top = real(size * k) * along, x = real(size * (k + 0.5)) * along;
+    const BodyId link = scene.box(k == links ? 1000 : 1, vec3(real(size / 2)), x);
+    join_by_ball(scene, before, link, top);
+    before = link;
+  }
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a crowd of ragdolls comes to rest with closed joints") {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    INFO("seed " << seed);
+    BenchScene scene = random_ragdolls(10, seed);
+    double widest = 0;
+    for (int n = 0; n < 300; ++n) {
+      play_crowd(scene.world, 1);
+      widest = std::max(widest, widest_gap(scene));
+    }
+    CHECK(widest < 0.1);  // at the impact
+    CHECK(widest_gap(scene) < 0.002);
+    CHECK(scene.finding.value(scene) < 1);  // the deepest corner [mm]
+  }
+}
+
+TEST_CASE("an arm with six drives has its tool within a tenth of a millimetre") {
+  int in_one_step = 0;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    INFO("seed " << seed);
+    BenchScene scene = drawn_arm(seed), coarse = drawn_arm(seed);
+    play_arm(scene.world, 60);
+    CHECK(off_reference(scene) < (sizeof(real) == 8 ? 1e-4 : 1e-3));
+    coarse.world.set_beta(1);
+    DirectSolver solver = shake();
+    for (int n = 0; n < 60; ++n) step(coarse.world, solver, sixtieth);
+    in_one_step += off_reference(coarse) < 1e-4;
+    CHECK(off_reference(coarse) < (sizeof(real) == 8 ? 4e-4 : 3e-3));
+  }
+  if (sizeof(real) == 8) CHECK((in_one_step > 80 && in_one_step < 100));
+}
+
+TEST_CASE("a hoist lifts a ton on links of a kilogram, and no joint opens by a micrometre") {
+  int lost = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    INFO("seed " << seed);
+    BenchScene scene = drawn_hoist(seed), iterated = drawn_hoist(seed);
+    const auto& lift = static_cast<const SliderJoint&>(*scene.world.joints()[0]);
+    const double speed = double(lift.motor().speed);
+    for (int n = 0; n < 600; ++n) {
+      play_hoist(scene.world, 1);
+      REQUIRE(widest_gap(scene) < (sizeof(real) == 8 ? 1e-6 : 1e-4));
+    }
+    CHECK(std::abs(double(scene.world.bodies.at(1).x.y) - 10 * speed) < 0.01 * 10 * speed);
+    SequentialImpulses solver;
+    solver.iterations = 30;
+    for (int n = 0; n < 600 && widest_gap(iterated) < 1; ++n)
+      step(iterated.world, solver, sixtieth);
+    lost += widest_gap(iterated) >= 1;
+  }
+  CHECK(lost == 20);
+}
+
+TEST_CASE("a spring of given k and c sags by m g / k and oscillates as its equation says") {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    INFO("seed " << seed);
+    Draw draw(seed);
+    const double m1 = draw.scale(1, 100), m2 = draw.scale(1, 100), K = 1 / m1 + 1 / m2;
+    const double k = draw.scale(100, 1e5), omega = std::sqrt(k * K);
+    const double zeta = draw.number(0.05, 0.9), c = 2 * zeta * omega / K, begin = 0.05;
+    SequentialImpulses solver;
+
+    World free;
+    free.gravity = vec3(0);
+    const BodyId a = free.add(ball(real(m1), real(0.2), vec3(0)));
+    const BodyId b = free.add(ball(real(m2), real(0.2), vec3(0, real(1 + begin), 0)));
+    make_spring(free.add<CentreDistanceJoint>(a, b, CentreDistance{1}), free.bodies, k, c);
+    const double h = 1e-3 / omega, damped = omega * std::sqrt(1 - zeta * zeta);
+    for (int n = 1; n <= 6000; ++n) {
+      step(free, solver, real(h));
+      const double t = n * h, C = double(length(free.bodies[b].x - free.bodies[a].x)) - 1;
+      const double exact = begin * std::exp(-zeta * omega * t) *
+                           (std::cos(damped * t) + zeta * omega / damped * std::sin(damped * t));
+      REQUIRE(std::abs(C - exact) < 0.005 * begin);
+    }
+
+    World loaded;
+    const BodyId wheel = loaded.add(static_body(vec3(0)));
+    const BodyId car = loaded.add(ball(real(m2), real(0.2), vec3(0, 100, 0)));
+    make_spring(loaded.add<CentreDistanceJoint>(wheel, car, CentreDistance{100}), loaded.bodies, k,
+                c);
+    for (int n = 0; n < 3000; ++n) step(loaded, solver, sixtieth);
+    const double sag = 100 - double(loaded.bodies[car].x.y), expected = m2 * 9.81 / k;
+    CHECK(std::abs(sag - expected) < 1e-3 * expected + (sizeof(real) == 8 ? 0 : 1e-4));
+  }
+}

@@ -102,6 +102,7 @@ inline LackMistakes lack_mistakes() {
       "#j-v-rod J V is written out as if J.v1 and J.v2 were known: row_velocity reads all four "
       "blocks";
   const char* const either_sign = "#never-a-pull a row may push and pull: lambda has either sign";
+  const char* const size = "#size-impulse the sign is lost: lambda is not a size";
   const char* const bias_as_it_is = "#beta-once-more the bias b is used as it is: neither beta "
                                     "nor h belongs here";
   return {
@@ -141,8 +142,8 @@ inline LackMistakes lack_mistakes() {
       {"a factor of 2", [](L l) -> PerRow { return 2.0 * l.lambda(); }},
       {either_sign, [](L l) -> PerRow { return (l.lambda() + std::abs(l.lambda())) / 2; }},
       {either_sign, [](L l) -> PerRow { return (l.lambda() - std::abs(l.lambda())) / 2; }},
-      {"#size-impulse the sign is lost: lambda is not a size",
-       [](L l) -> PerRow { return std::abs(l.lambda()); }},
+      {size, [](L l) -> PerRow { return std::abs(l.lambda()); }},
+      {size, [](L l) -> PerRow { return -std::abs(l.lambda()); }},
       {bias_as_it_is, [](L l) -> PerRow { return -l.over_K(l.JV + 0.2 * l.b); }},
       {bias_as_it_is, [](L l) -> PerRow { return -l.over_K(l.JV + 60.0 * l.b); }},
       {bias_as_it_is, [](L l) -> PerRow { return -l.over_K(l.JV + l.b / 60); }},

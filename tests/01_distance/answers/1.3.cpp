@@ -1,3 +1,4 @@
+// wrong drawn-side: if (K == 0) ==> if (K == 0 || body2.is_static())
 // wrong nothing-done-where-bias: == 0 ==> == 0 || std::abs(bias) < epsilon
 // wrong without-bias: (row_velocity(J, body1, body2) + bias) ==> row_velocity(J, body1, body2)
 // wrong small-k-taken-none: == 0 ==> < real(1e-3)
@@ -41,6 +42,10 @@
 // right times the effective mass: / K ==> * (1 / K)
 
 // region 2
+// wrong drawn-side: body1.v += ==> if (!body2.is_static()) body1.v += ;; body1.w += ==> if
+//         (!body2.is_static()) body1.w +=
+// wrong drawn-threshold: body1.v += ==> if (std::abs(lambda) < real(1e-9)) return; body1.v +=
+// wrong drawn-cut: body1.v += ==> if (std::abs(lambda) > real(1e3)) return; body1.v +=
 // wrong body-space-inertia (w1 and w2): inverse_inertia(body1) ==> body1.inverse_inertia_local ;;
 //         inverse_inertia(body2) ==> body2.inverse_inertia_local
 // wrong one-sign-too-many (v1 and w1): += body1 ==> -= body1 ;; w += ==> w -=

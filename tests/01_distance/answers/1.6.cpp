@@ -1,3 +1,8 @@
+// wrong drawn-threshold: return ==> if (glm::length(body2.x + r2 - body1.x - r1) < real(1e-3))
+//         return Row{}; return
+// wrong drawn-threshold: return ==> if (glm::length(r2) < real(1e-4)) return {-n, vec3(0), n,
+//         vec3(0)}; return
+// wrong drawn-side: return ==> if (body2.is_static()) return {-n, vec3(0), n, vec3(0)}; return
 // wrong bodies-swapped: -n ==> n, cross(r2, n), -n ;; , n, cross(r2, n) ==>
 // expects: Likely mistake: bodies 1 and 2 swapped (upright, turned, moved, broken)
 // wrong "body-space lever: the lever of body 1 is not turned into the world (turned, moved, broken)":
@@ -43,6 +48,13 @@
   return {-n, -cross(r1 + u, n), n, cross(r2, n)};
 
 // region 2
+// right K from the row fresh:
+  const vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local);
+  const vec3 n = direction(body2.x + r2 - body1.x - r1);
+  const Row J{-n, -cross(r1, n), n, cross(r2, n)};
+  return body1.inverse_mass * dot(J.v1, J.v1) + dot(J.w1, inverse_inertia(body1) * J.w1) +
+         body2.inverse_mass * dot(J.v2, J.v2) + dot(J.w2, inverse_inertia(body2) * J.w2);
+// wrong drawn-cut: return ==> return real(1e-9) +
 // wrong body-space-inertia-both (upright, turned, moved, broken): inverse_inertia(body1) ==>
 //         body1.inverse_inertia_local ;; inverse_inertia(body2) ==> body2.inverse_inertia_local
 // wrong without-rotation:

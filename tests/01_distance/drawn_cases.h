@@ -1,0 +1,131 @@
+// Exercises 1.3 to 1.6: cases drawn over sizes, scales and sides.
+#pragma once
+
+#include "tests/01_distance/step_reference.h"
+#include "tests/checker/drawn.h"
+#include "tests/checker/push_cases.h"
+
+namespace joints::testing {
+
+inline Row drawn_row(Draw& d, const Draw::Units& u) {
+  return {d.vector(), d.vector(u.m), d.vector(), d.vector(u.m)};
+}
+
+inline Drawn drawn_row_impulse(Draw& d) {
+  const Draw::Units u = d.units();
+  const Pair pair = d.pair(u);
+  const Row J = drawn_row(d, u);
+  const double K = double(dense_K(to_jacobian(J), pair.body1, pair.body2)[0][0]);
+  const double JV = double(row_velocity(J, pair.body1, pair.body2)), b = u.m / u.s * d.number();
+  d.size("|J V + b|", JV + b, "m/s");
+  d.size("K", K, "1/kg");
+  return {{"lambda / (kg m/s)"},
+          {double(row_impulse(J, real(K), real(b), pair.body1, pair.body2)) * u.s / u.m / u.kg},
+          {K == 0 ? 0 : -(JV + b) / K * u.s / u.m / u.kg}, {10}};
+}
+
+inline Drawn drawn_row_push(Draw& d) {
+  const Draw::Units u = d.units();
+  PushCase c{"", {}, {}, d.pair(u)};
+  c.J = {drawn_row(d, u)};
+  c.lambda = {real(d.size("|lambda|", u.kg * u.m / u.s * d.number(), "N s"))};
+  Pair pair = c.pair;
+  apply_impulse(c.J[0], c.lambda[0], pair.body1, pair.body2);
+  return drawn_vectors({"v1", "w1", "v2", "w2"}, numbers_of(pair), pushed(c),
+                       {u.m / u.s, 1 / u.s});
+}
+
+/// Bodies in a cloud, links between any two. The reader's other exercises are not asked.
+inline Drawn drawn_step(Draw& d, bool ropes) {
+  const Draw::Units u = d.units();
+  std::vector<Body> bodies(std::size_t(d.count("bodies", d.whole(2, 40))));
+  std::vector<Link> links(std::size_t(d.count("links", d.whole(0, 60))));
+  Random random = d.many();
+  for (Body& body : bodies) {
+    const vec3 x = real(u.m) * random.vector(4);
+    const bool wall = random.uniform(0, 1) < real(0.2);
+    body = wall ? static_body(x) : ball(real(u.kg) * random.uniform(1, 3), real(u.m), x);
+    if (!wall) body.v = real(u.m / u.s) * random.vector(1);
+  }
+  const int last = int(bodies.size()) - 1;
+  for (Link& link : links) {
+    link.body1 = int(random.uniform(0, real(last + 1) - real(1e-3)));
+    link.body2 = (link.body1 + 1 + int(random.uniform(0, real(last) - real(1e-3)))) % (last + 1);
+    link.length = length(bodies[link.body2].x - bodies[link.body1].x) +
+                  real(0.01 * u.m) * random.uniform(-1, 1);
+    link.rope = ropes && random.uniform(0, 1) < real(0.5);
+  }
+  const StepSettings settings{real(u.m / u.s / u.s) * random.vector(1), real(0.02 * u.s),
+                              d.count("iterations", d.whole(1, 300)), real(0.2)};
+  const auto numbers = [&](const auto& advance) {
+    std::vector<Body> now = bodies;
+    advance(now);
+    Numbers out;
+    for (std::size_t k = 0; k < now.size(); ++k)
+      for (int i = 0; i < 6; ++i)
+        out.push_back(double(i < 3 ? now[k].v[i] : (now[k].x - bodies[k].x)[i - 3]) /
+                      (i < 3 ? u.m / u.s : 0.02 * u.m));
+    return out;
+  };
+  const auto reference = [&](int back_in_even, int back_in_odd) {
+    return numbers([&](std::vector<Body>& now) {
+      for (Body& body : now)
+        if (!body.is_static()) body.v += settings.h * settings.gravity;
+      std::vector<LinkRow> rows;
+      for (const Link& link : links) rows.push_back(reference_row(link, now, settings));
+      for (int n = 0; n < settings.iterations; ++n)
+        for (std::size_t place = 0; place < links.size(); ++place) {
+          const bool back = n % 2 ? back_in_odd : back_in_even;
+          const std::size_t k = back ? links.size() - 1 - place : place;
+          Body &one = now[links[k].body1], &two = now[links[k].body2];
+          const Turn turn{links[k], rows[k], one, two, settings};
+          Way::push(Way{}.gets(Way{}.wants(turn), turn), rows[k].J, one, two);
+        }
+      for (Body& body : now) body.x += settings.h * body.v;
+    });
+  };
+  Drawn out{{}, numbers([&](std::vector<Body>& now) { step(now, links, settings); }),
+            reference(0, 0), {20}};
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    for (const char* entry : {"v.x", "v.y", "v.z", "h v.x", "h v.y", "h v.z"})
+      out.entries.push_back(entry + (" of body " + std::to_string(k)));
+  for (int order = 1; order < 4 && !same_numbers(out.yours, out.right, 1e-8); ++order)
+    if (Numbers other = reference(order % 2, order / 2); same_numbers(out.yours, other, 1e-8))
+      out.right = other;  // the links may be solved in any of these orders
+  return out;
+}
+
+inline Drawn drawn_clamp(Draw& d) {
+  const double unit = d.scale(12);
+  const double before = d.chance("the sum is 0") ? 0 : unit * std::abs(d.number());
+  const double dlambda = d.size("|dlambda|", unit * d.scale(3) * d.number(), "N s");
+  d.size("old sum", before, "N s");
+  real sum = real(before);
+  const double applied = double(clamp_sum(real(dlambda), sum));
+  const double right = std::max(before + dlambda, 0.0);
+  return {{"returned / dlambda", "new sum / dlambda"},
+          {applied / std::abs(dlambda), double(sum) / std::abs(dlambda)},
+          {(right - before) / std::abs(dlambda), right / std::abs(dlambda)},
+          {1 + before / std::abs(dlambda)}};
+}
+
+/// A rod between anchors, its points as near to each other as rounding lets them be.
+inline Drawn drawn_rod(Draw& d, bool of_K) {
+  const Draw::Units u = d.units();
+  Pair pair = d.pair(u);
+  const Distance rod{d.vector(u.m), d.vector(u.m), real(u.m)};
+  const vec3 r1 = to_world(pair.body1, rod.anchor1_local);
+  const vec3 r2 = to_world(pair.body2, rod.anchor2_local);
+  const double apart = d.size("distance", u.m * std::pow(10, -5 * d.pick()), "m");
+  pair.body2.x = pair.body1.x + r1 - r2 + d.vector(apart);
+  const vec3 n = direction(pair.body2.x + r2 - pair.body1.x - r1);
+  const Row J{-n, -cross(r1, n), n, cross(r2, n)};
+  if (of_K)
+    return {{"K kg"}, {double(rod.K(pair.body1, pair.body2)) * u.kg},
+            {double(dense_K(to_jacobian(J), pair.body1, pair.body2)[0][0]) * u.kg}, {20}};
+  return drawn_vectors({"J.v1", "J.w1", "J.v2", "J.w2"},
+                       flat(to_jacobian(rod.jacobian(pair.body1, pair.body2))),
+                       flat(to_jacobian(J)), {1, u.m});
+}
+
+}  // namespace joints::testing

@@ -103,7 +103,7 @@ class Blocks {
   template <class Part>
   void append(const Bodies& bodies, BodyId id1, BodyId id2, const Part& part,
               const RowTarget& target, real* impulse) {
-    if (!add(bodies, id1, id2, Part::rows, form_of<Part>(), target, impulse)) return;
+    if (!add(bodies, id1, id2, Part::rows, Part::form, target, impulse)) return;
     const Body &body1 = bodies.at(list.back().body1), &body2 = bodies.at(list.back().body2);
     write_error(part, body1, body2, C.data() + list.back().first);
     if (!errors_only) write_jacobian(part, body1, body2, J.data() + list.back().first);

@@ -1,7 +1,7 @@
 // Two parts as one block: J, C and K of both.
 #pragma once
 
-#include "engine/matrix.h"
+#include "engine/part.h"
 
 /// \addtogroup joint
 /// @{
@@ -11,6 +11,7 @@ namespace joints {
 /// itself a part, so composites can be nested.
 template <class First, class Second>
 struct Composite {
+  static_assert(require_part<First>() && require_part<Second>());
   static_assert(!First::one_sided, "bounds belong to the last row: only the lower part has them");
   First first;    ///< the upper rows
   Second second;  ///< the lower rows
@@ -19,7 +20,7 @@ struct Composite {
   static constexpr bool one_sided = Second::one_sided;     ///< bounds belong to the last row
   /// The form of the first part if the second one adds only angular rows, else Form::any.
   static constexpr Form form =
-      form_of<Second>() == Form::angular ? form_of<First>() : Form::any;
+      Second::form == Form::angular ? First::form : Form::any;
   /// C of both parts, the first above the second.
   Vector<rows> error(const Body& body1, const Body& body2) const {
     Vector<rows> C;
@@ -56,6 +57,13 @@ void write_jacobian(const Composite<First, Second>& part, const Body& body1, con
                     Row* J) {
   write_jacobian(part.first, body1, body2, J);
   write_jacobian(part.second, body1, body2, J + First::rows);
+}
+
+/// Both parts by their own check(). \throws std::invalid_argument from either
+template <Checked First, Checked Second>
+void check(const Composite<First, Second>& part) {
+  check(part.first);
+  check(part.second);
 }
 
 }  // namespace joints

@@ -72,19 +72,12 @@ inline Jacobian<1> to_jacobian(const Row& row) { return {{row}}; }
 template <int N>
 const Jacobian<N>& to_jacobian(const Jacobian<N>& J) { return J; }
 
-/// The form of a part's rows, known from its type. It lets solvers use a shorter formula. A part
-/// declares it as `static constexpr Form form`; without a declaration it is Form::any.
+/// The form of a part's rows, known from its type. It lets solvers use a shorter formula.
 enum class Form : signed char {
   any,      ///< nothing is known of the rows
   angular,  ///< v1 = v2 = 0 and w1 = -w2
   point     ///< three rows v1 = -E, w1 = skew(r1), v2 = E, w2 = -skew(r2), then angular rows
 };
-/// The form of a part.
-template <class Part>
-constexpr Form form_of() {
-  if constexpr (requires { Part::form; }) return Part::form;
-  return Form::any;
-}
 
 /// Writes C of a part to `C`. A composite writes its parts one after the other.
 template <class Part>

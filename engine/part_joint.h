@@ -2,19 +2,21 @@
 #pragma once
 
 #include "engine/joint.h"
+#include "engine/part.h"
 
 /// \addtogroup joint
 /// @{
 namespace joints {
 
-/// A joint of a single part. A part must have
-///  - `static constexpr int rows`, 1 to 6,
-///  - `static constexpr bool one_sided`: true if the last row enforces C >= 0 with an impulse that
-///    only increases C,
-///  - `error` and `jacobian`, const functions of two bodies,
-///  - a free function `check(const Part&)` that rejects impossible geometry.
+/// A joint of a single part: a type that satisfies the concept joints::Part and has a free function
+/// check() that rejects impossible geometry.
 template <class Part>
 class PartJoint : public Joint {
+  static_assert(require_part<Part>());
+  static_assert(Checked<Part>,
+                "this part, and each part of a composite, needs a free function `void check(const "
+                "P& part)`, P its type: it throws std::invalid_argument for impossible geometry");
+
  public:
   Part part;  ///< the geometry; may be changed between steps
 

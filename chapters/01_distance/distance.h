@@ -28,6 +28,7 @@ struct CentreDistance {
 
   static constexpr int rows = 1;            ///< degrees of freedom that it removes
   static constexpr bool one_sided = false;  ///< it pushes and it pulls
+  static constexpr Form form = Form::any;  ///< the form of its rows
   /// C, the error [m]: positive when the rod is too long.
   real error(const Body& body1, const Body& body2) const {
     return glm::length(body2.x - body1.x) - length;  // Eq. 1-1
@@ -50,6 +51,7 @@ struct Distance {
 
   static constexpr int rows = 1;            ///< degrees of freedom that it removes
   static constexpr bool one_sided = false;  ///< it pushes and it pulls
+  static constexpr Form form = Form::any;  ///< the form of its rows
   /// C, the error [m]: positive when the rod is too long.
   real error(const Body& body1, const Body& body2) const {
     const vec3 u = world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
@@ -71,6 +73,7 @@ struct Rope {
 
   static constexpr int rows = 1;           ///< degrees of freedom that it removes while taut
   static constexpr bool one_sided = true;  ///< it only pulls
+  static constexpr Form form = Form::any;  ///< the form of its rows
   /// C, the slack [m]: negative when the rope is overstretched.
   real error(const Body& body1, const Body& body2) const { return -rod.error(body1, body2); }
   /// Minus the rod's row.

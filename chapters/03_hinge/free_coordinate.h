@@ -18,7 +18,7 @@ struct Limit {
 
   static constexpr int rows = 1;           ///< one row
   static constexpr bool one_sided = true;  ///< its impulse only increases C
-  static constexpr Form form = form_of<Coordinate>();  ///< the form of its row
+  static constexpr Form form = Coordinate::form;  ///< the form of its row
   /// C, the gap to the limit [rad or m]; negative beyond it.
   real error(const Body& body1, const Body& body2) const {
     return sign * (coordinate.error(body1, body2) - bound);

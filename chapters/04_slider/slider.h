@@ -23,6 +23,7 @@ struct Line {
 
   static constexpr int rows = 2;            ///< degrees of freedom that it removes
   static constexpr bool one_sided = false;  ///< both signs of impulse are allowed
+  static constexpr Form form = Form::any;  ///< the form of its rows
   Vector<2> error(const Body& body1, const Body& body2) const;       ///< exercise 4.1 [m]
   Jacobian<2> jacobian(const Body& body1, const Body& body2) const;  ///< exercise 4.1
   Matrix<2> K(const Body& body1, const Body& body2) const;           ///< Eq. 4-5 [1/kg]
@@ -61,6 +62,7 @@ struct Slide {
 
   static constexpr int rows = 1;            ///< one row, used by limit and motor
   static constexpr bool one_sided = false;  ///< false; the row of a limit is one-sided
+  static constexpr Form form = Form::any;  ///< the form of its rows
   real error(const Body& body1, const Body& body2) const;    ///< exercise 4.3 [m]
   Row jacobian(const Body& body1, const Body& body2) const;  ///< exercise 4.3
   real K(const Body& body1, const Body& body2) const;        ///< Eq. 4-12 [1/kg]

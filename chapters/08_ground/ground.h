@@ -25,6 +25,7 @@ struct Corner {
 
   static constexpr int rows = 1;           ///< at most, while the corner touches
   static constexpr bool one_sided = true;  ///< it only pushes
+  static constexpr Form form = Form::any;  ///< the form of its rows
   /// n, the direction in which the top faces: unit, world.
   static vec3 up(const Body& body1) { return to_world(body1, vec3(0, 1, 0)); }
   /// p, the point of body 2 that touches first [m, world].

@@ -31,6 +31,7 @@ inline mat3 turned_inertia(const quat& q, const vec3& along_axes) {
 struct LoopHinge : Hinge {
   static constexpr int rows = 5;
   static constexpr bool one_sided = false;
+  static constexpr Form form = Form::any;
   Vector<5> error(const Body& body1, const Body& body2) const {
     const vec3 gap = body2.x + rotated(body2.q, point.anchor2_local) - body1.x -
                      rotated(body1.q, point.anchor1_local);

@@ -18,6 +18,7 @@ struct Pile {
   B b;
   static constexpr int rows = A::rows + B::rows;
   static constexpr bool one_sided = false;
+  static constexpr Form form = Form::any;
   Vector<rows> error(const Body& body1, const Body& body2) const {
     Vector<rows> C;
     const Vector<A::rows> upper = to_vector(a.error(body1, body2));

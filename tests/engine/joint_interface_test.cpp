@@ -14,6 +14,7 @@ struct Plane {
   vec3 anchor1_local{0}, anchor2_local{0}, normal_local{0, 1, 0};
   static constexpr int rows = 1;
   static constexpr bool one_sided = false;
+  static constexpr Form form = Form::any;
   vec3 u(const Body& body1, const Body& body2) const {
     return world_point(body2, anchor2_local) - world_point(body1, anchor1_local);
   }
@@ -38,6 +39,7 @@ struct Pulley {
   real length = 1;
   static constexpr int rows = 1;
   static constexpr bool one_sided = false;
+  static constexpr Form form = Form::any;
   real error(const Body& body1, const Body& body2) const {
     return glm::length(body1.x - wheel1) + glm::length(body2.x - wheel2) - length;
   }

@@ -2,7 +2,8 @@
 // momentum change by what the formulas say, and the error dies away at the promised rate.
 #include "engine/instruments/measure.h"
 #include "tests/checker/joint_fixtures.h"
-#include "tests/joints/any_part.h"
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/05_fixed/fixed_joint.h"
 #include "tests/oracle/test.h"
 
 namespace {

@@ -5,7 +5,7 @@ copy against the installed files and runs it, once in double and once in float. 
 compiled may come from ROOT, nothing that is installed may name it, and the program of a hinge may
 carry no slider, no weld and no ground, that of a crate on the ground no hinge joint, that of two
 shafts no slider either, that of a chain of ball joints none of all these. The examples in the
-headers' comments compile. Double and float do not link into one program, and headers without their
+headers' comments compile. A part without one of its members is told so in a sentence. Double and float do not link into one program, and headers without their
 definitions say so. The library is configured without the packages that only the workbook needs.
 Exit status 0 when all of that holds, 1 otherwise, 2 for a bad command line.
 """
@@ -154,6 +154,29 @@ def bare_headers_say_so(area, prefix, compiler):
         raise Wrong("joints.pc brings no definition")
 
 
+def parts_say_what_is_missing(root, area, prefix, compiler):
+    """Without one of the members of a part, the first error is a sentence that names it."""
+    header = root / "tests" / "library" / "consumer" / "universal_joint.h"
+    source, whole = area / "part.cpp", header.read_text().replace("#pragma once", "")
+    needed = re.findall(r"-DGLM_\w+", (prefix / "lib" / "pkgconfig" / "joints.pc").read_text())
+    for said, member in (("needs `static constexpr int rows`", r"  static constexpr int rows.*?\n"),
+                         ("`static constexpr bool one_sided`", r"  static constexpr bool.*?\n"),
+                         ("`static constexpr Form form`", r"  static constexpr Form.*?\n"),
+                         ("`error(body1, body2)`", r"  real error\(.*?\n  }\n"),
+                         ("`jacobian(body1, body2)`", r"  Row jacobian\(.*?\n  }\n"),
+                         ("`void check(const P& part)`", r"inline void check\(.*?\n}\n")):
+        left, count = re.subn(member, "", whole, count=1, flags=re.S)
+        source.write_text(left + "\ntemplate class joints::PartJoint<joints::Composite<"
+                          "joints::Point, joints::RightAngle>>;\n")
+        command = [compiler, "-std=c++20", "-fsyntax-only", f"-I{prefix}/include/joints", *needed,
+                   "-DREAL=double", source]
+        errors = subprocess.run([str(word) for word in command], capture_output=True,
+                                text=True).stderr
+        first = next((line for line in errors.split("\n") if "error:" in line), "")
+        if count != 1 or said not in first:
+            raise Wrong(f"a part without {said}: the first error is\n{first}")
+
+
 def compiled(root, folder, *question):
     """The sources that ninja's answer compiles, named from ROOT or from the build folder."""
     sources = re.findall(r' -c ([^\s"]+)', call("ninja", "-C", folder, "-t", *question))
@@ -208,6 +231,7 @@ def library_test(root, build, area):
                 raise Wrong("docs/library.md says that a program says something else")
     kinds_do_not_mix(area, prefix, compiler)
     bare_headers_say_so(area, prefix, compiler)
+    parts_say_what_is_missing(root, area, prefix, compiler)
     library_stands_alone(root, build, area, compiler)
     return 0
 

@@ -14,6 +14,7 @@ struct RightAngle {
 
   static constexpr int rows = 1;            ///< degrees of freedom that it removes
   static constexpr bool one_sided = false;  ///< it acts in both directions
+  static constexpr Form form = Form::angular;  ///< v1 = v2 = 0 and w1 = -w2
   real error(const Body& body1, const Body& body2) const {
     return dot(to_world(body1, a1_local), to_world(body2, a2_local));
   }
@@ -26,11 +27,10 @@ struct RightAngle {
 /// Holds a point, and keeps two axes at right angles: four rows in one block.
 using UniversalJoint = PartJoint<Composite<Point, RightAngle>>;
 
-/// \throws std::invalid_argument unless the anchors are finite and both axes have the length 1
-inline void check(const Composite<Point, RightAngle>& part) {
-  check(part.first);
-  for (const vec3& axis : {part.second.a1_local, part.second.a2_local})
-    require(std::abs(length(axis) - 1) < real(1e-3), "axis1, axis2: must be unit vectors");
+/// \throws std::invalid_argument unless both axes have the length 1
+inline void check(const RightAngle& part) {
+  require_unit("a1_local", part.a1_local);
+  require_unit("a2_local", part.a2_local);
 }
 
 /// Joins two shafts in their present poses. \param anchor where the shafts' axes meet [m, world]

@@ -19,7 +19,7 @@ Feedback feedback(const RowTarget& target, real h, real acting) {
 
 real bias(const Block& block, int i, real C, real rate, real h) {
   if (i < block.rows - 1) return rate * C;
-  // speculative: the gap may be closed, no more
+  // speculative: the gap may close, but not more
   return (block.target.one_sided() && C > 0 ? C / h : rate * C) - block.target.rate;
 }
 

@@ -1,4 +1,4 @@
-// How bodies are made and how they move when no joint holds them.
+// Makes bodies, and moves them without joints.
 #include "engine/body.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace joints {
 
-// ---- what is refused ----------------------------------------------------------------------------
+// ---- validation ---------------------------------------------------------------------------------
 
 namespace {
 
@@ -76,7 +76,7 @@ void check(const Body& body) {
           "must be zero where inverse_mass is (static), and positive elsewhere");
 }
 
-// ---- how bodies are made ------------------------------------------------------------------------
+// ---- construction -------------------------------------------------------------------------------
 
 mat3 rotated_inverse_inertia(const Body& body) {
   const vec3& inverse = body.inverse_inertia_local;
@@ -120,7 +120,7 @@ Body ball(real mass, real radius, const vec3& x) {
   return body_with(mass, vec3(real(0.4) * mass * radius * radius), x);
 }
 
-// ---- how they move ------------------------------------------------------------------------------
+// ---- motion -------------------------------------------------------------------------------------
 
 quat rotation(const vec3& phi) {
   const real angle = length(phi);

@@ -1,5 +1,5 @@
-// The looks are quick: one sum over all numbers of a body, which no NaN and no infinity passes.
-// Only what is then in doubt is looked at closely.
+// The check is quick: it forms one sum over all numbers of a body, which is not finite if one of
+// them is not. Only then are the numbers checked one by one.
 #include "engine/input.h"
 
 #include <stdexcept>
@@ -9,7 +9,7 @@ namespace joints {
 
 namespace {
 
-// Runs a check. What it refuses is told with the name of what was checked, as in "joint 3: ".
+// Runs a check. If it throws, the message gets the name of the checked object, as in "joint 3: ".
 template <class Check>
 void named(const char* what, std::size_t number, const Check& check) {
   try {
@@ -19,7 +19,7 @@ void named(const char* what, std::size_t number, const Check& check) {
   }
 }
 
-// True if check() accepts this body, which can move. A static one is always looked at closely.
+// True if check() accepts this body, which can move. A static one is always checked in full.
 bool is_good(const Body& body) {
   const vec3& inverse = body.inverse_inertia_local;
   return finite(sum(body.x + body.v + body.w + body.force + body.torque + inverse) +

@@ -1,5 +1,5 @@
-// What all solvers know of the blocks that they were prepared for, and what iterative ones read of
-// a block besides its rows: settings, targets and bounds.
+// Common code of all solvers: the blocks for which they were prepared. Of the iterative ones also
+// the settings, and the targets and bounds of a block.
 #include "engine/iterative_solver.h"
 
 #include <stdexcept>

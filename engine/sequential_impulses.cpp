@@ -15,7 +15,7 @@ Twelve velocities(const Body& body1, const Body& body2) {
   return twelve(V);
 }
 
-// A static body keeps its velocities, whatever an impulse is.
+// A static body keeps its velocities, even if an impulse is not finite.
 void set_velocities(Body& body1, Body& body2, const Twelve& twelve) {
   const Row& V = reinterpret_cast<const Row&>(twelve);
   if (!body1.is_static()) body1.v = V.v1, body1.w = V.w1;
@@ -48,7 +48,7 @@ void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int
   }
   for (int k = first; k < int(blocks.list.size()); ++k) {
     const Block& block = blocks.list[std::size_t(k)];
-    followed_row(blocks, k);  // refuses a bound that follows nothing
+    followed_row(blocks, k);  // rejects a bound that follows no row
     const int together = row_by_row ? 1 : block.rows;
     for (int i = 0; i < block.rows; i += together) add(bodies, blocks, block, i, i + together, h);
   }
@@ -83,7 +83,7 @@ void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const B
 }
 
 void SequentialImpulses::warm_start(Bodies& bodies, real ratio) {
-  blocks_of(bodies);  // refuses other bodies
+  blocks_of(bodies);  // rejects other bodies
   for (const PreparedBlock& block : prepared_.blocks) {
     if (ratio == 0) {
       std::fill_n(block.impulse, block.rows, real(0));
@@ -150,7 +150,7 @@ void SequentialImpulses::advance_split(Bodies& bodies, real h) {
     split_blocks_.back().impulse = &split_impulses_[std::size_t(prepared.first)];
     const std::size_t last = std::size_t(block.first + block.rows - 1);
     if (prepared.first + prepared.rows <= int(last)) return;
-    // a limit minds both velocities together, an equality only what corrects it
+    // a limit uses the sum of both velocities, an equality only the correcting one
     prepared_.rows[last].bias +=
         block.target.one_sided()
             ? row_velocity(blocks.J[last], bodies.at(block.body1), bodies.at(block.body2))

@@ -1,4 +1,4 @@
-// A world's numbers, out and in.
+// Saves and restores the numbers of a world.
 #include "engine/state.h"
 
 #include <stdexcept>
@@ -25,7 +25,7 @@ void require_same(const char* what, std::size_t theirs, std::size_t ours) {
            std::to_string(ours));
 }
 
-// Refuses a state that is not of the shape of this world's own.
+// Rejects a state with another structure than this world.
 void require_shape(const State& state, const State& own) {
   require_same("bodies", state.slots.size(), own.slots.size());
   for (std::size_t k = 0; k < own.slots.size(); ++k)
@@ -49,7 +49,7 @@ void check_memory(const SolverMemory& memory, int slots) {
     require(finite(rate), "state: memory", rate, "must be finite");
 }
 
-// Sets a world to a state of its shape.
+// Sets a world to a state of the same structure.
 void write(World& world, const State& state) {
   world.last_h = state.last_h;
   world.blocks.acting = state.acted;

@@ -22,7 +22,7 @@ void soften(Blocks& blocks, const Stepping& how) {
     }
 }
 
-// begin_step() without the looks.
+// begin_step() without the validation.
 void begin(World& world, Solver& solver, real h, const Stepping& how) {
   Bodies& bodies = world.bodies;
   real &acted = world.blocks.acted, &acting = world.blocks.acting;
@@ -46,7 +46,7 @@ void begin(World& world, Solver& solver, real h, const Stepping& how) {
 void step(World& world, Solver& solver, real h, const Stepping& how) {
   require(how.substeps > 0, "substeps: there must be at least one");
   const real h_sub = h / real(how.substeps);
-  check_input(world, solver, h_sub, how);  // of all substeps: a later one refuses nothing
+  check_input(world, solver, h_sub, how);  // once for all substeps
   for (int substep = 0; substep < how.substeps; ++substep) {
     begin(world, solver, h_sub, how);
     solver.solve(world.bodies);

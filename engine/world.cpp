@@ -15,7 +15,7 @@ void World::remove(const Joint& joint) {
                                   [&](const auto& mine) { return mine.get() == &joint; });
   require(place != joints_.end(), "joint: this world has no such joint");
   joints_.erase(place);
-  blocks.clear();  // some may have been its own
+  blocks.clear();  // some may have belonged to it
 }
 
 void World::remove(BodyId body) {

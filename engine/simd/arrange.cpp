@@ -1,4 +1,4 @@
-// Finds islands, and which of them are alike.
+// Finds islands, and sets of islands with the same structure.
 #include "engine/simd/arrange.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The two bodies of a joint, as indices. Not in arrange.h, which has the engine's graph colouring:
-// exercise 7.3 asks for one.
+// The two bodies of a joint, as indices. A separate header, so that exercise 7.3 does not include
+// the engine's graph colouring.
 #pragma once
 
 /// \addtogroup world

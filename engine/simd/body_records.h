@@ -9,7 +9,7 @@
 /// @{
 namespace joints {
 
-/// The velocities that the iterations change, where an order of the blocks wants them.
+/// The velocities that the iterations change, at the places that an order of the blocks defines.
 class BodyRecords {
  public:
   /// Copies the bodies' velocities into the records. \param body function from slot to body
@@ -34,7 +34,7 @@ class BodyRecords {
       to.w = vec3(one.w.x, one.w.y, one.w.z);
     });
   }
-  /// For an iteration over these groups and those behind. \param first group
+  /// For an iteration over the groups from number `first` on.
   BodyView view(const LaneOrder& order, int first = 0) {
     return {records_.data(), order.ends.data() + first * order.ends_of_a_group(), order.columns};
   }

@@ -1,6 +1,6 @@
-// What is done with a record: its K^-1, its warm start, its solve. Each file that is compiled for
+// The operations on a record: its K^-1, its warm start, its solve. Each file that is compiled for
 // an instruction set includes it. Number is one number or one per lane. Every kind of rows has
-// three functions, all else is the same for all kinds:
+// three functions; everything else is the same for all kinds:
 //   form_K   J M^-1 J^T, lower triangle
 //   errors   bias + J V
 //   apply    V += M^-1 J^T lambda
@@ -39,8 +39,8 @@ inline void add_lever(Number* K, const Triple<Number>& r, const Symmetric<Number
   K[5] += r.y * c.x - r.x * c.y;
 }
 
-// The inverse mass of both bodies. In an unused lane all numbers of the record are zero, but two
-// bodies may meet that no block joins: 0, so that K^-1 is zero, too.
+// The inverse mass of both bodies. In an unused lane all numbers of the record are zero, but its
+// columns may contain two bodies that no block connects. There it returns 0, so K^-1 is zero, too.
 template <class Number>
 inline Number used_mass(const Number& mass, const Number& I1, const Number& I2) {
   return where_above(I1 + I2, Number::of(0), mass);
@@ -224,7 +224,7 @@ inline void prepare_record(Record<Rows, N, hard, Number>& record, const Velociti
 }
 
 // Applies `ratio` times the accumulated impulses; a row that depends on others gets none. With 0
-// they are forgotten, whatever they were.
+// they are set to zero, even if they are not finite.
 template <class Rows, int N, bool hard, class Number>
 inline void warm_record(Record<Rows, N, hard, Number>& record, Velocities<Number>& body1,
                         Velocities<Number>& body2, real ratio) {
@@ -284,9 +284,9 @@ inline void move_bounds(FollowingRecord<ends, Number>& record, const real* numbe
   }
 }
 
-// ---- over all groups ----------------------------------------------------------------------------
+// ---- a pass over all groups ---------------------------------------------------------------------
 
-// Calls f(record, body1, body2, number) for every group: one switch for groups that are alike.
+// Calls f(record, body1, body2, number) for every group: one switch for groups of the same kind.
 template <class Number, class F>
 inline void each_group(const LaneWork& work, const F& f) {
   for (int k = 0; k < work.count;) {

@@ -28,7 +28,7 @@ Member member_of(const Bodies& bodies, const Block& block) {
 
 // ---- the numbers of a block ---------------------------------------------------------------------
 
-// What a record is filled from.
+// The data from which a record is filled.
 struct Source {
   const Block& block;
   const Row* J;
@@ -88,7 +88,7 @@ void fill_rows(SingleRows<N, ends, real>& rows, const Source& from, int) {
     }
 }
 
-// What bodies that do not move, which are zeros to the iterations, contribute to J V.
+// The part of J V from static bodies with a velocity. The iterations read zeros for these bodies.
 real still_rate(const Row& J, const Body& body1, const Body& body2) {
   real rate = 0;
   if (body1.is_static()) rate += dot(J.v1, body1.v) + dot(J.w1, body1.w);
@@ -114,7 +114,7 @@ void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
   }
 }
 
-// move_bounds() sets its bounds before every solve.
+// Its bounds are set by move_bounds() before every solve.
 template <int ends, class Number>
 void fill(FollowingRecord<ends, Number>& record, const Source& from, int lane) {
   fill(static_cast<AnyRecord<1, ends, false, Number>&>(record), from, lane);
@@ -125,7 +125,7 @@ void fill(FollowingRecord<ends, Number>& record, const Source& from, int lane) {
 
 // ---- the groups ---------------------------------------------------------------------------------
 
-// Brings what the groups depend on up to date. \return true if nothing has changed
+// Updates the data on which the groups depend. \return true if nothing has changed
 bool PackedBlocks::sign(const Bodies& bodies, const Blocks& list, int first) {
   const std::size_t count = list.list.size();
   bool same = members_.size() == count;
@@ -141,7 +141,7 @@ bool PackedBlocks::sign(const Bodies& bodies, const Blocks& list, int first) {
   return same;
 }
 
-// Gives the bodies places, anew if need be. \return true if they are new
+// Gives the bodies places, new ones if necessary. \return true if they are new
 bool PackedBlocks::place(const Bodies& bodies) {
   if (wanted_ != Packing::automatic) return false;
   moves_.clear();
@@ -149,15 +149,15 @@ bool PackedBlocks::place(const Bodies& bodies) {
     moves_.push_back(!bodies.at(slot).is_static());
   if (!places_.place(members_, moves_, lanes_ ? lane_count : 1)) return false;
   ++placings_;
-  // Each body and each link has a lane; so has for each island what does not move: as many as the
-  // links are less than the bodies.
+  // Lanes in use: one for each body, for each link, and for each island one of static bodies. An
+  // island has one link less than bodies, so these are two per body.
   places_.append(order_, places_.links(), 0);
   const std::size_t used = 2 * std::size_t(std::count(moves_.begin(), moves_.end(), true));
   fits_lanes_ = 2 * used >= order_.bodies.size() + order_.blocks.size();
   return true;
 }
 
-// The blocks from number `first` on become groups behind the others; with 0 all of them anew.
+// Appends groups of the blocks from number `first` on; with 0 it makes all groups anew.
 void PackedBlocks::append(const Bodies& bodies, int first) {
   if (first == 0) {
     chosen_ = wanted_;
@@ -175,7 +175,7 @@ void PackedBlocks::append(const Bodies& bodies, int first) {
   append_in_turn(order_, members_, first);
 }
 
-// Allocates the records of groups that are new. \param first 0 if all are
+// Allocates the records of new groups. \param first 0 if all groups are new
 void PackedBlocks::add_groups(const Bodies& bodies, const Blocks& list, int first) {
   if (first == 0) {
     groups_.clear();
@@ -297,7 +297,7 @@ void PackedImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int fir
 }
 
 void PackedImpulses::warm_start(Bodies& bodies, real ratio) {
-  blocks_of(bodies);  // refuses other bodies
+  blocks_of(bodies);  // rejects other bodies
   packed_.run(Pass::warm, ratio);
   if (ratio != 0) packed_.give_back(bodies);
 }

@@ -19,9 +19,9 @@ enum class Packing {
   list        ///< the order of the list, without lanes
 };
 
-/// The blocks of a step in groups that are solved side by side. What has not changed is kept: the
-/// places of the bodies until islands are connected otherwise, the groups until a block comes, goes
-/// or changes its kind. Once its vectors have grown, a step does not allocate.
+/// The blocks of a step in groups that are solved side by side. The places of the bodies are kept
+/// until islands are connected differently, and the groups until a block comes, goes or changes its
+/// kind. Once its vectors have grown, a step does not allocate.
 class PackedBlocks {
  public:
   /// Fills the records from the blocks of a step and prepares them for its iterations.
@@ -37,8 +37,8 @@ class PackedBlocks {
   /// Copies the accumulated impulses back into the joints. \param list as given to pack()
   void unpack(const Blocks& list) const;
 
-  const LaneOrder& order() const { return order_; }  ///< which blocks come side by side, and when
-  const std::vector<LaneGroup>& groups() const { return groups_; }  ///< one for each of the order
+  const LaneOrder& order() const { return order_; }  ///< the groups and their order
+  const std::vector<LaneGroup>& groups() const { return groups_; }  ///< one per group of the order
   std::string words() const;  ///< the order in words, as "8 lanes, an island in each"
   int placings() const { return placings_; }    ///< how often the bodies got places
   int groupings() const { return groupings_; }  ///< how often blocks were put into groups
@@ -71,13 +71,13 @@ class PackedBlocks {
   real* numbers() { return reinterpret_cast<real*>(numbers_.data()); }
   const real* numbers() const { return reinterpret_cast<const real*>(numbers_.data()); }
 
-  std::vector<Member> members_;  // of each block: what the groups depend on
+  std::vector<Member> members_;  // of each block: the data on which the groups depend
   std::vector<int> follows_;     // of each block: followed_row()
   Places places_;
   GreedyColours colours_;
   std::vector<bool> moves_;  // of each body
   Packing wanted_ = Packing::automatic, chosen_ = Packing::automatic;
-  bool lanes_ = true;        // as wanted
+  bool lanes_ = true;        // as given
   bool fits_lanes_ = true;   // islands one per lane use at least half of the lanes
   bool late_ = false;        // the last groups were appended in the middle of a step
   int placings_ = 0, groupings_ = 0;

@@ -8,14 +8,14 @@
 
 namespace joints {
 
-// ---- where bodies stand -------------------------------------------------------------------------
+// ---- the places of bodies -----------------------------------------------------------------------
 
 int Places::root_of(int body) {
   while (root_[body] != body) body = root_[body] = root_[root_[body]];
   return body;
 }
 
-// Brings root_ and links_ up to date. \return true if the links are those of before
+// Updates root_ and links_. \return true if the links have not changed
 bool Places::find_links(const std::vector<Member>& members) {
   std::iota(root_.begin(), root_.end(), 0);
   std::size_t count = 0;
@@ -78,7 +78,7 @@ bool Places::place(const std::vector<Member>& members, const std::vector<bool>& 
   return true;
 }
 
-// ---- which blocks come side by side -------------------------------------------------------------
+// ---- the groups of blocks -----------------------------------------------------------------------
 
 void Places::append(LaneOrder& order, const std::vector<Member>& members, int first) {
   if (first == 0) {
@@ -96,13 +96,13 @@ void Places::append(LaneOrder& order, const std::vector<Member>& members, int fi
   for (int k = first; k < int(members.size()); ++k) {
     const auto& [bodies, kind] = members[k];
     const int island = places_[std::max(bodies.body1, bodies.body2)].island;
-    const int share = island / width_;
+    const int batch = island / width_;
     const auto column = [&](int body) {
-      return body < 0 ? first_column_[share] : places_[body].column;
+      return body < 0 ? first_column_[batch] : places_[body].column;
     };
     const BodyPair columns{column(bodies.body1), column(bodies.body2)};
-    // the next of the share's groups, behind the island's last one, that this block can join
-    int& next = last_[island] < 0 ? begin_[share] : groups_[last_[island]].next;
+    // the next group of the batch after the island's last one that this block can join
+    int& next = last_[island] < 0 ? begin_[batch] : groups_[last_[island]].next;
     int group = next;
     while (group >= 0 && !(groups_[group].columns == columns && groups_[group].kind == kind))
       group = groups_[group].next;
@@ -115,8 +115,8 @@ void Places::append(LaneOrder& order, const std::vector<Member>& members, int fi
     lanes_[group * width_ + island % width_] = k;
     last_[island] = group;
   }
-  // the first group of every share, then the second of every one: neighbours do not wait for each
-  // other's velocities
+  // the first group of every batch, then the second of every batch: neighbours in the order do not
+  // wait for each other's velocities
   for (std::erase(begin_, -1); !begin_.empty(); std::erase(begin_, -1))
     for (int& group : begin_) {
       const auto lanes = lanes_.begin() + group * width_;

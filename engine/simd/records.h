@@ -36,11 +36,11 @@ struct BlockKind {
 template <int N, bool isotropic, class Number>
 struct PointRows {
   static constexpr int ends = 2;  ///< bodies of a row
-  /// Of an isotropic body one number will do.
+  /// One number for an isotropic body.
   using Inertia = std::conditional_t<isotropic, Number, Symmetric<Number>>;
   Triple<Number> r1, r2;  ///< levers [m], world
   Inertia I1, I2;         ///< inverse inertia [1/(kg m^2)], world
-  Number bias[N];         ///< minus the wanted J V [unit of C per s]
+  Number bias[N];         ///< minus the required J V [unit of C per s]
   [[no_unique_address]] std::array<Triple<Number>, N - 3> axis;  ///< w2 of J, equal to -w1 [1]
 };
 
@@ -48,15 +48,15 @@ struct PointRows {
 template <int N, int bodies, class Number>
 struct AnyRows {
   static constexpr int ends = bodies;  ///< bodies of a row
-  /// What belongs to a body: its half of J, and the angular part of its half of M^-1 J^T.
+  /// The numbers of one body: its half of J, and the angular part of its half of M^-1 J^T.
   struct Half {
     Triple<Number> v, w, response_w;  ///< factors of the velocities
   };
-  Number bias[N];     ///< minus the wanted J V [unit of C per s]
+  Number bias[N];     ///< minus the required J V [unit of C per s]
   Half row[N][ends];  ///< the rows, from the first
 };
 
-/// Rows of any kind of a single block: what belongs to a body has the layout of its velocities.
+/// Rows of any kind of a single block. The numbers of a body have the layout of its velocities.
 template <int N, int bodies, class Number>
 struct SingleRows {
   static constexpr int ends = bodies;  ///< bodies of a row
@@ -64,7 +64,7 @@ struct SingleRows {
   struct Half {
     Velocities<Number> J, response;  ///< factors of the velocities, and their change
   };
-  Number bias[N];     ///< minus the wanted J V [unit of C per s]
+  Number bias[N];     ///< minus the required J V [unit of C per s]
   Half row[N][ends];  ///< the rows, from the first
 };
 
@@ -79,7 +79,7 @@ struct Impulses {
 template <int N, class Number>
 struct Bounds {
   Number impulse_scale, lower, upper;  ///< as in StepTarget
-  /// Kinv[i][last] / Kinv[last][last]: the change of an impulse per unit that is cut off the last.
+  /// Kinv[i][last] / Kinv[last][last]: the change of an impulse per unit cut off the last one.
   Number clamp_response[N];
 };
 /// For a hard block.
@@ -90,14 +90,14 @@ template <class Rows, int N, bool hard, class Number>
 struct Record {
   static constexpr int ends = Rows::ends;  ///< bodies of a row
   Rows rows;                     ///< geometry and bias
-  Impulses<N, Number> impulses;  ///< what they have given, and K^-1
+  Impulses<N, Number> impulses;  ///< accumulated impulses, and K^-1
   /// Scales and bounds, if there are any.
   [[no_unique_address]] std::conditional_t<hard, Unbounded, Bounds<N, Number>> bounds;
 };
-/// Of a block whose first three rows hold two points together.
+/// The record of a block whose first three rows hold two points together.
 template <int N, bool hard, bool isotropic, class Number>
 using PointRecord = Record<PointRows<N, isotropic, Number>, N, hard, Number>;
-/// Of any other block.
+/// The record of any other block.
 template <int N, int ends, bool hard, class Number>
 using AnyRecord =
     Record<std::conditional_t<sizeof(Number) == sizeof(real), SingleRows<N, ends, Number>,
@@ -180,23 +180,23 @@ inline One gather(const All& all, int lane) {
 struct LaneGroup : BlockKind {
   int first = 0;         ///< index of its record's first number
   int first_lambda = 0;  ///< index of the record's first accumulated impulse
-  int alike = 1;         ///< how many groups of this kind follow each other from here on
+  int alike = 1;         ///< number of groups of this kind in sequence from here on
 };
 
-/// The velocities of all bodies, and where each group finds those of its own.
+/// The velocities of all bodies, and where those of each group are.
 struct BodyView {
   Velocities<real>* records;  ///< one after the other, or columns of lane_count
   const int* ends;            ///< LaneOrder::ends
   bool columns;               ///< LaneOrder::columns: no transposition
 };
 
-/// What is done with every group, in order.
+/// The operation that a pass performs on every group.
 enum class Pass {
   prepare,  ///< K^-1 and the clamp responses are computed; the parameter is the relaxation
   warm,     ///< the impulses of the last step, times the parameter, are applied
   iterate   ///< the blocks are solved once
 };
-/// All that a pass reads and writes.
+/// The data that a pass reads and writes.
 struct LaneWork {
   const LaneGroup* groups;   ///< in the order in which they are solved
   int count;                 ///< number of groups

@@ -1,5 +1,5 @@
-// The warm start of blocks side by side, compiled for any processor. A file of its own: it takes
-// the compiler as long as all of iterate.cpp.
+// The warm start of blocks side by side, compiled for any processor. It is a separate file because
+// compiling it takes as long as all of iterate.cpp.
 #include "engine/simd/iterate.h"
 
 namespace joints {

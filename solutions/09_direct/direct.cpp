@@ -30,11 +30,11 @@ void factor(JointMatrixOf<Number>& A, PivotInverse inverse) {
   Number* const number = A.numbers.data();
   const int* target = A.targets.data();
   // begin [exercise 9.2]
-  // For each node k but the one behind the last: factor_block() its diagonal block. Then, for each
-  // of its edges j in turn: L = divide_rows() of the edge's block, in 36 numbers of its own;
-  // subtract_product() of the block of every edge i, from j on, and of L, at number[*target++]
-  // (Eq. 9-4); at last the edge's block becomes L. Where each target lies has been worked out
-  // before, in just this order.
+  // For each node k except the last entry: factor_block() factors its diagonal block. Then, for
+  // each edge j of the node: divide_rows() writes L, computed from the block of edge j, to 36
+  // separate numbers. For every edge i from j on, subtract_product() subtracts the product of the
+  // block of edge i and of L at number[*target++] (Eq. 9-4). Finally copy L to the block of edge j.
+  // The targets are stored in exactly this order.
   Number L[36];
   for (std::size_t k = 0; k + 1 < A.nodes.size(); ++k) {
     const Node& node = A.nodes[k];
@@ -58,10 +58,11 @@ template <class Number>
 void solve(const JointMatrixOf<Number>& A, Number* x) {
   const Number* const number = A.numbers.data();
   // begin [exercise 9.2]
-  // Forward, for each node k: subtract_times() of its edges' blocks and of its own numbers from the
-  // numbers of the edge's other node; then divide() its own by the diagonal block. Back, from the
-  // last node to the first: subtract_transposed_times() of its edges' blocks and of the other
-  // node's numbers from its own. Eq. 9-5.
+  // Forward, for each node k: for each of its edges, subtract_times() subtracts the edge's block
+  // times the numbers of node k from the numbers of the edge's other node. Then divide() divides
+  // the numbers of node k by its diagonal block. Back, from the last node to the first: for each
+  // edge, subtract_transposed_times() subtracts the transposed block times the numbers of the other
+  // node from those of node k. Eq. 9-5.
   const int count = int(A.nodes.size()) - 1;
   for (int k = 0; k < count; ++k) {
     const Node& node = A.nodes[k];
@@ -82,7 +83,7 @@ void solve(const JointMatrixOf<Number>& A, Number* x) {
   // end [exercise 9.2]
 }
 
-// Numbers of both kinds.
+// For both kinds of numbers.
 template void add_coupling(const HalfRow*, int, const HalfRow*, int, double*);
 template void add_coupling(const HalfRowOf<TwoLanes>*, int, const HalfRowOf<TwoLanes>*, int,
                            TwoLanes*);
@@ -94,10 +95,10 @@ template void solve(const JointMatrixOf<TwoLanes>&, TwoLanes*);
 std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours) {
   std::vector<int> order;
   // begin [exercise 9.3]
-  // Keep the neighbours that are left of each node in a std::set<int>, and the nodes themselves in
-  // a std::set of pairs (number of neighbours, node), whose first one is next. A node
-  // that is eliminated leaves the sets of its neighbours, and these become neighbours of each
-  // other: the fill-in.
+  // Keep the remaining neighbours of each node in a std::set<int>, and the nodes in a std::set of
+  // pairs (number of neighbours, node): its first element is the next node. When a node is
+  // eliminated, remove it from the sets of its neighbours, and make these neighbours of each other:
+  // that is the fill-in.
   std::vector<std::set<int>> left;
   std::set<std::pair<std::size_t, int>> queue;
   for (const std::vector<int>& of_one : neighbours) {
@@ -151,11 +152,11 @@ void second_order_step(World& world, Solver& solver, real h) {
 bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& corrector,
                            std::vector<Body>& start) {
   // begin [exercise 9.6]
-  // Keep the bodies in `start`. In each iteration: integrate_poses() for real(h); ask for the
-  // errors() there and find the largest. If it is at most negligible h^2, all is done. If it is
-  // more than poor_contraction of the one before, stop: the answer is true if it is at most
-  // stalled_share of the first. Else change_rates() by -C/h (Eq. 9-10), and put back x and q of
-  // every slot from `start`. After the last iteration integrate_poses() for good: true.
+  // Store the bodies in `start`. In each iteration: integrate_poses() for real(h), and find the
+  // largest of the errors() there. If it is at most negligible h^2, return true. If it is more than
+  // poor_contraction times the one before, stop: return whether it is at most stalled_share times
+  // the first. Otherwise change_rates() by -C/h (Eq. 9-10), and restore x and q of every slot from
+  // `start`. After the last iteration integrate_poses() once more and return true.
   start.assign(bodies.data(), bodies.data() + bodies.slots());
   double first = 0, last = std::numeric_limits<double>::infinity();
   for (int n = 0; n < iterations; ++n) {
@@ -197,12 +198,12 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
 Slowed slowed(const Body& body, real force_lever, real before, real kappa, real h) {
   Slowed out;
   // begin [exercise 9.8]
-  // Find the moments, 1 / body.inverse_inertia_local. Each becomes at least what the step can
-  // follow, kappa h^2 |F||r|; in the last step each was at least `before`. About an axis of the
-  // body's own whose moment is larger than in the last step the energy stays: the angular velocity
-  // takes the root of their ratio. Elsewhere the angular velocity stays (Eq. 9-14). to_local() and
-  // to_world() turn it; min(), max(), sqrt(), products and quotients of two vec3 go component by
-  // component.
+  // Compute the moments, 1 / body.inverse_inertia_local. Raise each to at least kappa h^2 |F||r|,
+  // so that the step can follow the motion; in the last step each was at least `before`. About a
+  // principal axis whose moment is larger than in the last step the energy is kept: multiply the
+  // angular velocity by the root of the ratio of the moments. About the others keep the angular
+  // velocity (Eq. 9-14). to_local() and to_world() rotate it; min(), max(), sqrt(), products and
+  // quotients of two vec3 act component by component.
   const vec3 moments = real(1) / body.inverse_inertia_local;
   const vec3 now = max(moments, vec3(kappa * h * h * force_lever));
   const vec3 ratio = min(vec3(1), max(moments, vec3(before)) / now);

@@ -5,6 +5,7 @@ from collections import Counter
 
 from proofs import beyond, house, main, notes, read, would_change
 
+from check import habits
 from keep import tabled, tied, values
 from keep.keeping import texts
 
@@ -84,6 +85,7 @@ def main_paths_fit_one_sitting(root, build):
             yield from beyond(f"{chapter.folder}/README.md", count, WORDS,
                               "words outside of folds, code and tables in one sitting")
     notes.append("words of the main paths: " + ", ".join(counts))
+    notes.extend(habits.told(*one) for one in habits.found(root).items())
 
 
 PROOFS = [numbers_are_what_the_runs_say, changed_digits_are_found,

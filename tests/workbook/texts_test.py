@@ -72,8 +72,8 @@ def texts_keep_the_solution(root, build):
 
 def places_in(path):
     """The names by which links reach the headings of a text, as code hosts make them."""
-    headings = re.findall(r"^##+ (.+?) *$", re.sub(r"^```.*?^```", "", read(path), flags=re.M | re.S),
-                          re.M)
+    text = re.sub(r"^```.*?^```$", "", read(path), flags=re.M | re.S)
+    headings = re.findall(r"^##+ (.+?) *$", text, re.M)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 

@@ -1,4 +1,4 @@
-"""Habits that plain English does without, counted in texts and sources: habits.py [-v] lists them."""
+"""Habits that plain English does without, counted in texts and sources: habits.py [-v: a list]"""
 import re
 import sys
 from pathlib import Path

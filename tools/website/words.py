@@ -30,7 +30,8 @@ SYNONYMS = {
 # What the words of a page weigh, the first name that it has; by this a text and a heading are
 # weighed.
 WEIGHTS = ((r"^docs_library", 4), (r"_README|which_method", 3), (r"chapter\d_1_1", 0.3),
-           (r"errata|thesis|references|gallery|answers|teaching|CONTRIBUTING|^group|^annotated|topics", 1),
+           (r"errata|thesis|references|gallery|answers|teaching|CONTRIBUTING|^group|^annotated"
+            r"|topics", 1),
            ("", 2))
 LESS = ("Further reading", "A printed formula that is wrong: find it")  # half of that
 TEXT, HEADING = 10, 12

@@ -12,8 +12,9 @@ import sys
 from library_test import Wrong, call, compiler_of, prove
 
 
-def build_and_run(root, area, compiler, library):
-    """What two programs say that pkg-config helps to build."""
+def build_and_run(root, area, compiler, library, prefix):
+    """Two programs that pkg-config helps to build with what is below a prefix say their lines."""
+    os.environ["PKG_CONFIG_PATH"] = str(prefix / "lib" / "pkgconfig")
     flags, libs = (call("pkg-config", what, library).split() for what in ("--cflags", "--libs"))
     for program, source in (("door", "main.cpp"), ("arm", "arm.cpp")):
         made = area / f"{program}_{library}"
@@ -31,9 +32,8 @@ def pkg_config_test(root, build, area):
         return 77
     call("cmake", "--install", build, "--prefix", area / "first")
     (area / "first").rename(area / "moved")
-    os.environ["PKG_CONFIG_PATH"] = str(area / "moved" / "lib" / "pkgconfig")
     for library in ("joints", "joints_float"):
-        build_and_run(root, area, compiler_of(build), library)
+        build_and_run(root, area, compiler_of(build), library, area / "moved")
     return 0
 
 

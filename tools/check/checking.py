@@ -18,7 +18,7 @@ PROOFS = ("workbook/programs", "workbook/exercises", "workbook/texts", "workbook
 PROOFS_OF_THE_REST = ("workbook/pictures", "workbook/lanes", "workbook/grade", "workbook/hand_out",
                       "live/module",
                       "live/page", "bench/cost", "peers/packages", "library/library",
-                      "library/pkg_config")
+                      "library/pkg_config", "library/package")
 LEFT_OUT = ("float, counted instructions, pictures, the live page, grading,\n"
             "  the library seen from outside, published engines")
 

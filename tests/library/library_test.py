@@ -5,8 +5,9 @@ copy against the installed files and runs it, once in double and once in float. 
 compiled may come from ROOT, nothing that is installed may name it, and the program of a hinge may
 carry no slider, no weld and no ground, that of a crate on the ground no hinge joint, that of two
 shafts no slider either, that of a chain of ball joints none of all these. The examples in the
-headers' comments compile. A part without one of its members is told so in a sentence. Double and float do not link into one program, and headers without their
-definitions say so. The library is configured without the packages that only the workbook needs.
+headers' comments compile. For a part that lacks a member the compiler prints a sentence. Double
+and float do not link into one program, and headers without their definitions say so. The library is
+configured without the packages that only the workbook needs.
 Exit status 0 when all of that holds, 1 otherwise, 2 for a bad command line.
 """
 import json

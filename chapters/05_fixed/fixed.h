@@ -1,4 +1,4 @@
-// Chapter 5: fixed joint. What fixed.cpp has to provide. Read README.md beside it first.
+// Chapter 5: fixed joint. The functions of fixed.cpp. Read README.md beside it first.
 // There is nothing to edit here.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Chapter 6: Baumgarte. What baumgarte.cpp has to provide. Read README.md beside it first.
+// Chapter 6: Baumgarte. The functions of baumgarte.cpp. Read README.md beside it first.
 // There is nothing to edit here.
 #pragma once
 
@@ -41,7 +41,7 @@ bool warm_start_is_safe(real rho, int iterations, real beta);
 /// of the two must be movable: between two static bodies K is zero and has no inverse.
 void project(const Point& point, Body& body1, Body& body2);
 
-/// Exercise 6.3, second part: the same for a rope; a slack rope moves nothing. At least one of the
+/// Exercise 6.3, second part: the same for a rope; a slack rope moves no body. At least one of the
 /// two bodies must be movable.
 void project(const Rope<Distance>& rope, Body& body1, Body& body2);
 

@@ -1,4 +1,4 @@
-// Chapter 7: the performance loop. What performance.cpp has to provide. Read README.md beside it
+// Chapter 7: the performance loop. The functions of performance.cpp. Read README.md beside it
 // first. There is nothing to edit here.
 #pragma once
 
@@ -11,7 +11,7 @@
 #include "engine/simd/triple.h"
 
 /// \defgroup chapter7 Chapter 7: the performance loop
-/// \brief What belongs inside the loop, and how eight joints are solved in the time of one.
+/// \brief The work inside the loop, and how eight joints are solved in the time of one.
 /// @{
 namespace joints {
 

@@ -1,4 +1,4 @@
-// Chapter 8: the ground. What ground.cpp has to provide. Read README.md beside it first.
+// Chapter 8: the ground. The functions of ground.cpp. Read README.md beside it first.
 // There is nothing to edit here.
 #pragma once
 

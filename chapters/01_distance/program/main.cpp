@@ -1,5 +1,5 @@
 // Chapter 1's program: a pendulum and the suspension bridge, moved by the step of exercise 1.4.
-// It uses the engine's bodies and nothing of its solver. Read it; there is nothing to edit here.
+// It uses the engine's bodies, but not its solver. Read it; there is nothing to edit here.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,7 +14,7 @@ using namespace joints::chapter1;
 
 namespace {
 
-// Runs a scene; one line of the table a step, a motion if its path is given.
+// Runs a scene: one line of the table per step, and a motion if its path is given.
 Summary run(LinkScene scene, const StepSettings& settings, double seconds, CsvFile& table,
             const std::string& motion_path) {
   Motion motion(scene.name, settings.h);
@@ -55,7 +55,7 @@ void print_plan(const LinkScene& scene) {
 int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 1: a pendulum on a rod and a bridge hung from ropes",
-                    {{"iterations", "30", "iterations a step, of the recorded motion"},
+                    {{"iterations", "30", "iterations per step, of the recorded motion"},
                      {"beta", "0.2", "fraction of the error fed back per step [1]"},
                      {"seconds", "10", "how long to simulate [s]"}});
     if (!options.read(argc, argv)) return;

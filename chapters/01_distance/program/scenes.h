@@ -18,7 +18,7 @@ struct LinkScene {
   std::vector<Body> bodies;   ///< all of them
   std::vector<Link> links;    ///< between their centres
   Shape shape;                ///< of every body
-  double energy_scale = 1;    ///< what the change of the energy is divided by [J]
+  double energy_scale = 1;    ///< divisor of the change of the energy [J]
 };
 
 /// A ball of 1 kg on a rod of 2 m, let go where the rod is level.
@@ -41,7 +41,7 @@ inline LinkScene bridge() {
   return scene;
 }
 
-/// How far a link is from what it allows [m]: a slack rope is not in error.
+/// The error of a link [m]: 0 for a slack rope.
 inline double gap(const Link& link, const Body& body1, const Body& body2) {
   const double stretch = CentreDistance{link.length}.error(body1, body2);
   return link.rope ? std::max(stretch, 0.0) : std::abs(stretch);

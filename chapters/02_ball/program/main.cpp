@@ -47,7 +47,7 @@ Chain make_chain(int links, Bend bend) {
 }
 
 quat straight(int) { return quat(1, 0, 0, 0); }
-// Each rod points another way, so that the three rows of a joint have much to do with one another.
+// Each rod has another direction, so that the three rows of a joint are strongly coupled.
 quat bent(int k) {
   return rotation(vec3(0, real(0.9) * real(k), 0)) * rotation(vec3(0, 0, real(-0.6)));
 }
@@ -79,7 +79,7 @@ void solve_rows(Chain& chain, const std::vector<Prepared>& joints, std::size_t k
   }
 }
 
-// How fast joint k still comes apart [m/s], bias included.
+// The remaining velocity error of joint k [m/s], bias included.
 double joint_error(const Chain& chain, const Prepared& joint, std::size_t k) {
   vec3 e = joint.bias;
   for (int i = 0; i < 3; ++i)
@@ -94,7 +94,7 @@ double rms_error(const Chain& chain, const std::vector<Prepared>& joints) {
   return std::sqrt(sum / double(joints.size()));
 }
 
-// The matrix of all rows together, J M^-1 J^T: what an impulse of row j does to the rate of row i.
+// The matrix of all rows, J M^-1 J^T: the change of the rate of row i per unit impulse of row j.
 void write_system(Chain chain, const std::vector<Prepared>& joints, const std::string& path) {
   CsvFile table(path, {"row", "column", "value"});
   for (Body& body : chain.bodies) body.v = body.w = vec3(0);
@@ -129,9 +129,9 @@ void compare_rows_and_block(int links, const std::string& out) {
   }
 }
 
-// A straight chain at rest; the last rod is struck along the chain, towards the wall. What each
-// joint still lacks after every iteration, for iterations from the wall to the tip and from the tip
-// to the wall.
+// A straight chain at rest; the last rod is struck along the chain, towards the wall. The remaining
+// error of each joint after every iteration, for iterations from the wall to the tip and from the
+// tip to the wall.
 void blow(const std::string& out) {
   CsvFile table(out + "/blow.csv", {"order", "iteration", "joint", "error_m_s"});
   for (const std::string order : {"wall to tip", "tip to wall"}) {
@@ -149,7 +149,7 @@ void blow(const std::string& out) {
 }
 
 // Forces, joints, iterations, positions: chapter 1's step, with a block for every joint and bodies
-// that turn.
+// that rotate.
 void step(Chain& chain, int iterations, real beta, real h) {
   for (Body& body : chain.bodies) integrate_forces(body, gravity, h);
   const std::vector<Prepared> joints = prepare(chain, beta / h);
@@ -162,7 +162,7 @@ void step(Chain& chain, int iterations, real beta, real h) {
   }
 }
 
-// A chain let go where it is straight and level.
+// A chain that is released straight and level.
 Summary swing(int links, int iterations, real beta, double seconds, CsvFile& table,
               const std::string& motion_path) {
   const real h = real(1) / 60;
@@ -193,8 +193,8 @@ Summary swing(int links, int iterations, real beta, double seconds, CsvFile& tab
           std::to_string(links) + " links, " + std::to_string(iterations) + " iterations"};
 }
 
-// A brick without forces that spins about its middle axis, by three ways to step the gyroscopic
-// term: its energy over that of the start, and its spin about the middle axis.
+// A brick without forces that rotates about its middle axis, with three integrators of the
+// gyroscopic term: its energy relative to the start, its angular velocity about the middle axis.
 void spin(const std::string& out) {
   CsvFile table(out + "/spin.csv", {"method", "time_s", "energy_1", "middle_rad_s"});
   const vec3 I(real(1.0), real(0.7), real(0.4)), start(real(0.01), 6, 0);  // the body's axes
@@ -222,7 +222,7 @@ int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 2: rows against a block, a blow, and a chain that swings",
                     {{"links", "12", "links of the bent and of the swinging chain"},
-                     {"iterations", "30", "iterations a step, of the recorded motion"},
+                     {"iterations", "30", "iterations per step, of the recorded motion"},
                      {"beta", "0.2", "fraction of the error fed back per step [1]"},
                      {"seconds", "5", "how long the chain swings [s]"}});
     if (!options.read(argc, argv)) return;

@@ -15,7 +15,7 @@ std::string words(bool whole) { return whole ? "whole joint" : "blocks apart"; }
 
 // ---- doors --------------------------------------------------------------------------------------
 
-// Four doors, each pushed open with another speed.
+// Four doors that are pushed open with different speeds.
 Summary doors(const Settings& settings, bool whole, CsvFile& table) {
   const std::array<real, 4> speeds{1, 5, 20, 80};
   Scene scene{.name = whole ? "doors" : "doors apart"};
@@ -35,8 +35,8 @@ Summary doors(const Settings& settings, bool whole, CsvFile& table) {
 
 // ---- a motor, by hand ---------------------------------------------------------------------------
 
-// A rotor of 1 kg m^2 about its axis and a motor of 2 N m that wants 5 rad/s, with the impulse of
-// exercise 3.5; and what would happen if every solve of a step had a bound of its own.
+// A rotor of 1 kg m^2 about its axis and a motor of 2 N m with the target 5 rad/s, by the impulse
+// of exercise 3.5; and the same if every solve of a step had a separate bound.
 void motor_by_hand(const std::string& out) {
   CsvFile table(out + "/motor.csv", {"clamped", "solves", "time_s", "speed_rad_s"});
   const Motor motor{5, 2};
@@ -58,7 +58,7 @@ void motor_by_hand(const std::string& out) {
 // ---- a chain that curls up ----------------------------------------------------------------------
 
 // Eight cubes of 100 kg that hang one below the other, the first static, each hinged to the centre
-// of the one before; a motor in every hinge bends it, up to 40 degrees.
+// of the previous one. A motor in every hinge bends it, up to 40 degrees.
 Summary curl(const Settings& settings) {
   Scene scene{.name = "curl"};
   scene.solver.iterations = settings.iterations;
@@ -119,7 +119,7 @@ void driven(const Settings& settings, const std::string& name, bool whole, int i
 // ---- sideways gravity ---------------------------------------------------------------------------
 
 // A chain of 100 cubes whose hinges let it swing in one plane only, under a gravity that pulls it
-// out of that plane: how far do its bodies go where no body may go?
+// out of that plane: how far do its bodies move in this forbidden direction?
 Summary sideways(const Settings& settings, bool whole, int iterations, CsvFile& table) {
   Scene scene{.name = "sideways"};
   scene.solver.iterations = iterations;

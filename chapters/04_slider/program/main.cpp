@@ -1,5 +1,5 @@
-// Chapter 4's program: a piston between two limits, a cannon, and what a motor without levers does
-// to the angular momentum. Read it; there is nothing to edit here.
+// Chapter 4's program: a piston between two limits, a cannon, and the angular momentum with a motor
+// row that has no levers. Read it; there is nothing to edit here.
 #include "chapters/04_slider/program/piston.h"
 #include "engine/instruments/options.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 // ---- the piston ---------------------------------------------------------------------------------
 
-// The piston runs; its motor turns round every 1.5 s.
+// The piston runs; its motor reverses every 1.5 s.
 Summary piston(const Settings& settings, bool whole, CsvFile& table) {
   const std::string words = whole ? "whole joint" : "blocks apart";
   Piston piston(settings, whole);
@@ -28,8 +28,8 @@ Summary piston(const Settings& settings, bool whole, CsvFile& table) {
 // ---- the cannon ---------------------------------------------------------------------------------
 
 // A carriage of 50 kg on a slider at 45 degrees, limits -1 and 10 m, driven by a motor. It pushes a
-// shot of 10 kg before it: a second slider whose lower limit is the carriage. At the muzzle the
-// carriage stops and the shot goes on; half a metre further its slider is removed.
+// shot of 10 kg: a second slider whose lower limit is the carriage. At the muzzle the carriage
+// stops and the shot moves on; half a metre further its slider is removed.
 Summary cannon(const Settings& settings, bool whole, CsvFile& table) {
   const std::string words = whole ? "whole joint" : "blocks apart";
   const real diagonal = std::sqrt(real(0.5));
@@ -71,8 +71,8 @@ Summary cannon(const Settings& settings, bool whole, CsvFile& table) {
 
 // ---- a motor without levers ---------------------------------------------------------------------
 
-// The motor's row as the thesis prints it, with its sign put right: no levers. It drives the
-// centres apart, not the anchors along the line.
+// The motor's row as the thesis prints it, without levers, but with the right sign. It drives the
+// centres apart, and not the anchors along the line.
 class CentreMotor : public Joint {
  public:
   vec3 a1_local;
@@ -93,8 +93,8 @@ class CentreMotor : public Joint {
   mutable real impulse_ = 0;
 };
 
-// Two free bodies that turn together while a motor pushes the one along the other: nothing acts on
-// them from outside, so that their angular momentum may not change.
+// Two free bodies that rotate together while a motor pushes one along the other. No external force
+// acts on them, so their angular momentum must not change.
 void momentum(const Settings& settings, bool levers, CsvFile& table) {
   Scene scene{.name = "momentum"};
   scene.solver.iterations = settings.iterations;
@@ -104,7 +104,7 @@ void momentum(const Settings& settings, bool levers, CsvFile& table) {
   SliderJoint& joint =
       slider(scene, id1, id2, vec3(0, real(0.5), 0), vec3(1, 0, 0), settings, settings.whole);
   if (levers)
-    joint.set_motor(100, 5);  // a speed that it does not reach: 5 N all the while
+    joint.set_motor(100, 5);  // a speed that it does not reach: 5 N all the time
   else
     scene.world.add<CentreMotor>(id1, id2, joint.coordinate().a1_local, real(100), real(5));
   play(scene, "", 1, "", [&](double time) {

@@ -31,7 +31,7 @@ inline double gap(const SliderJoint& joint, const Bodies& bodies) {
 /// A piston of 5 kg that a motor of 80 N drives up and down between 0 and 0.4 m, 1 m/s at most; it
 /// is held 0.3 m beside its centre.
 struct Piston {
-  Scene scene{.name = "piston"};  ///< world, solver, what is measured and drawn
+  Scene scene{.name = "piston"};  ///< world, solver, marks and shapes
   SliderJoint* joint;             ///< with its limits and its motor
   real speed = 1;                 ///< of the motor [m/s]
   real strength = 80;             ///< of the motor [N]

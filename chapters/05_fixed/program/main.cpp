@@ -42,8 +42,8 @@ struct Beam {
   double sag() const { return -double(scene.world.bodies[tip].x.y); }
 };
 
-// The beam under its own weight: how far the tip sags and what the weld at the wall carries, beside
-// statics. The last two seconds are averaged.
+// The beam under its own weight: the sag of its tip and the load of the weld at the wall, compared
+// with statics. The last two seconds are averaged.
 Summary cantilever(const Settings& settings, int iterations, bool whole, bool warm, double rho,
                    CsvFile& table, CsvFile& curves) {
   Beam beam(10, settings, iterations, whole, warm);
@@ -73,7 +73,7 @@ Summary cantilever(const Settings& settings, int iterations, bool whole, bool wa
   return line;
 }
 
-// What an iteration leaves of the error in the long run, by the number of cubes.
+// The factor by which an iteration multiplies the error in the long run, by the number of cubes.
 void beam_rates(const Settings& settings) {
   CsvFile table(settings.out + "/rates.csv", {"cubes", "rho"});
   for (const int n : {5, 10, 20}) {
@@ -84,8 +84,8 @@ void beam_rates(const Settings& settings) {
 
 // ---- a far anchor -------------------------------------------------------------------------------
 
-// A cube of 1 kg welded to a wall at an anchor r metres beside it, hit once: how much of what is
-// wrong is left after one more iteration, by formula and measured, and after 30 more.
+// A cube of 1 kg welded to a wall at an anchor r metres beside it, hit once: the fraction of the
+// error that remains after one more iteration, by formula and measured, and after 30 more.
 void far_anchor(const std::string& out) {
   CsvFile table(out + "/anchor.csv",
                 {"blocks", "lever_m", "predicted", "measured", "left_after_30"});
@@ -115,7 +115,7 @@ void far_anchor(const std::string& out) {
 
 // ---- a beam that breaks -------------------------------------------------------------------------
 
-// Three welded cubes; a force at the tip grows by 20 N a second. A weld bears 150 N m.
+// Three welded cubes; a force at the tip grows by 20 N per second. A weld bears 150 N m.
 Summary breaking(const Settings& settings, CsvFile& table) {
   Beam beam(3, settings, std::max(settings.iterations, 100), settings.whole, false);
   beam.scene.name = "breaking";
@@ -150,7 +150,7 @@ Summary ragdoll(const Settings& settings) {
   double sum = 0;
   int count = 0;
   Summary line = play(scene, "", settings.seconds, settings.out + "/ragdoll.motion.json",
-                      [&](double time) {  // what the grip gives to the arm, upwards
+                      [&](double time) {  // the force of the grip on the arm, upwards
                         const double carried = double(doll.grip->forces()[1]);
                         table.row({time, carried, weight});
                         sum += carried;

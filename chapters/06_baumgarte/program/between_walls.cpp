@@ -1,4 +1,4 @@
-// Chapter 6's program: the chain of T 5.1, four links of which the outer two cannot move, kicked.
+// Chapter 6's program: blows to the chain of T 5.1, four links of which the outer two are static.
 // Read it; there is nothing to edit here.
 #include <algorithm>
 #include <array>
@@ -12,10 +12,10 @@ namespace joints::chapter6 {
 
 namespace {
 
-// ---- what the rows can do ----------------------------------------------------------------------
+// ---- the rank of the rows ----------------------------------------------------------------------
 
-// How many of the nine rows are independent: elimination in J M^-1 J^T, whose columns are what an
-// impulse of 1 in each row does to the rates of all.
+// The number of independent rows among the nine, by elimination in J M^-1 J^T. Its columns are the
+// changes of all rates by an impulse of 1 in one row.
 int rank_of(Chain chain) {
   std::array<std::array<double, 9>, 9> A{};
   for (std::size_t column = 0; column < 9; ++column) {
@@ -34,7 +34,7 @@ int rank_of(Chain chain) {
   double scale = 0;
   for (std::size_t k = 0; k < 9; ++k) scale = std::max(scale, A[k][k]);
   int rank = 0;
-  for (std::size_t k = 0; k < 9; ++k) {  // A is symmetric: the largest pivot stands on its diagonal
+  for (std::size_t k = 0; k < 9; ++k) {  // A is symmetric: the largest pivot is on its diagonal
     std::size_t best = 0;
     for (std::size_t i = 1; i < 9; ++i)
       if (A[i][i] > A[best][best]) best = i;
@@ -49,8 +49,8 @@ int rank_of(Chain chain) {
   return rank;
 }
 
-// What an iteration leaves of impulses that should not be there, in the long run. Impulses of any
-// size are given to bodies at rest; the iterations have to take them back.
+// The factor by which an iteration multiplies wrong impulses in the long run. Arbitrary impulses
+// are given to bodies at rest; the iterations have to remove them.
 double contraction(Chain chain) {
   std::vector<vec3> impulses{vec3(3, 1, 2), vec3(1, 4, 1), vec3(5, 9, 2)};
   std::vector<Jacobian<3>> J;
@@ -74,12 +74,12 @@ double contraction(Chain chain) {
     }
     const double left = std::sqrt(sum);
     first = std::max(first, left);
-    return left > 1e-10 * first ? left : 0;  // below that it is rounding
+    return left > 1e-10 * first ? left : 0;  // below that: rounding errors
   };
   return contraction_rate(iteration, 501);
 }
 
-// ---- kicked ------------------------------------------------------------------------------------
+// ---- three blows -------------------------------------------------------------------------------
 
 Summary kicked(const Choice& choice, const std::string& method, real beta, int projections,
                real bend, CsvFile& table) {

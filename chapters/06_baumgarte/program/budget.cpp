@@ -7,9 +7,9 @@ namespace joints::chapter6 {
 
 namespace {
 
-constexpr int total = 32;  // iterations in 1/60 s, of all kinds together
+constexpr int total = 32;  // iterations in 1/60 s, both kinds together
 
-// What the second half of the iterations does, where a method has two kinds.
+// The purpose of the second half of the iterations, for methods with two kinds.
 enum class Second { none, projection, split, relax };
 
 struct Method {
@@ -19,7 +19,7 @@ struct Method {
   real frequency = 0;  // [Hz]
 };
 
-// Cubes of 100 kg let go level, the last one heavier by a factor; measured as side by side.
+// Cubes of 100 kg released level, the last one heavier by a factor; measured as in side by side.
 void measure(const std::string& path, int links, real end, double seconds) {
   CsvFile table(path, {"method", "substeps", "iterations", "gap_rms_m", "gap_max_m",
                        "energy_drift"});

@@ -13,20 +13,21 @@ namespace {
 
 // ---- beta, alone and in a chain ----------------------------------------------------------------
 
-// What an iteration leaves, in the long run, of mode j of n equal masses in a row held at one end.
+// The factor by which an iteration multiplies mode j in the long run, for n equal masses in a row
+// that is held at one end.
 double contraction_of_row(int n, int j) {
   return std::pow(std::cos((2 * j - 1) * std::acos(-1.0) / (2 * n)), 2);
 }
 
-// What a step makes of a mode of which its iterations leave `eta`: the larger root of
-// z^2 - (1 + eta - (1 - eta) beta) z + eta, in size.
+// The factor by which a step multiplies a mode that its iterations multiply by `eta`: the magnitude
+// of the larger root of z^2 - (1 + eta - (1 - eta) beta) z + eta.
 double step_factor(double eta, double beta) {
   const double half = (1 + eta - (1 - eta) * beta) / 2, root = half * half - eta;
   return root < 0 ? std::sqrt(eta) : std::abs(half) + std::sqrt(root);
 }
 
-// The slowest of all modes. An iteration over n equal masses in a row leaves cos^2((2j - 1) pi/2n)
-// of the modes j = 1, 2, .., and nothing of as many others.
+// The slowest of all modes. An iteration over n equal masses in a row multiplies the modes j = 1,
+// 2, .. by cos^2((2j - 1) pi/2n), and removes the same number of others entirely.
 double predicted_factor(int links, int iterations, double beta) {
   double slowest = std::abs(1 - beta);
   if (links > 1)
@@ -36,9 +37,9 @@ double predicted_factor(int links, int iterations, double beta) {
   return slowest;
 }
 
-// A chain without gravity whose last joint starts open by 0.1 m, along the chain: what a step
-// leaves of the gaps. They may swing, so the largest of some steps is compared with the largest of
-// later ones.
+// A chain without gravity whose last joint starts open by 0.1 m, along the chain: the factor by
+// which a step multiplies the gaps. They may oscillate, so the largest gap of some steps is
+// compared with the largest of later steps.
 double measured_factor(int links, int iterations, double beta) {
   CubeChain chain("beta", links, 1, vec3(0, -1, 0), real(beta));
   chain.scene.world.gravity = vec3(0);
@@ -72,13 +73,13 @@ void betas(const Choice& choice) {
 
 // ---- the warm start ----------------------------------------------------------------------------
 
-// Sag of a cold chain that hangs plumb, Eq. 6-12: x = H (x + b) repeated until nothing changes, H
-// being what is left of a right side after some iterations over n equal masses in a row.
+// Sag of a cold chain that hangs plumb, Eq. 6-12: x = H (x + b) repeated until x is constant. H is
+// the matrix by which some iterations multiply an error, over n equal masses in a row.
 double predicted_sag(int n, int iterations, double beta) {
   std::vector<double> x(std::size_t(n), 0.0);
   for (double change = 1; change > 1e-9;) {
     std::vector<double> r = x, lambda(std::size_t(n), 0.0);
-    r[0] += 9.81;  // what gravity does to the first joint; the others fall together
+    r[0] += 9.81;  // gravity acts on the first joint; the bodies of the others fall together
     const auto left = [&](std::size_t k) {
       double sum = r[k] - (k == 0 ? 1 : 2) * lambda[k];
       if (k > 0) sum += lambda[k - 1];
@@ -98,7 +99,7 @@ double predicted_sag(int n, int iterations, double beta) {
   return double(h) * double(h) / beta * sum;
 }
 
-// How far the last cube is out of place: the largest of the third and of the last second.
+// The displacement of the last cube: the largest in the third and in the last second.
 struct Sag {
   double early = 0, late = 0;  // [m]
 };

@@ -36,7 +36,7 @@ struct Method {
 
 const vec3 bar_size(1, real(0.1), real(0.1));
 
-// A bar of 1 m and 1 kg, let go level, its end on a ball joint; and the same in the engine, which
+// A bar of 1 m and 1 kg, released level, its end on a ball joint; and the same in the engine, which
 // must move in the same way.
 struct Pendulum {
   ChainLoop own;
@@ -58,7 +58,7 @@ struct Pendulum {
     stepping.projections = method.projections;
   }
   double gap() const { return double(own.gap(0)); }
-  // The reader's loop, as it is measured.
+  // The measurement of the reader's loop.
   Experiment experiment() {
     return {.step = [this] { own.step(h); },
             .bodies = [this] { return std::span<const Body>(own.chain.bodies); },
@@ -125,7 +125,7 @@ ChainLoop cubes(const vec3& along, const Stabilisation& settings) {
   return own;
 }
 
-// How much too low the last one hangs.
+// The sag of the last cube.
 void hanging(const Choice& choice) {
   CsvFile table(choice.out + "/hanging.csv", {"start", "iterations", "time_s", "sag_m"});
   for (const bool warm : {false, true}) {
@@ -145,8 +145,8 @@ void hanging(const Choice& choice) {
 
 // ---- iterations until the impulses are small ---------------------------------------------------
 
-// A chain that hangs and one that is let go level, with as many iterations in
-// each step as it takes until an impulse is at most 1/1000 of the largest sum.
+// A chain that hangs and one that is released level. Each step iterates until no impulse is larger
+// than 1/1000 of the largest accumulated impulse.
 void stop_early(const Choice& choice) {
   CsvFile table(choice.out + "/early.csv", {"scene", "start", "beta", "iterations_mean",
                                             "iterations_max", "gap_max_m", "gap_end_m"});
@@ -176,7 +176,7 @@ void stop_early(const Choice& choice) {
 int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 6: errors fed back, started warm, and projected",
-                    {{"iterations", "30", "iterations a step"},
+                    {{"iterations", "30", "iterations per step"},
                      {"beta", "0.15", "fraction of the error fed back per step [1]"},
                      {"seconds", "10", "how long the pendulums swing, chains half as long [s]"}});
     if (!options.read(argc, argv)) return;

@@ -58,9 +58,9 @@ void rods(const Choice& choice) {
 
 // ---- side by side ------------------------------------------------------------------------------
 
-// Twenty cubes of 100 kg let go level: what each method leaves of the gaps and of the energy, and
-// what it costs. The gaps count in the last two thirds of the run, as in chapter 7. Substeps: the
-// step cut into parts, with a few iterations in each; counted are all.
+// Twenty cubes of 100 kg released level: gaps, energy and cost of each method. The gaps count in
+// the last two thirds of the run, as in chapter 7. With substeps a step is divided into parts with
+// a few iterations each; the table counts the iterations of all parts.
 void side_by_side(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/side_by_side.csv", {"method", "iterations", "gap_rms_m", "gap_max_m",
                                                    "energy_drift", "us_per_step"});
@@ -68,7 +68,7 @@ void side_by_side(const Choice& choice, std::vector<Summary>& lines) {
     std::string name;
     real beta;
     int projections, substeps;
-    std::vector<int> counts;  // iterations a step
+    std::vector<int> counts;  // iterations per step
   } methods[] = {{"beta 0.2", real(0.2), 0, 1, {5, 10, 30, 100}},
                  {"beta 1", 1, 0, 1, {5, 10, 30, 100}},
                  {"projection", 0, 1, 1, {5, 10, 30, 100}},

@@ -1,5 +1,5 @@
-// Chapter 6's program, one joint at a time: how it drifts, how an error decays, what that costs and
-// leaves behind. Read it; there is nothing to edit here.
+// Chapter 6's program, one joint at a time: its drift, the decay of an error, the energy that this
+// costs, and the motion that remains. Read it; there is nothing to edit here.
 #include <cmath>
 
 #include "chapters/02_ball/ball_joint.h"
@@ -79,7 +79,7 @@ void decay(const Choice& choice) {
   }
 }
 
-// Thesis figs. 5.1 and 5.2: a slider and a hinge that start out of place and turned.
+// Thesis figs. 5.1 and 5.2: a slider and a hinge that start displaced and rotated.
 template <class AnyJoint>
 void correction(Pair& pair, const AnyJoint& joint, const std::string& path) {
   pair.scene.world.gravity = vec3(0);
@@ -98,7 +98,7 @@ void correction(Pair& pair, const AnyJoint& joint, const std::string& path) {
   }
 }
 
-// ---- energy, and the angular velocity that is left ---------------------------------------------
+// ---- energy, and the angular velocity that remains ---------------------------------------------
 
 void energies(const Choice& choice) {
   CsvFile table(choice.out + "/energy.csv",
@@ -119,14 +119,14 @@ void energies(const Choice& choice) {
     }
 }
 
-// What Eq. 6-7 says of the thesis' scene: m = 100 kg, i = 100/6 kg m^2, r = (-2, 0, 0), a = y.
+// Eq. 6-7 for the thesis' scene: m = 100 kg, i = 100/6 kg m^2, r = (-2, 0, 0), a = y.
 double predicted_spin(const vec3& gap, double beta) {
   const vec3 r(-2, 0, 0);
   const double G = 100 / (100 / 6.0 + 100 * 4.0);
   return G * G * beta / double(h) / (2 - beta) * double(cross(r, gap).y) * double(dot(r, gap));
 }
 
-// The angular velocity that is left when a gap has been corrected.
+// The angular velocity that remains when a gap has been corrected.
 vec3 spin_left(const vec3& gap, real beta, int iterations) {
   Pair pair("spin", iterations);
   pair.scene.world.gravity = vec3(0);
@@ -147,7 +147,8 @@ void spins(const Choice& choice) {
     }
 }
 
-// T 5.1 reports 1.8155 rad/s for beta 0.15. Which offset along (1, 0, -1) gives it? By halving.
+// T 5.1 reports 1.8155 rad/s for beta 0.15. Finds the offset along (1, 0, -1) that gives it, by
+// bisection.
 void thesis_spin(const Choice& choice) {
   CsvFile table(choice.out + "/thesis_spin.csv",
                 {"offset_m", "wx_rad_s", "wy_rad_s", "wz_rad_s", "predicted_rad_s"});
@@ -167,7 +168,7 @@ void thesis_spin(const Choice& choice) {
 // ---- a rope that is too long -------------------------------------------------------------------
 
 // A ball of 1 kg at rest, without gravity, on a rope of 1 m that is stretched by 0.1 m. The rope
-// can give speed and cannot take it back.
+// can accelerate the ball, but cannot brake it.
 void rope(const Choice& choice) {
   CsvFile table(choice.out + "/rope.csv", {"method", "time_s", "length_m", "speed_m_s"});
   for (const bool projected : {false, true}) {

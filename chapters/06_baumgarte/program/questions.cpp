@@ -12,7 +12,7 @@ namespace joints::chapter6 {
 
 namespace {
 
-// ---- Numbers 5: what solve after solve leaves --------------------------------------------------
+// ---- Numbers 5: the remaining error after each solve -------------------------------------------
 
 void newton(const Choice& choice) {
   CsvFile table(choice.out + "/newton.csv", {"solves", "gap_m"});
@@ -27,7 +27,7 @@ void newton(const Choice& choice) {
 
 // ---- question 1: half the step -----------------------------------------------------------------
 
-// The cube of the thesis, 2 m beside its joint, 0.1 m off at a slant. Without gravity.
+// The cube of the thesis, 2 m beside its joint, displaced obliquely by 0.1 m. Without gravity.
 CubeChain slanted_cube(real step, double beta) {
   CubeChain out("slanted", 1, 100, vec3(2, 0, 0), real(beta));
   out.scene.world.gravity = vec3(0);
@@ -38,7 +38,7 @@ CubeChain slanted_cube(real step, double beta) {
   return out;
 }
 
-// A free bar of 1 m that spins about its end at 3 rad/s, after a second.
+// A free bar of 1 m that rotates about its end at 3 rad/s, after a second.
 struct Spun {
   double gap = 0, kept = 0;
 };
@@ -78,7 +78,7 @@ void half_the_step(const Choice& choice) {
 
 // ---- question 2: projection, and beta beside it ------------------------------------------------
 
-// The bar of the pendulums with projection, with and without feedback: how far apart they get.
+// The bar of the pendulums with projection, with and without feedback: the distance between them.
 void one_pendulum(const Choice& choice) {
   CsvFile table(choice.out + "/with_feedback.csv", {"gap_max_m", "apart_max_m"});
   ChainLoop both[2];
@@ -109,9 +109,9 @@ void long_chain(const Choice& choice) {
     }
 }
 
-// ---- question 3: what few iterations leave of the velocities -----------------------------------
+// ---- question 3: the remaining velocities after few iterations ---------------------------------
 
-// Ten cubes that hang plumb: how fast the last one moves, and how far it falls when it is cut off.
+// Ten cubes that hang plumb: the speed of the last one, and its fall when it is cut off.
 void false_speed(const Choice& choice) {
   CsvFile table(choice.out + "/false_speed.csv", {"start", "iterations", "gap_max_m", "sunk_m",
                                                   "speed_m_s", "fall_m"});
@@ -136,8 +136,8 @@ void false_speed(const Choice& choice) {
   }
 }
 
-// The same let go level: when the last one is lowest, and what energy is left at the end.
-// Of the places alone: a velocity is the difference of two poses over a step.
+// The same released level: the time at which the last one is lowest, and the energy at the end,
+// both from positions alone: a velocity is the difference of two poses divided by the step.
 void honey(const Choice& choice) {
   CsvFile table(choice.out + "/honey.csv", {"iterations", "gap_max_m", "lowest_s", "energy_lost"});
   for (const int iterations : {3, 10, 30, 300}) {

@@ -1,5 +1,6 @@
-// Chapter 7's program, joints that all answer what they saw at one moment: the chain, with e found
-// once a step or once an iteration, and balls around a hub. Read it; there is nothing to edit here.
+// Chapter 7's program, joints that are all solved from the same velocities: the chain, with e
+// computed once per step or once per iteration, and balls around a hub. Read it; there is nothing
+// to edit here.
 #include <cmath>
 #include <random>
 
@@ -19,16 +20,16 @@ Records records_of(const std::vector<Body>& bodies) {
   return records;
 }
 
-// Every hinge answers the velocities `seen`, by this share; what all of them do adds up in `now`.
-void answer(const HingeLoop<real>& loop, const Records& seen, real share, Records& now) {
+// Solves every hinge from the velocities `seen`, and adds this fraction of the changes to `now`.
+void answer(const HingeLoop<real>& loop, const Records& seen, real fraction, Records& now) {
   for (std::size_t k = 0; k < loop.links.size(); ++k) {
     const auto [index1, index2] = loop.links[k];
     Velocities<real> body1 = seen[index1], body2 = seen[index2];
     solve(loop.numbers()[k], body1, body2);
-    now[index1].v += share * (body1.v - seen[index1].v);
-    now[index1].w += share * (body1.w - seen[index1].w);
-    now[index2].v += share * (body2.v - seen[index2].v);
-    now[index2].w += share * (body2.w - seen[index2].w);
+    now[index1].v += fraction * (body1.v - seen[index1].v);
+    now[index1].w += fraction * (body1.w - seen[index1].w);
+    now[index2].v += fraction * (body2.v - seen[index2].v);
+    now[index2].w += fraction * (body2.w - seen[index2].w);
   }
 }
 
@@ -39,13 +40,13 @@ void give_back(const Records& records, std::vector<Body>& bodies) {
   }
 }
 
-void step_at_once(HingeLoop<real>& loop, bool once_a_step, int iterations, real share) {
+void step_at_once(HingeLoop<real>& loop, bool once_a_step, int iterations, real fraction) {
   for (Body& body : loop.bodies) integrate_forces(body, loop.gravity, h);
   loop.prepare(h);
   Records now = records_of(loop.bodies), seen = now;
   for (int iteration = 0; iteration < iterations; ++iteration) {
     if (!once_a_step) seen = now;
-    answer(loop, seen, share, now);
+    answer(loop, seen, fraction, now);
   }
   give_back(now, loop.bodies);
   for (Body& body : loop.bodies)
@@ -53,14 +54,14 @@ void step_at_once(HingeLoop<real>& loop, bool once_a_step, int iterations, real 
 }
 
 struct Try {
-  std::string found;  // when e is found
+  std::string found;  // when e is computed
   int cubes, iterations;
-  double share;  // of the answer that is given
+  double fraction;  // of each change that is applied
 };
 
 void chains_at_once(const Choice& choice) {
   CsvFile table(choice.out + "/at_once.csv",
-                {"found", "cubes", "iterations", "share", "gap_rms_m", "step_of_1_km"});
+                {"found", "cubes", "iterations", "fraction", "gap_rms_m", "step_of_1_km"});
   const int k = choice.iterations;
   for (const Try& one : {Try{"once a step", 2, k, 1}, {"once a step", 100, k, 1},
                          {"once an iteration", 100, 2 * k, 1},
@@ -70,14 +71,14 @@ void chains_at_once(const Choice& choice) {
     HingeLoop<real> loop = loop_over<real>(chains, chain_order(chains), 0);
     Experiment experiment = experiment_of(loop, chains, steps_in(choice.seconds, h));
     experiment.step = [&] {
-      step_at_once(loop, one.found == "once a step", one.iterations, real(one.share));
+      step_at_once(loop, one.found == "once a step", one.iterations, real(one.fraction));
     };
-    int far = 0;  // the first step that leaves a gap of 1 km; 0: none does
+    int far = 0;  // the first step after which a gap is 1 km; 0: none
     const Measures found = run(experiment, [&](int n) {
       for (std::size_t i = 0; i < loop.links.size() && far == 0; ++i)
         if (!(loop.gap(i) < 1000)) far = n;
     });
-    table.row({one.found}, {double(one.cubes), double(one.iterations), one.share, found.gap_rms,
+    table.row({one.found}, {double(one.cubes), double(one.iterations), one.fraction, found.gap_rms,
                             double(far)});
   }
 }
@@ -97,11 +98,12 @@ double size_of(const Numbers& numbers) {
   return std::sqrt(sum);
 }
 
-// Twelve balls of mass 1 around a hub, a row each, all in one direction; e of a row is the velocity
-// of its ball less the hub's. \return what an iteration leaves of e, the mean of many after many
-double hub_left(double mass, double share_of_hub, bool all_at_once) {
+// Twelve balls of mass 1 around a hub, one row each, all in one direction; e of a row is the
+// velocity of its ball minus that of the hub. \param part of the hub's mass in each row
+// \return the factor of e per iteration, the mean of 1000 after 200
+double hub_left(double mass, double part, bool all_at_once) {
   const std::size_t balls = 12;
-  const double K = 1 + 1 / (share_of_hub * mass);
+  const double K = 1 + 1 / (part * mass);
   std::vector<double> e = anyhow(balls);
   double sum = 0;
   const int first = 200, last = 1200;
@@ -118,8 +120,8 @@ double hub_left(double mass, double share_of_hub, bool all_at_once) {
   return std::exp(sum / (last - first));
 }
 
-// The level chain from velocities that are anyhow, without gravity. What changes from iteration to
-// iteration is soon what each turns over. \return what an iteration leaves of that after many
+// The level chain from random velocities, without gravity. In the long run every iteration
+// multiplies the change of e by the same factor. \return the magnitude of this factor
 double chain_left(const Choice& choice) {
   const Chains chains = cube_chains(1, 100, choice.beta);
   HingeLoop<real> loop = loop_over<real>(chains, chain_order(chains), 0);

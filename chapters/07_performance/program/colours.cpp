@@ -1,5 +1,5 @@
-// Chapter 7's program, what the colours look like: a chain, a bridge, a net; and how full they make
-// eight lanes, these and a wheel. Read it; there is nothing to edit here.
+// Chapter 7's program: the colours of a chain, a bridge and a net, and the fraction of eight lanes
+// that these and a wheel use. Read it; there is nothing to edit here.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace joints::chapter7 {
 
 namespace {
 
-// Bodies and who is linked to whom, all that colours need.
+// Bodies, and the pairs of them that are linked: the input of graph colouring.
 struct Sketch {
   std::string name;
   std::vector<Body> bodies;
@@ -45,8 +45,8 @@ Sketch a_bridge() {
   return bridge;
 }
 
-// Six by six cubes, the upper corners static; cube after cube, the joint to its right neighbour
-// and the one to its lower neighbour.
+// Six by six cubes, the upper corners static. For each cube in turn: the joint to its right
+// neighbour, and the joint to its lower neighbour.
 Sketch a_net() {
   Sketch net{"net", {}, {}};
   const int side = 6;
@@ -62,8 +62,8 @@ Sketch a_net() {
   return net;
 }
 
-// A hub and twelve arms of so many hinges each: arm by arm from the hub outwards, or the list
-// backwards.
+// A hub and twelve arms with this number of hinges each: arm by arm from the hub outwards, or the
+// list backwards.
 Sketch a_wheel(const std::string& name, int hinges, real hub_mass, bool backwards) {
   Sketch wheel{name, {}, {}};
   wheel.add(hub_mass, vec3(0));
@@ -76,7 +76,7 @@ Sketch a_wheel(const std::string& name, int hinges, real hub_mass, bool backward
   return wheel;
 }
 
-// A row for each colour: its joints, and how many groups of eight they take.
+// A row for each colour: the numbers of its joints and of their groups of eight.
 void count(const Sketch& sketch, const std::vector<int>& found, CsvFile& table) {
   for (int colour = 0; colour <= *std::max_element(found.begin(), found.end()); ++colour) {
     const auto joints = double(std::count(found.begin(), found.end(), colour));

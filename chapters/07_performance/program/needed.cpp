@@ -1,5 +1,5 @@
-// Chapter 7's program, what its text says of itself: how many iterations an error takes, what an
-// iteration leaves of it, and what half a kick mends. One chain is enough. Read it; there is
+// Chapter 7's program, the numbers of its text: the iterations that an error takes, the error that
+// an iteration leaves, and the effect of half a kick. One chain is enough. Read it; there is
 // nothing to edit here.
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@ double gap_with(const Choice& choice, const Chains& chains, const Order& order, 
   return found.finite ? found.gap_rms : 1e9;
 }
 
-// The least number of iterations that leaves at most this gap: found between two, of which one is
-// too few, by a guess on a straight line through both in the logarithms. NaN above 500.
+// The least number of iterations with at most this gap. It is searched for between a number that is
+// too small and one that is enough, by linear interpolation of the logarithms. NaN above 500.
 double iterations_to(double gap, const Choice& choice, const Chains& chains, const Order& order,
                      double omega) {
   const auto left = [&](int count) { return gap_with(choice, chains, order, omega, count); };
@@ -33,8 +33,8 @@ double iterations_to(double gap, const Choice& choice, const Chains& chains, con
     with_many = left(many *= 2);
   }
   while (many - few > 1) {
-    const double share = std::log(with_few / gap) / std::log(with_few / with_many);
-    const double guess = few * std::pow(double(many) / few, share);
+    const double part = std::log(with_few / gap) / std::log(with_few / with_many);
+    const double guess = few * std::pow(double(many) / few, part);
     const int next = std::clamp(int(std::ceil(guess)), few + 1, many - 1);
     const double with_next = left(next);
     if (with_next > gap)
@@ -53,8 +53,8 @@ void to_an_error(const Choice& choice, const Chains& chains, const std::vector<O
                 {omega, 0.01, iterations_to(0.01, choice, chains, order, omega)});
 }
 
-// All orders and omegas from one state: where plain iterations in chain order have brought the
-// chain in 1 s. The error is the root of the sum of the squares of all e.
+// All orders and omegas from one state: that of the chain after 1 s of plain iterations in chain
+// order. The error is the root of the sum of the squares of all e.
 void inside_one_step(const Choice& choice, const Chains& chains, const std::vector<Order>& list) {
   CsvFile table(choice.out + "/rate.csv", {"order", "omega", "iteration", "error"});
   HingeLoop<real> start = loop_over<real>(chains, list.front().groups, choice.iterations);
@@ -73,7 +73,7 @@ void inside_one_step(const Choice& choice, const Chains& chains, const std::vect
       }
 }
 
-// The tip of a level chain falls freely at first: how far off its height is after 1 s.
+// The tip of a level chain falls freely at first: the error of its height after 1 s.
 void half_a_kick(const Choice& choice, const Chains& chains, const Order& order) {
   CsvFile table(choice.out + "/kick.csv",
                 {"omega", "iterations", "first_kick", "tip_height_error_m"});

@@ -1,6 +1,6 @@
-// Chapter 7's program, what an iteration leaves: the order of the joints, over-relaxation, and the
-// rows inside one step. One chain is enough, for the others do the same. Read it; there is nothing
-// to edit here.
+// Chapter 7's program, convergence: the order of the joints, over-relaxation, and the rows inside
+// one step. One chain is enough, since all chains move alike. Read it; there is nothing to edit
+// here.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -67,8 +67,8 @@ void omegas(const Choice& choice, const Chains& chains, const std::vector<Order>
       }
 }
 
-// Each order and omega from where it has brought the chain by itself in 1 s. A step with n
-// iterations shows what iteration n leaves.
+// Each order and omega begins with the state to which it has brought the chain in 1 s. A step with
+// n iterations shows the remaining error after iteration n.
 void inside_a_step(const Choice& choice, const Chains& chains, const std::vector<Order>& list) {
   CsvFile table(choice.out + "/inside_a_step.csv", {"order", "omega", "iteration", "largest_e"});
   for (const Order& order : list)

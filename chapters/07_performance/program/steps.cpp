@@ -1,5 +1,5 @@
-// Chapter 7's program, the steps of the loop on the performance scene: each takes over what the one
-// before has gained. Read it; there is nothing to edit here.
+// Chapter 7's program, the steps of the loop on the performance scene: each one contains the
+// improvements of the earlier ones. Read it; there is nothing to edit here.
 #include <algorithm>
 #include <cstdio>
 
@@ -25,7 +25,7 @@ double furthest(const std::vector<Body>& bodies, const Places& places) {
   return most;
 }
 
-// All that the variants have in common.
+// The common data of all variants.
 struct Race {
   const Choice& choice;
   Chains chains;
@@ -34,7 +34,7 @@ struct Race {
   CsvFile table;
   std::vector<Summary>& lines;
 
-  // Where the bodies are after every step, solved one at a time in this order.
+  // The positions of the bodies after every step, if solved one at a time in this order.
   std::vector<Places> run(const Groups& order, int iterations) const {
     HingeLoop<real> loop = loop_over<real>(chains, order, iterations);
     std::vector<Places> places;
@@ -45,8 +45,8 @@ struct Race {
     return places;
   }
 
-  // One variant with both counts, a step of the one and a step of the other: whatever else the
-  // machine does meets both alike. `same` are the runs in the same order with one lane.
+  // One variant with both counts, a step of each in turn, so that other programs on the machine
+  // affect both alike. `same` are the runs in the same order with one lane.
   template <class Number>
   void measure(const std::string& name, const Groups& groups,
                const std::vector<Places> (&same)[2], bool once_a_step = true) {

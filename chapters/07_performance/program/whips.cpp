@@ -8,8 +8,8 @@
 namespace joints::chapter7 {
 
 void whips(const Choice& choice, std::vector<Summary>& lines) {
-  // Twenty cubes each, let go level with the last three hanging over; a tenth of the iterations,
-  // so that one sees what they leave.
+  // Twenty cubes each, released level with the last three hanging down; a tenth of the iterations,
+  // so that the remaining errors are visible.
   const Chains one = bent_chains(1, 20, 3, choice.beta);
   const int iterations = std::max(1, choice.iterations / 10), steps = steps_in(choice.seconds, h);
   const std::string names[] = {"chain order", "colours", "omega 1.7"};

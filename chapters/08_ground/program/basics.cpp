@@ -11,7 +11,7 @@ namespace {
 
 // ---- at rest -----------------------------------------------------------------------------------
 
-// A box put down and left alone for a minute: how far a corner gets, how fast one ever moves.
+// A box that rests for a minute: the displacement and the greatest speed of a corner.
 void rest(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/rest.csv", {"start", "iterations", "farthest_m", "fastest_m_s",
                                            "centre_m"});
@@ -43,9 +43,9 @@ void rest(const Choice& choice, std::vector<Summary>& lines) {
 
 // ---- sliding -----------------------------------------------------------------------------------
 
-// What the way of a box should be: with turned tangents straight on, with fixed ones each
-// direction by itself, as two boxes that slide along x and along z. `shorter` for each of them:
-// what steps of h take off it [s].
+// The expected path of a box: straight with turned tangents; with fixed ones each direction
+// separately, as for two boxes that slide along x and along z. `shorter`: the part by which steps
+// of h shorten each path [s].
 double way_of(bool turned, double angle, double speed, double mu, double shorter) {
   const auto along = [&](double v) { return std::max(0.0, v * v / (2 * mu * g) - v * shorter); };
   if (turned) return along(speed);  // Eq. 8-7
@@ -90,7 +90,7 @@ void slide(const Choice& choice, std::vector<Summary>& lines) {
 
 // ---- a slope -----------------------------------------------------------------------------------
 
-// A box put on slopes around arctan(mu), Eq. 8-8: how far it is after ten seconds.
+// A box on slopes near arctan(mu), Eq. 8-8: its displacement after ten seconds.
 void tilt(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/tilt.csv", {"mu", "angle_deg", "way_m"});
   for (const double mu : {0.2, 0.5, 1.0})
@@ -109,8 +109,8 @@ void tilt(const Choice& choice, std::vector<Summary>& lines) {
 
 // ---- bouncing ----------------------------------------------------------------------------------
 
-// Balls let go one beside the other: the height of the first rebound, and the paths of those that
-// fall one metre.
+// Balls that are released side by side: the height of the first rebound, and the paths of those
+// that fall one metre.
 void bounce(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/bounce.csv",
                 {"restitution", "drop_m", "rebound_m", "expected_m"});

@@ -1,4 +1,4 @@
-// The bridge: how far it sags and what it carries.
+// The bridge: its sag and its load.
 #include "chapters/08_ground/program/bridge.h"
 
 namespace joints::chapter8 {

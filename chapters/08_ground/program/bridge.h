@@ -8,8 +8,8 @@
 namespace joints::chapter8 {
 
 /// Ten planks of 20 kg, hinged to each other and to two posts; a crate of 100 kg falls on them.
-/// Each plank is a ground of its own for the crate, and moves. Each hinge has friction: a motor
-/// with the target speed 0 and little strength. Without it the bridge goes on swinging. Joints and
+/// Each plank is a moving ground for the crate. Each hinge has friction: a motor with the target
+/// speed 0 and little strength. Without it the bridge would go on swinging. Joints and
 /// contacts start warm with a beta of 0.02. An iteration multiplies the slowest error of the loaded
 /// bridge by 0.9971, and 0.9971^30 (1 + 0.2) = 1.10 is more than 1 (Eq. 6-9): with 0.2 bridge and
 /// crate never come to rest, and with 10 iterations the crate falls through.

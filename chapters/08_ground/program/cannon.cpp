@@ -5,7 +5,7 @@ namespace joints::chapter8 {
 
 namespace {
 
-// Once from loaded to rest. With a table it is the run that is shown.
+// One run from loading to rest. Only the run that is shown writes a table.
 Summary shoot(const Choice& choice, int iterations, double& deepest, CsvFile* table) {
   Cannon cannon(iterations, choice.beta);
   if (table) cannon.scene.print_plan();

@@ -1,13 +1,14 @@
-// Chapter 8's program: chapter 6's hinge that nothing corrects, once more, and beside it the same
-// hinge whose cube hits the ground in its swing. Read it; there is nothing to edit here.
+// Chapter 8's program: chapter 6's hinge without correction, and beside it the same hinge whose
+// cube hits the ground in its swing. Read it; there is nothing to edit here.
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/08_ground/program/order.h"
 
 namespace joints::chapter8 {
 
-// Thesis fig. 3.2: a cube of 100 kg two metres beside the hinge, let go. Where there is ground, it
-// stops the swing half way down, and the cube bounces. It does not rub: only the hits are asked
-// for. The third run solves the contact after the joint instead of together with it.
+// Thesis fig. 3.2: a cube of 100 kg, two metres beside the hinge, is released. The ground, if there
+// is one, stops the swing half way down, and the cube bounces. There is no friction, so that only
+// the impacts have an effect. The third run solves the contact after the joint and not together
+// with it.
 void drift(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/drift.csv",
                 {"scene", "time_s", "gap_m", "predicted_m", "touching"});

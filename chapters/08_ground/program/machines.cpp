@@ -1,9 +1,9 @@
-// The table in which all machines stand. Read it; there is nothing to edit here.
+// The table of all machines. Read it; there is nothing to edit here.
 #include "chapters/08_ground/program/program.h"
 
 namespace joints::chapter8 {
 
-// The file is written anew for each row: whichever machines were chosen, it is complete.
+// The file is written anew for each row, so it is complete for any choice of machines.
 void machine_row(const Choice& choice, const std::string& machine, int iterations,
                  const Summary& line, double penetration) {
   struct MachineRow {

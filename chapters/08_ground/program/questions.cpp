@@ -12,7 +12,7 @@ namespace {
 
 const vec3 size(1, real(0.6), real(0.8));  // [m]
 
-// Question 1: what the four corners of a box carry that was dropped in several ways, once it rests.
+// Question 1: the loads of the four corners of a box at rest, after it was dropped in several ways.
 void shares(const Choice& choice) {
   CsvFile table(choice.out + "/shares.csv", {"dropped", "start", "impulse1_ns", "impulse2_ns",
                                              "impulse3_ns", "impulse4_ns"});
@@ -58,7 +58,7 @@ double gap_left(bool normal_first, int iterations) {
   return double(own.corners[0].error(own.ground, own.body));
 }
 
-// How far a box comes in ten seconds [m].
+// The displacement of a box in ten seconds [m].
 double way(const Choice& choice, int iterations, bool warm, real speed, real slope) {
   OneBox one("way", choice, size, slope);
   one.scene.solver.iterations = iterations;
@@ -82,8 +82,8 @@ void few_iterations(const Choice& choice) {
                                           way(choice, iterations, warm, 0, 20 * degree)});
 }
 
-// Question 4: a ball falls, and rebounds as ground_contact.h lets it, with the half kick of Eq. 8-9
-// and with that of Eq. 8-10, or without.
+// Question 4: a ball falls and rebounds by ground_contact.h, with the half kick of Eq. 8-9 and that
+// of Eq. 8-10, or without.
 struct Rebound {
   real leaves = 0, highest = 0;  // [m/s], [m]
 };

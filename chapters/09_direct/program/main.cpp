@@ -8,7 +8,7 @@ using namespace joints::chapter9;
 int main(int argc, char** argv) {
   return run_program([&] {
     Options options("Chapter 9: the direct solver beside iterations",
-                    {{"iterations", "30", "iterations per step of what is compared with"},
+                    {{"iterations", "30", "iterations per step, for the comparison"},
                      {"seconds", "5", "how long the scenes run [s]"}});
     if (!options.read(argc, argv)) return;
     const Choice choice{options.count("iterations", 1), options.number("seconds", 0.1),

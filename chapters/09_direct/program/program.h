@@ -1,4 +1,4 @@
-// What the parts of chapter 9's program share. Read it; there is nothing to edit here.
+// Declarations common to the parts of chapter 9's program. Read it; there is nothing to edit here.
 #pragma once
 
 #include "chapters/09_direct/direct_solver.h"

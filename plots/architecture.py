@@ -15,8 +15,8 @@ from matplotlib.patches import FancyBboxPatch
 
 ROOT = Path(__file__).resolve().parent.parent
 
-# Of each group of folders: where its box stands, what is written below its name.
-GROUPS = {"tests": (620, 340, "what holds"),
+# For each group of folders: the place of its box, and the words below its name.
+GROUPS = {"tests": (620, 340, "the proofs"),
           "bench": (620, 278, "error and time"),
           "live": (400, 309, "docs/live"),
           "programs": (620, 216, "chapters/*/program"),
@@ -40,22 +40,23 @@ def box(ax, place, size, name, below, colour):
 
 
 def cycle(ax):
-    """Left: where a step goes."""
+    """Left: the path of a step."""
     words(ax, (125, 356), "a step", size=12.5, weight="bold")
-    stations = [("Body", "places, velocities", 300), ("Joint", "two bodies: what holds?", 232),
-                ("Block", "rows J, errors C, targets", 164), ("Solver", "finds the impulses", 96)]
+    stations = [("Body", "poses, velocities", 300), ("Joint", "rows of two bodies", 232),
+                ("Block", "rows J, errors C, targets", 164),
+                ("Solver", "computes the impulses", 96)]
     for k, (name, below, y) in enumerate(stations):
         box(ax, (125, y), (170, HIGH), name, below, (BODY1, BODY2)[k % 2])
         if k:
             arrow(ax, (125, stations[k - 1][2] - HIGH / 2), (125, y + HIGH / 2), INK, 1.6)
     ax.plot((125, 125, 24, 24, 38), (96 - HIGH / 2, 46, 46, 300, 300), color=INK, linewidth=1.6)
     arrow(ax, (32, 300), (40, 300), INK, 1.6)
-    words(ax, (131, 60), "velocities, then places", FAINT, 7.8, ha="left")
+    words(ax, (131, 60), "velocities, then poses", FAINT, 7.8, ha="left")
 
 
 def groups(ax):
-    """Right: who includes whom."""
-    words(ax, (300, 356), "who includes whom", size=12.5, weight="bold", ha="left")
+    """Right: the includes between the groups."""
+    words(ax, (300, 356), "includes between folders", size=12.5, weight="bold", ha="left")
     for name, (x, y, below) in GROUPS.items():
         box(ax, (x, y), (WIDE.get(name, 128), HIGH), name, below, FAINT)
     for user, used in sorted(layers.direct(layers.includes(ROOT))):

@@ -60,9 +60,9 @@ def gap_figure(place, joints, solution, mine):
         style.overlay(ax, *((t, visible(values)) for t, values in shown))
     else:
         few, best = min(curves), min(curves, key=lambda count: mean_square(curves[count]))
-        title = f"{place}: {few} iterations leave gaps of {mean_square(curves[few]):.1f} mm"
-        title += f", {best} leave {mean_square(curves[best]):.1f} mm" * (best > few)
-        figure, ax = style.figure(title + ", more do not help" * (best < max(curves)))
+        title = f"{place}: gaps of {mean_square(curves[few]):.1f} mm with {few} iterations"
+        title += f", of {mean_square(curves[best]):.1f} mm with {best}" * (best > few)
+        figure, ax = style.figure(title + "; more do not help" * (best < max(curves)))
         ax.set_yscale("log")
         shown = list(curves.values())
         for (number, (t, values)), colour in zip(curves.items(), COLOURS):

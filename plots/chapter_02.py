@@ -78,7 +78,7 @@ def rows_or_block(solution, mine, out):
         print(f"{method:6} predicted rho {rate:.6f}   measured {curve[2]:.6f}"
               + (f"   yours {found[method][2][2]:.6f}" if mine else ""))
     rows, block = found["rows"][0], found["block"][0]
-    title = (f"An iteration leaves {100 * rows[2]:.0f} % of the error row by row, "
+    title = (f"After an iteration {100 * rows[2]:.0f} % of the error remain row by row, "
              f"{100 * block[2]:.0f} % with a block"
              if not mine else "Rows against a block: yours over the solution")
     figure, ax = style.figure(title)
@@ -160,7 +160,7 @@ def blow(solution, mine, out):
     for ax in axes[-1]:
         ax.set(xlabel="iteration", xlim=(-0.5, last + 0.5))
     bar = figure.colorbar(scale, ax=axes, extend="min", aspect=25, pad=0.02)
-    bar.set_label("error left at the joint  [m/s]")
+    bar.set_label("remaining error of the joint  [m/s]")
     bar.outline.set(edgecolor=PALE, linewidth=0.7)
     style.save(figure, out / "02_blow")
 
@@ -182,7 +182,7 @@ def draw_strip(ax, values):
 
 
 def describe(ax, values, touched):
-    """Says in the strip what it shows: how far the blow gets in its iterations."""
+    """Writes into the strip how far the blow gets in its iterations."""
     joints = len(touched)
     count = touched.sum(axis=0)
     if len(count) < 3 or count[1] == count[0] or count.max() < joints - 1:

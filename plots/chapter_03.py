@@ -94,7 +94,7 @@ def draw_motor(solution, mine, out):
             pick(mine, "speed_rad_s", clamped="sum", solves=100), right_way, "rad/s")
     figure, (left, right) = style.figure(title, 2, sharey=True)
     for ax, clamped, words in ((left, "sum", "the sum of a step is clamped"),
-                               (right, "solve", "each solve is clamped by itself")):
+                               (right, "solve", "each solve is clamped separately")):
         for solves, colour in zip((1, 10, 100), COLOURS):
             t, speed = pick(mine or solution, "speed_rad_s", clamped=clamped, solves=solves)
             ax.plot(t, speed, color=colour, label=f"{solves} solve" + "s" * (solves > 1),
@@ -118,7 +118,7 @@ def draw_curl(solution, mine, out):
                if pick(table, "angle_deg", joint=joint)[1][-1] > limit - 0.5]
     figure, (left, right) = style.figure(
         f"{'Your seven' if mine else 'Seven'} motors bend a hanging chain: {len(arrived)} hinges "
-        f"reach {limit}°; the top one does not, though its motor has strength left", 2)
+        f"reach {limit}°; the top one does not, although its motor is not at its bound", 2)
     for joint in joints[[0, 2, 3, 4, -1]]:
         end = {joints[0]: " (top)", joints[-1]: " (end)"}.get(joint, "")
         left.plot(*pick(table, "angle_deg", joint=joint), color=shade(joint / joints.max()),
@@ -145,7 +145,7 @@ def draw_curl(solution, mine, out):
 
 
 def shade(share):
-    """From dark blue to orange, told apart by lightness, too."""
+    """From dark blue to orange, with different lightness, too."""
     dark, light = np.array([0.05, 0.1, 0.35]), np.array([0.95, 0.6, 0.1])
     return tuple(dark + (light - dark) * share)
 
@@ -162,7 +162,7 @@ def draw_sideways(solution, mine, out):
     style.plain_log(ax.xaxis)
     ax.set_ylim(0, 1.15 * table["sideways_m"].max())
     ax.axhline(0, color=INK, linewidth=1.2)
-    ax.text(0.02, 0.02, "exact: 0 m, for ever", color=INK, fontsize=8.5, transform=ax.transAxes)
+    ax.text(0.02, 0.02, "exact: 0 m", color=INK, fontsize=8.5, transform=ax.transAxes)
     ax.set(xlabel="iterations per step", ylabel="farthest out of the plane in 5 s  [m]")
     label_ends(ax)
     style.save(figure, out / "03_sideways")

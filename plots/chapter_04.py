@@ -21,8 +21,8 @@ def draw_piston(solution, mine, out):
     t, bound = table["time_s"], table["motor_n"].max()
     limits = table["displacement_m"].min(), table["displacement_m"].max()
     figure, (left, right) = style.figure(
-        f"A piston: the motor gives at most {bound:.0f} N; at both ends the limit holds what is "
-        "left over", 2)
+        f"A piston: the motor gives at most {bound:.0f} N; at both ends the limit carries the "
+        "rest", 2)
     left.plot(t, table["displacement_m"], color=COLOURS[0 if mine else 1],
               label="_", linewidth=3 if mine else 1.8)
     if mine:
@@ -89,7 +89,7 @@ def draw_cannon(solution, mine, out):
 def draw_momentum(solution, mine, out):
     table = mine or solution
     figure, (left, right) = style.figure(
-        "Two free bodies: a motor without levers makes angular momentum from nothing", 2)
+        "Two free bodies: a motor without levers creates angular momentum", 2)
     if mine:
         chosen = np.asarray(solution["row"]) == "levers"
         for ax, column in ((left, "angular_momentum"), (right, "turn_rad_s")):
@@ -102,9 +102,9 @@ def draw_momentum(solution, mine, out):
                   label=words)
         right.plot(table["time_s"][chosen], table["turn_rad_s"][chosen], color=colour, label=words)
     left.set(xlabel="time  [s]", ylabel="angular momentum of both  [N m s]",
-             title="it may not change" + (": yours" if mine else ""))
-    right.set(xlabel="time  [s]", ylabel="how fast the pair rotates  [rad/s]",
-              title="so they must rotate while they part")
+             title="it must not change" + (": yours" if mine else ""))
+    right.set(xlabel="time  [s]", ylabel="angular velocity of the pair  [rad/s]",
+              title="so the pair must rotate while it separates")
     label_ends(left)
     label_ends(right)
     style.save(figure, out / "04_momentum")

@@ -77,7 +77,7 @@ def draw_break(solution, mine, out):
     ax.plot(pull, table["statics_nm"][held], color=INK, linewidth=1, dashes=(4, 2),
             label="statics")
     ax.axhline(table["strength_nm"][0], color=PALE, linewidth=0.8)
-    ax.text(0.02, table["strength_nm"][0] + 2, "what it bears", color=PALE, fontsize=8.5,
+    ax.text(0.02, table["strength_nm"][0] + 2, "its strength", color=PALE, fontsize=8.5,
             transform=ax.get_yaxis_transform())
     ax.set(xlabel="pull at the tip  [N]", ylabel="torque at the wall  [N m]", ylim=(0, 175))
     label_ends(ax)

@@ -90,7 +90,7 @@ def draw_drift(solution, mine, out):
                    linewidth=0.8, label=f"from {metres(start)}")
         right.plot(part["step"], np.abs(part["expected_m"]), label="_", **FORMULA)
         if part["gap_m"][-1] > max(1e-6, 3 * np.abs(part["expected_m"][-1])):
-            right.annotate("the cube keeps turning:\na new error every step",
+            right.annotate("the cube keeps rotating:\na new error every step",
                            (part["step"][-10], part["gap_m"][-10]), fontsize=8, color=colour,
                            xytext=(part["step"][-1], 30 * part["gap_m"][-1]), ha="right",
                            arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.8})
@@ -121,11 +121,11 @@ def draw_energy_and_spin(solution, mine, out):
     one = rows(energy, beta=min(energy["beta"], key=lambda beta: np.abs(beta - 0.15)))
     most = np.argmax(one["gap_m"])
     figure, (left, right) = style.figure(
-        f"Correcting {one['gap_m'][most]:.2f} m with beta {one['beta'][0]:g} brings in "
-        f"{one['measured_j'][most]:.0f} J, and {one['left_j'][most]:.0f} J stay", 2)
+        f"Correcting {one['gap_m'][most]:.2f} m with beta {one['beta'][0]:g} adds "
+        f"{one['measured_j'][most]:.0f} J, of which {one['left_j'][most]:.0f} J remain", 2)
     left.plot(one["gap_m"], one["predicted_j"], label="_", **FORMULA)
-    for column, colour, words in (("measured_j", COLOURS[1], "brought in by\nthe first step"),
-                                  ("left_j", COLOURS[0], "left at\nthe end")):
+    for column, colour, words in (("measured_j", COLOURS[1], "added by\nthe first step"),
+                                  ("left_j", COLOURS[0], "remaining at\nthe end")):
         left.plot(one["gap_m"], visible(one[column]), color=colour, marker="o", label=words,
                   linestyle="none" if column == "measured_j" else "-")
     left.set(ylabel="energy", title=f"beta {one['beta'][0]:g}; dashed: Eq. 6-6")
@@ -138,7 +138,7 @@ def draw_energy_and_spin(solution, mine, out):
     right.annotate(f"thesis, beta 0.15:\n{speed:.2f} rad/s", (gap, speed), xytext=(-28, 10),
                    ha="right", textcoords="offset points", fontsize=8.5,
                    arrowprops={"arrowstyle": "-", "color": INK, "linewidth": 0.8})
-    right.set(ylabel="angular velocity left", title="at the end; dashed: Eq. 6-7")
+    right.set(ylabel="remaining angular velocity", title="at the end; dashed: Eq. 6-7")
     for ax, unit in ((left, "J"), (right, "rad/s")):
         ax.set(xscale="log", yscale="log", xlabel="gap at the start")
         style.metres_log(ax.xaxis, 1)
@@ -186,11 +186,11 @@ def draw_warm(solution, mine, out):
         return given and style.peaks({name: given[0][name] for name in
                                       ("setting", "time_s", "size_m")}, "setting", 15)
     figure, (left, right) = style.figure(
-        f"{many:g} iterations leave a sag of {end('cold', many)} cold, of {end('warm', many)} warm;"
-        f" warm with {few:g} the chain swings by {end('warm', few)}", 2)
+        f"With {many:g} iterations the chain sags by {end('cold', many)} cold, by "
+        f"{end('warm', many)} warm; warm with {few:g} it oscillates by {end('warm', few)}", 2)
     left.set_yscale("log")
     over_time(left, swings(solution), swings(mine), "size_m", "setting", visible, decades=12)
-    left.set(ylabel="last cube out of place", title="ten cubes, most of each half second")
+    left.set(ylabel="displacement of the last cube", title="ten cubes, maximum of each half second")
     for edge, colour, words, at in ((0, COLOURS[2], "predicted to settle", 0.03),
                                     (1, COLOURS[0], "to grow", 0.97)):
         right.axvspan(edge, 1 + 0.55 * edge, color=colour, alpha=0.1, linewidth=0)
@@ -199,7 +199,8 @@ def draw_warm(solution, mine, out):
         chosen = warm["safe"] != edge
         right.plot(warm["kept"][chosen], held[chosen], color=colour, marker="o^"[edge],
                    markersize=5, linestyle="none", clip_on=False, zorder=3)
-    right.set(yscale="log", xlim=(0, 1.55), ylim=(least, most), ylabel="last cube out of place",
+    right.set(yscale="log", xlim=(0, 1.55), ylim=(least, most),
+              ylabel="displacement of the last cube",
               xlabel=r"factor per warm step, $\rho^k(1+\beta)$",
               title=f"warm, {warm['links'].min():g} to {warm['links'].max():g} cubes, at the end")
     style.metres_log(left.yaxis, 2)
@@ -238,7 +239,7 @@ def draw_between(solution, mine, out):
         f"Kicked between two walls, a straight chain still moves at {max(calm)[0]:.1f} m/s in the "
         f"last second with {max(calm)[1]}, at {min(calm)[0]:.2f} m/s with {min(calm)[1]}", 2)
     over_time(left, table, None, "speed_m_s", "method")
-    left.set(ylabel="fastest link  [m/s]", title="three blows, then left alone")
+    left.set(ylabel="fastest link  [m/s]", title="three blows, then none")
     right.plot(rate["bend_rad"], 100 * rate["rho"], color=COLOURS[1], marker="o")
     stuck = rate["rank"] < rate["rank"].max()
     for bend, rho, rank in zip(*(rate[name][stuck] for name in ("bend_rad", "rho", "rank"))):
@@ -248,7 +249,8 @@ def draw_between(solution, mine, out):
                        textcoords="axes fraction", arrowprops={
                            "arrowstyle": "-", "color": COLOURS[0], "linewidth": 0.8})
     right.set(xlabel="bend of the links  [rad]", ylim=(0, 108),
-              ylabel="error left after an iteration  [%]", title="why: iterations do not get far")
+              ylabel="error after an iteration, of that before  [%]",
+              title="the reason: slow iterations")
     finish(figure, out / "06_between", left)
 
 
@@ -260,7 +262,7 @@ def draw_side_by_side(solution, mine, out):
     gap = {name: metres(size) for name, count, size in zip(
         table["method"], table["iterations"], table["gap_rms_m"]) if count in (30, 32)}
     figure, (left, right) = style.figure(
-        f"30 iterations leave gaps of {gap['projection']} with projection alone, {gap['beta 0.2']} "
+        f"Gaps after 30 iterations: {gap['projection']} with projection alone, {gap['beta 0.2']} "
         f"with beta 0.2, {gap['beta 1']} with beta 1; in 16 substeps {gap[list(shown)[-1]]}", 2)
     for (name, words), colour in zip(shown.items(), SIDE):
         part = rows(table, method=name)

@@ -24,7 +24,7 @@ def parts(table, column):
 
 
 def length(size):
-    """A length as one says it."""
+    """A length in words, with its unit."""
     return f"{size:.3g} m" if size >= 1 else f"{1000 * size:.3g} mm"
 
 
@@ -117,7 +117,7 @@ def draw_order(solution, mine, out):
 # ---- over-relaxation ---------------------------------------------------------------------------
 
 def holds(table):
-    """Where neither energy nor numbers have run away."""
+    """Where the run has not diverged."""
     return ~np.isin(table["status"], ("exploded", "nan", "energy+"))
 
 
@@ -174,8 +174,9 @@ def draw_inside(solution, mine, out):
         return rows(table, order=order, omega=omega, iteration=last)["largest_e"][0]
     omegas = np.unique(table["omega"])
     figure, axes = style.figure(
-        f"Chain order: {last:g} iterations leave the worst row {end('chain', omegas[0]):.2g} m/s "
-        f"from true with omega {omegas[0]:g}, {end('chain', omegas[-1]):.2g} with {omegas[-1]:g}",
+        f"Chain order: the largest error after {last:g} iterations is "
+        f"{end('chain', omegas[0]):.2g} m/s with omega {omegas[0]:g}, "
+        f"{end('chain', omegas[-1]):.2g} with {omegas[-1]:g}",
         2, sharey=True)
     for ax, order in zip(axes, ("chain", "colours")):
         for k, (omega, part) in enumerate(parts(rows(table, order=order), "omega")):

@@ -183,7 +183,7 @@ def draw_order(solution, mine, out):
 
 
 def draw_result(solution, mine, out):
-    """For the text alone: what the landing opens and how deep it presses, by the order."""
+    """For the text alone: gaps and depths at the landing, by the order."""
     if out.suffix != ".svg":
         return
     table = rows(solution, iterations=30)

@@ -36,11 +36,11 @@ def draw_together(solution, mine, out):
     chain, beam = mine or solution
     few = chain["method"][0]
     figure, (left, right) = style.figure(
-        f"{few} let the chain go {metres(last(chain, 'sideways_m', method=few))}, the direct "
-        f"solver {metres(last(chain, 'sideways_m', method='direct'))}", 2)
+        f"The chain moves sideways by {metres(last(chain, 'sideways_m', method=few))} with {few}, "
+        f"by {metres(last(chain, 'sideways_m', method='direct'))} with the direct solver", 2)
     over_time(left, solution[0], mine and chain, "sideways_m", "method")
     over_time(right, solution[1], mine and beam, "sag_m", "method")
-    left.set(ylabel="furthest that a cube went sideways  [m]", title="100 hinges" + whose(mine))
+    left.set(ylabel="largest sideways displacement  [m]", title="100 hinges" + whose(mine))
     right.set(ylabel="sag of the tip  [m]", title="a beam of 20 welded cubes")
     style.label_ends(left)
     style.label_ends(right)
@@ -59,13 +59,13 @@ def draw_result(solution, mine, out):
     for name, part, colour, _ in parts(chain, "method"):
         left.plot(part["time_s"], np.round(part["sideways_m"], 2), color=colour,
                   label=name.replace(" ", "\n"))
-    left.set(xlabel="time  [s]", ylabel="a cube went sideways by  [m]", xticks=(0, 2, 4),
+    left.set(xlabel="time  [s]", ylabel="sideways displacement  [m]", xticks=(0, 2, 4),
              yticks=(0, 20, 40), title="100 hinges")
     for n, (name, part, _, _) in enumerate(parts(convergence, "step")):
         order = np.argsort(part["h_s"])
         right.plot(part["h_s"][order], np.round(1000 * part["error_m"], 3)[order],
                    color=COLOURS[3 + n], marker="so"[n], markersize=4, label=name)
-    right.set(xscale="log", yscale="log", xlabel="step h  [s]", ylabel="off after 1 s  [mm]",
+    right.set(xscale="log", yscale="log", xlabel="step h  [s]", ylabel="error after 1 s  [mm]",
               xticks=(0.001, 0.01), yticks=(0.1, 1, 10, 100), title="three slabs")
     right.minorticks_off()
     style.label_ends(left)
@@ -150,10 +150,10 @@ def draw_time(solution, mine, out):
         f"Leapfrog: order {orders['leapfrog']:.2f}, the plain step: order {orders['plain']:.2f}",
         2, 2)
     over(a, solution[0], mine and convergence, "h_s", "error_m", "step")
-    a.set(xlabel="step h  [s]", ylabel="off after 1 s  [m]",
+    a.set(xlabel="step h  [s]", ylabel="error after 1 s  [m]",
           title="three slabs on hinges" + ("; dashed: the solution's" if mine else ""))
     over_time(b, solution[1], mine and bars, "energy", "method")
-    b.set(ylabel="change of energy, a share", title="six four-bars turn over")
+    b.set(ylabel="relative change of energy  [1]", title="six four-bars turn over")
     over(c, solution[2], mine and gaps, "h_s", "gap_m", "positions",
          lambda name: name.replace(" ", "\n"))
     c.set(xlabel="step h  [s]", ylabel="largest gap  [m]",
@@ -220,7 +220,7 @@ def draw_heavy(solution, mine, out):
     lost = [-100 * last(table, "energy_change_2s", factor=factor, ratio=100.0)
             for factor in (1, 8)]
     figure, (left, right) = style.figure(
-        f"More inertia holds a heavy end, and takes {lost[0]:.0f} to {lost[1]:.0f} % of the "
+        f"More inertia holds a heavy end, and removes {lost[0]:.0f} to {lost[1]:.0f} % of the "
         "energy in 2 s", 2)
     over(left, solution[0], mine and table, "ratio", "gap_m", "factor",
          lambda factor: rf"$\kappa$ = {factor:g}")
@@ -237,8 +237,8 @@ def draw_heavy(solution, mine, out):
             part = rows(solution[1], factor=factor, h_s=h)
             right.plot(part["time_s"], part["energy_change"], label="_", **FORMULA)
     right.axhline(0, color=PALE, linewidth=0.8)
-    right.set(xlabel="time  [s]", ylabel="change of energy, a share",
-              title="what it costs with an end of 100 kg")
+    right.set(xlabel="time  [s]", ylabel="relative change of energy  [1]",
+              title="the cost with an end of 100 kg")
     style.label_ends(left)
     style.label_ends(right)
     style.save(figure, out / "09_heavy")

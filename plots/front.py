@@ -33,7 +33,7 @@ def draw_chain(ax, path):
     ax.plot(0, 0, "s", color=style.PALE, markersize=7)
     ax.set_aspect("equal")
     ax.set_xlabel("metres")
-    ax.set_title(f"chapter 2: a chain let go, drawn every {every * run['dt']:.2g} s")
+    ax.set_title(f"chapter 2: a released chain, every {every * run['dt']:.2g} s")
 
 
 def draw_cost(ax, path):
@@ -51,7 +51,7 @@ def draw_cost(ax, path):
     ax.set_ylim(1e-11, 0.3)
     ax.set_xlabel("milliseconds a step, 990 hinges, one core")
     ax.set_ylabel("gap of the joints, RMS")
-    ax.set_title("what a step costs and what it buys")
+    ax.set_title("error against cost of a step")
     style.plain_log(ax.xaxis)
     style.metres_log(ax.yaxis)
 

@@ -119,7 +119,7 @@ def anchor_to_anchor(ax):
 
 def pair(ax):
     """Left: one impulse and its opposite, and how much of K each body is."""
-    title(ax, 176, "one impulse: who yields?")
+    title(ax, 176, "one impulse: which body yields?")
     x1, x2, size = (110, 262), (242, 262), 62
     line(ax, x1, x2, FAINT, 5, layer=1)
     ball(ax, x1, 24, BODY1)
@@ -132,7 +132,7 @@ def pair(ax):
     words(ax, (x2[0], x2[1] - 46), "body 2: 3 kg", BODY2, 12)
 
     left, foot, height, one = 42, 104, 30, 312  # [px]; `one` for 1 m/s
-    words(ax, (left, 166), "what 1 N s does to $J V$", INK, 11, ha="left")
+    words(ax, (left, 166), "change of $J V$ by 1 N s", INK, 11, ha="left")
     for start, share, colour, text in ((0, 1 / 2, BODY1, "$1/m_1 = 1/2$"),
                                        (1 / 2, 1 / 3, BODY2, "$1/m_2 = 1/3$")):
         ax.add_patch(Rectangle((left + one * start, foot), one * share, height,
@@ -154,7 +154,7 @@ def staircase(ax, place, sums, colour, width, dashes="-"):
 
 
 def rope_sum(ax):
-    """Right: asked for +5, -3 and -4; the sum ends at 0, single clamped impulses at 5."""
+    """Right: +5, -3 and -4 are required; the clamped sum ends at 0, clamped impulses at 5."""
     title(ax, 528, "a rope: clamp the sum, at 0")
 
     def place(iteration, newton_seconds):

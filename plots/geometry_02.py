@@ -73,7 +73,7 @@ BIAS = np.array([0.0, 6.0])                # [m/s]
 
 
 def gauss_seidel(iterations):
-    """The impulses after each single solve, and what is wrong with row y after each iteration."""
+    """The impulses after each single solve, and the error of row y after each iteration."""
     impulse, places, errors = np.zeros(2), [np.zeros(2)], []
     for _ in range(iterations):
         for row in (0, 1):
@@ -85,7 +85,7 @@ def gauss_seidel(iterations):
 
 
 def lines(ax):
-    """Left: each row is true on a line; solving in turns goes from line to line."""
+    """Left: each row is satisfied on a line; solving in turns goes from line to line."""
     words(ax, (196, 352), "solved in turns", size=12.5, weight="bold")
 
     def place(y, z):
@@ -95,8 +95,8 @@ def lines(ax):
         ys = np.array([-3.9, 0.25])
         zs = -(K[row, 0] * ys + BIAS[row]) / K[row, 1]
         ax.plot(*place(ys, zs), color=colour, linewidth=1.8, zorder=3)
-    words(ax, (232, 220), "row y is true", BODY1, 12, rotation=40, rotation_mode="anchor")
-    words(ax, (262, 100), "row z is true", BODY2, 12, rotation=11, rotation_mode="anchor")
+    words(ax, (232, 220), "row y satisfied", BODY1, 12, rotation=40, rotation_mode="anchor")
+    words(ax, (262, 100), "row z satisfied", BODY2, 12, rotation=11, rotation_mode="anchor")
     places, _ = gauss_seidel(3)
     for start, end in zip(places, places[1:]):
         if np.abs(end - start).max() > 0.05:
@@ -105,7 +105,7 @@ def lines(ax):
     words(ax, (place(0, 0)[0] - 4, place(0, 0)[1] + 16), "start", INK, 11)
     goal = np.linalg.solve(K, -BIAS)
     dot(ax, place(*goal), ARROW, 9)
-    words(ax, (place(*goal)[0] - 36, place(*goal)[1] + 26), "both are\ntrue", ARROW, 11)
+    words(ax, (place(*goal)[0] - 36, place(*goal)[1] + 26), "both\nsatisfied", ARROW, 11)
     arrow(ax, (44, 240), (88, 240), FAINT, 1.2)
     arrow(ax, (44, 240), (44, 284), FAINT, 1.2)
     words(ax, (104, 240), "$\\lambda_y$", FAINT)
@@ -114,8 +114,8 @@ def lines(ax):
 
 
 def shrinking(ax):
-    """Right: what the iterations leave of row y's error."""
-    words(ax, (552, 352), "the same share each time", size=12.5, weight="bold")
+    """Right: the error of row y after each iteration."""
+    words(ax, (552, 352), "the same factor each time", size=12.5, weight="bold")
     foot, one, width = 86, 110, 48  # [px]; `one` for 1 m/s
     _, errors = gauss_seidel(3)
     for number, error in enumerate(errors):
@@ -127,7 +127,7 @@ def shrinking(ax):
         if number:
             words(ax, (x + width / 2, foot + one * error + 42), "$\\times\\;2/9$", ARROW, 13)
     words(ax, (552, 48), "iteration", INK, 11)
-    words(ax, (512, 290), "what is wrong with\nrow y [m/s]", INK, 11, ha="left")
+    words(ax, (512, 290), "error of row y\n[m/s]", INK, 11, ha="left")
     words(ax, (552, 26), "$2/9 = K_{yz}^2 / (K_{yy} K_{zz})$", FAINT, 11)
 
 

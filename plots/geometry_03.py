@@ -105,7 +105,7 @@ def door(ax):
     words(ax, at_angle(pin, length + 30, 58) + (6, 0), "body 2", BODY2, 12)
     words(ax, (762, 100), "lower", INK, 11)
     words(ax, (590, 268), "upper", INK, 11)
-    words(ax, (698, 32), "$C$ is the gap that is left", FAINT, 11)
+    words(ax, (698, 32), "$C$ is the remaining gap", FAINT, 11)
 
 
 SWING_AXIS = np.array([0.57, -0.82, 0]) / np.hypot(0.57, 0.82)  # right, away, up

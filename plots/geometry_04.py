@@ -70,7 +70,7 @@ def line(ax):
 
 
 def lock(ax):
-    """Right: body 2 as it should lie, and how far it has rotated beyond that."""
+    """Right: the required orientation of body 2, and its rotation beyond that."""
     words(ax, (562, 352), "the excess rotation", size=12.5, weight="bold")
     x1, x2 = np.array([540.0, 92.0]), np.array([566.0, 228.0])
     meant, now = TILT + 6, TILT + 38
@@ -89,8 +89,8 @@ def lock(ax):
     dot(ax, x2, BODY2)
     dot(ax, x1, BODY1)
     words(ax, x2 + 104 * direction((meant + now) / 2), "$q_e$", LEVER, 15)
-    words(ax, (626, 182), "as it should lie", BODY2, 10.5)
-    words(ax, (560, 314), "as it lies", BODY2, 10.5)
+    words(ax, (626, 182), "as required", BODY2, 10.5)
+    words(ax, (560, 314), "as it is", BODY2, 10.5)
     words(ax, x1 + 37 * direction(TILT), "body 1", BODY1, 12, rotation=TILT)
     words(ax, (562, 28), "the axis of $q_e$, and $C$, point at you", FAINT, 11)
 
@@ -119,7 +119,7 @@ def two_lines(ax):
     words(ax, (p1 + p2) / 2 + (-6, 16), "$u$", INK, 15)
     words(ax, p1 + (-60, -34), "body 1", BODY1, 12)
     words(ax, p2 + (58, 28), "body 2", BODY2, 12)
-    words(ax, (178, 28), "angular momentum from nothing: $u \\times \\lambda$", FAINT, 11)
+    words(ax, (178, 28), "added angular momentum: $u \\times \\lambda$", FAINT, 11)
 
 
 def one_line(ax):

@@ -40,7 +40,7 @@ def measure(ax, left, right, y, text):
 
 
 def load(ax):
-    """Left: a beam, its weight, and what the wall puts on it."""
+    """Left: a beam, its weight, and the load at the wall."""
     words(ax, (180, 350), "the load of a weld", size=12.5, weight="bold")
     edge, left, y, cubes = 46, 72.0, 190.0, 5
     wall(ax, left, y - 75, y + 75)

@@ -67,7 +67,7 @@ def corner(ax):
 
 
 def wedge(ax):
-    """Middle: normal impulse and friction impulse of a corner, and what a solve does to them."""
+    """Middle: normal impulse and friction impulse of a corner, before and after a solve."""
     words(ax, (526, 352), "the bound follows the normal row", size=12.5, weight="bold")
     origin, right, slope = np.array([392.0, 188.0]), 262.0, 0.5
     ends = [origin + (right, sign * slope * right) for sign in (1, -1)]

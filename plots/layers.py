@@ -1,4 +1,4 @@
-"""Who includes whom: the groups of the sources, read off their #include lines."""
+"""The includes between the groups of the sources, read from their #include lines."""
 import re
 from pathlib import Path
 

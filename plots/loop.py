@@ -134,7 +134,7 @@ def steps(table, frames, out):
         if chains in frames["chains"]:
             ax.plot(*thesis(frames, chains), "s:", color=style.named("as-printed"),
                     label=AS_PRINTED, markersize=4, linewidth=1.1, zorder=4)
-        ax.set(xscale="log", yscale="log", xlabel="iterations a step")
+        ax.set(xscale="log", yscale="log", xlabel="iterations per step")
         ax.set_title(f"{chains:g} chains: {100 * chains:g} cubes, {99 * chains:g} hinges",
                      color=PALE)
         ax.set_xticks(np.unique(table["iterations"]))

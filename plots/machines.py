@@ -1,4 +1,4 @@
-"""The figures of chapter 8's machines, and what they share with its other figures."""
+"""The figures of chapter 8's machines, and code common to them and its other figures."""
 import numpy as np
 
 import style

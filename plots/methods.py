@@ -63,7 +63,7 @@ def paint(ax, cells, width, height):
 
 
 def error_of(row, what="gap_max_m"):
-    """What a cell shows [mm]: NaN where the run was lost or gained energy."""
+    """The error in a cell [mm]: NaN where the run was lost or gained energy."""
     if row["status"] in ("energy+", "exploded", "nan"):
         return np.nan
     return abs(row["found"] - row["expected"]) if what == "found" else 1000 * row["gap_max_m"]
@@ -92,7 +92,7 @@ def draw_maps(rows, methods, path):
     """A panel for each number that changes: its values are the columns, the methods the rows."""
     methods = [name for name in methods if any(
         row["method"] == name and ": " in row["scene"] for row in rows)]
-    figure, axes = style.figure("Only the direct solver with added inertia bears every mass ratio, "
+    figure, axes = style.figure("Only the direct solver with added inertia holds every mass ratio, "
                                 "step and spring",
                                 panels=2, rows=3, sharey=True)
     figure.set_size_inches(style.WIDTH + 1.5, 0.93 * len(methods) + 1.6)

@@ -17,7 +17,7 @@ STORED_NUMBERS = ["us_per_step", "gap_max_m", "tip_error_m"]
 STORED_WORDS = ["engine", "setting", "scene"]
 LOOKS = {"ours": (COLOURS[0], "o"), "Bullet": (COLOURS[1], "s"), "ODE": (COLOURS[2], "D"),
          "MuJoCo": (COLOURS[3], "^")}
-# What is drawn together: a column, and what the panel is about.
+# The panels of the common drawing: a column, and the title.
 TOGETHER = {"S1": ("tip_error_m", "ten chains of 99 hinges (S1): the tip after 1 s"),
             "S5": ("tip_error_m", "three hinges (S5): the tip after 1 s"),
             "S7": ("gap_max_m", "gravity sideways (S7): largest gap"),
@@ -34,14 +34,14 @@ LEAST = 1e-4  # [mm]: what is better stands at the lower edge
 
 
 def errors(table, scene):
-    """What is compared in a scene: its tip where it has one, else its largest gap [mm]."""
+    """The error to compare in a scene: that of its tip if it has one, else its largest gap [mm]."""
     if np.isfinite(table["tip_error_m"]).any():
         return 1000 * table["tip_error_m"], "error of the tip after 1 s  [mm]"
     return 1000 * table["gap_max_m"], "largest gap of a joint  [mm]"
 
 
 def front(x, y):
-    """Which points nothing beats in both."""
+    """The points to which no other is superior in both."""
     order, best, out = np.lexsort((y, x)), np.inf, []
     for k in order:
         if y[k] < 0.999 * best:
@@ -103,7 +103,7 @@ def draw_one(table, values, words, stored, scene, path, name):
 
 
 def called(engine, setting):
-    """What stands beside a point: direct, 8 substeps."""
+    """The words beside a point: direct, 8 substeps."""
     if engine != "ours":
         return setting
     word, _, substeps = setting.partition("/")
@@ -111,7 +111,7 @@ def called(engine, setting):
 
 
 def name_front(ax, table, line, x, y):
-    """What stands on the front, beside its points; not where it is hardly better than the last."""
+    """Names the points of the front, except those that are hardly better than the last."""
     last, middle = np.inf, np.sqrt(x.min() * x.max())
     for k in line:
         if y[k] > last / 1.5:

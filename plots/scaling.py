@@ -33,7 +33,7 @@ def lines_of(table, iterations):
 
 
 def growth(line):
-    """By what factor a joint is dearer in the largest scene than in one of a thousand; or None."""
+    """The cost of a joint in the largest scene, relative to one of a thousand joints; or None."""
     near = [int(np.argmin(np.abs(np.log(line["joints"] / size)))) for size in (SMALL, LARGE)]
     sizes = line["joints"][near]
     if not 0.5 < sizes[0] / SMALL < 2 or not 0.5 < sizes[1] / LARGE < 2:
@@ -48,7 +48,7 @@ def main():
     counts = sorted(set(table["iterations"]))
     lines = lines_of(table, counts[-1])
     factors = {key: factor for key, line in lines.items() if (factor := growth(line))}
-    title = "What a joint costs as the scene grows"
+    title = "The cost of a joint as the scene grows"
     if factors:
         title = (f"From {SMALL:,.0f} to {LARGE:,.0f} joints a joint becomes "
                  f"{min(factors.values()):.1f} to {max(factors.values()):.1f} times as dear")
@@ -61,14 +61,14 @@ def main():
                   label=words)
         right.plot(line["joints"], line["bytes_per_joint"], "o-", color=colour, markersize=4,
                    label=LINES[key][0])
-    left.set(xscale="log", yscale="log", xlabel="joints", ylabel="time of a step a joint  [ns]")
+    left.set(xscale="log", yscale="log", xlabel="joints", ylabel="time per step and joint  [ns]")
     left.set_ylim(style.extent(table["ns_per_joint_step"])[0] / 1.5,
                   style.extent(*[line["ns_per_joint_step"] for line in lines.values()])[1] * 1.3)
     left.set_title(f"{counts[-1]:g} iterations; x: dearer at {LARGE:,.0f} than at {SMALL:,.0f}",
                    color=PALE, fontsize=8.5)
-    right.set(xscale="log", xlabel="joints", ylabel="memory a joint  [bytes]")
+    right.set(xscale="log", xlabel="joints", ylabel="memory per joint  [bytes]")
     right.set_ylim(0, 1.15 * style.extent(table["bytes_per_joint"])[1])
-    right.set_title("bodies, joints, and what the solver keeps", color=PALE, fontsize=8.5)
+    right.set_title("bodies, joints, and the memory of the solver", color=PALE, fontsize=8.5)
     for ax in (left, right):
         ax.set_xlim(60, 1.6e5)
     style.plain_log(left.yaxis)

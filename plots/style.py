@@ -43,7 +43,7 @@ plt.rcParams.update({
 
 
 class Trouble(Exception):
-    """What the user has to know, in one line."""
+    """A message for the user, in one line."""
 
 
 def run(main):
@@ -182,7 +182,7 @@ def arrange(made):
 
 
 def metres(size, unit="m"):
-    """A length as one says it, or another size with its unit."""
+    """A length with its unit and prefix, or another size with its unit."""
     for prefix, scale, least in (("", 1, 1), ("m", 1e3, 1e-4), ("µ", 1e6, 1e-6), ("n", 1e9, 1e-9)):
         if size >= 0.9995 * least:
             return f"{float(f'{size * scale:.{3 if scale < 1e6 else 2}g}'):g} {prefix}{unit}"
@@ -198,13 +198,13 @@ def metres_log(axis, every=3, unit="m"):
 
 
 def visible(values):
-    """For a log axis: what is zero, negative or not finite is not drawn."""
+    """For a log axis: NaN for values that are zero, negative or not finite."""
     values = np.asarray(values, float)
     return np.where(np.isfinite(values) & (values > 0), values, np.nan)
 
 
 def extent(*arrays):
-    """Least and largest of what a log axis can show of these values."""
+    """The least and the largest of the values that a log axis can show."""
     values = visible(np.concatenate([np.ravel(array) for array in arrays]))
     values = values[np.isfinite(values)]
     return (values.min(), values.max()) if len(values) else (0.1, 1.0)
@@ -274,7 +274,7 @@ def peaks(table, by, steps=20):
 
 
 def hold(ax, mine, solution, decades=3):
-    """Keeps a panel's height to what the solution needs, and to a little more for yours."""
+    """Limits a panel to the height of the solution, and to a little more for yours."""
     if ax.get_yscale() == "log":  # what explodes may leave the picture
         (low, high), both = extent(solution), extent(mine, solution)
         ax.set_ylim(max(both[0], low / 100, high / 10**decades) / 1.5,

@@ -36,7 +36,7 @@ FLOOR = 9.81 / 60 * 1.0 / 2     # g h t / 2 [m], h = 1/60 s, t = 1 s: semi-impli
 MEASURES = {  # of a column: words at the axis, end of the file's name
     "gap_rms_m": ("gap of the joints, RMS", ""), "gap_max_m": ("largest gap of a joint", ""),
     "tip_error_m": ("error of the tip after 1 s", "_tip"),
-    "sideways_m": ("furthest way in the forbidden direction", "")}
+    "sideways_m": ("largest displacement in the forbidden direction", "")}
 SCENES = {"S1": "{chains} chains of 100 cubes",
           "S1b": "{chains} chains of 100 cubes on ball joints",
           "S2": "20 cubes of 1 kg, {ratio} kg at their end",
@@ -68,7 +68,7 @@ def groups(rows, *by):
 
 
 def limits(values, room):
-    """What a log axis has to show of these values: at least a factor of four."""
+    """The range of a log axis for these values: at least a factor of four."""
     low, high = np.multiply(style.extent(values), (1 / room, room))
     wider = max(1.0, np.sqrt(4 * low / high))
     return low / wider, high * wider
@@ -77,7 +77,7 @@ def limits(values, room):
 # ---- labels --------------------------------------------------------------------------------------
 
 class Room:
-    """What of a panel is taken, in cells of two pixels: where a label costs nothing."""
+    """The occupied cells of two pixels in a panel, where a label has a cost."""
 
     def __init__(self, ax):
         style.arrange(ax.figure)
@@ -135,7 +135,7 @@ class Room:
 # ---- a figure ------------------------------------------------------------------------------------
 
 def heights(rows, name, low, high):
-    """What is drawn of each row: what exploded stands at the upper edge, no gap at the lower."""
+    """The points of the rows: exploded runs at the upper edge, runs without a gap at the lower."""
     lost = [row.get("status") in LOST or not np.isfinite(row[name]) for row in rows]
     return np.array([high if gone else np.clip(row[name], low, high)
                      for row, gone in zip(rows, lost)]), np.array(lost)
@@ -224,7 +224,7 @@ def draw(rows, measure, peers, out):
 
 
 def explain(rows, between):
-    """What the points, the markers and grey say: above the panel."""
+    """The meaning of points, markers and grey, above the panel."""
     states = dict.fromkeys(LOOKS[row["status"]][2] for row in rows)
     most = max(row["iterations"] for row in rows if row["substeps"] == 1)
     return (f"this engine, 10 to {most:g} iterations per step\n"

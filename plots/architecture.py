@@ -16,15 +16,16 @@ from matplotlib.patches import FancyBboxPatch
 ROOT = Path(__file__).resolve().parent.parent
 
 # For each group of folders: the place of its box, and the words below its name.
-GROUPS = {"tests": (620, 340, "the proofs"),
+GROUPS = {"tests": (700, 340, "the proofs"),
           "bench": (620, 278, "error and time"),
           "live": (400, 309, "docs/live"),
           "programs": (620, 216, "chapters/*/program"),
+          "checker": (770, 216, "parts, differences"),
           "library": (475, 216, "joints.h, packages"),
           "solutions": (335, 216, "the exercises"),
           "chapters": (440, 154, "parts and joints"),
           "simd": (400, 92, "engine/simd"),
-          "instruments": (620, 92, "measuring"),
+          "instruments": (590, 92, "measuring"),
           "core": (510, 30, "engine/*: bodies, blocks, step, solvers")}
 WIDE = {"core": 290}
 HIGH = 42
@@ -69,4 +70,4 @@ def groups(ax):
 
 
 if __name__ == "__main__":
-    draw(__doc__, "architecture", [cycle, groups], [258])
+    draw(__doc__, "architecture", [cycle, groups], [258], 850)

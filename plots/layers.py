@@ -2,7 +2,7 @@
 import re
 from pathlib import Path
 
-FOLDERS = ("engine", "library", "chapters", "solutions", "bench", "docs", "tests")
+FOLDERS = ("engine", "checker", "library", "chapters", "solutions", "bench", "docs", "tests")
 
 
 def group_of(path):

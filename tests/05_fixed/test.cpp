@@ -52,7 +52,8 @@ TEST_CASE("5.1 K of a weld is J M^-1 J^T of all six rows at every pose", "[5.1]"
       }
     samples.push_back(sample);
   });
-  check(WeldFixture::K, K_report(row_names<WeldFixture>(), samples, K_tolerance));
+  check(WeldFixture::K, K_report(row_names<WeldFixture>(), samples, K_tolerance),
+        "effective masses", samples);
 }
 
 // ---- 5.2 ----------------------------------------------------------------------------------------

@@ -1,9 +1,9 @@
 // Exercise 7.3: yours in all scenes, and the report.
 #pragma once
 
+#include "checker/report.h"
 #include "tests/07_performance/colour_mistakes.h"
 #include "tests/07_performance/guarded_memory.h"
-#include "tests/checker/report.h"
 
 namespace joints::testing {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/checker/numeric.h"
+#include "checker/numeric.h"
 
 namespace joints::testing {
 

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "chapters/09_direct/direct.h"
+#include "checker/report.h"
 #include "tests/09_direct/counted_memory.h"
 #include "tests/09_direct/graph_cases.h"
-#include "tests/checker/report.h"
 #include "tests/checker/thrown.h"
 
 namespace joints::testing {

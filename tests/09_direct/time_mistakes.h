@@ -1,9 +1,9 @@
 // Exercise 9.5: the steps of the usual mistakes.
 #pragma once
 
+#include "checker/report.h"
 #include "tests/09_direct/time_cases.h"
 #include "tests/checker/pieces.h"
-#include "tests/checker/report.h"
 
 namespace joints::testing {
 

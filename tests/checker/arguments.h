@@ -2,8 +2,8 @@
 // reader's answer follows can be read off it, and numbers that were cut to whole ones are found.
 #pragma once
 
+#include "checker/report.h"
 #include "tests/checker/cases.h"
-#include "tests/checker/report.h"
 
 namespace joints::testing {
 

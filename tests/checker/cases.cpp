@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "tests/checker/report.h"
+#include "checker/report.h"
 
 namespace joints::testing {
 

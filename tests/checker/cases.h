@@ -5,8 +5,9 @@
 
 #include <algorithm>
 
+#include "checker/patterns.h"
 #include "tests/checker/call.h"
-#include "tests/checker/patterns.h"
+#include "tests/checker/check.h"
 
 namespace joints::testing {
 

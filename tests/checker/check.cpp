@@ -1,24 +1,12 @@
 // Comparing numbers with what is right, and saying so.
 #include <algorithm>
 
+#include "checker/report.h"
 #include "tests/checker/catch.h"
-#include "tests/checker/report.h"
+#include "tests/checker/check.h"
 #include "tests/checker/where.h"
 
 namespace joints::testing {
-
-bool close(const Numbers& a, const Numbers& b, double tolerance) {
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (!near(a[i], b[i], tolerance)) return false;
-  return true;
-}
-
-bool same_numbers(const Numbers& a, const Numbers& b, double tolerance) {
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i] != b[i] && !near(a[i], b[i], tolerance) && !(std::isnan(a[i]) && std::isnan(b[i])))
-      return false;
-  return true;
-}
 
 void check(const Subject& subject, const std::string& report) {
   if (!report.empty()) fail(subject, report);

@@ -11,12 +11,8 @@
 //   };
 #pragma once
 
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "tests/checker/numeric.h"
+#include "checker/samples.h"
+#include "tests/checker/proved.h"
 
 namespace joints::testing {
 
@@ -27,8 +23,6 @@ struct Subject {
   int region = 1;  ///< which of the regions that share the id
   const char* given = "";  ///< the arguments of the case, for the report
 };
-
-using Numbers = std::vector<double>;
 
 /// A value that somebody gets who makes a common mistake, and that mistake in words.
 template <class T>
@@ -71,76 +65,19 @@ void expect(const Subject& subject, const std::string& words,
 
 /// Fails with a report unless it is empty.
 void check(const Subject& subject, const std::string& report);
+/// The same, and counts the samples if it is empty. \param what "Jacobians", for the summary
+inline void check(const Subject& subject, const std::string& report, const std::string& what,
+                  const std::vector<Sample>& samples) {
+  if (report.empty()) {
+    proved(what.c_str());
+    proved(("poses of " + what).c_str(), long(samples.size()));
+  }
+  check(subject, report);
+}
 /// Fails a test with the exercise's file, line and next command under the words.
 [[noreturn]] void fail(const Subject& subject, const std::string& words);
 
 // ---- parts --------------------------------------------------------------------------------------
-
-/// The four kinds of poses at which a part is checked, what they are for, and the one in the text.
-inline constexpr std::array pose_names{"upright", "turned", "moved", "broken", "pencil and paper"};
-inline constexpr std::array pose_words{"body 1 is not turned", "both bodies are turned",
-                                       "far along what the joint leaves free", "C is not 0",
-                                       "Numbers, in the text"};
-inline constexpr int pencil_and_paper = 4;
-inline constexpr int draws_of_a_pose = 4;
-
-/// What the pose "broken" is called where C is no gap: a fixture may have its own, `broken`.
-struct PoseWords {
-  const char *name = pose_names[3], *words = pose_words[3];
-};
-
-/// J (12 numbers a row) or K at one pose.
-struct Sample {
-  int pose;
-  Numbers yours, right;
-  std::vector<std::string> mistakes;  ///< everything that would explain yours, in words
-  PoseWords broken = {};
-  long own = 0;  ///< how many of these, the first, are the fixture's own words
-};
-
-/// How far a K may be from J M^-1 J^T with J by differences.
-inline constexpr double K_tolerance = 10 * difference_tolerance;
-
-/// Words for everything that is wrong, or "" where all is right.
-std::string jacobian_report(const std::vector<std::string>& rows, std::vector<Sample> samples,
-                            double tolerance);
-std::string K_report(const std::vector<std::string>& rows, std::vector<Sample> samples,
-                     double tolerance);
-
-template <int N>
-Numbers flat(const Jacobian<N>& J) {
-  Numbers out;
-  for (const Row& row : J.row)
-    for (const vec3& block : {row.v1, row.w1, row.v2, row.w2})
-      for (int c = 0; c < 3; ++c) out.push_back(double(block[c]));
-  return out;
-}
-template <int N>
-Numbers flat(const Matrix<N>& K) {
-  Numbers out;
-  for (const auto& row : K.m)
-    for (real number : row) out.push_back(double(number));
-  return out;
-}
-bool close(const Numbers& a, const Numbers& b, double tolerance);
-/// The same for numbers that may be infinite or NaN in both.
-bool same_numbers(const Numbers& a, const Numbers& b, double tolerance);
-
-/// Mistakes in words, each with the numbers that it gives.
-using Wrong = std::vector<std::pair<std::string, Numbers>>;
-
-/// A part as numbers, at any pose of its bodies.
-struct Seen {
-  std::function<Numbers(const Pair&)> J, K;              ///< yours
-  std::function<Numbers(const Pair&)> slope;             ///< J by central differences
-  std::function<Wrong(const Pair&)> mistakes = nullptr;    ///< the fixture's own, of J
-  std::function<Wrong(const Pair&)> K_mistakes = nullptr;  ///< and of K
-  PoseWords broken = {};
-};
-Sample jacobian_sample(int pose, const Seen& part, const Pair& pair, const Numbers& right);
-Sample K_sample(int pose, const Seen& part, const Pair& pair, const Numbers& right);
-/// J M^-1 J^T of a J with 12 numbers a row.
-Numbers whole_K(const Numbers& J, const Pair& pair);
 
 /// \tparam Fixture may have mistakes of its own in functions `mistakes(part, pair)` and, of K,
 /// `K_mistakes(part, pair)`
@@ -211,8 +148,9 @@ std::vector<Sample> jacobian_samples() {
 /// J against central differences of C. Fails with a report where they differ.
 template <class Fixture>
 void check_jacobian() {
-  check(Fixture::J,
-        jacobian_report(row_names<Fixture>(), jacobian_samples<Fixture>(), difference_tolerance));
+  const std::vector<Sample> samples = jacobian_samples<Fixture>();
+  check(Fixture::J, jacobian_report(row_names<Fixture>(), samples, difference_tolerance),
+        "Jacobians", samples);
 }
 /// J against the one computed by hand at the pose of the text; the other poses help to explain.
 template <class Fixture, int N>
@@ -222,7 +160,8 @@ void check_jacobian(const typename Fixture::Part& part, const Pair& pair,
   std::vector<Sample> samples{paper};
   if (!close(paper.yours, paper.right, difference_tolerance))
     for (const Sample& sample : jacobian_samples<Fixture>()) samples.push_back(sample);
-  check(Fixture::J, jacobian_report(row_names<Fixture>(), samples, difference_tolerance));
+  check(Fixture::J, jacobian_report(row_names<Fixture>(), samples, difference_tolerance),
+        "Jacobians", samples);
 }
 
 /// The K of a part beside J M^-1 J^T with the numeric J at every pose.
@@ -240,7 +179,9 @@ std::vector<Sample> K_samples() {
 /// K against J M^-1 J^T with the numeric J. Fails with a report where they differ.
 template <class Fixture>
 void check_K() {
-  check(Fixture::K, K_report(row_names<Fixture>(), K_samples<Fixture>(), K_tolerance));
+  const std::vector<Sample> samples = K_samples<Fixture>();
+  check(Fixture::K, K_report(row_names<Fixture>(), samples, K_tolerance), "effective masses",
+        samples);
 }
 /// K against the one computed by hand at the pose of the text; the other poses help to explain.
 template <class Fixture, int N>
@@ -249,7 +190,8 @@ void check_K(const typename Fixture::Part& part, const Pair& pair, const Matrix<
   std::vector<Sample> samples{paper};
   if (!close(paper.yours, paper.right, K_tolerance))
     for (const Sample& sample : K_samples<Fixture>()) samples.push_back(sample);
-  check(Fixture::K, K_report(row_names<Fixture>(), samples, K_tolerance));
+  check(Fixture::K, K_report(row_names<Fixture>(), samples, K_tolerance), "effective masses",
+        samples);
 }
 
 }  // namespace joints::testing

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "checker/report.h"
 #include "tests/checker/cases.h"
-#include "tests/checker/report.h"
 
 namespace joints::testing {
 

@@ -2,8 +2,8 @@
 // in one of them, in both of a body, in both of a kind, or in all.
 #pragma once
 
+#include "checker/report.h"
 #include "tests/checker/pieces.h"
-#include "tests/checker/report.h"
 
 namespace joints::testing {
 

@@ -2,8 +2,8 @@
 // wrong in a case, and in which others they hold.
 #pragma once
 
+#include "checker/report.h"
 #include "tests/checker/cases.h"
-#include "tests/checker/report.h"
 
 namespace joints::testing {
 

@@ -2,8 +2,8 @@
 // V += M^-1 J^T lambda, the usual mistakes, and cases.
 #pragma once
 
+#include "checker/report.h"
 #include "tests/checker/cases.h"
-#include "tests/checker/report.h"
 
 namespace joints::testing {
 

@@ -1,9 +1,9 @@
 // The contact as a joint of the engine: which corners have rows, what is remembered of them, and
 // what projection, reaction, plan and removal make of it.
+#include "checker/numeric.h"
 #include "engine/instruments/plan.h"
 #include "engine/reaction.h"
 #include "engine/state.h"
-#include "tests/checker/numeric.h"
 #include "tests/ground/rigs.h"
 #include "tests/oracle/test.h"
 

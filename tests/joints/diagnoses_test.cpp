@@ -1,7 +1,7 @@
 // What the checker says of a J or K that is wrong in a usual way: each mistake is called by its
 // name, whatever the part.
+#include "checker/report.h"
 #include "tests/checker/joint_fixtures.h"
-#include "tests/checker/report.h"
 #include "tests/oracle/test.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // The reader's pieces of chapter 3 in a whole hinge: it stops at its limits.
-#include "tests/checker/numeric.h"
+#include "checker/numeric.h"
 #include "tests/oracle/test.h"
 
 TEST_CASE("a limit has a row from a gap of h times its rate and 0.1 on, on either side") {

@@ -1,10 +1,10 @@
 // An independent oracle for the tests: bodies and blocks as dense matrices, in double.
 #pragma once
 
+#include "checker/numeric.h"
 #include "engine/sequential_impulses.h"
 #include "engine/step.h"
 #include "tests/oracle/dense.h"
-#include "tests/checker/numeric.h"
 
 namespace joints::testing {
 

@@ -13,7 +13,7 @@ LINES, MOST_COLUMNS = 330, 100  # LINES is an aim
 # Which folders of the engine a folder of the engine may include. Its core measures nothing and
 # knows no lanes.
 ENGINE = {"engine": ["engine"], "engine/simd": ["engine", "engine/simd"],
-          "engine/instruments": ["engine", "engine/instruments"]}
+          "engine/instruments": ["engine", "engine/instruments"], "checker": ["engine", "checker"]}
 
 
 def may_include(path):
@@ -21,12 +21,12 @@ def may_include(path):
     name = str(path)
     if name.startswith("library/"):  # packages everything
         return lambda folder: folder.startswith(("engine", "chapters/"))
-    if name.startswith("engine/"):
+    if name.startswith(("engine/", "checker/")):
         return lambda folder: folder in ENGINE[str(path.parent)]
     chapter = re.match(r"(?:chapters|solutions)/(\d\d)_", name)
     last = int(chapter[1]) if chapter else 99
     folders = ["engine"] + [f"chapters/{n:02}_" for n in range(1, last + 1)]
-    folders += {"bench": ["bench"], "tests": ["bench", "tests", "docs"],
+    folders += {"bench": ["bench"], "tests": ["bench", "checker", "tests", "docs"],
                 "docs": ["bench", "docs"]}.get(path.parts[0], [])
     return lambda folder: folder.startswith(tuple(folders))
 

@@ -1,6 +1,6 @@
 // Numbers as text, tables, folded lines. A report is made for a terminal: lines of at most 76
 // columns, so that Catch2 does not fold them anew.
-#include "tests/checker/report.h"
+#include "checker/report.h"
 
 #include <algorithm>
 #include <bit>
@@ -30,6 +30,19 @@ std::string padded(const std::string& words, std::size_t width) {
 }  // namespace
 
 bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+
+bool close(const Numbers& a, const Numbers& b, double tolerance) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!near(a[i], b[i], tolerance)) return false;
+  return true;
+}
+
+bool same_numbers(const Numbers& a, const Numbers& b, double tolerance) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i] != b[i] && !near(a[i], b[i], tolerance) && !(std::isnan(a[i]) && std::isnan(b[i])))
+      return false;
+  return true;
+}
 
 bool all_finite(const Numbers& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double a) { return std::isfinite(a); });

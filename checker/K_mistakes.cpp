@@ -1,4 +1,4 @@
-#include "tests/checker/mistakes.h"
+#include "checker/mistakes.h"
 
 #include <algorithm>
 

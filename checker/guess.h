@@ -1,7 +1,7 @@
 // Guessing from the entries of a J or K what went wrong.
 #pragma once
 
-#include "tests/checker/check.h"
+#include "checker/samples.h"
 
 namespace joints::testing {
 

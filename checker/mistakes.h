@@ -2,7 +2,7 @@
 // body.
 #pragma once
 
-#include "tests/checker/check.h"
+#include "checker/samples.h"
 
 namespace joints::testing {
 

@@ -1,9 +1,9 @@
-#include "tests/checker/guess.h"
+#include "checker/guess.h"
 
 #include <algorithm>
 
-#include "tests/checker/patterns.h"
-#include "tests/checker/report.h"
+#include "checker/patterns.h"
+#include "checker/report.h"
 
 namespace joints::testing {
 

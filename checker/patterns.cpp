@@ -1,11 +1,11 @@
 // What all wrong numbers of a table have in common.
-#include "tests/checker/patterns.h"
+#include "checker/patterns.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <map>
 
-#include "tests/checker/report.h"
+#include "checker/report.h"
 
 namespace joints::testing {
 

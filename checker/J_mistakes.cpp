@@ -1,8 +1,8 @@
-#include "tests/checker/mistakes.h"
+#include "checker/mistakes.h"
 
 #include <algorithm>
 
-#include "tests/checker/report.h"
+#include "checker/report.h"
 
 namespace joints::testing {
 

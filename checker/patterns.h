@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/checker/check.h"
+#include "checker/samples.h"
 
 namespace joints::testing {
 

@@ -1,0 +1,85 @@
+// The checker of parts, asked as a program outside asks it: parts of the library are right, wrong
+// ones are told what is wrong, and a report says the same as data.
+#include "chapters/01_distance/distance_joint.h"
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/05_fixed/fixed_joint.h"
+#include "checker/check_part.h"
+#include "tests/oracle/test.h"
+
+namespace {
+
+// A row with what a wrong part may get wrong. Right: C = a1.a2.
+struct Crossed {
+  real sign1 = 1, sign2 = -1, push = 0;
+  vec3 a1_local{1, 0, 0}, a2_local{0, 1, 0};
+  static constexpr int rows = 1;
+  static constexpr bool one_sided = false;
+  static constexpr Form form = Form::angular;
+  real error(const Body& body1, const Body& body2) const {
+    return dot(to_world(body1, a1_local), to_world(body2, a2_local));
+  }
+  Row jacobian(const Body& body1, const Body& body2) const {
+    const vec3 n = cross(to_world(body1, a1_local), to_world(body2, a2_local));
+    return {push * n, sign1 * n, vec3(0), sign2 * n};
+  }
+};
+
+bool says(const PartReport& report, const std::string& words) {
+  return report.text().find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("the checker finds nothing wrong with the parts of the chapters, wherever made") {
+  PoseRandom random(11);
+  for (int n = 0; n < 5; ++n) {
+    const PosePair pair = any_pose(random);
+    const Body &a = pair.body1, &b = pair.body2;
+    const vec3 anchor = random.vector(1), axis = random.vector(1);
+    const auto right = [](const PartReport& report) {
+      INFO(report.text());
+      CHECK(report.good());
+      CHECK(report["poses"].right == 40);
+    };
+    const CheckSettings exact{.seed = unsigned(100 * n + 1), .exact_when_broken = true};
+    right(check_part(point_at(a, b, anchor), any_pose, exact));
+    right(check_part(Distance{anchor, axis, real(0.7)}, any_pose, exact));
+    right(check_part(lock_of(a, b)));
+    right(check_part(Composite<Point, RotationLock>{point_at(a, b, anchor), lock_of(a, b)}));
+    right(check_part(Crossed{}, any_pose, exact));
+  }
+}
+
+TEST_CASE("the checker names the block of a wrong row, its factor, and what its forces do") {
+  const PartReport factor = check_part(Crossed{.sign1 = real(0.5)});
+  INFO(factor.text());
+  CHECK(!factor.good());
+  CHECK(!factor["J"].holds);
+  CHECK(factor["J"].right == 0);
+  CHECK(factor["J"].worst > 0.1);
+  CHECK(says(factor, "in row C, w1 is 0.5 times the slope"));
+  CHECK(!factor["momentum"].holds);
+  CHECK(!factor["power"].holds);
+  CHECK(!factor["form"].holds);
+  CHECK(factor["rank"].holds);
+
+  const PartReport whole = check_part(Crossed{.sign1 = 2, .sign2 = -2});
+  CHECK(!whole["J"].holds);  // only a factor: the forces are in the right directions
+  CHECK(whole["momentum"].holds);
+  CHECK(whole["power"].holds);
+
+  const PartReport pushes = check_part(Crossed{.push = 1});
+  CHECK(!pushes["momentum"].holds);
+  CHECK(!pushes["form"].holds);
+}
+
+TEST_CASE("the checker finds rows that follow from others, and numbers that are none") {
+  const Point one{vec3(1, 0, 0), vec3(0)}, other{vec3(0, 1, 0), vec3(1, 1, 0)};
+  const PartReport twice = check_part(Composite<Point, Point>{one, other});
+  INFO(twice.text());
+  CHECK(!twice["rank"].holds);
+  CHECK(twice["J"].holds);
+  const PartReport none = check_part(Crossed{.sign1 = real(0) / real(0.0)});
+  CHECK(!none.good());
+  CHECK(says(none, "In J: a division by zero"));
+}

@@ -12,8 +12,8 @@ namespace joints::testing {
 inline const char* const division_by_zero = "#division-by-zero a division by zero, or a value "
                                             "that was never set";
 
-inline const char* const never_set = "#never-set a value that was never set: a variable holds a "
-                                     "huge number until it is given one";
+inline const char* const never_set = "#never-set a value that was never set, or that lies behind "
+                                     "the end of an array: it is a huge number";
 
 bool near(double a, double b, double tolerance);
 bool all_finite(const Numbers& numbers);

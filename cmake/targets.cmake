@@ -98,6 +98,7 @@ endfunction()
 function(add_exercise_file target source given)
   add_library(${target} STATIC EXCLUDE_FROM_ALL ${source} ${given})
   target_link_libraries(${target} PUBLIC workbook_options ${ARGN} PRIVATE workbook_lenient)
+  target_compile_options(${target} PRIVATE -fstack-protector-strong)  # arrays that are too small
 endfunction()
 
 # add_chapter(NN_name name [GIVEN sources...] [USES earlier chapters...]) makes

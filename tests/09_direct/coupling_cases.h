@@ -219,6 +219,10 @@ inline CaseTable<CouplingCase> coupling_table() {
        })},
       {"#x-y-alone only x and y count in the linear product: all three do",
        product([=](const HalfRow& a, const HalfRow& b) { return both(a, b) - a.v.z * b.v.z; })},
+      {"#angular-x-y-alone only x and y count in the angular product: all three do",
+       product([=](const HalfRow& a, const HalfRow& b) { return both(a, b) - a.w.z * b.w.z; })},
+      {"only x counts in the angular product: all three do",
+       product([=](const HalfRow& a, const HalfRow& b) { return dot(a.v, b.v) + a.w.x * b.w.x; })},
       {"#nothing-done nothing is added: A[i * m + j] += the product",
        product([](const HalfRow&, const HalfRow&) { return 0.0; })},
       {"#half half of the product: all of it",
@@ -269,6 +273,14 @@ inline CaseTable<CouplingCase> coupling_table() {
                A[i * c.m + j] += sum += both(c.J[std::size_t(i)], c.response[std::size_t(j)]);
          });
        }}};
+  for (int most = 3; most < 6; ++most) {
+    table.mistakes.push_back({"#rows-stop the rows stop at " + std::to_string(most) +
+                                  ": a block has up to six",
+                              loops([=](const Case& c) { return std::min(most, c.n); }, m)});
+    table.mistakes.push_back({"#columns-stop the columns stop at " + std::to_string(most) +
+                                  ": a block has up to six",
+                              loops(n, [=](const Case& c, int) { return std::min(most, c.m); })});
+  }
   for (const auto& mistake : other_halves()) table.mistakes.push_back(mistake);
   table.cases = coupling_cases();
   read_off(table, {[yours = table.yours, cases = table.cases] {

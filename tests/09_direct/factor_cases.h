@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/09_direct/block_kernels.h"
-#include "tests/09_direct/dense_factor.h"
+#include "tests/09_direct/factor_numbers.h"
 #include "tests/checker/pieces.h"
 
 namespace joints::testing {
@@ -17,7 +17,8 @@ struct FactorReference {
   int skip_nodes = 0, skip_edges = 0, from = 0;  ///< from: the inner loop begins at j + from
   bool from_first = false, only_diagonal = false, divides = true, plain = false, exchanged = false;
   bool plain_times_plain = false, divides_exchanged = false, rows_of_j = false, block_of_j = false;
-  bool only_own = false, only_first = false, stores_a_row = false, advances_before = false;
+  bool only_own = false, only_first = false, advances_before = false;
+  enum class Stored { all, row, square } stored = Stored::all;  ///< how much of L
   int skip_inner = 0, first_node = 0;
   bool backwards = false;  ///< the inner loop
 
@@ -69,7 +70,8 @@ struct FactorReference {
             subtract_product(number + (block_of_j ? edge : other).at, rows,
                              plain_times_plain ? kept : L, m, n, number + place);
         }
-        if (store == Store::right) std::copy(L, L + (stores_a_row ? n : m * n), block);
+        const int all = m * n, part = stored == Stored::row ? n : std::min(n * n, all);
+        if (store == Store::right) std::copy(L, L + (stored == Stored::all ? all : part), block);
       }
       if (store == Store::edge_once && end > node.first_edge) {
         const Edge& edge = A.edges[std::size_t(end) - 1];
@@ -85,6 +87,7 @@ inline Pieces<FactorReference> wrong_factors() {
   using T = FactorReference;
   const char* const early = "#l-stored-too-early the block has become L before the products are "
                             "subtracted: A_ik is needed there, so store L at last";
+  const char* const half = "#half-l-stored not all of L is stored, or more than that: m * n numbers";
   return {
       {"#diagonal-not-factored the diagonal block is not factored: factor_block() it first",
        [](T& t) { t.diagonal = T::When::never; }},
@@ -130,8 +133,8 @@ inline Pieces<FactorReference> wrong_factors() {
        [](T& t) { t.rows_of_j = true; }},
       {"#block-wrong-edge the block of edge j twice: the one of edge i, and L",
        [](T& t) { t.block_of_j = true; }},
-      {"#half-l-stored only a part of L is stored: m * n numbers",
-       [](T& t) { t.stores_a_row = true; }},
+      {half, [](T& t) { t.stored = T::Stored::row; }},
+      {half, [](T& t) { t.stored = T::Stored::square; }},
       {"#first-node-left-out the first node is left out: from node 0 on",
        [](T& t) { t.first_node = 1; }},
       {"#inner-loop-backwards the inner loop runs backwards: the targets stand there from j to "
@@ -160,7 +163,7 @@ inline CaseTable<MatrixCase> factor_table() {
     return padded(flat(A), numbers_of_factor);
   };
   table.right = [](const MatrixCase& c) {
-    return padded(flat(dense_factor(c)), numbers_of_factor);
+    return padded(flat(FactorReference(c).factored()), numbers_of_factor);
   };
   add_pieces(table, [](const MatrixCase& c) { return FactorReference(c); },
              [](const FactorReference& t) {

@@ -9,6 +9,7 @@
 #include "chapters/09_direct/direct.h"
 #include "checker/report.h"
 #include "tests/09_direct/counted_memory.h"
+#include "tests/09_direct/drawn_cases.h"
 #include "tests/09_direct/graph_cases.h"
 #include "tests/checker/thrown.h"
 
@@ -76,20 +77,36 @@ struct OrderReference {
 };
 inline std::vector<int> right_order(const Graph& graph) { return OrderReference{graph}.order(); }
 
-/// How many pairs become neighbours that are none, by an order that has each node once.
-inline int fill_of(const Graph& graph, const std::vector<int>& order) {
+/// What elimination costs by an order that has each node once: pairs that become neighbours, and
+/// multiplications where each node has one row.
+struct Cost {
+  int fill = 0;
+  long multiplications = 0;
+};
+inline Cost cost_of(const Graph& graph, const std::vector<int>& order) {
   std::vector<std::set<int>> left;
   for (const auto& of : graph) left.emplace_back(of.begin(), of.end());
-  int fill = 0;
+  Cost out;
   for (const int node : order) {
     const std::set<int> around = left[std::size_t(node)];
+    const long n = long(around.size());
+    out.multiplications += n + n * (n + 1) / 2;
     for (const int a : around) {
       left[std::size_t(a)].erase(node);
       for (const int b : around)
-        if (a != b) fill += left[std::size_t(a)].insert(b).second;
+        if (a < b && left[std::size_t(a)].insert(b).second) {
+          left[std::size_t(b)].insert(a);
+          ++out.fill;
+        }
     }
   }
-  return fill / 2;
+  return out;
+}
+/// Any order will do that leaves hardly more blocks in the factor than the rule: a tenth, and one.
+inline bool enough(const Graph& graph, int fill, int by_the_rule) {
+  int edges = 0;
+  for (const auto& of : graph) edges += int(of.size());
+  return 10 * (edges / 2 + fill) <= 11 * (edges / 2 + by_the_rule) + 10;
 }
 inline bool each_once(const Graph& graph, std::vector<int> order) {
   std::sort(order.begin(), order.end());
@@ -117,10 +134,6 @@ inline std::vector<OrderMistake> order_mistakes() {
       {most, with([](R& r) { r.by = R::By::most; })},
       {std::string(most) + ", and of equals the least number",
        with([](R& r) { r.by = R::By::most, r.greatest = true; })},
-      {"#equals-first-loop of equals the greatest number: the least",
-       with([](R& r) { r.greatest = true; })},
-      {"of equals the one whose neighbours changed last: the one with the least number",
-       with([](R& r) { r.latest = true; })},
       {"#pair-other-way-round the nodes in their own order: the one with the fewest neighbours "
        "left comes first",
        with([](R& r) { r.by = R::By::number; })},
@@ -136,7 +149,7 @@ inline std::vector<OrderMistake> order_mistakes() {
        "changes?",
        with([](R& r) { r.by = R::By::first_lists; })},
       {"#sorted-once-not-stably the neighbours at first are counted, and of equals the greatest "
-       "number comes first: those that are left count, and the least number comes first",
+       "number comes first: those that are left count, the filled ones too",
        with([](R& r) { r.by = R::By::first_lists, r.greatest = true; })},
       {"#no-fill nothing is filled in: who is eliminated makes its neighbours neighbours of each "
        "other",
@@ -151,8 +164,6 @@ inline std::vector<OrderMistake> order_mistakes() {
        with([](R& r) { r.doubles = true; })},
       {"a node becomes a neighbour of itself: leave that one out",
        with([](R& r) { r.with_itself = true; })},
-      {"#least-fill the least fill comes first: asked for is the least number of neighbours",
-       with([](R& r) { r.by = R::By::fill; })},
       {"#backwards the right order backwards: the node with the fewest neighbours comes first",
        [](const Graph& graph) {
          std::vector<int> order = right_order(graph);
@@ -176,7 +187,7 @@ inline constexpr Subject order_subject{"9.3", "the order of elimination"};
 /// Your order. Fails where it does not end.
 inline std::vector<int> your_order(const GraphCase& c) {
   struct Counted {
-    // the right order of the largest graph needs fewer than a thousand
+    // the right order of the largest graph needs a few thousand
     Counted() { allocations_left = 200000; }
     ~Counted() { allocations_left = -1; }
   };
@@ -186,12 +197,15 @@ inline std::vector<int> your_order(const GraphCase& c) {
     out = elimination_order(c.neighbours);
   });
   if (endless)
-    fail(order_subject, "Graph: " + c.words + ".\n\nIt does not end.\n\n" +
-                            likely("#doubled-neighbours who is eliminated comes back into the "
-                                   "queue. It must leave the sets of all its neighbours, each of "
-                                   "two neighbours must know the other, and know it once, and a "
-                                   "pair is erased from the queue before the set changes whose "
-                                   "size it holds"));
+    fail(order_subject,
+         "Graph: " + c.words + ".\n\nIt does not end.\n\n" +
+             likely(c.neighbours.size() > 100
+                        ? "#small-type with few nodes it ends: a type that is too small for the "
+                          "numbers of the nodes, such as a char?"
+                        : "#doubled-neighbours who is eliminated comes back into the queue. It "
+                          "must leave the sets of all its neighbours, each of two neighbours must "
+                          "know the other, and know it once, and a pair is erased from the queue "
+                          "before the set changes whose size it holds"));
   return out;
 }
 
@@ -211,34 +225,11 @@ inline std::string explain_nodes(const Graph& graph, const std::vector<int>& you
            " nodes: go on until none is left, also where a node has no neighbours";
   if (yours.size() > graph.size())
     return std::to_string(yours.size()) + " nodes where there are " +
-           std::to_string(graph.size()) + ": who is eliminated must not come back into the queue";
+           std::to_string(graph.size()) + ": who is eliminated must not come back into the queue. Is a node made a neighbour of "
+                            "itself, for want of b != a?";
   if (std::find(yours.begin(), yours.end(), int(graph.size())) != yours.end())
     return "there is no node " + std::to_string(graph.size()) + ": they are counted from 0";
   return "a node stands there twice, or is none: who is eliminated must not come back";
-}
-
-/// The first node that is another one: how many neighbours it has left, and the right one.
-inline std::string first_difference(const Graph& graph, const std::vector<int>& yours,
-                                    const std::vector<int>& right) {
-  std::vector<std::set<int>> left;
-  for (const auto& of : graph) left.emplace_back(of.begin(), of.end());
-  for (std::size_t k = 0; k < right.size(); ++k) {
-    if (yours[k] != right[k]) {
-      const auto has = [&](int node) {
-        return "node " + std::to_string(node) + " with neighbours left: " +
-               std::to_string(left[std::size_t(node)].size());
-      };
-      return "At place " + std::to_string(k) + " yours takes " + has(yours[k]) + ". There is " +
-             has(right[k]) + ".\n";
-    }
-    const std::set<int> around = left[std::size_t(right[k])];
-    for (const int a : around) {
-      left[std::size_t(a)].erase(right[k]);
-      for (const int b : around)
-        if (a != b) left[std::size_t(a)].insert(b);
-    }
-  }
-  return "";
 }
 
 /// In how many graphs it holds, and the mistake that gives your order in all of them.
@@ -249,9 +240,12 @@ inline std::string explain_order() {
   std::string nodes;
   for (const GraphCase& c : cases) {
     yours.push_back(your_order(c));
-    if (yours.back() == right_order(c.neighbours)) holds.push_back(c.words);
-    if (!each_once(c.neighbours, yours.back()) && nodes.empty())
-      nodes = explain_nodes(c.neighbours, yours.back());
+    if (!each_once(c.neighbours, yours.back())) {
+      if (nodes.empty()) nodes = explain_nodes(c.neighbours, yours.back());
+    } else if (enough(c.neighbours, cost_of(c.neighbours, yours.back()).fill,
+                      cost_of(c.neighbours, right_order(c.neighbours)).fill)) {
+      holds.push_back(c.words);
+    }
   }
   const std::string out = "Holds in " + std::to_string(holds.size()) + " of " +
                           std::to_string(cases.size()) + " graphs" +
@@ -263,25 +257,46 @@ inline std::string explain_order() {
       fits = mistake.of(cases[k].neighbours) == yours[k];
     if (fits) return out + likely(mistake.words);
   }
-  bool only_order = true;
-  for (std::size_t k = 0; k < cases.size(); ++k)
-    only_order = only_order && (cases[k].words.ends_with("in another order") ||
-                                yours[k] == right_order(cases[k].neighbours));
-  if (only_order)
-    return out + likely("the order of the lists counts: the set of neighbours has none");
   return out + "None of the usual mistakes explains it: eliminate node after node on paper.\n";
 }
 
-inline void check_order(const GraphCase& c, const std::vector<int>& expected) {
-  const std::vector<int> yours = your_order(c);
-  if (yours == expected) return check(order_subject, "");
+/// \param exactly no pair may be filled in beyond the rule
+inline void check_order(const GraphCase& c, bool exactly = false) {
+  const std::vector<int> yours = your_order(c), rule = right_order(c.neighbours);
+  const bool once = each_once(c.neighbours, yours);
+  const Cost best = cost_of(c.neighbours, rule);
+  const Cost cost = once ? cost_of(c.neighbours, yours) : Cost{};
+  if (once && (exactly ? cost.fill <= best.fill : enough(c.neighbours, cost.fill, best.fill)))
+    return check(order_subject, "");
   std::string words = "Graph: " + c.words + ".\n\n  yours:    " + numbers_in_words(yours) +
-                      "\n  expected: " + numbers_in_words(expected) + "\n\n";
-  if (each_once(c.neighbours, yours))
-    words += first_difference(c.neighbours, yours, expected) + "Filled in: " +
-             std::to_string(fill_of(c.neighbours, yours)) + " pairs, by the right order " +
-             std::to_string(fill_of(c.neighbours, expected)) + ".\n";
+                      "\n  the rule: " + numbers_in_words(rule) + "\n\n";
+  if (once)
+    words += "Filled in: " + std::to_string(cost.fill) + " pairs, by the rule " +
+             std::to_string(best.fill) + ". Multiplications: " +
+             std::to_string(cost.multiplications) + ", by the rule " +
+             std::to_string(best.multiplications) + ".\n";
   check(order_subject, words + "\n" + explain_order());
+}
+
+/// A graph whose nodes are numbered anyhow.
+inline Drawn drawn_order(Draw& d) {
+  const int nodes = d.count("nodes", d.whole(1, 300));
+  std::vector<std::pair<int, int>> edges = drawn_edges(d, nodes);
+  std::vector<int> names(static_cast<std::size_t>(nodes));
+  std::iota(names.begin(), names.end(), 0);
+  Random random = d.many();
+  for (std::size_t k = names.size(); k > 1; --k)
+    std::swap(names[k - 1], names[std::size_t(random.uniform(0, real(k) - real(0.01)))]);
+  for (auto& [a, b] : edges) a = names[std::size_t(a)], b = names[std::size_t(b)];
+  const Graph graph = graph_of(nodes, edges);
+  const std::vector<int> yours = your_order({std::to_string(nodes) + " nodes", graph});
+  const int rule = cost_of(graph, right_order(graph)).fill;
+  const bool once = each_once(graph, yours);
+  const int fill = once ? cost_of(graph, yours).fill : rule;
+  return {{"nodes, each once", "pairs filled in"},
+          {once ? nodes : double(yours.size()) - 0.5 * (int(yours.size()) == nodes),
+           enough(graph, fill, rule) ? rule : double(fill)},
+          {double(nodes), double(rule)}, {1}};
 }
 
 }  // namespace joints::testing

@@ -58,6 +58,8 @@ inline CaseTable<PivotCase> pivot_table() {
     };
   };
   const double share = dependent_share;
+  const char* const least = "#least-one-bound a bound that does not become smaller with the entry: "
+                            "a share of the entry, however small";
   const auto unless = [=](auto dropped) {
     return scaled([=](const Case& c) { return dropped(c) ? 0 : 1 / c.pivot; });
   };
@@ -96,8 +98,7 @@ inline CaseTable<PivotCase> pivot_table() {
       {"#greater-both a pivot is at least its share of the entry: what is not more gets 0, no "
        "impulse",
        scaled([=](const Case& c) { return 1 / std::max(c.pivot, share * c.original); })},
-      {"#least-one-bound a bound that does not become smaller with the entry: a share of the "
-       "entry, however small",
+      {least,
        unless([=](const Case& c) { return !(c.pivot > share * std::max(c.original, 1.0)); })},
       {"#equality-inverted at exactly the share there is no inverse: at most this share is "
        "rounding error, so > and not >=",
@@ -133,6 +134,11 @@ inline CaseTable<PivotCase> pivot_table() {
        scaled([=](const Case& c) {
          return c.pivot > share * c.original ? c.original / c.pivot : 0;
        })},
+      {"#original-for-dependent a dependent row gets 1 over its original entry: it gets 0, no "
+       "impulse",
+       scaled([=](const Case& c) {
+         return 1 / (c.pivot > share * c.original ? c.pivot : c.original);
+       })},
       {"#one-dependent-row a dependent row gets 1: it gets 0, no impulse",
        scaled([=](const Case& c) { return c.pivot > share * c.original ? 1 / c.pivot : 1; })},
       {"the pivot is compared with the whole entry: elimination only makes it smaller",
@@ -157,6 +163,10 @@ inline CaseTable<PivotCase> pivot_table() {
     table.mistakes.push_back({"#bound-own a fixed bound for masses of any size: a share of the "
                               "original entry",
                               unless([=](const Case& c) { return !(c.pivot > bound); })});
+    table.mistakes.push_back({least,
+                              unless([=](const Case& c) {
+                                return !(c.pivot > std::max(share * c.original, bound));
+                              })});
     table.mistakes.push_back({std::string("another share, ") +
                                   (bound < share ? "smaller" : "larger") +
                                   " than dependent_share",

@@ -49,6 +49,10 @@ inline CaseTable<SlowedCase> slowed_table() {
        follows([](const C& c) { return followed(c) * c.force_lever; })},
       {"#kappa-squared kappa is squared: kappa h^2 |F||r|",
        follows([](const C& c) { return followed(c) * c.kappa; })},
+      {"#fixed-step-h a fixed step of 1/60 s: take h",
+       follows([](const C& c) { return c.kappa / 3600 * c.force_lever; })},
+      {"#root-kappa the root of kappa: kappa h^2 |F||r|",
+       follows([](const C& c) { return std::sqrt(c.kappa) * c.h * c.h * c.force_lever; })},
       {"#followed-half half of it: kappa h^2 |F||r|",
        follows([](const C& c) { return followed(c) / 2; })},
       {"#twice twice: kappa h^2 |F||r|", follows([](const C& c) { return 2 * followed(c); })},
@@ -56,6 +60,12 @@ inline CaseTable<SlowedCase> slowed_table() {
        follows([](const C& c) { return 8 * c.h * c.h * c.force_lever; })},
       {fixed,
        follows([](const C& c) { return 16 * c.h * c.h * c.force_lever; })},
+      {"#middle-moment each moment becomes at least the middle one: at least kappa h^2 |F||r|",
+       now([](const T& t) {
+         const vec3 a = t.moments;
+         const real middle = std::max(std::min(a.x, a.y), std::min(std::max(a.x, a.y), a.z));
+         return max(max(a, vec3(middle)), vec3(t.follows));
+       })},
       {"#inertia-added kappa h^2 |F||r| is added to the moments: each becomes at least that",
        now([](const T& t) { return t.moments + vec3(t.follows); })},
       {"#lesser the lesser of the moment and kappa h^2 |F||r|: the greater",

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chapters/09_direct/block_kernels.h"
-#include "tests/09_direct/dense_factor.h"
+#include "tests/09_direct/factor_cases.h"
 #include "tests/checker/pieces.h"
 
 namespace joints::testing {
@@ -32,7 +32,7 @@ struct SolveReference {
   explicit SolveReference(const MatrixCase& c) : c(c) {}
 
   Numbers solved(Numbers b) const {
-    const JointMatrix A = dense_factor(c);
+    const JointMatrix A = FactorReference(c).factored();
     b.resize(b.size() + 8, 0);
     double* const x = b.data();
     const double* const number = A.numbers.data();
@@ -164,7 +164,7 @@ inline CaseTable<MatrixCase> solve_table() {
   };
   table.cases = matrix_cases();
   table.yours = [=](const MatrixCase& c) {
-    const JointMatrix A = dense_factor(c);
+    const JointMatrix A = FactorReference(c).factored();
     return all(c, [&](Numbers x) {
       x.resize(x.size() + 8, 0);
       solve(A, x.data());

@@ -32,6 +32,7 @@ inline void tumble(World& world) {
 }
 /// A tumbling body on a ball joint, pushed and twisted from outside.
 inline void hang(World& world, bool swings = true) {
+  world.gravity = vec3(1, -9, 2);
   Body body = tumbling(vec3(1, 0, real(0.2)));
   if (!swings) body.v = body.w = vec3(0);
   body.force = vec3(3, 0, 1);
@@ -47,6 +48,12 @@ inline void machine(World& world) {
                                       vec3(real(1.5), 0, 0), vec3(0, 1, real(0.3)));
   hinge.set_motor(3, 2000);  // more than it needs
 }
+/// A hinge whose limit presses from the first step on.
+inline void beyond(World& world) {
+  const BodyId wall = world.add(static_body(vec3(0))), id = world.add(tumbling(vec3(1, 0, 0)));
+  world.add<HingeJoint>(world.bodies, wall, id, vec3(0), vec3(0, 1, real(0.3)))
+      .set_limits(real(0.5), 3);
+}
 inline std::vector<TimeCase> time_cases() {
   const real h = real(0.1);
   return {{"a ball that falls", fall, {h, h, h}},
@@ -56,7 +63,8 @@ inline std::vector<TimeCase> time_cases() {
            {h / 5, h / 5, h / 5}},
           {"a body on a ball joint, steps of several lengths", [](World& world) { hang(world); },
            {h / 5, h / 10, h / 4}},
-          {"two bodies and a motor", machine, {h / 5, h / 5, h / 10}}};
+          {"two bodies and a motor", machine, {h / 5, h / 5, h / 10}},
+          {"a hinge beyond its limit", beyond, {h / 5, h / 5, h / 10}}};
 }
 
 inline constexpr std::size_t numbers_of_time = 200;

@@ -24,13 +24,16 @@ struct TimeReference {
   int turns = 1;  ///< how often each
   real kick_at_end = 0;  ///< share of h
   bool keeps_mean = false, gravity_alone = false, earth = false, poses_at_once = false;
+  bool only_y = false, appends_first = false;
   bool poses_before_solve = false, poses_around = false;
 
   void step(World& world, Solver& solver, real h) const {
     Bodies& bodies = world.bodies;
     const real length = kick_length(world.last_h, h);
     if (poses_at_once) integrate_poses(bodies, h);
-    const vec3 gravity = earth ? vec3(0, real(-9.81), 0) : world.gravity;
+    const vec3 gravity = earth    ? vec3(0, real(-9.81), 0)
+                         : only_y ? vec3(0, world.gravity.y, 0)
+                                  : world.gravity;
     const auto turned = [&](real share) {
       if (share > 0)
         for (int n = 0; n < turns; ++n) turn(bodies, share * h);
@@ -44,9 +47,11 @@ struct TimeReference {
     if (poses_first) integrate_poses(bodies, h);
     turned(before_solve);
     if (clears) world.blocks.clear();
+    if (appends_first)
+      for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
     if (begins)
       for (const auto& joint : world.joints()) joint->begin_step(bodies, begin_h * h);
-    if (appends)
+    if (appends && !appends_first)
       for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
     solver.prepare(bodies, world.blocks, 0, prepare_h * h);
     if (warms) solver.warm_start(bodies, ratio);
@@ -84,6 +89,19 @@ inline Pieces<TimeReference> wrong_times() {
       {"#first-step-full-kick in the first step forces act for all of h: nothing came before it, "
        "last_h is 0 then",
        length([](real last, real h) { return last == 0 ? h : (last + h) / 2; })},
+      {"#fixed-step-length a fixed step of 1/60 s: take h",
+       length([](real last, real) { return (last + real(1) / 60) / 2; })},
+      {"a fixed step of 1/60 s: take h", length([](real, real) { return real(1) / 60; })},
+      {"#kick-longer the longer of both steps: their mean",
+       length([](real last, real h) { return std::max(last, h); })},
+      {"#kick-h-later half of h in the first step and h in the later ones: the mean of the last "
+       "step and this one",
+       length([](real last, real h) { return last == 0 ? h / 2 : h; })},
+      {"#append-before-begin append() comes before begin_step(), which chooses the rows: first "
+       "begin_step() of all joints",
+       [](T& t) { t.appends_first = true; }},
+      {"#only-y-gravity only the y of gravity acts: world.gravity is a vector",
+       [](T& t) { t.only_y = true; }},
       {"#no-kick no forces act: kick() the bodies",
        [](T& t) { t.kicks = false; }},
       {"#integrate-forces integrate_forces() turns the bodies, too: kick() alone, the turns come "

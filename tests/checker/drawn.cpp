@@ -17,7 +17,8 @@ double Draw::pick() {
   return tape_[at_++];
 }
 int Draw::whole(int least, int most) {
-  return std::min(most, least - 1 + int(std::pow(most - least + 2, pick())));
+  const double choice = pick();  // now and then the largest
+  return choice > 0.96 ? most : least - 1 + int(std::pow(most - least + 1, choice / 0.96));
 }
 double Draw::scale(int decades) {
   const double sign = pick() < 0.5 ? -1 : 1;
@@ -38,8 +39,8 @@ double Draw::angle() {
 }
 quat Draw::turn() { return rotation(real(angle()) * normalize(vector())); }
 bool Draw::chance(const std::string& words) { return side(words, pick() > 0.7); }
-Draw::Units Draw::units() {
-  const Units u{scale(), scale(), scale()};
+Draw::Units Draw::units(int decades) {
+  const Units u{scale(decades), scale(decades), scale(decades)};
   size("mass", u.kg, "kg");
   size("length", u.m, "m");
   size("time", u.s, "s");
@@ -142,18 +143,16 @@ Side side_of(const std::vector<Trial>& all, const Trait& t, std::size_t k, bool 
       out.words = std::string("#drawn-side wrong only where ") + t.words;
       break;
     case Trait::Kind::count:
-      out.words = above ? "#drawn-stops all cases with up to " + in_words(t, next) +
-                              " are right, from " + short_number(nearest) + " on " + wrong +
+      out.words = above ? "#drawn-stops right with up to " + in_words(t, next) + ", from " +
+                              short_number(nearest) + " on " + wrong +
                               ": does a loop stop there, or is an array or a type too small?"
-                        : "all cases with " + in_words(t, next) +
-                              " or more are right, with fewer " + wrong;
+                        : "right with " + in_words(t, next) + " or more, with fewer " + wrong;
       break;
     default:
-      out.words = above ? "#drawn-cut all cases with " + in_words(t, next) +
-                              " or less are right, above " + wrong +
-                              ": is a number cut off, or a constant added?"
-                        : "#drawn-threshold all cases with " + in_words(t, next) +
-                              " or more are right, below " + wrong +
+      out.words = above ? "#drawn-cut right up to a case with " + in_words(t, next) + ", above " +
+                              wrong + ": is a number cut off, or a constant added?"
+                        : "#drawn-threshold right down to a case with " + in_words(t, next) +
+                              ", below " + wrong +
                               ": no threshold belongs here, and no added constant";
   }
   return out;

@@ -34,7 +34,7 @@ class Draw {
   struct Units {
     double kg, m, s;
   };
-  Units units();                         ///< a case is of order 1 in these. Noted
+  Units units(int decades = 9);          ///< a case is of order 1 in these. Noted
   Body body(const Units& units);         ///< anywhere, turned and moving
   /// Two of them, one of which or both may be static. Noted
   Pair pair(const Units& units);

@@ -18,6 +18,8 @@ MEANINGS = [(re.compile(pattern, re.M), words) for pattern, words in {
         "a vector was given a size that cannot be: is it negative?",
     r"bad_alloc": "more memory was asked for than there is (1 GB): a vector that grows without "
                   "end?",
+    r"stack smashing": "something was written behind the end of an array of the function: is it too "
+                       "small for what is put into it?",
     r"terminate called .*'(.+)'\s*what\(\):\s*(.*)":
         r"the program was ended by an exception that nothing catches, \1: \2",
     r"terminate called": "the program was ended by an exception that nothing catches",
@@ -33,7 +35,7 @@ MEANINGS = [(re.compile(pattern, re.M), words) for pattern, words in {
                "reached without a return?",
     r"^Unknown exception": "something was thrown that is no std::exception"}.items()]
 # Lines that the library prints before it ends a program: no words of the reader's.
-LIBRARY = re.compile(rf".*Assertion ['`].*failed\.?$|terminate called |  what\(\):  |{HEAP}")
+LIBRARY = re.compile(rf".*Assertion ['`].*failed\.?$|terminate called |\*\*\* stack smashing |  what\(\):  |{HEAP}")
 # What the beginning of such words tells of the function they come from: its head and its lines.
 CLUES = {r"an index outside an array of \d+ rows": r"\bJacobian\b",
          r"an index outside an array of \d+ numbers": r"\bVector\b",

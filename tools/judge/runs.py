@@ -116,7 +116,8 @@ def read(report):
 def ending(status, limit):
     """How a process ended that did not finish its report."""
     if status in (-signal.SIGXCPU, -signal.SIGKILL):
-        return f"it did not end within {limit} seconds: a loop without an end?"
+        return (f"it did not end within {limit} seconds: a loop without an end, or a number whose "
+                "type is too small to reach it?")
     if status == -signal.SIGSYS:
         return ("it asked the system for what no exercise needs, and was ended: another process or "
                 "thread, the network, a signal to a process, or the name or mode of a file")

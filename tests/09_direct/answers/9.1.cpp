@@ -1,3 +1,7 @@
+// wrong angular-x-y-alone: dot(J[i].w, response[j].w) ==> J[i].w.x * response[j].w.x + J[i].w.y *
+//         response[j].w.y
+// wrong rows-stop: i < n ==> i < n && i < 5
+// wrong columns-stop: j < m ==> j < m && j < 5
 // wrong set-instead-added: A[i * m + j] += ==> A[i * m + j] =
 // wrong minus-the-product: A[i * m + j] += ==> A[i * m + j] -=
 // wrong "column by column: entry (i, j) stands at A[i * m + j]: A is n x m, row": A[i * m + j] ==>

@@ -1,3 +1,8 @@
+// wrong "6 nodes where there are 5: who is eliminated must not come back into the queue": if (b != a) ==>
+// wrong drawn-stops: order.push_back(node); ==> order.push_back(node); if (order.size() >= 64)
+//         break;
+// wrong small-type: const int node = queue.begin()->second; ==> const int node = (unsigned
+//         char)(queue.begin()->second);
 // wrong most-neighbours-first: queue.begin() ==> std::prev(queue.end()) ;; (queue.begin()) ==>
 //         (std::prev(queue.end()))
 // wrong no-fill: if (b != a) left[a].insert(b); ==> (void)b;
@@ -19,7 +24,7 @@
 //         left[a].size() ;; left[a].size(), a ==> a, left[a].size()
 // wrong nothing-returned: order.push_back(node); ==>
 // wrong "there is no node 5: they are counted from 0": (node) ==> (node + 1)
-// wrong "Exercise 9.3: the order of elimination Graph: a path of six nodes in a": node ==> before =
+// right of equals a neighbour of the last one: node ==> before =
 //         order.empty() ? -1 : order.back(); auto best ;; ->second ==> ; for (auto q = best; before
 //         >= 0 && q != queue.end() && q->first == best->first; ++q) if (!neighbours[before].empty()
 //         && neighbours[before][0] == q->second) best = q; const int node = best->second ;;
@@ -83,7 +88,7 @@
     }
   }
 // from right without a queue
-// wrong least-fill: *nodes.begin() ==> -1, least = 0 ;; if (left[node].size() < left[best].size())
+// right the least fill first: *nodes.begin() ==> -1, least = 0 ;; if (left[node].size() < left[best].size())
 //         best = node; ==> { int fill = 0; for (const int a : left[node]) for (const int b :
 //         left[node]) fill += a < b && left[a].count(b) == 0; if (best < 0 || fill < least) best =
 //         node, least = fill; } ;; insert(left[best].begin(), left[best].end()); ==> erase(best);
@@ -93,4 +98,4 @@
 //         std::vector<int> around = neighbours[best]; ;; : neighbours[best] ==> : around ;; :
 //         neighbours[best] ==> : around ;; && std::find(neighbours[a].begin(), neighbours[a].end(),
 //         b) == neighbours[a].end() ==>
-// wrong equals-first-loop: < neighbours[ ==> <= neighbours[
+// right of equals the greatest number: < neighbours[ ==> <= neighbours[

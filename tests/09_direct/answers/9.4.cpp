@@ -1,3 +1,6 @@
+// wrong original-for-dependent: ? 1 / pivot : 0 ==> ? 1 / pivot : 1 / original
+// wrong least-one-bound: dependent_share * original ==> std::max(dependent_share * original, 1e-12)
+// wrong drawn-threshold: dependent_share * original ==> std::max(dependent_share * original, 1e-20)
 // wrong every-pivot-inverted: return pivot > dependent_share * original ? 1 / pivot : 0 ==>
 //         (void)original; return 1 / pivot
 // wrong only-exactly-zero: pivot > dependent_share * original ==> pivot != 0
@@ -28,7 +31,7 @@
 //         dependent_share * original)
 // wrong greater-both: pivot > dependent_share * original ? 1 / pivot : 0 ==> 1 / std::max(pivot,
 //         dependent_share * original)
-// wrong "Case: just above the share": ? 1 ==> && pivot > 1e-8 ? 1
+// wrong least-one-bound: ? 1 ==> && pivot > 1e-8 ? 1
 // wrong least-one-bound: dependent_share * original ==> dependent_share * std::max(original, 1.0)
 // right with an if: return pivot > dependent_share * original ? 1 / pivot : 0 ==> if (!(pivot >
 //         original * dependent_share)) return 0; return 1.0 / pivot

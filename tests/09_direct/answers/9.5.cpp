@@ -1,3 +1,13 @@
+// wrong only-y-gravity: world.gravity, ==> vec3(0, world.gravity.y, 0),
+// wrong drawn-stops: for (const auto& joint : world.joints()) joint->append(world.bodies,
+//         world.blocks); ==> for (std::size_t k = 0; k < world.joints().size() && k < 4; ++k)
+//         world.joints()[k]->append(world.bodies, world.blocks);
+// wrong fixed-step-length: (world.last_h + h) / 2 ==> (world.last_h + real(1) / 60) / 2
+// wrong kick-longer: (world.last_h + h) / 2 ==> std::max(world.last_h, h)
+// wrong kick-h-later: (world.last_h + h) / 2 ==> world.last_h == 0 ? h / 2 : h
+// wrong append-before-begin: world.blocks.clear(); ==> world.blocks.clear(); for (const auto& one :
+//         world.joints()) one->append(world.bodies, world.blocks); ;; for (const auto& joint :
+//         world.joints()) joint->append(world.bodies, world.blocks); ==>
 // wrong kick-full-h: (world.last_h + h) / 2 ==> h
 // wrong kick-half-h: (world.last_h + h) / 2 ==> h / 2
 // wrong kick-last-step: (world.last_h + h) / 2 ==> world.last_h

@@ -1,3 +1,12 @@
+// wrong drawn-threshold: const vec3 now ==> if (std::max({moments.x, moments.y, moments.z}) <
+//         real(1e-3)) { out.inverse_inertia_local = body.inverse_inertia_local; out.w = body.w;
+//         return out; } const vec3 now
+// wrong fixed-step-h: kappa * h * h ==> kappa / 3600
+// wrong middle-moment: out.inverse_inertia_local = ==> vec3 sorted = moments; if (sorted.x >
+//         sorted.y) std::swap(sorted.x, sorted.y); if (sorted.y > sorted.z) std::swap(sorted.y,
+//         sorted.z); if (sorted.x > sorted.y) std::swap(sorted.x, sorted.y);
+//         out.inverse_inertia_local = ;; real(1) / now ==> real(1) / max(vec3(sorted.y), now)
+// wrong root-kappa: kappa * h * h ==> std::sqrt(kappa) * h * h
 // wrong h-not-squared: kappa * h * h * force_lever ==> kappa * h * force_lever
 // wrong followed-h-missing: kappa * h * h * force_lever ==> kappa * force_lever
 // wrong h-cubed: kappa * h * h * force_lever ==> kappa * h * h * h * force_lever

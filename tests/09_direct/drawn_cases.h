@@ -1,0 +1,182 @@
+// Exercises 9.2 to 9.8: cases drawn over sizes, scales and sides.
+#pragma once
+
+#include "tests/09_direct/factor_cases.h"
+#include "tests/09_direct/pivot_cases.h"
+#include "tests/09_direct/side_cases.h"
+#include "tests/09_direct/slowed_cases.h"
+#include "tests/09_direct/solve_cases.h"
+#include "tests/09_direct/time_cases.h"
+#include "tests/checker/drawn.h"
+
+namespace joints::testing {
+
+/// Edges of a graph: a chain of which each node may be left out, a few more, and a hub.
+inline std::vector<std::pair<int, int>> drawn_edges(Draw& d, int nodes) {
+  std::set<std::pair<int, int>> edges;
+  const int more = d.count("edges beside the chain's", d.whole(0, nodes / 2));
+  const int hub = d.count("neighbours of a hub", std::min(nodes - 1, d.whole(0, 20)));
+  Random random = d.many();
+  const auto any = [&] { return int(random.uniform(0, real(nodes) - real(0.01))); };
+  for (int k = 0; k + 1 < nodes; ++k)
+    if (random.uniform(0, 1) < real(0.9)) edges.insert({k, k + 1});
+  for (int k = 0; k < more; ++k)
+    if (const int a = any(), b = any(); a != b) edges.insert({std::min(a, b), std::max(a, b)});
+  const int centre = any();
+  for (int k = 1; k <= hub; ++k) {
+    const int other = (centre + k) % nodes;
+    edges.insert({std::min(centre, other), std::max(centre, other)});
+  }
+  return {edges.begin(), edges.end()};
+}
+
+/// A matrix of the joints, and the same in other units: A / unit is of order 1.
+inline MatrixCase drawn_matrix(Draw& d) {
+  MatrixCase c;
+  const double unit = d.size("K", d.scale(), "1/kg");
+  c.rows.resize(std::size_t(d.count("nodes", d.whole(1, 120))));
+  const int most = d.count("rows of a node, at most", d.whole(1, 6));
+  c.coupled = drawn_edges(d, c.count());
+  Random random = d.many();
+  for (int& rows : c.rows) rows = 1 + int(random.uniform(0, real(most) - real(0.01)));
+  c = filled(c, unsigned(random.uniform(1, 1000)));
+  for (double& a : c.A.a) a *= unit;
+  const std::vector<Node> nodes = joint_matrix(c).nodes;
+  int edges = 0;
+  for (std::size_t k = 1; k < nodes.size(); ++k)
+    edges = std::max(edges, nodes[k].first_edge - nodes[k - 1].first_edge);
+  d.count("edges of a node, with fill", edges);
+  return c;
+}
+
+/// The wrong numbers of a factor alone: there may be ten thousands.
+inline Drawn drawn_factor(Draw& d) {
+  const MatrixCase c = drawn_matrix(d);
+  JointMatrix A = joint_matrix(c);
+  factor(A, c.inverse);
+  const Numbers yours = flat(A), right = flat(FactorReference(c).factored());
+  std::vector<std::string> names;
+  Drawn out{{""}, {0}, {0}, {1}};
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    if (near(yours[i], right[i], 1e-9 * (1 + std::abs(right[i])))) continue;
+    if (names.empty()) names = factor_names(c), out.entries.clear(), out.yours = out.right = {};
+    out.entries.push_back(names[i]);
+    out.yours.push_back(yours[i]);
+    out.right.push_back(right[i]);
+  }
+  return out;
+}
+
+/// Instead of x: A x beside b.
+inline Drawn drawn_solve(Draw& d) {
+  const MatrixCase c = drawn_matrix(d);
+  Random random = d.many();
+  Numbers b, x;
+  for (int i = 0; i < c.size(); ++i) b.push_back(double(random.uniform(1, 3)));
+  x = b;
+  x.resize(b.size() + 8, 0);
+  solve(FactorReference(c).factored(), x.data());
+  Drawn out{{}, Numbers(b.size(), 0), b, {1}};
+  for (int i = 0; i < c.size(); ++i) {
+    for (int j = 0; j < c.size(); ++j) out.yours[std::size_t(i)] += c.A(i, j) * x[std::size_t(j)];
+    out.entries.push_back("A x, row " + std::to_string(i) + " (node " +
+                          std::to_string(node_of(c, i)) + ")");
+  }
+  return out;
+}
+
+inline Drawn drawn_pivot(Draw& d) {
+  const double original = d.size("original", d.scale(25), "1/kg");
+  const double left = std::pow(10, -15 * d.pick()) * (d.chance("the pivot is negative") ? -1 : 1);
+  const double pivot = d.size("pivot", left * original, "1/kg");
+  return {{"inverse times original"}, {original * inverse_pivot(pivot, original)},
+          {left > dependent_share ? 1 / left : 0}};
+}
+
+inline Drawn drawn_side(Draw& d) {
+  const double unit = d.scale(15), infinite = std::numeric_limits<double>::infinity();
+  const Side sides[] = {Side::free, Side::lower, Side::upper};
+  const Side now = sides[int(2.99 * d.pick())];
+  d.side("the row is at its lower bound", now == Side::lower);
+  d.side("the row is at its upper bound", now == Side::upper);
+  const bool contact = d.chance("the upper bound is infinite");
+  const double lower = contact ? 0 : unit * d.number();
+  const double upper = contact ? infinite : lower + unit * std::abs(d.number());
+  const double beyond = d.size("distance to a bound", unit * std::pow(10, -3 * d.pick()), "N s");
+  const bool above = !contact && d.chance("the impulse is near the upper bound");
+  const double impulse = (above ? upper : lower) + (d.number() < 0 ? -beyond : beyond);
+  const double rate = d.size("|rate|", d.scale(15) * d.number(), "m/s");
+  const Side right = now == Side::free ? impulse < lower   ? Side::lower
+                                         : impulse > upper ? Side::upper
+                                                           : Side::free
+                     : (now == Side::lower ? rate < 0 : rate > 0) ? Side::free : now;
+  return {{"side (-1 lower, 0 free, 1 upper)"},
+          {double(static_cast<signed char>(next_side(now, impulse, lower, upper, rate)))}, {double(static_cast<signed char>(right))}, {1}};
+}
+
+inline Drawn drawn_slowed(Draw& d) {
+  const Draw::Units u = d.units();
+  SlowedCase c{"", d.body(u), 0, 0, 8, real(0.01 * u.s)};
+  const double inertia = d.size("inertia", u.kg * u.m * u.m, "kg m^2");
+  c.kappa = real(8 * d.scale(1));
+  c.force_lever = real(inertia * d.scale(1)) / (c.kappa * c.h * c.h);
+  c.before = d.chance("the last step slowed it, too") ? real(inertia * d.scale(1)) : real(0);
+  const Slowed out = slowed(c.body, c.force_lever, c.before, c.kappa, c.h);
+  return drawn_vectors({"1 / moment", "w"},
+                       flat(std::vector<vec3>{out.inverse_inertia_local, out.w}),
+                       SlowedReference(c).numbers(), {10 / inertia, 1 / u.s});
+}
+
+/// A chain of bodies whose joints are balls, and hinges beyond their limit.
+inline Drawn drawn_time(Draw& d) {
+  const Draw::Units u = d.units(5);
+  const int bodies = d.count("bodies", d.whole(1, 30));
+  const int joints = d.count("joints", std::min(bodies, d.whole(0, 30)));
+  const vec3 gravity = d.vector(u.m / u.s / u.s);
+  Random random = d.many();
+  TimeCase c{"", [&](World& world) {
+               Random numbers = random;
+               world.gravity = gravity;
+               BodyId last = world.add(static_body(vec3(0)));
+               for (int k = 1; k <= bodies; ++k) {
+                 const double square = 0.1 * u.kg * u.m * u.m;
+                 Body body = body_with(real(u.kg), real(square) * vec3(2, 5, 6),
+                                       real(u.m) * vec3(real(k), 0, 0), numbers.turn());
+                 body.v = real(u.m / u.s) * numbers.vector(real(0.1));
+                 body.w = real(1 / u.s) * numbers.vector(1);
+                 const BodyId id = world.add(body);
+                 const vec3 anchor = real(u.m) * vec3(real(k) - real(0.5), 0, 0);
+                 if (k <= joints && k % 2)
+                   world.add<BallJoint>(last, id,
+                                        point_at(world.bodies[last], world.bodies[id], anchor));
+                 else if (k <= joints)
+                   world.add<HingeJoint>(world.bodies, last, id, anchor, numbers.vector(1))
+                       .set_limits(real(0.2), 3);  // that presses from the first step on
+                 last = id;
+               }
+             }, {}};
+  for (int n = 0; n < 3; ++n) c.steps.push_back(real(0.02 * u.s * std::abs(d.number())));
+  const auto run = [&](const auto& advance) {
+    World world;
+    c.build(world);
+    SequentialImpulses solver;
+    solver.iterations = 12;
+    for (const real h : c.steps) advance(world, solver, h);
+    Numbers out;
+    for (int k = 0; k < world.bodies.slots(); ++k) {
+      const Body& b = world.bodies.at(k);
+      for (const vec3& a : {real(1 / u.m) * b.x, real(u.s / u.m) * b.v, real(u.s) * b.w})
+        for (int i = 0; i < 3; ++i) out.push_back(double(a[i]));
+    }
+    return out;
+  };
+  Drawn out{{}, run(second_order_step), run([](World& world, Solver& solver, real h) {
+              step(world, solver, h, {.leapfrog = true});
+            }), {100}};
+  for (int k = 0; k <= bodies; ++k)
+    for (const char* of : {"x.x", "x.y", "x.z", "v.x", "v.y", "v.z", "w.x", "w.y", "w.z"})
+      out.entries.push_back(of + (" of body " + std::to_string(k)));
+  return out;
+}
+
+}  // namespace joints::testing

@@ -37,34 +37,40 @@ double energy_at(std::vector<Body> before, const Bodies& after, double share, co
 
 }  // namespace
 
+std::vector<Family> families() {
+  std::vector<Family> out = joint_families();
+  for (Family& family : contact_families()) out.push_back(std::move(family));
+  return out;
+}
+
 Outcome run_drawn(Drawn scene, const std::string& setting, double h) {
   World& world = scene.world;
   const Setting how = setting_named(setting);
   how.prepare(world);
   const Step step = how.make();
-  Outcome out;
+  Outcome out{.most_gain = scene.most_gain};
   Blocks errors;
   errors.errors_only = true;
   Draw lengths(unsigned(world.bodies.slots()));
   const double start = energy(all_of(world.bodies), world.gravity);
-  double last = 0;
   for (double time = 0; time < scene.seconds - h / 2 && out.finite;) {
     const double length = scene.any_step ? 1 / lengths.number(24, 240) : h;
     const std::span<const Body> all = all_of(world.bodies);
     const std::vector<Body> before(all.begin(), all.end());
+    const double behind = double(world.last_h) / 2;  // the velocities are as far behind the poses
     try {
       step(world, real(length));
     } catch (const std::exception&) {  // it has flown apart
       out.finite = false;
       break;
     }
-    const double share = how.leapfrog ? last / (last + length) : 0;
+    const double share = how.leapfrog || scene.between_steps
+                             ? behind / (behind + length - double(world.last_h) / 2) : 0;
     const double change = (energy_at(before, world.bodies, share, world.gravity) - start) /
                           scene.energy_scale;
     if (!scene.driven) out.gain = std::max(out.gain, change);
     out.loss = -change;
     look(world, errors, out);
-    last = length;
     time += length;
   }
   out.finite = out.finite && all_finite(all_of(world.bodies));

@@ -1,5 +1,4 @@
-// The families: chains with heavy ends, chains of all kinds of joints, loops, hubs, arms, dolls,
-// piles.
+// The families of joints alone: chains with heavy ends, chains of all kinds, loops, hubs, arms.
 #include "bench/families.h"
 
 #include <algorithm>
@@ -8,7 +7,6 @@
 #include "bench/draw.h"
 #include "bench/random_chains.h"
 #include "chapters/04_slider/slider_joint.h"
-#include "chapters/08_ground/program/ragdoll.h"
 #include "chapters/09_direct/program/linkages.h"
 
 namespace joints::bench {
@@ -336,40 +334,9 @@ Drawn slider_crank(Draw draw) {
   return scene;
 }
 
-// ---- contacts -----------------------------------------------------------------------------------
-
-Drawn ragdoll(Draw draw) {
-  chapter8::Ragdoll doll({}, real(draw.number(1.5, 4)), draw.rotation());
-  Drawn scene = drawn(std::move(doll.scene));
-  scene.keeps_energy = false;
-  return scene;
-}
-
-// Boxes on each other, alike or not.
-Drawn pile(Draw draw) {
-  Drawn scene = drawn();
-  scene.keeps_energy = false;
-  BodyId below = chapter8::add_ground(scene, 10);
-  vec3 of_below(10, real(0.2), 10);
-  double top = 0;
-  const bool alike = draw.chance(0.5);
-  for (int k = draw.whole(2, 10); k > 0; --k) {
-    const double edge = alike ? 1 : draw.number(0.7, 1.3);
-    const vec3 edges(real(edge), real(alike ? 1 : draw.number(0.5, 1)), real(edge));
-    top += double(edges.y) / 2;
-    const vec3 x(0, real(top), 0);
-    const BodyId next = scene.box(real(alike ? 10 : draw.scale(1, 100)), edges, x);
-    scene.world.add<GroundContact>(below, next, box_top(of_below), box_outline(edges));
-    top += double(edges.y) / 2;
-    scene.energy_scale += g * top / double(scene.world.bodies[next].inverse_mass);
-    below = next, of_below = edges;
-  }
-  return scene;
-}
-
 }  // namespace
 
-std::vector<Family> families() {
+std::vector<Family> joint_families() {
   const auto of = [](auto make) { return [make](unsigned seed) { return make(Draw(seed)); }; };
   return {{"beads", 144, of([](Draw draw) { return beads(draw); })},
           {"heavy ends", 240, of([](Draw draw) { return heavy_ends(draw, false); })},
@@ -388,9 +355,7 @@ std::vector<Family> families() {
           {"limited sliders", 240, of([](Draw draw) { return open_chain(draw, 1e4, true); })},
           {"limited hinges", 160, of(limited_hinges)},
           {"driven arms", 120, of(driven_arm)},
-          {"any step", 96, of(any_step)},
-          {"ragdolls", 40, of(ragdoll)},
-          {"piles", 24, of(pile)}};
+          {"any step", 96, of(any_step)}};
 }
 
 }  // namespace joints::bench

@@ -24,6 +24,7 @@ real bias(const Block& block, int i, real C, real rate, real h) {
 }
 
 void Blocks::truncate(int count) {
+  if (count == 0) tolerances.clear(), rebounds.clear();
   if (count >= int(list.size())) return;
   C.resize(std::size_t(list[count].first));
   list.resize(std::size_t(count));

@@ -22,6 +22,44 @@ void soften(Blocks& blocks, const Stepping& how) {
     }
 }
 
+// Shortens the errors of one-sided rows by their slop, and to what the largest speed can correct.
+void ease(Blocks& blocks, real h) {
+  for (const auto& [k, slop, push] : blocks.tolerances) {
+    const Block& block = blocks.list[std::size_t(k)];
+    real& C = blocks.C[std::size_t(block.first + block.rows - 1)];
+    if (C > 0) continue;
+    C = std::min(C + slop, real(0));
+    const real rate = feedback(block.target, h, blocks.acts(h)).rate;
+    if (rate * C < -push) C = -push / rate;
+  }
+  blocks.tolerances.clear();
+}
+
+// The end of an impact. The bodies have moved, so the gaps are closed: a first solve stops the rows,
+// a second one gives them the rates of their rebounds, with impulses of at most `ratio` times those
+// that stopped them (Newton's and Poisson's hypothesis, whichever is less), so friction cannot add
+// energy. The accumulated impulses continue those of the step and stay positive.
+void rebound(World& world, Solver& solver, real h) {
+  Blocks& blocks = world.blocks;
+  for (const Block& block : blocks.list)
+    if (block.target.one_sided()) {
+      const int last = block.first + block.rows - 1;
+      real& C = blocks.C[std::size_t(last)];
+      C = std::max(real(0), C + h * row_velocity(blocks.J[std::size_t(last)],
+                                                world.bodies.at(block.body1),
+                                                world.bodies.at(block.body2)));
+    }
+  solver.prepare(world.bodies, blocks, 0, h);
+  solver.solve(world.bodies);
+  for (const auto& [k, rate, ratio] : blocks.rebounds) {
+    Block& block = blocks.list[std::size_t(k)];
+    block.target.rate = rate;
+    block.target.upper = (1 + ratio) * block.impulse[block.rows - 1] / blocks.acts(h);
+  }
+  solver.prepare(world.bodies, blocks, 0, h);
+  solver.solve(world.bodies);
+}
+
 // begin_step() without the validation.
 void begin(World& world, Solver& solver, real h, const Stepping& how) {
   Bodies& bodies = world.bodies;
@@ -37,6 +75,7 @@ void begin(World& world, Solver& solver, real h, const Stepping& how) {
   for (const auto& joint : world.joints()) joint->begin_step(bodies, h, acting);
   for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
   soften(world.blocks, how);
+  ease(world.blocks, h);
   solver.prepare(bodies, world.blocks, 0, h);
   solver.warm_start(bodies, ratio);
 }
@@ -56,6 +95,7 @@ void step(World& world, Solver& solver, real h, const Stepping& how) {
         if (joint->can_move()) joint->late_limits(world.bodies, h_sub, world.blocks);
       if (int(world.blocks.list.size()) == known) break;
       soften(world.blocks, how);
+      ease(world.blocks, h_sub);
       solver.prepare(world.bodies, world.blocks, known, h_sub);
       solver.solve(world.bodies);
     }
@@ -93,6 +133,7 @@ void end_step(World& world, Solver& solver, real h, const Stepping& how) {
     for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
   });
   if (how.leapfrog) turn(world.bodies, h / 2);
+  if (!world.blocks.rebounds.empty()) rebound(world, solver, h);
   for (int i = 0; i < how.projections; ++i) project_positions(world);
   check_motion(world.bodies);
 }

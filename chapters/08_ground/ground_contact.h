@@ -75,6 +75,12 @@ class GroundContact : public Joint {
   real restitution = 0;        ///< rebound speed over impact speed, 0 to 1 [1]
   real threshold = real(0.5);  ///< no rebound from an impact slower than this [m/s]
   bool turned_tangents = true;  ///< t1 follows the direction of sliding; false: t1 is fixed by n
+  /// Bounds friction along t2 by what the circle leaves beside friction along t1 in the last step:
+  /// a joint then pushes a sliding body sideways as Coulomb's law requires. false: a square, which
+  /// brings bodies to rest sooner.
+  bool circle = false;
+  real slop = 0;          ///< depth that is not corrected [m]
+  real push = real(0.8);  ///< greatest speed at which a penetration is corrected [m/s], positive
 
   static constexpr int most_corners = 4;  ///< the most corners with rows at the same time
   static constexpr real at_rest = real(0.01);  ///< a corner slower than this does not slide [m/s]
@@ -97,6 +103,8 @@ class GroundContact : public Joint {
     require(restitution >= 0 && restitution <= 1, "restitution", restitution,
             "must be from 0 to 1 [1]");
     require(threshold >= 0, "threshold", threshold, "must not be negative [m/s]");
+    require(slop >= 0, "slop", slop, "must not be negative [m]");
+    require(push > 0, "push", push, "must be positive [m/s]");
   }
   /// Chooses the corners that have rows in this step and their directions of friction.
   inline void choose_rows(const Bodies& bodies, real h) override;
@@ -114,7 +122,7 @@ class GroundContact : public Joint {
 
  protected:
   void exchange_own(StateStream& stream) override {
-    stream(near_);
+    stream(near_, rebounded_);
     live_ = 0;
     for (int k = 0; k < outline.count; ++k) {
       points_[std::size_t(k)].exchange(stream);
@@ -129,12 +137,13 @@ class GroundContact : public Joint {
     real C = 0, rate = 0;     // gap [m] and J V of the normal row [m/s]
     real last_rate = 0;       // J V after the last step's solve [m/s]
     bool has_last = false;    // last_rate is known
-    real bounce = 0;          // rebound speed for the step after an impact [m/s]; 0: no impact
-    real target = 0;          // target rate of the normal row in this step [m/s]
+    real kick = 0;            // change of J V by the forces of a step [m/s]
+    real rebound = 0;         // rate after an impact in this step [m/s]; 0: no rebound
     std::array<vec3, 2> t{};  // directions of friction, unit, world
+    real across = 0;          // factor of the bound along t[1] [1]
     std::array<real, 3> impulse{};  // friction along t[0], along t[1], normal [N s]
     void exchange(StateStream& stream) {
-      stream(live, last_rate, has_last, bounce, t, impulse);
+      stream(live, last_rate, has_last, kick, t, impulse);
     }
     real gap_after(real h) const { return C + h * rate; }  // if no row holds it [m]
   };
@@ -171,6 +180,7 @@ class GroundContact : public Joint {
   int live_ = 0;
   real reach_ = 0;     // from the centre of body 2 to its farthest point [m]
   bool near_ = false;  // the corners were tested in this step
+  bool rebounded_ = false;  // in the last step: its forces are not those of last_rate
 };
 
 // ---- which corners have rows --------------------------------------------------------------------
@@ -192,20 +202,25 @@ inline void GroundContact::choose_rows(const Bodies& bodies, real h) {
     ContactPoint& point = points_[std::size_t(k)];
     point.C = now.gap_of(outline.corners[std::size_t(k)]);
     point.rate = now.rate_of(outline.corners[std::size_t(k)]);
+    if (restitution > 0 && !rebounded_)
+      point.kick = point.has_last ? point.rate - point.last_rate : real(0);
     point.live = point.gap_after(h) < reserve && over_top(k, point.C, a, b);  // Eq. 8-4
     live_ += point.live;
   }
   for (; live_ > most_corners; --live_) farthest_live(h).live = false;
+  bool rebounds = false;
   for (int k = 0; k < outline.count; ++k) {
     ContactPoint& point = points_[std::size_t(k)];
     if (point.live) {
       set_restitution(point, h);
+      rebounds |= point.rebound > 0;
       update_tangents(k, now.n, a, b);
     } else {
       point.impulse = {};
-      point.bounce = point.target = 0;
+      point.rebound = 0;
     }
   }
+  rebounded_ = rebounds;
 }
 
 // The live corner with the largest gap at the end of the step.
@@ -265,22 +280,16 @@ inline bool GroundContact::over_top(int k, real C, const Body& body1, const Body
   if (C < -top.depth) return false;
   if (top.half_x == unbounded && top.half_z == unbounded) return true;
   const vec3 p = to_local(body1, corner(k).point(body1, body2) - body1.x);
-  return std::abs(p.x) <= top.half_x && std::abs(p.z) <= top.half_z;
+  const real rim = real(1.01);  // so that a corner on the rim stays over the top
+  return std::abs(p.x) <= rim * top.half_x && std::abs(p.z) <= rim * top.half_z;
 }
 
-// A rebound takes two steps: in the first the row stops the corner at the ground, and `bounce`
-// stores the rebound speed; in the second the corner leaves with it.
+// The step stops the corner at the ground. The rebound follows once the bodies have moved.
 inline void GroundContact::set_restitution(ContactPoint& point, real h) const {
-  const real kick =  // of this step's forces
-      point.has_last ? point.rate - point.last_rate : real(0);
-  point.target = 0;
-  if (point.bounce > 0) {
-    point.target = std::max(real(0), point.bounce + kick / 2);  // Eq. 8-10
-    point.bounce = 0;
-  } else if (restitution > 0 && point.C + h * point.rate < 0) {
-    const real speed = impact_speed(point.C, point.rate, kick, h);
-    if (speed > threshold) point.bounce = restitution * speed;  // Eq. 8-10
-  }
+  point.rebound = 0;
+  if (restitution == 0 || point.rate >= 0 || point.C + h * point.rate >= 0) return;
+  const real speed = impact_speed(point.C, point.rate, point.kick, h);
+  if (speed > threshold) point.rebound = restitution * speed - point.kick / 2;  // Eq. 8-10
 }
 
 // Chooses new directions of friction and projects the cached friction onto them. t1 is the
@@ -302,6 +311,11 @@ inline void GroundContact::update_tangents(int k, const vec3& n, const Body& bod
   point.t = tangents(n, sliding);
   point.impulse[0] = dot(cached, point.t[0]);
   point.impulse[1] = dot(cached, point.t[1]);
+  point.across = friction;
+  if (circle && point.impulse[2] > 0) {
+    const real along = point.impulse[0] / point.impulse[2];
+    point.across = std::sqrt(std::max(real(0), friction * friction - along * along));  // Eq. 8-11
+  }
 }
 
 inline void GroundContact::append_point(int k, const Bodies& bodies, Blocks& blocks) const {
@@ -311,12 +325,15 @@ inline void GroundContact::append_point(int k, const Bodies& bodies, Blocks& blo
   for (const int i : {0, 1}) {
     if (friction == 0) break;
     blocks.append(bodies, body1, body2, to_jacobian(part.along(point.t[std::size_t(i)], a, b)), {0},
-                  {.holds_position = false, .follows = 2 - i, .upper = friction},  // Eq. 8-6
+                  {.holds_position = false, .follows = 2 - i,
+                   .upper = i == 0 ? friction : point.across},  // Eq. 8-6
                   &point.impulse[std::size_t(i)]);
   }
-  RowTarget target = hold(0);
-  target.rate = point.target;
-  blocks.append(bodies, body1, body2, part, target, &point.impulse[2]);
+  blocks.append(bodies, body1, body2, part, hold(0), &point.impulse[2]);
+  if (const real C = blocks.C.back();
+      C < 0 && (slop > 0 || std::max(beta, real(1)) * C < -push * last_h()))
+    blocks.tolerances.push_back({int(blocks.list.size()) - 1, slop, push});
+  if (point.rebound > 0) blocks.rebounds.push_back({int(blocks.list.size()) - 1, point.rebound, -point.rebound / point.rate});
 }
 
 }  // namespace joints

@@ -81,13 +81,13 @@ Wrong wrong_bodies(Rows J, const Pair& pair) {
     if (pair.body2.is_static()) row.v2 = row.w2 = vec3(0);
   }
   if (pair.body1.is_static() != pair.body2.is_static())
-    out.push_back({"#static-body-left-out a static body has its blocks in J, too: it is K that "
-                   "its mass leaves out",
+    out.push_back({"#static-body-left-out a static body has its blocks in J, too: its mass enters "
+                   "only through K",
                    flat(without)});
   for (Row& row : J)
     row = {pair.body1.inverse_mass * row.v1, inverse_inertia(pair.body1) * row.w1,
            pair.body2.inverse_mass * row.v2, inverse_inertia(pair.body2) * row.w2};
-  out.push_back({"#inverse-masses-row J times M^-1: masses and inertias come in with K", flat(J)});
+  out.push_back({"#inverse-masses-row J times M^-1: masses and inertias belong to K", flat(J)});
   return out;
 }
 

@@ -53,7 +53,7 @@ Wrong wrong_masses(const Rows& J, const Pair& pair) {
     add("#inertia-inverse inertia where inverse inertia belongs",
         {m1, glm::inverse(I1)}, {m2, glm::inverse(I2)});
   }
-  add("#without-rotation the share of the rotation is missing", {m1, none}, {m2, none});
+  add("#without-rotation the term of the rotation is missing", {m1, none}, {m2, none});
   add("#body-2-alone body 1 is missing", {0, none}, two);
   add("#sum-that-thrown-away body 2 is missing", one, {0, none});
   add("#rotation-body-1-left the rotation of body 1 is missing", {m1, none}, two);
@@ -75,17 +75,17 @@ Wrong wrong_masses(const Rows& J, const Pair& pair) {
       {m1, inertia_turned(a, conjugate(a.q))}, {m2, inertia_turned(b, conjugate(b.q))});
   add("the inertia of body 1 is turned with body 2", {m1, inertia_turned(a, b.q)}, two);
   add("the inertia of body 2 is turned with body 1", one, {m2, inertia_turned(b, a.q)});
-  add("#without-transpose the sign of the rotation's share: it is added (skew(r) I^-1 skew(r) "
-      "lacks a transpose)",
+  add("#without-transpose the sign of the rotation's term: it is added (skew(r) I^-1 skew(r) lacks "
+      "a transpose)",
       {m1, -I1}, {m2, -I2});
-  add("#minus-body-1 the sign of body 1's share: the shares of both bodies are added",
+  add("#minus-body-1 the sign of body 1's terms: the terms of both bodies are added",
       {-m1, -I1}, two);
-  add("#inverse-masses-subtracted the sign of body 2's share: the shares of both bodies are added",
+  add("#inverse-masses-subtracted the sign of body 2's terms: the terms of both bodies are added",
       one, {-m2, -I2});
-  add("the sign of the rotation of body 1: its share is added", {m1, -I1}, two);
-  add("#sign-rotation the sign of the rotation of body 2: its share is added", one, {m2, -I2});
-  add("the sign of body 1's inverse mass: all shares are added", {-m1, I1}, two);
-  add("the sign of body 2's inverse mass: all shares are added", one, {-m2, I2});
+  add("the sign of the rotation of body 1: its term is added", {m1, -I1}, two);
+  add("#sign-rotation the sign of the rotation of body 2: its term is added", one, {m2, -I2});
+  add("the sign of body 1's inverse mass: all terms are added", {-m1, I1}, two);
+  add("the sign of body 2's inverse mass: all terms are added", one, {-m2, I2});
   add("#inertias-exchanged the lever of one body with the inertia of the other",
       {m1, I2}, {m2, I1});
   add("#inertia-body-1-both the inertia of body 1 for both bodies: each has its own",

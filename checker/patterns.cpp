@@ -157,7 +157,7 @@ std::string common_pattern(const std::vector<std::string>& entries,
                       ", in every case");
   }
   for (const Moved& one : moved)
-    words.push_back(one.to + " is " + one.sign + "what belongs to " + one.from);
+    words.push_back(one.to + " holds " + one.sign + "the value of " + one.from);
   std::string out;
   for (const std::string& one : words) out += (out.empty() ? "" : "; ") + one;
   return out;

@@ -172,7 +172,7 @@ inline CaseTable<RotationCase> rotation_table() {
   for (int draw = 0; draw < 5; ++draw) {
     const quat q = random.turn();
     const vec3 w = random.vector(4);
-    table.cases.push_back({"a body that lies anyhow, h = 0.1 s", q, w, real(0.1)});
+    table.cases.push_back({"a body in any orientation, h = 0.1 s", q, w, real(0.1)});
   }
   const quat q = table.cases[1].q;
   const vec3 w = table.cases[1].w;

@@ -25,7 +25,7 @@ TEST_CASE("2.1 the rows of a ball joint are the slopes of its gap at every pose"
   check_jacobian<PointFixture>();
 }
 
-TEST_CASE("2.2 K of a ball joint says how far an impulse moves the anchor", "[2.2]") {
+TEST_CASE("2.2 K of a ball joint is the change of the anchor's velocity by an impulse", "[2.2]") {
   // world inverse inertia diag(1, 1.2, 4.2), lever (0, 1, 1/2), mass 2 kg
   const mat3 K(5, 0, 0, 0, real(0.75), real(-0.5), 0, real(-0.5), real(1.5));
   check_K<PointFixture>(paper_part, {ball_paper1, ball_paper2}, to_matrix(K));
@@ -44,7 +44,7 @@ TEST_CASE("2.2 K between two static bodies is zero", "[2.2]") {
 
 // ---- 2.3 ----------------------------------------------------------------------------------------
 
-TEST_CASE("2.3 the impulse of a block takes all three rates away at once", "[2.3]") {
+TEST_CASE("2.3 the impulse of a block removes all three rates at once", "[2.3]") {
   const CaseTable<LackCase> table = block_impulse_table();
   table.check(table.cases[0], {0.2, 0, 0});
   table.check();
@@ -57,7 +57,7 @@ TEST_CASE("2.3 the impulse of a block changes velocities by M^-1 J^T lambda", "[
   table.check();
 }
 
-TEST_CASE("2.3 after its impulse a ball joint holds and a second impulse is zero", "[2.3]") {
+TEST_CASE("2.3 after its impulse a ball joint is satisfied and a second impulse is zero", "[2.3]") {
   const Subject impulse{"2.3", "the impulse of a block"};
   Joint3 joint = Joint3::ball();
   const mat3 K = joint.K();
@@ -83,7 +83,7 @@ TEST_CASE("2.4 a constant angular velocity rotates a body by exp(h w) in the wor
   rotation_table().check();
 }
 
-TEST_CASE("2.4 the new orientation has length 1, whatever has become of the old one", "[2.4]") {
+TEST_CASE("2.4 the new orientation has length 1, even if the old one has not", "[2.4]") {
   const quat q = real(1.001) * rotation(vec3(1, 2, 3));
   expect({"2.4", "turning a body"}, "length of q, which was 1.001",
          double(length(turned(q, vec3(1, -1, 2), real(0.1)))), 1, rounding,

@@ -13,8 +13,7 @@ inline const char* const told_difference_of_angles =
     "#difference-of-angles a difference of two angles: the turns are multiplied, q1^-1 q2 "
     "start^-1";
 inline const char* const told_minus_expected =
-    "#minus-expected `expected` is not asked for here: the twist is what is measured, in (-pi, "
-    "pi]";
+    "#minus-expected `expected` does not belong here: return the measured twist, in (-pi, pi]";
 
 struct AngleCase {
   std::string words;
@@ -87,8 +86,8 @@ inline CaseTable<AngleCase> angle_table() {
                                 "in it, and no sign. The twist takes only p, the part of v along "
                                 "the axis";
   const char* const world_frame =
-      "#turn-world the rotation as the world sees it (q2 q1^-1): it changes when both bodies turn "
-      "as one. q1^-1 q2 is body 2 as body 1 sees it";
+      "#turn-world the rotation in world axes (q2 q1^-1): it changes when both bodies rotate "
+      "together. q1^-1 q2 is body 2 in the axes of body 1";
   const char* const start_inverse = "start is multiplied, not its inverse";
   const char* const axis_frame = "#axis-turn-different-frames the axis and the turn in different "
                                  "frames: in body 1's frame the axis is a1_local as it stands";
@@ -107,8 +106,8 @@ inline CaseTable<AngleCase> angle_table() {
        as_it_comes([](real p, real s, real) { return 2 * std::atan2(p, std::abs(s)); })},
       {"#sign-rule-conjugate v alone changes its sign: where s < 0 negate all of q, s too",
        as_it_comes([](real p, real s, real) { return 2 * std::atan2(s < 0 ? -p : p, s); })},
-      {"#world-frame-no-sign the rotation as the world sees it (take q1^-1 q2), and no sign rule "
-       "(s < 0: take -q)",
+      {"#world-frame-no-sign the rotation in world axes (take q1^-1 q2), and no sign rule (s < 0: "
+       "take -q)",
        [=](const Case& c) {
          return degrees(as_it_stands(c.q2 * conjugate(c.q1) * conjugate(c.start), c.a1_local));
        }},
@@ -125,8 +124,8 @@ inline CaseTable<AngleCase> angle_table() {
          return degrees(angle_of(c.q2 * conjugate(c.q1) * conjugate(c.start),
                                  c.q1 * c.a1_local));
        }},
-      {"#total-angle-world the rotation as the world sees it, and its whole angle: take q1^-1 q2, "
-       "and only p",
+      {"#total-angle-world the rotation in world axes, and its whole angle: take q1^-1 q2, and "
+       "only p",
        [=](const Case& c) {
          const quat q = c.q2 * conjugate(c.q1) * conjugate(c.start);
          return degrees(total(0, q.w, length(vector(q))));
@@ -137,11 +136,11 @@ inline CaseTable<AngleCase> angle_table() {
        angle([](real p, real s, real) { return 4 * std::atan2(p, s); })},
       {"#atan2-exchanged the arguments of atan2 are exchanged: first p, then s",
        angle([](real p, real s, real) { return 2 * std::atan2(s, p); })},
-      {"the sign of the rotation: body 2 as body 1 sees it",
+      {"the sign of the rotation: it is that of body 2 in the axes of body 1",
        angle([](real p, real s, real) { return -2 * std::atan2(p, s); })},
       {"the sign is lost",
        angle([](real p, real s, real) { return 2 * std::atan2(std::abs(p), s); })},
-      {"half the range: a sine cannot tell 80 degrees from 100. atan2 takes p and s",
+      {"half the range: the sine of 80 degrees is that of 100. atan2 takes p and s",
        angle([](real p, real s, real) { return std::asin(std::sin(2 * std::atan2(p, s))); })},
       {"#wrapped-0-2pi from 0 to 360 degrees: the angle must be in (-pi, pi]",
        angle([](real p, real s, real) {
@@ -190,7 +189,7 @@ inline CaseTable<AngleCase> angle_table() {
        [=](const Case& c) { return degrees(dot(glm::eulerAngles(turn(c)), c.a1_local)); }},
       {"angles about three axes are no rotation: their sum along the axis is not the twist",
        [=](const Case& c) { return degrees(dot(glm::eulerAngles(up(turn(c))), c.a1_local)); }},
-      {"#only-body-2 body 2 alone: the angle is that of body 2 as body 1 sees it, q1^-1 q2",
+      {"#only-body-2 body 2 alone: the angle is that of body 2 in the axes of body 1, q1^-1 q2",
        of([](const Case& c) { return c.q2; })},
       {told_difference_of_angles,
        [=](const Case& c) {
@@ -201,7 +200,7 @@ inline CaseTable<AngleCase> angle_table() {
        [=](const Case& c) {
          return degrees(as_it_stands(c.q2, c.a1_local) - as_it_stands(c.q1, c.a1_local));
        }},
-      {"half the range: a sine cannot tell 80 degrees from 100. atan2 takes p and s",
+      {"half the range: the sine of 80 degrees is that of 100. atan2 takes p and s",
        angle([](real p, real s, real) { return std::asin(2 * p * s); })},
       {"#v-made-unit-vector v is not made a unit vector: its length is the sine",
        angle([](real p, real s, real v) { return 2 * std::atan2(p / v, s); })},

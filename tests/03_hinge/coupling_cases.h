@@ -163,10 +163,10 @@ inline CaseTable<RowsCase> coupling_table() {
       {"#sum-that-thrown-away body 2 is missing", scaled(1, 1, 0, 0)},
       {"#without-turns the angular parts are missing: the blocks w1 and w2", scaled(1, 0, 1, 0)},
       {"the linear blocks v1 and v2 are missing", scaled(0, 1, 0, 1)},
-      {"#minus-body-1 the sign of body 1's share: the shares of both bodies are added",
+      {"#minus-body-1 the sign of body 1's terms: the terms of both bodies are added",
        scaled(-1, -1, 1, 1)},
-      {"the sign of body 2's share: the shares of both bodies are added", scaled(1, 1, -1, -1)},
-      {"the sign of the rotations' share: all four terms are added", scaled(1, -1, 1, -1)},
+      {"the sign of body 2's terms: the terms of both bodies are added", scaled(1, 1, -1, -1)},
+      {"the sign of the rotations' terms: all four terms are added", scaled(1, -1, 1, -1)},
       {"the sign of the result", scaled(-1, -1, -1, -1)},
       {"the row a with itself: one side belongs to b",
        [=](const Case& c) { return table.right({"", c.a, c.a, c.pair}); }},
@@ -220,16 +220,15 @@ inline CaseTable<RowsCase> coupling_table() {
       {"b.v1 where b.v2 belongs", with_blocks([](Row&, Row& b) { b.v2 = b.v1; })},
       {"one over the result: that is an effective mass",
        [=](const Case& c) { return Numbers{1 / table.right(c)[0]}; }},
-      {"#zero-static-body a static body has an answer, too: its own share is 0, the other body's "
-       "is not",
+      {"#zero-static-body a static body has an answer, too: its own term is 0, the other body's is "
+       "not",
        [=](const Case& c) {
          const bool wall = c.pair.body1.is_static() || c.pair.body2.is_static();
          return wall ? Numbers{0} : table.right(c);
        }},
-      {"a static body 1 has an answer, too: its own share is 0, body 2's is not",
+      {"a static body 1 has an answer, too: its own term is 0, body 2's is not",
        [=](const Case& c) { return c.pair.body1.is_static() ? Numbers{0} : table.right(c); }},
-      {"#zero-static-body-2 a static body 2 has an answer, too: its own share is 0, body 1's is "
-       "not",
+      {"#zero-static-body-2 a static body 2 has an answer, too: its own term is 0, body 1's is not",
        [=](const Case& c) { return c.pair.body2.is_static() ? Numbers{0} : table.right(c); }},
       {"#int-sum the sum is an int: it cuts the fraction off", [=](const Case& c) {
          int sum = 0;

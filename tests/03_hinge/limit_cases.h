@@ -11,10 +11,9 @@ namespace joints::testing {
 inline const char* const told_filled_where_live =
     "#filled-where-live C and sign are those of the nearer limit whether it is live or not";
 inline const char* const told_live_if_either_near =
-    "#live-if-either-near live is asked of the limit that is returned, not of the other one";
+    "#live-if-either-near live belongs to the returned limit, not to the other one";
 inline const char* const told_live_only_direction =
-    "#live-only-direction live while x moves away, too: a neighbour may turn it round within the "
-    "step";
+    "#live-only-direction live while x moves away, too: a neighbour may reverse it within the step";
 inline const char* const told_only_direction_rate =
     "#only-direction-rate the limit toward which x moves: the smaller gap at the end of the step "
     "decides";
@@ -22,10 +21,9 @@ inline const char* const told_rate_one_side =
     "#rate-one-side the rate counts for both limits: the one gap grows by h rate, the other "
     "shrinks by it";
 inline const char* const told_gap_end =
-    "#gap-end C is the gap now: what the rate does to it in the step decides only which limit it "
-    "is";
+    "#gap-end C is the present gap: its change in the step decides only which limit is returned";
 inline const char* const told_sign_rate =
-    "#sign-rate the sign is that of the limit: it does not ask where x is going";
+    "#sign-rate the sign is that of the limit: it does not depend on the direction of x";
 
 /// A step of 1/10 s.
 struct LimitCase {
@@ -105,7 +103,7 @@ inline CaseTable<LimitCase> limit_table() {
       "#both-h-rate the limit with the smaller gap now: the smaller gap at the end of the step "
       "decides, where the lower gap has grown by h rate and the upper one has shrunk by it";
   const char* const size = "#rule-h-rate the size of the rate counts, |rate|: a neighbour may "
-                           "turn x round within the step";
+                           "reverse x within the step";
   const char* const violated = "#only-where-passed live only where the limit is passed already: "
                                "then it is too late. The row must be there in the step before";
 
@@ -187,7 +185,7 @@ inline CaseTable<LimitCase> limit_table() {
        ruled([](const Case& c, const Row3& r) {
          return r.C + h * r.sign * c.rate < h * std::abs(c.rate) + 0.1 * h;
        })},
-      {"#not-live-rest a limit is live at rest, too: no rate is asked for",
+      {"#not-live-rest a limit is live at rest, too, whatever the rate is",
        ruled([=](const Case& c, const Row3& r) { return c.rate != 0 && live(c, r); })},
       {told_live_only_direction,
        ruled([=](const Case& c, const Row3& r) { return r.sign * c.rate <= 0 && live(c, r); })},
@@ -201,7 +199,7 @@ inline CaseTable<LimitCase> limit_table() {
        ruled([=](const Case& c, const Row3&) {
          return live(c, side(c, false)) && live(c, side(c, true));
        })},
-      {"#h-1-60 h is what is given, not 1/60", [=](const Case& c) {
+      {"#h-1-60 h is the argument, not 1/60", [=](const Case& c) {
          const double short_h = 1.0 / 60;
          return build([=](const Case& at) {
                         return at.upper - at.x - short_h * at.rate <=
@@ -226,7 +224,7 @@ inline CaseTable<LimitCase> limit_table() {
            if (Row3 one = side(c, upper); live(c, one)) row = one, row.live = true;
          return numbers(row);
        }},
-      {"#sign-from-c the sign is that of the limit: it does not ask whether it is passed",
+      {"#sign-from-c the sign is that of the limit, whether it is passed or not",
        changed([](const Case&, Row3& r) { r.sign = r.C < 0 ? -1 : 1; })},
       {told_sign_rate,
        changed([](const Case& c, Row3& r) { r.sign = c.rate < 0 ? 1 : -1; })},
@@ -285,9 +283,9 @@ inline CaseTable<LimitCase> limit_table() {
        choosing([](const Case& c) {
          return c.upper - c.x + h * c.rate <= c.x - c.lower - h * c.rate;
        })},
-      {"#min-limits the upper limit is never looked at",
+      {"#min-limits the upper limit is ignored",
        choosing([](const Case&) { return false; })},
-      {"the lower limit is never looked at", choosing([](const Case&) { return true; })}};
+      {"the lower limit is ignored", choosing([](const Case&) { return true; })}};
   const double none = std::numeric_limits<double>::infinity();
   table.cases = {
       limit_case(-1, 2, 0, 0),         limit_case(-1, 2, 1, 0),       // well inside

@@ -43,7 +43,8 @@ inline CaseTable<MotorCase> motor_table() {
   const char* const too_fast =
       "#speed-already-size a motor that runs too fast brakes: its impulse may have either sign";
   const char* const threshold =
-      "#early-out-1e-3 a motor pushes until its speed is reached: no threshold on what is lacking";
+      "#early-out-1e-3 a motor pushes until its speed is reached: no threshold on the missing "
+      "impulse";
   const char* const sign = "the sign: the impulse works against J V - speed";
 
   CaseTable<Case> table{{"3.5", "the impulse of a motor"}, {"returned", "new sum"}, {}, {}, {}, {}};
@@ -55,7 +56,7 @@ inline CaseTable<MotorCase> motor_table() {
   };
   table.right = right;
   table.mistakes = {
-      {"#sign-speed the sign of the speed: the motor wants J V - speed = 0, not J V + speed = 0",
+      {"#sign-speed the sign of the speed: the row is J V - speed = 0, not J V + speed = 0",
        wanting([](const Case& c) { return c.sum - (c.rate + c.speed) / c.K; })},
       {sign, wanting([=](const Case& c) { return c.sum - lack(c); })},
       {no_h, bounded([](const Case& c) { return c.strength; })},
@@ -78,30 +79,30 @@ inline CaseTable<MotorCase> motor_table() {
        }},
       {"#strength-0-unlimited strength 0 is a motor that is off, not one without a bound",
        bounded([=](const Case& c) { return c.strength == 0 ? 1e30 : h * c.strength; })},
-      {"#bound-by-speed the bound is h strength: it does not ask for the speed",
+      {"#bound-by-speed the bound is h strength: it is independent of the speed",
        bounded([](const Case& c) { return h * std::abs(c.speed); })},
-      {"#k-squared K is in it twice: (rate - speed) / K",
+      {"#k-squared K is used twice: (rate - speed) / K",
        wanting([=](const Case& c) { return c.sum + lack(c) / c.K; })},
-      {"a factor of 0.5 in what is wanted", wanting([=](const Case& c) {
+      {"a factor of 0.5 in the required impulse", wanting([=](const Case& c) {
          return c.sum + lack(c) / 2;
        })},
-      {"#lack-sum the missing speed is not all: it is divided by K, and comes on top of the sum",
+      {"#lack-sum the missing speed is divided by K and added to the sum",
        wanting([](const Case& c) { return c.speed - c.rate; })},
-      {"the motor gives all it has at once: it gives (speed - rate) / K, at most h strength",
+      {"always the full impulse: the motor gives (speed - rate) / K, at most h strength",
        wanting([=](const Case& c) { return c.sum + std::copysign(1e30, c.speed - c.rate); })},
-      {"#bound-with-k the bound is h strength: K has no part in it",
+      {"#bound-with-k the bound is h strength: it is independent of K",
        bounded([](const Case& c) { return h * c.strength / c.K; })},
-      {"the bound is h strength: h is in it twice",
+      {"the bound is h strength: h is used twice",
        bounded([](const Case& c) { return h * h * c.strength; })},
-      {"#step-1-60 the bound is h strength: h is what is given, not 1/60",
+      {"#step-1-60 the bound is h strength: h is the argument, not 1/60",
        bounded([](const Case& c) { return c.strength / 60; })},
       {"#int-strength the bound is cut off to a whole number: an int has no fraction",
        bounded([](const Case& c) { return std::trunc(h * c.strength); })},
-      {"what is wanted is cut off to a whole number: an int has no fraction",
+      {"the required impulse is cut off to a whole number: an int has no fraction",
        wanting([=](const Case& c) { return std::trunc(wanted(c)); })},
       {"#int-speed the speed is cut off to a whole number: an int has no fraction",
        wanting([](const Case& c) { return c.sum - (c.rate - std::trunc(c.speed)) / c.K; })},
-      {"#all-over-h an impulse has no h in it: (rate - speed) / K, and the bound is h strength",
+      {"#all-over-h an impulse does not contain h: (rate - speed) / K, and the bound is h strength",
        motor([=](const Case& c) { return c.sum + lack(c) / h; },
              [](const Case& c) { return c.strength; })},
       {"#clamp-not-assigned nothing is clamped, or the old sum is: the new one stays within h "
@@ -140,22 +141,22 @@ inline CaseTable<MotorCase> motor_table() {
          return Numbers{sum, sum};
        }},
       {"#min-max-exchanged the sum is always at its lower bound: are min and max exchanged, or is "
-       "something in it never set?",
+       "a variable never set?",
        [=](const Case& c) { return Numbers{-bound(c) - c.sum, -bound(c)}; }},
-      {"the sum is always at its upper bound: are min and max exchanged, or is something in it "
-       "never set?",
+      {"the sum is always at its upper bound: are min and max exchanged, or is a variable never "
+       "set?",
        [=](const Case& c) { return Numbers{bound(c) - c.sum, bound(c)}; }},
       {"#if-lower-sign-lost below the lower bound the sum is the lower bound, not the upper one",
        [=](const Case& c) {
          const double sum = std::abs(wanted(c)) > bound(c) ? bound(c) : wanted(c);
          return Numbers{sum - c.sum, sum};
        }},
-      {"#drops-when-exceeding where more is wanted than the bound allows the motor gives up: it "
-       "gives as much as it may",
+      {"#drops-when-exceeding no impulse where the required one exceeds the bound: the motor gives "
+       "its bound there",
        [=](const Case& c) {
          return std::abs(wanted(c)) > bound(c) ? Numbers{0, c.sum} : right(c);
        }},
-      {"#does-not-push-when a sum at its bound may come back: there, too, the motor is asked",
+      {"#does-not-push-when nothing is done for a sum at its bound: it may become smaller again",
        [=](const Case& c) {
          return std::abs(c.sum) >= bound(c) ? Numbers{0, c.sum} : right(c);
        }},
@@ -171,23 +172,23 @@ inline CaseTable<MotorCase> motor_table() {
        [=](const Case& c) { return Numbers{right(c)[0], wanted(c)}; }},
       {"#returns-the-sum the new sum is returned instead of its change",
        [=](const Case& c) { return Numbers{right(c)[1], right(c)[1]}; }},
-      {"what was wanted is returned: return by how much the sum changed",
+      {"the required impulse is returned: return the change of the sum",
        [=](const Case& c) { return Numbers{lack(c), right(c)[1]}; }},
-      {"what was wanted is returned: return by how much the sum changed",
+      {"the required impulse is returned: return the change of the sum",
        [=](const Case& c) { return Numbers{wanted(c), right(c)[1]}; }},
-      {"the sum is not stored, and it is returned itself: return by how much it changed",
+      {"the sum is returned and not stored: store it and return its change",
        [=](const Case& c) { return Numbers{right(c)[1], c.sum}; }},
-      {"#returns-bound the bound is returned: return by how much the sum changed",
+      {"#returns-bound the bound is returned: return the change of the sum",
        [=](const Case& c) { return Numbers{bound(c), right(c)[1]}; }},
-      {"old and new sum are added: return by how much the sum changed",
+      {"old and new sum are added: return the change of the sum",
        [=](const Case& c) { return Numbers{right(c)[1] + c.sum, right(c)[1]}; }},
-      {"#returns-what-was-cut what was cut off is returned: return by how much the sum changed",
+      {"#returns-what-was-cut the part that was cut off is returned: return the change of the sum",
        [=](const Case& c) { return Numbers{wanted(c) - right(c)[1], right(c)[1]}; }},
       {"the sign of the change: new sum minus old sum",
        [=](const Case& c) { return Numbers{-right(c)[0], right(c)[1]}; }},
       {"#before-after 0 is returned: keep the old sum before the new one is stored",
        [=](const Case& c) { return Numbers{0, right(c)[1]}; }},
-      {"the sum so far is missing in what is wanted", wanting(lack)},
+      {"the sum so far is missing in the required sum", wanting(lack)},
       {"the change is added to the sum twice",
        [=](const Case& c) { return Numbers{right(c)[0], right(c)[1] + right(c)[0]}; }},
       {"times K where it must be divided by K",
@@ -197,7 +198,7 @@ inline CaseTable<MotorCase> motor_table() {
       {bracket, wanting([](const Case& c) { return c.sum - c.rate + c.speed / c.K; })},
       {bracket, wanting([](const Case& c) { return c.sum - c.rate / c.K - c.speed; })},
       {bracket, wanting([](const Case& c) { return c.sum - c.rate / c.K + c.speed; })},
-      {"#minus-sum the sign of the sum so far: what is wanted comes on top of it",
+      {"#minus-sum the sign of the sum so far: the required impulse is added to it",
        wanting([=](const Case& c) { return -c.sum + lack(c); })},
       {"#abs-rate no absolute value of the rate: it has a direction",
        wanting([](const Case& c) { return c.sum - (std::abs(c.rate) - c.speed) / c.K; })},
@@ -207,7 +208,7 @@ inline CaseTable<MotorCase> motor_table() {
        wanting([](const Case& c) { return (c.sum - (c.rate - c.speed)) / c.K; })},
       {"the speed of the motor is missing: this is a brake",
        wanting([](const Case& c) { return c.sum - c.rate / c.K; })},
-      {"the rate is missing: the motor wants only what the speed lacks",
+      {"the rate is missing: the motor adds only the missing speed",
        wanting([](const Case& c) { return c.sum + c.speed / c.K; })},
       {"the impulse is multiplied by h: it is an impulse already, not a torque",
        wanting([=](const Case& c) { return c.sum + h * lack(c); })}};

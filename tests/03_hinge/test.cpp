@@ -80,7 +80,7 @@ TEST_CASE("3.1 beyond 60 degrees the rows of an axis turn about c and b", "[3.1]
 
 // ---- 3.2 ----------------------------------------------------------------------------------------
 
-TEST_CASE("3.2 an impulse along one row moves another", "[3.2]") {
+TEST_CASE("3.2 an impulse along one row changes the rate of another", "[3.2]") {
   const Row a{vec3(0), vec3(0), vec3(1, 0, 0), vec3(0, 2, 0)};
   const Row b{vec3(0), vec3(0), vec3(1, 0, 0), vec3(0, 1, 3)};
   const CaseTable<RowsCase> table = coupling_table();
@@ -88,7 +88,7 @@ TEST_CASE("3.2 an impulse along one row moves another", "[3.2]") {
   table.check();
 }
 
-TEST_CASE("3.2 two rows move each other alike", "[3.2]") {
+TEST_CASE("3.2 two rows change each other's rates equally", "[3.2]") {
   const CaseTable<RowsCase> table = coupling_table();
   for (const RowsCase& c : table.cases) {
     const double ab = coupling(c.a, c.b, c.pair.body1, c.pair.body2);
@@ -156,7 +156,7 @@ TEST_CASE("3.3 the angle of a hinge is its twist however both bodies are turned 
   angle_table().check();
 }
 
-TEST_CASE("3.3 turning both bodies as one leaves the angle of a hinge alone", "[3.3]") {
+TEST_CASE("3.3 a rotation of both bodies together does not change the angle of a hinge", "[3.3]") {
   Random random(36);
   const CaseTable<AngleCase> table = angle_table();
   for (const AngleCase& c : angle_cases(true)) {
@@ -172,7 +172,7 @@ TEST_CASE("3.3 turning both bodies as one leaves the angle of a hinge alone", "[
   }
 }
 
-TEST_CASE("3.3 a hinge that turned by nearly half a turn says so either way round", "[3.3]") {
+TEST_CASE("3.3 after nearly half a turn a hinge has the right angle and sign", "[3.3]") {
   const CaseTable<AngleCase> table = angle_table();
   for (const double degrees : {179.0, -179.0, 1.0, -1.0, 0.0})
     for (const quat& q1 : {straight, third, -third})
@@ -181,7 +181,7 @@ TEST_CASE("3.3 a hinge that turned by nearly half a turn says so either way roun
                   {degrees});
 }
 
-TEST_CASE("3.3 of all angles that look alike the one nearest to the expected one counts",
+TEST_CASE("3.3 of all angles equal modulo a turn the one nearest to the expected one counts",
           "[3.3]") {
   const CaseTable<TurnsCase> table = turns_table();
   table.check({"-3 near 3.2", -3, 3.2}, {2 * pi - 3});
@@ -189,7 +189,7 @@ TEST_CASE("3.3 of all angles that look alike the one nearest to the expected one
   table.check();
 }
 
-TEST_CASE("3.3 a wheel at 1000 rad/s is counted right at 60 steps a second", "[3.3]") {
+TEST_CASE("3.3 a wheel at 1000 rad/s is counted right at 60 steps per second", "[3.3]") {
   const CaseTable<TurnsCase> table = turns_table();
   const real h = real(1) / 60;
   for (const double rate : {1000.0, -1000.0, 3.0}) {
@@ -239,7 +239,7 @@ TEST_CASE("3.5 a motor gives no more than its strength in a step", "[3.5]") {
   table.check();
 }
 
-TEST_CASE("3.5 a motor gives the same in a step however many iterations there are", "[3.5]") {
+TEST_CASE("3.5 the impulse of a motor in a step is the same with any number of iterations", "[3.5]") {
   // a rotor of 2 kg m^2 that only the motor turns; a step is 1/60 s
   const CaseTable<MotorCase> table = motor_table();
   const real h = real(1) / 60, inertia = 2;
@@ -256,7 +256,7 @@ TEST_CASE("3.5 a motor gives the same in a step however many iterations there ar
       }
 }
 
-TEST_CASE("3.5 a motor takes back what it gave too much", "[3.5]") {
+TEST_CASE("3.5 a motor takes back the excess of its impulse", "[3.5]") {
   // between two iterations something else speeds the rotor up: the sum sinks to its lower bound
   const CaseTable<MotorCase> table = motor_table();
   real w = 0, sum = 0;

@@ -38,7 +38,7 @@ inline CaseTable<TurnsCase> turns_table() {
   table.mistakes = {
       {"#measured `measured` is returned as it is: no turn is counted",
        [](const Case& c) { return Numbers{c.measured}; }},
-      {"`expected` is returned: it only says which turn, the angle is measured",
+      {"`expected` is returned: it decides only the turn; the angle is the measured one",
        [](const Case& c) { return Numbers{c.expected}; }},
       {one_turn, plus(turn, [](double k) { return std::clamp(std::round(k), -1.0, 1.0); })},
       {"#while-one-side only turns forward are added",
@@ -57,7 +57,8 @@ inline CaseTable<TurnsCase> turns_table() {
       {"half turns: a whole turn is 2 pi", plus(turn / 2, nearest)},
       {"degrees where radians belong: a whole turn is 2 pi", plus(360, nearest)},
       {"two turns at a time: a whole turn is 2 pi", plus(2 * turn, nearest)},
-      {"#plus the sign of `expected`: what remains is of measured - expected", [](const Case& c) {
+      {"#plus the sign of `expected`: the remainder is that of measured - "
+       "expected", [](const Case& c) {
          return Numbers{c.expected + std::remainder(c.measured + c.expected, turn)};
        }},
       {"#if the angle nearest to `expected` counts, not one from 0 to 2 pi",
@@ -99,7 +100,7 @@ inline CaseTable<TurnsCase> turns_table() {
        [](const Case& c) {
          return Numbers{c.measured + std::remainder(c.measured - c.expected, turn)};
        }},
-      {"#abs no absolute value: what remains has a sign", [](const Case& c) {
+      {"#abs no absolute value: the remainder has a sign", [](const Case& c) {
          return Numbers{c.expected + std::abs(std::remainder(c.measured - c.expected, turn))};
        }},
       {"#without-expected `expected` is not added again after std::remainder",

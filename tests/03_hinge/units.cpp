@@ -44,7 +44,7 @@ TEST_CASE("3.5 the bound of a motor's sum is an impulse", "[3.5]") {
   }
 }
 
-TEST_CASE("units say nothing to a value that was never set") {
+TEST_CASE("units are not judged for a value that was never set") {
   Quantity k;
   std::memset(static_cast<void*>(&k), 0xfe, sizeof k);  // as the compiler fills it
   for (const Quantity& made : {k, k * m, k / s, sqrt(2 * k)}) CHECK(unset(made));

@@ -81,7 +81,7 @@ CaseTable<PartCase<typename Fixture::Part>> along_table(
       name + " is left in body space: turn it into the world with body 1";
   const std::string points = name + " is a direction, not a point: to_world, not world_point";
   const char* const unit = "#cosine u is not made a unit vector: its length counts";
-  const char* const statics = "#zero-static-body a body that is static has an error, too";
+  const char* const statics = "#zero-static-body a static body has an error, too";
 
   CaseTable<Case> table{subject, entries, {}, right, {}, part_cases<Fixture>()};
   table.yours = [](const Case& c) {

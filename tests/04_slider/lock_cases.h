@@ -60,7 +60,7 @@ inline CaseTable<LockCase> lock_table() {
                            "sin(angle/2)";
   const char* const sine = "#sin-angle the sine of the whole angle: it is zero again at a half "
                            "turn";
-  const char* const tangent = "the tangent of half the angle: it has no bound at a half turn";
+  const char* const tangent = "the tangent of half the angle: it is unbounded at a half turn";
   const char* const in_1 = "#axes-body-1 in the axes of body 1: C is in the world, q2 start^-1 "
                            "q1^-1";
   const char* const in_2 = "in the axes of body 2: C is in the world, q2 start^-1 q1^-1";
@@ -131,7 +131,7 @@ inline CaseTable<LockCase> lock_table() {
   using Product = Call<quat(const Case&)>;
   const char* const order = "the order of the product: q2, then start^-1, then q1^-1";
   const std::pair<const char*, Product> products[] = {
-      {"start is forgotten: the rotation that the bodies began with is no error",
+      {"start is forgotten: the initial relative rotation is not an error",
        [=](const Case& c) { return c.q2 * back(c.q1); }},
       {"start is forgotten, and the order is q2 q1^-1",
        [=](const Case& c) { return back(c.q1) * c.q2; }},

@@ -49,7 +49,7 @@ void check_momentum(const Subject& subject, int pose, const Part& part, const Pa
 
 // ---- 4.1 ----------------------------------------------------------------------------------------
 
-TEST_CASE("4.1 the error of a line is how far its point stands beside it", "[4.1]") {
+TEST_CASE("4.1 the error of a line is the displacement of its point beside it", "[4.1]") {
   const CaseTable<PartCase<Line>> table = line_table();
   table.check({pose_names[pencil_and_paper], paper_line, {paper1, paper2}}, {0.5, 0.5});
   table.check();
@@ -67,7 +67,7 @@ TEST_CASE("4.1 the rows of a line are the slopes of its error at every pose", "[
   check_jacobian<Lines>();
 }
 
-TEST_CASE("4.1 the push on one body and the answer on the other act along one line", "[4.1]") {
+TEST_CASE("4.1 the impulses on both bodies act along one line", "[4.1]") {
   // that is what the lever r1 + u is for: both act at the point p2
   for_each_pose<LineFixture>([](int pose, const Line& line, const Pair& pair) {
     const Jacobian<2> J = line.jacobian(pair.body1, pair.body2);
@@ -97,7 +97,7 @@ TEST_CASE("4.2 a quarter turn too much is an error of twice the sine of its half
   table.check({paper + ", start = q2", unturned_q, quarter_z, quarter_z}, {0, 0, 0});
 }
 
-TEST_CASE("4.2 what the bodies began with is no error wherever they are turned", "[4.2]") {
+TEST_CASE("4.2 the initial relative orientation is never an error", "[4.2]") {
   lock_table().check();
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("4.2 q and -q are the same orientation and give the same error bit for
   }
 }
 
-TEST_CASE("4.2 where the pair turns as one its error turns with it", "[4.2]") {
+TEST_CASE("4.2 if the pair rotates as one its error rotates with it", "[4.2]") {
   const CaseTable<LockCase> table = lock_table();
   Random random(44);
   for (const LockCase& c : table.cases) {
@@ -146,7 +146,7 @@ TEST_CASE("4.2 at a half turn the error is largest and finite", "[4.2]") {
   }
 }
 
-TEST_CASE("4.2 a lock measures how much faster body 2 rotates than body 1", "[4.2]") {
+TEST_CASE("4.2 the rate of a lock is the angular velocity of body 2 relative to body 1", "[4.2]") {
   check_jacobian<Locks>({RotationLock{quarter_z}}, {paper1, turned_by(quarter_z)},
                     jacobian_from_blocks(mat3(0), mat3(-1), mat3(0), mat3(1)));
 }

@@ -58,8 +58,8 @@ inline Pieces<BreakReference> wrong_breaks() {
       {"`and` where `or` belongs: one of the two is enough to break a weld", join(Join::both)},
       {"one of the two and not the other: it breaks with both as well, || and not !=",
        join(Join::one)},
-      {"the torque is not looked at", join(Join::force)},
-      {"the force is not looked at", join(Join::torque)},
+      {"the torque is ignored", join(Join::force)},
+      {"the force is ignored", join(Join::torque)},
       {"the other way round: true means that it breaks", [](T& t) { t.negated = true; }},
       {"force and torque are exchanged: each has a bound of its own",
        bounds([](std::array<real, 2>& bound) { std::swap(bound[0], bound[1]); })},
@@ -68,14 +68,15 @@ inline Pieces<BreakReference> wrong_breaks() {
       {"the force is compared with the bound of the torque",
        bounds([](std::array<real, 2>& bound) { bound[0] = bound[1]; })},
       {"newtons and newton metres do not add up: each has a bound of its own", join(Join::sum)},
-      {"#by-shares the shares of the two bounds are added up: each is compared by itself",
+      {"#by-shares the fractions of the two bounds are added up: each is compared separately",
        join(Join::shares)},
       {"#by-the-product force times torque is compared: each has a bound of its own",
        join(Join::product)},
       {"it never breaks", join(Join::never)},
       {"it always breaks", join(Join::always)}};
   const std::pair<const char*, T::Size> sizes[] = {
-      {"the largest entry where the length belongs: a weld does not know the axes of the world",
+      {"the largest entry where the length belongs: the strength of a weld is independent of the "
+       "world's axes",
        [](const vec3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }},
       {"the largest entry where the length belongs, and entries may be negative",
        [](const vec3& a) { return std::max({a.x, a.y, a.z}); }},

@@ -147,11 +147,11 @@ inline Pieces<CrossReference> wrong_shares() {
                                                      change);
     if (which == 3) continue;
     const std::string k = std::to_string(which);
-    add("the sign of body " + k + "'s share: both shares have the minus" +
+    add("the sign of body " + k + "'s term: both terms have the minus" +
             (which == 1 ? ", skew(r1) meets -E of the lock" : ""),
         which, [](T& t, int k) { t.share[k] = -1; });
-    add("the share of body " + k + " is missing", which, [](T& t, int k) { t.share[k] = 0; });
-    add("the share of body " + k + " in another order: skew(r) I^-1 and not I^-1 skew(r)", which,
+    add("the term of body " + k + " is missing", which, [](T& t, int k) { t.share[k] = 0; });
+    add("the term of body " + k + " in another order: skew(r) I^-1 and not I^-1 skew(r)", which,
         [](T& t, int k) { t.inertia_first[k] = true; });
     add("the lever of body " + std::to_string(3 - which) + " is taken for body " + k + ", too",
         which, lever([](const CrossCase& c, int k) {
@@ -179,8 +179,8 @@ inline Pieces<CrossReference> wrong_Xs() {
   const char* const order = "#transposed transposed: the rows of X belong to the point and its "
                             "columns to the lock, skew(r) I^-1 and not I^-1 skew(r)";
   const char* const masses = "masses do not belong here: the lock turns, and pushes no centre";
-  const char* const sides = "the lever stands on one side only: this is the share of turning in K "
-                            "of the point";
+  const char* const sides = "the lever is on one side only: this is the rotation's term in K of "
+                            "the point";
   const char* const levers = "the levers are missing: this is K of the lock";
   const auto mass = [](const T& t) {
     return t.c.body(0).inverse_mass + t.c.body(1).inverse_mass;
@@ -200,7 +200,7 @@ inline Pieces<CrossReference> wrong_Xs() {
        })},
       {"a unit matrix is added: there is none in X",
        with([](const T&, const mat3& X) { return X + mat3(1); })},
-      {"beside a static body it is zero: the share of the other body stays",
+      {"beside a static body it is zero: the term of the other body stays",
        with([](const T& t, const mat3& X) {
          return t.c.body(0).is_static() || t.c.body(1).is_static() ? mat3(0) : X;
        })},
@@ -210,7 +210,7 @@ inline Pieces<CrossReference> wrong_Xs() {
        })},
       {sides, with([=](const T& t, const mat3&) { return both_sides(t); })},
       {sides, with([=](const T& t, const mat3&) { return -both_sides(t); })},
-      {"#k-point this is K of the point: X is what the lock does to it",
+      {"#k-point this is K of the point: X is the effect of the lock on the point",
        with([=](const T& t, const mat3&) { return mat3(mass(t)) + both_sides(t); })},
       {levers, with([](const T& t, const mat3&) { return t.inertia[0] + t.inertia[1]; })},
       {levers, with([](const T& t, const mat3&) { return -(t.inertia[0] + t.inertia[1]); })},

@@ -45,10 +45,11 @@ inline CaseTable<LoadCase> load_table() {
   scaled("#impulse-for-force this is the impulse: a force is the impulse over the step h",
          [](real) { return 1; });
   scaled("times h where it must be divided by h", [](real h) { return h; });
-  scaled("the sign: the load on body 2 is asked, and +lambda acts on body 2",
+  scaled("the sign: return the load on body 2, on which +lambda acts",
          [](real h) { return -1 / h; });
   scaled("divided by h twice", [](real h) { return 1 / (h * h); });
-  scaled("60 in the place of 1/h: a step need not be 1/60 s", [](real) { return 60; });
+  scaled("60 in the place of 1/h: a step may have another length than 1/60 "
+         "s", [](real) { return 60; });
   scaled("1/h is cut to a whole number: an int has no fraction",
          [](real h) { return std::trunc(1 / h); });
   const auto places = [&](const std::string& words, const std::array<int, 6>& from) {
@@ -130,48 +131,48 @@ inline CaseTable<AboutCase> about_table() {
     return Call<void(T&)>([=](T& t) { t.arm = of(t.c); });
   };
   const Pieces<T> pieces = {
-      {"#sign-new-share-x the sign of the new share, (from - to) x F: from and to are exchanged, "
-       "or the two sides of the cross product",
+      {"#sign-new-share-x the sign of the new term, (from - to) x F: from and to are exchanged, or "
+       "the two sides of the cross product",
        arm([](const AboutCase& c) { return c.to - c.from; })},
       {"the torque is as it was: a force beside the point turns, too",
        arm([](const AboutCase&) { return vec3(0); })},
       {"`to` is forgotten: the lever runs from `to` to `from`",
        arm([](const AboutCase& c) { return c.from; })},
-      {"`to` is forgotten, and the sign of the new share",
+      {"`to` is forgotten, and the sign of the new term",
        arm([](const AboutCase& c) { return -c.from; })},
       {"`from` is forgotten: the lever runs from `to` to `from`",
        arm([](const AboutCase& c) { return -c.to; })},
-      {"`from` is forgotten, and the sign of the new share",
+      {"`from` is forgotten, and the sign of the new term",
        arm([](const AboutCase& c) { return c.to; })},
       {"the lever is a difference: from - to",
        arm([](const AboutCase& c) { return c.from + c.to; })},
-      {"a short lever counts as none: it turns all the same", arm([](const AboutCase& c) {
+      {"a short lever is ignored: it gives a torque, too", arm([](const AboutCase& c) {
          return length(c.from - c.to) < real(0.05) ? vec3(0) : c.from - c.to;
        })},
       {"#unit-lever the lever is made a unit vector: it keeps its length",
        arm([](const AboutCase& c) { return normalize(c.from - c.to); })},
-      {"the new share is taken twice", arm([](const AboutCase& c) {
+      {"the new term is added twice", arm([](const AboutCase& c) {
          return real(2) * (c.from - c.to);
        })},
       {"#lever-torque the force has the lever, not the torque: (from - to) x F",
        [](T& t) { t.pushed = t.c.load.torque; }},
-      {"#without-old-torque the old torque is lost: the new share is added to it",
+      {"#without-old-torque the old torque is lost: the new term is added to it",
        [](T& t) { t.kept = vec3(0); }},
-      {"the sign of the old torque: the new share is added to it", [](T& t) { t.kept = -t.kept; }},
+      {"the sign of the old torque: the new term is added to it", [](T& t) { t.kept = -t.kept; }},
       {"#by-entries entry times entry: the lever and the force have a cross product, cross(from - "
        "to, F)",
        [](T& t) { t.kept += t.arm * t.pushed, t.arm = vec3(0); }},
       {"the length of the lever times the force: they have a cross product, cross(from - to, F)",
        [](T& t) { t.kept += length(t.arm) * t.pushed, t.arm = vec3(0); }},
-      {"the force is lost: it stays what it is", [](T& t) { t.force = vec3(0); }},
-      {"the sign of the force: it stays what it is", [](T& t) { t.force = -t.force; }},
-      {"the new share belongs to the torque: the force stays",
+      {"the force is lost: it stays the same", [](T& t) { t.force = vec3(0); }},
+      {"the sign of the force: it stays the same", [](T& t) { t.force = -t.force; }},
+      {"the new term belongs to the torque: the force stays",
        [](T& t) { t.force += cross(t.arm, t.pushed); }},
-      {"the force gets a share, too: it stays what it is",
+      {"a term is added to the force: it stays the same",
        [](T& t) { t.force += cross(t.arm, t.c.load.torque); }},
-      {"force and torque are added up: the force stays what it is",
+      {"force and torque are added up: the force stays the same",
        [](T& t) { t.force += t.c.load.torque; }},
-      {"the force is the torque: it stays what it is", [](T& t) { t.force = t.c.load.torque; }},
+      {"the force is the torque: it stays the same", [](T& t) { t.force = t.c.load.torque; }},
       {"#exchanged force and torque are exchanged: {force, torque}", [](T& t) {
          t.force = t.kept + cross(t.arm, t.pushed);
          t.kept = t.c.load.force;

@@ -58,13 +58,13 @@ TEST_CASE("5.1 K of a weld is J M^-1 J^T of all six rows at every pose", "[5.1]"
 
 // ---- 5.2 ----------------------------------------------------------------------------------------
 
-TEST_CASE("5.2 a weld carries its impulses over the time in which it gave them", "[5.2]") {
+TEST_CASE("5.2 the load of a weld is its impulses over the time in which they acted", "[5.2]") {
   check_numbers(load_table(), {"pencil and paper", {0, real(0.5), 0, 0, 0, real(0.25)}, real(0.1)},
                 {0, 5, 0, 0, 0, 2.5}, "by hand ");
   check_numbers(load_table());
 }
 
-TEST_CASE("5.2 the same load turns more about a point that is farther from its line", "[5.2]") {
+TEST_CASE("5.2 the torque of a load is larger about a point farther from its line", "[5.2]") {
   check_numbers(about_table(),
                 {"pencil and paper", {vec3(0, 5, 0), vec3(0, 0, real(2.5))}, vec3(1, 0, 0),
                  vec3(0)},
@@ -112,7 +112,7 @@ TEST_CASE("5.2 the impulses row by row and the load about the centre are the sam
   });
 }
 
-TEST_CASE("5.2 a weld breaks when its force or its torque is too long", "[5.2]") {
+TEST_CASE("5.2 a weld breaks when its force or its torque is too large", "[5.2]") {
   break_table().check();
 }
 

@@ -37,7 +37,7 @@ inline std::vector<Mistake<BiasRule>> wrong_biases() {
        [](double C, double beta, double) { return beta * C; }},
       {"times h where it must be divided by h",
        [](double C, double beta, double h) { return beta * C * h; }},
-      {"60 in the place of 1/h: a step need not be 1/60 s",
+      {"60 in the place of 1/h: a step may have another length than 1/60 s",
        [](double C, double beta, double) { return beta * C * 60; }},
       {"#over-60 divided by 60: one over h is times 60, and a step need not be 1/60 s",
        [](double C, double beta, double) { return beta * C / 60; }},
@@ -45,13 +45,13 @@ inline std::vector<Mistake<BiasRule>> wrong_biases() {
        [](double C, double beta, double h) { return -beta * C / h; }},
       {"beta is forgotten: this takes all of the error in one step",
        [](double C, double, double h) { return C / h; }},
-      {"1 - beta is the share that stays: b takes the share beta",
+      {"1 - beta is the fraction that stays: b removes the fraction beta",
        [](double C, double beta, double h) { return (1 - beta) * C / h; }},
       {"#fixed-beta 0.2 in the place of beta: take the one that is given",
        [](double C, double, double h) { return 0.2 * C / h; }},
-      {"1 - beta is the share that stays: b takes the share beta. And the sign",
+      {"1 - beta is the fraction that stays: b removes the fraction beta. And the sign",
        [](double C, double beta, double h) { return (beta - 1) * C / h; }},
-      {"divided by beta: beta is a share, a factor",
+      {"divided by beta: beta is a fraction, a factor",
        [](double C, double beta, double h) { return C / (beta * h); }},
       {"divided by h twice: that is an acceleration",
        [](double C, double beta, double h) { return beta * C / (h * h); }},
@@ -126,9 +126,9 @@ inline CaseTable<BiasCase> limit_bias_table() {
        rules(behind, behind)},
       {std::string(is_ahead) + " stops the approach far from it: b = 0 gives up the gap C. It "
                                "may come as near as C/h", rules(behind, none)},
-      {"a limit that is passed comes back by the share beta: C/h throws it back in one step",
+      {"a limit that is passed comes back by the fraction beta: C/h throws it back in one step",
        rules(all, all)},
-      {"the two lines are exchanged: the share beta belongs to C < 0", rules(all, behind)},
+      {"the two lines are exchanged: the fraction beta belongs to C < 0", rules(all, behind)},
       {"the sign: b has the sign of C on both sides", rules(scaled(behind, -1), scaled(all, -1))},
       {std::string("the sign of ") + is_ahead + ": b has the sign of C on both sides",
        rules(behind, scaled(all, -1))},
@@ -141,14 +141,14 @@ inline CaseTable<BiasCase> limit_bias_table() {
        [](const Case& c) { return Numbers{c.C < 0 ? c.beta * c.C / c.h : c.C}; }},
       {"h is forgotten where the limit is passed: b is a velocity",
        [](const Case& c) { return Numbers{c.C < 0 ? c.beta * c.C : c.C / c.h}; }},
-      {"the larger one of the two: that is the right one only where beta is below 1, ask for the "
-       "sign of C",
+      {"the larger one of the two: that is the right one only where beta is below 1, the sign of C "
+       "decides",
        [](const Case& c) { return Numbers{std::max(c.beta * c.C, c.C) / c.h}; }},
-      {"the smaller one of the two: ask for the sign of C",
+      {"the smaller one of the two: the sign of C decides",
        [](const Case& c) { return Numbers{std::min(c.beta * c.C, c.C) / c.h}; }},
-      {"60 in the place of 1/h: a step need not be 1/60 s",
+      {"60 in the place of 1/h: a step may have another length than 1/60 s",
        [](const Case& c) { return Numbers{60 * (c.C < 0 ? c.beta * c.C : c.C)}; }},
-      {"#compared-with-beta C is compared with beta: ask for the sign of C",
+      {"#compared-with-beta C is compared with beta: the sign of C decides",
        [](const Case& c) { return Numbers{(c.C < c.beta ? c.beta : 1) * c.C / c.h}; }},
       {"1 - beta for a limit that lies ahead: C/h just reaches it",
        [](const Case& c) { return Numbers{(c.C < 0 ? c.beta : 1 - c.beta) * c.C / c.h}; }}};
@@ -214,21 +214,22 @@ inline CaseTable<HalfTimeCase> half_time_table() {
   table.mistakes = {
       {"#time-upside-down h and T are exchanged: a step lasts h/T half-times",
        of_ratio([](double t) { return 1 - std::exp2(-1 / t); })},
-      {"e in the place of 2: after the time T an e-th is left, and not a half",
+      {"e in the place of 2: after the time T 1/e remains, and not a half",
        of_ratio([](double t) { return 1 - std::exp(-t); })},
       {"e in the place of 2, and h and T are exchanged",
        of_ratio([](double t) { return 1 - std::exp(-1 / t); })},
-      {"#time-straight-line a straight line, h/(2T): each step takes its share of what is LEFT, "
-       "so shares multiply",
+      {"#time-straight-line a straight line, h/(2T): each step removes a fraction of the REMAINING "
+       "error, so the factors multiply",
        of_ratio([](double t) { return t / 2; })},
-      {"a straight line, h/T: each step takes its share of what is LEFT, so shares multiply",
+      {"a straight line, h/T: each step removes a fraction of the REMAINING error, so the factors "
+       "multiply",
        of_ratio([](double t) { return t; })},
       {"a straight line, h ln(2)/T: that is right only where h is much shorter than T",
        of_ratio([=](double t) { return ln2 * t; })},
-      {"#time-share-that-left this is the share that a step leaves, beta is the one that it "
-       "takes: 1 minus it",
+      {"#time-share-that-left this is the fraction that remains after a step, beta is the removed "
+       "one: 1 minus it",
        of_ratio([](double t) { return std::exp2(-t); })},
-      {"this is the share that a step leaves, and e in the place of 2",
+      {"this is the fraction that remains after a step, and e in the place of 2",
        of_ratio([](double t) { return std::exp(-t); })},
       {"the sign of the exponent: 2 to the power -h/T",
        of_ratio([](double t) { return 1 - std::exp2(t); })},
@@ -257,7 +258,7 @@ inline CaseTable<HalfTimeCase> half_time_table() {
        of_ratio([](double t) { return 1 - std::exp2(-std::round(t)); })},
       {"the sign of the whole: 1 minus 2 to the power -h/T",
        of_ratio([](double t) { return std::exp2(-t) - 1; })},
-      {"half of what a step leaves: 1 minus 2 to the power -h/T",
+      {"half of the remaining fraction: 1 minus 2 to the power -h/T",
        of_ratio([](double t) { return std::exp2(-t) / 2; })}};
   for (const double half_time : {0.1, 0.5, 0.02, 2.0})
     for (const double rate : {60.0, 120.0, 10.0, 72.5})

@@ -76,7 +76,7 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
                         yours, right, {}, cases};
   table.tolerance = difference_tolerance;
   auto& add = table.mistakes;
-  add = {{moves ? "nothing moves here, and elsewhere it does: every gap is closed, large or small, "
+  add = {{moves ? "no body moves in this case, but in others: every gap is closed, large or small, "
                   "beside a static body, too"
                 : "#brought-rest-after-push nothing moves: nothing is done yet, or the copies "
                   "move and not the bodies themselves, or the copies are brought to rest after "
@@ -89,12 +89,12 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
           times(1.0 / 60)},
          {"divided by h: there is no step in it, K lambda = -C", times(60)}};
   if (factor > 0 && factor < 1 - 100 * difference_tolerance)
-    add.push_back({"#share-gap only a share of the gap is taken: a projection has no beta, it "
-                   "takes it all",
+    add.push_back({"#share-gap only a fraction of the gap is removed: a projection has no beta, it "
+                   "removes all of it",
                    times(factor)});
   if (factor > 1 + 100 * difference_tolerance)
-    add.push_back({"more than the gap is taken, " + short_number(factor) +
-                       " times: a projection takes it once", times(factor)});
+    add.push_back({"more than the gap is removed, " + short_number(factor) +
+                       " times: a projection removes it once", times(factor)});
   add.insert(
       add.end(),
       {{"#velocities-changed the velocities are changed, and the poses stay: add the moves to x "
@@ -149,9 +149,9 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
         changed([](const Reference&, const Moves& a) {
           return Moves{vec3(0), a.turn1, vec3(0), a.turn2};
         })},
-       {"#only-body-2 only body 2 moves: body 1 has its share of the gap",
+       {"#only-body-2 only body 2 moves: both bodies move",
         changed([](const Reference&, const Moves& a) { return scaled(0, 1, a); })},
-       {"only body 1 moves: body 2 has its share of the gap",
+       {"only body 1 moves: both bodies move",
         changed([](const Reference&, const Moves& a) { return scaled(1, 0, a); })},
        {"the moves of the two bodies are exchanged", changed([](const Reference&, const Moves& a) {
           return Moves{a.way2, a.turn2, a.way1, a.turn1};
@@ -201,8 +201,8 @@ CaseTable<ProjectionCase<Part>> projection_table(const Subject& subject,
                    "together",
                    pushed([](const Reference& reference) { return reference.each_row_alone(); })});
   for (const int share : {0, 1, 2, 3})  // of body 1: none, half, all, by the inverse masses
-    add.push_back({"#shared-by-masses the gap itself is shared out: how much a body moves and "
-                   "turns is M^-1 J^T lambda, Eq. 6-11",
+    add.push_back({"#shared-by-masses the gap itself is divided between the bodies: they move and "
+                   "rotate by M^-1 J^T lambda, Eq. 6-11",
                    changed([=](const Reference& reference, const Moves&) {
                      const real m1 = reference.pair.body1.inverse_mass;
                      const real m2 = reference.pair.body2.inverse_mass;

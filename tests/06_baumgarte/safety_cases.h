@@ -50,42 +50,39 @@ inline Pieces<SafetyReference> wrong_safeties() {
     });
   };
   return {
-      {"#rho-times-iterations rho times k: each iteration leaves rho of what the last one left, "
-       "that is rho to the power k",
+      {"#rho-times-iterations rho times k: each iteration multiplies the error by rho, that is rho "
+       "to the power k",
        left([](double rho, double k) { return rho * k; })},
-      {"rho over k: each iteration leaves rho of what the last one left, that is rho to the power "
-       "k",
+      {"rho over k: each iteration multiplies the error by rho, that is rho to the power k",
        left([](double rho, double k) { return rho / k; })},
-      {"the iterations are forgotten: k of them leave rho to the power k. Or 1 + beta has the "
-       "power k, "
-       "too: only rho has it",
+      {"the iterations are forgotten: k of them multiply by rho to the power k. Or 1 + beta has "
+       "the power k, too: only rho has it",
        power([](double) { return 1; })},
-      {"the square root: rho is what a whole iteration leaves",
+      {"the square root: rho is the factor of a whole iteration",
        power([](double k) { return k / 2; })},
-      {"twice the iterations: rho is what a whole iteration leaves",
+      {"twice the iterations: rho is the factor of a whole iteration",
        power([](double k) { return 2 * k; })},
-      {"#one-iteration-less one iteration less: k iterations leave rho to the power k, the first "
-       "one counts, too",
+      {"#one-iteration-less one iteration less: k iterations multiply by rho to the power k, the "
+       "first one counts, too",
        power([](double k) { return k - 1; })},
-      {"one iteration more: k iterations leave rho to the power k",
+      {"one iteration more: k iterations multiply by rho to the power k",
        power([](double k) { return k + 1; })},
-      {"#by-the-rest 1 - rho to the power k: rho itself is what an iteration leaves",
+      {"#by-the-rest 1 - rho to the power k: rho itself is the factor of an iteration",
        left([](double rho, double k) { return std::pow(1 - rho, k); })},
-      {"e to the power -rho k: an iteration leaves rho, so k leave rho to the power k",
+      {"e to the power -rho k: an iteration multiplies by rho, so k multiply by rho to the power k",
        left([](double rho, double k) { return std::exp(-rho * k); })},
       {"divided by 1 - beta: rho^k is multiplied by 1 + beta",
        [](T& t) { t.more = 1 / (1 - t.c.beta); }},
       {"1 is forgotten: 1 + beta and not beta", more([](double beta) { return beta; })},
-      {"#other-side the sign of beta, or 1 + beta stands on the other side: rho^k times (1 + "
-       "beta) is compared with 1. (1 - beta is what a cold step leaves of an error)",
+      {"#other-side the sign of beta, or 1 + beta stands on the other side: rho^k times (1 + beta) "
+       "is compared with 1. (1 - beta is the factor of an error in a cold step)",
        more([](double beta) { return 1 - beta; })},
       {"twice beta: it comes once a step", more([](double beta) { return 1 + 2 * beta; })},
       {"#by-a-sum rho^k + beta < 1, that is rho^k < 1 - beta: rho^k is multiplied by 1 + beta",
        all([](double left, const SafetyCase& c) { return left + c.beta; })},
       {"rho^k + rho beta < 1: rho^k is multiplied by 1 + beta",
        all([](double left, const SafetyCase& c) { return left + c.rho * c.beta; })},
-      {"#rho-int beta does not count: it is forgotten, or rho is cut to 0 by an int. The error "
-       "that is fed back comes on top",
+      {"#rho-int beta is forgotten, or rho is cut to 0 by an int: feedback adds to the factor",
        more([](double) { return 1; })},
       {"beta is cut to a whole number: an int has no fraction",
        more([](double beta) { return 1 + std::trunc(beta); })},
@@ -94,7 +91,7 @@ inline Pieces<SafetyReference> wrong_safeties() {
       {"a factor of 2: rho^k (1 + beta) is compared with 1", [](T& t) { t.left *= 2; }},
       {"#with-a-reserve a bound below 1: rho^k (1 + beta) is compared with 1 itself",
        [](T& t) { t.bound = 0.9; }},
-      {"at the bound nothing dies away: < and not <=", [](T& t) { t.at_bound = true; }},
+      {"at the bound the error does not decay: < and not <=", [](T& t) { t.at_bound = true; }},
       {"the other way round: true means safe", [](T& t) { t.negated = true; }},
       {"it is always safe: is anything compared, or is a variable never set?",
        [](T& t) { t.bound = 1e300; }},

@@ -15,9 +15,9 @@ TEST_CASE("6.1 a gap of two centimetres is closed at eighteen centimetres a seco
   bias_table().check(bias_case(0.02, 0.15, 60), {0.18});
 }
 
-TEST_CASE("6.1 the bias is a share of the error over the step", "[6.1]") { bias_table().check(); }
+TEST_CASE("6.1 the bias is a fraction of the error over the step", "[6.1]") { bias_table().check(); }
 
-TEST_CASE("6.1 a row that is solved exactly keeps the share 1 - beta of its error", "[6.1]") {
+TEST_CASE("6.1 a row that is solved exactly keeps the fraction 1 - beta of its error", "[6.1]") {
   const CaseTable<BiasCase> table = bias_table();
   for (const double rate : {60.0, 100.0})
     for (const double beta : {0.15, 0.5, 1.0, 1.5}) {
@@ -42,7 +42,7 @@ TEST_CASE("6.1 a limit that is passed comes back softly and one ahead is just re
   table.check();
 }
 
-TEST_CASE("6.1 what runs into a limit lands on it and is never pulled", "[6.1]") {
+TEST_CASE("6.1 a body that runs into a limit lands on it and is never pulled", "[6.1]") {
   const CaseTable<BiasCase> table = limit_bias_table();
   const real h = real(1) / 60;
   const double beta = 0.15;
@@ -67,13 +67,13 @@ TEST_CASE("6.1 what runs into a limit lands on it and is never pulled", "[6.1]")
   }
 }
 
-TEST_CASE("6.1 a half-time of six steps takes eleven percent a step", "[6.1]") {
+TEST_CASE("6.1 a half-time of six steps removes eleven percent per step", "[6.1]") {
   half_time_table().check(half_time_case(0.1, 60), {0.109101281859661});  // 1 - 2^(-1/6)
 }
 
 TEST_CASE("6.1 beta for a half-time follows the step", "[6.1]") { half_time_table().check(); }
 
-TEST_CASE("6.1 half of an error is left after the half-time whatever the step", "[6.1]") {
+TEST_CASE("6.1 half of an error remains after the half-time for any step", "[6.1]") {
   const CaseTable<HalfTimeCase> table = half_time_table();
   const double half_time = 0.1;
   for (const int steps : {1, 2, 6, 10, 100}) {
@@ -96,7 +96,7 @@ TEST_CASE("6.2 half a step begins with half the impulse", "[6.2]") {
                 flat({vec3(0, real(1.5), 0), none, none, vec3(0, real(0.5), 0), none}), rounding);
 }
 
-TEST_CASE("6.2 what is kept is what both bodies were given at every pose", "[6.2]") {
+TEST_CASE("6.2 the stored impulse is the one that acted on both bodies at every pose", "[6.2]") {
   check_vectors(warm_table());
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("6.2 a warm start adds no linear or angular momentum to the two bodies
   }
 }
 
-TEST_CASE("6.2 what hangs at rest goes on hanging when the step changes", "[6.2]") {
+TEST_CASE("6.2 a weight that hangs at rest stays at rest when the step changes", "[6.2]") {
   // every step takes m g h: the joint's last impulse times h/h_before is the next one's
   const CaseTable<WarmCase> table = warm_table();
   const Jacobian<3> J = jacobian_from_blocks(mat3(-1), mat3(0), mat3(1), mat3(0));
@@ -143,7 +143,7 @@ TEST_CASE("6.2 a chain of ten links needs six iterations for a warm start beside
   table.check();
 }
 
-TEST_CASE("6.2 a row that is not safe really runs away and a safe one settles", "[6.2]") {
+TEST_CASE("6.2 a row that is not safe diverges and a safe one settles", "[6.2]") {
   const CaseTable<SafetyCase> table = safety_table();
   for (const SafetyCase& c : table.cases) {
     if (c.rho == 0.5 || c.beta == 0) continue;  // at the bound; nothing brings C back
@@ -184,7 +184,7 @@ TEST_CASE("6.3 a projection touches no velocity and no static body", "[6.3]") {
   expect_left_alone(point_table());
 }
 
-TEST_CASE("6.3 a gap that is left after a projection falls with the square of the gap", "[6.3]") {
+TEST_CASE("6.3 the remaining gap after a projection falls with the square of the gap", "[6.3]") {
   const CaseTable<ProjectionCase<Point>> table = point_table();
   for (ProjectionCase<Point> c : table.cases) {
     const vec3 gap = c.part.error(c.pair.body1, c.pair.body2);
@@ -241,7 +241,7 @@ TEST_CASE("6.3 a rope moves both bodies where it is too long and none where it i
   expect_left_alone(rope_table());
 }
 
-TEST_CASE("6.3 a slack or taut rope leaves both bodies alone to the last bit", "[6.3]") {
+TEST_CASE("6.3 a slack or taut rope does not change the bodies to the last bit", "[6.3]") {
   const CaseTable<ProjectionCase<Rope<Distance>>> table = rope_table();
   std::vector<ProjectionCase<Rope<Distance>>> cases = table.cases;
   cases.push_back({"taut", {{vec3(0), vec3(real(0.25), 0, 0), real(1.25)}}, paper});
@@ -258,7 +258,7 @@ TEST_CASE("6.3 a slack or taut rope leaves both bodies alone to the last bit", "
   }
 }
 
-TEST_CASE("6.3 what a rope is off its length after a projection falls with the square", "[6.3]") {
+TEST_CASE("6.3 the error of a rope after a projection is of second order", "[6.3]") {
   const CaseTable<ProjectionCase<Rope<Distance>>> table = rope_table();
   for (const ProjectionCase<Rope<Distance>>& c : table.cases) {
     const real excess = -c.part.error(c.pair.body1, c.pair.body2);
@@ -278,7 +278,7 @@ TEST_CASE("6.3 what a rope is off its length after a projection falls with the s
 // ---- 6.3 the iteration
 // ------------------------------------------------------------------------------
 
-TEST_CASE("6.3 in an iteration each joint sees the poses that the one before it has left",
+TEST_CASE("6.3 in an iteration each joint is projected at the poses after the one before it",
           "[6.3]") {
   const Chain start = torn_chain();
   Chain yours = start, right = start;

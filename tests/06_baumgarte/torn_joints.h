@@ -96,8 +96,8 @@ std::vector<Suspect> why_left(const CaseTable<ProjectionCase<Part>>& table,
   const bool rests = a.way1 == vec3(0) && a.way2 == vec3(0);
   return table.explain(left, {{left, rests ? "nothing moves where the error is small: there is no "
                                              "threshold, a projection closes every gap"
-                                           : "what is left must fall with the square of the error: "
-                                             "are the moves right to first order?"}});
+                                           : "the remaining error must fall with the square of the "
+                                             "error: are the moves right to first order?"}});
 }
 
 // The velocities and the static body of a projection are the same afterwards, to the last bit.
@@ -225,8 +225,8 @@ inline IterationMistake explain_iteration(const Chain& start, const Chain& yours
       {order({0, 1, 2, 3}),
        "the iteration is right and its projections are not: look at `project` of a "
                             "point, the first part of the exercise"},
-      {stale_poses, "#stale-poses the poses are stale: each joint must see the poses that the "
-                    "one before it has left, else both move their body for the same gap"},
+      {stale_poses, "#stale-poses the poses are stale: each joint needs the poses after the one "
+                    "before it, else both move their body for the same gap"},
       {order({3, 2, 1, 0}), "#backwards the iteration runs backwards: from the first joint to "
                             "the last"},
       {order({1, 2, 3}), "the first joint is left out: it holds body 0 to body 1"},
@@ -239,8 +239,8 @@ inline IterationMistake explain_iteration(const Chain& start, const Chain& yours
        "every second joint, then the others: from the first joint to the last"},
       {order({}), "#of-copies nothing moves: nothing is done yet, or copies move: take the "
                   "bodies of the chain by reference, auto& and not auto"},
-      {stale_errors, "#errors-first the errors are taken before the iteration: each joint needs "
-                     "its error at the poses that the one before it has left"},
+      {stale_errors, "#errors-first the errors are computed before the iteration: each joint needs "
+                     "its error at the poses after the one before it"},
       {project_copy(1), "#copy-one-body body k + 1 is a copy: take it by reference, auto& and "
                         "not auto"},
       {project_copy(0), "body k is a copy: take it by reference, auto& and not auto"},
@@ -264,7 +264,7 @@ inline IterationMistake explain_iteration(const Chain& start, const Chain& yours
        }, "joint 0 is taken for all of them: joint k holds body k to body k + 1"}};
   for (const Body& body : yours.bodies)
     if (!std::isfinite(double(dot(body.x, body.x) + dot(body.q, body.q))))
-      fail(iteration_subject, "A body's place is no number.\n\n" +
+      fail(iteration_subject, "The position of a body is not a number.\n\n" +
                               likely("#body-itself a joint between a body and itself has no K: "
                                      "joint k holds body k to body k + 1"));
   for (const bool reference : {true, false})

@@ -34,7 +34,7 @@ TEST_CASE("6.1 an error over a step is a velocity", "[6.1]") {
              [&] { return limit_bias(C * m, real(0.15) * pure, h); }, once);
 }
 
-TEST_CASE("6.1 beta is a share", "[6.1]") {
+TEST_CASE("6.1 beta is a pure number", "[6.1]") {
   has_unit("beta", pure, [] { return beta_for(real(0.5) * s, h); });
 }
 
@@ -47,7 +47,7 @@ TEST_CASE("6.2 a warm start gives impulses and keeps impulses", "[6.2]") {
   in("warm_start_is_safe", [] { return warm_start_is_safe(real(0.5) * pure, 4, pure / 5); });
 }
 
-TEST_CASE("6.3 projection adds ways to places and angles to turns", "[6.3]") {
+TEST_CASE("6.3 projection adds displacements to positions and angles to orientations", "[6.3]") {
   Body a = body1, b = body2;
   in("the projection of a point", [&] { project(Point{lever1, lever2}, a, b); }, no_step);
   keeps_poses(a);

@@ -134,7 +134,7 @@ inline CaseTable<WarmCase> warm_table() {
   };
   table.right = shares([](double r) { return A{r, r, r}; });
   table.mistakes = {
-      {"nothing is applied where the step has not changed: the bodies feel lambda in every step",
+      {"nothing is applied where the step has not changed: lambda acts on the bodies in every step",
        shares([](double r) {
          return r == 1 ? A{1, 0, 0} : A{r, r, r};
        })},
@@ -142,13 +142,13 @@ inline CaseTable<WarmCase> warm_table() {
        shares([](double r) {
          return A{std::floor(r), std::floor(r), std::floor(r)};
        })},
-      {"only v changes: lambda turns the bodies, too, w gets its share",
+      {"only v changes: lambda rotates the bodies, too, so w changes",
        [=](const Case& c) {
          Moves a = scaled(real(c.ratio), real(c.ratio), moves(c));
          a.turn1 = a.turn2 = vec3(0);
          return of(real(c.ratio) * c.lambda, a);
        }},
-      {"only w changes: lambda pushes the bodies, too, v gets its share",
+      {"only w changes: lambda pushes the bodies, too, so v changes",
        [=](const Case& c) {
          Moves a = scaled(real(c.ratio), real(c.ratio), moves(c));
          a.way1 = a.way2 = vec3(0);
@@ -182,26 +182,27 @@ inline CaseTable<WarmCase> warm_table() {
        shares([](double r) {
          return A{r, 2 * r, 2 * r};
        })},
-      {"the ratio is taken twice for what is applied", shares([](double r) {
+      {"the ratio is taken twice for the applied impulse", shares([](double r) {
          return A{r, r * r, r * r};
        })},
       {"the ratio is taken twice", shares([](double r) {
          return A{r * r, r * r, r * r};
        })},
-      {"only body 2 feels it: body 1 gets the opposite push, and a rotation of its own",
+      {"it acts on body 2 only: body 1 gets the opposite impulse, with its own lever",
        shares([](double r) {
          return A{r, 0, r};
        })},
-      {"only body 1 feels it: +lambda acts on body 2", shares([](double r) {
+      {"it acts on body 1 only: +lambda acts on body 2", shares([](double r) {
          return A{r, r, 0};
        })},
-      {"the sign of what is applied: +M^-1 J^T lambda, as apply_impulse does", shares([](double r) {
+      {"the sign of the applied impulse: +M^-1 J^T lambda, as in "
+       "apply_impulse", shares([](double r) {
          return A{r, -r, -r};
        })},
       {"the sign: the impulse of this step has the sign of the last one", shares([](double r) {
          return A{-r, -r, -r};
        })},
-      {"#only-scaled nothing is applied: lambda is scaled, but the bodies do not feel it",
+      {"#only-scaled nothing is applied: lambda is scaled, but does not act on the bodies",
        shares([](double r) {
          return A{r, 0, 0};
        })},
@@ -225,14 +226,14 @@ inline CaseTable<WarmCase> warm_table() {
   Body& wall = table.cases.back().pair.body1;
   wall = static_body(wall.x, wall.q);
   table.tolerance = 10 * rounding;
-  table.mistakes.push_back({"#nothing-beside-static-body beside a static body nothing is done: "
-                            "the other one gets its share",
+  table.mistakes.push_back({"#nothing-beside-static-body beside a static body nothing is done: the "
+                            "impulse acts on the other one",
                             [=, right = table.right](const Case& c) {
                               return c.pair.body1.is_static() || c.pair.body2.is_static()
                                          ? of(c.lambda, {}) : right(c);
                             }});
-  table.mistakes.push_back({"beside a static body lambda is scaled and not applied: the other one "
-                            "gets its share", [=, right = table.right](const Case& c) {
+  table.mistakes.push_back({"beside a static body lambda is scaled and not applied: it acts on the "
+                            "other one", [=, right = table.right](const Case& c) {
                               return c.pair.body1.is_static() || c.pair.body2.is_static()
                                          ? of(real(c.ratio) * c.lambda, {}) : right(c);
                             }});

@@ -88,10 +88,10 @@ inline CaseTable<FrictionCase> friction_table() {
   const auto no_more = [=](const Case& c) { return std::abs(wanted(c)) > bound(c); };
   const char* const each = "#each-change-clamped each change is clamped: it is the accumulated "
                            "impulse that stays within +-mu normal";
-  const char* const dropped = "#dropped-beyond-bound what is too much is cut back to the edge, "
-                              "not dropped: the sum goes to -mu normal or +mu normal";
-  const char* const always = "#full-bound-always the full bound whatever is wanted: friction "
-                             "gives no more than what stops the sliding";
+  const char* const dropped = "#dropped-beyond-bound nothing where the required sum exceeds the "
+                              "bound: the sum becomes -mu normal or +mu normal";
+  const char* const always = "#full-bound-always always the full bound: friction gives no more "
+                             "than the impulse that stops the sliding";
   const char* const lost = "#size-rate the sign of the rate is lost: friction works against J V, "
                            "which may have either sign";
   const char* const added = "#new-sum-added the new sum is added to the old one: it takes its "
@@ -101,9 +101,9 @@ inline CaseTable<FrictionCase> friction_table() {
                               "in each iteration";
   const char* const either = ": friction is bounded either way, -mu normal and +mu normal";
   const char* const same_bound = "#always-the-bound always the same bound: are the ends of clamp "
-                                 "exchanged, clamp(a, low, high), or was what is wanted never set?";
-  const char* const returns = "#returns-what-was-wanted what was wanted is returned: return by "
-                              "how much the sum changed";
+                                 "exchanged, clamp(a, low, high), or was a variable never set?";
+  const char* const returns = "#returns-what-was-wanted the required impulse is returned: return "
+                              "the change of the sum";
 
   CaseTable<Case> table{{"8.2", "the impulse of friction", 2}, {"change", "sum"}, {}, {}, {}, {}};
   table.given = friction_given;
@@ -163,10 +163,9 @@ inline CaseTable<FrictionCase> friction_table() {
        to([=](const Case& c) { return std::clamp(wanted(c), 0.0, bound(c)); })},
       {std::string("the sum is kept from -mu normal to 0") + either,
        to([=](const Case& c) { return std::clamp(wanted(c), -bound(c), 0.0); })},
-      {std::string("the size of what is wanted is clamped") + either,
+      {std::string("the size of the required impulse is clamped") + either,
        to([=](const Case& c) { return std::min(std::abs(wanted(c)), bound(c)); })},
-      {"#only-pushes this is what a row does that only pushes, sum >= 0: friction has the bound "
-       "mu normal",
+      {"#only-pushes this is a row that only pushes, sum >= 0: friction has the bound mu normal",
        to([=](const Case& c) { return std::max(wanted(c), 0.0); })},
       {always,
        to([=](const Case& c) { return c.rate > 0 ? -bound(c) : c.rate < 0 ? bound(c) : 0; })},
@@ -207,10 +206,10 @@ inline CaseTable<FrictionCase> friction_table() {
        [=](const Case& c) { return c.normal == 0 ? Numbers{0, c.sum} : right(c); }},
       {"without friction the sliding is stopped all the same: the bound is 0 then",
        [=](const Case& c) { return c.mu == 0 ? Numbers{step(c), c.sum} : right(c); }},
-      {"#none-slow-sliding what slides slowly is let go: there is no threshold, friction stops "
-       "that, too",
+      {"#none-slow-sliding slow sliding is ignored: there is no threshold, friction stops slow "
+       "bodies, too",
        [=](const Case& c) { return std::abs(c.rate) < 0.075 ? Numbers{0, c.sum} : right(c); }},
-      {"#less-what-was-given what the sum has left of the bound is taken for either way: the sum "
+      {"#less-what-was-given the remaining part of the bound is used for both directions: the sum "
        "itself stays within +-mu normal", [=](const Case& c) {
          const double change = clamped(step(c), std::max(bound(c) - std::abs(c.sum), 0.0));
          return Numbers{change, c.sum + change};
@@ -219,7 +218,7 @@ inline CaseTable<FrictionCase> friction_table() {
        to([=](const Case& c) { return std::clamp(wanted(c), -c.normal, bound(c)); })},
       {"mu is missing in the upper bound: -mu normal and +mu normal",
        to([=](const Case& c) { return std::clamp(wanted(c), -bound(c), c.normal); })},
-      {"what is wanted is cut to a whole number: an int has no fraction",
+      {"the required impulse is cut to a whole number: an int has no fraction",
        wanting([=](const Case& c) { return std::trunc(wanted(c)); })},
       {"#bound-int the bound is cut to a whole number: an int has no fraction",
        bounded([=](const Case& c) { return std::trunc(bound(c)); })},
@@ -227,7 +226,7 @@ inline CaseTable<FrictionCase> friction_table() {
        to([=](const Case& c) { return std::trunc(right(c)[1]); })},
       {"#returns-zero 0 is returned: keep the old sum before the new one is stored",
        [=](const Case& c) { return Numbers{0, right(c)[1]}; }},
-      {"#sum-forgotten the sum so far is missing in what is wanted: sum - rate/K", wanting(step)},
+      {"#sum-forgotten the sum so far is missing in the required sum: sum - rate/K", wanting(step)},
       {"the change is added to the sum twice",
        [=](const Case& c) { return Numbers{right(c)[0], right(c)[1] + right(c)[0]}; }},
       {"#times-k-where-must times K where it must be divided by K",

@@ -94,7 +94,7 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_corner_rows(
   levers("the radius is forgotten" + lowest, c1, c2);
   levers("the radius is forgotten in r1" + lowest, c1, r2);
   levers("#radius-forgotten-r2 the radius is forgotten in r2" + lowest, r1, c2);
-  levers("#radius-twice the radius is taken away twice: point() has done so already",
+  levers("#radius-twice the radius is subtracted twice: point() has subtracted it already",
          r1 - rho, r2 - rho);
   levers("#sign-radius-point-below the sign of the radius: the point is below the centre of the "
          "ball", c1 + rho, c2 + rho);
@@ -142,14 +142,14 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_corner_rows(
       r1, r2, [](const vec3& d) { return -d; });
   const char* const already = "#direction-turned-back the direction is turned once more: it is "
                               "given in the world";
-  turned("#always-n n in the place of the direction: along() is asked for other directions, too",
+  turned("#always-n n in the place of the direction: along() is called with other directions, too",
          [&](const vec3&) { return n; });
   turned("#always-y the y axis of the world in the place of the direction that is given",
          [&](const vec3&) { return vec3(0, 1, 0); });
   turned(already, [&](const vec3& d) { return one.q * d; });
   turned(already, [&](const vec3& d) { return two.q * d; });
   turned(already, [&](const vec3& d) { return conjugate(one.q) * d; });
-  turned("what is along n is taken from the direction: take it as it is given",
+  turned("the part along n is subtracted from the direction: take the direction as it is given",
          [&](const vec3& d) { return d - dot(d, n) * n; });
   // one or two of the four blocks
   vec3 Row::*const blocks[] = {&Row::v1, &Row::w1, &Row::v2, &Row::w2};

@@ -77,7 +77,7 @@ inline std::vector<TangentCase> rest_cases() {
   Random random(820);
   for (int draw = 0; draw < 20; ++draw) add("tilted", random.turn() * y);
   for (const vec3& v : stand_ins())
-    for (const real sign : {1, -1}) add("n along the vector that stands in", sign * v);
+    for (const real sign : {1, -1}) add("n parallel to the substitute", sign * v);
   return out;
 }
 
@@ -91,8 +91,8 @@ inline std::string tangent_given(const TangentCase& c) {
 }
 
 inline const char* const stand_in_along_n =
-    "#one-stand-in the vector that stands in for the sliding is along n here, so that nothing of "
-    "it is left: choose it by looking at n";
+    "#one-stand-in the substitute for the sliding is parallel to n here, so that nothing of it "
+    "remains: choose it depending on n";
 
 inline constexpr Subject rest_subject{"8.2", "the two directions of friction where nothing slides"};
 
@@ -112,11 +112,11 @@ inline void check_rest_is_finite() {
   const char* const why =
       lost_at_rest == at_rest
           ? "#lost-at-rest a zero vector has no direction, 0/0 is not a number. Where less than "
-            "1e-4 m/s is left, begin with any vector that is not along n"
+            "1e-4 m/s remains, begin with any vector that is not parallel to n"
       : lost_at_rest > 0
           ? stand_in_along_n
-          : "#whole-velocity-asked the whole velocity is asked whether anything slides: ask what "
-            "is left of it across n";
+          : "#whole-velocity-asked the whole velocity decides whether the point slides: only its "
+            "part across n does";
   fail(rest_subject, "t1 or t2 is not a number (" + first + ").\n\nLikely mistake: " + why + "\n");
 }
 
@@ -146,18 +146,18 @@ inline CaseTable<TangentCase> tangent_table() {
   const auto stand_in = [](const Case& c) {
     return std::abs(c.n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
   };
-  const char* const ignored = "#velocity-forgotten the velocity is not looked at, or lost in a "
-                              "number that was never set: t1 looks where the point slides";
-  const char* const nothing = "what slides slowly counts as nothing: only below 1e-4 m/s across n "
-                              "may t1 be any direction";
-  const char* const against = "#against-the-sliding t1 looks against the sliding: it looks where "
-                              "the point slides, the impulse is negative then";
-  const char* const aside = "#across-the-sliding t1 is n x sliding, at right angles to it: t1 "
-                            "looks where the point slides";
-  const char* const whole = "#not-projected what is along n is not taken away: t1 lies in the "
+  const char* const ignored = "#velocity-forgotten the velocity is ignored, or replaced by a "
+                              "variable that was never set: t1 is the direction of sliding";
+  const char* const nothing = "slow sliding is ignored: only below 1e-4 m/s across n may t1 be any "
+                              "direction";
+  const char* const against = "#against-the-sliding t1 is opposite to the sliding: it is the "
+                              "direction of sliding, and the impulse is negative";
+  const char* const aside = "#across-the-sliding t1 is n x sliding, at right angles to it: t1 is "
+                            "the direction of sliding";
+  const char* const whole = "#not-projected the part along n is not subtracted: t1 lies in the "
                             "ground";
   const char* const length_1 = "#t1-not-unit-vector t1 is not a unit vector: divide by the length "
-                               "of what is left";
+                               "of the remaining vector";
   const char* const left_handed = "#left-handed t2 = t1 x n: it is n x t1, so that n, t1 and t2 "
                                   "go round like x, y and z";
 
@@ -188,33 +188,33 @@ inline CaseTable<TangentCase> tangent_table() {
       {"#t2-not-unit-vector t2 is not a unit vector: take n x t1 with the t1 that has been made "
        "one",
        beside([=](const Case& c) { return cross(c.n, across(c)); })},
-      {"#made-unit-vector-first made a unit vector first, then what is along n is taken away: the "
-       "other way round",
+      {"#made-unit-vector-first normalised first, then the part along n is subtracted: the other "
+       "way round",
        with([](const Case& c) {
          const vec3 s = normalize(c.sliding);
          return s - dot(c.n, s) * c.n;
        })},
       {"divided by the square of the length",
        with([=](const Case& c) { return across(c) / dot(across(c), across(c)); })},
-      {"#sign-what-along-n the sign of what is along n: it is taken away, s = v - (n.v) n",
+      {"#sign-what-along-n the sign of the part along n: it is subtracted, s = v - (n.v) n",
        with([](const Case& c) { return normalize(c.sliding + dot(c.n, c.sliding) * c.n); })},
-      {"#only-along-n only what is along n is kept: that is what has to go",
+      {"#only-along-n only the part along n is kept: that is the one to subtract",
        with([=](const Case& c) {
          const real part = dot(c.n, c.sliding);
          return std::abs(part) < real(1e-4) ? resting(c) : part < 0 ? -c.n : c.n;
        })},
-      {"what is taken away is along the velocity: it is along n, (n.v) n and not (n.v) v",
+      {"the subtracted part is along the velocity: it is along n, (n.v) n and not (n.v) v",
        with([=](const Case& c) { return unit(c.sliding - dot(c.n, c.sliding) * c.sliding); })},
-      {"#n-taken-away n itself is taken away: the part of the velocity along it, (n.v) n",
+      {"#n-taken-away n itself is subtracted: subtract the part of the velocity along it, (n.v) n",
        with([=](const Case& c) { return unit(c.sliding - c.n); })},
-      {"#half-n-taken-away half of what is along n is taken away: all of it",
+      {"#half-n-taken-away half of the part along n is subtracted: subtract all of it",
        with([=](const Case& c) {
          return unit(c.sliding - real(0.5) * dot(c.n, c.sliding) * c.n);
        })},
-      {"what is along n is taken away twice: once", with([=](const Case& c) {
+      {"the part along n is subtracted twice: once", with([=](const Case& c) {
          return unit(c.sliding - real(2) * dot(c.n, c.sliding) * c.n);
        })},
-      {"the x part of the velocity is taken away: n need not be the x axis",
+      {"the x part of the velocity is subtracted: n may be another axis",
        with([=](const Case& c) { return unit(c.sliding - vec3(c.sliding.x, 0, 0)); })},
       {"#largest-entry divided by the largest entry: by the length", with([=](const Case& c) {
          const vec3 a = across(c);
@@ -226,9 +226,9 @@ inline CaseTable<TangentCase> tangent_table() {
        })},
       {"#fixed-across t2 is always the same: t2 = n x t1",
        beside([=](const Case&) { return fixed_t2; })},
-      {"t1 and t2 are always the same: t1 looks where the point slides. Was a number never set?",
+      {"t1 and t2 are always the same: t1 is the direction of sliding. Was a variable never set?",
        [=](const Case&) { return numbers(fixed_t1, fixed_t2); }},
-      {"#y-taken-away the y part of the velocity is taken away: n need not be the y axis",
+      {"#y-taken-away the y part of the velocity is subtracted: n may be another axis",
        with([](const Case& c) {
          return normalize(c.sliding - vec3(0, c.sliding.y, 0));
        })},
@@ -242,7 +242,7 @@ inline CaseTable<TangentCase> tangent_table() {
       {ignored, with([=](const Case& c) { return normalize(cross(c.n, stand_in(c))); })},
       {ignored, with(resting)},
       {left_handed, beside([=](const Case& c) { return cross(t1(c), c.n); })},
-      {"#exchanged t1 and t2 are exchanged: the first one looks where the point slides",
+      {"#exchanged t1 and t2 are exchanged: the first one is the direction of sliding",
        [=](const Case& c) { return numbers(cross(c.n, t1(c)), t1(c)); }},
       {aside,
        with([=](const Case& c) { return cross(c.n, t1(c)); })},

@@ -36,7 +36,7 @@ void expect_gap(const GapCase& c, const std::string& words, double right) {
 
 }  // namespace
 
-TEST_CASE("8.1 the corner of the text has ten centimetres left", "[8.1]") {
+TEST_CASE("8.1 the gap of the text's corner is ten centimetres", "[8.1]") {
   gap_table().check({"by hand", paper_corner, paper}, {0.1});
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("8.1 a corner on the ground stays there while its body slides and turn
     if (!c.words.ends_with(CornerFixture::broken.name)) expect_gap(c, "", 0);
 }
 
-TEST_CASE("8.1 what is lifted along n has as much more gap and what is pushed down has less",
+TEST_CASE("8.1 a displacement along n changes the gap by the same length",
           "[8.1]") {
   for (GapCase c : gap_cases()) {
     const double before = gap(c.corner, c.pair.body1, c.pair.body2);
@@ -77,7 +77,7 @@ TEST_CASE("8.1 a ball has the same gap however it is turned", "[8.1]") {
 
 namespace {
 
-const Subject rows_subject{"8.1", "what the rows of a corner do", 2};
+const Subject rows_subject{"8.1", "the rates of the rows of a corner", 2};
 
 // J V, how fast the corner moves along the direction of the row.
 real rate(const Row& J, const Body& a, const Body& b) {
@@ -130,7 +130,7 @@ TEST_CASE("8.1 the row of a ball is the slope of its gap at every pose", "[8.1]"
   check_jacobian<BallOnTopFixture>();
 }
 
-TEST_CASE("8.1 a row along any direction is how fast the corner leaves the matter of body 1 there",
+TEST_CASE("8.1 the rate of a row is the corner's velocity relative to body 1",
           "[8.1]") {
   check_jacobian<CornerSlides>();
   check_jacobian<BallSlides>();
@@ -178,7 +178,7 @@ TEST_CASE("8.1 a corner gives no linear or angular momentum to two bodies togeth
 
 // ---- 8.2 the tangents ---------------------------------------------------------------------------
 
-TEST_CASE("8.2 the first direction of friction is where the corner slides", "[8.2]") {
+TEST_CASE("8.2 the first direction of friction is that of the sliding", "[8.2]") {
   const CaseTable<TangentCase> table = tangent_table();
   check_vectors(table, {"by hand", y, vec3(3, real(-2.49), 0)}, flat({x, -z}), rounding);
   check_vectors(table);
@@ -205,7 +205,7 @@ TEST_CASE("8.2 ground and velocity turned as one turn the directions of friction
   }
 }
 
-TEST_CASE("8.2 where nothing slides there are two directions in the ground all the same",
+TEST_CASE("8.2 at rest there are two directions in the ground, too",
           "[8.2]") {
   const double loose = is_float ? 5e-3 : 1e-9;
   check_rest_is_finite();
@@ -229,15 +229,14 @@ TEST_CASE("8.2 where nothing slides there are two directions in the ground all t
     const double size = length(t1);
     same("length of t1", size, 1,
          size < loose ? "#zero-at-rest a zero vector: friction needs two directions at rest, too. "
-                        "Begin with any vector that is not along n"
-                      : "#not-unit-vector-rest the vector that stands in for the sliding is not "
-                        "made a unit vector");
+                        "Begin with any vector that is not parallel to n"
+                      : "#not-unit-vector-rest the substitute for the sliding is not normalised");
     same("t1.n", dot(t1, c.n), 0,
          ever && length(c.sliding) == 0
              ? stand_in_along_n
-             : "#not-ground-rest t1 does not lie in the ground: take what is along n from the "
-               "vector that stands in for the sliding, too. What is left of a fall is rounding: "
-               "do not make it a unit vector");
+             : "#not-ground-rest t1 does not lie in the ground: subtract the part along n from the "
+               "substitute for the sliding, too. The remainder of a vertical fall is rounding: do "
+               "not normalise it");
     expect(about, "t2 (" + c.words + ")", t2, cross(c.n, t1), loose,
            {{cross(t1, c.n), "t2 = t1 x n: it is n x t1"},
             {t2, "t2 = n x t1 at rest, too"}});
@@ -246,7 +245,7 @@ TEST_CASE("8.2 where nothing slides there are two directions in the ground all t
 
 // ---- 8.2 the impulse ----------------------------------------------------------------------------
 
-TEST_CASE("8.2 the box of the text slides on and friction gives all it may", "[8.2]") {
+TEST_CASE("8.2 the box of the text goes on sliding and friction is at its bound", "[8.2]") {
   const CaseTable<FrictionCase> table = friction_table();
   table.check({"by hand", 2.88, 11.0 / 60, 0.5, 1.2, 0}, {-0.6, -0.6});
 }
@@ -255,7 +254,7 @@ TEST_CASE("8.2 the sum of friction stays within mu times the normal impulse", "[
   friction_table().check();
 }
 
-TEST_CASE("8.2 friction stops what slides slowly and takes its bound from what is fast", "[8.2]") {
+TEST_CASE("8.2 friction stops slow bodies and slows fast ones by its bound", "[8.2]") {
   const real mass = 4, mu = real(0.5), normal = real(1.2);
   for (const real v0 : {real(0.1), real(-0.1), real(0.15), real(3), real(-3), real(0)})
     for (const int iterations : {1, 2, 30}) {

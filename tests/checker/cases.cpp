@@ -75,8 +75,9 @@ std::string constant(const std::vector<Numbers>& yours, const std::vector<Number
     different += !same_numbers(right[c], right[0], tolerance);
   }
   if (different < 2) return "";
-  return short_number(yours[0][0]) + " in every case: is it written at all, from what is given? "
-         "Was it cut off by an int, or something in it never set?";
+  return short_number(yours[0][0]) + " in every case: is it computed from the arguments? Was it "
+                                     "cut off by an int, or does it use a variable that was never "
+                                     "set?";
 }
 
 // Does only what is small differ, and is it 0?
@@ -118,12 +119,12 @@ std::string shown(const CaseNumbers& all, const Columns& columns) {
   if (equal(first)) return "#b-twice the first number stands in both places";
   if (equal(last)) return "the second number stands in both places";
   if (threshold(yours, right, all.tolerance))
-    return "#threshold what is small has become 0: no threshold belongs here";
+    return "#threshold small values have become 0: no threshold belongs here";
   const auto fits = [&](auto f) { return is(yours, right, all.tolerance, f); };
   if (fits([](double a) { return std::abs(a); }))
     return "#absolute-values an absolute value: the sign is lost";
   if (fits([](double a) { return std::max(a, 0.0); }))
-    return "#max-0 what is negative has become 0";
+    return "#max-0 negative values have become 0";
   if (fits([](double a) { return std::trunc(a); }))
     return "#cut-int the fraction is cut off: an int holds whole numbers only";
   if (fits([](double a) { return 1 / a; })) return "one over the right number";

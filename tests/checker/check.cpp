@@ -142,7 +142,7 @@ void expect(const Subject& subject, const std::string& entry, const quat& yours,
   std::vector<QuatSuspect> turned = suspects;
   const quat& q = expected;
   turned.push_back({quat(q.x, q.y, q.z, q.w), "the order of its numbers: quat(w, x, y, z)"});
-  turned.push_back({conjugate(q), "the turn the other way round: the inverse of what is right"});
+  turned.push_back({conjugate(q), "the inverse rotation"});
   for (QuatSuspect& suspect : turned) suspect.value = beside(suspect.value, mine);
   compare(subject, entry, mine, expected, tolerance, turned);
 }

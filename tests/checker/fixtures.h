@@ -46,10 +46,10 @@ struct CentreDistanceFixture {
   }
   static WrongNumbers K_mistakes(const Part& part, const Pair& pair) {
     const real K = pair.body1.inverse_mass + pair.body2.inverse_mass;
-    return {{"#times-length-rod-n times the length of the rod: n is a unit vector, so that K does "
-             "not know it",
+    return {{"#times-length-rod-n times the length of the rod: n is a unit vector, so K is "
+             "independent of it",
              K * part.length},
-            {"#times-error-k-knows times the error: K knows no error",
+            {"#times-error-k-knows times the error: K is independent of the error",
              K * part.error(pair.body1, pair.body2)},
             {"#always-one K is 1 always: it comes from the masses", 1}};
   }

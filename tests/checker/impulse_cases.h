@@ -67,13 +67,12 @@ using LackMistakes = std::vector<Mistake<Call<PerRow(const Lack&)>>>;
 /// Where nothing is done though something should be.
 inline std::vector<Mistake<Call<bool(const Lack&)>>> lack_guards() {
   using L = const Lack&;
-  const char* const no_bias = "#nothing-done-where-bias nothing is done where the bias is 0. C = "
-                              "0 does not mean that there is nothing to solve: the velocity J V "
-                              "would change C";
+  const char* const no_bias = "#nothing-done-where-bias nothing is done where the bias is 0: even "
+                              "where C = 0 the velocity J V would change C";
   const char* const no_rate = "#only-where-something-moves nothing is done where J V is 0: the "
-                              "error has to go all the same";
-  const char* const heavy = "#small-k-taken-none nothing is done where K is small: it is small "
-                            "where bodies are heavy; only 0 means that nothing can move";
+                              "error still has to be corrected";
+  const char* const heavy = "#small-k-taken-none nothing is done where K is small: K is small for "
+                            "heavy bodies, and only 0 means that no body can move";
   return {
       {no_bias, [](L l) { return all_below(l.b, 1e-12); }},
       {no_bias, [](L l) { return all_below(l.b, 1e-8); }},

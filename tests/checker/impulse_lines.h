@@ -70,10 +70,10 @@ Pieces<Reference> wrong_lines(ImpulseLines Reference::*lines, bool body_space = 
     using L = ImpulseLines;
     add(all + (who.size() == 1 ? " is" : " are") + " never changed",
         [](L& l, std::size_t k) { l.factor[k] = 0; });
-    add("#w-body-2-taken the sign of what is "
-        "added to " + all, [](L& l, std::size_t k) { l.factor[k] = -1; });
-    add("what is added to " + all + " is doubled", [](L& l, std::size_t k) { l.factor[k] = 2; });
-    add("what is added to " + all + " is halved",
+    add("#w-body-2-taken the sign of the change of " + all,
+        [](L& l, std::size_t k) { l.factor[k] = -1; });
+    add("the change of " + all + " is doubled", [](L& l, std::size_t k) { l.factor[k] = 2; });
+    add("the change of " + all + " is halved",
         [](L& l, std::size_t k) { l.factor[k] = real(0.5); });
     add(all + (who.size() == 1 ? " takes" : " take") +
             " a new value where it is added to the old one: += and not =",

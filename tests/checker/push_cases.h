@@ -148,7 +148,7 @@ inline std::vector<Mistake<NewVelocity>> velocity_mistakes(std::size_t rows, boo
          by([](P p) { return 1 / p.self.inverse_mass; }));
     more("#masses-exchanged the inverse mass of the other body",
          by([](P p) { return p.other.inverse_mass; }));
-    more("the inverse masses of both bodies: each body answers with its own",
+    more("the inverse masses of both bodies: each body has its own",
          by([](P p) { return p.self.inverse_mass + p.other.inverse_mass; }));
   }
   for (const auto& [words, sum] : sum_mistakes(rows))
@@ -233,7 +233,7 @@ inline CaseTable<PushCase>::Mistakes pair_mistakes() {
     return std::all_of(c.lambda.begin(), c.lambda.end(), [=](real a) { return a < limit; });
   };
   return {
-      {"#both-shares-body-1 the share of body 2 is given to body 1",
+      {"#both-shares-body-1 the part of body 2 is given to body 1",
        [](const PushCase& c) {
          const Pushed p{c, true};
          Pair pair = c.pair;

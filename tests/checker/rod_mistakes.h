@@ -39,13 +39,15 @@ inline WrongRows wrong_directions(const RodParts& rod) {
       {"#position-body-1-left the position of body 1 is missing in the direction",
        rod.along(direction(rod.x2 + rod.r2))},
       {"#sizes-direction the sign of each number of the direction is lost", rod.along(abs(n))},
-      {"#sign-error the sign of the error is in the row: J does not ask for it, the bias does",
+      {"#sign-error the sign of the error is in the row: it belongs to the bias, and J is "
+       "independent of it",
        rod.along(rod.error < 0 ? -n : n)},
       {"#only-where-too-long the row is 0 while the rod is too short: a rod pushes, too",
        rod.along(rod.error < 0 ? vec3(0) : n)},
-      {"#only-where-there-error the row is 0 where the error is 0: a row asks about velocities",
+      {"#only-where-there-error the row is 0 where the error is 0: a row constrains velocities, "
+       "also there",
        rod.along(std::abs(rod.error) < real(1e-3) ? vec3(0) : n)},
-      {"#times-the-error the row is multiplied by the error: that is the bias' part",
+      {"#times-the-error the row is multiplied by the error: the error belongs to the bias",
        rod.along(rod.error * n)},
       {"#times-the-length the row is multiplied by the length of the rod",
        rod.along(rod.length * n)},
@@ -82,7 +84,7 @@ inline WrongRows wrong_levers(const RodParts& rod) {
       {"#points-added-centres points where levers belong: world_point adds the centre, to_world "
        "does not",
        rod.row(direction(d + rod.u()), x1 + r1, x2 + r2)},
-      {"#levers-times-u r x n wants the unit vector n, not u",
+      {"#levers-times-u r x n takes the unit vector n, not u",
        to_jacobian(Row{-n, -cross(r1, rod.u()), n, cross(r2, rod.u())})},
       {"the lever runs from the body's own centre to its own anchor, not from anchor to anchor",
        rod.row(n, r2 - r1, r2 - r1)},

@@ -58,7 +58,7 @@
 // wrong body-space-inertia-both (upright, turned, moved, broken): inverse_inertia(body1) ==>
 //         body1.inverse_inertia_local ;; inverse_inertia(body2) ==> body2.inverse_inertia_local
 // wrong without-rotation:
-// expects: Likely mistake: the share of the rotation is missing (upright, turned, moved, broken)
+// expects: Likely mistake: the term of the rotation is missing (upright, turned, moved, broken)
   return body1.inverse_mass + body2.inverse_mass;
 // wrong inertias-exchanged: (body1) ==> (body2) ;; (body2) * a2 ==> (body1) * a2
 // wrong levers-for-arms: cross(r1, n), a2 = cross(r2, n) ==> r1, a2 = r2

@@ -5,7 +5,7 @@
 // wrong number-plus-matrix: return mat3 ==> return
 // expects: (upright, turned, moved, broken)
 // wrong without-rotation:
-// expects: Likely mistake: the share of the rotation is missing (upright, turned, moved, broken)
+// expects: Likely mistake: the term of the rotation is missing (upright, turned, moved, broken)
   return mat3(body1.inverse_mass + body2.inverse_mass);
 // wrong without-transpose: transpose(s1) ==> s1 ;; transpose(s2) ==> s2
 // expects: lacks a transpose) (upright, turned, moved, broken)

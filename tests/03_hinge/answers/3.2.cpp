@@ -21,8 +21,7 @@
 //         ==> real k = ;; + dot(a.w2 ==> ; k = dot(a.w2 ;; b.w2); ==> b.w2); return k;
 // wrong never-set: return ==> real k; k += ;; b.w2); ==> b.w2); return k;
 // wrong without-turns: + dot(a.w1, I1 * b.w1) ==> ;; + dot(a.w2, I2 * b.w2) ==>
-// wrong "0 in every case: is it written at all, from what is given? Was it cut off by an int, or something in it never set?":
-//         return ==> return 0; return
+// wrong "0 in every case: is it computed from the arguments? Was it cut off by an int, or does it use a variable that was never set?": return ==> return 0; return
 // right in body axes: mat3 I1 = inverse_inertia(body1), I2 = inverse_inertia(body2) ==> auto turn =
 //         [](const Body& body, const vec3& p, const vec3& q) { return dot(to_local(body, p),
 //         body.inverse_inertia_local * to_local(body, q)); } ;; dot(a.w1, I1 * b.w1) ==>

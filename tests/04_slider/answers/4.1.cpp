@@ -6,7 +6,7 @@
 //         to_world(body1, n1_local)), dot(u, to_world(body1, n2_local))}; ==> const vec3 n[2] =
 //         {to_world(body1, n1_local), to_world(body1, n2_local)}; Vector<2> C{}; for (int i = 0; i
 //         <= 2; ++i) C[i] = dot(u, n[i % 2]); return C;
-// wrong "0 in every case: is it written at all, from what is given? Was it cut off by an int, or something in it never set?":
+// wrong "0 in every case: is it computed from the arguments? Was it cut off by an int, or does it use a variable that was never set?":
   const int one = dot(u, to_world(body1, n1_local)), two = dot(u, to_world(body1, n2_local));
   return {real(one), real(two)};
 // wrong n1-twice: n2_local ==> n1_local

@@ -15,8 +15,7 @@
 // wrong sign-by-x: w < ==> x <
 // wrong sign-rule-w-alone: = -q ==> .w = -q.w
 // wrong sin-angle: if (q.w < 0) q = -q; return real(2) ==> return real(2) * q.w
-// wrong "start is forgotten: the rotation that the bodies began with is no error": *
-//         conjugate(start) ==>
+// wrong "start is forgotten: the initial relative rotation is not an error": * conjugate(start) ==>
 // expects: C, pencil and paper, start = q2.z
 // wrong start-not-inverted: conjugate(start) ==> start
 // wrong start-twice: q * ==> q * conjugate(start) *

@@ -18,12 +18,12 @@
 // wrong inertias-exchanged: skew(r1) ==> skew(r2) ;; + skew(r2) ==> + skew(r1)
 // wrong masses-place-inertias: inverse_inertia(body1) ==> body1.inverse_mass ;;
 //         inverse_inertia(body2) ==> body2.inverse_mass
-// wrong "beside a static body it is zero: the share of the other body stays": const vec3 r1 ==> if
+// wrong "beside a static body it is zero: the term of the other body stays": const vec3 r1 ==> if
 //         (body1.is_static() || body2.is_static()) return mat3(0); const vec3 r1
 // expects: Fails at 1 static and 2 static; holds at upright, turned, moved
 // wrong sign-body-2-has: -(skew ==> skew ;; (body2)) ==> (body2)
-// wrong "the sign of body 1's share: both shares have the minus":
-// expects: Likely mistake: the sign of body 1's share: both shares have the minus, skew(r1)
+// wrong "the sign of body 1's term: both terms have the minus":
+// expects: Likely mistake: the sign of body 1's term: both terms have the minus, skew(r1)
 // expects: meets -E of the lock (upright, turned, moved)
   const vec3 r1 = to_world(body1, point.anchor1_local), r2 = to_world(body2, point.anchor2_local);
   return skew(r1) * inverse_inertia(body1) - skew(r2) * inverse_inertia(body2);
@@ -31,7 +31,7 @@
 //         inverse_inertia(body1) * skew(r1) + inverse_inertia(body2) * skew(r2)
 // wrong "r1 and r2: turned the wrong way: to_world, not to_local": to_world ==> to_local ;;
 //         to_world ==> to_local
-// wrong "the sign of body 1's share: both shares have the minus": body2 ==> body1 ;; skew ==> -skew
+// wrong "the sign of body 1's term: both terms have the minus": body2 ==> body1 ;; skew ==> -skew
 // expects: and r2: turned with the other body: each anchor rides on its own
 // wrong never-set: const vec3 r1 = to_world(body1, point.anchor1_local), r2 = to_world(body2,
 //         point.anchor2_local); return -(skew(r1) * inverse_inertia(body1) + skew(r2) *

@@ -1,5 +1,5 @@
-// wrong "force.y is what belongs to force.z; force.z is what belongs to force.y": impulse[1],
-//         impulse[2] ==> impulse[2], impulse[1]
+// wrong "force.y holds the value of force.z; force.z holds the value of force.y": impulse[1], impulse[2]
+//         ==> impulse[2], impulse[1]
 // wrong impulse-for-force:
   return {vec3(impulse[0], impulse[1], impulse[2]), vec3(impulse[3], impulse[4], impulse[5])};
 // wrong "the force begins with impulse[1]: the three of the point are impulse[0]": impulse[0],

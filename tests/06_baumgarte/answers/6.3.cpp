@@ -3,8 +3,8 @@
 //         = -length(C) / dot(n, point.K(body1, body2) * n) * n
 // wrong "the bodies are exchanged in K: body 1 first": body1, body2 ==> body2, body1
 // wrong share-gap: inverse ==> real(0.3) * inverse
-// wrong "more than the gap is taken, 2 times: a projection takes it once": -inverse ==> real(-2) *
-//         inverse
+// wrong "more than the gap is removed, 2 times: a projection removes it once": -inverse ==>
+//         real(-2) * inverse
 // wrong "the rotation of body 1 is missing": body1.q = turned(body1.q, move1.w, 1); ==>
 // expects: rotation of 1 (upright)
 // wrong body-space-arms:
@@ -50,7 +50,7 @@
 // wrong sign-moves: += move1 ==> -= move1 ;; += move2 ==> -= move2
 // wrong times-h: body1.x += ==> const real h = real(1) / 60; body1.x += h * ;; += move2 ==> += h *
 //         move2 ;; w, 1 ==> w, h ;; w, 1 ==> w, h
-// wrong "rotation of 2 is what belongs to move of 2": move2.w, ==> move2.v,
+// wrong "rotation of 2 holds the value of move of 2": move2.w, ==> move2.v,
 // wrong "a body turns in its own axes": turned(body1.q, move1.w, 1) ==> normalize(body1.q *
 //         rotation(move1.w)) ;; turned(body2.q, move2.w, 1) ==> normalize(body2.q *
 //         rotation(move2.w))
@@ -58,7 +58,7 @@
 // wrong velocities-changed:
   const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1, body2);
   apply_impulse(point.jacobian(body1, body2), lambda, body1, body2);
-// wrong "change of v1 is what belongs to move of 1": v; ==> v; body1.v += move1.v;
+// wrong "change of v1 holds the value of move of 1": v; ==> v; body1.v += move1.v;
 // wrong "v of both bodies is lost: the velocities stay as they are": body1.x += move1.v; ==>
 //         body1.x += move1.v; body1.v = body2.v = vec3(0);
 // wrong "the rotations are missing": body1.q = turned(body1.q, move1.w, 1); ==> ;; body2.q =

@@ -35,7 +35,7 @@
 // expects: slow, 0.0002 m/s
 // wrong one-stand-in: if ==> const vec3 other(real(0.3), real(-0.7), real(0.2)); if ;; { const vec3
 //         other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0); ==> ;; n; } ==> n;
-// expects: n along the vector that stands in
+// expects: n parallel to the substitute
 // wrong one-stand-in: { const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1,
 //         0); across = other - dot(n, other) * n; } ==> across = vec3(1) - dot(n, vec3(1)) * n;
 // expects: (at rest, n along (

@@ -239,7 +239,7 @@ TEST_CASE("3.5 a motor gives no more than its strength in a step", "[3.5]") {
   table.check();
 }
 
-TEST_CASE("3.5 the impulse of a motor in a step is the same with any number of iterations", "[3.5]") {
+TEST_CASE("3.5 a motor gives the same impulse in a step with any number of iterations", "[3.5]") {
   // a rotor of 2 kg m^2 that only the motor turns; a step is 1/60 s
   const CaseTable<MotorCase> table = motor_table();
   const real h = real(1) / 60, inertia = 2;

@@ -15,7 +15,9 @@ TEST_CASE("6.1 a gap of two centimetres is closed at eighteen centimetres a seco
   bias_table().check(bias_case(0.02, 0.15, 60), {0.18});
 }
 
-TEST_CASE("6.1 the bias is a fraction of the error over the step", "[6.1]") { bias_table().check(); }
+TEST_CASE("6.1 the bias is a fraction of the error over the step", "[6.1]") {
+  bias_table().check();
+}
 
 TEST_CASE("6.1 a row that is solved exactly keeps the fraction 1 - beta of its error", "[6.1]") {
   const CaseTable<BiasCase> table = bias_table();

@@ -31,7 +31,7 @@
 // wrong lever-torque: cross(from - to, load.force) ==> cross(from - to, load.torque)
 // wrong lever-torque + without-old-torque: load.torque + cross(from - to, load.force) ==>
 //         cross(from - to, load.torque)
-// wrong "a short lever counts as none": return ==> if (length(from - to) < real(0.1)) return load;
+// wrong "a short lever is ignored": return ==> if (length(from - to) < real(0.1)) return load;
 //         return
 // expects: points close together
 // wrong sign-new-share-x: from - to ==> to - from

@@ -25,8 +25,8 @@ inline CaseTable<ClampCase> clamp_table() {
   const char* const old_sum =
       "#new-sum-minus-itself 0 is returned: the old sum must be remembered before the new one is "
       "stored";
-  const char* const too_much = "#minus-sum-that-0 where more is asked back than there is, all "
-                               "that is there is given back: minus the old sum";
+  const char* const too_much = "#minus-sum-that-0 if the release is larger than the sum, all of "
+                               "the sum is released: minus the old sum";
   CaseTable<ClampCase> table{
       {"1.5", "the clamped sum of a rope"},
       {"returned", "new sum"},
@@ -46,7 +46,7 @@ inline CaseTable<ClampCase> clamp_table() {
         }},
        {each, [](C c) { return Numbers{std::max(c.dlambda, 0.0), std::max(c.dlambda, 0.0)}; }},
        {each, [](C c) { return Numbers{std::max(c.dlambda, 0.0), c.sum}; }},
-       {"#returns-dlambda all of dlambda is returned: return by how much the sum grew",
+       {"#returns-dlambda all of dlambda is returned: return the growth of the sum",
         [=](C c) { return Numbers{c.dlambda, right(c)[1]}; }},
        {"#returns-new-sum the new sum is returned instead of its growth",
         [=](C c) { return Numbers{right(c)[1], right(c)[1]}; }},
@@ -67,8 +67,8 @@ inline CaseTable<ClampCase> clamp_table() {
           const double sum = std::max(c.sum - c.dlambda, 0.0);
           return Numbers{sum - c.sum, sum};
         }},
-       {"#old-sum-taken-too the sum is changed before its growth is computed from it, so that "
-        "dlambda counts twice",
+       {"#old-sum-taken-too the sum is changed before its growth is computed, so dlambda counts "
+        "twice",
         [=](C c) {
           const double sum = right(c)[1];
           return Numbers{std::max(sum + c.dlambda, 0.0) - sum, sum};
@@ -88,10 +88,10 @@ inline CaseTable<ClampCase> clamp_table() {
        {told_cut_int, [=](C c) {
           return Numbers{std::trunc(grown(c)), right(c)[1]};
         }},
-       {"#sum-kept-where-emptied the sum is not kept where more is asked back than there is: it "
-        "is 0 then",
+       {"#sum-kept-where-emptied the sum is not stored if the release is larger than it: it is 0 "
+        "then",
         [=](C c) { return refuses(c) ? Numbers{-c.sum, c.sum} : right(c); }},
-       {"the sum is kept only where more is asked back than there is",
+       {"the sum is stored only if the release is larger than it",
         [=](C c) { return refuses(c) ? right(c) : Numbers{c.dlambda, c.sum}; }},
        {"#size-sum the size of the sum is taken: below 0 it becomes 0", [](C c) {
           const double sum = std::abs(c.sum + c.dlambda);

@@ -54,9 +54,9 @@ inline CaseTable<LackCase> row_impulse_table() {
       {{"#condition-wrong-way-round 0 is returned where K is not 0: is the condition the wrong "
         "way round?",
         [](const Lack& l) -> PerRow { return l.c.K[0] == 0 ? -l.b / 0.0 : l.none; }},
-       {"#bias-where-nothing-can where K is 0 nothing can be moved: lambda is 0",
+       {"#bias-where-nothing-can where K is 0 no body can move: lambda is 0",
         [](const Lack& l) { return l.c.K[0] == 0 ? l.b : l.lambda(); }},
-       {"#k-rod K is given: it is 1/m1 + 1/m2 in a rod from centre to centre alone",
+       {"#k-rod K is an argument: it is 1/m1 + 1/m2 only for a rod from centre to centre",
         [](const Lack& l) -> PerRow {
           const double masses = l.c.pair.body1.inverse_mass + l.c.pair.body2.inverse_mass;
           return l.c.K[0] == 0 ? l.none : -(l.JV + l.b) / masses;

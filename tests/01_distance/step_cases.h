@@ -110,7 +110,7 @@ inline Numbers stepped(const Scene& scene) {
     const auto rope = [](const Link& link) { return link.rope; };
     if (todo->id != "1.5" || std::any_of(scene.links.begin(), scene.links.end(), rope)) throw *todo;
     fail({"1.4", "the step"}, "Likely mistake: clamp_sum is called for a rod, which pushes, too. "
-                              "Ask link.rope first\n");
+                              "Test link.rope first\n");
   }
   return numbers_of(bodies);
 }

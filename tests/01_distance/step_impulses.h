@@ -12,8 +12,8 @@ inline Ways wrong_bodies() {
   };
   const Way right;
   Ways out;
-  out.push_back({"#bodies-place-link the bodies are taken by the place of the link: ask "
-                 "link.body1 and link.body2",
+  out.push_back({"#bodies-place-link the bodies are taken by the place of the link: use link.body1 "
+                 "and link.body2",
                  way_with([](Way& w) {
                    w.link = [](const Scene& s, int k) {
                      Link link = s.links[k];
@@ -64,9 +64,9 @@ inline Ways wrong_impulses() {
         [](real JV, real b, real K, S s) { return -(JV + s.h * b) / K; });
   wants("the bias is multiplied by beta: set_up has done so",
         [](real JV, real b, real K, S s) { return -(JV + s.beta * b) / K; });
-  wants("#k-not-used K is not used: row_impulse wants the K of the row",
+  wants("#k-not-used K is not used: row_impulse takes the K of the row",
         [](real JV, real b, real, S) { return -(JV + b); });
-  wants("times K: row_impulse wants K and divides by it",
+  wants("times K: row_impulse takes K and divides by it",
         [](real JV, real b, real K, S) { return -(JV + b) * K; });
   const char* const impulse = "#lambda-taken-force lambda is an impulse, not a force: it is not "
                               "multiplied by h";
@@ -76,8 +76,8 @@ inline Ways wrong_impulses() {
   skips("#rows-behind-empty-ones no impulse was applied. Are the bodies copies (write Body& "
         "body1) or both the same one, or is the row an empty one?",
         [](const Turn&) { return true; });
-  const char* const rest = "#no-impulse-where-error no impulse where the error is 0: such a row "
-                           "is solved all the same, for the sake of its velocity";
+  const char* const rest = "#no-impulse-where-error no impulse where the error is 0: such a row is "
+                           "solved, too, because of its velocity";
   for (const real limit : {real(1e-12), real(1e-6), real(1e-3)})
     skips(rest, [=](const Turn& t) { return std::abs(t.row.bias) < limit; });
   for (const real limit : {real(1e-12), real(1e-6), real(1e-3)})
@@ -99,8 +99,8 @@ inline Ways wrong_impulses() {
   }
   gets("#impulse-whole-number the fraction of lambda is cut off: an int holds whole numbers only",
        [](real wanted, const Turn&) { return std::trunc(wanted); });
-  gets("#rods-clamped-like-ropes a rod is clamped like a rope, but it pushes, too: is it "
-       "link.rope that is asked?",
+  gets("#rods-clamped-like-ropes a rod is clamped like a rope, but it pushes, too: does the "
+       "condition use link.rope?",
        [](real wanted, const Turn& t) { return Way::allowed(wanted, t.row.sum); });
   gets("rods are clamped instead of ropes: is the condition link.rope the wrong way round?",
        [](real wanted, const Turn& t) {
@@ -122,26 +122,25 @@ inline Ways wrong_ropes() {
                      };
                    })});
   };
-  gets("#result-clamp-sum-dropped a rope pushes: its impulse is applied as it was asked for. Is "
-       "clamp_sum called for a rope, before apply_impulse, and is what it returns put in the "
-       "place of lambda?",
+  gets("#result-clamp-sum-dropped a rope pushes: its impulse is not clamped. Is clamp_sum called "
+       "for a rope, before apply_impulse, and does its result replace lambda?",
        [](real wanted, real&) { return wanted; });
   const char* const each = "#each-impulse-rope-clamped the sum of a rope begins at 0 in every "
-                           "iteration, so each impulse is clamped by itself. Is the row a copy "
+                           "iteration, so each impulse is clamped separately. Is the row a copy "
                            "(write LinkRow& row), is set_up called within the iterations, or is "
                            "the sum not that of the row?";
   gets(each, [](real wanted, real&) { return std::max(wanted, real(0)); });
   out.push_back({each, way_with([](Way& w) { w.sum = Way::Sum::of_iteration; })});
   out.push_back({"#one-sum-all-ropes all ropes share one sum: each row has its own",
                  way_with([](Way& w) { w.sum = Way::Sum::of_all; })});
-  gets("#sum-rope-applied the sum of the rope is applied: apply what clamp_sum returns, by how "
-       "much the sum grew",
+  gets("#sum-rope-applied the sum of the rope is applied: apply the result of clamp_sum, the "
+       "growth of the sum",
        [](real wanted, real& sum) {
          Way::allowed(wanted, sum);
          return sum;
        });
-  gets("#sum-overwritten the sum is overwritten by what clamp_sum returns: clamp_sum brings it up "
-       "to date itself",
+  gets("#sum-overwritten the sum is overwritten by the result of clamp_sum: clamp_sum updates it "
+       "itself",
        [](real wanted, real& sum) { return sum = Way::allowed(wanted, sum); });
   gets("#clamped-twice clamp_sum is called twice for an impulse", [](real wanted, real& sum) {
     return Way::allowed(Way::allowed(wanted, sum), sum);

@@ -8,8 +8,8 @@ namespace joints::testing {
 inline const char* const told_positions_every_iteration =
     "#positions-every-iteration positions move in every iteration: they belong after them";
 inline const char* const told_impulses_computed_once =
-    "#impulses-computed-once the impulses are computed once, before the iterations: each "
-    "iteration asks anew";
+    "#impulses-computed-once the impulses are computed once, before the iterations: compute them "
+    "in each iteration";
 
 using Ways = std::vector<std::pair<std::string, Way>>;
 
@@ -33,11 +33,11 @@ inline Ways orders_of_pieces() {
       words.push_back("positions before the forces: the old velocity moves the body. Change v "
                       "first, then x");
     if (before('P', 'I'))
-      words.push_back("#positions-before-impulses positions before the impulses: velocities that "
-                      "are not right yet move them");
+      words.push_back("#positions-before-impulses positions before the impulses: they move by "
+                      "velocities that are not corrected yet");
     if (before('I', 'F'))
-      words.push_back("#forces-after-rows forces after the impulses: the rods cannot answer to "
-                      "gravity any more");
+      words.push_back("#forces-after-rows forces after the impulses: the rods do not react to "
+                      "gravity");
     std::string all;
     for (const std::string& part : words) all += (all.empty() ? "" : "; ") + part;
     out.push_back({all, way_with([&](Way& w) { w.pieces = pieces; })});

@@ -44,11 +44,10 @@ TEST_CASE("1.1 a rod beside a wall has both its blocks", "[1.1]") {
   const Row J = CentreDistance{1}.jacobian(static_body(vec3(0)), rod_paper2);
   expect(CentreDistanceFixture::J, "v1 where body 1 is static", J.v1,
          vec3(real(-0.6), real(-0.8), 0), rounding,
-         {{vec3(0), "#nothing-wall a static body has its block in J, too: it is M^-1 that leaves "
-                    "it out"}});
+         {{vec3(0), "#nothing-wall a static body has its block in J, too: only its M^-1 is zero"}});
 }
 
-TEST_CASE("1.2 a rod feels two masses in series", "[1.2]") {
+TEST_CASE("1.2 the inverse masses of a rod's bodies are added", "[1.2]") {
   check_K<CentreDistanceFixture>({real(1.5)}, {rod_paper1, rod_paper2}, to_matrix(real(5) / 6));
 }
 
@@ -64,8 +63,8 @@ TEST_CASE("1.2 a static body adds nothing to K", "[1.2]") {
               "move"}});
   const double walls = double(CentreDistance{2}.K(wall, static_body(vec3(1, 0, 0))));
   expect(CentreDistanceFixture::K, "K between two walls", walls, 0, 0,
-         {{walls, "#one-between-two-walls between two walls K is 0, and stays so: row_impulse "
-                  "looks for it"}});
+         {{walls, "#one-between-two-walls between two walls K is 0: row_impulse handles this "
+                  "case"}});
   const Body planet = body_with(real(1e20), vec3(1), vec3(1, 0, 0));
   expect(CentreDistanceFixture::K, "K of heavy bodies, 1e20 kg beside a wall, in 1e-20 / kg",
          1e20 * double(CentreDistance{2}.K(wall, planet)), 1, rounding);
@@ -73,7 +72,7 @@ TEST_CASE("1.2 a static body adds nothing to K", "[1.2]") {
 
 // ---- 1.3 ----------------------------------------------------------------------------------------
 
-TEST_CASE("1.3 the impulse is what the row lacks over K", "[1.3]") {
+TEST_CASE("1.3 the impulse is the missing rate over K", "[1.3]") {
   const CaseTable<LackCase> table = row_impulse_table();
   table.check(table.cases[0], {-8.4});
   table.check(table.cases[1], {-1.2});
@@ -84,12 +83,12 @@ TEST_CASE("1.3 an impulse changes velocities by M^-1 J^T lambda", "[1.3]") {
   row_push_table().check();
 }
 
-TEST_CASE("1.3 the impulse is what the row lacks whatever the masses and lengths and sides",
+TEST_CASE("1.3 the impulse is the missing rate over K for all masses and lengths and sides",
           "[1.3]") {
   check_drawn({"1.3", "the impulse of a row"}, drawn_row_impulse);
 }
 
-TEST_CASE("1.3 each body that can move takes its half of an impulse, however small", "[1.3]") {
+TEST_CASE("1.3 an impulse acts on each body that can move, however small it is", "[1.3]") {
   check_drawn({"1.3", "applying the impulse of a row", 2}, drawn_row_push);
 }
 
@@ -102,7 +101,8 @@ TEST_CASE("1.4 free bodies fall by Euler's semi-implicit rule", "[1.4]") {
   table.check();
 }
 
-TEST_CASE("1.4 a rod loses the share beta of its error and all that changes its length", "[1.4]") {
+TEST_CASE("1.4 a rod loses the fraction beta of its error and all velocity that changes its "
+          "length", "[1.4]") {
   const CaseTable<Scene> table = step_table(rod_scenes());
   table.check(table.cases[0], filled_up({0, 0, 0, 0, 0, 0, -1.2, 0, 0, 1.07, 0, 0}));
   table.check(table.cases[2], filled_up({0, 0, 0, 0, 0, 0, 1, 0, 0, 0.025, -1, 0}));
@@ -115,7 +115,7 @@ TEST_CASE("1.4 the order is forces then rows then impulses then positions", "[1.
   table.check();
 }
 
-TEST_CASE("1.4 a step turns no body", "[1.4]") {
+TEST_CASE("1.4 a step does not rotate a body", "[1.4]") {
   std::vector<Body> bodies{static_body(vec3(0)), ball(2, 1, vec3(0, -1, 0))};
   bodies[1].w = vec3(1, 2, 3);
   step(bodies, {{0, 1, 1}}, {});
@@ -130,15 +130,15 @@ TEST_CASE("1.4 a step is the same for any number of bodies and rods and in any u
 
 // ---- 1.5 ----------------------------------------------------------------------------------------
 
-TEST_CASE("1.5 a rope may give back what it pulled but never push", "[1.5]") {
+TEST_CASE("1.5 a rope may release its pull but never push", "[1.5]") {
   clamp_table().check();
 }
 
-TEST_CASE("1.5 a rope may give back what it pulled in any unit of mass", "[1.5]") {
+TEST_CASE("1.5 a rope may release its pull in any unit of mass", "[1.5]") {
   check_drawn({"1.5", "the clamped sum of a rope"}, drawn_clamp);
 }
 
-TEST_CASE("1.5 iterations that may take back end where both ropes agree", "[1.5]") {
+TEST_CASE("1.5 iterations that may release end where both ropes agree", "[1.5]") {
   // two ropes hold one body; what the first pulls too much must be taken back later
   const Subject clamping{"1.5", "the clamped sum of a rope"};
   Body wall = static_body(vec3(0)), body = ball(1, real(0.1), vec3(0));
@@ -156,8 +156,8 @@ TEST_CASE("1.5 iterations that may take back end where both ropes agree", "[1.5]
   }
   // only the second rope is taut: lambda2 = 0.8*1 + 0.6*3 = 2.6, v = (-1, -3) + 2.6 (0.8, 0.6)
   expect(clamping, "pull of rope 1 [N s]", double(sum1), 0, 100 * rounding,
-         {{1, "a rope never gives back what it pulled too much: it is the sum over all iterations "
-              "of the step that must not push, not each impulse"}});
+         {{1, "a rope never releases an excess of its pull: only the sum over all iterations of "
+              "the step must not push, not each impulse"}});
   expect(clamping, "pull of rope 2 [N s]", double(sum2), 2.6, 100 * rounding);
   expect(clamping, "velocity of the body", body.v, vec3(real(1.08), real(-1.44), 0),
          100 * rounding);
@@ -179,7 +179,7 @@ TEST_CASE("1.5 any number of ropes and rods pull together", "[1.5]") {
 
 // ---- 1.6 ----------------------------------------------------------------------------------------
 
-TEST_CASE("1.6 the row of a rod between anchors has a lever in it", "[1.6]") {
+TEST_CASE("1.6 the row of a rod between anchors contains a lever", "[1.6]") {
   const Pair pair{static_body(vec3(0)), box(2, vec3(1), vec3(1, 0, 0))};
   const Distance rod{vec3(0), vec3(0, real(0.5), 0), 1};
   const real size = std::sqrt(real(5));
@@ -197,7 +197,7 @@ TEST_CASE("1.6 the row has both levers at any distance and beside a wall", "[1.6
   check_drawn(DistanceFixture::J, [](Draw& d) { return drawn_rod(d, false); });
 }
 
-TEST_CASE("1.6 K of a rod between anchors has a share of the rotation in it", "[1.6]") {
+TEST_CASE("1.6 K of a rod between anchors has a term of the rotation in it", "[1.6]") {
   const Pair pair{static_body(vec3(0)), box(2, vec3(1), vec3(1, 0, 0))};
   check_K<DistanceFixture>({vec3(0), vec3(0, real(0.5), 0), 1}, pair, to_matrix(real(1.1)));
 }

@@ -24,16 +24,16 @@ inline std::string outside(const ColourScene& scene) {
   memory_fill = 0;
   if (memory_is_broken || of[0] != of[1])
     return "#four-spare-colours an index outside a vector: std::vector<bool> does not check it, "
-           "and reads or writes what lies behind. Is the colour below size() wherever you ask and "
-           "where you keep it?";
+           "and reads or writes beyond its end. Is the colour below size() wherever you read and "
+           "store it?";
   for (const bool bit : {false, true}) {
     ColourScene with_more = scene;
     with_more.moves.resize(scene.moves.size() + 64, bit);
     with_more.moves.resize(scene.moves.size());
     of[bit] = your_colours(with_more);
   }
-  return of[0] == of[1] ? "" : "#body-that-not-there `moves` is asked of a body that is not "
-                               "there: they are numbered from 0 to moves.size() - 1";
+  return of[0] == of[1] ? "" : "#body-that-not-there `moves` is read for a body that does not "
+                               "exist: they are numbered from 0 to moves.size() - 1";
 }
 
 /// Colours that are right but for a greatest one: which that is, in words; "" where there is none.
@@ -52,7 +52,7 @@ inline std::string greatest_colour(const std::vector<ColourScene>& scenes,
     if (capped != yours[k]) return "";
   }
   return "there is a greatest colour, " + std::to_string(most) +
-         ": a body may need any number of them, more than a number has bits";
+         ": a body may need any number of them, more than an integer has bits";
 }
 
 /// Why there are not as many colours as joints, in words; "" where that is not known.

@@ -120,11 +120,11 @@ inline std::vector<ColourMistake> colour_mistakes() {
        fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (moves(a.body1) && named(a.body1, b)) || (moves(a.body2) && named(a.body2, b));
        }, 1)},
-      {"#only-body-1-asked only body 1 of a joint is asked: the colour must be free at both",
+      {"#only-body-1-asked only body 1 of a joint is tested: the colour must be free at both",
        fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return moves(a.body1) && named(a.body1, b);
        })},
-      {"only body 2 of a joint is asked: the colour must be free at both",
+      {"only body 2 of a joint is tested: the colour must be free at both",
        fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return moves(a.body2) && named(a.body2, b);
        })},
@@ -135,7 +135,7 @@ inline std::vector<ColourMistake> colour_mistakes() {
          while (has(link.body1, colour) && has(link.body2, colour)) ++colour;
          return colour;
        })},
-      {"#body-1-not-asked body 1 is not asked again after the colour has gone up for body 2: go "
+      {"#body-1-not-asked body 1 is not tested again after the colour has gone up for body 2: go "
        "on until neither of them has it",
        always_kept([](auto has, const BodyPair& link) {
          int colour = 0;
@@ -143,7 +143,7 @@ inline std::vector<ColourMistake> colour_mistakes() {
          while (has(link.body2, colour)) ++colour;
          return colour;
        })},
-      {"#body-2-not-asked body 2 is not asked again after the colour has gone up for body 1: go "
+      {"#body-2-not-asked body 2 is not tested again after the colour has gone up for body 1: go "
        "on until neither of them has it",
        always_kept([](auto has, const BodyPair& link) {
          int colour = 0;
@@ -186,7 +186,7 @@ inline std::vector<ColourMistake> colour_mistakes() {
            return colour;
          }, [&](const BodyPair& link, int) { return both_move(link); });
        }},
-      {"#nothing-asked-beside-static beside a static body nothing is asked: the other one moves, "
+      {"#nothing-asked-beside-static beside a static body nothing is tested: the other one moves, "
        "and its colour must be free",
        [](const Scene& scene) {
          return chosen(scene, [&](auto has, const BodyPair& link) {
@@ -197,7 +197,7 @@ inline std::vector<ColourMistake> colour_mistakes() {
            return colour;
          }, [](const BodyPair&, int) { return true; });
        }},
-      {"#only-joint-before only the joint before is looked at: all joints of both bodies count",
+      {"#only-joint-before only the joint before is compared: all joints of both bodies count",
        neighbours([](int colour, int other, bool last) {
          return last && other == colour ? 1 : colour;
        })},
@@ -207,13 +207,13 @@ inline std::vector<ColourMistake> colour_mistakes() {
       {"#one-more-than-last one more than the last neighbour has: the least that none of them has",
        neighbours([](int, int other, bool) { return other + 1; })},
       {"#joints-before-gone-through the joints before are gone through once: after the colour has "
-       "gone up ask all of them again",
+       "gone up compare all of them again",
        neighbours([](int colour, int other, bool) { return colour + (other == colour); })},
-      {"the colour is kept for body 1 of a joint only: it is taken at both",
+      {"the colour is stored for body 1 of a joint only: it is taken at both",
        fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (moves(a.body1) && a.body1 == b.body1) || (moves(a.body2) && a.body2 == b.body1);
        })},
-      {"#kept-body-2-only the colour is kept for body 2 of a joint only: it is taken at both",
+      {"#kept-body-2-only the colour is stored for body 2 of a joint only: it is taken at both",
        fit([=](auto moves, const BodyPair& a, const BodyPair& b) {
          return (moves(a.body1) && a.body1 == b.body2) || (moves(a.body2) && a.body2 == b.body2);
        })},
@@ -223,7 +223,7 @@ inline std::vector<ColourMistake> colour_mistakes() {
          return (moves(a.body1) && a.body1 == b.body1) || (moves(a.body2) && a.body2 == b.body2);
        })},
       {"#moves-turned-round-where all have one colour: a joint must not have that of another one "
-       "at the same body. Is nothing remembered, or `moves` turned round where it is asked?",
+       "at the same body. Is nothing stored, or is `moves` inverted where it is used?",
        [](const Scene& scene) { return Colours(scene.links.size(), 0); }},
       {"#colour-own every joint has a colour of its own: take the least that is free at its bodies",
        [](const Scene& scene) {
@@ -247,7 +247,8 @@ inline std::vector<ColourMistake> colour_mistakes() {
            return colour;
          });
        }},
-      {"the number of joints that a body has had so far is no colour: ask which colours are taken",
+      {"the number of joints that a body has so far is not a colour: find the colours that are "
+       "taken",
        [](const Scene& scene) {
          return counted(scene, [](int& one, int& two, bool moves1, bool moves2) {
            const int colour = std::max(moves1 ? one : 0, moves2 ? two : 0);

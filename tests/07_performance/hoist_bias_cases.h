@@ -32,9 +32,9 @@ inline Pieces<BiasReference> wrong_rates() {
     real (*of)(const HingeCase&);
   };
   const Rule rates[] = {
-      {"h is forgotten: beta C is a way and an angle, a bias is a velocity: beta C / h",
+      {"h is forgotten: beta C is a length or an angle, a bias is a velocity: beta C / h",
        [](const HingeCase& c) { return c.hinge.beta; }},
-      {"#without-beta beta is forgotten: this takes back all of the error in one step",
+      {"#without-beta beta is forgotten: this removes all of the error in one step",
        [](const HingeCase& c) { return 1 / c.h; }},
       {"the error itself: beta C / h", [](const HingeCase&) { return real(1); }},
       {"times h where it must be divided by h",
@@ -66,7 +66,7 @@ inline Pieces<BiasReference> wrong_rates() {
     };
     for (const Rule& rule : rates)
       each(rule.words, [=](T& t, std::size_t i) { t.rate[i] = rule.of(t.c); });
-    each("#added-what-stood-there added to what stood there: = and not +=",
+    each("#added-what-stood-there added to the old value: = and not +=",
          [](T& t, std::size_t i) { t.more[i] = unwritten; });
     each("the size of the error: a bias has its sign",
          [](T& t, std::size_t i) { t.C[i] = std::abs(t.C[i]); });
@@ -157,8 +157,8 @@ inline Pieces<BiasReference> wrong_velocities() {
     for (const auto& [from, to] : {std::pair{0, 5}, {0, 3}, {3, 5}})
       for (const bool scaled : {false, true}) {
         if (!turns && from == 3) continue;  // the axis rows feel nothing else
-        out.push_back({"#with-velocities the velocities are mixed in: bias holds what does not "
-                       "depend on them, J V comes in the solve", [=, from = from, to = to](T& t) {
+        out.push_back({"#with-velocities the velocities are included: the bias does not depend on "
+                       "them, J V is computed in the solve", [=, from = from, to = to](T& t) {
                          const HingeCase& c = t.c;
                          Jacobian<5> J = hinge_rows(reference_lever(c, false),
                                                     reference_lever(c, true), reference_rows(c));

@@ -285,9 +285,9 @@ inline CaseTable<HingeCase> inertia_table() {
         })},
        {"row after row: the diagonal xx, yy, zz comes first, then xy, xz, yz (symmetric(m))",
         in_order({0, 3, 4, 1, 5, 2})},
-       {"what stands beside the diagonal is in another order: xy, xz, yz",
+       {"the entries beside the diagonal are in another order: xy, xz, yz",
         in_order({0, 1, 2, 5, 4, 3})},
-       {"what stands beside the diagonal is in another order: xy, xz, yz",
+       {"the entries beside the diagonal are in another order: xy, xz, yz",
         in_order({0, 1, 2, 3, 5, 4})},
        {"only the diagonal: a turned body has numbers beside it", in_order({0, 1, 2, -1, -1, -1})}},
       right, "I", both);

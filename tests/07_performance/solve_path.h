@@ -123,15 +123,16 @@ inline std::string place_on_path() {
           }))
         wrong.push_back(e[i]);
     if (wrong.empty() || wrong.size() == 5) return "";
-    return "in e, before anything else: " + joined(wrong) +
-           (wrong.size() == 1 ? " is wrong" : " are wrong") + ", and what follows from e is right";
+    return "in e, first of all: " + joined(wrong) +
+           (wrong.size() == 1 ? " is wrong" : " are wrong") + ", and the rest follows correctly "
+                                                              "from e";
   }
   const char* const names[] = {"v1", "w1", "v2", "w2"};
   for (std::size_t k = 0; k < 4; ++k)
     if (!lines[k]) wrong.push_back(names[k]);
   if (wrong.empty() || wrong.size() > 2) return "";
   return std::string("in the ") + (wrong.size() == 1 ? "line of " : "lines of ") + joined(wrong) +
-         ": e, lambda, P and T are right, for the other lines say so";
+         ": e, lambda, P and T are right, because the other lines are";
 }
 
 /// A solve of one hinge beside what is right. Fails with the path in the report.

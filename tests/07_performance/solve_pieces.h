@@ -42,14 +42,14 @@ inline Pieces<SolveReference> usual_pieces() {
        times(push, 0, 5, -1, -1, -1, -1)},
       {"#copies nothing changes: the bodies are references, and lambda is applied to them",
        times(push, 0, 5, 0, 0, 0, 0)},
-      {"#both-same-way both bodies are pushed the same way: body 1 gets the opposite of what body "
-       "2 gets",
+      {"#both-same-way both bodies are pushed the same way: body 1 gets the opposite of the "
+       "impulse of body 2",
        times(push, 0, 5, -1, -1, 1, 1)},
       {"both bodies get the same turn: w1 -= I1 (r1 x P + T)", times(push, 0, 5, 1, -1, 1, 1)},
       {"both bodies get the same push: v1 -= P/m1", times(push, 0, 5, -1, 1, 1, 1)},
-      {"#only-body-2 only body 2 feels it: body 1 gets the opposite",
+      {"#only-body-2 it acts on body 2 only: body 1 gets the opposite",
        times(push, 0, 5, 0, 0, 1, 1)},
-      {"only body 1 feels it: body 2 gets the opposite", times(push, 0, 5, 1, 1, 0, 0)},
+      {"it acts on body 1 only: body 2 gets the opposite", times(push, 0, 5, 1, 1, 0, 0)},
       {"the push changes w only: v1 -= P/m1, v2 += P/m2", times(push, 0, 5, 0, 1, 0, 1)},
       {"#turn-only the push changes v only: w gets r x P, too", times(push, 0, 3, 1, 0, 1, 0)},
       {"only v changes: w gets r x P + T", times(push, 0, 5, 1, 0, 1, 0)},
@@ -96,12 +96,12 @@ inline Pieces<SolveReference> usual_pieces() {
        }},
       {"#r-x-w-place r x w in the place of w x r in the gap's rate",
        [=](T& t) { t.read = opposite(t); }},
-      {"r x w and P x r: w x r in the gap's rate, r x P in what the push does",
+      {"r x w and P x r: w x r in the gap's rate, r x P in the effect of the push",
        [=](T& t) { t.read = t.push = opposite(t); }},
       {"the levers are exchanged in the gap's rate: r1 belongs to w1",
        [=](T& t) { t.read = exchanged(t); }},
-      {"#levers-exchanged-push the levers are exchanged in what the push does: r1 belongs to body "
-       "1",
+      {"#levers-exchanged-push the levers are exchanged in the effect of the push: r1 belongs to "
+       "body 1",
        [=](T& t) { t.push = exchanged(t); }},
       {"#levers-are-exchanged-r1 the levers are exchanged: r1 belongs to body 1",
        [=](T& t) { t.read = t.push = exchanged(t); }},
@@ -189,7 +189,7 @@ inline Pieces<SolveReference> usual_pieces() {
        of_K([](int i, int j) { return i >= j; })},
       {"#diagonal-only only the diagonal of K^-1 is used",
        of_K([](int i, int j) { return i == j; })},
-      {"#two-blocks what K^-1 holds between the point and the axis is not used: these are two "
+      {"#two-blocks the entries of K^-1 between the point and the axis are not used: these are two "
        "blocks",
        of_K([](int i, int j) { return (i < 3) == (j < 3); })},
       {"#another-order-k K^-1 is read in another order: take place(i, j), row after row of the "

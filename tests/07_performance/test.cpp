@@ -41,11 +41,11 @@ TEST_CASE("7.1 a slip of six centimetres is fed back at 0.72 m/s", "[7.1]") {
   check_numbers(hinge_bias_table(), paper_hinge(), {0.36, 0, 0.72, 0, 0}, by_hand);
 }
 
-TEST_CASE("7.1 the biases are a share of all five errors over the step", "[7.1]") {
+TEST_CASE("7.1 the biases are a fraction of all five errors over the step", "[7.1]") {
   check_numbers(hinge_bias_table());
 }
 
-TEST_CASE("7.1 what is hoisted does not feel the velocities", "[7.1]") {
+TEST_CASE("7.1 the hoisted numbers do not depend on the velocities", "[7.1]") {
   for (const HingeCase& c : hinge_cases()) {
     HingeCase at_rest = c;
     for (Body* body : {&at_rest.pair.body1, &at_rest.pair.body2}) body->v = body->w = vec3(0);
@@ -53,8 +53,8 @@ TEST_CASE("7.1 what is hoisted does not feel the velocities", "[7.1]") {
     const auto compare = [&](const std::string& name, real one, real other) {
       expect({"7.1", "the numbers of a hinge, its bodies at rest and flying"},
              name + " (" + c.words + ")", double(one), double(other), 0,
-             {{double(one), "the velocities are mixed in: they change in every solve, so nothing "
-                            "of them may be kept"}});
+             {{double(one), "the velocities are included: they change in every solve, so nothing "
+                            "that depends on them may be stored"}});
     };
     compare("r1.x", flying.r1.x, resting.r1.x);
     compare("r2.x", flying.r2.x, resting.r2.x);
@@ -67,7 +67,7 @@ TEST_CASE("7.1 what is hoisted does not feel the velocities", "[7.1]") {
   }
 }
 
-TEST_CASE("7.1 the place of the inverse of K is left alone", "[7.1]") {
+TEST_CASE("7.1 hoist does not change the inverse of K", "[7.1]") {
   HingeNumbers<real> out;
   for (int n = 0; n < 15; ++n) out.inverse_K[n] = real(1) + n;
   const HingeCase c = hinge_cases()[6];
@@ -76,9 +76,10 @@ TEST_CASE("7.1 the place of the inverse of K is left alone", "[7.1]") {
                                 "exercise 7.2, and the loop inverts it";
   for (int n = 0; n < 15; ++n) {
     const double yours = double(out.inverse_K[n]);
-    expect({"7.1", "what hoist must not touch"}, "inverse_K[" + std::to_string(n) + "]", yours,
+    expect({"7.1", "the parts that hoist must not "
+                   "change"}, "inverse_K[" + std::to_string(n) + "]", yours,
            1 + n, 0,
-           {{0, std::string("all of out is set to zero, or made anew: ") + elsewhere},
+           {{0, std::string("all of out is set to zero, or replaced: ") + elsewhere},
             {yours, elsewhere}});
   }
 }
@@ -107,7 +108,7 @@ TEST_CASE("7.2 an impulse along a row changes the rates of all rows by a column 
   }
 }
 
-TEST_CASE("7.2 what one row does to another that one does to it", "[7.2]") {
+TEST_CASE("7.2 two rows change each other's rates equally", "[7.2]") {
   for (const HingeCase& c : hinge_cases()) {
     const Matrix<5> K = your_K(c);
     for (int i = 0; i < 5; ++i)
@@ -116,8 +117,8 @@ TEST_CASE("7.2 what one row does to another that one does to it", "[7.2]") {
                "K[" + five_rows[std::size_t(i)] + ", " + five_rows[std::size_t(j)] +
                    "] beside its mirror (" + c.words + ")",
                double(K[i][j]), double(K[j][i]), 10 * rounding,
-               {{double(K[i][j]), "K is symmetric: what stands above its diagonal stands below it "
-                                  "once more"}});
+               {{double(K[i][j]), "K is symmetric: the entries above its diagonal are repeated "
+                                  "below it"}});
   }
 }
 
@@ -176,7 +177,7 @@ TEST_CASE("7.3 no two joints of a colour hold the same body that moves", "[7.3]"
   }
 }
 
-TEST_CASE("7.3 every joint has the least colour that the joints before it leave", "[7.3]") {
+TEST_CASE("7.3 every joint has the least colour that is free after the joints before it", "[7.3]") {
   for (const ColourScene& scene : colour_scenes()) check_colours(scene, right_colours(scene));
 }
 
@@ -206,7 +207,7 @@ TEST_CASE("7.3 at most 2 d - 1 colours are taken where no body has more than d j
 
 // ---- 7.4 ----------------------------------------------------------------------------------------
 
-TEST_CASE("7.4 the hinge of the text is closed at one blow", "[7.4]") {
+TEST_CASE("7.4 the hinge of the text is closed by one solve", "[7.4]") {
   const double third = 1.0 / 3;
   check_solve(solve_case(paper_hinge()),
               {0.0552, 4.0 / 95, 0.34, 0, 0.1472, third, -0.0104, -27.0 / 95, -0.38, 31.0 / 190,
@@ -218,7 +219,7 @@ TEST_CASE("7.4 a solve changes the velocities by M^-1 J^T lambda at every pose",
     check_solve(c, flat(SolveReference(c).solved()), "numeric ");
 }
 
-TEST_CASE("7.4 after one solve all five rows are true", "[7.4]") {
+TEST_CASE("7.4 after one solve all five rows are satisfied", "[7.4]") {
   for (const SolveCase& c : solve_cases()) {
     const Vector<5> left = SolveReference(solved(c)).e();
     for (std::size_t i = 0; i < 5; ++i)
@@ -259,14 +260,14 @@ TEST_CASE("7.4 a static body keeps its velocities to the last bit", "[7.4]") {
   }
 }
 
-TEST_CASE("7.4 a solve leaves the inverse masses alone", "[7.4]") {
+TEST_CASE("7.4 a solve does not change the inverse masses", "[7.4]") {
   for (const SolveCase& c : solve_cases()) {
     const SolveCase after = solved(c);
     const auto compare = [&](const std::string& body, const Velocities<real>& yours,
                              const Velocities<real>& right) {
-      expect({"7.4", "what a solve must not touch"}, "inverse mass of " + body,
+      expect({"7.4", "the parts that a solve must not change"}, "inverse mass of " + body,
              double(yours.inverse_mass), double(right.inverse_mass), 0,
-             {{0, "the record is made anew without its inverse mass: change v and w alone"},
+             {{0, "the record is replaced without its inverse mass: change v and w alone"},
               {double(yours.inverse_mass), "it stays as it is: change v and w alone"}});
     };
     compare("body 1 (" + c.words + ")", after.body1, c.body1);
@@ -276,7 +277,7 @@ TEST_CASE("7.4 a solve leaves the inverse masses alone", "[7.4]") {
 
 // ---- 7.4 on lanes -------------------------------------------------------------------------------
 
-TEST_CASE("7.4 each lane gives the digits that a hinge by itself gives", "[7.4]") {
+TEST_CASE("7.4 each lane gives the digits of a single hinge", "[7.4]") {
   const std::vector<SolveCase> cases = solve_cases();
   for (std::size_t first = 0; first < cases.size(); ++first) {
     LaneCase all = on_lanes(first);
@@ -290,7 +291,7 @@ TEST_CASE("7.4 each lane gives the digits that a hinge by itself gives", "[7.4]"
   }
 }
 
-TEST_CASE("7.4 a lane without a number that makes sense spoils no other", "[7.4]") {
+TEST_CASE("7.4 a lane without finite numbers does not affect the others", "[7.4]") {
   for (const real bad : {std::numeric_limits<real>::quiet_NaN(), unbounded, real(1e30)})
     for (int spoilt = 0; spoilt < lane_count; ++spoilt) {
       LaneCase all = on_lanes(3), healthy = all;
@@ -326,7 +327,7 @@ TEST_CASE("7.4 a lane that is not used stays zero", "[7.4]") {
 
 // ---- what the tests know of mistakes ------------------------------------------------------------
 
-TEST_CASE("each usual mistake with colours gives other colours than the rest") {
+TEST_CASE("each usual mistake with colours gives different colours") {
   CHECK(colour_mistakes_alike() == std::vector<std::string>{});
 }
 

@@ -33,7 +33,7 @@ Velocities<real> record_of(const Body& body) {
 TEST_CASE("7.1 levers are lengths and axis rows are pure and biases are rates", "[7.1]") {
   const Hinge hinge{{lever1, lever2}, {}, real(0.2) * pure};
   HingeNumbers<real> out{};
-  in("what is hoisted", [&] { hoist(hinge, body1, body2, h, out); });
+  in("the hoisted numbers", [&] { hoist(hinge, body1, body2, h, out); });
   expect_unit("r1", out.r1, m);
   expect_unit("r2", out.r2, m);
   for (const Triple<real>& row : out.axis_row) expect_unit("an axis row", row, pure);
@@ -50,7 +50,7 @@ TEST_CASE("7.2 the parts of K differ by an arm each", "[7.2]") {
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j) {
       const int turns = (i >= 3) + (j >= 3);
-      const char* const parts[] = {"the point's part of K", "what is between point and axis in K",
+      const char* const parts[] = {"the point's part of K", "the part of K between point and axis",
                                    "the axis' part of K"};
       const real units[] = {1 / kg, 1 / (kg * m), 1 / (kg * m * m)};
       expect_unit(parts[turns], K[i][j], units[turns]);

@@ -41,7 +41,7 @@ inline KPart axis_part() {
       {{"", "", products(I, same)},
        {"body % is missing", "it is not written yet",
         [](const S&, std::size_t) { return mat3(0); }},
-       {"the sign of body %: the shares of both bodies are added", "the sign",
+       {"the sign of body %: the terms of both bodies are added", "the sign",
         products([](const S& s, std::size_t k) { return -s.I[k]; }, same)},
        {"I@ in the place of I%", "",
         products([](const S& s, std::size_t k) { return s.I[1 - k]; }, same)},
@@ -60,7 +60,7 @@ inline KPart axis_part() {
         where([](const mat3& A, int i, int j, const S& s) {
           return A[j][i] + (i == j ? s.masses() : real(0));
         })},
-       {"what stands beside the diagonal is missing: its rows move each other,",
+       {"the entries beside the diagonal are missing: its rows change each other's rates,",
         kept([](int i, int j) { return i == j; })},
        {"the inverse inertias are missing, and so is one of the bodies",
         where([](const mat3&, int i, int j, const S& s) {

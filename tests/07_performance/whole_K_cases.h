@@ -126,7 +126,7 @@ inline CaseTable<HingeCase>::Mistakes wrong_wholes() {
       {"the second row takes the first axis row again",
        changed([](KSource& s) { s.a[1] = s.a[0]; })},
       {"nothing is written yet", [](const Case&) { return Numbers(25, 0); }},
-      {"#inverse-k-k-itself the inverse of K: K itself is wanted, the loop inverts it",
+      {"#inverse-k-k-itself the inverse of K: compute K itself, the loop inverts it",
        [](const Case& c) {
          Matrix<5> K = KSource(c).K();
          invert_symmetric(K[0].data(), 5);
@@ -146,7 +146,7 @@ inline CaseTable<HingeCase> whole_K_table() {
     for (int number = 0; number < 3; ++number) {
       const CaseTable<HingeCase> part = K_part_table(number);
       if (part.holds()) continue;
-      const char* const what[] = {"the point's 3x3", "what stands between the point and the axis",
+      const char* const what[] = {"the point's 3x3", "the part between the point and the axis",
                                   "the axis' 2x2"};
       const std::vector<std::string> likely = part.likely();
       std::string one = likely.empty() ? std::string(what[number]) + " in another way" : likely[0];

@@ -78,13 +78,13 @@ inline KPart point_part() {
   const auto unless = [](auto of) {  // nothing where a body is static
     return [=](const S& s) { return s.m[0] > 0 && s.m[1] > 0 ? of(s) : real(0); };
   };
-  const char* const given = "you are given 1/m already, add them";
+  const char* const given = "the arguments are 1/m already, add them";
   return {
       " in the point's 3x3",
       {{"", "", of(r, I, r)},
        {"the turns of body % are missing", "only the inverse masses: the turns are missing",
         [](const S&, std::size_t) { return mat3(0); }},
-       {"the sign of the turns of body %: the shares of both bodies are added",
+       {"the sign of the turns of body %: the terms of both bodies are added",
         "#transposed-skew the sign of the turns: skew(r) I^-1 skew(r) lacks a transpose",
         [=](const S& s, std::size_t k) { return -turns(s.r[k], s.I[k], s.r[k]); }},
        {"r@ with I%: r% belongs to it",
@@ -122,8 +122,7 @@ inline KPart point_part() {
         entries([](int, int j) { return j == 0; })},
        {"the inverse masses stand in two places of the diagonal: there are three",
         entries([](int i, int j) { return i == j && i < 2; })},
-       {"#masses-place-turns the inverse masses take the place of what stands on the diagonal: += "
-        "and not =",
+       {"#masses-place-turns the inverse masses replace the entries on the diagonal: += and not =",
         [](mat3 t, const S& s) {
           Matrix<5> K;
           for (int i = 0; i < 3; ++i)
@@ -147,7 +146,8 @@ inline KPart point_part() {
        {"#one-over-whole-mass one over the sum of the masses: each mass is inverted first, then "
         "they are added",
         plain(unless([](const S& s) { return 1 / (1 / s.m[0] + 1 / s.m[1]); }))},
-       {std::string("#inverted-once-more the masses: you are given the inverse masses, ") + given,
+       {std::string("#inverted-once-more the masses: the arguments are the inverse masses, ") +
+            given,
         plain([](const S& s) { return 1 / s.m[0] + 1 / s.m[1]; })},
        {std::string("one over the sum of the inverse masses: ") + given,
         plain([](const S& s) { return 1 / s.masses(); })},
@@ -203,10 +203,10 @@ inline KPart cross_part() {
       {{"", "", columns([=](const S& s, std::size_t k, const vec3& a) {
           return share(s.r[k], s.I[k], a);
         })},
-       {"body % is missing in what stands", "#without-last-line these are two blocks, not one: "
-                                            "nothing stands",
+       {"body % is missing in the part", "#without-last-line these are two blocks, not one: "
+                                            "nothing is",
         [](const S&, std::size_t) { return mat3(0); }},
-       {"the sign of body %", "#sign-one-line the sign of what stands",
+       {"the sign of body %", "#sign-one-line the sign of the part",
         columns([=](const S& s, std::size_t k, const vec3& a) {
           return -share(s.r[k], s.I[k], a);
         })},

@@ -186,7 +186,7 @@ inline std::vector<NewtonCase> newton_cases() {
   add("a negligible error that has hardly become less", {{1.2 * e}, {0.95 * e}});
   add("errors of 1 m, 0.5 m, then of 0.65 m", {{1}, {0.5}, {0.65}});
   add("errors of 1 m, 0.2 m, then of 0.25 m", {{1}, {0.2}, {0.25}});
-  add("errors of 1 m, 0.2 m, then exactly the share that may be left of the first",
+  add("errors of 1 m, 0.2 m, then exactly the fraction of the first that may remain",
       {{1}, {0.2}, {stalled_share}});
   add("errors of 2 m, 0.3 m, then of 0.35 m", {{2}, {0.3}, {0.35}});
   add("errors of 0.5 m, 0.2 m, 0.1 m, then of 0.09 m", {{0.5}, {0.2}, {0.1}, {0.09}});

@@ -7,10 +7,11 @@
 namespace joints::testing {
 
 inline const char* const told_errors_before_move =
-    "#errors-before-move the errors are asked before the bodies move: C is that at the new poses";
+    "#errors-before-move the errors are computed before the bodies move: C is that at the new "
+    "poses";
 inline const char* const told_last_begun_one =
     "#last-begun-one the first error is compared with a number: in the first iteration any error "
-    "will do, infinity";
+    "is accepted, use infinity";
 
 inline Pieces<NewtonReference> wrong_newtons() {
   using T = NewtonReference;
@@ -32,8 +33,7 @@ inline Pieces<NewtonReference> wrong_newtons() {
       {"twice: J V changes by -C/h", rate([](double C, double h) { return -2 * C / h; })},
       {"the sizes of the errors: J V changes by -C/h",
        rate([](double C, double h) { return -std::abs(C) / h; })},
-      {"#not-put-back the bodies are not put back: they move from where they were at first, not "
-       "once more",
+      {"#not-put-back the bodies are not put back: they move from their first places each time",
        [](T& t) { t.back = T::Back::none; }},
       {"#only-x-put-back q is not put back: x and q of every body",
        [](T& t) { t.back = T::Back::x; }},
@@ -44,8 +44,8 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.back = T::Back::all; }},
       {"`start` is written again in each iteration: once, before the first",
        [](T& t) { t.start_each_time = true, t.back = T::Back::none; }},
-      {"#start-does-not-hold `start` does not hold the bodies as they were: who calls puts them "
-       "back from it if there is no such pose",
+      {"#start-does-not-hold `start` does not hold the bodies as they were: the caller restores "
+       "them from it if there is no such pose",
        [](T& t) { t.keeps_start = false; }},
       {"#rates-never-changed change_rates() is never called", [](T& t) { t.changes = false; }},
       {told_errors_before_move,
@@ -62,24 +62,24 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.move_h = 0.5; }},
       {told_errors_before_move,
        [](T& t) { t.moves_first = false, t.asks_before = true; }},
-      {"#errors-asked-twice the errors are asked more than once in an iteration: they are yours "
-       "to keep",
+      {"#errors-asked-twice the errors are computed more than once in an iteration: store them",
        [](T& t) { t.asks = 2; }},
       {"#changed-twice change_rates() is called twice in an iteration: once",
        [](T& t) { t.changes_twice = true; }},
       {"#zero-iterations-do-nothing with no iterations the bodies do not move: they do, by the "
        "velocities that they have",
        [](T& t) { t.zero_does_nothing = true; }},
-      {"#last-begun-zero the last error is 0 at first: in the first iteration any error will do",
+      {"#last-begun-zero the last error is 0 at first: in the first iteration any error is "
+       "accepted",
        [](T& t) { t.first_last = 0; }},
       {told_last_begun_one,
        [](T& t) { t.first_last = 0.5; }},
       {told_last_begun_one,
        [](T& t) { t.first_last = 1; }},
-      {"#returned-once-when-poor the velocities are changed before poor_contraction is asked: "
-       "then they do not come back",
+      {"#returned-once-when-poor the velocities are changed before poor_contraction is tested: "
+       "then they are not restored",
        [](T& t) { t.poor_late = true; }},
-      {"#poor-goes-break where the error hardly becomes less the bodies move on: stop there, they "
+      {"#poor-goes-break where the error hardly decreases the bodies move on: stop there, they "
        "have moved",
        [](T& t) { t.poor_breaks = true; }},
       {"#largest-not-begun-anew the largest error is not begun anew in each iteration: from 0",
@@ -96,7 +96,7 @@ inline Pieces<NewtonReference> wrong_newtons() {
       {"#start-written-after-bodies `start` is written after the bodies have moved: before, as "
        "they were",
        [](T& t) { t.start_moved = true; }},
-      {"`start` keeps what it held before: that is no matter, assign() it",
+      {"`start` keeps its old contents: they do not matter, assign() it",
        [](T& t) { t.adds_to_start = true; }},
       {"#start-kept-each-iteration `start` is written again in each iteration: the velocities in "
        "it are changed ones then",
@@ -109,37 +109,36 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.power = 0; }},
       {"#negligible-times-h h is squared: an error of at most negligible h^2 needs no more",
        [](T& t) { t.power = 1; }},
-      {"#near-enough-not-asked whether the error is negligible is not asked: nothing more is to "
-       "be done then",
+      {"#near-enough-not-asked it is not tested whether the error is negligible: return then",
        [](T& t) { t.asks_near = false; }},
       {"#strictly-nearer-than-near at exactly negligible h^2 it is enough: <=",
        [](T& t) { t.strictly_near = true; }},
-      {"#last-not-kept an iteration that leaves more than poor_contraction of the error does not "
-       "end it: is `last` kept, and is it asked?",
+      {"#last-not-kept an iteration after which more than poor_contraction of the error remains "
+       "does not end it: is `last` stored, and is it used?",
        [](T& t) { t.asks_poor = false; }},
       {"#strictly-less-than-poor at exactly poor_contraction it goes on: <=",
        [](T& t) { t.strictly_poor = true; }},
       {"#only-growth-poor only an error that grows ends it: at most poor_contraction of the last "
-       "one may be left",
+       "one may remain",
        [](T& t) { t.poor = 1; }},
-      {"#error-times-share divided by poor_contraction: at most that share of the last error may "
-       "be left",
+      {"#error-times-share divided by poor_contraction: at most that fraction of the last error "
+       "may remain",
        [](T& t) { t.poor = 1 / poor_contraction; }},
-      {"#poor-before-near poor_contraction is asked before negligible h^2: what is negligible is "
+      {"#poor-before-near poor_contraction is tested before negligible h^2: a negligible error is "
        "good in any case",
        [](T& t) { t.poor_first = true; }},
       {"#last-only-once the first error is kept for ever: compare with that of the iteration "
        "before",
        [](T& t) { t.last_by_first = true; }},
-      {std::string(largest) + ". The sign is not taken away",
+      {std::string(largest) + ". The sign is not removed",
        norm([](const Cs& C) {
          double out = 0;
          for (const double a : C) out = std::max(out, a);
          return out;
        })},
-      {std::string(largest) + ". Only the first row is looked at",
+      {std::string(largest) + ". Only the first row is used",
        norm([](const Cs& C) { return std::abs(C[0]); })},
-      {std::string(largest) + ". Only the last row is looked at",
+      {std::string(largest) + ". Only the last row is used",
        norm([](const Cs& C) { return std::abs(C.back()); })},
       {std::string(largest) + ", not the sum",
        norm([](const Cs& C) {
@@ -171,22 +170,22 @@ inline Pieces<NewtonReference> wrong_newtons() {
          for (const double a : C) out = std::min(out, std::abs(a));
          return out;
        })},
-      {"#size-asked-after-division the size is taken of -C/h, not of C: ask before you divide",
+      {"#size-asked-after-division the size is taken of -C/h, not of C: compare before you divide",
        norm([](const Cs& C) {
          double out = 0;
          for (const double a : C) out = std::max(out, std::abs(a));
          return 10 * out;
        })},
-      {"#poor-is-true true wherever it stops: only if at most stalled_share of the first error is "
-       "left",
+      {"#poor-is-true true wherever it stops: only if at most stalled_share of the first error "
+       "remains",
        [](T& t) { t.result = T::Result::poor_is_true; }},
-      {"#first-kept-second-iteration false wherever it stops: true if at most stalled_share of "
-       "the first error is left. Is the first error kept in the first iteration alone?",
+      {"#first-kept-second-iteration false wherever it stops: true if at most stalled_share of the "
+       "first error remains. Is the first error stored in the first iteration alone?",
        [](T& t) { t.result = T::Result::poor_is_false; }},
-      {"where it stops the last error is asked: at most stalled_share of the first one",
+      {"where it stops the last error is used: at most stalled_share of the first one",
        [](T& t) { t.result = T::Result::poor_by_last; }},
       {"#stop-turned-round where it stops true and false are exchanged: true if at most "
-       "stalled_share of the first error is left",
+       "stalled_share of the first error remains",
        [](T& t) { t.result = T::Result::turned; }},
       {"#poor-share-first where it stops poor_contraction of the first error is the bound: "
        "stalled_share of it",
@@ -200,8 +199,8 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.result = T::Result::end_is_false; }},
       {"always false: true where the bodies have arrived, and after the last iteration",
        [](T& t) { t.result = T::Result::always_false; }},
-      {"#errors-asked-end the errors are asked once more after the last iteration: that costs, "
-       "and is not wanted",
+      {"#errors-asked-end the errors are computed once more after the last iteration: that is not "
+       "necessary",
        [](T& t) { t.asks_at_end = true; }}};
 }
 

@@ -144,19 +144,19 @@ inline std::vector<OrderMistake> order_mistakes() {
          std::iota(order.rbegin(), order.rend(), 0);
          return order;
        }},
-      {"#number-neighbours-first the neighbours at first are counted: those that are left count, "
-       "the filled ones too. Is a node taken out of the queue and put in again where its number "
+      {"#number-neighbours-first the original neighbours are counted: the remaining ones count, "
+       "with those filled in. Is a node taken out of the queue and put in again where its number "
        "changes?",
        with([](R& r) { r.by = R::By::first_lists; })},
-      {"#sorted-once-not-stably the neighbours at first are counted, and of equals the greatest "
-       "number comes first: those that are left count, the filled ones too",
+      {"#sorted-once-not-stably the original neighbours are counted, and of equals the greatest "
+       "number comes first: the remaining ones count, with those filled in",
        with([](R& r) { r.by = R::By::first_lists, r.greatest = true; })},
-      {"#no-fill nothing is filled in: who is eliminated makes its neighbours neighbours of each "
+      {"#no-fill nothing is filled in: an eliminated node makes its neighbours neighbours of each "
        "other",
        with([](R& r) { r.fills = false; })},
-      {"who is eliminated stays in the sets of its neighbours: only those that are left count",
+      {"an eliminated node stays in the sets of its neighbours: only the remaining ones count",
        with([](R& r) { r.leaves = false; })},
-      {"who is eliminated stays in the sets of its neighbours, and nothing is filled in",
+      {"an eliminated node stays in the sets of its neighbours, and nothing is filled in",
        with([](R& r) { r.leaves = false, r.fills = false; })},
       {"only one of two becomes a neighbour of the other: both do",
        with([](R& r) { r.half_fill = true; })},
@@ -170,8 +170,8 @@ inline std::vector<OrderMistake> order_mistakes() {
          std::reverse(order.begin(), order.end());
          return order;
        }},
-      {"#places-returned the place of each node in the order is returned: asked for are the nodes "
-       "in that order",
+      {"#places-returned the place of each node in the order is returned: return the nodes in that "
+       "order",
        [](const Graph& graph) {
          const std::vector<int> order = right_order(graph);
          std::vector<int> place(order.size());
@@ -202,7 +202,7 @@ inline std::vector<int> your_order(const GraphCase& c) {
              likely(c.neighbours.size() > 100
                         ? "#small-type with few nodes it ends: a type that is too small for the "
                           "numbers of the nodes, such as a char?"
-                        : "#doubled-neighbours who is eliminated comes back into the queue. It "
+                        : "#doubled-neighbours an eliminated node comes back into the queue. It "
                           "must leave the sets of all its neighbours, each of two neighbours must "
                           "know the other, and know it once, and a pair is erased from the queue "
                           "before the set changes whose size it holds"));
@@ -222,14 +222,15 @@ inline std::string explain_nodes(const Graph& graph, const std::vector<int>& you
                             "is eliminated";
   if (yours.size() < graph.size())
     return "only " + std::to_string(yours.size()) + " of " + std::to_string(graph.size()) +
-           " nodes: go on until none is left, also where a node has no neighbours";
+           " nodes: go on until none remains, also where a node has no neighbours";
   if (yours.size() > graph.size())
     return std::to_string(yours.size()) + " nodes where there are " +
-           std::to_string(graph.size()) + ": who is eliminated must not come back into the queue. Is a node made a neighbour of "
-                            "itself, for want of b != a?";
+           std::to_string(graph.size()) + ": an eliminated node must not come back into the queue. "
+                                          "Is a node made a neighbour of itself, because b != a is "
+                                          "missing?";
   if (std::find(yours.begin(), yours.end(), int(graph.size())) != yours.end())
     return "there is no node " + std::to_string(graph.size()) + ": they are counted from 0";
-  return "a node stands there twice, or is none: who is eliminated must not come back";
+  return "a node stands there twice, or is none: an eliminated node must not come back";
 }
 
 /// In how many graphs it holds, and the mistake that gives your order in all of them.

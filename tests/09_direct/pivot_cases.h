@@ -7,9 +7,9 @@
 namespace joints::testing {
 
 inline const char* const told_absolute_threshold =
-    "#absolute-threshold the share itself is the bound: it is a share of the original entry";
+    "#absolute-threshold the fraction itself is the bound: it is a fraction of the original entry";
 inline const char* const told_comparison_turned_round =
-    "#comparison-turned-round the comparison is turned round: what is at most the share gets 0";
+    "#comparison-turned-round the comparison is reversed: a pivot of at most the fraction gets 0";
 inline const char* const told_size_pivot =
     "#size-pivot the size of the pivot is compared: a pivot below zero is an error, too, and "
     "gets 0";
@@ -24,16 +24,16 @@ inline const Arguments<PivotCase> pivot_arguments{{"pivot", &PivotCase::pivot},
 inline std::vector<PivotCase> pivot_cases() {
   const double share = dependent_share, nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<PivotCase> out{{"a pivot of its whole entry", 2, 2},
-                             {"nothing but rounding error is left", share / 1000 * 2, 2},
-                             {"half of it is left", 1, 2},
+                             {"only a rounding error remains", share / 1000 * 2, 2},
+                             {"half of it remains", 1, 2},
                              {"a pivot of 4", 4, 5},
-                             {"a hundredth is left", 0.05, 5},
-                             {"just above the share", 1.01 * share * 3, 3},
-                             {"just below the share", 0.99 * share * 3, 3},
-                             {"exactly the share", share * 2, 2},
-                             {"exactly the share of a large entry", share * 1024, 1024},
+                             {"a hundredth remains", 0.05, 5},
+                             {"just above the fraction", 1.01 * share * 3, 3},
+                             {"just below the fraction", 0.99 * share * 3, 3},
+                             {"exactly the fraction", share * 2, 2},
+                             {"exactly the fraction of a large entry", share * 1024, 1024},
                              {"both are zero", 0, 0},
-                             {"nothing is left", 0, 3},
+                             {"nothing remains", 0, 3},
                              {"rounding error below zero", -share / 100, 1},
                              {"a large pivot below zero", -2, 3},
                              {"the pivot is not a number", nan, 1},
@@ -41,9 +41,9 @@ inline std::vector<PivotCase> pivot_cases() {
   for (const double mass : {1e-9, 1e-4, 1e4, 1e9}) {
     const std::string words = ", entry " + short_number(mass);
     out.push_back({"whole" + words, mass, mass});
-    out.push_back({"a thousandth is left" + words, 1e-3 * mass, mass});
+    out.push_back({"a thousandth remains" + words, 1e-3 * mass, mass});
     out.push_back({"rounding error" + words, 1e-2 * share * mass, mass});
-    out.push_back({"twice the share" + words, 2 * share * mass, mass});
+    out.push_back({"twice the fraction" + words, 2 * share * mass, mass});
   }
   return out;
 }
@@ -59,7 +59,7 @@ inline CaseTable<PivotCase> pivot_table() {
   };
   const double share = dependent_share;
   const char* const least = "#least-one-bound a bound that does not become smaller with the entry: "
-                            "a share of the entry, however small";
+                            "it is a fraction of the entry, however small";
   const auto unless = [=](auto dropped) {
     return scaled([=](const Case& c) { return dropped(c) ? 0 : 1 / c.pivot; });
   };
@@ -70,14 +70,14 @@ inline CaseTable<PivotCase> pivot_table() {
   table.yours = scaled([](const Case& c) { return inverse_pivot(c.pivot, c.original); });
   table.right = unless([=](const Case& c) { return !(c.pivot > share * c.original); });
   table.mistakes = {
-      {"#every-pivot-inverted every pivot is inverted: what is left of a dependent row is "
-       "rounding error, it gets 0",
+      {"#every-pivot-inverted every pivot is inverted: that of a dependent row is a rounding "
+       "error, it gets 0",
        unless([](const Case&) { return false; })},
       {"#only-exactly-zero only a pivot of exactly 0 gets 0: rounding error is never that",
        unless([](const Case& c) { return c.pivot == 0; })},
-      {"#above-zero only what is 0 or below gets 0: rounding error may be positive",
+      {"#above-zero only a pivot of 0 or below gets 0: a rounding error may be positive",
        unless([](const Case& c) { return !(c.pivot > 0); })},
-      {"#whole-entry always 0: a pivot above its share of the original entry has an inverse",
+      {"#whole-entry always 0: a pivot above its fraction of the original entry has an inverse",
        unless([](const Case&) { return true; })},
       {told_comparison_turned_round,
        unless([=](const Case& c) { return c.pivot > share * c.original; })},
@@ -92,22 +92,22 @@ inline CaseTable<PivotCase> pivot_table() {
          return c.pivot > share * c.original ? 1 / c.pivot
                                              : std::numeric_limits<double>::infinity();
        })},
-      {"#regularised a share of the entry is added to every pivot: that changes all impulses. "
+      {"#regularised a fraction of the entry is added to every pivot: that changes all impulses. "
        "Compare, and return 0",
        scaled([=](const Case& c) { return 1 / (c.pivot + share * c.original); })},
-      {"#greater-both a pivot is at least its share of the entry: what is not more gets 0, no "
+      {"#greater-both a pivot is raised to its fraction of the entry: a smaller one gets 0, no "
        "impulse",
        scaled([=](const Case& c) { return 1 / std::max(c.pivot, share * c.original); })},
       {least,
        unless([=](const Case& c) { return !(c.pivot > share * std::max(c.original, 1.0)); })},
-      {"#equality-inverted at exactly the share there is no inverse: at most this share is "
+      {"#equality-inverted at exactly the fraction there is no inverse: at most this fraction is "
        "rounding error, so > and not >=",
        unless([=](const Case& c) { return !(c.pivot >= share * c.original); })},
-      {"#below-share-alone at exactly the share there is no inverse, and not a number gives 0: "
-       "ask for pivot > share, not for pivot < share",
+      {"#below-share-alone at exactly the fraction there is no inverse, and not a number gives 0: "
+       "test pivot > fraction, not pivot < fraction",
        unless([=](const Case& c) { return c.pivot < share * c.original; })},
-      {"#not-number-gets-through a pivot or entry that is not a number gets through: ask for "
-       "pivot > share of the entry, which is false then",
+      {"#not-number-gets-through a pivot or entry that is not a number gets through: test pivot > "
+       "fraction of the entry, which is false then",
        unless([=](const Case& c) { return c.pivot <= share * c.original; })},
       {told_size_pivot,
        unless([=](const Case& c) { return !(std::abs(c.pivot) > share * c.original); })},
@@ -121,7 +121,7 @@ inline CaseTable<PivotCase> pivot_table() {
        unless([=](const Case& c) { return !(c.pivot > share); })},
       {told_absolute_threshold,
        unless([=](const Case& c) { return c.pivot < share; })},
-      {"#original-inverted the original entry is inverted: it only tells what is rounding error",
+      {"#original-inverted the original entry is inverted: it serves only for the comparison",
        scaled([=](const Case& c) {
          return c.pivot > share * c.original ? 1 / c.original : 0;
        })},
@@ -147,7 +147,7 @@ inline CaseTable<PivotCase> pivot_table() {
        unless([](const Case& c) { return !(c.pivot > c.original); })},
       {"#pivot-entry-exchanged pivot and entry are exchanged in the comparison",
        unless([=](const Case& c) { return !(c.original > share * c.pivot); })},
-      {"the entry is divided by the share: a share of it is dependent_share times it",
+      {"the entry is divided by the fraction: it is dependent_share times the entry",
        unless([=](const Case& c) { return !(c.pivot > c.original / share); })},
       {"#quotient pivot / original where both are zero is not a number: compare with a product",
        scaled([=](const Case& c) {
@@ -160,14 +160,14 @@ inline CaseTable<PivotCase> pivot_table() {
        })}};
   for (const double bound : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15,
                              1e-16, 2.220446049250313e-16, 1e-20}) {
-    table.mistakes.push_back({"#bound-own a fixed bound for masses of any size: a share of the "
-                              "original entry",
+    table.mistakes.push_back({"#bound-own a fixed bound for masses of any size: it is a fraction "
+                              "of the original entry",
                               unless([=](const Case& c) { return !(c.pivot > bound); })});
     table.mistakes.push_back({least,
                               unless([=](const Case& c) {
                                 return !(c.pivot > std::max(share * c.original, bound));
                               })});
-    table.mistakes.push_back({std::string("another share, ") +
+    table.mistakes.push_back({std::string("another fraction, ") +
                                   (bound < share ? "smaller" : "larger") +
                                   " than dependent_share",
                               unless([=](const Case& c) {

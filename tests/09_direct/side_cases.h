@@ -10,11 +10,10 @@ inline const char* const told_zero_lower_bound =
     "#zero-lower-bound the sign of the impulse decides: compare it with the bounds, which need "
     "not be 0";
 inline const char* const told_bounded_rows_are_free =
-    "#bounded-rows-are-free the side of now is not looked at: a bounded row is asked for its "
-    "rate, not its impulse";
-inline const char* const told_rate_decides_everywhere =
-    "#rate-decides-everywhere the rate decides whatever the side: a free row is asked for its "
+    "#bounded-rows-are-free the side `now` is ignored: the rate of a bounded row decides, not its "
     "impulse";
+inline const char* const told_rate_decides_everywhere =
+    "#rate-decides-everywhere the rate decides on every side: for a free row the impulse decides";
 inline const char* const told_sizes_compared =
     "#sizes-compared the sizes are compared: impulse and bounds have signs";
 
@@ -105,8 +104,8 @@ inline CaseTable<SideCase> side_table() {
        free([](const C& c) {
          return c.impulse < c.lower ? Side::upper : c.impulse > c.upper ? Side::lower : Side::free;
        })},
-      {"#comparisons-free-row-turned the comparisons of a free row are turned round: below lower, "
-       "or above upper",
+      {"#comparisons-free-row-turned the comparisons of a free row are reversed: below lower, or "
+       "above upper",
        free([](const C& c) {
          return c.impulse > c.lower ? Side::lower : c.impulse < c.upper ? Side::upper : Side::free;
        })},
@@ -136,35 +135,35 @@ inline CaseTable<SideCase> side_table() {
          return c.impulse < c.lower                           ? Side::lower
                 : std::abs(c.impulse) > std::abs(c.upper) ? Side::upper : Side::free;
        })},
-      {"a small impulse beyond a bound is let pass: there is no threshold",
+      {"a small impulse beyond a bound is accepted: there is no threshold",
        free([](const C& c) {
          return c.impulse < c.lower - 1e-7   ? Side::lower
                 : c.impulse > c.upper + 1e-7 ? Side::upper : Side::free;
        })},
-      {"#threshold-impulse a small impulse below the lower bound is let pass: there is no "
+      {"#threshold-impulse a small impulse below the lower bound is accepted: there is no "
        "threshold",
        free([](const C& c) {
          return c.impulse < c.lower - 1e-7 ? Side::lower
                 : c.impulse > c.upper      ? Side::upper : Side::free;
        })},
-      {"a small impulse above the upper bound is let pass: there is no threshold",
+      {"a small impulse above the upper bound is accepted: there is no threshold",
        free([](const C& c) {
          return c.impulse < c.lower          ? Side::lower
                 : c.impulse > c.upper + 1e-7 ? Side::upper : Side::free;
        })},
-      {"#threshold-rate a small rate is let pass at the lower bound: there is no threshold",
+      {"#threshold-rate a small rate is accepted at the lower bound: there is no threshold",
        lower([](const C& c) { return c.rate < -1e-7 ? Side::free : Side::lower; })},
-      {"a small rate is let pass at the upper bound: there is no threshold",
+      {"a small rate is accepted at the upper bound: there is no threshold",
        upper([](const C& c) { return c.rate > 1e-7 ? Side::free : Side::upper; })},
-      {"a free row is asked for its rate: only its impulse counts, its rate is zero already",
+      {"the rate of a free row is tested: only its impulse counts, its rate is zero already",
        free([](const C& c) {
          return c.rate < 0 ? Side::lower : c.rate > 0 ? Side::upper : Side::free;
        })},
-      {"a free row is asked for its rate: only its impulse counts, its rate is zero already",
+      {"the rate of a free row is tested: only its impulse counts, its rate is zero already",
        free([](const C& c) {
          return c.rate > 0 ? Side::lower : c.rate < 0 ? Side::upper : Side::free;
        })},
-      {"#free-asks-rate-well a free row is asked for its rate, too: only its impulse counts",
+      {"#free-asks-rate-well the rate of a free row is tested, too: only its impulse counts",
        free([](const C& c) {
          return c.impulse < c.lower && c.rate > 0   ? Side::lower
                 : c.impulse > c.upper && c.rate < 0 ? Side::upper : Side::free;
@@ -179,9 +178,9 @@ inline CaseTable<SideCase> side_table() {
       {zero, lower([](const C& c) { return c.rate <= 0 ? Side::free : Side::lower; })},
       {"#lower-upper from the lower bound to the upper one at once: it is free first",
        lower([](const C& c) { return c.rate < 0 ? Side::upper : Side::lower; })},
-      {"a row at its lower bound is asked for its impulse: that is at the bound, the rate counts",
+      {"the impulse of a row at its lower bound is tested: it is at the bound, the rate counts",
        lower([](const C& c) { return c.impulse > c.lower ? Side::free : Side::lower; })},
-      {"a row at its lower bound is asked for its impulse: that is at the bound, the rate counts",
+      {"the impulse of a row at its lower bound is tested: it is at the bound, the rate counts",
        lower([](const C& c) { return c.impulse < c.lower ? Side::lower : Side::free; })},
       {"#upper-branch-missing a row at its upper bound stays there: at a positive rate a smaller "
        "impulse would help",
@@ -194,14 +193,14 @@ inline CaseTable<SideCase> side_table() {
       {zero, upper([](const C& c) { return c.rate >= 0 ? Side::free : Side::upper; })},
       {"#upper-lower from the upper bound to the lower one at once: it is free first",
        upper([](const C& c) { return c.rate > 0 ? Side::lower : Side::upper; })},
-      {"a row at its upper bound is asked for its impulse: that is at the bound, the rate counts",
+      {"the impulse of a row at its upper bound is tested: it is at the bound, the rate counts",
        upper([](const C& c) { return c.impulse < c.upper ? Side::free : Side::upper; })},
-      {"a row at its upper bound is asked for its impulse: that is at the bound, the rate counts",
+      {"the impulse of a row at its upper bound is tested: it is at the bound, the rate counts",
        upper([](const C& c) { return c.impulse > c.upper ? Side::upper : Side::free; })},
       {"a row that leaves its upper bound goes to the lower one's branch: both have their own",
        upper([](const C& c) { return c.rate > 0 ? Side::free : Side::lower; })},
-      {"#both-signs-rate both signs of the rate are turned round: at the lower bound a negative "
-       "rate frees, at the upper one a positive rate",
+      {"#both-signs-rate both signs of the rate are reversed: at the lower bound a negative rate "
+       "frees, at the upper one a positive rate",
        [](R& r) {
          r.at_lower = [](const C& c) { return c.rate > 0 ? Side::free : Side::lower; };
          r.at_upper = [](const C& c) { return c.rate < 0 ? Side::free : Side::upper; };
@@ -236,8 +235,8 @@ inline CaseTable<SideCase> side_table() {
        whole([](const C& c) {
          return c.rate > 0 ? Side::lower : c.rate < 0 ? Side::upper : Side::free;
        })},
-      {"#sum-impulse-rate impulse and rate are added: the one is asked of a free row, the other "
-       "of a bounded one",
+      {"#sum-impulse-rate impulse and rate are added: the impulse decides for a free row, the rate "
+       "for a bounded one",
        whole([](const C& c) {
          const double sum = c.impulse - c.rate;
          return sum < c.lower ? Side::lower : sum > c.upper ? Side::upper : Side::free;

@@ -72,8 +72,7 @@ inline CaseTable<SlowedCase> slowed_table() {
        now([](const T& t) { return min(t.moments, vec3(t.follows)); })},
       {"#own-moments-lost the body's own moments are lost: the greater of the two",
        now([](const T& t) { return vec3(t.follows); })},
-      {"#least-lacks what the least moment lacks is added to all: each becomes what it lacks "
-       "itself",
+      {"#least-lacks the difference of the least moment is added to all: each is raised separately",
        now([](const T& t) {
          const real least = std::min({t.moments.x, t.moments.y, t.moments.z});
          return t.moments + vec3(std::max(real(0), t.follows - least));
@@ -86,7 +85,7 @@ inline CaseTable<SlowedCase> slowed_table() {
        now([](const T& t) { return max(t.moments, vec3(t.before)); })},
       {"#never-smaller a moment stays as large as in the last step: it may become smaller again",
        now([](const T& t) { return max(t.last(), vec3(t.follows)); })},
-      {"#force-ignored the force is never looked at, and nothing changes",
+      {"#force-ignored the force is ignored, and nothing changes",
        now([](const T& t) { return t.moments; })},
       {inverse_of, [](T& t) { t.moments = t.c.body.inverse_inertia_local; }},
       {"#inverse-both the inverse moments are taken for moments, and the greater is returned: 1 "

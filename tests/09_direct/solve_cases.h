@@ -210,7 +210,7 @@ inline void check_originals(const MatrixCase& c) {
              "entry of row " + std::to_string(row) + ", node " + std::to_string(k),
              yours, c.A(row, row), 0,
              {{yours, n >= seen.size()
-                          ? "#inverse-own `inverse` is not asked for this pivot: hand it to "
+                          ? "#inverse-own `inverse` is not called for this pivot: pass it to "
                             "factor_block()"
                           : "&A.original[node.row]: by rows of the right-hand side, each node has "
                             "its own"}});

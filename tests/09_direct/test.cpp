@@ -68,7 +68,7 @@ TEST_CASE("9.2 a solution of a hundred nodes has the right side that was given",
   check_drawn({"9.2", "the solution x with the factor", 2}, drawn_solve);
 }
 
-TEST_CASE("9.2 what you factor and solve yourself has the dense solution", "[9.2]") {
+TEST_CASE("9.2 your own factor and solution agree with the dense solution", "[9.2]") {
   for (const MatrixCase& c : matrix_cases())
     for (const Numbers& b : right_sides(c)) check_whole(c, b, gauss(c.A, b));
 }
@@ -111,12 +111,12 @@ TEST_CASE("9.4 a pivot of two has the inverse one half", "[9.4]") {
   pivot_table().check({"a pivot of its whole entry", 2, 2}, {1});
 }
 
-TEST_CASE("9.4 what rounding leaves of a dependent row has the inverse zero", "[9.4]") {
-  pivot_table().check({"nothing but rounding error is left", 1e-3 * dependent_share, 2}, {0});
+TEST_CASE("9.4 the rounding error of a dependent row has the inverse zero", "[9.4]") {
+  pivot_table().check({"only a rounding error remains", 1e-3 * dependent_share, 2}, {0});
   pivot_table().check({"both are zero", 0, 0}, {0});
 }
 
-TEST_CASE("9.4 rounding error is a share of the pivot's own original entry", "[9.4]") {
+TEST_CASE("9.4 a rounding error is a fraction of the pivot's own original entry", "[9.4]") {
   pivot_table().check();
 }
 
@@ -142,7 +142,7 @@ TEST_CASE("9.5 a stone falls five centimetres in its first tenth of a second", "
 
 TEST_CASE("9.5 the step is that of the engine with leapfrog", "[9.5]") { time_table().check(); }
 
-TEST_CASE("9.5 what falls lies on its parabola whatever the lengths of the steps", "[9.5]") {
+TEST_CASE("9.5 a falling body is on its parabola for steps of any lengths", "[9.5]") {
   World world;
   fall(world);
   world.bodies.at(0).v = vec3(2, 3, 0);
@@ -215,7 +215,8 @@ TEST_CASE("9.6 a slider at 3 m/s needs 5 m/s to be at its mark in a tenth of a s
   expect_newton("calls of change_rates()", corrector->changed, 1, 0);
 }
 
-TEST_CASE("9.6 each iteration asks at the new poses, changes the velocities and goes back",
+TEST_CASE("9.6 each iteration computes errors at the new poses, changes the velocities and goes "
+          "back",
           "[9.6]") {
   newton_table().check();
 }
@@ -225,7 +226,7 @@ TEST_CASE("9.6 a pendulum lands on its circle, and its velocity has led it there
     if (c.words.starts_with("a pendulum")) check_landing(c);
 }
 
-TEST_CASE("9.6 what the memory held before is no matter", "[9.6]") {
+TEST_CASE("9.6 the old contents of the memory do not matter", "[9.6]") {
   for (const std::size_t size : {std::size_t(0), std::size_t(2), std::size_t(40)})
     check_memory(newton_cases()[10], size);
 }

@@ -113,8 +113,7 @@ inline Pieces<TimeReference> wrong_times() {
          t.euler = true, t.before = t.after = 0;
          t.kick_length = [](real, real h) { return h; };
        }},
-      {"#kick-behind-solve kick() comes behind solve(): the impulses of the joints must see the "
-       "forces",
+      {"#kick-behind-solve kick() comes after solve(): the forces must act before the impulses",
        [](T& t) { t.kick_last = true; }},
       {"#last-h-gets-mean the mean is kept in world.last_h: h, the length of this step",
        [](T& t) { t.keeps_mean = true; }},
@@ -237,7 +236,7 @@ inline void check_calls(World& world, int n) {
   const std::string right = "prepare(3 blocks from 0) warm_start(0) solve() ";
   std::string words;
   if (solver.calls != right) {
-    words = "What the solver is asked in step " + std::to_string(n) + ":\n\n  yours:    " +
+    words = "Calls of the solver in step " + std::to_string(n) + ":\n\n  yours:    " +
             solver.calls + "\n  expected: " + right + "\n";
     const std::vector<std::string> mistakes = time_table().likely();
     if (!mistakes.empty()) words += "\n" + likely(mistakes[0]);

@@ -23,12 +23,12 @@
 // expects: change of v1 (equal steps)
 // wrong nothing-last-step-kept: lambda *= ratio; ==> if (ratio != 1) { lambda = vec3(0); return; }
 // wrong one-minus-ratio: ratio ==> 1 - ratio
-// wrong "only body 2 feels it": apply_impulse(J, lambda, body1, body2); ==> for (int i = 0; i < 3;
+// wrong "it acts on body 2 only": apply_impulse(J, lambda, body1, body2); ==> for (int i = 0; i < 3;
 //         ++i) { body2.v += body2.inverse_mass * lambda[i] * J[i].v2; body2.w +=
 //         inverse_inertia(body2) * (lambda[i] * J[i].w2); }
 // expects: change of v1 (shorter step)
 // wrong only-scaled: apply_impulse(J, lambda, body1, body2); ==>
-// wrong "only v changes: lambda turns the bodies, too": apply_impulse(J, lambda, body1, body2); ==>
+// wrong "only v changes: lambda rotates the bodies, too": apply_impulse(J, lambda, body1, body2); ==>
 //         for (int i = 0; i < 3; ++i) { body1.v += body1.inverse_mass * lambda[i] * J[i].v1;
 //         body2.v += body2.inverse_mass * lambda[i] * J[i].v2; }
 // expects: change of w1 (shorter step)
@@ -75,7 +75,7 @@
 //         J[i].v2; }
 
 // region 2
-// wrong "at the bound nothing dies away": < 1 ==> <= 1
+// wrong "at the bound the error does not decay": < 1 ==> <= 1
 // expects: rho 0.5 iterations 1 beta 1
 // wrong "beta is cut to a whole number: an int has no fraction": beta ==> share ;; return ==> const
 //         int share = beta; return

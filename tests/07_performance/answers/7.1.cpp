@@ -25,7 +25,7 @@
 //         hinge.point.anchor1_local)); out ;; [i]; ==> [i] + slip[i];
 // expects: the numbers of a hinge, its bodies at rest and flying
 // wrong without-beta: hinge.beta ==> 1
-// wrong "h is forgotten: beta C is a way and an angle": / h ==>
+// wrong "h is forgotten: beta C is a length or an angle": / h ==>
 // expects: bias[0]
 // wrong "I1 and I2: body-space: it must be turned into the world": out ==> const auto local =
 //         [](const Body& body) { const vec3 i = body.inverse_inertia_local; return
@@ -48,7 +48,7 @@
 //         m[2][2]}; }; out ;; symmetric ==> six ;; symmetric ==> six
 // wrong inverse-k-filled: out ==> for (int i = 0; i < 5; ++i) out.inverse_K[out.place(i, i)] = 1;
 //         out
-// wrong "all of out is set to zero, or made anew: inverse_K stays": out ==> out = {}; out
+// wrong "all of out is set to zero, or replaced: inverse_K stays": out ==> out = {}; out
 // expects: inverse_K[0]
 // wrong "r1: the lever of the other body; and r2: not written yet": out.r2 ==> out.r1
 // wrong "r1 and r2: the lever of the other body": r2 ==> r1 ;; r1 ==> r2

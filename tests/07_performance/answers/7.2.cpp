@@ -100,9 +100,9 @@
 //         = -dot(unit[i], at))
 // wrong "the columns beside the point are not mirrored": K[3 + j][i] = - ==> -
 // expects: K[a1.c, C.x]
-// wrong "body 1 is missing in what stands between the point and the axis": r1, w1) + cross(hinge.r2
+// wrong "body 1 is missing in the part between the point and the axis": r1, w1) + cross(hinge.r2
 //         ==> r2
-// wrong "the sign of what stands between the point and the axis": -dot ==> dot
+// wrong "the sign of the part between the point and the axis": -dot ==> dot
 // expects: K[C.x, a1.c]
 // wrong "the sign of body 1 between the point and the axis": r2, w2 ==> r1, w1 ;; (hinge.r1, w1) +
 //         ==> (hinge.r2, w2) -
@@ -119,9 +119,9 @@
 // wrong sum-that-thrown-away: + at2 ==> ;; + inverse_mass2 ==> ;; + w2 ==> ;; w1) + cross(hinge.r2,
 //         w2 ==> w1
 // wrong transposed-skew: dot ==> -dot
-// wrong "these are two blocks, not one: nothing stands between": for (int i = 0; i < 3; ++i) K[i][3
-//         + j] = K[3 + j][i] = -dot(unit[i], at); ==>
-// wrong "the sign of the turns: skew(r) I^-1 skew(r) lacks a transpose in the point's 3x3; and the sign of what stands between the point and the axis":
+// wrong "these are two blocks, not one: nothing is between": for (int i = 0; i < 3; ++i) K[i][3 +
+//         j] = K[3 + j][i] = -dot(unit[i], at); ==>
+// wrong "the sign of the turns: skew(r) I^-1 skew(r) lacks a transpose in the point's 3x3; and the sign of the part between the point and the axis":
 //         -dot ==> dot ;; dot ==> -dot
 // wrong inverse-masses-are-missing: at2) + (i == j ? inverse_mass1 + inverse_mass2 : real(0) ==>
 //         at2

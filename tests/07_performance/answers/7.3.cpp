@@ -124,7 +124,7 @@
     colours.push_back(colour);
   }
   return colours;
-// wrong "the number of joints that a body has had so far is no colour":
+// wrong "the number of joints that a body has so far is not a colour":
 // expects: Holds in
   std::vector<int> count(moves.size(), 0), colours;
   for (const BodyPair& link : links) {

@@ -44,7 +44,7 @@
 //         body2.v = body2.v + body2.inverse_mass * push ==>
 // expects: v2.z
 // wrong "lambda[1] and lambda[2] are exchanged": -back[1], -back[2] ==> -back[2], -back[1]
-// wrong "the record is made anew without its inverse mass": body1.v = ==> const Triple<Number> v1 =
+// wrong "the record is replaced without its inverse mass": body1.v = ==> const Triple<Number> v1 =
 //         ;; body1.w = ==> const Triple<Number> w1 = ;; ; body2 ==> ; body1 = {v1, Number{}, w1,
 //         Number{}} ; body2
 // expects: inverse mass of body 1

@@ -1,6 +1,6 @@
 // wrong across-the-sliding: (across); ==> (cross(n, across));
 // wrong against-the-sliding: normalize ==> -normalize
-// wrong "what is taken away is along the velocity: it is along n": * n; ==> * sliding;
+// wrong "the subtracted part is along the velocity: it is along n": * n; ==> * sliding;
 // expects: Case: n (0, 1, 0), sliding (3, -2.49, 0) m/s.
 // wrong one-stand-in: { const vec3 other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1,
 //         0); across = other - dot(n, other) * n; } ==> across = vec3(1, 0, 0) - n.x * n;
@@ -30,8 +30,8 @@
 // wrong not-ground-rest: { const vec3 other ==> across ;; across = other - dot(n, other) * n; } ==>
 // wrong not-projected: - dot(n, sliding) * n ==>
 // expects: by hand
-// wrong "what slides slowly counts as nothing": -4 ==> -2
-// wrong "what slides slowly counts as nothing": -4 ==> -3
+// wrong "slow sliding is ignored": -4 ==> -2
+// wrong "slow sliding is ignored": -4 ==> -3
 // expects: slow, 0.0002 m/s
 // wrong one-stand-in: if ==> const vec3 other(real(0.3), real(-0.7), real(0.2)); if ;; { const vec3
 //         other = std::abs(n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0); ==> ;; n; } ==> n;

@@ -7,8 +7,8 @@
 // wrong above-zero: pivot > dependent_share * original ==> pivot > 0
 // wrong absolute-threshold: dependent_share * original ==> dependent_share
 // wrong bound-own: dependent_share * original ==> 1e-10
-// wrong "another share, smaller than dependent_share": dependent_share ==> 2.220446049250313e-16
-// wrong "another share, larger than dependent_share": dependent_share ==> 1e-6
+// wrong "another fraction, smaller than dependent_share": dependent_share ==> 2.220446049250313e-16
+// wrong "another fraction, larger than dependent_share": dependent_share ==> 1e-6
 // wrong comparison-turned-round: pivot > ==> pivot <
 // wrong equality-inverted: pivot > ==> pivot >=
 // wrong not-number-gets-through: pivot > ==> pivot <= ;; 1 / pivot : 0 ==> 0 : 1 / pivot
@@ -21,7 +21,7 @@
 // wrong pivot-returned: 1 / pivot ==> pivot
 // wrong sign: 1 / pivot ==> -1 / pivot
 // wrong one-dependent-row: : 0 ==> : 1
-// wrong "Case: nothing but rounding error is left": : 0 ==> : 1e30
+// wrong "Case: only a rounding error remains": : 0 ==> : 1e30
 // wrong infinite-dependent-row: : 0 ==> : std::numeric_limits<double>::infinity()
 // wrong pivot-entry-exchanged: original ==> pivot ;; pivot ==> original
 // wrong whole-entry: dependent_share * original ==> original

@@ -20,7 +20,8 @@ void play_crowd(World& world, int steps) {
   world.set_beta(real(0.1));
   PackedImpulses solver;
   solver.iterations = 10;
-  for (int n = 0; n < steps; ++n) step(world, solver, real(1) / 60, {.warm_start = true});
+  for (int n = 0; n < steps; ++n)
+    step(world, solver, real(1) / 60, {.warm_start = true});
 }
 
 // An arm whose drives move a tool to within 0.1 mm: no leapfrog, two substeps.
@@ -28,7 +29,8 @@ void play_arm(World& world, int steps) {
   world.set_beta(1);
   DirectSolver solver;
   solver.newton = 8;
-  for (int n = 0; n < steps; ++n) step(world, solver, real(1) / 60, {.substeps = 2});
+  for (int n = 0; n < steps; ++n)
+    step(world, solver, real(1) / 60, {.substeps = 2});
 }
 
 // A hoist whose links carry 1,000 times their mass: added inertia.
@@ -37,7 +39,8 @@ void play_hoist(World& world, int steps) {
   DirectSolver solver;
   solver.newton = 8;
   solver.added_inertia = 8;
-  for (int n = 0; n < steps; ++n) step(world, solver, real(1) / 60, {.leapfrog = true});
+  for (int n = 0; n < steps; ++n)
+    step(world, solver, real(1) / 60, {.leapfrog = true});
 }
 
 // A rod from centre to centre becomes a spring of k [N/m] with a damper of c [N s/m].

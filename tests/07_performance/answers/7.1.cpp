@@ -117,6 +117,6 @@
   out.bias[3] = hinge.beta * tilt[0] / h;
   out.bias[4] = hinge.beta * tilt[1] / h;
 // wrong units "a bias of the point is in m and should be in m/s: a time too many": / h ==>
-// wrong units "in what is hoisted, adding m/s to m": gap[i] ==> (gap[i] + body2.v[i] - body1.v[i])
+// wrong units "in the hoisted numbers, adding m/s to m": gap[i] ==> (gap[i] + body2.v[i] - body1.v[i])
 // wrong units "I2 is in kg m^2 and should be in 1/(kg m^2): inertia where its inverse":
 //         inverse_inertia(body2) ==> inverse(inverse_inertia(body2))

@@ -125,7 +125,7 @@
 //         -dot ==> dot ;; dot ==> -dot
 // wrong inverse-masses-are-missing: at2) + (i == j ? inverse_mass1 + inverse_mass2 : real(0) ==>
 //         at2
-// wrong units "what is between point and axis in K is in 1/(kg m^2) and should be in 1/(kg m)":
+// wrong units "the part of K between point and axis is in 1/(kg m^2) and should be in 1/(kg m)":
 //         cross(hinge.r1, w1) + cross(hinge.r2, w2) ==> w1 + w2
 // wrong units "in K, adding 1/kg to 1/(kg m^2)": w2) ==> w2) + (i == j ? inverse_mass1 +
 //         inverse_mass2 : real(0))

@@ -1,4 +1,4 @@
-// wrong "6 nodes where there are 5: who is eliminated must not come back into the queue": if (b != a) ==>
+// wrong "6 nodes where there are 5: an eliminated node must not come back into the queue": if (b != a) ==>
 // wrong drawn-stops: order.push_back(node); ==> order.push_back(node); if (order.size() >= 64)
 //         break;
 // wrong small-type: const int node = queue.begin()->second; ==> const int node = (unsigned
@@ -9,7 +9,7 @@
 // wrong doubled-neighbours: left[a].erase(node); ==>
 // wrong number-neighbours-first: queue.erase({left[a].size(), a}); ==> ;;
 //         queue.insert({left[a].size(), a}); ==>
-// wrong "only 4 of 5 nodes: go on until none is left, also where a node has no":
+// wrong "only 4 of 5 nodes: go on until none remains, also where a node has no":
 //         queue.insert({left[a].size(), a}); ==>
 // wrong backwards: order.push_back(node); ==> order.insert(order.begin(), node);
 // wrong sorted-once-not-stably:

@@ -1,5 +1,5 @@
-// What a joint costs: rows, memory and instructions, for every kind of joint and a box at rest, and
-// what a limit out of reach and an idle motor add. `./wb bench --cost` calls it under valgrind,
+// The cost of a joint: rows, memory and instructions, for every kind of joint and a box at rest,
+// also with a limit out of reach and an idle motor. `./wb bench --cost` calls it under valgrind,
 // which counts.
 #include <cstddef>
 #include <cstdio>

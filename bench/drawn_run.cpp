@@ -1,4 +1,4 @@
-// A run of a scene that a seed has drawn: the gaps, and what becomes of its energy.
+// A run of a scene that a seed has drawn: its gaps and its energy.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -45,7 +45,7 @@ struct Outcome {
   bool held(double most = sizeof(real) == 4 ? 5e-3 : 1e-3) const {
     return finite && gap < most && gain < most_gain;
   }
-  /// Its energy at the end is within 5 % of energy_scale of what it was.
+  /// Its energy at the end is within 5 % of energy_scale of its value at the start.
   bool kept() const { return finite && std::abs(loss) <= 0.05; }
 };
 /// Runs a scene. \param setting a name for setting_named() \param h step [s]

@@ -1,5 +1,5 @@
-// The inner loop in its variants on the thesis' performance scene: what a joint and iteration costs
-// in each, and what a step takes, all in one run. `./wb bench --loop` calls it.
+// The inner loop in its variants on the thesis' performance scene: the time of each per joint and
+// iteration and per step, all in one run. `./wb bench --loop` calls it.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -42,10 +42,10 @@ std::vector<Variant> variants() {
 // ---- measuring ----------------------------------------------------------------------------------
 
 constexpr int few = 10,
-              many = 30;  // iterations: the slope between them is what one iteration costs
+              many = 30;  // iterations: the slope between them is the cost of one
 constexpr int length = 100;         // bodies of a chain
 
-// A variant on so many chains, and what was measured of it so far.
+// A variant on a number of chains, and its measurements so far.
 struct Row {
   Variant variant;
   int chains;

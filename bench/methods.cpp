@@ -154,7 +154,7 @@ void add(Outcome& out, const Result& result, double holds) {
   out.held += holds > 0 ? result.gap_max < holds : ok;
 }
 
-// The number below which this share of them lies.
+// The number below which this fraction of them lies.
 double quantile(std::vector<double> numbers, double share) {
   if (numbers.empty()) return std::numeric_limits<double>::quiet_NaN();
   std::sort(numbers.begin(), numbers.end());

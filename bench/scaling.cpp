@@ -34,7 +34,7 @@ struct Seen {
   double us = 0, bytes = 0;
 };
 
-// Bodies, joints and what the solver keeps for itself: made, run, and counted while they are there.
+// Bodies, joints and the memory of the solver: made, run, and counted.
 Seen look(const Candidate& candidate, int chains, int iterations, int repetitions) {
   const double before = bytes_in_use();
   Seen seen;

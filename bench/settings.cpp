@@ -16,9 +16,8 @@ namespace {
 
 // ---- the table ----------------------------------------------------------------------------------
 
-// Keys of scenes: S1x is S1 with twice the chains, S2 stands for all its ratios. What an iteration
-// does to a joint does not depend on the loop: where there are islands, what is set is tried on
-// lanes.
+// Keys of scenes: S1x is S1 with twice the chains, S2 stands for all its ratios. The effect of an
+// iteration does not depend on the loop: for scenes with islands the settings are tried on lanes.
 const char* const alone = "S2 S3 S3b S5 S6";  // one chain: no two islands
 const char* const islands = "S1 S7";            // ten of them side by side
 const char* const all = "S1 S1b S1x S2 S3 S3b S5 S6 S7";

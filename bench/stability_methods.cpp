@@ -1,4 +1,4 @@
-// What all cases of the stability suite share: the list of them, lines, methods, rates.
+// Common code of all cases of the stability suite: their list, lines, methods, rates.
 #include <cmath>
 #include <random>
 

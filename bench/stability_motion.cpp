@@ -1,4 +1,4 @@
-// Cases of the stability suite on what turns and what lasts: X7, X8 of a free box, X17.
+// Cases of the stability suite on rotations and long runs: X7, X8 of a free box, X17.
 #include <algorithm>
 #include <cmath>
 

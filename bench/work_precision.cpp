@@ -12,8 +12,8 @@ namespace {
 
 // ---- scenes -------------------------------------------------------------------------------------
 
-// A scene, its key in the table of settings, and by what its fronts and figures go: the first of
-// its measures, or both.
+// A scene, its key in the table of settings, and the measures of its fronts and figures: the first
+// one, or both.
 struct Entry {
   std::string key;
   MakeScene make;
@@ -136,7 +136,7 @@ void measure(FILE* file, const Entry& entry, const std::vector<int>& counted, bo
   for (const Point& point : points) write(file, scene, joined(entry.measures), point);
 }
 
-// Nothing but steps, for counting instructions: the difference of two calls is what is sought.
+// Only steps, for counting instructions: the difference of two calls is used.
 void only_steps(int iterations, int steps) {
   BenchScene scene = cubes_on_hinges(1, 100);
   SequentialImpulses solver;

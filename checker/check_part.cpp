@@ -123,7 +123,7 @@ class Check {
              : testing::jacobian_report(part_.names, samples, tolerance) + factors(samples));
     return out;
   }
-  // The blocks of J that are the same multiple of what is right at all poses: a ratio that is
+  // The blocks of J that are the same multiple of the right ones at all poses: a ratio that is
   // missing, or a sign.
   std::string factors(const std::vector<testing::Sample>& samples) const {
     std::string out;

@@ -19,7 +19,7 @@ bool zero(const Numbers& numbers, double tolerance) {
   return close(numbers, Numbers(numbers.size(), 0), tolerance);
 }
 
-// The number that all of what is right was multiplied by, or 0 where there is none.
+// The number by which all right entries were multiplied, or 0 if there is none.
 double common_factor(const Sample& s, double tolerance) {
   std::size_t largest = 0;
   for (std::size_t i = 0; i < s.right.size(); ++i)
@@ -189,9 +189,9 @@ std::string block_mistake(const Sample& s, double tolerance) {
   return joined(words);
 }
 
-// ---- what both have -----------------------------------------------------------------------------
+// ---- common to J and K --------------------------------------------------------------------------
 
-// Adds what the numbers alone tell: `first` for J or K comes before what is known already.
+// Adds the conclusions from the numbers alone: `first`, for J or K, comes before the earlier ones.
 void guess(Sample& s, double tolerance, const std::string& first) {
   std::string words = first;
   if (any_unset(s.yours, s.right)) {

@@ -1,5 +1,5 @@
-// What the usual mistakes in a J and in a K have in common: levers, and what is turned with which
-// body.
+// The usual mistakes that a J and a K have in common: levers, and vectors that are rotated with the
+// wrong body.
 #pragma once
 
 #include "checker/samples.h"
@@ -17,14 +17,14 @@ Wrong own_Js(const Seen& part, const Pair& pair);
 /// Mistakes with levers. Rows that only turn have none.
 Wrong wrong_levers(const Rows& J, const Pair& pair);
 
-/// What is turned wrongly, found from the poses at which an answer holds all the same.
-/// \param lever "the lever of body 1 is", or what else can be said of it
+/// Vectors that are rotated wrongly, found from the poses at which an answer is right nevertheless.
+/// \param lever "the lever of body 1 is", or other words for it
 std::vector<std::string> wrong_turns(const Pair& pair,
                                      const std::function<bool(const Pair&)>& holds,
                                      const std::string& lever);
 
-/// Adds what explains all numbers of a sample. What is right here, as some mistakes are at some
-/// poses, explains nothing.
+/// Adds the mistakes that explain all numbers of a sample. A mistake that has no effect at its pose
+/// explains nothing.
 void add_named(Sample& sample, const Wrong& wrong, double tolerance);
 
 }  // namespace joints::testing

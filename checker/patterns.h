@@ -1,6 +1,6 @@
-// What all wrong numbers of a table have in common, case by case: always zero, the sign, a factor,
-// what belongs elsewhere. A last resort where no mistake of the table explains them: it says no
-// more than what the numbers show, and says it only where they show it in every case.
+// The pattern that all wrong numbers of a table have in common, case by case: always zero, the
+// sign, a factor, the value of another entry. A last resort if no mistake of the table explains
+// them. It reports only patterns that the numbers show in every case.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace joints::testing {
 
-/// Yours and what is right, in one case.
+/// Your numbers and the right ones, in one case.
 struct Compared {
   Numbers yours, right;
 };

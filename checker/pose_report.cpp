@@ -8,7 +8,7 @@ namespace joints::testing {
 
 namespace {
 
-// The pose's name, and what it is for.
+// The pose's name and its purpose.
 PoseWords pose_of(const Sample& s) {
   return s.pose == 3 ? s.broken : PoseWords{pose_names[s.pose], pose_words[s.pose]};
 }
@@ -55,7 +55,7 @@ std::string likely_mistakes(std::vector<const Sample*> open) {
   return out;
 }
 
-// At which poses it holds, and what is likely to be wrong at the others.
+// The poses at which it holds, and the likely mistake at the others.
 std::string verdict(std::vector<Sample>& samples, double tolerance,
                     const std::vector<std::string>& rows, decltype(guess_J) guess) {
   std::vector<const Sample*> right, wrong;
@@ -83,7 +83,7 @@ const Sample* first_wrong(const std::vector<Sample>& samples, double tolerance) 
   return nullptr;
 }
 
-// Which pose, and what stands beside yours.
+// The pose, and the meaning of the numbers beside yours.
 std::string heading(const Sample& s, const std::string& numeric) {
   return std::string("Pose: ") + pose_of(s).name + " (" + pose_of(s).words + ")." +
          (s.pose == pencil_and_paper ? "" : " Numeric: " + numeric) + "\n\n";

@@ -38,7 +38,8 @@ std::string without_ids(std::string words);
 std::string folded(std::string line);
 std::string likely(const std::string& mistake);
 
-/// Yours beside what is right, a line an entry; at most nine lines, the last may be "and 2 more".
+/// Your numbers beside the right ones, one line per entry, at most nine; the last line may be
+/// "and 2 more".
 class Table {
  public:
   explicit Table(const std::string& reference) { line("entry", "yours   ", reference, "error   "); }

@@ -1,4 +1,4 @@
-// A J or a K at some poses beside what is right, and the report about it.
+// A J or a K at some poses beside the right one, and the report about it.
 #pragma once
 
 #include <array>

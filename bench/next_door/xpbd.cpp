@@ -114,7 +114,7 @@ void Xpbd::iterate(Bodies& bodies, real h) {
   }
 }
 
-// Moves the poses by what d_ has gained since the last call.
+// Moves the poses by the change of d_ since the last call.
 void Xpbd::move(Bodies& bodies) {
   for (std::size_t slot = 0; slot < d_.size(); ++slot) {
     Body& body = bodies.at(int(slot));

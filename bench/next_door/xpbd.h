@@ -26,7 +26,7 @@ namespace joints::bench {
 ///
 /// Published implementations compute C and J anew for each constraint; here they are computed anew
 /// once per iteration, and within the iteration C changes with J d. With one iteration per substep,
-/// which is what Macklin et al. 2019 recommend, the two differ by terms of second order in the
+/// as Macklin et al. 2019 recommend, the two differ by terms of second order in the
 /// correction. Springs that Stepping::frequency would add are not added. Angular velocities must
 /// stay below pi/h.
 class Xpbd : public Solver {

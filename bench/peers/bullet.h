@@ -1,4 +1,4 @@
-// What both adapters of Bullet share: numbers across, shapes, and which of them touch.
+// Common code of both adapters of Bullet: conversion of numbers, shapes, and pairs that touch.
 #pragma once
 
 #include <btBulletDynamicsCommon.h>
@@ -28,13 +28,13 @@ inline btScalar mass_of(const Body& body) {
   return body.is_static() ? btScalar(0) : btScalar(1 / double(body.inverse_mass));
 }
 
-// Which solver, and what is set in it.
+// A solver and its settings.
 struct BulletChoice {
   enum class Solver { impulses, conjugate, dantzig, lemke };
   Solver solver = Solver::impulses;
   int iterations = 10;
   int substeps = 1;
-  double erp = 0.2;   // share of the error fed back in a step
+  double erp = 0.2;   // fraction of the error fed back in a step
   bool runge_kutta = false;  // of multibodies
   bool split = true;  // split impulses: with them a multibody does not regain a limit it passed
 };

@@ -13,7 +13,7 @@ namespace {
 struct Choice {
   int iterations = 20;  // of the iterative step; 0: the dense one
   int substeps = 1;
-  double erp = 0.2;     // share of the error fed back in a step
+  double erp = 0.2;     // fraction of the error fed back in a step
 };
 
 class OdeWorld : public Peer {

@@ -1,5 +1,5 @@
-// What all adapters share: a world of ours as plain numbers, from which another engine's world is
-// built, and that world as a setting of the runner. Our marks and measures do all measuring.
+// Common code of all adapters: a world of ours as plain numbers, from which another engine's world
+// is built, and that world as a setting of the runner. All errors are measured with our marks.
 #pragma once
 
 #include <memory>
@@ -66,11 +66,11 @@ class Peer {
   virtual void show(Bodies& bodies) = 0;     ///< poses and velocities into ours
 };
 
-/// An engine and what is set in it.
+/// An engine and its settings.
 struct PeerSetting {
   std::string engine, version;
-  std::string number;           ///< double or float, what it computes in
-  std::string name;             ///< what is set, without a comma
+  std::string number;           ///< double or float: its type of numbers
+  std::string name;             ///< the settings, without a comma
   bool quick = false;           ///< also in the short form
   int most_joints = 0;          ///< on larger scenes a step takes too long; 0: on none
   bool basic = false;           ///< measured on large scenes, too

@@ -16,7 +16,7 @@ std::string text;
 std::vector<double> numbers;
 PageSettings page_settings;
 
-// A list of JSON, of what `one` appends for each.
+// A list in JSON; `one` appends each element.
 template <class List, class One>
 std::string listed(const List& list, const One& one) {
   std::string out = "[";
@@ -46,7 +46,7 @@ EXPORT(wb_numbers)() -> const double* { return numbers.data(); }
 /// Where the page writes the settings.
 EXPORT(wb_settings)() -> double* { return &page_settings.beta; }
 
-/// Names of settings, scenes and what each of them begins with, as JSON.
+/// Names of settings and scenes, and the initial settings of each scene, as JSON.
 EXPORT(wb_about)() -> void {
   text = "{\"settings\":" + listed(setting_names, [](const char* name) { return quoted(name); });
   text += ",\"scenes\":" + listed(entries(), [](const Entry& entry) {

@@ -192,7 +192,7 @@ int LiveRun::blocks() {
 
 namespace {
 
-// Where a joint holds, and with what: the blocks [from, to) of a world are its own.
+// The points and the forces of a joint: the blocks [from, to) of a world belong to it.
 JointLook look_of(const World& world, const Scene& scene, std::size_t number, std::size_t from,
                   std::size_t to, real h) {
   const Joint& joint = *world.joints()[number];

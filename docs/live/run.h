@@ -26,7 +26,7 @@ class LiveRun {
   explicit LiveRun(const Entry& entry, std::optional<double> ratio = {});
   /// The settings that its scene begins with.
   PageSettings settings() const;
-  /// \throws std::invalid_argument for what no step can use
+  /// \throws std::invalid_argument for settings that step() rejects
   void set(const PageSettings& settings);
   /// One step. \throws std::overflow_error after a number has overflowed
   void step();
@@ -48,9 +48,9 @@ class LiveRun {
   /// it was.
   std::vector<JointLook> look(int iterations, int blocks);
   int blocks();  ///< the number of blocks of the next step's beginning
-  /// What is left of the velocity error after 0, 1, 2 ... iterations of the next step [m/s, rad/s].
+  /// The remaining velocity error after 0, 1, 2 ... iterations of the next step [m/s, rad/s].
   std::vector<double> errors(int most);
-  /// The share that an iteration leaves in the long run [1].
+  /// The factor by which an iteration multiplies the error in the long run [1].
   double rate(int most);
 
  private:

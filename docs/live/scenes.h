@@ -1,5 +1,5 @@
-// The scenes of the live page: those of the chapters' programs and of the benchmark, each with what
-// the page may change.
+// The scenes of the live page: those of the chapters' programs and of the benchmark, each with the
+// settings that the page may change.
 #pragma once
 
 #include <functional>
@@ -40,7 +40,7 @@ inline constexpr const char* setting_names[] = {
     "strength", "own"};
 static_assert(sizeof(PageSettings) == sizeof(setting_names) / sizeof(char*) * sizeof(double));
 
-/// A scene that runs, and what of it can be changed while it does.
+/// A scene that runs, and the parts of it that can be changed meanwhile.
 struct LiveScene {
   std::shared_ptr<void> holder;  ///< owns the scene
   Scene* scene = nullptr;        ///< with the settings that it begins with

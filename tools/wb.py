@@ -19,7 +19,7 @@ COMMANDS = {}  # by name, in the order of the overview
 MEANT = {"solve": "show", "solution": "show", "answer": "show", "verify": "check", "build": "test",
          "draw": "plot", "view": "see", "play": "see"}
 NEED_SOLUTIONS = {"tour", "check", "live", "bench", "docs", "keep", "grade", "hand-out"}
-TABLES = {"stability": "what is stiff, extreme or redundant: what holds what",
+TABLES = {"stability": "stiff, extreme and redundant scenes: which setting holds them",
           "methods": "every method on every kind of scene",
           "families": "scenes drawn by seeds: how many each setting holds",
           "peers": "ours beside Bullet, ODE and MuJoCo of Debian",
@@ -153,7 +153,7 @@ def tour(_):
                   help="a chapter (3), a topic (joints), an erratum (E26), a case (X4) or an "
                        "identity (I15)"),
          argument("--rest", action="store_true",
-                  help="what ./wb check leaves out: float, pictures, the library from outside ..."),
+                  help="the tests that ./wb check omits: float, pictures, the library outside ..."),
          argument("--all", action="store_true", help="both"),
          argument("--quick", action="store_true", help="without float, units and known answers"),
          argument("--long", action="store_true", help="ten times as many random worlds"),
@@ -258,15 +258,15 @@ def docs(_):
     return site.command()
 
 
-@command("keep", "after a change: brings numbers, listings and pictures of the texts and the stubs "
-         "up to date, and says what changed",
+@command("keep", "after a change: updates numbers, listings and pictures of the texts and the "
+         "stubs, and lists the changes",
          argument("kinds", nargs="*", metavar="kind", help="one kind alone, such as numbers"))
 def keep(args):
     from keep import keeping
     return keeping.keep(args.kinds)
 
 
-@command("grade DIR", "of a class: what is done in every submission, a table and feedback for "
+@command("grade DIR", "of a class: the state of every submission, a table and feedback for "
          "everyone in out/grades/",
          argument("folder", metavar="DIR",
                   help="a folder of submissions, such as ./wb grade class, or one of them: a "

@@ -254,7 +254,7 @@ def who_skips_chapters_goes_on_there(root, build):
         text = read(file)
         file.write_text(text.replace('todo("2.1");', 'const int k = 3;\n  todo("2.1");', 1),
                         encoding="utf-8")
-        yield from typed(door, "", 0, "Next: exercise 2.1", "The first that is open: 1.1")
+        yield from typed(door, "", 0, "Next: exercise 2.1", "The first open one: 1.1")
 
 
 def bare(door, words, user, answer, *programs):

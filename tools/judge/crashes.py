@@ -12,11 +12,11 @@ MEANINGS = [(re.compile(pattern, re.M), words) for pattern, words in {
              "has a bound the wrong sign, or was it never set?",
     OUTSIDE: "an index outside a vector or an array: places run from 0 to size() - 1",
     r"Assertion '.*_M_is_engaged\(\)'|bad_optional_access":
-        "an optional was read that holds nothing",
+        "an empty optional was read",
     r"Assertion `(.+)' failed": r"assert(\1) does not hold",
     r"larger than max_size\(\)|vector::(_M_default_append|reserve)|array_new_length":
-        "a vector was given a size that cannot be: is it negative?",
-    r"bad_alloc": "more memory was asked for than there is (1 GB): a vector that grows without "
+        "a vector was given an impossible size: is it negative?",
+    r"bad_alloc": "more memory was requested than the limit of 1 GB: a vector that grows without "
                   "end?",
     r"stack smashing": "something was written behind the end of an array of the function: is it too "
                        "small for what is put into it?",
@@ -33,7 +33,7 @@ MEANINGS = [(re.compile(pattern, re.M), words) for pattern, words in {
     r"SIGABRT": "the program was ended by abort()",
     r"SIGILL": "the program ran into an instruction that no processor has: a function whose end is "
                "reached without a return?",
-    r"^Unknown exception": "something was thrown that is no std::exception"}.items()]
+    r"^Unknown exception": "an exception was thrown that is not a std::exception"}.items()]
 # Lines that the library prints before it ends a program: no words of the reader's.
 LIBRARY = re.compile(rf".*Assertion ['`].*failed\.?$|terminate called |\*\*\* stack smashing |  what\(\):  |{HEAP}")
 # What the beginning of such words tells of the function they come from: its head and its lines.
@@ -48,7 +48,7 @@ REFUSED = {  # of the compiler's words
     r"-W(error=)?(maybe-|sometimes-)?uninitialized":
         "a variable is read before it is set: give it a value where it is declared.",
     r"-W(error=)?return-type":
-        "the function ends without a return: what it computes is not given back.",
+        "the function ends without a return: its result is not returned.",
     r"todo.{1,3} was not declared": "todo is written todo(\"1.1\"); with the exercise's number.",
     r"operator\*.*(‘int’|'int')": "a whole number times a vector: write real(2) * v, not 2 * v.",
     r"no matching function for call to .(max|min|clamp)\(": "both numbers must be of one kind: "

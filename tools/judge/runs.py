@@ -119,8 +119,8 @@ def ending(status, limit):
         return (f"it did not end within {limit} seconds: a loop without an end, or a number whose "
                 "type is too small to reach it?")
     if status == -signal.SIGSYS:
-        return ("it asked the system for what no exercise needs, and was ended: another process or "
-                "thread, the network, a signal to a process, or the name or mode of a file")
+        return ("it asked the system for something that no exercise needs, and was ended: a "
+                "process, a thread, the network, a signal to a process, or the name or mode of a file")
     if status == 97:
         return "no such answer"
     return "the program ended in the middle of a test: does the code call exit()?"

@@ -76,7 +76,7 @@ def likely_cause(chapter, written, options):
         return f"Likely cause: {wrong}"
     words = "No test finds a mistake in your code." if written else "The code is the solution's."
     if options:
-        return (f"{words} Right code cannot bear every option. Without them: "
+        return (f"{words} Some options make even right code fail. Without them: "
                 f"./wb run {chapter.number}")
     return f"{words} Next: ./wb test {chapter.number}"
 

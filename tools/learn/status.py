@@ -27,9 +27,9 @@ def status(chapters=True, every=False):
         return 0
     tell_next(*upcoming)
     if upcoming != still[0]:
-        print(faint(f"That is after what you did last. The first that is open: {still[0][1].id}"))
+        print(faint(f"This follows your last exercise. The first open one: {still[0][1].id}"))
     if not any(look.begun() for look in looks):
-        print(faint("./wb help lists what else it can do"))
+        print(faint("./wb help lists all commands"))
     return 0
 
 

@@ -37,6 +37,6 @@ def tour():
 def cost():
     """What a tour takes, said before it begins."""
     if (house.BUILD / "build.ninja").exists():
-        return "half a\nminute, and what has to be built."
+        return "half a\nminute, and the time of the build."
     return "one to\nfour minutes the first time, most of it to build; 25 MB in build/ and out/."
 

@@ -18,8 +18,8 @@ MEANINGS = [(re.compile(pattern, re.M), words) for pattern, words in {
         "a vector was given an impossible size: is it negative?",
     r"bad_alloc": "more memory was requested than the limit of 1 GB: a vector that grows without "
                   "end?",
-    r"stack smashing": "something was written behind the end of an array of the function: is it too "
-                       "small for what is put into it?",
+    r"stack smashing": "something was written behind the end of an array of the function: is it "
+                       "too small?",
     r"terminate called .*'(.+)'\s*what\(\):\s*(.*)":
         r"the program was ended by an exception that nothing catches, \1: \2",
     r"terminate called": "the program was ended by an exception that nothing catches",

@@ -18,7 +18,7 @@ COMMANDS = {}  # by name, in the order of the overview
 # What others call a command, where the letters alone do not lead to it.
 MEANT = {"solve": "show", "solution": "show", "answer": "show", "verify": "check", "build": "test",
          "draw": "plot", "view": "see", "play": "see"}
-NEED_SOLUTIONS = {"tour", "check", "live", "bench", "docs", "keep", "grade", "hand-out"}
+NEED_SOLUTIONS = {"tour", "check", "live", "course", "bench", "docs", "keep", "grade", "hand-out"}
 TABLES = {"stability": "stiff, extreme and redundant scenes: which setting holds them",
           "methods": "every method on every kind of scene",
           "families": "scenes drawn by seeds: how many each setting holds",
@@ -229,6 +229,14 @@ def see(args):
 def live(args):
     from website import live as page
     return page.live(chapter_of(args))
+
+
+@command("course", "the whole course in a browser: write, check, see it move (--no-serve: only "
+         "writes out/course)",
+         argument("--no-serve", action="store_true", help="write out/course and end"))
+def course(args):
+    from course import packing
+    return packing.command(not args.no_serve)
 
 
 @command("bench [...]", "error against run time; a joint's cost in larger scenes",

@@ -214,10 +214,11 @@ TEST_CASE("8.2 at rest there are two directions in the ground, too",
     const vec3 t1 = tangents(c.n, c.sliding)[0];
     return std::abs(double(dot(t1, c.n))) <= loose * double(length(t1));
   };
-  const bool ever = std::ranges::any_of(rest_cases(), [=](const TangentCase& c) {
+  const auto cases = rest_cases();
+  const bool ever = std::any_of(cases.begin(), cases.end(), [=](const TangentCase& c) {
     return c.words == "at rest, tilted" && level(c);
   });
-  for (const TangentCase& c : rest_cases()) {
+  for (const TangentCase& c : cases) {
     const auto [t1, t2] = tangents(c.n, c.sliding);
     const std::string given = tangent_given(c);
     Subject about = rest_subject;

@@ -1,5 +1,5 @@
-// What a call throws, as a value. In WebAssembly nothing can be caught: there the page that runs the
-// tests (docs/course) lends its own try.
+// What a call throws, as a value. In WebAssembly nothing can be caught: there the page that runs
+// the tests (docs/course) lends its own try.
 #pragma once
 
 #include <optional>

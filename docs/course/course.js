@@ -1,0 +1,191 @@
+// The course in a page: editors where the text says that an exercise can be done, and what the
+// tests say of them. Without the compiler, which only a button loads, the page is the site's.
+import * as engine from "./engine.js";
+import * as store from "./store.js";
+import {show_live} from "./scene.js";
+import {offer_file} from "./file.js";
+import {keep_offline} from "./offline.js";
+
+const base = new URL(".", import.meta.url);
+const {make_editor} = await import("./editor.js").catch(() => import("./plain_editor.js"));
+const places = [...document.querySelectorAll(".exercise[data-exercise]")];
+const number = document.querySelector("[data-chapter]")?.dataset.chapter;
+const chapter = await (await fetch(new URL(`chapter_${number}.json`, base))).json();
+
+const stub = answers_in(chapter.stub), names = Object.keys(stub);
+const answers = {...stub, ...store.kept(names)};  // of every region, as it stands in its editor
+const editors = {};                               // by the regions' names
+const file = () => filled(chapter.stub, answers);
+
+function element(tag, more = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), more);
+  made.append(...children);
+  return made;
+}
+const button = (words, does, more = {}) =>
+  element("button", {type: "button", textContent: words, onclick: does, ...more});
+
+// ---- an exercise --------------------------------------------------------------------------------
+
+/// The lines around a region, from the last empty line to the marker and the closing brace.
+function around(region) {
+  const lines = chapter.stub.split("\n");
+  let head = region.begin - 1;
+  while (head > 0 && lines[head - 1].trim()) --head;
+  const tail = lines[region.end + 1] === "}" ? "}" : "";
+  return [lines.slice(head, region.begin - 1).join("\n"), tail];
+}
+
+function calls() {  // the table of what an exercise may call, from the text
+  const before = [...document.querySelectorAll(".textblock p")]
+    .find(p => /You may call:$/.test(p.textContent.trim()));
+  const table = before?.nextElementSibling;
+  if (table?.tagName !== "TABLE") return "";
+  return element("details", {className: "calls"},
+                 element("summary", {textContent: "What you may call"}), table.cloneNode(true));
+}
+
+class Exercise {
+  constructor(place) {
+    this.id = place.dataset.exercise;
+    this.place = place;
+    this.report = element("pre", {className: "report", tabIndex: 0});
+    this.report.setAttribute("role", "status");
+    this.report.setAttribute("aria-label", `Report of exercise ${this.id}`);
+    this.report.hidden = true;
+    this.check = button("Check", () => this.test(), {className: "check"});
+    this.bar = element("progress", {max: 1, value: 0, hidden: true});
+    this.hints = element("div", {className: "hints"});
+    this.live = element("div", {className: "scene"});
+    const mine = regions(chapter.stub).filter(region => region.id === this.id);
+    place.append(
+      element("h3", {textContent: `Exercise ${this.id}: ${chapter.titles[this.id] || ""}`}),
+      ...mine.flatMap(region => this.edited(region)), calls(),
+      element("p", {className: "buttons"}, this.check,
+              button("Hint", () => this.hint(), {className: "hint"}),
+              button("Reset", () => this.reset(), {className: "reset"})),
+      this.bar, this.hints, this.report, this.live);
+    this.place.addEventListener("keydown", event => {
+      if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
+      event.preventDefault();
+      this.test();
+    }, true);
+    this.label();
+  }
+  edited(region) {
+    const name = name_of(region), [head, tail] = around(region);
+    const words = lines => lines.join("\n");
+    const editor = make_editor(`Exercise ${this.id}, your code`, words(answers[name]), text => {
+      answers[name] = text.split("\n");
+      if (!store.keep(name, answers[name], chapter.version))
+        this.say("This browser keeps nothing: export the file before you leave.", "bad");
+      this.stale();
+    });
+    editors[name] = editor;
+    return [element("pre", {className: "around", textContent: head}), editor.element,
+            element("pre", {className: "around", textContent: tail})];
+  }
+  label() {
+    const size = Math.round(engine.weight(chapter) / 1e6);
+    this.check.textContent = engine.is_loaded() ? "Check"
+      : `Load the compiler (about ${size} MB) and check`;
+  }
+  say(words, kind) {
+    this.report.hidden = false;
+    this.report.className = `report ${kind}`;
+    const narrow = matchMedia("(max-width: 600px)").matches;  // a table needs the margin
+    this.report.textContent = narrow ? words.replace(/^ {1,4}/gm, "") : words;
+  }
+  stale() { this.report.classList.add("stale"); }
+  hint() {
+    const given = this.hints.children.length, all = chapter.hints[this.id] || [];
+    if (given >= all.length) return;
+    this.hints.append(element("div", {innerHTML: all[given]}));
+    this.hints.lastChild.querySelector("details").open = true;
+  }
+  reset() {
+    const mine = names.filter(name => name.startsWith(`${this.id}#`));
+    if (mine.some(name => answers[name].join() !== stub[name].join()) &&
+        !confirm(`Throw away your work in exercise ${this.id}?`)) return;
+    for (const name of mine) change(name, null);
+    this.report.hidden = true;
+    this.live.replaceChildren();
+  }
+  mark(line, words) {
+    const lines = regions(file());
+    for (const region of lines) {
+      const inside = region.begin < line && line <= region.end;
+      editors[name_of(region)].mark(inside ? line - region.begin : 0, words);
+    }
+  }
+  async test() {
+    if (this.check.disabled) return;
+    this.check.disabled = true;
+    try {
+      await this.load();
+      await this.judge();
+    } catch (error) {
+      this.say(`${error.message}\n\nIf this computer has little memory, close other pages and ` +
+               "load this one again: the compiler needs about 500 MB.", "bad");
+    }
+    this.check.disabled = false;
+    exercises.forEach(one => one.label());
+  }
+  async load() {
+    if (engine.is_loaded()) return;
+    this.bar.hidden = false;
+    this.bar.setAttribute("aria-label", "The compiler is loading");
+    this.check.textContent = "Loading the compiler";
+    await engine.load(chapter, fraction => { this.bar.value = fraction; });
+    this.bar.hidden = true;
+    keep_offline(engine.manifest);
+  }
+  async judge() {
+    const text = file(), mine = regions(text).filter(region => region.id === this.id);
+    this.mark(0);
+    if (mine.every(is_untouched))
+      return this.say(`${this.id}  ${chapter.titles[this.id]}: ${OPEN}\n` +
+                      "  Replace todo(...) with your code.", "open");
+    this.check.textContent = "Checking";
+    const began = performance.now(), built = await engine.build_tests(chapter, text);
+    if (!built.wasm) {
+      const {text: words, line, words: short} = refused(built.printed, chapter, text);
+      this.mark(line, short);
+      return this.say(words, "bad");
+    }
+    const grade = graded(this.id, await engine.run_tests(built.wasm, chapter, text, this.id),
+                         chapter, text);
+    if (wants_units(grade)) await this.ask_units(grade, text);
+    this.say(told(grade, chapter, text), grade.status === DONE ? "good" : "bad");
+    this.place.dataset.verdict = grade.status;
+    this.place.dataset.took = performance.now() - began;
+    if (grade.status === DONE) await show_live(this.live, chapter, text);
+  }
+  async ask_units(grade, text) {
+    if (!engine.manifest.sizes["units.xz"]) return;
+    this.check.textContent = "Checking the units";
+    const built = await engine.build_units(chapter, text);
+    const said = built.wasm &&
+      units_in(await engine.run_tests(built.wasm, chapter, text, this.id));
+    const first = grade.failures[0];
+    first.report = with_units(first.report, said || "Units: no fault that can be seen.");
+  }
+}
+
+/// Gives a region other lines, those of the stub for null, and keeps them.
+function change(name, lines) {
+  answers[name] = lines || stub[name];
+  if (lines) store.keep(name, lines, chapter.version);
+  else store.forget(name);
+  editors[name]?.set(answers[name].join("\n"));
+}
+
+const exercises = places.map(place => new Exercise(place));
+offer_file(document.querySelector(".exercise-file"), chapter, file, change,
+           store.homeless(chapter.number, names));
+store.listen((name, lines) => {
+  if (!(name in stub)) return;
+  answers[name] = lines || stub[name];
+  editors[name]?.set(answers[name].join("\n"));
+});
+document.documentElement.dataset.course = "ready";

@@ -1,0 +1,53 @@
+// The reader's file, out of the page and into it: the very file that ./wb and ./wb grade take.
+
+function element(tag, more = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), more);
+  made.append(...children);
+  return made;
+}
+
+/// \param file a function that returns the file \param change called with (region, lines)
+/// \param homeless regions that are kept and have no place in this version
+export function offer_file(place, chapter, file, change, homeless) {
+  const name = chapter.path.split("/").at(-1);
+  const said = element("p", {className: "said"});
+  said.setAttribute("role", "status");
+  const chosen = element("input", {type: "file", accept: ".cpp", hidden: true});
+  const out = () => {
+    const link = element("a", {download: name, href: URL.createObjectURL(
+      new Blob([file()], {type: "text/x-c++src"}))});
+    link.click();
+    URL.revokeObjectURL(link.href);
+  };
+  chosen.onchange = async () => {
+    const text = await chosen.files[0].text();
+    chosen.value = "";
+    const found = answers_in(text), wanted = Object.keys(answers_in(chapter.stub));
+    const taken = wanted.filter(region => region in found);
+    if (!taken.length) {
+      said.textContent = `${name}: no exercise of this chapter is in that file.`;
+      return;
+    }
+    for (const region of taken) change(region, found[region]);
+    const ids = all => [...new Set(all.map(region => region.split("#")[0]))].join(" ");
+    const left = wanted.filter(region => !taken.includes(region));
+    const bare = words => replaced(words, () => []);
+    said.textContent = `${ids(taken)}: taken from the file.` +
+      (left.length ? ` Not in it: ${ids(left)}.` : "") +
+      (bare(text) === bare(chapter.stub) ? "" : " Changes outside the exercises were left out.");
+  };
+  place.append(
+    element("h3", {textContent: `Your file: ${name}`}),
+    element("p", {textContent: "What you write is kept in this browser. The file is the one that " +
+                               `./wb takes as ${chapter.path}. `},
+            element("a", {href: new URL("licences.txt", import.meta.url),
+                          textContent: "Licences of compiler and editor"})),
+    element("p", {className: "buttons"},
+            element("button", {type: "button", textContent: `Export ${name}`, onclick: out}),
+            element("button", {type: "button", textContent: `Import ${name}`,
+                               onclick: () => chosen.click()}), chosen),
+    said);
+  if (homeless.length)
+    said.textContent = `This version has no place for what you wrote in ${homeless.join(", ")}. ` +
+      "It is still kept in this browser.";
+}

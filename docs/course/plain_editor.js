@@ -1,0 +1,16 @@
+// An editor where CodeMirror cannot be loaded: a plain field.
+
+/// \param changed called with the text at every keystroke
+export function make_editor(label, text, changed) {
+  const field = Object.assign(document.createElement("textarea"),
+                              {value: text, spellcheck: false, autocapitalize: "off"});
+  const fit = () => { field.rows = field.value.split("\n").length + 1; };
+  field.setAttribute("aria-label", label);
+  field.addEventListener("input", () => {
+    fit();
+    changed(field.value);
+  });
+  fit();
+  return {element: field, text: () => field.value, mark() {},
+          set(words) { field.value = words; fit(); }};
+}

@@ -1,0 +1,213 @@
+"""The course in a headless Chromium: page_test.py ROOT BUILD
+
+Looks at out/course, which ./wb course writes: exercise 1.1 wrong, right and moving; a loop without
+end, a crash, an error of the compiler; the file out and in; two tabs; without a network; a narrow
+window. Skipped, with exit status 77, where there is no browser or no out/course.
+"""
+import json
+import statistics
+import sys
+import threading
+import time
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent / folder) for folder in ("workbook", "live")]
+from browser import Browser, there  # noqa: E402
+from proofs import exercises, house, main, notes, read  # noqa: E402
+
+from course import packing, serving  # noqa: E402
+
+PAGE = "chapters_01_distance_README.html"
+WRONG = "  const vec3 n = direction(body2.x - body1.x);\n  return {n, vec3(0), n, vec3(0)};"
+RIGHT = WRONG.replace("{n", "{-n")
+PATIENCE = 120  # with the compiler on a busy machine [s]
+AT_MOST = 1.0  # from edit to verdict on a machine that is not busy [s]
+
+
+class Reader:
+    """A tab with a chapter's page, and one of its exercises."""
+
+    def __init__(self, browser, address, id_="1.1", **window):
+        self.browser, self.id = browser, id_
+        self.begin(address, **window)
+
+    def begin(self, address, width=1280, height=900):
+        self.browser.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                          deviceScaleFactor=1, mobile=width < 600)
+        self.browser.call("Page.navigate", url=address)
+        self.browser.wait("document.documentElement?.dataset.course === 'ready'")
+        self.place = f"document.querySelector('[data-exercise=\"{self.id}\"]')"
+
+    def ask(self, code):
+        return self.browser.ask(f"{self.place}{code}")
+
+    def write(self, text):
+        """Types it in the place of what stands in the exercise's first editor."""
+        self.ask(".querySelector('.cm-content').focus()")
+        self.ask(".querySelectorAll('.cm-content')[0] && document.getSelection()"
+                 f".selectAllChildren({self.place}.querySelector('.cm-content'))")
+        time.sleep(0.1)
+        self.browser.call("Input.insertText", text=text)
+
+    def check(self):
+        """The report."""
+        self.browser.click(f'[data-exercise="{self.id}"] button.check')
+        time.sleep(0.05)
+        self.browser.wait(f"!{self.place}.querySelector('button.check').disabled", PATIENCE)
+        return self.report()
+
+    def report(self):
+        return self.ask(".querySelector('.report').textContent")
+
+
+def served():
+    """The address of out/course, and what ends its server."""
+    server = serving.server_of(packing.OUT, 8900)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    return f"http://127.0.0.1:{server.server_port}/", server
+
+
+def lacks(report, *words):
+    for one in words:
+        if one not in report:
+            yield f"the report lacks '{one}':\n{report}"
+
+
+def the_first_exercise_can_be_done(root, build):
+    """1.1 wrong, right and moving; the compiler is loaded by its button alone"""
+    address, server = served()
+    with Browser() as browser:
+        reader = Reader(browser, address + PAGE)
+        time.sleep(1)
+        if any(url.endswith(".xz") for url in browser.requests):
+            yield "the compiler is loaded before anybody asks for it"
+        if "MB" not in reader.ask(".querySelector('button.check').textContent"):
+            yield "the button does not say how much it loads"
+        reader.write(WRONG)
+        yield from lacks(reader.check(), "1.1  CentreDistance::jacobian: wrong",
+                         "C, v1.x      0.600000     -0.600000      1.200000",
+                         "Likely mistake: the sign of the block v1",
+                         "2 more of its 5 tests fail")
+        times = []
+        for k in range(10):
+            reader.write(RIGHT if k % 2 else WRONG)
+            reader.check()
+            times.append(float(reader.ask(".dataset.took")) / 1000)
+        notes.append(f"course: edit to verdict {statistics.median(times):.2f} s, the median of 10 "
+                     f"(aim {AT_MOST} s on a machine that is not busy)")
+        yield from lacks(reader.report(), "done", "5 tests passed.")
+        browser.wait(f"!!{reader.place}.querySelector('.scene iframe')", PATIENCE)
+        browser.wait(f"{reader.place}.querySelector('.scene iframe').contentDocument"
+                     "?.documentElement.dataset.ready === 'yes'", PATIENCE)
+        moving = reader.ask(".querySelector('.scene iframe').contentDocument.body.innerText")
+        if "yours" not in moving or "stopped" in moving:
+            yield f"the scene does not move with the reader's code: {moving[:200]}"
+        yield from browser.console
+    server.shutdown()
+
+
+def what_goes_wrong_is_told(root, build):
+    """a loop without end, a crash, memory, what is thrown, an error of the compiler at its line"""
+    address, server = served()
+    with Browser() as browser:
+        reader = Reader(browser, address + PAGE)
+        for code, words in {
+                "  while (body1.x.x < 9) {}\n  return {};": "did not end within a second",
+                "  std::vector<real> v;\n  return {vec3(v[3]), {}, {}, {}};":
+                    "an index outside a vector",
+                "  return CentreDistance::jacobian(body1, body2);": "the stack is full",
+                '  throw std::runtime_error("too far");': "it threw an exception: too far",
+                '  todo("1.1");': "not written yet",
+                "  std::exit(3);\n  return {};": "does the code call exit()?",
+                '  std::cout << "hello";\n  return {};': "| hello"}.items():
+            reader.write(code)
+            yield from lacks(reader.check(), words)
+        reader.write(RIGHT.replace(");\n", ")\n"))
+        yield from lacks(reader.check(), "does not compile", "exercise 1.1, line 10",
+                         "expected ';'")
+        if not reader.ask(".querySelectorAll('.cm-lintRange-error').length"):
+            yield "the line of the error is not marked"
+        for k in (1, 2, 3):
+            browser.click('[data-exercise="1.1"] button.hint')
+            if (count := reader.ask(".querySelectorAll('.hints details').length")) != k:
+                yield f"after {k} hints {count} are there"
+    server.shutdown()
+
+
+def nothing_is_lost(root, build):
+    """what is written is there after a reload and without a network; the file goes out and in"""
+    address, server = served()
+    chapter = house.chapter_of("1")
+    stub = exercises.stub(read(chapter.solution))
+    wanted = exercises.replace(stub, lambda region, place:
+                               RIGHT.split("\n") if region.id == "1.1" else None)
+    caught = """(() => { const made = URL.createObjectURL; URL.createObjectURL = blob => {
+      blob.text().then(text => { window.exported = text; }); return made.call(URL, blob); }; })()"""
+    with Browser() as browser:
+        reader = Reader(browser, address + PAGE)
+        reader.write(RIGHT)
+        reader.check()
+        reader.begin(address + PAGE)
+        browser.ask(caught)
+        browser.click(".exercise-file button")
+        browser.wait("window.exported")
+        if browser.ask("window.exported") != wanted:
+            yield "the exported file is not the stub with the answer in it"
+        # another tab
+        browser.ask("(() => { window.other = document.createElement('iframe');"
+                    "other.src = location.href; document.body.append(other); })()")
+        browser.wait("other.contentDocument?.documentElement?.dataset.course === 'ready'")
+        reader.write(WRONG)
+        time.sleep(0.5)
+        other = browser.ask("other.contentDocument.querySelector('[data-exercise=\"1.1\"] "
+                            ".cm-content').textContent")
+        if "{n," not in other:
+            yield f"another tab shows an older text: {other}"
+        browser.ask("other.remove()")
+        # import
+        browser.ask("""(async () => { const field = document.querySelector('.exercise-file input');
+          const all = new DataTransfer();
+          all.items.add(new File([window.exported], "distance.cpp")); field.files = all.files;
+          await field.onchange(); })()""")
+        if "-n" not in reader.ask(".querySelector('.cm-content').textContent"):
+            yield "the imported file is not in the editor"
+        reader.check()
+        browser.wait("document.documentElement.dataset.offline === 'ready'", PATIENCE)
+        server.shutdown()
+        server.server_close()
+        began = time.time()
+        reader.begin(address + PAGE)
+        yield from lacks(reader.check(), "5 tests passed.")
+        notes.append(f"course: from reload without a network to a verdict "
+                     f"{time.time() - began:.1f} s")
+
+
+def a_telephone_shows_it(root, build):
+    """at 390 pixels nothing is wider than the window; the report's table fits"""
+    address, server = served()
+    with Browser() as browser:
+        reader = Reader(browser, address + PAGE, width=390, height=844)
+        reader.write(WRONG)
+        reader.check()
+        if (wide := browser.ask("document.documentElement.scrollWidth")) > 390:
+            yield f"the page is {wide} pixels wide"
+        wide, room = (reader.ask(f".querySelector('.report').{side}Width")
+                      for side in ("scroll", "client"))
+        if wide > room:
+            yield f"the report is {wide} pixels wide in {room}"
+    server.shutdown()
+
+
+PROOFS = [the_first_exercise_can_be_done, what_goes_wrong_is_told, nothing_is_lost,
+          a_telephone_shows_it]
+
+if __name__ == "__main__":
+    if not there() or not (packing.OUT / "course" / "manifest.json").exists():
+        print("the course in a browser: " + ("chromium missing (Debian package)" if not there()
+                                             else "./wb course --no-serve has not run"))
+        sys.exit(77)
+    sizes = json.loads((packing.OUT / "course" / "manifest.json").read_text())["sizes"]
+    notes.append(f"course: {sum(sizes.values()) / 1e6:.1f} MB packed, for all chapters")
+    sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -1,0 +1,214 @@
+"""What the course in a browser is packed from: the compiler, headers, objects."""
+import base64
+import gzip
+import hashlib
+import json
+import lzma
+import os
+import re
+import shutil
+import struct
+import subprocess
+import tarfile
+from pathlib import Path
+
+from base import exercises, house
+from website import live
+
+HERE = house.ROOT / "docs" / "course"
+BUILD = house.BUILD / "course"
+PACKAGES = json.loads((HERE / "packages.json").read_text())
+WASI, CLANG = Path("/usr/include/wasm32-wasi"), "/usr/lib/llvm-*/lib/clang/*"
+# Read by the compiler once, when the course is packed. What a reader includes besides is there.
+STANDARD = """algorithm array cassert cmath cstdint cstdio cstdlib cstring deque functional iostream
+    limits list map memory numbers numeric optional queue set span sstream stdexcept string tuple
+    type_traits utility vector""".split()
+UNITS = '-O0 -DREAL=joints::Quantity -DREAL_HEADER=\\"tests/checker/quantity.h\\"'
+FLAGS = [flag for flag in live.FLAGS if not flag.startswith("-O")] + ["-O1"]
+
+
+def missing(npm=True):
+    """What is not there, by Debian's names."""
+    names = {"nodejs": "node", "npm": "npm" if npm else "node"}
+    return live.missing() + [name for name, tool in names.items() if not shutil.which(tool)]
+
+
+def package(name):
+    """The file that is taken of a package of npm: fetched once, and only as it was when its hash
+    was written down."""
+    known = PACKAGES[name]
+    folder = BUILD / "npm" / name / known["version"]
+    if not (folder / known["take"]).exists():
+        house.progress(f"fetching {name}")
+        folder.mkdir(parents=True, exist_ok=True)
+        got = subprocess.run(["npm", "pack", "--silent", f"{name}@{known['version']}"], cwd=folder,
+                             capture_output=True, text=True)
+        if got.returncode:
+            raise house.Trouble(f"npm cannot fetch {name} {known['version']}:\n{got.stderr[-500:]}")
+        archive = folder / got.stdout.split()[-1]
+        kind, _, wanted = known["integrity"].partition("-")
+        if base64.b64encode(hashlib.new(kind, archive.read_bytes()).digest()).decode() != wanted:
+            archive.unlink()
+            raise house.Trouble(f"{name} {known['version']} is not what it was: its {kind} differs")
+        with tarfile.open(archive) as parts:
+            for part in parts.getmembers():
+                path = part.name.partition("/")[2]
+                if part.isfile() and (path == known["take"] or re.match("licen[sc]e", path, re.I)):
+                    target = folder / path
+                    target.parent.mkdir(parents=True, exist_ok=True)
+                    target.write_bytes(parts.extractfile(part).read())
+        archive.unlink()
+    return folder / known["take"]
+
+
+def packed(target, data):
+    """Writes data packed by xz or, for node, by gzip; what was packed before is copied."""
+    kept = BUILD / "packed" / (hashlib.sha256(data).hexdigest() + target.suffix)
+    if not kept.exists():
+        house.progress(f"packing {target.name}")
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        kept.write_bytes(lzma.compress(data, check=lzma.CHECK_CRC32) if target.suffix == ".xz"
+                         else gzip.compress(data, mtime=0))
+    shutil.copyfile(kept, target)
+
+
+def pack(target, files):
+    """Writes a pack, {path: bytes}, see docs/course/pack.js."""
+    index = json.dumps([[path, len(data)] for path, data in files.items()]).encode()
+    packed(target, b"".join([struct.pack("<I", len(index)), index, *files.values()]))
+
+
+def licences():
+    """The terms of all that is handed on: of clang and the libraries as Debian has them, and of the
+    packages of npm."""
+    debian = [Path("/usr/share/doc") / name / "copyright" for name in
+              ("libc++-14-dev-wasm32", "libc++-dev-wasm32", "wasi-libc", "libglm-dev")]
+    ours = [(name, BUILD / "npm" / name / known["version"]) for name, known in PACKAGES.items()]
+    texts = [("The Joint Workbook", house.ROOT / "LICENSE"),
+             ("Compiler (@yowasp/clang, LLVM) and libc++: the Apache License 2.0, with the LLVM "
+              "Exceptions below", Path("/usr/share/common-licenses/Apache-2.0")),
+             *((f"{path.parent.name} of Debian", path) for path in debian),
+             *((name, path) for name, folder in ours for path in folder.glob("LICEN*"))]
+    return "\n".join(f"==== {name} ====\n\n{path.read_text(errors='replace')}"
+                     for name, path in texts if path.exists())
+
+
+# ---- objects -------------------------------------------------------------------------------------
+
+def sources():
+    """{object: (sources that are compiled as one, flags of its own)}, without readers' files."""
+    tests, engine = house.ROOT / "tests", house.ROOT / "engine"
+    checker = [path for place in ("checker", "tests/checker")
+               for path in sorted((house.ROOT / place).glob("*.cpp")) if path.name != "where.cpp"]
+    found = {"checker": (checker, ""), "module": ([tests / "course" / "module.cpp"], ""),
+             "units_engine": ([engine / f"{name}.cpp" for name in ("body", "matrix", "block")],
+                              UNITS)}
+    for chapter in house.chapters():
+        name = chapter.folder
+        found |= {f"tests_{name}": ([tests / name / "test.cpp"], ""),
+                  f"where_{name}": ([tests / "checker" / "where.cpp"],
+                                    rf'-DEXERCISE_FILE=\"{house.short(chapter.mine)}\"'),
+                  f"units_{name}": ([tests / name / "units.cpp"], UNITS),
+                  f"units_of_{name}": ([chapter.solution], UNITS)}
+    return found
+
+
+def write_ninja():
+    """build.ninja of the objects."""
+    def seen(path):
+        return os.path.relpath(path, BUILD)
+    launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
+    ours = f"-isystem {seen(house.ROOT / 'tests' / 'course')} -I{seen(house.ROOT)}"
+    flags = " ".join([*FLAGS, ours, "-isystem ../live/include", '-DWORKBOOK_ROOT=\\"/\\"'])
+    lines = ["rule compile", f"  command = {launcher} clang++ {flags} $more -MMD -MF $out.d -c $in "
+             "-o $out", "  deps = gcc", "  depfile = $out.d"]
+    for name, (paths, more) in sources().items():
+        source = seen(paths[0])
+        if len(paths) > 1:
+            source = f"{name}.cpp"
+            exercises.write_if_new(BUILD / source, "".join(
+                f'#include "{path.relative_to(house.ROOT)}"\n' for path in paths))
+        lines += [f"build {name}.o: compile {source}", f"  more = {more}"]
+    exercises.write_if_new(BUILD / "build.ninja", "\n".join(lines) + "\n")
+
+
+def build_objects():
+    """The objects of the tests; those of engine and solutions are the live page's."""
+    live.build()
+    BUILD.mkdir(parents=True, exist_ok=True)
+    with house.alone():
+        write_ninja()
+        result = subprocess.run(["ninja", "-C", BUILD], capture_output=True, text=True)
+    if result.returncode:
+        raise house.Trouble("the tests cannot be compiled for the browser:\n"
+                            + house.compiler_words(result.stdout))
+
+
+def objects(*names):
+    """Of the tests."""
+    return {f"/lib/{name}.o": (BUILD / f"{name}.o").read_bytes() for name in names}
+
+
+def shared_objects():
+    """What every chapter's tests may call, each taken only where it is called."""
+    lives = house.BUILD / "live"
+    return {f"/lib/{name}.o": (lives / f"{name}.o").read_bytes()
+            for name in ("engine", "given", *(c.folder for c in house.chapters()))}
+
+
+def units_objects():
+    """Of all chapters: a reader needs them seldom."""
+    return objects("units_engine", *(f"{kind}_{chapter.folder}" for chapter in house.chapters()
+                                     for kind in ("units", "units_of")))
+
+
+def live_objects():
+    """What the live page has besides."""
+    lives = house.BUILD / "live"
+    return {f"/lib/{name}.o": (lives / f"{name}.o").read_bytes()
+            for name in ("bench", "exports", "run", "scenes", "thrown")}
+
+
+def libraries():
+    system = Path("/usr/lib/wasm32-wasi")
+    builtins = next(Path("/").glob(f"{CLANG[1:]}/lib/wasi/libclang_rt.builtins-wasm32.a"))
+    return {f"/lib/{name}": (system / name).read_bytes()
+            for name in ("crt1-reactor.o", "libc++.a", "libc++abi.a", "libc.a")} | {
+                "/lib/builtins.a": builtins.read_bytes()}
+
+
+# ---- headers -------------------------------------------------------------------------------------
+
+def probe(but=()):
+    """A header that includes what the chapters' files do, and what readers often add."""
+    named = {line for chapter in house.chapters()
+             for line in re.findall(r'^#include "[^"]+"', exercises.read(chapter.solution), re.M)}
+    return "".join(f"#include <{name}>\n" for name in STANDARD) + \
+        "".join(f"{line}\n" for line in sorted(named) if not any(one in line for one in but))
+
+
+def headers():
+    """{path in the browser: bytes} of every header: those that are read here, and all of the
+    standard library."""
+    header = BUILD / "course.h"
+    exercises.write_if_new(header, probe() + '#include "tests/checker/quantity.h"\n'
+                           '#include "tests/checker/chosen.h"\n')
+    found = subprocess.run(
+        ["clang++", *FLAGS, "-D_LIBCPP_DEBUG=0", "-isystem", house.BUILD / "live" / "include",
+         f"-I{house.ROOT}", "-M", "-x", "c++", header], capture_output=True, text=True, check=True)
+    glm, out = house.BUILD / "live" / "include", {}
+    places = [(WASI, "/wasi"), (glm, "/glm"), (house.ROOT, "")]
+    paths = {Path(path) for path in found.stdout.replace("\\\n", " ").split(":", 1)[1].split()}
+    paths |= {path for path in (WASI / "c++" / "v1").rglob("*") if path.is_file()}
+    for path in sorted(paths - {header}):
+        for place, seen in places:
+            if path.is_relative_to(place):
+                out[f"{seen}/{path.relative_to(place)}"] = path.read_bytes()
+                break
+        else:
+            if "/clang/" in str(path):
+                out[f"/clang/{path.name}"] = path.read_bytes()
+    out["/course.h"] = probe().encode()
+    # lanes hold no numbers with units
+    out["/units.h"] = probe(but=("lanes", "performance")).encode()
+    return out

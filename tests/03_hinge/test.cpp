@@ -3,6 +3,7 @@
 #include "tests/03_hinge/angle_cases.h"
 #include "tests/03_hinge/axis_cases.h"
 #include "tests/03_hinge/coupling_cases.h"
+#include "tests/03_hinge/drawn_cases.h"
 #include "tests/03_hinge/limit_cases.h"
 #include "tests/03_hinge/motor_cases.h"
 #include "tests/03_hinge/turns_cases.h"
@@ -78,6 +79,10 @@ TEST_CASE("3.1 beyond 60 degrees the rows of an axis turn about c and b", "[3.1]
   expect(AxisFixture::J, "w2 of row c", J[1].w2, b, rounding, {{cross(c, a1), taken}});
 }
 
+TEST_CASE("3.1 the error of an axis is right between axes of any angle", "[3.1]") {
+  if (!is_float) check_drawn({"3.1", "C of an axis"}, drawn_axis);  // rounding would hide it
+}
+
 // ---- 3.2 ----------------------------------------------------------------------------------------
 
 TEST_CASE("3.2 an impulse along one row changes the rate of another", "[3.2]") {
@@ -133,6 +138,10 @@ TEST_CASE("3.2 row by row coupling gives the known K of a rod a ball and an angl
   const mat3 I = inverse_inertia(one) + inverse_inertia(two);
   compare("K of an axis", turning_rows("", p, q).second,
           Matrix<2>{{{{dot(p, I * p), dot(p, I * q)}, {dot(q, I * p), dot(q, I * q)}}}});
+}
+
+TEST_CASE("3.2 two rows are coupled alike in all units and beside a wall", "[3.2]") {
+  check_drawn({"3.2", "the coupling of two rows"}, drawn_coupling);
 }
 
 // ---- 3.3 ----------------------------------------------------------------------------------------
@@ -201,6 +210,14 @@ TEST_CASE("3.3 a wheel at 1000 rad/s is counted right at 60 steps per second", "
   }
 }
 
+TEST_CASE("3.3 a twist is right near half a turn and near none", "[3.3]") {
+  if (!is_float) check_drawn({"3.3", "the twist of a hinge"}, drawn_twist, 1e-9, 400);
+}
+
+TEST_CASE("3.3 thousands of turns are counted", "[3.3]") {
+  check_drawn({"3.3", "counting turns", 2}, drawn_unwrapped);
+}
+
 // ---- 3.4 ----------------------------------------------------------------------------------------
 
 TEST_CASE("3.4 a limit needs a row before it is reached", "[3.4]") {
@@ -228,6 +245,10 @@ TEST_CASE("3.4 without limits there is no row", "[3.4]") {
     expect(table.subject, "live, no limits", live, 0, 0,
            table.explain(live, {{1, "without limits C is infinite, and no row is live"}}));
   }
+}
+
+TEST_CASE("3.4 limits of any range have their row in time", "[3.4]") {
+  check_drawn({"3.4", "the row of a limit"}, drawn_limit);
 }
 
 // ---- 3.5 ----------------------------------------------------------------------------------------
@@ -267,6 +288,10 @@ TEST_CASE("3.5 a motor takes back the excess of its impulse", "[3.5]") {
          table.explain(double(sum)));
   expect(table.subject, "w after a push from outside", double(w), 3, 10 * rounding,
          table.explain(double(w)));
+}
+
+TEST_CASE("3.5 a motor of any strength is bounded, whatever it gave before", "[3.5]") {
+  check_drawn({"3.5", "the impulse of a motor"}, drawn_motor);
 }
 
 // ---- what the tests know of mistakes ------------------------------------------------------------

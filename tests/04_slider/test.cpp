@@ -1,5 +1,6 @@
 // The tests of chapter 4's exercises. Linked with the solution, with the reader's file, with the
 // stub and with every known wrong and right answer.
+#include "tests/04_slider/drawn_cases.h"
 #include "tests/04_slider/line_cases.h"
 #include "tests/04_slider/lock_cases.h"
 #include "tests/checker/catch.h"
@@ -74,6 +75,14 @@ TEST_CASE("4.1 the impulses on both bodies act along one line", "[4.1]") {
     const vec3 n[] = {to_world(pair.body1, line.n1_local), to_world(pair.body1, line.n2_local)};
     for (int i = 0; i < 2; ++i) check_momentum(LineFixture::J, pose, line, pair, J[i], n[i]);
   });
+}
+
+TEST_CASE("4.1 a point is as far beside its line as it is, near or far", "[4.1]") {
+  check_drawn({"4.1", "C of a line"}, drawn_line, is_float ? 1e-3 : 1e-9, 300);
+}
+
+TEST_CASE("4.1 the rows of a line have their levers at any distance", "[4.1]") {
+  check_drawn({"4.1", "the rows J of a line", 2}, drawn_line_rows);
 }
 
 // ---- 4.2 ----------------------------------------------------------------------------------------
@@ -193,6 +202,10 @@ TEST_CASE("4.2 away from zero the rows are those of Eq. 4-8 or the exact ones", 
         jacobian_report(row_names<RotationLockFixture>(), samples, difference_tolerance));
 }
 
+TEST_CASE("4.2 the error of a lock is right near half a turn and near none", "[4.2]") {
+  if (!is_float) check_drawn({"4.2", "C of a lock"}, drawn_lock, 1e-9, 400);
+}
+
 // ---- 4.3 ----------------------------------------------------------------------------------------
 
 TEST_CASE("4.3 the displacement is the part of the gap along the line", "[4.3]") {
@@ -216,6 +229,10 @@ TEST_CASE("4.3 a motor gives the pair no angular momentum", "[4.3]") {
     check_momentum(SlideFixture::J, pose, slide, pair, slide.jacobian(pair.body1, pair.body2),
                    to_world(pair.body1, slide.a1_local));
   });
+}
+
+TEST_CASE("4.3 a displacement is right at any distance", "[4.3]") {
+  check_drawn({"4.3", "the displacement"}, drawn_slide, is_float ? 1e-3 : 1e-9, 300);
 }
 
 // ---- what the tests know of mistakes ------------------------------------------------------------

@@ -2,6 +2,7 @@
 // stub and with every known wrong and right answer.
 #include "tests/05_fixed/break_cases.h"
 #include "tests/05_fixed/cross_cases.h"
+#include "tests/05_fixed/drawn_cases.h"
 #include "tests/05_fixed/load_cases.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/named.h"
@@ -18,6 +19,10 @@ TEST_CASE("5.1 a turning impulse of the lock moves the anchor of the point", "[5
 
 TEST_CASE("5.1 X is the product of the point's rows and the lock's rows at every pose", "[5.1]") {
   check_numbers(cross_table());
+}
+
+TEST_CASE("5.1 X is right in all units and beside a wall", "[5.1]") {
+  check_drawn({"5.1", "the matrix X"}, drawn_cross_K);
 }
 
 TEST_CASE("5.1 two static bodies have no X", "[5.1]") {
@@ -114,6 +119,15 @@ TEST_CASE("5.2 the impulses row by row and the load about the centre are the sam
 
 TEST_CASE("5.2 a weld breaks when its force or its torque is too large", "[5.2]") {
   break_table().check();
+}
+
+TEST_CASE("5.2 a load is its impulses over the time, however small", "[5.2]") {
+  check_drawn({"5.2", "the load of a weld"}, drawn_load);
+  check_drawn({"5.2", "the load about another point", 2}, drawn_about);
+}
+
+TEST_CASE("5.2 a weld breaks just above a bound and not just below", "[5.2]") {
+  if (!is_float) check_drawn({"5.2", "whether a weld breaks", 3}, drawn_breaks);
 }
 
 // ---- what the tests know of mistakes ------------------------------------------------------------

@@ -1,6 +1,7 @@
 // The tests of chapter 6's exercises. Linked with the solution, with the reader's file, with the
 // stub and with every known wrong and right answer.
 #include "tests/06_baumgarte/baumgarte_cases.h"
+#include "tests/06_baumgarte/drawn_cases.h"
 #include "tests/06_baumgarte/safety_cases.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/named.h"
@@ -87,6 +88,12 @@ TEST_CASE("6.1 half of an error remains after the half-time for any step", "[6.1
   }
 }
 
+TEST_CASE("6.1 biases are right in all units and on both sides of zero", "[6.1]") {
+  check_drawn({"6.1", "the bias"}, [](Draw& d) { return drawn_bias(d, false); });
+  check_drawn({"6.1", "the bias of a limit", 2}, [](Draw& d) { return drawn_bias(d, true); });
+  check_drawn({"6.1", "beta for a half-time", 3}, drawn_beta);
+}
+
 // ---- 6.2 ----------------------------------------------------------------------------------------
 
 TEST_CASE("6.2 half a step begins with half the impulse", "[6.2]") {
@@ -153,6 +160,14 @@ TEST_CASE("6.2 a row that is not safe diverges and a safe one settles", "[6.2]")
   }
 }
 
+TEST_CASE("6.2 a warm start gives impulses of any size to both bodies", "[6.2]") {
+  check_drawn({"6.2", "the warm start"}, drawn_warm_start);
+}
+
+TEST_CASE("6.2 what is just safe is safe with any number of iterations", "[6.2]") {
+  if (!is_float) check_drawn({"6.2", "the bound of a warm start", 2}, drawn_safety);
+}
+
 // ---- 6.3 ----------------------------------------------------------------------------------------
 
 namespace {
@@ -184,6 +199,12 @@ TEST_CASE("6.3 a projection moves both bodies by M^-1 J^T lambda at every pose",
 
 TEST_CASE("6.3 a projection touches no velocity and no static body", "[6.3]") {
   expect_left_alone(point_table());
+}
+
+TEST_CASE("6.3 a projection closes gaps of any size in all units", "[6.3]") {
+  if (is_float) return;  // rounding would hide it
+  check_drawn(point_projection, [](Draw& d) { return drawn_projection(d, false); });
+  check_drawn(rope_projection, [](Draw& d) { return drawn_projection(d, true); });
 }
 
 TEST_CASE("6.3 the remaining gap after a projection falls with the square of the gap", "[6.3]") {
@@ -315,6 +336,10 @@ TEST_CASE("6.3 iteration after iteration a torn chain closes", "[6.3]") {
     expect(mistake.subject, "gap of joint " + std::to_string(k) + " in the end", gap, vec3(0),
            rounding, suspects);
   }
+}
+
+TEST_CASE("6.3 an iteration projects every joint of a long chain", "[6.3]") {
+  check_drawn(iteration_subject, drawn_iteration);
 }
 
 // ---- what the tests know of mistakes ------------------------------------------------------------

@@ -124,6 +124,12 @@ inline Pieces<SolveReference> usual_pieces() {
       {"#velocities-added the velocities of body 1 are added in e: the rates are of body 2 less "
        "those of body 1",
        times(read, 0, 5, -1, -1, 1, 1)},
+      {"#body-1-less-2 the velocities in the point's rows are those of body 1 less those of body "
+       "2: the other way round",
+       times(read, 0, 3, -1, -1, -1, -1)},
+      {"the velocities in the axis' rows are those of body 1 less those of body 2: the other way "
+       "round",
+       times(read, 3, 5, -1, -1, -1, -1)},
       {"#sign-e-point-s the sign of e in the point's rows: rates of body 2 less those of body 1",
        [=](T& t) {
          t.read = T::scaled(t.read, 0, 3, -1, -1, -1, -1);

@@ -99,6 +99,7 @@ inline CaseTable<FrictionCase> friction_table() {
   const char* const inwards = "#bound-only-outwards the bound moves inwards when the normal "
                               "impulse becomes less, and the sum goes with it: clamp the sum anew "
                               "in each iteration";
+  const char* const early = "#clamped-early the old sum is clamped as well: only the new one is";
   const char* const either = ": friction is bounded either way, -mu normal and +mu normal";
   const char* const same_bound = "#always-the-bound always the same bound: are the ends of clamp "
                                  "exchanged, clamp(a, low, high), or was a variable never set?";
@@ -135,6 +136,13 @@ inline CaseTable<FrictionCase> friction_table() {
       {dropped, to([=](const Case& c) { return no_more(c) ? c.sum : wanted(c); })},
       {inwards, to([=](const Case& c) {
          return std::abs(c.sum) >= bound(c) ? c.sum : clamped(wanted(c), bound(c));
+       })},
+      {early, [=](const Case& c) {
+         const double old = clamped(c.sum, bound(c)), sum = clamped(old - c.rate / c.K, bound(c));
+         return Numbers{sum - old, sum};
+       }},
+      {early, to([=](const Case& c) {
+         return clamped(clamped(c.sum, bound(c)) - c.rate / c.K, bound(c));
        })},
       {"#nothing-beyond-bound nothing is done beyond the bound: the sum goes to the bound",
        to([=](const Case& c) { return no_more(c) ? 0 : wanted(c); })},

@@ -2,6 +2,7 @@
 // stub and with every known wrong and right answer.
 #include "tests/checker/catch.h"
 #include "tests/checker/named.h"
+#include "tests/08_ground/drawn_cases.h"
 #include "tests/08_ground/friction_cases.h"
 #include "tests/08_ground/gap_cases.h"
 #include "tests/08_ground/tangent_cases.h"
@@ -253,6 +254,10 @@ TEST_CASE("8.2 the box of the text goes on sliding and friction is at its bound"
 
 TEST_CASE("8.2 the sum of friction stays within mu times the normal impulse", "[8.2]") {
   friction_table().check();
+}
+
+TEST_CASE("8.2 friction is bounded in all units, whatever it gave before", "[8.2]") {
+  check_drawn({"8.2", "the impulse of friction", 2}, drawn_friction);
 }
 
 TEST_CASE("8.2 friction stops slow bodies and slows fast ones by its bound", "[8.2]") {

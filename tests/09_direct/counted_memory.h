@@ -1,6 +1,6 @@
 // The heap of chapter 9's tests: a loop without an end that asks for memory again and again,
-// or for more and more, is stopped. While pieces are counted none is given back: who walks through a
-// set from which he erases meets what was there. Included by one file of a program.
+// or for more and more, is stopped. While pieces are counted none is given back: a loop over a set
+// that erases from it does not crash. Included by one file of a program.
 #pragma once
 
 #include <cstdlib>

@@ -110,8 +110,9 @@ inline Drawn drawn_side(Draw& d) {
                                          : impulse > upper ? Side::upper
                                                            : Side::free
                      : (now == Side::lower ? rate < 0 : rate > 0) ? Side::free : now;
-  return {{"side (-1 lower, 0 free, 1 upper)"},
-          {double(static_cast<signed char>(next_side(now, impulse, lower, upper, rate)))}, {double(static_cast<signed char>(right))}, {1}};
+  const Side yours = next_side(now, impulse, lower, upper, rate);
+  return {{"side (-1 lower, 0 free, 1 upper)"}, {double(static_cast<signed char>(yours))},
+          {double(static_cast<signed char>(right))}, {1}};
 }
 
 inline Drawn drawn_slowed(Draw& d) {

@@ -87,7 +87,8 @@ inline Pieces<FactorReference> wrong_factors() {
   using T = FactorReference;
   const char* const early = "#l-stored-too-early the block has become L before the products are "
                             "subtracted: A_ik is needed there, so store L at last";
-  const char* const half = "#half-l-stored not all of L is stored, or more than that: m * n numbers";
+  const char* const half = "#half-l-stored not all of L is stored, or more than that: m * n "
+                           "numbers";
   return {
       {"#diagonal-not-factored the diagonal block is not factored: factor_block() it first",
        [](T& t) { t.diagonal = T::When::never; }},

@@ -89,9 +89,8 @@ inline Pieces<TimeReference> wrong_times() {
       {"#first-step-full-kick in the first step forces act for all of h: nothing came before it, "
        "last_h is 0 then",
        length([](real last, real h) { return last == 0 ? h : (last + h) / 2; })},
-      {"#fixed-step-length a fixed step of 1/60 s: take h",
+      {"#fixed-step-length 1/60 s in the place of h: each step has a length of its own",
        length([](real last, real) { return (last + real(1) / 60) / 2; })},
-      {"a fixed step of 1/60 s: take h", length([](real, real) { return real(1) / 60; })},
       {"#kick-longer the longer of both steps: their mean",
        length([](real last, real h) { return std::max(last, h); })},
       {"#kick-h-later half of h in the first step and h in the later ones: the mean of the last "

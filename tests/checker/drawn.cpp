@@ -33,9 +33,9 @@ vec3 Draw::vector(double size) {
   return {real(size * x), real(size * y), real(size * z)};
 }
 double Draw::angle() {
-  const double nearest = std::numbers::pi / 2 * std::floor(5 * pick());
+  const double choice = pick(), nearest = std::numbers::pi / 2 * std::floor(5 * choice * choice);
   const double sign = pick() < 0.5 ? 1 : -1;
-  return nearest + sign * (pick() < 0.5 ? pick() : std::pow(10, -12 * pick()));
+  return nearest + sign * (pick() < 0.3 ? pick() : std::pow(10, -10 * pick()));
 }
 quat Draw::turn() { return rotation(real(angle()) * normalize(vector())); }
 bool Draw::chance(const std::string& words) { return side(words, pick() > 0.7); }
@@ -161,8 +161,8 @@ Side side_of(const std::vector<Trial>& all, const Trait& t, std::size_t k, bool 
 // What the wrong trials have in common; "" where it is nothing that the others have not.
 std::string explained(const std::vector<Trial>& all) {
   Side best;
-  for (std::size_t k = 0; k < all.front().traits.size(); ++k)
-    for (const bool above : {true, false}) {
+  for (const bool above : {false, true})
+    for (std::size_t k = 0; k < all.front().traits.size(); ++k) {
       if (!above && all.front().traits[k].kind == Trait::Kind::side) continue;
       const Side side = side_of(all, all.front().traits[k], k, above);
       if (side.right_elsewhere < std::max(5, side.right_here)) continue;

@@ -1,3 +1,11 @@
+// wrong drawn-threshold: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2,
+//         c_local))}; ==> const auto cut = [](real a) { return std::abs(a) < real(1e-6) ? real(0) :
+//         a; }; return {cut(dot(a1, to_world(body2, b_local))), cut(dot(a1, to_world(body2,
+//         c_local)))};
+// wrong drawn-threshold: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2,
+//         c_local))}; ==> const auto cut = [](real a) { return std::abs(a) < real(1e-9) ? real(0) :
+//         a; }; return {cut(dot(a1, to_world(body2, b_local))), cut(dot(a1, to_world(body2,
+//         c_local)))};
 // wrong 1-cos: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2, c_local))} ==>
 //         const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local); return {1 -
 //         dot(a1, b), 1 - dot(a1, c)}

@@ -1,3 +1,5 @@
+// wrong drawn-threshold: nearer.live = ==> if (std::abs(nearer.C) < real(1e-9)) nearer.C = 0;
+//         nearer.live =
 // wrong 0-01-h: 0.1 ==> 0.01
 // wrong 0-1-within-absolute: (rate) + real(0.1) * h ==> (rate + real(0.1))
 // wrong 1-10-whole-numbers: real(0.1) ==> 1 / 10

@@ -1,3 +1,14 @@
+// wrong drawn-cut: return {dot(u, to_world(body1, n1_local)), dot(u, to_world(body1, n2_local))};
+//         ==> const auto cut = [](real a) { return std::clamp(a, real(-1), real(1)); }; return
+//         {cut(dot(u, to_world(body1, n1_local))), cut(dot(u, to_world(body1, n2_local)))};
+// wrong drawn-threshold: return {dot(u, to_world(body1, n1_local)), dot(u, to_world(body1,
+//         n2_local))}; ==> const auto cut = [](real a) { return std::abs(a) < real(1e-9) ? real(0)
+//         : a; }; return {cut(dot(u, to_world(body1, n1_local))), cut(dot(u, to_world(body1,
+//         n2_local)))};
+// wrong drawn-threshold: return {dot(u, to_world(body1, n1_local)), dot(u, to_world(body1,
+//         n2_local))}; ==> const auto cut = [](real a) { return std::abs(a) < real(1e-6) ? real(0)
+//         : a; }; return {cut(dot(u, to_world(body1, n1_local))), cut(dot(u, to_world(body1,
+//         n2_local)))};
 // wrong absolute-values: dot(u, to_world(body1, n1_local)), dot(u, to_world(body1, n2_local)) ==>
 //         std::abs(dot(u, to_world(body1, n1_local))), std::abs(dot(u, to_world(body1, n2_local)))
 // wrong centres-place-anchors-u: return ==> const vec3 d = body2.x - body1.x; return ;; u, ==> d,
@@ -38,6 +49,8 @@
   return {dot(seen, n1_local), dot(seen, n2_local)};
 
 // region 2
+// wrong drawn-threshold: -cross(r1 + u, n[i]) ==> -cross(length(u) < real(1e-3) ? r1 : r1 + u,
+//         n[i])
 // wrong bodies-swapped (pencil and paper, upright, turned, moved, broken): -n ==> n[i], cross(r2,
 //         n[i]), -n ;; , n[i], cross(r2, n[i]) ==>
 // wrong "the unit vector along u in the place of n: the row runs along n (pencil and paper, upright, turned, moved, broken)":

@@ -1,3 +1,5 @@
+// wrong drawn-threshold: return ==> if (length(r1) < real(1e-4)) return -(skew(r2) *
+//         inverse_inertia(body2)); return
 // wrong k-point:
   return point.K(body1, body2);
 // wrong "r2: the anchor of the other body": point.anchor2_local ==> point.anchor1_local

@@ -1,3 +1,7 @@
+// wrong drawn-threshold: lambda *= ratio; ==> if (length(lambda) < real(1e-9)) return; lambda *=
+//         ratio;
+// wrong drawn-threshold: lambda *= ratio; ==> if (length(lambda) < real(1e-12)) return; lambda *=
+//         ratio;
 // wrong added-to-lambda: lambda *= ratio ==> lambda += vec3(ratio)
 // wrong "the old impulse is applied and the scaled one is kept": lambda *= ratio; ==> ;; ; ==> ;
 //         lambda *= ratio;
@@ -75,6 +79,8 @@
 //         J[i].v2; }
 
 // region 2
+// wrong drawn-side: real(iterations) ==> real(std::min(iterations, 100))
+// wrong drawn-threshold: < 1; ==> < real(0.999999);
 // wrong "at the bound the error does not decay": < 1 ==> <= 1
 // expects: rho 0.5 iterations 1 beta 1
 // wrong "beta is cut to a whole number: an int has no fraction": beta ==> share ;; return ==> const

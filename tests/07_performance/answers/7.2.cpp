@@ -1,3 +1,5 @@
+// wrong drawn-cut: const Triple<real> along ==> if (inverse_mass1 < real(1e-6)) inverse_mass1 = 0;
+//         const Triple<real> along
 // wrong "beside a static body K is zero: the other one moves": for (int j = 0; j < 3; ++j) ==> if
 //         (inverse_mass1 == 0 || inverse_mass2 == 0) return K; for (int j = 0; j < 3; ++j)
 // expects: Fails at 1 static and 2 static; holds at upright, turned, moved, broken

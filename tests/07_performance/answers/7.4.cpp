@@ -1,3 +1,5 @@
+// wrong body-1-less-2: body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1) ==>
+//         body1.v + cross(body1.w, hinge.r1) - body2.v - cross(body2.w, hinge.r2)
 // wrong never-set: hinge.inverse_K_times(e, back); ==>
 // wrong k-over-e: const Number e[] ==> Number e[] ;; hinge.inverse_K_times(e, back); ==>
 //         hinge.inverse_K_times(e, e); for (int i = 0; i < 5; ++i) back[i] = e[i];

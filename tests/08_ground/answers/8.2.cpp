@@ -89,6 +89,12 @@
   return {t1, cross(n, t1)};
 
 // region 2
+// wrong clamped-early: const real wanted ==> sum = std::clamp(sum, -mu * normal, mu * normal);
+//         const real wanted
+// wrong clamped-early: const real wanted = sum - rate / K, bound = mu * normal; ==> const real
+//         bound = mu * normal, wanted = std::clamp(sum, -bound, bound) - rate / K;
+// wrong drawn-threshold: const real wanted ==> if (normal < real(1e-9)) normal = 0; const real
+//         wanted
 // wrong always-the-bound: const real wanted = sum - rate / K, bound = mu * normal ==> (void)rate;
 //         (void)K ;; std::clamp(wanted, -bound, bound) ==> -mu * normal
 // wrong "the bound is mu normal, yours is 2 mu normal": mu ==> 2 * mu

@@ -1,4 +1,5 @@
-// wrong "6 nodes where there are 5: an eliminated node must not come back into the queue": if (b != a) ==>
+// wrong "6 nodes where there are 5: an eliminated node must not come back into the queue":
+//         if (b != a) ==>
 // wrong drawn-stops: order.push_back(node); ==> order.push_back(node); if (order.size() >= 64)
 //         break;
 // wrong small-type: const int node = queue.begin()->second; ==> const int node = (unsigned
@@ -88,11 +89,12 @@
     }
   }
 // from right without a queue
-// right the least fill first: *nodes.begin() ==> -1, least = 0 ;; if (left[node].size() < left[best].size())
-//         best = node; ==> { int fill = 0; for (const int a : left[node]) for (const int b :
-//         left[node]) fill += a < b && left[a].count(b) == 0; if (best < 0 || fill < least) best =
-//         node, least = fill; } ;; insert(left[best].begin(), left[best].end()); ==> erase(best);
-//         for (const int b : left[best]) if (a != b) ;; erase(a); left[a].erase(best) ==> insert(b)
+// right the least fill first: *nodes.begin() ==> -1, least = 0 ;; if (left[node].size() <
+//         left[best].size()) best = node; ==> { int fill = 0; for (const int a : left[node]) for
+//         (const int b : left[node]) fill += a < b && left[a].count(b) == 0; if (best < 0 || fill <
+//         least) best = node, least = fill; } ;; insert(left[best].begin(), left[best].end()); ==>
+//         erase(best); for (const int b : left[best]) if (a != b) ;; erase(a); left[a].erase(best)
+//         ==> insert(b)
 // from right the first of the fewest in plain lists
 // wrong doubled-neighbours: order ==> !neighbours.empty() && order ;; best); ==> best); const
 //         std::vector<int> around = neighbours[best]; ;; : neighbours[best] ==> : around ;; :

@@ -1,0 +1,67 @@
+// Exercises 2.3 and 2.4: cases drawn over scales, sides and angles.
+#pragma once
+
+#include "chapters/02_ball/ball.h"
+#include "tests/checker/drawn.h"
+#include "tests/checker/push_cases.h"
+
+namespace joints::testing {
+
+/// The rows of a ball joint with levers of any length.
+inline Jacobian<3> drawn_point_rows(Draw& d, const Draw::Units& u) {
+  return jacobian_from_blocks(mat3(-1), skew(d.vector(u.m)), mat3(1), -skew(d.vector(u.m)));
+}
+
+/// Instead of lambda: K lambda beside the rates that it must take away.
+inline Drawn drawn_block_impulse(Draw& d) {
+  const Draw::Units u = d.units();
+  Pair pair = d.pair(u);
+  if (pair.body1.is_static() && pair.body2.is_static()) pair.body1.inverse_mass = real(1 / u.kg);
+  const Jacobian<3> J = drawn_point_rows(d, u);
+  const Matrix<3> K = dense_K(J, pair.body1, pair.body2);
+  mat3 as_mat3;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) as_mat3[j][i] = K[i][j];
+  const vec3 bias = d.vector(u.m / u.s);
+  const vec3 lambda = block_impulse(J, as_mat3, bias, pair.body1, pair.body2);
+  const vec3 gone = as_mat3 * lambda;
+  Drawn out{{}, {}, {}, {50}};
+  for (int i = 0; i < 3; ++i) {
+    out.entries.push_back(std::string("K lambda, row ") + "xyz"[i]);
+    out.yours.push_back(double(gone[i]) * u.s / u.m);
+    const double rate = double(row_velocity(J[i], pair.body1, pair.body2) + bias[i]);
+    out.right.push_back(-rate * u.s / u.m);
+  }
+  return out;
+}
+
+inline Drawn drawn_block_push(Draw& d) {
+  const Draw::Units u = d.units();
+  PushCase c{"", {}, {}, d.pair(u)};
+  const vec3 lambda = d.vector(d.size("|lambda|", u.kg * u.m / u.s, "N s"));
+  const Jacobian<3> J = drawn_point_rows(d, u);
+  for (int i = 0; i < 3; ++i) c.J.push_back(J[i]), c.lambda.push_back(lambda[i]);
+  Pair pair = c.pair;
+  apply_impulse(J, lambda, pair.body1, pair.body2);
+  return drawn_vectors({"v1", "w1", "v2", "w2"}, numbers_of(pair), pushed(c),
+                       {u.m / u.s, 1 / u.s});
+}
+
+/// The rotation from the old orientation to the new one, in units of sin(angle / 2) of a small one.
+inline Drawn drawn_rotation(Draw& d) {
+  const real h = real(d.size("h", d.scale(), "s"));
+  const double angle = d.size("angle", d.angle() + (d.chance("more than a turn") ? 30 : 0), "rad");
+  const vec3 axis = normalize(d.vector());
+  const quat q = d.turn();
+  const quat mine = turned(q, real(angle) / h * axis, h) * conjugate(q);
+  const quat right = rotation(real(angle) * axis);
+  const double sign = dot(mine, right) < 0 ? -1 : 1, unit = std::min(1.0, std::abs(angle)) + 1e-30;
+  return {{"cos(angle / 2)", "x", "y", "z of the axis times sin(angle / 2)"},
+          {sign * double(mine.w), sign * double(mine.x) / unit, sign * double(mine.y) / unit,
+           sign * double(mine.z) / unit},
+          {double(right.w), double(right.x) / unit, double(right.y) / unit,
+           double(right.z) / unit},
+          {10 + 1e-5 / unit}};
+}
+
+}  // namespace joints::testing

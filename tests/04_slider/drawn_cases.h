@@ -1,0 +1,89 @@
+// Exercises 4.1 to 4.3: cases drawn over scales, sides and angles.
+#pragma once
+
+#include "chapters/04_slider/slider.h"
+#include "tests/checker/drawn.h"
+#include "tests/checker/vector_cases.h"
+
+namespace joints::testing {
+
+/// Two bodies whose points are apart by any distance.
+struct DrawnGap {
+  Draw::Units u;
+  vec3 anchor1, anchor2;
+  Pair pair;
+  vec3 gap, r1, r2;
+  double apart;
+};
+inline DrawnGap drawn_gap(Draw& d) {
+  DrawnGap g{d.units(6), {}, {}, {}, {}, {}, {}, 0};
+  g.anchor1 = d.vector(g.u.m), g.anchor2 = d.vector(g.u.m);
+  g.pair = d.pair(g.u);
+  g.r1 = to_world(g.pair.body1, g.anchor1), g.r2 = to_world(g.pair.body2, g.anchor2);
+  g.apart = d.size("distance of the points", g.u.m * d.scale(5), "m");
+  g.pair.body1.x = vec3(0) - g.r1;
+  g.pair.body2.x = d.vector(g.apart) - g.r2;
+  g.gap = g.pair.body2.x + g.r2 - g.pair.body1.x - g.r1;
+  return g;
+}
+inline Numbers gap_sizes(const DrawnGap& g) { return {10 + 1e-4 * g.u.m / g.apart}; }
+
+inline Drawn drawn_line(Draw& d) {
+  const DrawnGap g = drawn_gap(d);
+  const quat frame = d.turn();
+  const Line line{g.anchor1, g.anchor2, frame * vec3(1, 0, 0), frame * vec3(0, 1, 0)};
+  const Vector<2> C = line.error(g.pair.body1, g.pair.body2);
+  const auto along = [&](const vec3& n) {
+    return double(dot(g.gap, g.pair.body1.q * n)) / g.apart;
+  };
+  const double right[] = {along(line.n1_local), along(line.n2_local)};
+  d.size("smaller C", g.apart * std::min(std::abs(right[0]), std::abs(right[1])), "m");
+  return {{"C[0] / distance", "C[1] / distance"}, {double(C[0]) / g.apart, double(C[1]) / g.apart},
+          {right[0], right[1]}, gap_sizes(g)};
+}
+inline Drawn drawn_line_rows(Draw& d) {
+  const DrawnGap g = drawn_gap(d);
+  const quat frame = d.turn();
+  const Line line{g.anchor1, g.anchor2, frame * vec3(1, 0, 0), frame * vec3(0, 1, 0)};
+  Jacobian<2> J;
+  for (int i = 0; i < 2; ++i) {
+    const vec3 n = g.pair.body1.q * (i == 0 ? line.n1_local : line.n2_local);
+    J[i] = {-n, -cross(g.r1 + g.gap, n), n, cross(g.r2, n)};
+  }
+  return drawn_vectors({"J[0].v1", "J[0].w1", "J[0].v2", "J[0].w2", "J[1].v1", "J[1].w1",
+                        "J[1].v2", "J[1].w2"},
+                       flat(line.jacobian(g.pair.body1, g.pair.body2)), flat(J),
+                       {1, g.u.m + g.apart});
+}
+
+inline Drawn drawn_slide(Draw& d) {
+  const DrawnGap g = drawn_gap(d);
+  const Slide slide{g.anchor1, g.anchor2, normalize(d.vector())};
+  const double right = d.size("displacement", double(dot(g.gap, g.pair.body1.q * slide.a1_local)),
+                              "m");
+  return {{"displacement / distance"},
+          {double(slide.error(g.pair.body1, g.pair.body2)) / g.apart}, {right / g.apart},
+          gap_sizes(g)};
+}
+
+/// At exactly half a turn either sign is right.
+inline Drawn drawn_lock(Draw& d) {
+  const double angle = d.angle();
+  d.size("excess", std::remainder(angle, 2 * std::numbers::pi), "rad");
+  d.size("excess beside half a turn", std::remainder(angle - std::numbers::pi,
+                                                     2 * std::numbers::pi), "rad");
+  const vec3 axis = normalize(d.vector());
+  const quat q1 = d.turn(), start = d.turn();
+  const quat q2 = rotation(real(angle) * axis) * q1 * start;
+  const vec3 yours = RotationLock{start}.error(static_body(vec3(0), q1), static_body(vec3(0), q2));
+  const double half = std::remainder(angle, 2 * std::numbers::pi) / 2;
+  vec3 right = real(2 * std::sin(half)) * axis;
+  if (std::cos(half) < 1e-12 && dot(yours, right) < 0) right = -right;
+  const double unit = std::abs(2 * std::sin(half)) + 1e-13;
+  Drawn out = drawn_vectors({"C / size"}, flat(std::vector<vec3>{yours}),
+                            flat(std::vector<vec3>{right}), {unit});
+  out.sizes = {10 + 1e-5 / unit};
+  return out;
+}
+
+}  // namespace joints::testing

@@ -1,0 +1,62 @@
+// Exercises 5.1 and 5.2: cases drawn over scales and sides.
+#pragma once
+
+#include "chapters/05_fixed/fixed.h"
+#include "tests/checker/drawn.h"
+#include "tests/checker/vector_cases.h"
+
+namespace joints::testing {
+
+inline Drawn drawn_cross_K(Draw& d) {
+  const Draw::Units u = d.units();
+  const Pair pair = d.pair(u);
+  const Point point{d.vector(u.m), d.vector(u.m)};
+  const vec3 r1 = pair.body1.q * point.anchor1_local, r2 = pair.body2.q * point.anchor2_local;
+  const mat3 X = cross_K(point, pair.body1, pair.body2);
+  const mat3 right = -(skew(r1) * inverse_inertia(pair.body1)) -
+                     skew(r2) * inverse_inertia(pair.body2);
+  Drawn out = drawn_vectors({"column x", "column y", "column z"},
+                            flat(std::vector<vec3>{X[0], X[1], X[2]}),
+                            flat(std::vector<vec3>{right[0], right[1], right[2]}),
+                            {1 / (u.kg * u.m)});
+  out.sizes = {100};
+  return out;
+}
+
+inline Drawn drawn_load(Draw& d) {
+  const Draw::Units u = d.units();
+  const double h = 0.01 * u.s, force = d.size("force", u.kg * u.m / u.s / u.s, "N");
+  const vec3 push = d.vector(h * force), couple = d.vector(h * force * u.m);
+  const Reaction load = carried({push.x, push.y, push.z, couple.x, couple.y, couple.z}, real(h));
+  return drawn_vectors({"force", "torque"}, flat(std::vector<vec3>{load.force, load.torque}),
+                       flat(std::vector<vec3>{push / real(h), couple / real(h)}),
+                       {force, force * u.m});
+}
+inline Drawn drawn_about(Draw& d) {
+  const Draw::Units u = d.units();
+  const double force = d.size("force", u.kg * u.m / u.s / u.s, "N");
+  const Reaction load{d.vector(force), d.vector(force * u.m)};
+  const vec3 from = d.vector(u.m), to = d.vector(u.m);
+  const Reaction yours = about(load, from, to);
+  return drawn_vectors({"force", "torque"}, flat(std::vector<vec3>{yours.force, yours.torque}),
+                       flat(std::vector<vec3>{load.force, load.torque +
+                                                              cross(from - to, load.force)}),
+                       {force, force * u.m});
+}
+/// Force and torque a little below their bounds or above.
+inline Drawn drawn_breaks(Draw& d) {
+  const double force = d.size("force", d.scale(), "N"), torque = d.size("torque", d.scale(), "N m");
+  const double beside = std::pow(10, -9 * d.pick()) / 2;
+  d.size("distance to a bound / bound", beside, "");
+  const bool too_far = d.chance("the force is too large");
+  const bool turned = d.chance("the torque is too large");
+  const auto of = [&](double bound, bool above) {
+    const double size = bound * (above ? 1 + beside : 1 - beside);
+    return real(size) * normalize(d.vector());
+  };
+  const Reaction load{of(force, too_far), of(torque, turned)};
+  return {{"breaks (1 yes)"}, {double(breaks(load, {real(force), real(torque)}))},
+          {double(too_far || turned)}, {1}};
+}
+
+}  // namespace joints::testing

@@ -1,4 +1,5 @@
 """The commands that show something: run, plot, see."""
+import csv
 import os
 import re
 import signal
@@ -81,6 +82,21 @@ def likely_cause(chapter, written, options):
     return f"{words} Next: ./wb test {chapter.number}"
 
 
+def far_off(mine, solution):
+    """The first error of a run that is more than ten times the solution's, in a sentence; "" where
+    none is. Both are summary.csv of the same scenes."""
+    for one, other in zip(*(csv.DictReader(path.read_text().splitlines())
+                            for path in (mine, solution))):
+        for name in one:
+            if name in ("scene", "setting", "us_per_step") or not (one[name] and other[name]):
+                continue
+            yours, right = float(one[name]), float(other[name])
+            if abs(yours) > 10 * abs(right) + 1e-4:
+                return (f"{one['scene']}, {one['setting']}: {name} is {yours:.3g}, with the "
+                        f"solution's code {right:.3g}.")
+    return ""
+
+
 def red(chapter, written):
     """Which exercises in use are wrong, in a sentence; "" where none is. One that does not end
     would not end in the program either."""
@@ -155,6 +171,13 @@ def run(chapter, options):
         print(f"The motion did not stay finite (nan or inf above).\n"
               f"{likely_cause(chapter, written, options)}")
         return 1
+    if written and not chapter.sealed:
+        alike = house.OUT / "solutions_alike" / chapter.folder
+        house.must_build([f"{chapter.folder}_run"])
+        call_program(f"{chapter.folder}_run", alike, options, True)
+        if words := far_off(folder / "summary.csv", alike / "summary.csv"):
+            print(f"{bad('Far from the solution')}: {words}\n"
+                  f"{likely_cause(chapter, written, options)}")
     print(faint(f"tables: {house.short(folder)}/   figures: ./wb plot {chapter.number}   "
                 f"motion: ./wb see {chapter.number}"))
     return 0

@@ -23,7 +23,7 @@
 // expects: v1 of lane 0 that is not used
 // wrong copies: ; body1 ==> ; Velocities<Number> one = body1, two = body2; one ;; ; body1 ==> ; one
 //         ;; ; body2 ==> ; two ;; ; body2 ==> ; two
-// wrong sign-e-point-s + sign-point-s-bias: body2.v + cross(body2.w, hinge.r2) - body1.v -
+// wrong body-1-less-2: body2.v + cross(body2.w, hinge.r2) - body1.v -
 //         cross(body1.w, hinge.r1) ==> body1.v + cross(body1.w, hinge.r1) - body2.v -
 //         cross(body2.w, hinge.r2)
 // wrong "r1 in the place of r2 in the gap's rate": r2 ==> r1

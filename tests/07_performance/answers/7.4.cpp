@@ -1,3 +1,7 @@
+// wrong sign-e-point-s: {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z, ==>
+//         {-hinge.bias[0] - gap.x, -hinge.bias[1] - gap.y, -hinge.bias[2] - gap.z,
+// wrong sign-point-s-bias: {hinge.bias[0] + gap.x, hinge.bias[1] + gap.y, hinge.bias[2] + gap.z, ==>
+//         {gap.x - hinge.bias[0], gap.y - hinge.bias[1], gap.z - hinge.bias[2],
 // wrong body-1-less-2: body2.v + cross(body2.w, hinge.r2) - body1.v - cross(body1.w, hinge.r1) ==>
 //         body1.v + cross(body1.w, hinge.r1) - body2.v - cross(body2.w, hinge.r2)
 // wrong never-set: hinge.inverse_K_times(e, back); ==>

@@ -29,6 +29,7 @@ class PartJoint : public Joint {
     Joint::check_input(bodies);
     check(part);
   }
+  /// Appends the block of the part.
   void append(const Bodies& bodies, Blocks& blocks) const override {
     const real lower = Part::one_sided ? real(0) : -unbounded;
     blocks.append(bodies, body1, body2, part, hold(lower), impulse_.data());
@@ -44,6 +45,7 @@ class PartJoint : public Joint {
   }
 
  protected:
+  /// Saves or restores the impulses.
   void exchange_own(StateStream& stream) override { stream(impulse_); }
 
  private:

@@ -7,7 +7,7 @@
 namespace {
 
 struct UniversalFixture {
-  using Part = Composite<Point, RightAngle>;
+  using Part = Composite<Point, mine::RightAngle>;
   static constexpr Subject J{"", "the four rows J of a universal joint"};
   static constexpr Subject K{"", "K of a universal joint"};
   static constexpr std::array rows{"C.x", "C.y", "C.z", "a1.a2"};
@@ -15,7 +15,7 @@ struct UniversalFixture {
   static Part make(const Pair& pair) {
     const vec3 axis1 = normalize(vec3(1, 2, real(-0.5)));
     const vec3 axis2 = normalize(cross(axis1, vec3(real(0.3), 1, 1)));
-    return cross_at(pair.body1, pair.body2, vec3(real(0.4), real(-0.2), 1), axis1, axis2);
+    return mine::cross_at(pair.body1, pair.body2, vec3(real(0.4), real(-0.2), 1), axis1, axis2);
   }
   // Rotations about the two pins of the cross.
   static void move_freely(const Part& part, Pair& pair, Random& random) {
@@ -38,9 +38,10 @@ TEST_CASE("a universal joint stays closed while its body is thrown about") {
   World world;
   const BodyId wall = world.add(static_body(vec3(0)));
   const BodyId body = world.add(box(2, vec3(1, real(0.4), real(0.2)), vec3(1, 0, 0)));
-  const auto& joint = world.add<UniversalJoint>(
+  const auto& joint = world.add<mine::UniversalJoint>(
       wall, body,
-      cross_at(world.bodies[wall], world.bodies[body], vec3(0), vec3(0, 1, 0), vec3(0, 0, 1)));
+      mine::cross_at(world.bodies[wall], world.bodies[body], vec3(0), vec3(0, 1, 0),
+                     vec3(0, 0, 1)));
   world.bodies[body].w = vec3(3, 1, -2);
   SequentialImpulses solver;
   double gap = 0, angle = 0, rolled = 0;

@@ -173,7 +173,7 @@ def parts_say_what_is_missing(root, area, prefix, compiler):
                          ("`void check(const P& part)`", r"inline void check\(.*?\n}\n")):
         left, count = re.subn(member, "", whole, count=1, flags=re.S)
         source.write_text(left + "\ntemplate class joints::PartJoint<joints::Composite<"
-                          "joints::Point, joints::RightAngle>>;\n")
+                          "joints::Point, mine::RightAngle>>;\n")
         command = [compiler, "-std=c++20", "-fsyntax-only", f"-I{prefix}/include/joints", *needed,
                    "-DREAL=double", source]
         errors = subprocess.run([str(word) for word in command], capture_output=True,

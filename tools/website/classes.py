@@ -7,7 +7,7 @@ from pathlib import Path
 from website import formulas
 
 ROOT = Path(__file__).resolve().parents[2]
-NUMBERS = re.compile(r"\bEqs?\. (\d-\d+)")
+NUMBERS = re.compile(r"\bEqs?\. (\d+-\d+)")
 OPENS = re.compile(r"^(?:template <[^>]*>\s*)?(?:struct|class) (\w+)[^;]*$"
                    r"|^[^\s/#}][^;=]*?\b(\w+)::~?\w+\(")
 MOST = 6  # equations of a page; the chapter has the others

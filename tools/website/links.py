@@ -11,7 +11,7 @@ ROOT = Path(__file__).resolve().parents[2]
 TOKEN = re.compile(r"(<[^>]+>)")
 CLOSED = ("a", "pre", "svg", "script", "style", "title", "h1", "h2", "h3", "nav", "head")
 CLOSED_CLASSES = re.compile(r'class="(?:fragment|tex|toc|title|memproto|memname|display|line)\b')
-EQUATIONS = re.compile(r"\bEqs?\.\s\d-\d+(?:(?:,| and| or| to)\s\d-\d+)*")
+EQUATIONS = re.compile(r"\bEqs?\.\s\d+-\d+(?:(?:,| and| or| to)\s\d+-\d+)*")
 ERRATUM = re.compile(r"\bE\d{1,2}\b")
 SECTION = re.compile(r"\bT \d(?:\.\d)*\b")
 THESIS = "docs_thesis.html"
@@ -23,7 +23,7 @@ class Targets:
 
     def __init__(self, texts, tags):
         self.equations = {number: f"{page}#eq-{number}" for page, text in texts.items()
-                          for number in re.findall(r'id="eq-(\d-\d+)"', text)}
+                          for number in re.findall(r'id="eq-(\d+-\d+)"', text)}
         self.errata = {f"E{number}": f"{ERRATA}#{place}" for place, number in
                        re.findall(r'id="(docs_errata-e(\d+)-[^"]*)"', texts[ERRATA])}
         self.names, self.files = {}, {}
@@ -90,7 +90,7 @@ def in_words(text, page, targets):
             raise gallery.GalleryError(f"{page} speaks of Eq. {found[0]}, which does not exist")
         return anchor(at, found[0])
 
-    text = EQUATIONS.sub(lambda all_: re.sub(r"\d-\d+", equation, all_[0]), text)
+    text = EQUATIONS.sub(lambda all_: re.sub(r"\d+-\d+", equation, all_[0]), text)
     if page == ERRATA:
         return text
     text = ERRATUM.sub(lambda e: anchor(targets.errata[e[0]], e[0])

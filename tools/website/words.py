@@ -9,7 +9,7 @@ NOT_READ = re.compile(r'<(script|style|svg|title|nav)\b.*?</\1>|<div class="(?:t
                       r'|<span class="tex[^"]*".*?</span>|<!--.*?-->', re.S)
 PLACE = re.compile(r'<a class="anchor" id="([^"]+)"></a>\s*((?:(?!</?h\d).)*)</h\d>'
                    r'|<a id="([^"]+)"[^>]*></a>\s*<h2 class="memtitle">(.*?)</h2>', re.S)
-EQUATION = re.compile(r"\\tag\{(\d-\d+)\}")
+EQUATION = re.compile(r"\\tag\{(\d+-\d+)\}")
 EXERCISE = re.compile(r"\d\.\d+$")
 # Too common to tell one place from another.
 COMMON = set("""the a an of and or in on is are to it its that this with for by as at be not no from

@@ -40,8 +40,9 @@ std::pair<real, real> ratios(Solver& solver) {
                                       rotation(vec3(0, -angle, 0))));
   auto& drive = world.add<HingeJoint>(world.bodies, wall, first, -along1, along1);
   auto& driven = world.add<HingeJoint>(world.bodies, wall, second, along2, along2);
-  world.add<UniversalJoint>(first, second, cross_at(world.bodies[first], world.bodies[second],
-                                                    vec3(0), pin1, cross(along2, pin1)));
+  world.add<mine::UniversalJoint>(
+      first, second, mine::cross_at(world.bodies[first], world.bodies[second], vec3(0), pin1,
+                                    cross(along2, pin1)));
   drive.set_motor(5, 1000);  // rad/s, N m
   real least = 10, greatest = 0;
   for (int n = 0; n < 240; ++n) {

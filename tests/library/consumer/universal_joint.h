@@ -3,7 +3,8 @@
 
 #include <joints.h>
 
-namespace joints {
+namespace mine {
+using namespace joints;
 
 /// Keeps an axis of body 1 at right angles to an axis of body 2. Removes one degree of freedom.
 /// C = a1.a2 [1]; J = (0, (a1 x a2)^T, 0, -(a1 x a2)^T), exact at every pose. Where the two axes
@@ -41,4 +42,4 @@ inline Composite<Point, RightAngle> cross_at(const Body& body1, const Body& body
   return {point_at(body1, body2, anchor), {to_local(body1, axis1), to_local(body2, axis2)}};
 }
 
-}  // namespace joints
+}  // namespace mine

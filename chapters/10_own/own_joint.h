@@ -1,0 +1,224 @@
+// The joints that are made of chapter 10's parts. Given: there is nothing to edit here. A program
+// contains only those that it names.
+#pragma once
+
+#include <tuple>
+
+#include "chapters/02_ball/ball_joint.h"
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/04_slider/slider_joint.h"
+#include "chapters/10_own/own.h"
+#include "engine/part_joint.h"
+
+/// \addtogroup chapter10
+/// @{
+namespace joints {
+
+// ---- universal joint -------------------------------------------------------------------------
+
+/// \throws std::invalid_argument unless both axes have the length 1
+inline void check(const RightAngle& part) {
+  require_unit("a1_local", part.a1_local);
+  require_unit("a2_local", part.a2_local);
+}
+
+/// Connects two shafts that meet at an angle: a point and a right angle, four rows in one block.
+/// Two rotations remain, about the two pins of its cross.
+using UniversalJoint = PartJoint<Composite<Point, RightAngle>>;
+
+/// Makes the part of a universal joint in the present poses. \param anchor where the shafts' axes
+/// meet [m, world] \param pin1 the pin of the cross in body 1, world, of any length
+/// \param pin2 that in body 2; its part along pin1 is removed
+/// \throws std::invalid_argument unless all are finite and the pins are not parallel
+inline Composite<Point, RightAngle> cross_at(const Body& body1, const Body& body2,
+                                             const vec3& anchor, const vec3& pin1,
+                                             const vec3& pin2) {
+  const vec3 a1 = normalize(pin1), a2 = normalize(pin2 - dot(pin2, a1) * a1);
+  return {point_at(body1, body2, anchor), {to_local(body1, a1), to_local(body2, a2)}};
+}
+
+// ---- parts that count turns ------------------------------------------------------------------
+
+/// A joint of a part that counts turns. The part has two angles, `angle1` and `angle2`, or one of
+/// them, or `angle`, and a function `count` like that of Gear.
+template <class Counted>
+class CountingJoint : public PartJoint<Counted> {
+ public:
+  using PartJoint<Counted>::PartJoint;
+  /// C at the present poses, with all turns until the end of the last step.
+  real error(const Bodies& bodies) const {
+    return next_.error(bodies[this->body1], bodies[this->body2]);
+  }
+  /// Measures again where position projection has moved the bodies.
+  void moved(const Bodies& bodies) override { count(this->part, bodies, 0); }
+  /// Appends nothing. With the new velocities it expects the angles at the end of the step.
+  void late_limits(const Bodies& bodies, real h, Blocks&) override {
+    turns(next_) = turns(this->part);
+    count(next_, bodies, h);
+  }
+
+ protected:
+  void choose_rows(const Bodies& bodies, real) override {
+    turns(this->part) = turns(next_);
+    count(this->part, bodies, 0);
+    turns(next_) = turns(this->part);
+  }
+  /// Saves or restores the impulses and the turns.
+  void exchange_own(StateStream& stream) override {
+    PartJoint<Counted>::exchange_own(stream);
+    for (Counted* part : {&this->part, &next_})
+      std::apply([&](auto&... expected) { stream(expected...); }, turns(*part));
+  }
+
+ private:
+  void count(Counted& part, const Bodies& bodies, real h) const {
+    part.count(bodies[this->body1], bodies[this->body2], h);
+  }
+  static auto turns(Counted& part) {
+    if constexpr (requires { part.angle2; })
+      return std::tie(part.angle1.expected, part.angle2.expected);
+    else if constexpr (requires { part.angle1; })
+      return std::tie(part.angle1.expected);
+    else
+      return std::tie(part.angle.expected);
+  }
+  Counted next_ = this->part;  // its `expected` are those after the step
+};
+
+/// \throws std::invalid_argument unless both angles are valid and the ratio is finite and not 0
+inline void check(const Gear& gear) {
+  check(gear.angle1);
+  check(gear.angle2);
+  require(finite(gear.ratio) && gear.ratio != 0, "ratio", gear.ratio,
+          "must be finite and not 0 [1]");
+}
+/// Two wheels that mesh, on axles of a fixed housing: each wheel has a hinge of its own.
+using GearJoint = CountingJoint<Gear>;
+/// The angle of a body about an axle of the fixed housing, 0 in its present orientation.
+/// \param axle direction, world, of any length
+inline HingeAngle angle_on(const Body& body, const vec3& axle) {
+  return angle_about(Body{}, body, axle);
+}
+/// Makes a gear of two wheels in their present poses. \param axle1 direction, world
+/// \param axle2 the same of wheel 2 \param ratio turns of wheel 2 per turn of wheel 1
+inline Gear gear_on(const Body& body1, const vec3& axle1, const Body& body2, const vec3& axle2,
+                    real ratio) {
+  return {angle_on(body1, axle1), angle_on(body2, axle2), ratio};
+}
+
+/// \throws std::invalid_argument unless slide and angle are valid and the lead is finite
+inline void check(const Screw& screw) {
+  check(screw.slide);
+  check(screw.angle);
+  require(finite(screw.lead), "lead", screw.lead, "must be finite [m]");
+}
+/// The row of a screw. A PartJoint<Composite<Line, Axis>> holds the nut on the axis.
+using ScrewJoint = CountingJoint<Screw>;
+/// Makes a screw of two bodies in their present poses. \param anchor a point of the axis [m, world]
+/// \param axis direction, world, of any length \param lead displacement per turn [m]
+inline Screw screw_along(const Body& body1, const Body& body2, const vec3& anchor,
+                         const vec3& axis, real lead) {
+  const Point at = point_at(body1, body2, anchor);
+  const HingeAngle angle = angle_about(body1, body2, axis);
+  return {{at.anchor1_local, at.anchor2_local, angle.a1_local}, angle, lead};
+}
+
+// ---- cone ------------------------------------------------------------------------------------
+
+/// \throws std::invalid_argument unless both axes have the length 1 and the limit is in its range
+inline void check(const Cone& cone) {
+  require_unit("a1_local", cone.a1_local);
+  require_unit("a2_local", cone.a2_local);
+  require(cone.limit > 0 && cone.limit < std::numbers::pi_v<real>, "limit", cone.limit,
+          "must be above 0 and below pi [rad]");
+}
+/// Keeps an axis of body 2 within a cone about an axis of body 1, beside a ball joint. The row of a
+/// cone is exact for the pose at the start of a step. If the new velocities would lead out of the
+/// cone all the same, up to most_late rows for the pose at the end are added, one after the other.
+class ConeJoint : public PartJoint<Cone> {
+ public:
+  static constexpr int most_late = 12;           ///< of these rows
+  static constexpr real tolerance = real(2e-4);  ///< a swing beyond the limit that adds none [rad]
+
+  using PartJoint<Cone>::PartJoint;
+  /// With E the end of the step, J_E the slope of C there with respect to the velocities, and C_E
+  /// the present C there: C_E + h J_E (V_new - V) >= 0, a row with C = C_E - h J_E V (Eq. 10-8).
+  /// Where that is negative although the bodies are inside the cone, the turn is too long for a
+  /// slope: then C = 0.
+  void late_limits(const Bodies& bodies, real h, Blocks& blocks) override {
+    const Body &a = bodies[body1], &b = bodies[body2];
+    Body end1 = a, end2 = b;
+    end1.q = normalize(rotation(h * a.w) * a.q);
+    end2.q = normalize(rotation(h * b.w) * b.q);
+    const real C = part.error(end1, end2);
+    if (late_ == most_late || C > -tolerance || part.error(a, b) < -tolerance) return;
+    const vec3 n = part.jacobian(end1, end2).w1;
+    const Row J{vec3(0), before_turn(h * a.w, n), vec3(0), -before_turn(h * b.w, n)};
+    const real slack = std::max(C - h * row_velocity(J, a, b), real(0));
+    blocks.append<1>(bodies, body1, body2, {{J}}, {slack}, hold(0), &late_impulse_[late_++]);
+  }
+
+ protected:
+  void choose_rows(const Bodies&, real) override {
+    late_impulse_ = {};
+    late_ = 0;
+  }
+
+ private:
+  // The slope of n.(rotation at the end of a turn) with respect to the vector of the turn: the
+  // transposed left Jacobian of the exponential map, times n.
+  static vec3 before_turn(const vec3& turn, const vec3& n) {
+    const real angle = length(turn);
+    if (angle < real(1e-4)) return n;
+    const vec3 u = turn / angle;
+    const real s = std::sin(angle) / angle, c = (1 - std::cos(angle)) / angle;
+    return s * n + (1 - s) * dot(u, n) * u - c * cross(u, n);
+  }
+  Vector<most_late> late_impulse_{};  // written by the solver through the blocks
+  int late_ = 0;                      // how many of them are in use in this step
+};
+/// Makes a cone about a direction in the present poses. \param axis world, of any length
+/// \param limit the greatest swing [rad]
+inline Cone cone_about(const Body& body1, const Body& body2, const vec3& axis, real limit) {
+  return {to_local(body1, normalize(axis)), to_local(body2, normalize(axis)), limit};
+}
+
+// ---- a part of the reader's own --------------------------------------------------------------
+
+/// A joint of a part that is known only when the program runs.
+class OwnJoint : public Joint {
+ public:
+  OwnPart part;  ///< the geometry
+
+  /// \throws std::invalid_argument unless the part has 1 to 6 rows and both functions
+  OwnJoint(BodyId body1, BodyId body2, const OwnPart& part) : Joint(body1, body2), part(part) {
+    require(part.rows >= 1 && part.rows <= 6 && part.error && part.jacobian,
+            "part: must have 1 to 6 rows and the functions error and jacobian");
+  }
+  void append(const Bodies& bodies, Blocks& blocks) const override { append_if<1>(bodies, blocks); }
+  Extras extras() const override { return {.bounded = part.one_sided}; }  ///< a bound, or none
+
+ protected:
+  void exchange_own(StateStream& stream) override { stream(impulse_); }
+
+ private:
+  // A block needs to know its number of rows when it is compiled.
+  template <int N>
+  void append_if(const Bodies& bodies, Blocks& blocks) const {
+    if constexpr (N <= 6) {
+      if (part.rows != N) return append_if<N + 1>(bodies, blocks);
+      const std::array<real, 6> C = part.error(bodies[body1], bodies[body2]);
+      const std::array<Row, 6> rows = part.jacobian(bodies[body1], bodies[body2]);
+      Jacobian<N> J;
+      Vector<N> first;
+      std::copy_n(rows.begin(), N, J.row.begin());
+      std::copy_n(C.begin(), N, first.begin());
+      blocks.append(bodies, body1, body2, J, first, hold(part.one_sided ? real(0) : -unbounded),
+                    impulse_.data());
+    }
+  }
+  mutable Vector<6> impulse_{};  // written by the solver through the block
+};
+
+}  // namespace joints
+/// @}

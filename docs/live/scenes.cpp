@@ -15,6 +15,7 @@
 #include "chapters/08_ground/program/one_box.h"
 #include "chapters/08_ground/program/own_ground.h"
 #include "chapters/08_ground/program/wheels.h"
+#include "chapters/10_own/program/machine.h"
 
 namespace joints::live {
 
@@ -218,6 +219,19 @@ LiveScene wheels() {
   return live;
 }
 
+// Two shafts that meet at 30 degrees.
+LiveScene machine() {
+  auto holder = std::make_shared<chapter10::Machine>(usual, real(0.5236), real(4));
+  LiveScene live = held(holder);
+  live.heavy = 1;
+  live.drive = [&drive = *holder->drive](real speed, real strength) {
+    drive.set_motor(speed, strength);
+  };
+  live.speed = 4;
+  live.strength = 500;
+  return live;
+}
+
 }  // namespace
 
 const std::vector<Entry>& entries() {
@@ -243,7 +257,9 @@ const std::vector<Entry>& entries() {
        "Three blows at a chain that has hardly room to move: a loop of joints."},
       {"box", "box", {8}, box, "It falls, tips and comes to rest: rows that only push, and rub."},
       {"wheels", "wheels", {}, wheels,
-       "Six cubes a wheel, a motor in each hub. Warm, with 60 iterations, they fly apart."}};
+       "Six cubes a wheel, a motor in each hub. Warm, with 60 iterations, they fly apart."},
+      {"machine", "machine", {10}, machine,
+       "A motor, a universal joint, a gear and a screw: the second shaft turns unevenly."}};
   return all;
 }
 

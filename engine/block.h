@@ -98,7 +98,7 @@ class Blocks {
   std::vector<Block> list;  ///< the headers, in the order in which they are solved
   std::vector<real> C;  ///< the errors of all blocks, one per row [m, rad, or 1 for a small sine]
   std::vector<Row> J;   ///< their rows; rows of former steps may follow behind the last of them
-  std::vector<Tolerance> tolerances;  ///< the step shortens the errors C of these blocks, and empties it
+  std::vector<Tolerance> tolerances;  ///< the step shortens the errors C of these blocks
   std::vector<Rebound> rebounds;  ///< of the step; they follow the move of the bodies (end_step)
   bool errors_only = false;  ///< append only C and no rows of J: for the errors at other poses
   real acted = 0;  ///< `acting` of the last step [s]; 0 before the first

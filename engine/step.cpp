@@ -35,7 +35,7 @@ void ease(Blocks& blocks, real h) {
   blocks.tolerances.clear();
 }
 
-// The end of an impact. The bodies have moved, so the gaps are closed: a first solve stops the rows,
+// The end of an impact. The bodies have moved, so the gaps are closed: one solve stops the rows,
 // a second one gives them the rates of their rebounds, with impulses of at most `ratio` times those
 // that stopped them (Newton's and Poisson's hypothesis, whichever is less), so friction cannot add
 // energy. The accumulated impulses continue those of the step and stay positive.

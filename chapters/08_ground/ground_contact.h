@@ -333,7 +333,9 @@ inline void GroundContact::append_point(int k, const Bodies& bodies, Blocks& blo
   if (const real C = blocks.C.back();
       C < 0 && (slop > 0 || std::max(beta, real(1)) * C < -push * last_h()))
     blocks.tolerances.push_back({int(blocks.list.size()) - 1, slop, push});
-  if (point.rebound > 0) blocks.rebounds.push_back({int(blocks.list.size()) - 1, point.rebound, -point.rebound / point.rate});
+  if (point.rebound > 0)
+    blocks.rebounds.push_back(
+        {int(blocks.list.size()) - 1, point.rebound, -point.rebound / point.rate});
 }
 
 }  // namespace joints

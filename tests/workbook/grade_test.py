@@ -100,7 +100,7 @@ def forms(c):
     one answer in the forms in which classes hand in."""
     done, text = "DDDDDD", c.solution
     return {
-        "plain": ({f"plain/{FILE}": text}, done, "| done | 6 of 6 | 3 of 3 |"),
+        "plain": ({f"plain/{FILE}": text}, done, "| done | 7 of 7 | 3 of 3 |"),
         "numbered": ({f"numbered/{CHAPTER}/{FILE}": text}, done, ""),
         "placed": ({f"placed/chapters/{CHAPTER}/{FILE}": text}, done, ""),
         "deep": ({f"deep/hand in/week 1/{FILE}": text}, done, ""),

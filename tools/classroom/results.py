@@ -58,7 +58,7 @@ def rules_of(path):
 def count_tests(chapter):
     """{exercise: how many tests it has}, from their source: a crash hides the rest of them."""
     text = (house.ROOT / "tests" / chapter.folder / "test.cpp").read_text(encoding="utf-8")
-    tags = re.findall(r'TEST_CASE\("(?:[^"\\]|\\.)*",\s*"((?:\[[\w.]+\])+)"', text)
+    tags = re.findall(r'TEST_CASE\((?:\s*"(?:[^"\\]|\\.)*")+,\s*"((?:\[[\w.]+\])+)"', text)
     return {id_: sum(f"[{id_}]" in tag for tag in tags) for id_ in chapter.ids()}
 
 

@@ -120,7 +120,8 @@ def ending(status, limit):
                 "type is too small to reach it?")
     if status == -signal.SIGSYS:
         return ("it asked the system for something that no exercise needs, and was ended: a "
-                "process, a thread, the network, a signal to a process, or the name or mode of a file")
+                "process, a thread, the network, a signal to a process, or the name or mode "
+                "of a file")
     if status == 97:
         return "no such answer"
     return "the program ended in the middle of a test: does the code call exit()?"

@@ -126,6 +126,14 @@ function units_in(results) {
     ? "Units: none that make sense: a variable is read that was never set." : said;
 }
 
+/// The next exercise that is not written yet, behind this one or before it.
+function after(id, chapter, file) {
+  const {ids} = chapter, at = ids.indexOf(id);
+  const open = new Set(regions(file).filter(is_open).map(region => region.id));
+  const next = [...ids.slice(at + 1), ...ids.slice(0, at)].find(one => open.has(one));
+  return next ? ` Next: ${next}, ${place_of(file, chapter.path, next)}` : "";
+}
+
 /// What there is to say of a grade, as text for a terminal.
 function told(grade, chapter, file) {
   const {id, status, failures} = grade;
@@ -152,7 +160,7 @@ function told(grade, chapter, file) {
       out.push(`\n  ${more} more of its ${grade.tests} tests ${more === 1 ? "fails" : "fail"}; ` +
                "mend this one first.");
   } else {
-    out.push(`${grade.tests} tests passed.`);
+    out.push(`${grade.tests} tests passed.${after(id, chapter, file)}`);
   }
   return out.join("\n");
 }

@@ -38,6 +38,10 @@ def chosen():
     return [every[datetime.date.today().toordinal() % len(every)]]
 
 
+def objects_of(chapter):
+    return f"tests_{chapter.folder}", f"where_{chapter.folder}", "checker", "module"
+
+
 def module(chapter):
     """The tests with all known answers of a chapter."""
     source = judging.source_of(chapter, "numbers")
@@ -47,8 +51,7 @@ def module(chapter):
     subprocess.run(["clang++", *flags, "-c", source, "-o", made], check=True)
     others = [house.BUILD / "live" / f"{name}.o" for name in
               ("engine", "given", *(one.folder for one in house.chapters() if one != chapter))]
-    tests = [parts.BUILD / f"{name}.o" for name in
-             (f"tests_{chapter.folder}", f"where_{chapter.folder}", "checker", "module")]
+    tests = [parts.BUILD / f"{name}.o" for name in objects_of(chapter)]
     subprocess.run(["clang++", *live.LINK, "-Wl,--export=__stack_pointer", "-Wl,--stack-first",
                     "-Wl,-z,stack-size=1048576", made, *tests, *others, "-o", out], check=True)
     return out
@@ -108,8 +111,8 @@ def differs(one, other):
 
 def every_report_is_the_native_one(*_):
     """every known answer is told in the browser what it is told natively"""
-    parts.build_objects()
     for chapter in chosen():
+        parts.build_objects(objects_of(chapter))
         house.must_build([f"{chapter.folder}_answers"])
         answers = judging.known(chapter, False)
         refused = judging.answers.refused_of(judging.source_of(chapter, "numbers"))

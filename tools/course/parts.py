@@ -132,13 +132,14 @@ def write_ninja():
     exercises.write_if_new(BUILD / "build.ninja", "\n".join(lines) + "\n")
 
 
-def build_objects():
-    """The objects of the tests; those of engine and solutions are the live page's."""
+def build_objects(names=()):
+    """The objects of the tests, or some; those of engine and solutions are the live page's."""
     live.build()
     BUILD.mkdir(parents=True, exist_ok=True)
     with house.alone():
         write_ninja()
-        result = subprocess.run(["ninja", "-C", BUILD], capture_output=True, text=True)
+        result = subprocess.run(["ninja", "-C", BUILD, *(f"{name}.o" for name in names)],
+                                capture_output=True, text=True)
     if result.returncode:
         raise house.Trouble("the tests cannot be compiled for the browser:\n"
                             + house.compiler_words(result.stdout))

@@ -46,7 +46,7 @@ const STOPS = [[/call stack/i, "stack is full"], [/out of bounds/, "SIGSEGV"],
 const LIBRARY = /^.*_LIBCPP_ASSERT '.*' failed/;
 function crash(result, words) {
   if (result.ended === "endless")
-    return "it did not end within a second: a loop without an end?";
+    return "it did not end within 2 seconds: a loop without an end?";
   if (result.ended === "exit")
     return "the program ended in the middle of a test: does the code call exit()?";
   const said = result.printed.split("\n").filter(line => LIBRARY.test(line)).join("\n");

@@ -1,6 +1,8 @@
 // Exercise 2.3: the impulse of a block of three rows, and what it does. Cases.
 #pragma once
 
+#include <numbers>
+
 #include "chapters/02_ball/ball.h"
 #include "tests/checker/impulse_cases.h"
 #include "tests/checker/push_cases.h"
@@ -8,7 +10,7 @@
 namespace joints::testing {
 
 // The pose for pencil and paper in the chapter's text.
-inline const real half_root = std::sqrt(real(0.5));  // cos 45 degrees
+inline constexpr real half_root = real(std::numbers::sqrt2 / 2);  // cos 45 degrees
 inline const Body ball_paper1 = static_body(vec3(0));
 inline const Body ball_paper2 = [] {
   Body body = body_with(2, vec3(5 / real(6), 1, 5 / real(21)), vec3(0, -1, 0),

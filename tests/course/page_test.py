@@ -114,7 +114,7 @@ def what_goes_wrong_is_told(root, build):
     with Browser() as browser:
         reader = Reader(browser, address + PAGE)
         for code, words in {
-                "  while (body1.x.x < 9) {}\n  return {};": "did not end within a second",
+                "  while (body1.x.x < 9) {}\n  return {};": "did not end within 2 seconds",
                 "  std::vector<real> v;\n  return {vec3(v[3]), {}, {}, {}};":
                     "an index outside a vector",
                 "  return CentreDistance::jacobian(body1, body2);": "the stack is full",

@@ -28,11 +28,9 @@ void factor(JointMatrixOf<Number>& A, PivotInverse inverse) {
   Number* const number = A.numbers.data();
   const int* target = A.targets.data();
   // begin [exercise 9.2]
-  // For each node k except the last entry: factor_block() factors its diagonal block. Then, for
-  // each edge j of the node: divide_rows() writes L, computed from the block of edge j, to 36
-  // separate numbers. For every edge i from j on, subtract_product() subtracts the product of the
-  // block of edge i and of L at number[*target++] (Eq. 9-4). Finally copy L to the block of edge j.
-  // The targets are stored in exactly this order.
+  // Factor A = L D L^T in place, Eq. 9-4. The kernels are in block_kernels.h; L has up to 6 x 6
+  // numbers. A.targets lists where products are subtracted: node after node, edge j after edge j of
+  // a node, one product for every edge i from j on.
   todo("9.2");
   // end [exercise 9.2]
 }
@@ -41,11 +39,7 @@ template <class Number>
 void solve(const JointMatrixOf<Number>& A, Number* x) {
   const Number* const number = A.numbers.data();
   // begin [exercise 9.2]
-  // Forward, for each node k: for each of its edges, subtract_times() subtracts the edge's block
-  // times the numbers of node k from the numbers of the edge's other node. Then divide() divides
-  // the numbers of node k by its diagonal block. Back, from the last node to the first: for each
-  // edge, subtract_transposed_times() subtracts the transposed block times the numbers of the other
-  // node from those of node k. Eq. 9-5.
+  // Solve A x = b with the factor, Eq. 9-5; x holds b at first. The kernels are in block_kernels.h.
   todo("9.2");
   // end [exercise 9.2]
 }
@@ -62,10 +56,8 @@ template void solve(const JointMatrixOf<TwoLanes>&, TwoLanes*);
 std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours) {
   std::vector<int> order;
   // begin [exercise 9.3]
-  // Keep the remaining neighbours of each node in a std::set<int>, and the nodes in a std::set of
-  // pairs (number of neighbours, node): its first element is the next node. When a node is
-  // eliminated, remove it from the sets of its neighbours, and make these neighbours of each other:
-  // that is the fill-in.
+  // Return the nodes in an order with little fill-in: that of the text's rule, or any other one
+  // that leaves at most a tenth more blocks in L.
   todo("9.3");
   // end [exercise 9.3]
   return order;
@@ -73,7 +65,7 @@ std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours) {
 
 double inverse_pivot(double pivot, double original) {
   // begin [exercise 9.4]
-  // Compare the pivot with dependent_share of its original entry. Both may be zero.
+  // Return 1 / pivot, or 0 if the pivot is only a rounding error of its original entry, Eq. 9-8.
   todo("9.4");
   // end [exercise 9.4]
 }
@@ -82,9 +74,8 @@ double inverse_pivot(double pivot, double original) {
 
 void second_order_step(World& world, Solver& solver, real h) {
   // begin [exercise 9.5]
-  // kick() the bodies for the mean of world.last_h and h, which is then the new world.last_h. Clear
-  // world.blocks; let each joint begin_step() and append() its blocks; prepare(), warm_start() with
-  // 0 and solve(). Then turn() the bodies for h/2, integrate_poses(), and turn() again: Eq. 9-9.
+  // Advance the world by one step of second order, Eq. 9-9, with all its joints. The solver starts
+  // cold. world.last_h is the length of the last step, and 0 before the first one.
   todo("9.5");
   // end [exercise 9.5]
 }
@@ -92,11 +83,8 @@ void second_order_step(World& world, Solver& solver, real h) {
 bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& corrector,
                            std::vector<Body>& start) {
   // begin [exercise 9.6]
-  // Store the bodies in `start`. In each iteration: integrate_poses() for real(h), and find the
-  // largest of the errors() there. If it is at most negligible h^2, return true. If it is more than
-  // poor_contraction times the one before, stop: return whether it is at most stalled_share times
-  // the first. Otherwise change_rates() by -C/h (Eq. 9-10), and restore x and q of every slot from
-  // `start`. After the last iteration integrate_poses() once more and return true.
+  // Change the velocities until the bodies end where all errors are negligible, Eq. 9-10, and store
+  // the bodies as they were in `start`. When to stop, and what to return, is stated in direct.h.
   todo("9.6");
   // end [exercise 9.6]
 }
@@ -116,11 +104,9 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
 Slowed slowed(const Body& body, real force_lever, real before, real kappa, real h) {
   Slowed out;
   // begin [exercise 9.8]
-  // Compute the moments, 1 / body.inverse_inertia_local. Raise each to at least kappa h^2 |F||r|,
-  // so that the step can follow the motion; in the last step each was at least `before`. About a
-  // principal axis whose moment is larger than in the last step the energy is kept: multiply the
-  // angular velocity by the root of the ratio of the moments. About the others keep the angular
-  // velocity (Eq. 9-14). to_local() and to_world() rotate it; min(), max(), sqrt(), products and
+  // Return the inverses of the moments that the step can follow, and the angular velocity: the
+  // energy is kept where a moment grows, Eq. 9-14. In the last step each moment was at least
+  // `before`. to_local() and to_world() rotate a vector; min(), max(), sqrt(), products and
   // quotients of two vec3 act component by component.
   todo("9.8");
   // end [exercise 9.8]

@@ -80,8 +80,8 @@ void factor(JointMatrixOf<Number>& A, PivotInverse inverse);
 template <class Number>
 void solve(const JointMatrixOf<Number>& A, Number* x);
 
-/// Exercise 9.3: an order of elimination with little fill-in. The next node is always the one with
-/// the fewest remaining neighbours; among equals, the one with the lowest number.
+/// Exercise 9.3: an order of elimination with little fill-in, such as that of the rule: the next
+/// node is always one with the fewest remaining neighbours.
 /// \param neighbours of each node, without itself; each pair is in both lists
 /// \return the nodes in the order of elimination
 std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/09_direct/factor_cases.h"
+#include "tests/09_direct/newton_reference.h"
 #include "tests/09_direct/pivot_cases.h"
 #include "tests/09_direct/side_cases.h"
 #include "tests/09_direct/slowed_cases.h"
@@ -176,6 +177,67 @@ inline Drawn drawn_time(Draw& d) {
             }), {100}};
   for (int k = 0; k <= bodies; ++k)
     for (const char* of : {"x.x", "x.y", "x.z", "v.x", "v.y", "v.z", "w.x", "w.y", "w.z"})
+      out.entries.push_back(of + (" of body " + std::to_string(k)));
+  return out;
+}
+
+/// Bodies that slide to their marks along all three axes: of each change a part arrives.
+class Marks : public Corrector {
+ public:
+  Marks(Bodies& bodies, std::vector<double> marks, double part)
+      : bodies_(bodies), marks_(std::move(marks)), part_(part) {}
+  int asked = 0;
+  std::vector<double>& errors() override {
+    ++asked;
+    C_.clear();
+    for (std::size_t k = 0; k < marks_.size(); ++k)
+      C_.push_back(double(bodies_.at(int(k / 3)).x[int(k % 3)]) - marks_[k]);
+    return C_;
+  }
+  void change_rates(std::vector<double>& rates) override {
+    rates.resize(marks_.size(), 0);
+    for (std::size_t k = 0; k < marks_.size(); ++k)
+      bodies_.at(int(k / 3)).v[int(k % 3)] += real(part_ * rates[k]);
+  }
+
+ private:
+  Bodies& bodies_;
+  std::vector<double> marks_, C_;
+  double part_;
+};
+
+inline Drawn drawn_newton(Draw& d) {
+  const int slots = d.count("bodies", d.whole(1, 40));
+  const int rows = d.count("rows", std::min(3 * slots, d.whole(1, 120)));
+  const int iterations = d.count("iterations", d.whole(0, 40));
+  const double h = d.size("h", std::pow(10, -3 * d.pick()), "s"), part = 0.4 + 0.6 * d.pick();
+  Random random = d.many();
+  std::vector<double> marks;
+  for (int k = 0; k < rows; ++k)  // the later the row, the farther its mark
+    marks.push_back(double(random.uniform(1, 2)) * (1 + 0.1 * k) * (k % 2 ? -1 : 1));
+  const auto run = [&](const auto& move) {
+    Bodies bodies;
+    for (int k = 0; k < slots; ++k) bodies.add(sliding(0, 0));
+    Marks corrector(bodies, marks, part);
+    std::vector<Body> start;
+    Numbers out{double(move(bodies, h, iterations, corrector, start)), double(corrector.asked)};
+    for (int k = 0; k < slots; ++k)
+      for (int i = 0; i < 3; ++i) {
+        out.push_back(double(bodies.at(k).x[i]));
+        out.push_back(double(bodies.at(k).v[i]) * h);
+      }
+    return out;
+  };
+  const NewtonReference reference{newton_cases()[0]};
+  Drawn out{{"result (0 false, 1 true)", "calls of errors()"},
+            run(move_onto_constraints),
+            run([&](Bodies& bodies, double step, int most, Corrector& corrector,
+                    std::vector<Body>& start) {
+              return reference.move(bodies, step, most, corrector, start);
+            }),
+            {20}};
+  for (int k = 0; k < slots; ++k)
+    for (const char* of : {"x.x", "h v.x", "x.y", "h v.y", "x.z", "h v.z"})
       out.entries.push_back(of + (" of body " + std::to_string(k)));
   return out;
 }

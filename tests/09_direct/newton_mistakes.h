@@ -28,6 +28,8 @@ inline Pieces<NewtonReference> wrong_newtons() {
       {"#times-h times h: J V changes by -C/h", rate([](double C, double h) { return -C * h; })},
       {"#divided-h-squared divided by h^2: J V changes by -C/h",
        rate([](double C, double h) { return -C / (h * h); })},
+      {"#rate-fixed-step 60/s in the place of 1/h: J V changes by -C/h",
+       rate([](double C, double) { return -60 * C; })},
       {"#half-rate half of it: J V changes by -C/h",
        rate([](double C, double h) { return -C / (2 * h); })},
       {"twice: J V changes by -C/h", rate([](double C, double h) { return -2 * C / h; })},
@@ -109,6 +111,14 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.power = 0; }},
       {"#negligible-times-h h is squared: an error of at most negligible h^2 needs no more",
        [](T& t) { t.power = 1; }},
+      {"#negligible-of-last the error of the iteration before is compared with negligible h^2: "
+       "the present one",
+       [](T& t) { t.near_of_last = true; }},
+      {"#negligible-fixed-step 1/60 s in the place of h in the bound: negligible h^2",
+       [](T& t) { t.near = negligible / 3600, t.power = 0; }},
+      {"#stalled-of-last the error of the iteration before is compared with stalled_share of the "
+       "first: the present one",
+       [](T& t) { t.result = T::Result::by_the_last; }},
       {"#near-enough-not-asked it is not tested whether the error is negligible: return then",
        [](T& t) { t.asks_near = false; }},
       {"#strictly-nearer-than-near at exactly negligible h^2 it is enough: <=",

@@ -23,13 +23,13 @@ struct NewtonReference {
   bool asks_at_end = false, last_by_first = false;
   enum class Back { none, x, q, pose, all } back = Back::pose;
   enum class Result { right, poor_is_true, poor_is_false, poor_by_last, turned, end_is_false,
-                      near_is_false, always_false } result = Result::right;
+                      near_is_false, always_false, by_the_last } result = Result::right;
   int more = 0, asks = 1, first_back = 0;
   double move_h = 1, last_h = 1;  ///< of the moves in the iterations, and of the last one
   double first_last = std::numeric_limits<double>::infinity();
   bool asks_before = false, poor_breaks = false, poor_late = false, changes_twice = false;
   bool zero_does_nothing = false, keeps_largest = false, w_back = false, start_moved = false;
-  bool adds_to_start = false;
+  bool adds_to_start = false, near_of_last = false;
   int last_back = 0;  ///< so many at the end are not put back
 
   bool move(Bodies& bodies, double h, int iterations, Corrector& corrector,
@@ -52,6 +52,7 @@ struct NewtonReference {
         case Result::poor_is_false:
         case Result::always_false: return false;
         case Result::poor_by_last: return largest <= share * last;
+        case Result::by_the_last: return last <= share * first;
         case Result::turned: return !(largest <= share * first);
         default: return largest <= share * first;
       }
@@ -69,7 +70,8 @@ struct NewtonReference {
       for (double& C : rates) C = rate(C, h);
       const bool is_poor = strictly_poor ? !(largest < poor * last) : !(largest <= poor * last);
       if (asks_poor && poor_first && is_poor) return stops(largest);
-      if (asks_near && (strictly_near ? largest < enough : largest <= enough)) {
+      const double asked_near = near_of_last ? last : largest;
+      if (asks_near && (strictly_near ? largest < enough : asked_near <= enough)) {
         if (moves_again) integrate_poses(bodies, real(h));
         return answer(result != Result::near_is_false);
       }

@@ -231,6 +231,10 @@ TEST_CASE("9.6 the old contents of the memory do not matter", "[9.6]") {
     check_memory(newton_cases()[10], size);
 }
 
+TEST_CASE("9.6 any number of bodies and rows arrive after any number of iterations", "[9.6]") {
+  if (!is_float) check_drawn(newton_subject, drawn_newton);
+}
+
 // ---- 9.7 ----------------------------------------------------------------------------------------
 
 TEST_CASE("9.7 a contact that would pull goes to its lower bound and one that presses stays free",

@@ -50,6 +50,8 @@ REFUSED = {  # of the compiler's words
         "a variable is read before it is set: give it a value where it is declared.",
     r"-W(error=)?return-type":
         "the function ends without a return: its result is not returned.",
+    r"unable to deduce .auto&&|invalid use of member function": "a function is called with "
+        "brackets, also one without arguments: world.joints().",
     r"todo.{1,3} was not declared": "todo is written todo(\"1.1\"); with the exercise's number.",
     r"operator\*.*(‘int’|'int')": "a whole number times a vector: write real(2) * v, not 2 * v.",
     r"no matching function for call to .(max|min|clamp)\(": "both numbers must be of one kind: "

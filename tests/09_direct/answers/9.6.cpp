@@ -1,3 +1,11 @@
+// wrong drawn-stops: for (double& C : rates) ==> if (rates.size() > 3) rates.resize(3); for
+//         (double& C : rates)
+// wrong drawn-stops: slot < bodies.slots() ==> slot < bodies.slots() && slot < 8
+// wrong drawn-stops: n < iterations ==> n < iterations && n < 10
+// wrong stalled-of-last: largest <= stalled_share * first ==> last <= stalled_share * first
+// wrong negligible-of-last: if (largest <= negligible ==> if (last <= negligible
+// wrong rate-fixed-step: C /= -h; ==> C *= -60.0;
+// wrong negligible-fixed-step: negligible * h * h ==> negligible / 3600
 // wrong sign-j-v-changes: C /= -h ==> C /= h
 // wrong h-missing: C /= -h ==> C = -C
 // wrong times-h: C /= -h ==> C *= -h

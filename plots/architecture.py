@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The drawing of docs/architecture.md: where a step goes, and who includes whom.
+"""The drawing of docs/architecture.md: the calls of a step, and the includes.
 
     python3 plots/architecture.py OUT.svg
 

@@ -69,7 +69,7 @@ inline std::vector<real> row_after_row(const mat3& K, real factor = 1) {
   return out;
 }
 
-/// Mistakes that only a block knows.
+/// Mistakes that are possible only with a block.
 inline std::vector<Mistake<Call<PerRow(const Lack&)>>> block_mistakes() {
   using L = const Lack&;
   const auto with = [](double first, double middle, double last) {

@@ -78,7 +78,7 @@ struct CrossReference {
   }
 };
 
-/// The mistakes with the lever, the inertia and the share of one body, for body 1, 2 and both.
+/// The mistakes with the lever, the inertia and the part of one body, for body 1, 2 and both.
 inline Pieces<CrossReference> wrong_shares() {
   using T = CrossReference;
   using Change = Call<void(T&, int)>;

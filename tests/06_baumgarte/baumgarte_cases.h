@@ -15,7 +15,7 @@ struct BiasCase {
   double C, beta, h;
 };
 
-/// An error, a share, and how many steps a second has.
+/// An error, a fraction of it, and the number of steps per second.
 inline BiasCase bias_case(double C, double beta, double rate) {
   return {"C " + short_number(C) + " beta " + short_number(beta) + " h 1/" + short_number(rate), C,
           beta, 1 / rate};

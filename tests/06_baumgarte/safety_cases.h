@@ -132,7 +132,7 @@ inline CaseTable<SafetyCase> safety_table() {
   return table;
 }
 
-// One row whose iterations each leave the share rho of what is wrong, with a weight on it, warm:
+// One row whose iterations each multiply the error by rho, with a weight on it, warm:
 // how far is it from its place in the end?
 inline double runs_away(const SafetyCase& scene) {
   const double h = 1.0 / 60;

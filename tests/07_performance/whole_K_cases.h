@@ -37,7 +37,7 @@ inline std::vector<std::string> names_of(int part) {
   return out;
 }
 
-/// The words of a share: of body 1, 2 or (3) both.
+/// The words for a part: of body 1, 2 or (3) both.
 inline std::string words_of(const Share& share, int which) {
   std::string out;
   for (const char letter : which == 3 ? share.both : share.one)

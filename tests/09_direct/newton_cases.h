@@ -83,7 +83,7 @@ class Script : public Written {
   std::vector<std::vector<double>> script_;
 };
 
-/// A body that slides along x to a mark. Of each change only a share arrives: 1 is exact.
+/// A body that slides along x to a mark. Only a fraction of each change arrives: 1 is exact.
 class Mark : public Written {
  public:
   Mark(Bodies& bodies, double mark, double share)

@@ -228,7 +228,7 @@ class CallsOfSolver : public Solver {
   void solve(Bodies&) override { calls += "solve() "; }
 };
 
-/// What a step of a world with three blocks asks of its solver. \param n which step it is
+/// The calls of its solver in a step of a world with three blocks. \param n which step it is
 inline void check_calls(World& world, int n) {
   CallsOfSolver solver;
   second_order_step(world, solver, real(0.02));

@@ -219,7 +219,7 @@ TEST_CASE("X10 a mountain may hang on a grain, until a double cannot tell the tw
 }
 
 TEST_CASE("what a mass ratio leaves of a pivot is taken for a dependence from some ratio on") {
-  if (is_float) return;  // its share is another
+  if (is_float) return;  // its limit is another
   for (const auto& [mass, falls] : {std::pair{1e11, false}, {1e13, false}, {1e15, true}}) {
     World world;
     BodyId before = world.add(static_body(vec3(0)));

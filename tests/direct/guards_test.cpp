@@ -8,7 +8,7 @@ namespace {
 
 const real h = sixtieth;
 
-// What a solver says in a step that goes wrong.
+// The message of a solver in a step that goes wrong.
 template <class F>
 std::string complaint(const F& f) {
   try {

@@ -71,7 +71,7 @@ inline World mechanism(Random& random, int count, int loops) {
   return world;
 }
 
-/// Bodies a little away from where their joints want them.
+/// Bodies a little away from the poses at which their joints are closed.
 inline void displace_at_random(Bodies& bodies, Random& random, real size) {
   for (int slot = 0; slot < bodies.slots(); ++slot) {
     Body& body = bodies.at(slot);

@@ -1,5 +1,5 @@
 // Blocks of one to six rows: solved as an independent dense solver does it, whatever they touch,
-// and unharmed by rows that say the same thing twice.
+// and unharmed by rows that occur twice.
 #include "bench/orders.h"
 #include "tests/checker/fixtures.h"
 #include "tests/oracle/test.h"

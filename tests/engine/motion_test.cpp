@@ -112,7 +112,7 @@ TEST_CASE("X8 a box that tumbles about its middle axis keeps its energy for ten 
 }
 
 TEST_CASE("X8 the same box gains without end in explicit steps and loses in implicit ones") {
-  // the share of its energy after 10 s; implicit: Newton converged, in the body's own axes
+  // the fraction of its energy after 10 s; implicit: Newton converged, in the body's own axes
   const dvec3 I(1, 2, 2.5);
   const auto kept = [&](double speed, auto step) {
     const dvec3 start(0.01 * speed, speed, 0);

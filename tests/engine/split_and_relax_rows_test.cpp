@@ -188,8 +188,8 @@ TEST_CASE("a box that lies too deep comes up by beta a step and does not hop") {
 
 // ---- softness -----------------------------------------------------------------------------------
 
-TEST_CASE("a softened joint keeps the same share of its error every step, and no velocity") {
-  // from rest an implicit spring takes the share (h omega)^2 / (1 + 2 zeta h omega + (h omega)^2)
+TEST_CASE("a softened joint keeps the same fraction of its error every step, and no velocity") {
+  // from rest an implicit spring loses the part (h omega)^2 / (1 + 2 zeta h omega + (h omega)^2)
   for (const auto& [frequency, damping] : {std::pair{10.0, 1.0}, {10.0, 10.0}, {60.0, 5.0}})
     for (SequentialImpulses solver : {relaxing(), splitting(3)}) {
       Track track({0, real(1.2)}, {4});

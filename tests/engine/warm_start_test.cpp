@@ -52,7 +52,7 @@ std::vector<real> ten_links(real tip = 1) {
   return masses;
 }
 
-// Modulus of the slowest root for a mode of which k iterations leave the share eta, warm, fed back:
+// Modulus of the slowest root for a mode that k iterations multiply by eta, warm, fed back:
 // z^3 - (1 + 2 eta - (1 - eta) beta) z^2 + 3 eta z - eta = 0.
 double growth_of_a_mode(double eta, double beta) {
   return spectral_radius({3, 3, {1 + 2 * eta - (1 - eta) * beta, -3 * eta, eta,

@@ -129,7 +129,7 @@ TEST_CASE("E50 a soft row needs its sum inside the loop: else more iterations ma
 
 TEST_CASE("E50 a bound needs the sum inside the loop: else every iteration gives the bound again",
           "[E50]") {
-  // A motor row that wants far more than it may give: h F once a step.
+  // A motor row that needs far more than its bound: h F once a step.
   const double F = 3, bound = double(h) * F;
   World world = weightless();
   const Pair pair = uneven_pair();

@@ -149,7 +149,7 @@ TEST_CASE("the rebound of a corner that has left before it came is forgotten") {
   CHECK(std::abs(double(box.it().v.y)) < 1e-3);
 }
 
-TEST_CASE("what comes without a step before rebounds from the ground with its share") {
+TEST_CASE("a body that lands in its first or second step rebounds with its restitution") {
   const real h = real(1) / 60;
   for (const real ahead : {real(-0.5), real(0.02)}) {  // [steps] it lands in this step, the next
     Grounded one(ball(1, real(0.1), vec3(0, real(0.1) + (1 + ahead) * 3 * h, 0)),

@@ -169,7 +169,7 @@ TEST_CASE("I11 the error of a row that keeps its direction shrinks by 1 - beta e
   }
 }
 
-TEST_CASE("I11 with a lever and an error of 1 mm the share left after a step is 0.85") {
+TEST_CASE("I11 with a lever and an error of 1 mm a step leaves 0.85 of it") {
   const vec3 lever(real(0.5), real(0.3), real(-0.2));
   const vec3 off(real(6e-4), real(-0.48e-3), real(0.64e-3));  // 1 mm long
   World world = weightless();

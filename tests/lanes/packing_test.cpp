@@ -1,5 +1,5 @@
 // How the solver packs a step's blocks: every packing has an order of its own and keeps all else,
-// who comes with whom is worked out once, and a step then takes no memory from the heap.
+// the groups are computed once, and a step then takes no memory from the heap.
 #include "engine/simd/packed.h"
 #include "engine/state.h"
 #include "tests/oracle/allocations.h"
@@ -169,7 +169,7 @@ TEST_CASE("blocks are put into groups again when one comes, goes or changes its 
         CAPTURE(int(packing), lanes, warm);
         World kept = whips(), fresh = whips();
         PackedImpulses solver = solver_of(packing, lanes);
-        const auto steps = [&](int count) {  // beside it, a solver that knows nothing of before
+        const auto steps = [&](int count) {  // beside it, a solver that is new
           for (int n = 0; n < count; ++n) {
             PackedImpulses another = solver_of(packing, lanes);
             step(fresh, another, h, {.warm_start = warm});

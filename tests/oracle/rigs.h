@@ -39,7 +39,7 @@ Dense whole_K(const System& system, const World& world);
 /// What an iteration of block Gauss-Seidel leaves of an error in the impulses: E - L^-1 A, L the
 /// blocks on and below the diagonal.
 Dense iteration_matrix(const Dense& A, const std::vector<int>& block);
-/// The share of an error that an iteration leaves in the long run.
+/// The factor by which an iteration multiplies an error in the long run.
 double iteration_rate(const World& world, const System& system);
 
 /// A rotor of 1 kg and 1 kg m^2 on a hinge about z through the origin, its centre `lever` beside

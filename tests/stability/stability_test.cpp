@@ -52,7 +52,7 @@ TEST_CASE("X5 a rod whose ends coincide is not pushed anywhere until they part")
     }
     CHECK(double(centre.impulse()[0]) == 0);  // what pushes nothing is no force either
     CHECK(double(rod.impulse()[0]) == 0);
-    // now they part: the rod pushes its length in the share beta a step, and not a bit more
+    // now they part: the rod corrects the fraction beta of its error per step, and no more
     for (BodyId id : {a, b}) world.bodies[id].x += vec3(real(0.01), 0, 0);
     step(world, solver, h, stepping);
     for (BodyId id : {a, b})

@@ -1,4 +1,4 @@
-"""The sources: who includes whom, how long they are: sources_test.py ROOT BUILD"""
+"""The sources: their includes and lengths: sources_test.py ROOT BUILD"""
 import re
 import sys
 
@@ -56,7 +56,7 @@ def sources_are_short(root, build):
 
 
 def drawing_is_true(root, build):
-    """the drawing of docs/architecture.md shows who includes whom"""
+    """the drawing of docs/architecture.md shows the includes"""
     drawn = set(re.findall(r'id="(\w+ includes \w+)"', read(root / "docs/architecture.svg")))
     for arrow in sorted(drawn ^ layers.arrows(root)):
         yield (f"{arrow}: " + ("drawn, but not so" if arrow in drawn else "not drawn")

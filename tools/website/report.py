@@ -14,7 +14,7 @@ from website import gallery
 TEMPLATE = house.ROOT / "docs" / "report.html"
 FIRST = ("08_ground", "ragdoll")  # the motion behind the findings
 BENCH = {"work_precision": "Error against run time", "stability": "What holds, and up to where"}
-ROUNDING = 1e-9  # [m], and as a share of the energy: what is smaller is shown as 0
+ROUNDING = 1e-9  # [m], and as a fraction of the energy: smaller numbers are shown as 0
 FAILED = 0.1  # [m]: joints that are so far apart do not hold
 # The settings that their chapters show in order to let them fail: (scene, setting).
 MEANT = {("pendulums", "beta 0"), ("drift", "beta 0"), ("side by side", "projection, 30"),
@@ -104,7 +104,7 @@ def length(metres):
 
 
 def exact_or_iterated():
-    """What an exact solve costs beside iterations, and what both leave: measured."""
+    """The cost of an exact solve beside iterations, and the errors of both: measured."""
     few, more, *_, many = measured("S1b", "sequential impulses", "cold")
     exact = measured("S1b", "direct", "velocities")[0]
     counts, times = ([float(row[name]) for row in (few, more)]
@@ -118,8 +118,8 @@ def exact_or_iterated():
             f"leave {length(float(many['gap_rms_m']))}; it leaves {length(gap)}.")
 
 
-# The findings on top: a figure of out/plots/ and what it shows; where no more is said, what stands
-# above the figure.
+# The findings on top: a figure of out/plots/ and its finding; without one, the words above the
+# figure.
 FINDINGS = (("work_precision_S1b_double", exact_or_iterated),
             ("09_together", lambda: ("Iterations let a long chain go, exact solves hold it", "")),
             ("06_beta", lambda: ("Correcting more than twice the error makes it grow", "")))
@@ -181,9 +181,9 @@ def write(chapters, seconds, waited):
 <iframe src="see/{FIRST[0]}.html?scene={FIRST[1]}&amp;play=1" title="A ragdoll falls"></iframe>
 <nav aria-label="Chapters">{links}</nav>
 <p>A picture of a motion plays it; a figure opens in full. <b>Gap</b>: how far joints are apart.
-<b>Drift</b>: change of energy over the run, as a share of the energy to hand. Ropes that become
-taut and limits that stop a body take some, as in nature, motors add their work, and what sags has
-come to rest lower; what is lost else, the method loses. A setting <b>fails</b> if its joints are
+<b>Drift</b>: change of energy over the run, as a fraction of the available energy. As in nature,
+ropes that become taut and limits that stop a body take some, motors add their work, and a beam that
+sags comes to rest lower. The method loses the rest. A setting <b>fails</b> if its joints are
 more than {1000 * FAILED:.0f} mm apart (root mean square). 0 is less than rounding,
 {ROUNDING:.0e} m.</p>
 {"".join(chapter_part(chapter, rows) for chapter in chapters)}

@@ -61,9 +61,9 @@ struct Flight {
 
 // ---- the bridge ---------------------------------------------------------------------------------
 
-// The bridge in statics: a polygon of equal planks whose ends are as far apart as the posts. A plank
-// has the weight w in its middle, the load P at the fraction f of its length from its inner end, and
-// the vertical force V at its outer end. Then tan(slope) = (V - w/2 - P f)/H.
+// The bridge in statics: a polygon of equal planks whose ends are as far apart as the posts. A
+// plank has the weight w in its middle, the load P at the fraction f of its length from its inner
+// end, and the vertical force V at its outer end. Then tan(slope) = (V - w/2 - P f)/H.
 struct Statics {
   double H = 0, sag = 0;  // horizontal pull [N], depth of the middle hinge below the outer ones [m]
 

@@ -52,6 +52,7 @@ function crash(result, words) {
   const said = result.printed.split("\n").filter(line => LIBRARY.test(line)).join("\n");
   if (/index|front|back|out-of-bounds/.test(said))
     return plainly("_M_range_check", words);
+  if (/std::clamp/.test(said)) return plainly("Assertion '!(__hi < __lo)'", words);
   const signal = STOPS.find(([pattern]) => pattern.test(result.words));
   return plainly(signal ? signal[1] : result.words, words);
 }

@@ -1,4 +1,4 @@
-// The classical Runge-Kutta method: four slopes, their mean, and a projection.
+// A half-explicit Runge-Kutta method: five slopes, their mean, and a projection.
 #include "chapters/09_direct/runge_kutta.h"
 
 #include <algorithm>
@@ -14,13 +14,14 @@ namespace joints {
 
 namespace {
 
-constexpr double exact = 1e-12;  // errors below this are rounding [m or rad]
+constexpr double exact = 1e-12;  // errors below this are rounding [m or rad; or relative]
 // If errors are above this after a step, it has found no pose that satisfies the joints.
 constexpr double open = sizeof(real) == 4 ? 1e-3 : 1e-8;
 constexpr int corrections = 8;  // largest number of corrections of the poses
 // Largest change between the second and the third stage, relative to the squares of all velocities:
-// an oscillation with h nu = 2.5 has 16, and one with h nu = 1 has 1/16.
-constexpr double most_change = 16;
+// an oscillation with h nu = 2.5 has 0.8, and one with h nu = 1 has 0.02.
+constexpr double most_change = 0.8;
+constexpr int rounds = 12;  // largest number of corrections of the velocities
 constexpr real at_rest = real(1e-6);  // slower bodies count as at rest [m/s]
 
 // Normalises a quaternion of any size: the square of its length might overflow.
@@ -43,39 +44,73 @@ void for_impulses(const Blocks& rigid, const Blocks& springs, const F& f) {
       for (int i = 0; i < block.rows; ++i) f(block.impulse[i]);
 }
 
+// Exchanges the rows of two lists of blocks, and nothing else of them.
+void exchange_rows(Blocks& a, Blocks& b) {
+  a.list.swap(b.list);
+  a.C.swap(b.C);
+  a.J.swap(b.J);
+}
+
+// The weights of the slopes in each stage, the last line for the step's end, and the times of the
+// stages: HEM4 of Brasey and Hairer, with the abscissas of Radau IIA.
+const real root = std::sqrt(real(6));
+const real weights[6][5] = {
+    {},
+    {real(0.3)},
+    {(1 + root) / 30, (11 - 4 * root) / 30},
+    {(-79 - 31 * root) / 150, (-1 - 4 * root) / 30, (24 + 11 * root) / 25},
+    {(14 + 5 * root) / 6, (-8 + 7 * root) / 6, (-9 - 7 * root) / 4, (9 - root) / 4},
+    {0, 0, (16 - root) / 36, (16 + root) / 36, real(1) / 9}};
+const real times[] = {0, real(0.3), (4 - root) / 10, (4 + root) / 10, 1};
+
 }  // namespace
 
 void RungeKutta::step(World& world, real h) {
   begin(world, h);
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
+  read(world.bodies, given_);
+  enough_ = 0;
+  wanted_.assign(world.blocks.C.size(), 0);
+  reach(world.bodies, world.blocks, wanted_);  // joints may have come since the last step
   read(world.bodies, start_);
-  sum_.assign(start_.size(), State{vec3(0), quat(0, 0, 0, 0), vec3(0), vec3(0)});
+  for (const State& body : start_)
+    enough_ = std::max(enough_, exact * double(std::max(length(body.v), length(body.w))));
   std::vector<double> impulses(world.blocks.C.size() + springs_.C.size(), 0.0);  // of the step
-  const real at[] = {0, h / 2, h / 2, h}, share[] = {h / 6, h / 3, h / 3, h / 6};
-  for (int stage = 0; stage < 4; ++stage) {
+  real before = 1;  // the time for which the forces of the stage before have acted [s]
+  for (int stage = 0; stage < stages; ++stage) {
     if (stage > 0) {
-      write(world.bodies, at[stage], slope_);
-      collect(world, world.blocks, &springs_);
+      exchange_rows(world.blocks, next_);
+      exchange_rows(springs_, next_springs_);
       factor(world);
     }
-    for_impulses(world.blocks, springs_, [](real& impulse) { impulse = 0; });
-    find_slope(world, at[stage], slope_);
-    if (stage == 1) second_ = slope_;
+    std::vector<State>& slope = slopes_[stage];
+    find_free_slope(world, times[stage] * h, slope);
+    write(world.bodies, stage + 1);
+    read(world.bodies, free_);
+    collect(world, next_, &next_springs_);
+    const real acted = h * weights[stage + 1][stage];
+    solver_.warm_start(world.bodies, stage == 0 ? 0 : acted / before);  // about the same forces
+    before = acted;
+    reach(world.bodies, next_, wanted_);
+    for (std::size_t slot = 0; slot < slope.size(); ++slot) {
+      const Body& body = world.bodies.at(int(slot));
+      slope[slot].v += (body.v - free_[slot].v) / acted;
+      slope[slot].w += (body.w - free_[slot].w) / acted;
+    }
     if (stage == 2) check_slopes(world);
     auto sum = impulses.begin();
-    for_impulses(world.blocks, springs_,  // forces in a stage
-                 [&](real force) { *sum++ += double(share[stage]) * double(force); });
-    for (std::size_t k = 0; k < sum_.size(); ++k) {
-      sum_[k].x += share[stage] * slope_[k].x;
-      sum_[k].q = sum_[k].q + share[stage] * slope_[k].q;
-      sum_[k].v += share[stage] * slope_[k].v;
-      sum_[k].w += share[stage] * slope_[k].w;
-    }
+    const double mean = double(h * weights[stages][stage]), rigid = mean / double(acted);
+    const auto end_of_rigid = sum + long(world.blocks.C.size());
+    for_impulses(world.blocks, springs_, [&](real given) {  // impulses of rows, forces of springs
+      const double factor = sum < end_of_rigid ? rigid : mean;
+      *sum++ += factor * double(given);
+    });
   }
-  write(world.bodies, 1, sum_);
+  enough_ = 0;
   project(world);
   auto sum = impulses.begin();
   for_impulses(world.blocks, springs_, [&](real& impulse) { impulse = real(*sum++); });
+  exchange_rows(world.blocks, next_);
   world.last_h = world.blocks.acting = h;
   check_motion(world.bodies);
 }
@@ -110,15 +145,20 @@ void RungeKutta::read(const Bodies& bodies, std::vector<State>& states) {
   }
 }
 
-// Sets the bodies to their state at the start plus c times a slope.
-void RungeKutta::write(Bodies& bodies, real c, const std::vector<State>& slope) const {
+// Sets the bodies to their state in a stage, or at the step's end, from the slopes before it.
+void RungeKutta::write(Bodies& bodies, int stage) const {
   for (int slot = 0; slot < bodies.slots(); ++slot) {
+    State to = start_[slot];
+    for (int k = 0; k < stage; ++k) {
+      const State& slope = slopes_[k][slot];
+      const real time = h_ * weights[stage][k];
+      to.x += time * slope.x;
+      to.q = to.q + time * slope.q;
+      to.v += time * slope.v;
+      to.w += time * slope.w;
+    }
     Body& body = bodies.at(slot);
-    const State &from = start_[slot], &by = slope[slot];
-    body.x = from.x + c * by.x;
-    body.q = unit(from.q + c * by.q);
-    body.v = from.v + c * by.v;
-    body.w = from.w + c * by.w;
+    body.x = to.x, body.q = unit(to.q), body.v = to.v, body.w = to.w;
   }
 }
 
@@ -143,6 +183,7 @@ void RungeKutta::factor(World& world) {
 // with the mass K^-1 is -K^-1 (omega^2 C + 2 damping omega J V); Feedback is its implicit step.
 void RungeKutta::stretch_springs(const Bodies& bodies) const {
   for (const Block& block : springs_.list) {
+    std::fill_n(block.impulse, block.rows, real(0));
     const Row* const J = &springs_.J[std::size_t(block.first)];
     const Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
     const real omega = 2 * std::numbers::pi_v<real> * block.target.frequency;
@@ -163,7 +204,7 @@ void RungeKutta::stretch_springs(const Bodies& bodies) const {
 void RungeKutta::give_up(Bodies& bodies, const std::string& why) const {
   for (int slot = 0; slot < bodies.slots(); ++slot) {
     Body& body = bodies.at(slot);
-    const State& from = start_[slot];
+    const State& from = given_[slot];
     body.x = from.x, body.q = from.q, body.v = from.v, body.w = from.w;
   }
   throw std::runtime_error("world: " + why +
@@ -171,8 +212,8 @@ void RungeKutta::give_up(Bodies& bodies, const std::string& why) const {
                            "already, as some in a net of balls do");
 }
 
-// The slopes of the second and third stage belong to the same time. If they differ by much more
-// than the velocities, the forces change too fast for a step of this length.
+// If the accelerations of the second and the third stage differ by much more than the velocities,
+// the forces change too fast for a step of this length.
 void RungeKutta::check_slopes(World& world) {
   double differ = 0, size = 0;  // sums of mass times velocity squared
   for (int slot = 0; slot < world.bodies.slots(); ++slot) {
@@ -182,8 +223,8 @@ void RungeKutta::check_slopes(World& world) {
       const vec3 local = to_local(body, w);
       return double(dot(v, v) / body.inverse_mass + dot(local, local / body.inverse_inertia_local));
     };
-    differ += square(h_ * (slope_[slot].v - second_[slot].v),
-                     h_ * (slope_[slot].w - second_[slot].w));
+    const State &second = slopes_[1][slot], &third = slopes_[2][slot];
+    differ += square(h_ * (third.v - second.v), h_ * (third.w - second.w));
     size += square(vec3(at_rest), vec3(0)) + square(start_[slot].v, start_[slot].w) +
             square(h_ * (world.gravity + body.inverse_mass * body.force), vec3(0));
   }
@@ -191,79 +232,48 @@ void RungeKutta::check_slopes(World& world) {
     give_up(world.bodies, "the forces change too much within the step");
 }
 
-// Computes the required -J'V of every row: minus the rate at which J V changes while V is constant.
-// It is a central difference over a time for which curvature and rounding cause similar errors.
-void RungeKutta::find_row_rates(World& world) {
-  Bodies& bodies = world.bodies;
-  real fastest = 1;
-  for (int slot = 0; slot < bodies.slots(); ++slot)
-    fastest = std::max(fastest, length(bodies.at(slot).w));
-  const real time = std::cbrt(std::numeric_limits<real>::epsilon()) / fastest;
-  wanted_.assign(world.blocks.C.size(), 0);
-  real now = 0;
-  for (const int side : {-1, 1}) {
-    const real then = real(side) * time;
-    for (int slot = 0; slot < bodies.slots(); ++slot) displace(bodies.at(slot), then - now);
-    now = then;
-    collect(world, displaced_, nullptr);
-    const double share = side / (2 * double(time));
-    for (const Block& block : displaced_.list)
-      for (int i = 0; i < block.rows; ++i)
-        wanted_[block.first + i] -= share * double(row_velocity(displaced_.J[block.first + i],
-                                                                bodies.at(block.body1),
-                                                                bodies.at(block.body2)));
-  }
-  for (int slot = 0; slot < bodies.slots(); ++slot) displace(bodies.at(slot), -now);
-}
-
-void RungeKutta::find_slope(World& world, real time, std::vector<State>& slope) {
+// The velocities, and the accelerations without the forces of rigid joints.
+void RungeKutta::find_free_slope(World& world, real time, std::vector<State>& slope) {
   Bodies& bodies = world.bodies;
   if (forces) forces(bodies, time);
   stretch_springs(bodies);
-  find_row_rates(world);
   slope.clear();
   for (int slot = 0; slot < bodies.slots(); ++slot) {
-    Body& body = bodies.at(slot);
+    const Body& body = bodies.at(slot);
     if (body.is_static()) {  // stays where it is; a belt keeps its velocity
       slope.push_back({vec3(0), quat(0, 0, 0, 0), vec3(0), vec3(0)});
-      body.v = body.w = vec3(0);
       continue;
     }
-    slope.push_back({body.v, real(0.5) * (quat(0, body.w.x, body.w.y, body.w.z) * body.q),
-                     vec3(0), vec3(0)});
     const vec3 w = to_local(body, body.w), momentum = w / body.inverse_inertia_local;
-    body.v = world.gravity + body.inverse_mass * body.force;  // from here on, accelerations
-    body.w = inverse_inertia(body) * (body.torque - to_world(body, cross(w, momentum)));
+    slope.push_back({body.v, real(0.5) * (quat(0, body.w.x, body.w.y, body.w.z) * body.q),
+                     world.gravity + body.inverse_mass * body.force,
+                     inverse_inertia(body) * (body.torque - to_world(body, cross(w, momentum)))});
   }
-  for (const Block& block : springs_.list) {
-    Body* const held[] = {&bodies.at(block.body1), &bodies.at(block.body2)};
+  for (const Block& block : springs_.list)
     for (int i = 0; i < block.rows; ++i) {
       const Row& J = springs_.J[std::size_t(block.first + i)];
-      held[0]->v += block.impulse[i] * held[0]->inverse_mass * J.v1;
-      held[0]->w += block.impulse[i] * (inverse_inertia(*held[0]) * J.w1);
-      held[1]->v += block.impulse[i] * held[1]->inverse_mass * J.v2;
-      held[1]->w += block.impulse[i] * (inverse_inertia(*held[1]) * J.w2);
+      const auto pull = [&](int slot, const vec3& v, const vec3& w) {
+        const Body& body = bodies.at(slot);
+        slope[slot].v += block.impulse[i] * body.inverse_mass * v;
+        slope[slot].w += block.impulse[i] * (inverse_inertia(body) * w);
+      };
+      pull(block.body1, J.v1, J.w1);
+      pull(block.body2, J.v2, J.w2);
     }
-  }
-  reach(world);
-  for (int slot = 0; slot < bodies.slots(); ++slot)
-    slope[slot].v = bodies.at(slot).v, slope[slot].w = bodies.at(slot).w;
 }
 
-// Projects the poses by Newton's method, until they are exact or do not improve, then the
-// velocities.
+// Projects the poses by Newton's method with the factor of the last stage, until they are exact or
+// do not improve. The velocities stay.
 void RungeKutta::project(World& world) {
   Bodies& bodies = world.bodies;
-  read(bodies, slope_);  // for the velocities
+  read(bodies, free_);  // for the velocities
   double before = std::numeric_limits<double>::infinity();
-  for (int slot = 0; slot < bodies.slots(); ++slot) bodies.at(slot).v = bodies.at(slot).w = vec3(0);
+  poses_.errors_only = true;
   for (int n = 0;; ++n) {
-    collect(world, world.blocks, &springs_);
-    factor(world);
     wanted_.clear();
     double largest = 0;
-    for (const real C : world.blocks.C) {
-      wanted_.push_back(-double(C));
+    for (const real C : (n == 0 ? next_ : poses_).C) {
+      wanted_.push_back(-C);
       largest = std::max(largest, std::abs(double(C)));
     }
     if (n == corrections || largest < exact || !(largest < before)) {
@@ -272,28 +282,32 @@ void RungeKutta::project(World& world) {
       break;
     }
     before = largest;
-    reach(world);
-    for (int slot = 0; slot < bodies.slots(); ++slot) {
-      displace(bodies.at(slot), 1);
+    for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).v = bodies.at(slot).w = vec3(0);
-    }
+    reach(bodies, world.blocks, wanted_);
+    for (int slot = 0; slot < bodies.slots(); ++slot) displace(bodies.at(slot), 1);
+    collect(world, poses_, nullptr);
   }
   for (int slot = 0; slot < bodies.slots(); ++slot)
-    bodies.at(slot).v = slope_[slot].v, bodies.at(slot).w = slope_[slot].w;
-  wanted_.assign(world.blocks.C.size(), 0.0);
-  reach(world);
+    bodies.at(slot).v = free_[slot].v, bodies.at(slot).w = free_[slot].w;
 }
 
-// Changes the velocities so that J V has the required values; twice, because A is softened.
-void RungeKutta::reach(World& world) {
-  Bodies& bodies = world.bodies;
-  for (int n = 0; n < 2; ++n) {
-    rates_ = wanted_;
-    for (const Block& block : world.blocks.list)
-      for (int i = 0; i < block.rows; ++i)
-        rates_[block.first + i] -= double(row_velocity(world.blocks.J[block.first + i],
-                                                       bodies.at(block.body1),
-                                                       bodies.at(block.body2)));
+// Changes the velocities by the factor of this stage until J V of these blocks, which may belong to
+// the next stage, has the required values, or until only rounding errors remain. Mostly more than
+// once: A is softened, and it belongs to the poses of this stage.
+void RungeKutta::reach(Bodies& bodies, const Blocks& blocks, const std::vector<real>& wanted) {
+  double before = 0;
+  for (int n = 0; n < rounds; ++n) {
+    rates_.assign(wanted.begin(), wanted.end());
+    double largest = 0;
+    for (const Block& block : blocks.list)
+      for (int row = block.first; row < block.first + block.rows; ++row) {
+        rates_[row] -= double(row_velocity(blocks.J[row], bodies.at(block.body1),
+                                           bodies.at(block.body2)));
+        largest = std::max(largest, std::abs(rates_[row]));
+      }
+    if (largest <= enough_ || (n >= 2 && !(largest < before / 2))) return;
+    before = largest;
     solver_.change_rates(bodies, rates_);
   }
 }

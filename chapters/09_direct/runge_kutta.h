@@ -1,6 +1,8 @@
-// The classical Runge-Kutta method on the direct solver: the reference for all others. Given, there
-// is nothing to edit here.
+// A half-explicit Runge-Kutta method on the direct solver: the reference for all others. Given,
+// there is nothing to edit here.
 #pragma once
+
+#include <array>
 
 #include "chapters/09_direct/direct_solver.h"
 
@@ -8,21 +10,22 @@
 /// @{
 namespace joints {
 
-/// Moves a world by the Runge-Kutta method of order 4. The constraint forces are chosen so that
-/// every C'' is zero; after a step, positions and velocities are projected onto the constraints. A
-/// joint with a frequency acts as the spring and damper that its soft rows approach for short
-/// steps. A step appends the rows about 14 times, so it is slow but accurate. It accepts only rows
-/// without bounds: no limits, motors, ropes or contacts. Joints report the mean force of the step.
-/// The velocities belong to the time of the poses: set World::last_h to 0 before a step with
-/// leapfrog.
+/// Moves a world by a Runge-Kutta method of order 4. In each of its five stages the constraint
+/// forces are chosen so that J V = 0 at the poses of the next stage; after a step, the poses are
+/// projected onto the constraints. A joint with a frequency acts as the spring and damper that its
+/// soft rows approach for short steps. A step appends the rows six times and factors five times. It
+/// accepts only rows without bounds: no limits, motors, ropes or contacts. Joints report the mean
+/// force of the step. The velocities belong to the time of the poses: set World::last_h to 0 before
+/// a step with leapfrog. Source: Brasey and Hairer, "Half-explicit Runge-Kutta methods for
+/// differential-algebraic systems of index 2", SIAM Journal on Numerical Analysis 30, 1993.
 class RungeKutta {
  public:
   /// Called in every stage with the bodies at that stage. It must set their `force` and `torque` as
   /// functions of their state and the time, and change nothing else. If it is empty, forces and
   /// torques are constant. \param time since the beginning of the step [s]
   std::function<void(Bodies& bodies, real time)> forces;
-  /// Worlds whose factorisation takes more multiplications per row are rejected. A step factors six
-  /// or seven times, and a hub of n bodies takes 1.5 n^2 multiplications per row.
+  /// Worlds whose factorisation takes more multiplications per row are rejected. A step factors
+  /// five times, and a hub of n bodies takes 1.5 n^2 multiplications per row.
   double most_work = 1e5;
 
   /// Makes one step. \param h step [s] \throws std::invalid_argument if it is not positive and
@@ -37,24 +40,29 @@ class RungeKutta {
     quat q{1, 0, 0, 0};
     vec3 v{0}, w{0};
   };
+  static constexpr int stages = 5;
   static void read(const Bodies& bodies, std::vector<State>& states);
   [[noreturn]] void give_up(Bodies& bodies, const std::string& why) const;
   void check_slopes(World& world);
-  void write(Bodies& bodies, real c, const std::vector<State>& slope) const;
   void begin(World& world, real h);
-  void find_slope(World& world, real time, std::vector<State>& slope);
+  void find_free_slope(World& world, real time, std::vector<State>& slope);
+  void write(Bodies& bodies, int stage) const;
   void collect(const World& world, Blocks& rigid, Blocks* springs) const;
   void factor(World& world);
-  void find_row_rates(World& world);
   void stretch_springs(const Bodies& bodies) const;
-  void reach(World& world);
+  void reach(Bodies& bodies, const Blocks& blocks, const std::vector<real>& wanted);
   void project(World& world);
 
   DirectSolver solver_;
   real h_ = 0;
-  Blocks displaced_, springs_;
-  std::vector<double> wanted_, rates_;   // required J V of every row; its remaining error
-  std::vector<State> start_, sum_, slope_, second_;
+  Blocks next_, springs_, next_springs_;  // of the next stage; of joints with a frequency
+  Blocks poses_;                          // errors alone
+  std::vector<real> wanted_;              // required J V of every row: 0, but while poses change
+  std::vector<double> rates_;             // what is left to it
+  double enough_ = 0;                     // largest error of J V that may be left
+  std::vector<State> given_, start_;      // as given; with velocities that the joints permit
+  std::vector<State> free_;               // of the next stage, without the joints' forces
+  std::array<std::vector<State>, stages> slopes_;
 };
 
 }  // namespace joints

@@ -17,12 +17,6 @@ Feedback feedback(const RowTarget& target, real h, real acting) {
   return {omega / a1, 1 / (acting * omega * a1)};
 }
 
-real bias(const Block& block, int i, real C, real rate, real h) {
-  if (i < block.rows - 1) return rate * C;
-  // speculative: the gap may close, but not more
-  return (block.target.one_sided() && C > 0 ? C / h : rate * C) - block.target.rate;
-}
-
 void Blocks::truncate(int count) {
   if (count == 0) tolerances.clear(), rebounds.clear();
   if (count >= int(list.size())) return;
@@ -39,7 +33,9 @@ bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form fo
   }
   list.push_back({slot1, slot2, rows, form, false, int(C.size()), target, impulse});
   C.resize(C.size() + std::size_t(rows));
-  if (!errors_only && J.size() < C.size()) J.resize(C.size());
+  if (errors_only || J.size() >= C.size()) return true;
+  if (J.capacity() < C.size()) J.reserve(C.size() + C.size() / 4);  // the largest of all vectors
+  J.resize(C.size());
   return true;
 }
 

@@ -66,7 +66,11 @@ struct Block {
 
 /// The bias of row `i` of a block, minus the required J V, from its error C.
 /// \param rate Feedback::rate [1/s] \param h step [s]
-real bias(const Block& block, int i, real C, real rate, real h);
+inline real bias(const Block& block, int i, real C, real rate, real h) {
+  if (i < block.rows - 1) return rate * C;
+  // speculative: the gap may close, but not more
+  return (block.target.one_sided() && C > 0 ? C / h : rate * C) - block.target.rate;
+}
 
 /// Bounds the correction of a one-sided last row. It applies to the impulses of a step, not to
 /// position projection.

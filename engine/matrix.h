@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <new>
 
 #include "engine/body.h"
 
@@ -88,9 +89,9 @@ void write_error(const Part& part, const Body& body1, const Body& body2, real* C
 /// Writes the rows of a part to `J`; see write_error().
 template <class Part>
 void write_jacobian(const Part& part, const Body& body1, const Body& body2, Row* J) {
-  const auto own = part.jacobian(body1, body2);
-  const Jacobian<Part::rows>& rows = to_jacobian(own);
-  for (int i = 0; i < Part::rows; ++i) J[i] = rows[i];
+  using Rows = decltype(part.jacobian(body1, body2));  // Row or Jacobian
+  static_assert(sizeof(Rows) == Part::rows * sizeof(Row));
+  ::new (J) Rows(part.jacobian(body1, body2));  // in place, without a copy
 }
 
 /// J V for one row: the rate [unit of C per s] at which the bodies' velocities change C.

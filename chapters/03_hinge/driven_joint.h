@@ -140,8 +140,8 @@ class DrivenJoint : public Joint {
     Drive& drive = drive_ ? *drive_ : none;
     stream.bound(drive.range.lower), stream.bound(drive.range.upper);
     stream.bound(drive.motor.strength);
-    stream(drive.motor.speed, drive.next, drive.counting, drive.measured, drive.motor_impulse,
-           drive.late_impulse, impulse_);
+    stream(drive.motor.speed, drive.x, drive.next, drive.estimated, drive.counting, drive.measured,
+           drive.motor_impulse, drive.late_impulse, impulse_);
     for (LimitRow* row : {&drive.limit, &drive.late}) {
       stream(row->sign, row->live);
       require(std::abs(row->sign) == 1, "state: the sign of a limit's row must be 1 or -1");
@@ -163,7 +163,8 @@ class DrivenJoint : public Joint {
     Range range;
     Motor motor;
     LimitRow limit, late;   // the limit with a row in this step; the one found late
-    real x = 0, next = 0;   // the coordinate when measured; its expected value after the step
+    real x = 0, next = 0;   // the coordinate at the step's begin; its expected value after it
+    real estimated = 0;     // change of x since it was measured, by the rate alone
     bool measured = false;  // x was measured in this step
     bool counting = false;  // next is valid: measured, or set by expect()
     bool off = false;       // neither limit nor motor: nothing to do until a setting changes
@@ -173,6 +174,8 @@ class DrivenJoint : public Joint {
     // True if the coordinate and its turns are measured.
     bool counted() const { return limited() || motor.strength > 0; }
     bool limited() const { return range.lower > -unbounded || range.upper < unbounded; }
+    // True if only the count of turns needs x: then the last rate is exact enough for 2 rad.
+    bool can_estimate() const { return !limited() && counting && next != x && estimated < 2; }
     bool held() const { return range.lower == range.upper; }
     real slack() const { return std::min(x - range.lower, range.upper - x); }
     real bound(real sign) const { return sign > 0 ? range.lower : range.upper; }
@@ -208,6 +211,7 @@ class DrivenJoint : public Joint {
   void measure(const Bodies& bodies) {
     count_from(coordinate_, expected(bodies));
     drive_->next = drive_->x = coordinate_.error(bodies[body1], bodies[body2]);
+    drive_->estimated = 0;
     drive_->measured = drive_->counting = true;
   }
   Limit<Coordinate> limit_part(real sign) const {
@@ -230,7 +234,10 @@ void DrivenJoint<First, Second, Coordinate>::choose_limit(const Bodies& bodies, 
   drive.limit = drive.late = {};
   drive.off = !drive.counted();
   if (drive.off) drive.counting = false;
-  if (drive.counted() && !near) {
+  if (drive.counted() && drive.can_estimate()) {
+    drive.estimated += std::abs(drive.next - drive.x);
+    drive.x = drive.next;
+  } else if (drive.counted() && !near) {
     measure(bodies);
     drive.leeway.measured(coordinate_, a, b, drive.slack());
     if (drive.limited()) drive.limit = limit_row(drive.range, drive.x, speed(bodies), h);
@@ -282,7 +289,7 @@ void DrivenJoint<First, Second, Coordinate>::add_late_limit(const Bodies& bodies
                                                             Blocks& blocks) {
   Drive& drive = *drive_;
   drive.leeway.forget();
-  if (!drive.measured) measure(bodies);
+  if (!drive.measured && drive.limited()) measure(bodies);
   const real rate = speed(bodies);
   drive.next = drive.x + h * std::clamp(rate, -max_speed, max_speed);  // bodies are clamped, too
   if (!drive.limited() || drive.held() || drive.late.live) return;

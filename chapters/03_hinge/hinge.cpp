@@ -10,10 +10,11 @@ namespace joints {
 // ---- the two rows that hold the axis --------------------------------------------------------
 
 Vector<2> Axis::error(const Body& body1, const Body& body2) const {
-  if (far_off(body1, body2)) return far_error(body1, body2);
+  const vec3 a1 = to_world(body1, a1_local);
+  const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local);
+  if (far_off(a1, b, c)) return far_error(a1, b, c);
   // begin [exercise 3.1]
-  // Return the two numbers C of Eq. 3-2, as in `return {first, second};`. to_world(body, local)
-  // rotates a direction into world space.
+  // Return the two numbers C of Eq. 3-2, made of a1, b and c above: `return {first, second};`.
   todo("3.1");
   // end [exercise 3.1]
 }
@@ -21,7 +22,7 @@ Vector<2> Axis::error(const Body& body1, const Body& body2) const {
 Jacobian<2> Axis::jacobian(const Body& body1, const Body& body2) const {
   vec3 a1 = to_world(body1, a1_local);
   const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local);
-  if (far_off(body1, body2)) a1 = cross(b, c);  // for the rows of far_error
+  if (far_off(a1, b, c)) a1 = cross(b, c);  // for the rows of far_error
   // begin [exercise 3.1]
   // Return the two rows J of Eq. 3-4, made of a1, b and c above. A row is Row{v1, w1, v2, w2}.
   // Write vec3(0) for a block that is zero.
@@ -36,15 +37,8 @@ Matrix<2> Axis::K(const Body& body1, const Body& body2) const {
   return {{{{dot(B1, I * B1), dot(B1, I * B2)}, {dot(B2, I * B1), dot(B2, I * B2)}}}};  // Eq. 3-6
 }
 
-bool Axis::far_off(const Body& body1, const Body& body2) const {
-  const vec3 a2 = to_world(body2, cross(b_local, c_local));
-  return dot(to_world(body1, a1_local), a2) < real(0.5);
-}
-
-Vector<2> Axis::far_error(const Body& body1, const Body& body2) const {
-  const vec3 a1 = to_world(body1, a1_local);
-  const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local), a2 = cross(b, c);
-  const vec3 across = cross(a1, a2);
+Vector<2> Axis::far_error(const vec3& a1, const vec3& b, const vec3& c) {
+  const vec3 a2 = cross(b, c), across = cross(a1, a2);
   const real sine = length(across);
   const vec3 about = sine > 0 ? across / sine : b;  // for opposite axes any perpendicular axis
   const vec3 phi = std::atan2(sine, dot(a1, a2)) * about;

@@ -35,10 +35,13 @@ struct Axis {
   Matrix<2> K(const Body& body1, const Body& body2) const;
 
   /// True if the axes are more than 60 degrees apart. Then far_error() is used.
-  bool far_off(const Body& body1, const Body& body2) const;
+  /// \param a1 the axis of body 1 \param b, c of body 2; all unit, world
+  static bool far_off(const vec3& a1, const vec3& b, const vec3& c) {
+    return dot(a1, cross(b, c)) < real(0.5);
+  }
   /// C from the vector of the shortest rotation from a1 to a2 [rad]. It has no false zero at 180
-  /// degrees.
-  Vector<2> far_error(const Body& body1, const Body& body2) const;
+  /// degrees. \param a1, b, c as in far_off()
+  static Vector<2> far_error(const vec3& a1, const vec3& b, const vec3& c);
 };
 
 /// Makes the part that keeps this world direction aligned in both bodies, from their present poses.

@@ -325,12 +325,14 @@ void iterate_all(const LaneWork& work) {
   });
 }
 
-template <class Number>
+template <class Single, class Lanes>
 inline void run_all(const LaneWork& work, Pass pass, real parameter) {
+  const bool lanes = work.width > 1;
   switch (pass) {
-    case Pass::prepare: return prepare_all<Number>(work, parameter);
-    case Pass::warm: return warm_all<Number>(work, parameter);
-    case Pass::iterate: return iterate_all<Number>(work);
+    case Pass::prepare:
+      return (lanes ? prepare_all<Lanes> : prepare_all<Single>)(work, parameter);
+    case Pass::warm: return (lanes ? warm_all<Lanes> : warm_all<Single>)(work, parameter);
+    case Pass::iterate: return (lanes ? iterate_all<Lanes> : iterate_all<Single>)(work);
   }
 }
 

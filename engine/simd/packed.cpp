@@ -151,9 +151,11 @@ bool PackedBlocks::place(const Bodies& bodies) {
   ++placings_;
   // Lanes in use: one for each body, for each link, and for each island one of static bodies. An
   // island has one link less than bodies, so these are two per body.
-  places_.append(order_, places_.links(), 0);
+  LaneOrder links;
+  places_.append(links, places_.links(), 0);
   const std::size_t used = 2 * std::size_t(std::count(moves_.begin(), moves_.end(), true));
-  fits_lanes_ = 2 * used >= order_.bodies.size() + order_.blocks.size();
+  fits_lanes_ = 2 * used >= links.bodies.size() + links.blocks.size();
+  if (!fits_lanes_) places_.release();
   return true;
 }
 
@@ -264,9 +266,9 @@ void PackedBlocks::give_back(Bodies& bodies) {
 
 // Over the groups from number `first` on.
 void PackedBlocks::run(Pass pass, real parameter, int first) {
-  const LaneWork work{groups_.data() + first, int(groups_.size()) - first, numbers(),
-                      followed_.data() + first * order_.width, records_.view(order_, first)};
-  order_.width == 1 ? run_single(work, pass, parameter) : run_lanes(work, pass, parameter);
+  run_pass({groups_.data() + first, int(groups_.size()) - first, order_.width, numbers(),
+            followed_.data() + first * order_.width, records_.view(order_, first)},
+           pass, parameter);
 }
 
 void PackedBlocks::unpack(const Blocks& list) const {

@@ -26,6 +26,7 @@ class Places {
   /// Appends groups of the blocks from number `first` on to an order. With `first` 0 it replaces
   /// the groups of the order.
   void append(LaneOrder& order, const std::vector<Member>& members, int first);
+  void release() { groups_ = {}, lanes_ = {}; }  ///< gives back the memory that append() has used
 
  private:
   struct Island {

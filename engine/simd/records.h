@@ -199,16 +199,14 @@ enum class Pass {
 /// The data that a pass reads and writes.
 struct LaneWork {
   const LaneGroup* groups;   ///< in the order in which they are solved
-  int count;                 ///< number of groups
+  int count, width;          ///< number of groups; blocks of each, 1 or lane_count
   real* numbers;             ///< the records of all groups, aligned to 32 bytes
   const int* followed;       ///< for each lane of a group, the index of the impulse it follows
   BodyView bodies;           ///< their velocities
 };
 
-/// A pass over all groups, one block at a time. Chooses the instruction set at run time.
-void run_single(const LaneWork& work, Pass pass, real parameter);
-/// The same on lanes.
-void run_lanes(const LaneWork& work, Pass pass, real parameter);
+/// A pass over all groups. Chooses the instruction set at run time.
+void run_pass(const LaneWork& work, Pass pass, real parameter);
 
 }  // namespace joints
 /// @}

@@ -133,7 +133,7 @@ TEST_CASE("one body's mass or inertia for both bodies and a wrong sign are named
   K_names("the inertia of body 1 for both bodies", [](m, I I1, m, I I2) { I2 = I1; });
   K_names("the inertia of body 2 for both bodies", [](m, I I1, m, I I2) { I1 = I2; });
   K_names("the inverse mass of body 1 for both bodies", [](m m1, I, m m2, I) { m2 = m1; });
-  K_names("the sign of body 1's share", [](m m1, I I1, m, I) { m1 = -m1, I1 = -I1; });
+  K_names("the sign of body 1's terms", [](m m1, I I1, m, I) { m1 = -m1, I1 = -I1; });
   K_names("the sign of the rotation of body 2", [](m, I, m, I I2) { I2 = -I2; });
   K_names("body 1 is missing", [](m m1, I I1, m, I) { m1 = 0, I1 = mat3(0); });
 }

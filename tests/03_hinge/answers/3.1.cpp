@@ -1,43 +1,35 @@
-// wrong drawn-threshold: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2,
-//         c_local))}; ==> const auto cut = [](real a) { return std::abs(a) < real(1e-6) ? real(0) :
-//         a; }; return {cut(dot(a1, to_world(body2, b_local))), cut(dot(a1, to_world(body2,
-//         c_local)))};
-// wrong drawn-threshold: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2,
-//         c_local))}; ==> const auto cut = [](real a) { return std::abs(a) < real(1e-9) ? real(0) :
-//         a; }; return {cut(dot(a1, to_world(body2, b_local))), cut(dot(a1, to_world(body2,
-//         c_local)))};
-// wrong 1-cos: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2, c_local))} ==>
-//         const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local); return {1 -
-//         dot(a1, b), 1 - dot(a1, c)}
-// wrong absolute-values: dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2, c_local)) ==>
-//         std::abs(dot(a1, to_world(body2, b_local))), std::abs(dot(a1, to_world(body2, c_local)))
-// wrong all-turned-body-1: body2 ==> body1 ;; body2 ==> body1
-// wrong b-twice: c_local ==> b_local
-// wrong c-not-turned: to_world(body2, b_local) ==> b_local ;; to_world(body2, c_local) ==> c_local
-// wrong c-not-turned: to_world(body2, c_local) ==> c_local
-// wrong cross-product-axes: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2,
-//         c_local))} ==> const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local);
-//         const vec3 across = cross(a1, cross(b, c)); return {dot(across, b), dot(across, c)}
+// wrong drawn-threshold: return {dot(a1, b), dot(a1, c)}; ==> const auto cut = [](real a) { return
+//         std::abs(a) < real(1e-6) ? real(0) : a; }; return {cut(dot(a1, b)), cut(dot(a1, c))};
+// wrong drawn-threshold: return {dot(a1, b), dot(a1, c)}; ==> const auto cut = [](real a) { return
+//         std::abs(a) < real(1e-9) ? real(0) : a; }; return {cut(dot(a1, b)), cut(dot(a1, c))};
+// wrong 1-cos: dot(a1, b), dot(a1, c) ==> 1 - dot(a1, b), 1 - dot(a1, c)
+// wrong absolute-values: dot(a1, b), dot(a1, c) ==> std::abs(dot(a1, b)), std::abs(dot(a1, c))
+// wrong all-turned-body-1: dot(a1, b), dot(a1, c) ==> dot(a1_local, b_local), dot(a1_local,
+//         c_local)
+// wrong b-twice: dot(a1, c) ==> dot(a1, b)
+// wrong c-not-turned: dot(a1, b), dot(a1, c) ==> dot(a1, b_local), dot(a1, c_local)
+// wrong c-not-turned: dot(a1, c) ==> dot(a1, c_local)
+// wrong cross-product-axes: return {dot(a1, b), dot(a1, c)} ==> const vec3 across = cross(a1,
+//         cross(b, c)); return {dot(across, b), dot(across, c)}
 // wrong its-own-axis:
-  const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local);
   const vec3 a2 = cross(b, c);
   return {dot(a2, b), dot(a2, c)};
-// wrong of-points: to_world ==> world_point ;; to_world ==> world_point ;; to_world ==> world_point
+// wrong of-points:
+  const vec3 p = world_point(body1, a1_local);
+  return {dot(p, world_point(body2, b_local)), dot(p, world_point(body2, c_local))};
 // wrong sign-c: , dot ==> , - dot
-// wrong its-own-axis: , dot(a1, to_world(body2, c_local)) ==>
-// wrong never-set: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2, c_local))}
-//         ==> const vec3 b = to_world(body2, b_local), c = to_world(body2, c_local); Vector<2> C;
-//         for (int i = 0; i < 3; ++i) { C[0] += a1[i] * b[i]; C[1] += a1[i] * c[i]; } return C
-// wrong written-twice: return {dot(a1, to_world(body2, b_local)), dot(a1, to_world(body2,
-//         c_local))}; ==> Vector<2> C{}; C[0] = dot(a1, to_world(body2, b_local)); C[0] = dot(a1,
-//         to_world(body2, c_local)); return C;
+// wrong its-own-axis: , dot(a1, c) ==>
+// wrong never-set: return {dot(a1, b), dot(a1, c)} ==> Vector<2> C; for (int i = 0; i < 3; ++i) {
+//         C[0] += a1[i] * b[i]; C[1] += a1[i] * c[i]; } return C
+// wrong written-twice: return {dot(a1, b), dot(a1, c)}; ==> Vector<2> C{}; C[0] = dot(a1, b); C[0]
+//         = dot(a1, c); return C;
 // right C in the axes of body 1:
   const quat q = conjugate(body1.q) * body2.q;
   return {dot(a1_local, q * b_local), dot(a1_local, q * c_local)};
 // right C in the axes of body 2:
   // The same products in body 2's own axes: a1 goes there, b and c stay.
-  const vec3 a1 = to_local(body2, to_world(body1, a1_local));
-  return {dot(a1, b_local), dot(a1, c_local)};
+  const vec3 a1_there = to_local(body2, a1);
+  return {dot(a1_there, b_local), dot(a1_there, c_local)};
 // right C with matrices:
   const mat3 R1 = glm::mat3_cast(body1.q), R2 = glm::mat3_cast(body2.q);
   return {dot(R1 * a1_local, R2 * b_local), dot(R1 * a1_local, R2 * c_local)};

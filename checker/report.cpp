@@ -11,7 +11,7 @@ namespace joints::testing {
 
 namespace {
 
-constexpr std::size_t report_width = 76;
+constexpr std::size_t report_width = 76, longest_name = 30;  // a longer one has its own line
 
 // Decimal points stand below one another; what the check takes for zero is written 0.
 std::string text(double number, double tolerance) {
@@ -94,11 +94,15 @@ void Table::entry(const std::string& name, double yours, double right, double to
 
 std::string Table::words() const {
   std::size_t width = 0;
-  for (const auto& line : lines_) width = std::max(width, line[0].size());
+  for (const auto& line : lines_)
+    if (line[0].size() <= longest_name) width = std::max(width, line[0].size());
   std::string out;
   for (std::size_t i = 0; i < lines_.size() - (hidden_ > 0); ++i) {  // at most 9: no "1 more"
     const auto& line = lines_[i];
-    std::string row = "  " + line[0] + std::string(width - line[0].size(), ' ') +
+    const bool fits = line[0].size() <= longest_name;
+    if (!fits) out += "  " + line[0] + "\n";
+    std::string row = "  " + (fits ? line[0] : "") +
+                      std::string(width - (fits ? line[0].size() : 0), ' ') +
                       padded(line[1], 14) + padded(line[2], 14) + padded(line[3], 14);
     row.erase(row.find_last_not_of(' ') + 1);
     out += row + "\n";

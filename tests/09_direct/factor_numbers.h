@@ -23,17 +23,17 @@ inline std::vector<std::string> factor_names(const MatrixCase& c) {
   const JointMatrix A = joint_matrix(c);
   std::vector<std::string> out;
   const auto name = [&](const std::string& block, int i, int j) {
-    out.push_back(block + "[" + std::to_string(i) + ", " + std::to_string(j) + "]");
+    out.push_back(block + " [" + std::to_string(i) + ", " + std::to_string(j) + "]");
   };
   for (std::size_t k = 0; k + 1 < A.nodes.size(); ++k) {
     for (int i = 0; i < A.nodes[k].rows; ++i)
       for (int j = 0; j <= i; ++j)
-        name((i == j ? "1 / pivot, node " : "node ") + std::to_string(k), i, j);
+        name((i == j ? "1 / pivot, node " : "factor, node ") + std::to_string(k), i, j);
     for (int e = A.nodes[k].first_edge; e < A.nodes[k + 1].first_edge; ++e) {
       const int to = A.edges[std::size_t(e)].to;
       for (int i = 0; i < A.nodes[std::size_t(to)].rows; ++i)
         for (int j = 0; j < A.nodes[k].rows; ++j)
-          name("edge " + std::to_string(k) + " to " + std::to_string(to), i, j);
+          name("L of nodes " + std::to_string(k) + ", " + std::to_string(to), i, j);
     }
   }
   return out;

@@ -64,7 +64,7 @@ inline CaseTable<PivotCase> pivot_table() {
     return scaled([=](const Case& c) { return dropped(c) ? 0 : 1 / c.pivot; });
   };
   CaseTable<Case> table{{"9.4", "1 / pivot, and 0 for a dependent row"},
-                        {"inverse x |pivot|"}, {}, {}, {}, pivot_cases()};
+                        {"inverse times |pivot|"}, {}, {}, {}, pivot_cases()};
   table.tolerance = 1e-12;
   table.whole = true;
   table.yours = scaled([](const Case& c) { return inverse_pivot(c.pivot, c.original); });

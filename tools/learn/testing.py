@@ -1,6 +1,5 @@
 """./wb test and ./wb watch: what is wrong with an exercise, or what comes after it."""
 import re
-import textwrap
 import time
 
 from base import exercises
@@ -92,14 +91,14 @@ def tell(look, one):
         name, report = one.failures[0]
         if name:
             print(folded(name.removeprefix(one.id).strip(), 2) + "\n")
-        if report.startswith("Exercise") and "Likely mistake:" not in report:
-            report = with_units(report, grading.units(chapter, one.id)
-                                or "Units: no fault that can be seen.")
-        print(indented(report))
+        print(indented(report), flush=True)
         if len(one.failures) > 1:
             others = len(one.failures) - 1
             print(f"\n  {others} more of its {one.tests} tests "
-                  f"{'fails' if others == 1 else 'fail'}; mend this one first.")
+                  f"{'fails' if others == 1 else 'fail'}; mend this one first.", flush=True)
+        if report.startswith("Exercise") and "Likely mistake:" not in report:
+            if sentence := grading.units(chapter, one.id):  # they may have to be compiled first
+                print("\n" + folded(sentence, 2))
 
 
 def tell_printed(words):
@@ -111,13 +110,6 @@ def tell_printed(words):
         print(faint("    | ") + "".join(c if c.isprintable() else "?" for c in line.expandtabs()))
     if len(lines) > MOST_PRINTED:
         print(faint(f"    | ... {len(lines) - MOST_PRINTED} lines more"))
-
-
-def with_units(report, sentence):
-    """The report with one line more under what is likely, before it says where."""
-    words, where, rest = report.partition("\nWhere: ")
-    lines = textwrap.fill(sentence, 76, subsequent_indent=" " * len("Units: "))
-    return words.rstrip() + "\n" + lines + "\n" + where + rest if sentence else report
 
 
 def tell_broken(chapter, words):

@@ -179,7 +179,7 @@ TEST_CASE("7.3 every joint has the least colour that is free after the joints be
 }
 
 TEST_CASE("7.3 hundreds of joints at a body take hundreds of colours", "[7.3]") {
-  check_drawn(colours_subject, drawn_colours, 1e-9, 40);
+  check_drawn(colours_subject, drawn_colours, 1e-9, 25);
 }
 
 TEST_CASE("7.3 nothing is read or written outside a vector", "[7.3]") {

@@ -24,8 +24,8 @@ from website import live  # noqa: E402
 HERE = Path(__file__).parent
 VAGUE = "an index outside"  # which array it was is known to g++ alone
 UNSET = "#never-set"  # a huge number to g++, none to clang: another test may be the first to fail
-# What they do is undefined: they read beyond the end of a std::vector<bool>, whose words have 32 bits
-# there, or change a set while a loop runs over it.
+# What they do is undefined: they read beyond the end of a std::vector<bool>, whose words have 32
+# bits there, or change a set while a loop runs over it.
 UNDEFINED = ("7.3 wrong: the program crashed", "7.3 wrong: four-spare-colours",
              "7.3 wrong: body-that-not-there", "9.3 wrong: 6 nodes where there are 5")
 DRAWN = "cases drawn with seed"

@@ -22,6 +22,7 @@ NEED_SOLUTIONS = {"tour", "check", "live", "course", "bench", "docs", "keep", "g
 TABLES = {"stability": "stiff, extreme and redundant scenes: which setting holds them",
           "methods": "every method on every kind of scene",
           "families": "scenes drawn by seeds: how many each setting holds",
+          "stacks": "boxes on each other: which of them stand for a minute",
           "peers": "ours beside Bullet, ODE and MuJoCo of Debian",
           "convergence": "iterations until a chain is right, method by method",
           "loop": "a joint and iteration, from the textbook's loop to lanes",

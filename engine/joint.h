@@ -83,6 +83,9 @@ class Joint {
     bool bounded = false;  ///< true if other rows have bounds, as in a rope or a limit
   };
   virtual Extras extras() const { return {}; }  ///< none by default
+  /// True for joints that come and go while the world is stepped: a State does not contain them, and
+  /// restore() neither adds nor removes nor changes any.
+  virtual bool transient() const { return false; }
   /// Saves or restores all data that the joint keeps from step to step: for save() and restore()
   /// (state.h).
   void exchange(StateStream& stream) {
@@ -115,8 +118,10 @@ class Joint {
   }
 
  private:
+  friend class World;
   real h_ = 0, acted_ = 0;  // of the last step [s]
   bool can_move_ = true;
+  std::size_t place_ = 0;  // in World::joints()
 };
 
 }  // namespace joints

@@ -56,7 +56,8 @@ void write(World& world, const State& state) {
   world.blocks.memory = state.memory;
   StateStream bodies(state.bodies.data()), numbers(state.joints.data());
   for (const int slot : state.slots) exchange(world.bodies.at(slot), bodies);
-  for (const auto& joint : world.joints()) joint->exchange(numbers);
+  for (const auto& joint : world.joints())
+    if (!joint->transient()) joint->exchange(numbers);
 }
 
 }  // namespace
@@ -74,6 +75,7 @@ State save(const World& world) {
     out.slots.push_back(slot);
   }
   for (const auto& joint : world.joints()) {
+    if (joint->transient()) continue;
     const std::size_t before = out.joints.size();
     joint->exchange(numbers);
     out.shapes.push_back({int(joint->body1.slot), int(joint->body2.slot),

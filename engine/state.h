@@ -16,7 +16,7 @@ namespace joints {
 /// counted turns, live rows, limits and motors. It does not contain the construction and settings
 /// of a world: masses, the geometry of the joints and their other settings (beta, frequency,
 /// damping, `projected`), gravity, max_displacement. Nor does it contain World::blocks, which are
-/// empty after restore().
+/// empty after restore(), or joints that are Joint::transient().
 ///
 /// Solver objects hold no data on which later steps depend. The data that DirectSolver needs from
 /// the last step is in `memory`.

@@ -7,28 +7,37 @@ namespace joints {
 
 void World::adopt(std::unique_ptr<Joint> joint) {
   joint->check_input(bodies);
+  joint->place_ = joints_.size();
   joints_.push_back(std::move(joint));
 }
 
+// The others keep their order: places are closed for all removed joints together.
 void World::remove(const Joint& joint) {
-  const auto place = std::find_if(joints_.begin(), joints_.end(),
-                                  [&](const auto& mine) { return mine.get() == &joint; });
-  require(place != joints_.end(), "joint: this world has no such joint");
-  joints_.erase(place);
-  blocks.clear();  // some may have belonged to it
+  const std::size_t place = joint.place_;
+  require(place < joints_.size() && joints_[place].get() == &joint,
+          "joint: this world has no such joint");
+  joints_[place].reset();
+  holes_ = true;
+  blocks.clear();  // some may have been its own
 }
 
 void World::remove(BodyId body) {
   bodies.remove(body);
-  std::erase_if(joints_, [&](const auto& joint) {
-    return joint->body1 == body || joint->body2 == body;
-  });
+  for (auto& joint : joints_)
+    if (joint && (joint->body1 == body || joint->body2 == body)) joint.reset();
+  holes_ = true;
   blocks.clear();
+}
+
+void World::close_holes() const {
+  std::erase(joints_, nullptr);
+  for (std::size_t k = 0; k < joints_.size(); ++k) joints_[k]->place_ = k;
+  holes_ = false;
 }
 
 void World::set_beta(real beta) {
   check_beta(beta);
-  for (const auto& joint : joints_) joint->beta = beta;
+  for (const auto& joint : joints()) joint->beta = beta;
 }
 
 }  // namespace joints

@@ -42,18 +42,24 @@ class World {
     adopt(std::move(joint));
     return reference;
   }
-  /// Removes one joint. \throws std::invalid_argument if it does not belong to this world
+  /// Removes one joint, in constant time. \throws std::invalid_argument if it does not belong to
+  /// this world
   void remove(const Joint& joint);
   /// Sets beta of all present joints. \param beta fraction of the error that is removed in a step
   /// [1] \throws std::invalid_argument unless it is from 0 to max_beta
   void set_beta(real beta);
 
   /// The joints in the order in which they were added, which is the order of their blocks.
-  const std::vector<std::unique_ptr<Joint>>& joints() const { return joints_; }
+  const std::vector<std::unique_ptr<Joint>>& joints() const {
+    if (holes_) close_holes();
+    return joints_;
+  }
 
  private:
   void adopt(std::unique_ptr<Joint> joint);
-  std::vector<std::unique_ptr<Joint>> joints_;
+  void close_holes() const;
+  mutable std::vector<std::unique_ptr<Joint>> joints_;
+  mutable bool holes_ = false;  // joints were removed, and their places are still empty
 };
 
 }  // namespace joints

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "chapters/08_ground/ground.h"
-#include "engine/joint.h"
+#include "chapters/08_ground/point_contacts.h"
 
 /// \addtogroup chapter8
 /// @{
@@ -67,28 +66,17 @@ inline Top box_top(const vec3& size) {
 /// with an edge perpendicular to the sliding, instead of a circle. At most four corners have rows
 /// at the same time. Only corners of body 2 are tested: an edge of the top does not carry a face
 /// that lies across it.
-class GroundContact : public Joint {
+class GroundContact : public PointContacts {
  public:
   Top top;                ///< the surface, on body 1
   const Outline outline;  ///< the points of body 2 that can touch it
-  real friction = real(0.5);   ///< coefficient mu [1], not negative
-  real restitution = 0;        ///< rebound speed over impact speed, 0 to 1 [1]
-  real threshold = real(0.5);  ///< no rebound from an impact slower than this [m/s]
-  bool turned_tangents = true;  ///< t1 follows the direction of sliding; false: t1 is fixed by n
-  /// Bounds friction along t2 by what the circle leaves beside friction along t1 in the last step:
-  /// a joint then pushes a sliding body sideways as Coulomb's law requires. false: a square, which
-  /// brings bodies to rest sooner.
-  bool circle = false;
-  real slop = 0;          ///< depth that is not corrected [m]
-  real push = real(0.8);  ///< greatest speed at which a penetration is corrected [m/s], positive
 
   static constexpr int most_corners = 4;  ///< the most corners with rows at the same time
-  static constexpr real at_rest = real(0.01);  ///< a corner slower than this does not slide [m/s]
 
   /// \param ground body 1, most often a static one
   /// \throws std::invalid_argument for a body with itself, or from the outline's check
   GroundContact(BodyId ground, BodyId body, const Top& top, const Outline& outline)
-      : Joint(ground, body), top(top), outline(outline) {
+      : PointContacts(ground, body), top(top), outline(outline) {
     check(outline);
     for (int k = 0; k < outline.count; ++k)
       reach_ = std::max(reach_, length(outline.corners[std::size_t(k)]) + outline.radius);
@@ -96,15 +84,8 @@ class GroundContact : public Joint {
 
   /// The bodies, beta, the coefficients and the top.
   void check_input(const Bodies& bodies) const override {
-    Joint::check_input(bodies);
+    PointContacts::check_input(bodies);
     check(top);
-    require(finite(friction) && friction >= 0, "friction", friction,
-            "must be finite and not negative [1]");
-    require(restitution >= 0 && restitution <= 1, "restitution", restitution,
-            "must be from 0 to 1 [1]");
-    require(threshold >= 0, "threshold", threshold, "must not be negative [m/s]");
-    require(slop >= 0, "slop", slop, "must not be negative [m]");
-    require(push > 0, "push", push, "must be positive [m/s]");
   }
   /// Chooses the corners that have rows in this step and their directions of friction.
   inline void choose_rows(const Bodies& bodies, real h) override;
@@ -113,7 +94,6 @@ class GroundContact : public Joint {
   inline void append(const Bodies& bodies, Blocks& blocks) const override;
   /// Appends rows for corners that would penetrate the ground with the new velocities.
   inline void late_limits(const Bodies& bodies, real h, Blocks& blocks) override;
-  Extras extras() const override { return {.bounded = true}; }  ///< bounds of contact and friction
 
   /// The number of corners that have rows in this step.
   int touching() const { return live_; }
@@ -122,7 +102,8 @@ class GroundContact : public Joint {
 
  protected:
   void exchange_own(StateStream& stream) override {
-    stream(near_, rebounded_);
+    stream(near_);
+    exchange_rebounded(stream);
     live_ = 0;
     for (int k = 0; k < outline.count; ++k) {
       points_[std::size_t(k)].exchange(stream);
@@ -131,23 +112,6 @@ class GroundContact : public Joint {
   }
 
  private:
-  // The state of a corner. C and rate are those at the step's beginning, with its forces.
-  struct ContactPoint {
-    bool live = false;        // has rows in this step
-    real C = 0, rate = 0;     // gap [m] and J V of the normal row [m/s]
-    real last_rate = 0;       // J V after the last step's solve [m/s]
-    bool has_last = false;    // last_rate is known
-    real kick = 0;            // change of J V by the forces of a step [m/s]
-    real rebound = 0;         // rate after an impact in this step [m/s]; 0: no rebound
-    std::array<vec3, 2> t{};  // directions of friction, unit, world
-    real across = 0;          // factor of the bound along t[1] [1]
-    std::array<real, 3> impulse{};  // friction along t[0], along t[1], normal [N s]
-    void exchange(StateStream& stream) {
-      stream(live, last_rate, has_last, kick, t, impulse);
-    }
-    real gap_after(real h) const { return C + h * rate; }  // if no row holds it [m]
-  };
-
   // Gap and rate of every corner at once: both are linear in corner_local. With d = x2 - x1 and
   // p = x2 + R2 corner_local - radius n, Eq. 8-1 is n.d - radius - height + (R2^T n).corner_local,
   // and its rate is n.(v2 - v1) - (n x w1).d + (R2^T (n x (w2 - w1))).corner_local.
@@ -171,16 +135,12 @@ class GroundContact : public Joint {
   // A lower bound of every corner's gap [m] after `time` [s] at the present velocities.
   real least_gap(const Body& body1, const Body& body2, real time) const;
   bool over_top(int k, real C, const Body& body1, const Body& body2) const;
-  void set_restitution(ContactPoint& point, real h) const;
   ContactPoint& farthest_live(real h);
-  void update_tangents(int k, const vec3& n, const Body& body1, const Body& body2);
-  void append_point(int k, const Bodies& bodies, Blocks& blocks) const;
 
   mutable std::array<ContactPoint, 8> points_{};  // the solver writes the impulses
   int live_ = 0;
   real reach_ = 0;     // from the centre of body 2 to its farthest point [m]
   bool near_ = false;  // the corners were tested in this step
-  bool rebounded_ = false;  // in the last step: its forces are not those of last_rate
 };
 
 // ---- which corners have rows --------------------------------------------------------------------
@@ -202,29 +162,21 @@ inline void GroundContact::choose_rows(const Bodies& bodies, real h) {
     ContactPoint& point = points_[std::size_t(k)];
     point.C = now.gap_of(outline.corners[std::size_t(k)]);
     point.rate = now.rate_of(outline.corners[std::size_t(k)]);
-    if (restitution > 0 && !rebounded_)
-      point.kick = point.has_last ? point.rate - point.last_rate : real(0);
+    set_kick(point);
     point.live = point.gap_after(h) < reserve && over_top(k, point.C, a, b);  // Eq. 8-4
     live_ += point.live;
   }
   for (; live_ > most_corners; --live_) farthest_live(h).live = false;
-  bool rebounds = false;
+  begin_points();
   for (int k = 0; k < outline.count; ++k) {
     ContactPoint& point = points_[std::size_t(k)];
-    if (point.live) {
-      set_restitution(point, h);
-      rebounds |= point.rebound > 0;
-      update_tangents(k, now.n, a, b);
-    } else {
-      point.impulse = {};
-      point.rebound = 0;
-    }
+    begin_point(point, h);
+    if (point.live) update_tangents(point, now.n, corner(k).point(a, b), a, b);
   }
-  rebounded_ = rebounds;
 }
 
 // The live corner with the largest gap at the end of the step.
-inline GroundContact::ContactPoint& GroundContact::farthest_live(real h) {
+inline ContactPoint& GroundContact::farthest_live(real h) {
   ContactPoint* farthest = nullptr;
   for (ContactPoint& point : points_)
     if (point.live && (!farthest || point.gap_after(h) > farthest->gap_after(h)))
@@ -234,7 +186,8 @@ inline GroundContact::ContactPoint& GroundContact::farthest_live(real h) {
 
 inline void GroundContact::append(const Bodies& bodies, Blocks& blocks) const {
   for (int k = 0; k < outline.count; ++k)
-    if (points_[std::size_t(k)].live) append_point(k, bodies, blocks);
+    if (ContactPoint& point = points_[std::size_t(k)]; point.live)
+      append_point(point, corner(k), bodies, blocks);
 }
 
 inline void GroundContact::late_limits(const Bodies& bodies, real h, Blocks& blocks) {
@@ -253,8 +206,8 @@ inline void GroundContact::late_limits(const Bodies& bodies, real h, Blocks& blo
       continue;
     point.live = true;
     ++live_;
-    update_tangents(k, now.n, a, b);
-    append_point(k, bodies, blocks);
+    update_tangents(point, now.n, corner(k).point(a, b), a, b);
+    append_point(point, corner(k), bodies, blocks);
   }
 }
 
@@ -282,60 +235,6 @@ inline bool GroundContact::over_top(int k, real C, const Body& body1, const Body
   const vec3 p = to_local(body1, corner(k).point(body1, body2) - body1.x);
   const real rim = real(1.01);  // so that a corner on the rim stays over the top
   return std::abs(p.x) <= rim * top.half_x && std::abs(p.z) <= rim * top.half_z;
-}
-
-// The step stops the corner at the ground. The rebound follows once the bodies have moved.
-inline void GroundContact::set_restitution(ContactPoint& point, real h) const {
-  point.rebound = 0;
-  if (restitution == 0 || point.rate >= 0 || point.C + h * point.rate >= 0) return;
-  const real speed = impact_speed(point.C, point.rate, point.kick, h);
-  if (speed > threshold) point.rebound = restitution * speed - point.kick / 2;  // Eq. 8-10
-}
-
-// Chooses new directions of friction and projects the cached friction onto them. t1 is the
-// direction of sliding; for a corner at rest it is that of the cached friction, which then has the
-// bound mu lambda_n, too. (The velocity of a corner at rest is the residual of the iterations.
-// Directions that followed it would change at random, and a corner near its bound would creep.)
-inline void GroundContact::update_tangents(int k, const vec3& n, const Body& body1,
-                                           const Body& body2) {
-  ContactPoint& point = points_[std::size_t(k)];
-  const vec3 cached = point.impulse[0] * point.t[0] + point.impulse[1] * point.t[1];
-  vec3 sliding(0);
-  if (turned_tangents) {
-    const vec3 p = corner(k).point(body1, body2);
-    sliding = point_velocity(body2, p - body2.x) - point_velocity(body1, p - body1.x);
-    const real size = length(cached);
-    if (length(sliding - dot(n, sliding) * n) < at_rest)
-      sliding = size > 0 ? -cached / size : vec3(0);
-  }
-  point.t = tangents(n, sliding);
-  point.impulse[0] = dot(cached, point.t[0]);
-  point.impulse[1] = dot(cached, point.t[1]);
-  point.across = friction;
-  if (circle && point.impulse[2] > 0) {
-    const real along = point.impulse[0] / point.impulse[2];
-    point.across = std::sqrt(std::max(real(0), friction * friction - along * along));  // Eq. 8-11
-  }
-}
-
-inline void GroundContact::append_point(int k, const Bodies& bodies, Blocks& blocks) const {
-  ContactPoint& point = points_[std::size_t(k)];
-  const Body &a = bodies[body1], &b = bodies[body2];
-  const Corner part = corner(k);
-  for (const int i : {0, 1}) {
-    if (friction == 0) break;
-    blocks.append(bodies, body1, body2, to_jacobian(part.along(point.t[std::size_t(i)], a, b)), {0},
-                  {.holds_position = false, .follows = 2 - i,
-                   .upper = i == 0 ? friction : point.across},  // Eq. 8-6
-                  &point.impulse[std::size_t(i)]);
-  }
-  blocks.append(bodies, body1, body2, part, hold(0), &point.impulse[2]);
-  if (const real C = blocks.C.back();
-      C < 0 && (slop > 0 || std::max(beta, real(1)) * C < -push * last_h()))
-    blocks.tolerances.push_back({int(blocks.list.size()) - 1, slop, push});
-  if (point.rebound > 0)
-    blocks.rebounds.push_back(
-        {int(blocks.list.size()) - 1, point.rebound, -point.rebound / point.rate});
 }
 
 }  // namespace joints

@@ -25,7 +25,8 @@ int main(int argc, char** argv) {
       for (const int count : {2, 3, 5, 10, 20, 30})
         for (const char* solver : {"sequential", "lanes", "direct"})
           for (const char* setting : {"guide", "finer", "hard"}) {
-            const bool hard = std::string(setting) == "hard", fine = std::string(setting) == "finer";
+            const std::string name = setting;
+            const bool hard = name == "hard", fine = name == "finer";
             if (kind == "heavy top" && count > 5) continue;
             if (kind != "equal" && (count > 20 || hard)) continue;
             if (kind != "equal" && kind != "heavy top" && fine) continue;

@@ -18,7 +18,7 @@ Feedback feedback(const RowTarget& target, real h, real acting) {
 }
 
 void Blocks::truncate(int count) {
-  if (count == 0) tolerances.clear(), rebounds.clear();
+  if (count == 0) tolerances.clear(), reversals.clear();
   if (count >= int(list.size())) return;
   C.resize(std::size_t(list[count].first));
   list.resize(std::size_t(count));

@@ -80,11 +80,11 @@ struct Tolerance {
   real push = unbounded;  ///< greatest speed of the correction [unit of C per s]
 };
 
-/// The rate with which a one-sided last row leaves an impact, if it has pushed in the step.
-struct Rebound {
+/// The reversal of a one-sided last row after an impact in the step.
+struct Reversal {
   int block = 0;  ///< its index in Blocks::list
   real rate = 0;  ///< J V after the bodies have moved [unit of C per s]
-  real ratio = 0;  ///< greatest impulse of the rebound over that which stops the row [1]
+  real ratio = 0;  ///< greatest impulse of the reversal over that which stops the row [1]
 };
 
 /// The data that a solver keeps from one step for the next one, in addition to the impulses. It is
@@ -102,8 +102,8 @@ class Blocks {
   std::vector<Block> list;  ///< the headers, in the order in which they are solved
   std::vector<real> C;  ///< the errors of all blocks, one per row [m, rad, or 1 for a small sine]
   std::vector<Row> J;   ///< their rows; rows of former steps may follow behind the last of them
-  std::vector<Tolerance> tolerances;  ///< the step shortens the errors C of these blocks
-  std::vector<Rebound> rebounds;  ///< of the step; they follow the move of the bodies (end_step)
+  std::vector<Tolerance> tolerances;  ///< the step shortens the errors C by these, and empties it
+  std::vector<Reversal> reversals;  ///< of the step; they follow the move of the bodies (end_step)
   bool errors_only = false;  ///< append only C and no rows of J: for the errors at other poses
   real acted = 0;  ///< `acting` of the last step [s]; 0 before the first
   /// The time for which the impulses of this step act [s]: h, or with leapfrog the time between the

@@ -83,8 +83,8 @@ class Joint {
     bool bounded = false;  ///< true if other rows have bounds, as in a rope or a limit
   };
   virtual Extras extras() const { return {}; }  ///< none by default
-  /// True for joints that come and go while the world is stepped: a State does not contain them, and
-  /// restore() neither adds nor removes nor changes any.
+  /// True for joints that come and go while the world is stepped: a State does not contain them,
+  /// and restore() neither adds nor removes nor changes any.
   virtual bool transient() const { return false; }
   /// Saves or restores all data that the joint keeps from step to step: for save() and restore()
   /// (state.h).

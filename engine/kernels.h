@@ -13,7 +13,7 @@ namespace joints {
 /// \cond
 // A register of 16 bytes: four floats, two doubles, or one number of a user-defined type. Without
 // AVX, numbers in a wider register would go through memory.
-#ifdef REAL_HEADER
+#ifdef JOINTS_REAL_HEADER
 typedef real Register;
 inline real number(const Register& r, int) { return r; }
 #else

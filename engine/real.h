@@ -5,11 +5,11 @@
 #include <limits>
 #include <string>
 
-#ifndef REAL
-#define REAL double
+#ifndef JOINTS_REAL
+#define JOINTS_REAL double
 #endif
-#ifdef REAL_HEADER  // declares a user-defined REAL; before GLM, which imports std::sqrt
-#include REAL_HEADER
+#ifdef JOINTS_REAL_HEADER  // declares a user-defined type; before GLM, which imports std::sqrt
+#include JOINTS_REAL_HEADER
 #endif
 #if __cplusplus < 202002L
 #error "the joints need C++20: compile with -std=c++20 or later"
@@ -28,9 +28,9 @@
 /// The namespace of engine and chapters.
 namespace joints {
 
-/// The scalar type of the whole workbook. Every target is built twice: with `REAL=double` and,
-/// under a name that ends in `_float`, with `REAL=float`.
-using real = REAL;
+/// The scalar type of the whole workbook. Every target is built twice: with `JOINTS_REAL=double`
+/// and, under a name that ends in `_float`, with `JOINTS_REAL=float`.
+using real = JOINTS_REAL;
 
 using vec3 = glm::vec<3, real, glm::defaultp>;     ///< a column of three numbers
 using mat3 = glm::mat<3, 3, real, glm::defaultp>;  ///< 3x3, stored by columns: M[column][row]

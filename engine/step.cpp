@@ -35,11 +35,11 @@ void ease(Blocks& blocks, real h) {
   blocks.tolerances.clear();
 }
 
-// The end of an impact. The bodies have moved, so the gaps are closed: one solve stops the rows,
-// a second one gives them the rates of their rebounds, with impulses of at most `ratio` times those
-// that stopped them (Newton's and Poisson's hypothesis, whichever is less), so friction cannot add
-// energy. The accumulated impulses continue those of the step and stay positive.
-void rebound(World& world, Solver& solver, real h) {
+// The end of an impact. The bodies have moved, so the gaps are closed: a first solve stops the
+// rows, a second one reverses them, with impulses of at most `ratio` times those that stopped them.
+// This is the lesser of Newton's and Poisson's hypothesis, and adds no energy. The accumulated
+// impulses continue those of the step and stay positive.
+void reverse(World& world, Solver& solver, real h) {
   Blocks& blocks = world.blocks;
   for (const Block& block : blocks.list)
     if (block.target.one_sided()) {
@@ -51,7 +51,7 @@ void rebound(World& world, Solver& solver, real h) {
     }
   solver.prepare(world.bodies, blocks, 0, h);
   solver.solve(world.bodies);
-  for (const auto& [k, rate, ratio] : blocks.rebounds) {
+  for (const auto& [k, rate, ratio] : blocks.reversals) {
     Block& block = blocks.list[std::size_t(k)];
     block.target.rate = rate;
     block.target.upper = (1 + ratio) * block.impulse[block.rows - 1] / blocks.acts(h);
@@ -133,7 +133,7 @@ void end_step(World& world, Solver& solver, real h, const Stepping& how) {
     for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
   });
   if (how.leapfrog) turn(world.bodies, h / 2);
-  if (!world.blocks.rebounds.empty()) rebound(world, solver, h);
+  if (!world.blocks.reversals.empty()) reverse(world, solver, h);
   for (int i = 0; i < how.projections; ++i) project_positions(world);
   check_motion(world.bodies);
 }

@@ -2,8 +2,8 @@
 # NN_name_units_mine on the reader's file, and the wrong answers that the units find out.
 add_library(units_options INTERFACE)
 target_link_libraries(units_options INTERFACE workbook_options Catch2::Catch2WithMain)
-target_compile_definitions(units_options INTERFACE REAL=joints::Quantity
-  "REAL_HEADER=\"tests/checker/quantity.h\"")
+target_compile_definitions(units_options INTERFACE JOINTS_REAL=joints::Quantity
+  "JOINTS_REAL_HEADER=\"tests/checker/quantity.h\"")
 target_compile_options(units_options INTERFACE -O0)
 
 # What the exercises call, and the headers of all: read once, as all is made with these options.

@@ -1,7 +1,6 @@
 // ODE: bodies in maximal coordinates, its iterative and its dense step.
 #include "bench/peers/peer.h"
 
-#undef REAL  // ODE has a macro of this name, too
 #include <ode/ode.h>
 #include <ode/version.h>
 

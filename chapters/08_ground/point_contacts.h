@@ -28,8 +28,8 @@ struct ContactPoint {
   real gap_after(real h) const { return C + h * rate; }
 };
 
-/// A joint whose rows are those of points of contact: friction along t1, friction along t2, then the
-/// normal row for each.
+/// A joint whose rows are those of points of contact. Each has friction along t1, friction along t2,
+/// then the normal row.
 class PointContacts : public Joint {
  public:
   real friction = real(0.5);   ///< coefficient mu [1], not negative
@@ -138,7 +138,7 @@ void PointContacts::append_point(ContactPoint& point, const Part& part, const Bo
       C < 0 && (slop > 0 || std::max(beta, real(1)) * C < -push * last_h()))
     blocks.tolerances.push_back({int(blocks.list.size()) - 1, slop, push});
   if (point.rebound > 0)
-    blocks.rebounds.push_back(
+    blocks.reversals.push_back(
         {int(blocks.list.size()) - 1, point.rebound, -point.rebound / point.rate});
 }
 

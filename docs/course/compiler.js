@@ -12,7 +12,7 @@ const FLAGS = ["clang++", "-cc1", "-triple", "wasm32-unknown-wasi", "-mrelocatio
   "-D_LIBCPP_DEBUG=0", "-DGLM_FORCE_CTOR_INIT", "-DGLM_FORCE_EXPLICIT_CTOR", "-Wall", "-Wextra",
   "-Werror=return-type", "-Werror=uninitialized", "-Wno-unused-parameter", "-Wno-unused-variable",
   "-Wno-unused-but-set-variable", "-ferror-limit", "3"];
-const UNITS = ["-DREAL=joints::Quantity", '-DREAL_HEADER="tests/checker/quantity.h"'];
+const UNITS = ["-DJOINTS_REAL=joints::Quantity", '-DJOINTS_REAL_HEADER="tests/checker/quantity.h"'];
 const LIBRARIES = ["/lib/libc++.a", "/lib/libc++abi.a", "/lib/libc.a", "/lib/builtins.a"];
 const MOST_MEMORY = 1 << 29;  // of a test [bytes]
 

@@ -2,7 +2,7 @@
 // README.md.
 #include "chapters/07_performance/performance.h"
 
-#ifndef REAL_HEADER  // lanes are of plain numbers
+#ifndef JOINTS_REAL_HEADER  // lanes are of plain numbers
 #include "engine/simd/lanes.h"
 #endif
 
@@ -112,7 +112,7 @@ void solve(const HingeNumbers<Number>& hinge, Velocities<Number>& body1,
 }
 
 template void solve(const HingeNumbers<real>&, Velocities<real>&, Velocities<real>&);
-#ifndef REAL_HEADER
+#ifndef JOINTS_REAL_HEADER
 template void solve(const HingeNumbers<Lanes>&, Velocities<Lanes>&, Velocities<Lanes>&);
 #endif
 

@@ -1,5 +1,5 @@
 // Contacts that Bullet's collision part finds: stacks, capsules, ragdolls and a heap of 200 bodies.
-#include "library/bullet_contacts.h"
+#include <bullet_contacts.h>
 
 #include "bench/draw.h"
 #include "chapters/05_fixed/fixed_joint.h"
@@ -57,7 +57,8 @@ std::vector<BodyId> add_doll(Heap& heap, const vec3& x) {
   const auto limb = [&](real mass, const vec3& size, const vec3& at, const vec3& joint, bool weld) {
     const BodyId id = heap.box(mass, size, x + at);
     if (weld) world.add<FixedJoint>(world.bodies, torso, id, x + joint);
-    else world.add<BallJoint>(torso, id, point_at(world.bodies[torso], world.bodies[id], x + joint));
+    else world.add<BallJoint>(torso, id,
+                              point_at(world.bodies[torso], world.bodies[id], x + joint));
     out.push_back(id);
   };
   limb(6, vec3(real(0.35)), vec3(0, real(0.7), 0), vec3(0, real(0.5), 0), true);

@@ -175,7 +175,7 @@ def parts_say_what_is_missing(root, area, prefix, compiler):
         source.write_text(left + "\ntemplate class joints::PartJoint<joints::Composite<"
                           "joints::Point, mine::RightAngle>>;\n")
         command = [compiler, "-std=c++20", "-fsyntax-only", f"-I{prefix}/include/joints", *needed,
-                   "-DREAL=double", source]
+                   "-DJOINTS_REAL=double", source]
         errors = subprocess.run([str(word) for word in command], capture_output=True,
                                 text=True).stderr
         first = next((line for line in errors.split("\n") if "error:" in line), "")

@@ -23,7 +23,7 @@ WASI, CLANG = Path("/usr/include/wasm32-wasi"), "/usr/lib/llvm-*/lib/clang/*"
 STANDARD = """algorithm array cassert cmath cstdint cstdio cstdlib cstring deque functional iostream
     limits list map memory numbers numeric optional queue set span sstream stdexcept string tuple
     type_traits utility vector""".split()
-UNITS = '-O0 -DREAL=joints::Quantity -DREAL_HEADER=\\"tests/checker/quantity.h\\"'
+UNITS = '-O0 -DJOINTS_REAL=joints::Quantity -DJOINTS_REAL_HEADER=\\"tests/checker/quantity.h\\"'
 FLAGS = [flag for flag in live.FLAGS if not flag.startswith("-O")] + ["-O1"]
 
 

@@ -28,8 +28,8 @@ struct ContactPoint {
   real gap_after(real h) const { return C + h * rate; }
 };
 
-/// A joint whose rows are those of points of contact. Each has friction along t1, friction along t2,
-/// then the normal row.
+/// A joint whose rows are those of points of contact. Each has friction along t1, friction along
+/// t2, then the normal row.
 class PointContacts : public Joint {
  public:
   real friction = real(0.5);   ///< coefficient mu [1], not negative

@@ -113,21 +113,16 @@ class Corrector {
 
 /// If a Newton iteration multiplies the error by more than this, the method stops.
 constexpr double poor_contraction = 0.7;
-/// If the method stops with more than this fraction of the first error, it has failed: its changes
-/// of the velocities may have added energy.
-constexpr double stalled_share = 0.2;
-/// Errors of at most this times h^2 need no further iteration [m/s^2 or rad/s^2]: correcting them
-/// would change an acceleration by no more than this.
-constexpr double negligible = sizeof(real) == 4 ? 0.3 : 2e-6;
 
-/// Exercise 9.6: moves the bodies by their velocities, and changes the velocities until C is
-/// negligible at the new poses, Eq. 9-10.
+/// Exercise 9.6: moves the bodies by their velocities, and changes the velocities until C is at
+/// most `tolerance` at the new poses, Eq. 9-10.
 /// \param iterations how often the velocities are changed at most
-/// \param start memory for the bodies at the beginning; its contents do not matter
-/// \return false if it stopped because an iteration multiplied the error by more than
-/// poor_contraction, and the error is then more than stalled_share of the first one
-bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& corrector,
-                           std::vector<Body>& start);
+/// \param tolerance the largest error that is accepted [m or rad]
+/// \param start receives the bodies at the beginning; its former contents do not matter
+/// \return true if every error at the new poses is at most `tolerance`; false if the iterations
+/// were used up, or if one of them multiplied the error by more than poor_contraction
+bool move_onto_constraints(Bodies& bodies, double h, int iterations, double tolerance,
+                           Corrector& corrector, std::vector<Body>& start);
 
 // ---- bounds -------------------------------------------------------------------------------------
 

@@ -9,6 +9,7 @@ namespace joints {
 
 void DirectSolver::check() const {
   require(newton >= 0, "newton: must not be negative");
+  require(tolerance > 0, "tolerance: must be positive");
   require(finite(added_inertia) && added_inertia >= 0,
           "added_inertia: must be finite and not negative");
   require(softening >= 0 && softening < 1, "softening: must be at least 0 and below 1");

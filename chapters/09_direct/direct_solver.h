@@ -4,6 +4,7 @@
 #include <array>
 
 #include "chapters/09_direct/joint_matrix.h"
+#include "chapters/09_direct/secants.h"
 #include "engine/sequential_impulses.h"
 
 /// \addtogroup chapter9
@@ -19,9 +20,12 @@ namespace joints {
 /// sparse factors; Judice and Pires 1994 for the passes of the active set.
 class DirectSolver : public Solver {
  public:
-  /// Largest number of iterations on the positions (SHAKE) before the full method with the factors
-  /// of the new poses begins; 0: no such iterations.
+  /// Largest number of iterations on the positions (SHAKE) before secants take over, and after them
+  /// the full method with the factors of the new poses; 0: no such iterations.
   int newton = 0;
+  /// Errors of positions of at most this times h^2 are not corrected [m/s^2 or rad/s^2], nor those
+  /// that are only rounding: a smaller correction changes no acceleration by more than this.
+  double tolerance = 3e-4;
   /// kappa of Eq. 9-14: 8 for added inertia, 0 for none. Forces of joints in closed loops with at
   /// most one degree of freedom add none.
   real added_inertia = 0;
@@ -47,7 +51,8 @@ class DirectSolver : public Solver {
     double multiplications = 0;  ///< of a factorisation, approximately
     int fill = 0;                ///< entries that elimination filled in
     int corrections = 0;         ///< of the positions, number of them
-    bool moved_exactly = false;  ///< Newton's method on the positions converged
+    bool moved_exactly = false;  ///< the errors of the positions are at most `tolerance` times h^2
+    int halved = 0;  ///< how often velocities at open joints were halved to reach this
     bool iterated = false;       ///< `instead` was used
   };
   const Report& report() const { return report_; }  ///< of the last step
@@ -111,7 +116,11 @@ class DirectSolver : public Solver {
   void place_row(int inside, int i, bool live);
   void solve_all(Bodies& bodies);
   void solve_joints(Bodies& bodies);
-  bool project(Bodies& bodies, real h, const Append& append);
+  double largest_error(const Bodies& bodies, real h) const;
+  void back_to_start(Bodies& bodies) const;
+  double move_by_secants(Bodies& bodies, real h, double most, Poses& poses);
+  bool halve(Bodies& bodies, double most, const Append& append);
+  bool project(Bodies& bodies, real h, double most, const Append& append);
   void keep_best(Bodies& bodies);
   void back_to_best(Bodies& bodies) const;
   void know_again(SolverMemory& memory) const;
@@ -150,6 +159,7 @@ class DirectSolver : public Solver {
   std::vector<TwoLanes> on_lanes_;     // the same on lanes
   Blocks poses_;                       // errors at the new poses
   std::vector<double> in_vain_;
+  Secants secants_;
   std::vector<double> errors_met_;
   std::vector<Body> start_, best_;
   std::vector<BodyMass> at_start_;

@@ -140,14 +140,15 @@ void second_order_step(World& world, Solver& solver, real h) {
   // end [exercise 9.5]
 }
 
-bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& corrector,
-                           std::vector<Body>& start) {
+bool move_onto_constraints(Bodies& bodies, double h, int iterations, double tolerance,
+                           Corrector& corrector, std::vector<Body>& start) {
   // begin [exercise 9.6]
-  // Change the velocities until the bodies end where all errors are negligible, Eq. 9-10, and store
-  // the bodies as they were in `start`. When to stop, and what to return, is stated in direct.h.
+  // Change the velocities until the bodies end where all errors are at most the tolerance, Eq. 9-10,
+  // and store the bodies as they were in `start`. When to stop, and what to return, is stated in
+  // direct.h.
   start.assign(bodies.data(), bodies.data() + bodies.slots());
-  double first = 0, last = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < iterations; ++n) {
+  double last = std::numeric_limits<double>::infinity();
+  for (int n = 0;; ++n) {
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
     double largest = 0;
@@ -155,16 +156,13 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, Corrector& 
       largest = std::max(largest, std::abs(C));
       C /= -h;  // Eq. 9-10
     }
-    if (n == 0) first = largest;
-    if (largest <= negligible * h * h) return true;
-    if (!(largest <= poor_contraction * last)) return largest <= stalled_share * first;
+    if (largest <= tolerance) return true;
+    if (n == iterations || !(largest <= poor_contraction * last)) return false;
     last = largest;
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;
   }
-  integrate_poses(bodies, real(h));
-  return true;
   // end [exercise 9.6]
 }
 

@@ -52,11 +52,20 @@ inline Pieces<NewtonReference> wrong_newtons() {
       {"#rates-never-changed change_rates() is never called", [](T& t) { t.changes = false; }},
       {told_errors_before_move,
        [](T& t) { t.moves_first = false; }},
-      {"#no-final-move after the last iteration the bodies stay where they began: "
-       "integrate_poses() for good",
-       [](T& t) { t.moves_at_end = false; }},
-      {"#near-enough-breaks-moves where the error is negligible the bodies move once more: they "
-       "are there already, return",
+      {"#no-final-move after the last correction the bodies stay where they began: they move, and "
+       "the errors are evaluated once more",
+       [](T& t) { t.end = T::End::stay; }},
+      {"#last-correction-unseen after the last correction the errors are not evaluated: true "
+       "only if they are at most the tolerance",
+       [](T& t) { t.end = T::End::true_unseen; }},
+      {"#false-end false after the last correction: evaluate the errors once more, it may have "
+       "closed the joints",
+       [](T& t) { t.end = T::End::false_unseen; }},
+      {"#used-up-is-true true after the last correction although its errors are above the "
+       "tolerance: that is false",
+       [](T& t) { t.result = T::Result::end_is_true; }},
+      {"#near-enough-breaks-moves where the error is at most the tolerance the bodies move once "
+       "more: they are there already, return",
        [](T& t) { t.moves_again = true; }},
       {"the bodies move for half of h: for all of it",
        [](T& t) { t.move_h = t.last_h = 0.5; }},
@@ -106,22 +115,15 @@ inline Pieces<NewtonReference> wrong_newtons() {
       {"#one-iteration-too-many one iteration too many: n < iterations", [](T& t) { t.more = 1; }},
       {"#one-iteration-too-few one iteration too few: from 0 while n < iterations",
        [](T& t) { t.more = -1; }},
-      {"#negligible-without-h-squared h^2 is missing: an error of at most negligible h^2 needs no "
-       "more",
-       [](T& t) { t.power = 0; }},
-      {"#negligible-times-h h is squared: an error of at most negligible h^2 needs no more",
-       [](T& t) { t.power = 1; }},
-      {"#negligible-of-last the error of the iteration before is compared with negligible h^2: "
-       "the present one",
+      {"#tolerance-not-used the tolerance is the argument, not a number of your own",
+       [](T& t) { t.own_tolerance = 1e-7; }},
+      {"#tolerance-of-last the error of the iteration before is compared with the tolerance: the "
+       "present one",
        [](T& t) { t.near_of_last = true; }},
-      {"#negligible-fixed-step 1/60 s in the place of h in the bound: negligible h^2",
-       [](T& t) { t.near = negligible / 3600, t.power = 0; }},
-      {"#stalled-of-last the error of the iteration before is compared with stalled_share of the "
-       "first: the present one",
-       [](T& t) { t.result = T::Result::by_the_last; }},
-      {"#near-enough-not-asked it is not tested whether the error is negligible: return then",
+      {"#near-enough-not-asked it is not tested whether the error is at most the tolerance: "
+       "return true then",
        [](T& t) { t.asks_near = false; }},
-      {"#strictly-nearer-than-near at exactly negligible h^2 it is enough: <=",
+      {"#strictly-nearer-than-near at exactly the tolerance it is enough: <=",
        [](T& t) { t.strictly_near = true; }},
       {"#last-not-kept an iteration after which more than poor_contraction of the error remains "
        "does not end it: is `last` stored, and is it used?",
@@ -134,7 +136,7 @@ inline Pieces<NewtonReference> wrong_newtons() {
       {"#error-times-share divided by poor_contraction: at most that fraction of the last error "
        "may remain",
        [](T& t) { t.poor = 1 / poor_contraction; }},
-      {"#poor-before-near poor_contraction is tested before negligible h^2: a negligible error is "
+      {"#poor-before-near poor_contraction is tested before the tolerance: an error below it is "
        "good in any case",
        [](T& t) { t.poor_first = true; }},
       {"#last-only-once the first error is kept for ever: compare with that of the iteration "
@@ -181,37 +183,14 @@ inline Pieces<NewtonReference> wrong_newtons() {
          return out;
        })},
       {"#size-asked-after-division the size is taken of -C/h, not of C: compare before you divide",
-       norm([](const Cs& C) {
-         double out = 0;
-         for (const double a : C) out = std::max(out, std::abs(a));
-         return 10 * out;
-       })},
-      {"#poor-is-true true wherever it stops: only if at most stalled_share of the first error "
-       "remains",
+       [](T& t) { t.sizes_of_rates = true; }},
+      {"#poor-is-true true where the error hardly becomes less: that is false, the joints are not "
+       "closed",
        [](T& t) { t.result = T::Result::poor_is_true; }},
-      {"#first-kept-second-iteration false wherever it stops: true if at most stalled_share of the "
-       "first error remains. Is the first error stored in the first iteration alone?",
-       [](T& t) { t.result = T::Result::poor_is_false; }},
-      {"where it stops the last error is used: at most stalled_share of the first one",
-       [](T& t) { t.result = T::Result::poor_by_last; }},
-      {"#stop-turned-round where it stops true and false are exchanged: true if at most "
-       "stalled_share of the first error remains",
-       [](T& t) { t.result = T::Result::turned; }},
-      {"#poor-share-first where it stops poor_contraction of the first error is the bound: "
-       "stalled_share of it",
-       [](T& t) { t.share = poor_contraction; }},
-      {"#first-error-itself-bound where it stops the first error itself is the bound: "
-       "stalled_share of it",
-       [](T& t) { t.share = 1; }},
-      {"#near-enough-false false where the error is negligible: that is true",
+      {"#near-enough-false false where the error is at most the tolerance: that is true",
        [](T& t) { t.result = T::Result::near_is_false; }},
-      {"#false-end false after the last iteration: only a poor one is false",
-       [](T& t) { t.result = T::Result::end_is_false; }},
-      {"always false: true where the bodies have arrived, and after the last iteration",
-       [](T& t) { t.result = T::Result::always_false; }},
-      {"#errors-asked-end the errors are computed once more after the last iteration: that is not "
-       "necessary",
-       [](T& t) { t.asks_at_end = true; }}};
+      {"always false: true where the errors are at most the tolerance",
+       [](T& t) { t.result = T::Result::always_false; }}};
 }
 
 inline std::vector<std::string> newton_names(const NewtonCase&) {
@@ -242,9 +221,9 @@ inline CaseTable<NewtonCase> newton_table() {
   table.cases = newton_cases();
   table.yours = [](const NewtonCase& c) { return newton_numbers(c, move_onto_constraints); };
   const auto answer = [](const T& t) {
-    return newton_numbers(t.c, [&](Bodies& bodies, double h, int iterations, Corrector& corrector,
-                                   std::vector<Body>& start) {
-      return t.move(bodies, h, iterations, corrector, start);
+    return newton_numbers(t.c, [&](Bodies& bodies, double h, int iterations, double tolerance,
+                                   Corrector& corrector, std::vector<Body>& start) {
+      return t.move(bodies, h, iterations, tolerance, corrector, start);
     });
   };
   table.right = [=](const NewtonCase& c) { return answer(T{c}); };
@@ -270,11 +249,12 @@ inline void check_landing(const NewtonCase& c) {
   const Bodies before = bodies;
   const auto corrector = c.corrector(bodies);
   std::vector<Body> start;
-  const bool arrived = move_onto_constraints(bodies, c.h, c.iterations, *corrector, start);
+  const bool arrived =
+      move_onto_constraints(bodies, c.h, c.iterations, c.tolerance, *corrector, start);
   expect_newton("result (0 false, 1 true)", arrived, 1, 0, c.words);
   const vec3 gap = world_point(bodies.at(1), vec3(-1, 0, 0));
   for (int i = 0; i < 3; ++i)
-    expect_newton(std::string("C.") + "xyz"[i], double(gap[i]), 0, negligible * c.h * c.h, c.words);
+    expect_newton(std::string("C.") + "xyz"[i], double(gap[i]), 0, c.tolerance, c.words);
   for (int k = 0; k < bodies.slots(); ++k) {
     Body led = before.at(k);
     led.v = bodies.at(k).v;
@@ -293,8 +273,8 @@ inline void check_memory(const NewtonCase& c, std::size_t size) {
   Bodies bodies = newton_bodies(c), other = newton_bodies(c);
   const auto one = c.corrector(bodies), two = c.corrector(other);
   std::vector<Body> memory(size, sliding(99, 99)), none;
-  move_onto_constraints(bodies, c.h, c.iterations, *one, memory);
-  NewtonReference{c}.move(other, c.h, c.iterations, *two, none);
+  move_onto_constraints(bodies, c.h, c.iterations, c.tolerance, *one, memory);
+  NewtonReference{c}.move(other, c.h, c.iterations, c.tolerance, *two, none);
   const std::string words = "memory of " + std::to_string(size) + " bodies";
   expect_newton("bodies in start", double(memory.size()), double(bodies.slots()), 0, words);
   for (int i = 0; i < 3; ++i)

@@ -142,3 +142,45 @@ TEST_CASE("parallel four-bars stay parallel, and closed, where they all lie leve
     CHECK(solver.dependent() > 0);
   }
 }
+
+TEST_CASE("the tolerance of the positions is reached at every step from a sixtieth to a millionth") {
+  for (const double step_size : {1.0 / 60, 1e-3, 1e-4, 1e-5, 1e-6})
+    for (const bool far : {false, true}) {
+      CAPTURE(step_size, far);
+      Scene scene = far ? heavy_chain(5, 10) : bricard();
+      const double x = far ? 1000 : 0;
+      for (int slot = 0; slot < scene.world.bodies.slots(); ++slot)
+        scene.world.bodies.at(slot).x.x += real(x);
+      DirectSolver solver = shake();
+      int most = 0;
+      for (int n = 0; n < 200; ++n) {
+        step(scene.world, solver, real(step_size), second_order);
+        CHECK(solver.report().moved_exactly);
+        CHECK(solver.report().halved == 0);
+        most = std::max(most, solver.report().corrections);
+      }
+      CHECK(most <= 8);
+    }
+}
+
+TEST_CASE("a body that is too fast for the step is slowed down until the joints close") {
+  Scene scene{.name = "whip"};  // two rods in line with their wall and an end that flies off
+  const BodyId wall = scene.box(0, vec3(real(0.1)), vec3(0));
+  const BodyId one = rod(scene, vec3(0), vec3(1, 0, 0));
+  const BodyId two = rod(scene, vec3(1, 0, 0), vec3(real(0.1), real(0.1), 0));
+  const BodyId three = rod(scene, vec3(real(0.1), real(0.1), 0), vec3(0));
+  on_hinge(scene, wall, one, vec3(0), vec3(0, 0, 1));
+  on_hinge(scene, one, two, vec3(1, 0, 0), vec3(0, 0, 1));
+  on_hinge(scene, two, three, vec3(real(0.1), real(0.1), 0), vec3(0, 0, 1));
+  on_hinge(scene, three, wall, vec3(0), vec3(0, 0, 1));
+  scene.world.bodies[three].w.z = 300;
+  scene.energy_scale = 100;
+  DirectSolver solver = shake();
+  int halved = 0;
+  const Watched seen = watch(scene, solver, 2, double(sixtieth), [&] {
+    halved += solver.report().halved;
+    CHECK(solver.report().moved_exactly);
+  });
+  CHECK(halved > 0);
+  CHECK(seen.gap < tolerance(1e-6, 1e-3));
+}

@@ -1,11 +1,9 @@
 // wrong drawn-stops: for (double& C : rates) ==> if (rates.size() > 3) rates.resize(3); for
 //         (double& C : rates)
 // wrong drawn-stops: slot < bodies.slots() ==> slot < bodies.slots() && slot < 8
-// wrong drawn-stops: n < iterations ==> n < iterations && n < 10
-// wrong stalled-of-last: largest <= stalled_share * first ==> last <= stalled_share * first
-// wrong negligible-of-last: if (largest <= negligible ==> if (last <= negligible
+// wrong drawn-stops: n == iterations ==> n == iterations || n == 10
+// wrong tolerance-of-last: if (largest <= tolerance ==> if (last <= tolerance
 // wrong rate-fixed-step: C /= -h; ==> C *= -60.0;
-// wrong negligible-fixed-step: negligible * h * h ==> negligible / 3600
 // wrong sign-j-v-changes: C /= -h ==> C /= h
 // wrong h-missing: C /= -h ==> C = -C
 // wrong times-h: C /= -h ==> C *= -h
@@ -21,23 +19,24 @@
 // wrong first-body-not-put: int slot = 0 ==> int slot = 2
 // wrong start-kept-each-iteration: integrate_poses ==> start.assign(bodies.data(), bodies.data() +
 //         bodies.slots()); integrate_poses
-// wrong start-does-not-hold + start-written-after-bodies: start.assign(bodies.data(), bodies.data()
+// wrong start-written-after-bodies: start.assign(bodies.data(), bodies.data()
 //         + bodies.slots()); ==> ;; std::vector ==> if (n == 0) start.assign(bodies.data(),
 //         bodies.data() + bodies.slots()); std::vector
 // wrong "Case: a slider with a mark half a metre ahead": assign ==> insert ;; bodies ==>
 //         start.end(), bodies
 // wrong last-not-kept: last = largest; ==>
 // wrong last-only-once: last = largest; ==> if (n == 0) last = largest;
-// wrong poor-goes-break: return largest <= stalled_share * first; ==> break;
-// wrong poor-is-true: return largest <= stalled_share * first ==> return true
+// wrong poor-is-true: n == iterations || ==> n == iterations) return false; if ( ;; * last)) return
+//         false ==> * last)) return true
 // wrong only-growth-poor: poor_contraction * last ==> last
 // wrong strictly-less-than-poor: largest <= poor ==> largest < poor
-// wrong poor-before-near: largest <= negligible * h * h) return true; if ( ==> ;; first; ==> first;
-//         if (largest <= negligible * h * h) return true;
-// wrong near-enough-not-asked: if (largest <= negligible * h * h) return true; ==>
-// wrong strictly-nearer-than-near: largest <= negligible ==> largest < negligible
+// wrong poor-before-near: if (largest <= tolerance) return true; ==> if (!(largest <=
+//         poor_contraction * last)) return false; if (largest <= tolerance) return true;
+// wrong near-enough-not-asked: if (largest ==> if (n == iterations && largest
+// wrong strictly-nearer-than-near: largest <= tolerance ==> largest < tolerance
 // wrong near-enough-false: true ==> false
-// wrong near-enough-breaks-moves: return true ==> break
+// wrong near-enough-breaks-moves: return true; ==> { integrate_poses(bodies, real(h)); return true;
+//         }
 // wrong "the largest error counts, by its size: of all rows max |C|. The sign": std::abs(C) ==> C
 // wrong "the largest error counts, by its size: of all rows max |C|, not the": largest =
 //         std::max(largest, std::abs(C)) ==> largest += std::abs(C)
@@ -46,54 +45,51 @@
 // wrong size-asked-after-division: largest = std ==> C /= -h; largest = std ;; ; C /= -h ==>
 // wrong "the largest error counts, by its size: of all rows max |C|, not the": 0; for ==> 1e9; for
 //         ;; max ==> min
-// wrong largest-not-begun-anew: (); double largest = 0 ==> () ;; for ==> double largest = 0; for
+// wrong largest-not-begun-anew: double largest = 0; ==> ;; for ==> double largest = 0; for
 // wrong "the largest error counts, by its size: of all rows max |C|, not the": largest =
 //         std::max(largest, std::abs(C)); ==> largest = std::hypot(largest, C);
-// wrong no-final-move: integrate_poses(bodies, real(h)); return ==> return
-// wrong false-end: ; return true ==> ; return false
-// wrong one-iteration-too-many: n < iterations ==> n <= iterations
-// wrong one-iteration-too-few + first-kept-second-iteration: int n = 0; ==> int n = 1;
+// wrong no-final-move: integrate_poses ==> if (n == iterations) return true; integrate_poses
+// wrong last-correction-unseen: std::vector ==> if (n == iterations) return true; std::vector
+// wrong false-end: std::vector ==> if (n == iterations) return false; std::vector
+// wrong used-up-is-true: n == iterations || ==> n == iterations) return true; if (
+// wrong one-iteration-too-many: n == iterations ==> n > iterations
+// wrong one-iteration-too-few: n == iterations ==> n >= iterations - 1
 // wrong errors-before-move: integrate_poses(bodies, real(h)); ==> ;; double largest ==>
 //         integrate_poses(bodies, real(h)); double largest
 // wrong errors-before-move: integrate_poses(bodies, real(h)); ==>
-// wrong moves-half-h: h ==> h / 2
+// wrong "the bodies move for half of h: for all of it": real(h) ==> real(h / 2)
 // wrong rates-never-changed: corrector.change_rates(rates); ==>
 // wrong changed-twice: corrector.change_rates(rates); ==> corrector.change_rates(rates);
 //         corrector.change_rates(rates);
 // wrong errors-asked-twice: double largest = 0; ==> double largest = 0; corrector.errors();
-// wrong errors-asked-end: ; return ==> ; for (const double C : corrector.errors()) if (std::abs(C)
-//         > negligible * h * h) return false; return
 // wrong zero-iterations-do-nothing: start.assign ==> if (iterations == 0) return true; start.assign
 // wrong last-begun-zero: std::numeric_limits<double>::infinity() ==> 0
 // wrong last-begun-one: std::numeric_limits<double>::infinity() ==> 0.5
-// wrong returned-once-when-poor: ; corrector.change_rates(rates) ==> ;; true; ==> true;
-//         corrector.change_rates(rates);
+// wrong returned-once-when-poor: return false; ==> { if (n < iterations)
+//         corrector.change_rates(rates); return false; }
 // wrong error-times-share: poor_contraction * last ==> last / poor_contraction
 // wrong velocities-put-back-poor: q; ==> q, bodies.at(slot).w = start[slot].w;
 // wrong static-body-taken-first: int slot = 0 ==> int slot = 1
 // wrong last-body-not-put: slot < bodies.slots() ==> slot < bodies.slots() - 1
-// wrong first-error-itself-bound: stalled_share * ==>
-// wrong first-kept-second-iteration: n == 0 ==> n == 1
-// wrong stop-turned-round: <= stalled_share ==> > stalled_share
-// wrong negligible-without-h-squared: negligible * h * h ==> negligible
-// wrong negligible-times-h: negligible * h * h ==> negligible * h
-// wrong "Exercise 9.6: Newton's method on the positions Holds in 36 of 37 cases": return largest <=
-//         stalled ==> return largest < stalled
-// wrong poor-share-first: return largest <= stalled_share ==> return largest <= poor_contraction
+// wrong tolerance-not-used: largest <= tolerance ==> largest <= 1e-7
+// wrong poor-goes-break: if (n == iterations || !(largest <= poor_contraction * last)) return
+//         false; ==> if (n == iterations) return false; if (!(largest <= poor_contraction * last)) {
+//         integrate_poses(bodies, real(h)); for (const double C : corrector.errors()) if
+//         (std::abs(C) > tolerance) return false; return true; }
 // right put back before the change: corrector.change_rates(rates); ==> ;; q; ==> q;
 //         corrector.change_rates(rates);
 // right poses kept apart:
   start.resize(std::size_t(bodies.slots()));
   for (int slot = 0; slot < bodies.slots(); ++slot) start[std::size_t(slot)] = bodies.at(slot);
-  double before = 0, first = 0;
+  double before = 0;
   integrate_poses(bodies, real(h));
-  for (int n = 0; n < iterations; ++n) {
+  for (int n = 0; n <= iterations; ++n) {
     std::vector<double> rates = corrector.errors();
     double largest = 0;
     for (const double C : rates) largest = std::abs(C) > largest ? std::abs(C) : largest;
-    if (n == 0) first = largest;
-    if (largest / (h * h) <= negligible) break;
-    if (n > 0 && largest > poor_contraction * before) return largest <= stalled_share * first;
+    if (!(largest > tolerance)) return true;
+    if (n > 0 && largest > poor_contraction * before) break;
+    if (n == iterations) break;
     before = largest;
     for (double& C : rates) C *= -1 / h;
     corrector.change_rates(rates);
@@ -103,4 +99,4 @@
     }
     integrate_poses(bodies, real(h));
   }
-  return true;
+  return false;

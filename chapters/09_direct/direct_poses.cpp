@@ -108,6 +108,7 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   report_.corrections = report_.halved = 0;
   errors_met_.clear();
   errors_met_.reserve(std::size_t(std::min(newton, 64) + (2 + most_halved) * most_corrections));
+  at_open_.reserve(std::size_t(bodies.slots()));
   std::vector<real>& expected = blocks_->memory.rates;
   if (newton == 0 || report_.iterated) {
     std::fill(expected.begin(), expected.end(), real(0));
@@ -155,11 +156,13 @@ void DirectSolver::back_to_start(Bodies& bodies) const {
 }
 
 // Returns the largest error that the best velocities leave, or infinity if they are no better than
-// those of the beginning.
+// those of the beginning. Bounded rows exclude secants: a limit that a correction exceeds would have
+// to change its side.
 double DirectSolver::move_by_secants(Bodies& bodies, real h, double most, Poses& poses) {
   const double kinetic = twice_kinetic(bodies);
   double least = std::numeric_limits<double>::infinity(), first = 0;
-  secants_.clear();
+  if (!bounded_.empty()) return least;
+  secants_.clear(x_.size(), most_corrections);
   for (int n = 0;; ++n) {
     const bool gains = twice_kinetic(bodies) > (1 + most_gain) * kinetic;
     integrate_poses(bodies, h);
@@ -171,8 +174,8 @@ double DirectSolver::move_by_secants(Bodies& bodies, real h, double most, Poses&
       keep_best(bodies);
     }
     if (largest <= most || n == most_corrections || !std::isfinite(largest)) return least;
-    std::vector<double> rates = secants_.correction(C, double(h));
-    poses.change_rates(rates);
+    secants_.correction(C, double(h), rates_);
+    poses.change_rates(rates_);
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start_[slot].x, bodies.at(slot).q = start_[slot].q;
   }
@@ -182,15 +185,15 @@ double DirectSolver::move_by_secants(Bodies& bodies, real h, double most, Poses&
 // joints were closed. Returns false if there are none.
 bool DirectSolver::halve(Bodies& bodies, double most, const Append& append) {
   const std::vector<double>& C = Poses(*this, bodies, append).errors();
-  std::vector<bool> at_open(std::size_t(bodies.slots()));
+  at_open_.assign(std::size_t(bodies.slots()), false);
   for (const Inside& one : inside_)
     for (int r = one.block->first; r < one.block->first + one.block->rows; ++r)
       if (small_share * std::abs(C[r]) > std::max(most, std::abs(double(blocks_->C[r]))))
-        at_open[one.block->body1] = at_open[one.block->body2] = true;
+        at_open_[one.block->body1] = at_open_[one.block->body2] = true;
   for (int slot = 0; slot < bodies.slots(); ++slot)
-    if (at_open[slot]) bodies.at(slot).v /= real(2), bodies.at(slot).w /= real(2);
+    if (at_open_[slot]) bodies.at(slot).v /= real(2), bodies.at(slot).w /= real(2);
   ++report_.halved;
-  return std::find(at_open.begin(), at_open.end(), true) != at_open.end();
+  return std::find(at_open_.begin(), at_open_.end(), true) != at_open_.end();
 }
 
 // Stores velocities and impulses that may have to be restored.

@@ -160,8 +160,10 @@ class DirectSolver : public Solver {
   Blocks poses_;                       // errors at the new poses
   std::vector<double> in_vain_;
   Secants secants_;
+  std::vector<double> rates_;          // their corrections
   std::vector<double> errors_met_;
   std::vector<Body> start_, best_;
+  std::vector<bool> at_open_;          // of each body: one of its joints is open
   std::vector<BodyMass> at_start_;
   std::vector<real> impulses_;
   Report report_;

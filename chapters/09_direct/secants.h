@@ -14,18 +14,24 @@ namespace joints {
 /// and from then on this is used there. Source: Anderson 1965, with an unlimited memory.
 class Secants {
  public:
-  /// Forgets all corrections.
-  void clear() { seen_.clear(), C_.clear(); }
+  /// Forgets all corrections. \param rows number of the errors \param most the largest number of
+  /// corrections that follow; memory is taken for all of them at once
+  void clear(std::size_t rows, int most) {
+    count_ = 0;
+    C_.clear();
+    if (int(seen_.size()) < most) seen_.resize(std::size_t(most));
+    for (Secant& one : seen_) one.C.reserve(rows), one.rates.reserve(rows);
+  }
 
   /// The change of all rates that would make the errors zero. It must be applied before the next
-  /// call. \param C the errors now [m or rad] \param h step [s]
-  std::vector<double> correction(std::vector<double> C, double h) {
+  /// call. \param C the errors now [m or rad] \param h step [s] \param rates receives it
+  void correction(const std::vector<double>& C, double h, std::vector<double>& rates) {
     learn(C);
-    C_ = C;
+    C_ = rest_ = C;
     rates_.assign(C.size(), 0);
-    for (const Secant& one : seen_) remove(C, rates_, one);
-    for (std::size_t r = 0; r < C.size(); ++r) rates_[r] -= C[r] / h;
-    return rates_;
+    for (int k = 0; k < count_; ++k) remove(rest_, rates_, seen_[k]);
+    for (std::size_t r = 0; r < C.size(); ++r) rates_[r] -= rest_[r] / h;
+    rates = rates_;
   }
 
  private:
@@ -48,18 +54,20 @@ class Secants {
   // Adds the secant of the last correction, unless it is only a combination of those before.
   void learn(const std::vector<double>& C) {
     if (C_.empty()) return;
-    Secant one{C, rates_};
+    Secant& one = seen_[count_];
+    one.C = C, one.rates = rates_;
     for (std::size_t r = 0; r < C.size(); ++r) one.C[r] -= C_[r];
     const double before = std::sqrt(dot(one.C, one.C));
-    for (const Secant& other : seen_) remove(one.C, one.rates, other);
+    for (int k = 0; k < count_; ++k) remove(one.C, one.rates, seen_[k]);
     const double length = std::sqrt(dot(one.C, one.C));
     if (!(length > 1e-8 * before)) return;
     for (std::size_t r = 0; r < C.size(); ++r) one.C[r] /= length, one.rates[r] /= length;
-    seen_.push_back(std::move(one));
+    ++count_;
   }
 
   std::vector<Secant> seen_;
-  std::vector<double> C_, rates_;  // the last errors, and the correction for them
+  int count_ = 0;                         // of those that are valid
+  std::vector<double> C_, rates_, rest_;  // the last errors and their correction
 };
 
 }  // namespace joints

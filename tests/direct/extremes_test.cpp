@@ -172,7 +172,7 @@ TEST_CASE("X9 a chain swings alike at the origin and a thousand kilometres off")
       gap = std::max(gap, widest_gap(scene));
     }
     CHECK(all_finite(scene.world));
-    if (newton > 0) CHECK(gap < tolerance(1e-8, 0.5));  // rounding of a float there: 0.06 m
+    if (newton > 0) CHECK(gap < tolerance(1e-6, 0.5));  // rounding of a float there: 0.06 m
     return scene.world.bodies.at(6).x - origin;
   };
   for (const int newton : {0, 8}) {
@@ -194,7 +194,7 @@ TEST_CASE("X10 a chain of masses from a milligram to a million tons hangs by all
       DirectSolver solver = with(newton);
       const Watched seen = watch(scene, solver, 2, double(h));
       CHECK(seen.finite);
-      CHECK(seen.gap < (newton == 0 ? 1e-2 : tolerance(1e-9, 1e-2)));
+      CHECK(seen.gap < (newton == 0 ? 1e-2 : tolerance(1e-6, 1e-2)));
       CHECK(solver.dependent() == 0);
       double below = 0;
       for (std::size_t k = masses.size(); k-- > 0;) {

@@ -43,7 +43,7 @@ TEST_CASE("what hangs on exact joints stays, and a beam of welds does not sag") 
 }
 
 TEST_CASE("the links of a loaded rope bridge keep their length with added inertia") {
-  CHECK(miss(rope_bridge, "inertia", 300) < tolerance(1e-4, 1));
+  CHECK(miss(rope_bridge, "inertia", 300) < tolerance(1e-3, 1));
   CHECK(miss(rope_bridge, "si30", 300) > 1000);
 }
 

@@ -83,9 +83,9 @@ void second_order_step(World& world, Solver& solver, real h) {
 bool move_onto_constraints(Bodies& bodies, double h, int iterations, double tolerance,
                            Corrector& corrector, std::vector<Body>& start) {
   // begin [exercise 9.6]
-  // Change the velocities until the bodies end where all errors are at most the tolerance, Eq. 9-10,
-  // and store the bodies as they were in `start`. When to stop, and what to return, is stated in
-  // direct.h.
+  // Change the velocities until the bodies end where all errors are at most the tolerance, by
+  // Eq. 9-10. Store the bodies as they were in `start`. When to stop, and what to return, is stated
+  // in direct.h.
   todo("9.6");
   // end [exercise 9.6]
 }

@@ -1,5 +1,5 @@
-// The direct solver moves the bodies: with the factor of the step, by secants if this is not enough,
-// and at last with the factors of new poses.
+// The direct solver moves the bodies: with the factor of the step, by secants if this is not
+// enough, and at last with the factors of new poses.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -96,12 +96,12 @@ class DirectSolver::Poses : public Corrector {
 };
 
 // If Newton's method with the factor of the step fails, secants take over: they converge where an
-// iteration multiplies some errors by nearly 1, as it does near the singular pose of a linkage. Their
-// impulses still act along the rows of the step, which keeps the energy. If they fail as well, the
-// factors of the new poses are used. They begin with the best velocities of the secants or, if these
-// are no good either, with those that solve the velocity equations, without the correction predicted
-// for the poses. If this does not close the joints, a body is too fast for the step, and is slowed
-// down.
+// iteration multiplies some errors by nearly 1, as it does near the singular pose of a linkage.
+// Their impulses still act along the rows of the step, which keeps the energy. If they fail as
+// well, the factors of the new poses are used. They begin with the best velocities of the secants
+// or, if these are no good either, with those that solve the velocity equations, without the
+// correction predicted for the poses. If this does not close the joints, a body is too fast for the
+// step, and is slowed down.
 void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   blocks_of(bodies);  // rejects other bodies
   report_.moved_exactly = false;
@@ -156,8 +156,8 @@ void DirectSolver::back_to_start(Bodies& bodies) const {
 }
 
 // Returns the largest error that the best velocities leave, or infinity if they are no better than
-// those of the beginning. Bounded rows exclude secants: a limit that a correction exceeds would have
-// to change its side.
+// those of the beginning. Bounded rows exclude secants: a limit that a correction exceeds would
+// have to change its side.
 double DirectSolver::move_by_secants(Bodies& bodies, real h, double most, Poses& poses) {
   const double kinetic = twice_kinetic(bodies);
   double least = std::numeric_limits<double>::infinity(), first = 0;

@@ -211,6 +211,7 @@ inline Drawn drawn_newton(Draw& d) {
   const int rows = d.count("rows", std::min(3 * slots, d.whole(1, 120)));
   const int iterations = d.count("iterations", d.whole(0, 40));
   const double h = d.size("h", std::pow(10, -3 * d.pick()), "s"), part = 0.4 + 0.6 * d.pick();
+  const double tolerance = d.size("tolerance", std::pow(10, -1 - 7 * d.pick()), "m");
   Random random = d.many();
   std::vector<double> marks;
   for (int k = 0; k < rows; ++k)  // the later the row, the farther its mark
@@ -220,7 +221,8 @@ inline Drawn drawn_newton(Draw& d) {
     for (int k = 0; k < slots; ++k) bodies.add(sliding(0, 0));
     Marks corrector(bodies, marks, part);
     std::vector<Body> start;
-    Numbers out{double(move(bodies, h, iterations, corrector, start)), double(corrector.asked)};
+    const bool arrived = move(bodies, h, iterations, tolerance, corrector, start);
+    Numbers out{double(arrived), double(corrector.asked)};
     for (int k = 0; k < slots; ++k)
       for (int i = 0; i < 3; ++i) {
         out.push_back(double(bodies.at(k).x[i]));
@@ -231,9 +233,9 @@ inline Drawn drawn_newton(Draw& d) {
   const NewtonReference reference{newton_cases()[0]};
   Drawn out{{"result (0 false, 1 true)", "calls of errors()"},
             run(move_onto_constraints),
-            run([&](Bodies& bodies, double step, int most, Corrector& corrector,
+            run([&](Bodies& bodies, double step, int most, double enough, Corrector& corrector,
                     std::vector<Body>& start) {
-              return reference.move(bodies, step, most, corrector, start);
+              return reference.move(bodies, step, most, enough, corrector, start);
             }),
             {20}};
   for (int k = 0; k < slots; ++k)

@@ -34,7 +34,7 @@ struct NewtonReference {
   bool adds_to_start = false, near_of_last = false;
   int last_back = 0;  ///< so many at the end are not put back
 
-  bool move(Bodies& bodies, double h, int iterations, double, Corrector& corrector,
+  bool move(Bodies& bodies, double h, int iterations, double tolerance, Corrector& corrector,
             std::vector<Body>& start) const {
     const auto keep = [&] {
       if (!adds_to_start) start.clear();
@@ -45,7 +45,7 @@ struct NewtonReference {
     if (keeps_start) keep();
     const auto answer = [&](bool right) { return result != Result::always_false && right; };
     double last = first_last, before = 0;
-    const double enough = own_tolerance > 0 ? own_tolerance : c.tolerance;
+    const double enough = own_tolerance > 0 ? own_tolerance : tolerance;
     const auto near = [&](double largest) {
       return strictly_near ? largest < enough : largest <= enough;
     };

@@ -108,7 +108,7 @@ TEST_CASE("pairs come and go, are skipped, and forget bodies that were removed")
   contacts.touch(a, c, one);
   contacts.end();
   CHECK(world.joints().size() == 3);
-  CHECK(joint.frequency == real(60));
+  CHECK(double(joint.frequency) == Approx(60));
   contacts.begin();
   CHECK(&contacts.touch(a, b, one) == &joint);
   contacts.end();

@@ -46,7 +46,7 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.back = T::Back::all; }},
       {"`start` is written again in each iteration: once, before the first",
        [](T& t) { t.start_each_time = true, t.back = T::Back::none; }},
-      {"#start-does-not-hold `start` does not hold the bodies as they were: the caller restores "
+      {"`start` does not hold the bodies as they were: the caller restores "
        "them from it if there is no such pose",
        [](T& t) { t.keeps_start = false; }},
       {"#rates-never-changed change_rates() is never called", [](T& t) { t.changes = false; }},
@@ -69,7 +69,7 @@ inline Pieces<NewtonReference> wrong_newtons() {
        [](T& t) { t.moves_again = true; }},
       {"the bodies move for half of h: for all of it",
        [](T& t) { t.move_h = t.last_h = 0.5; }},
-      {"#moves-half-h the bodies move for half of h in each iteration: for all of it",
+      {"the bodies move for half of h in each iteration: for all of it",
        [](T& t) { t.move_h = 0.5; }},
       {told_errors_before_move,
        [](T& t) { t.moves_first = false, t.asks_before = true; }},

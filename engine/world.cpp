@@ -1,8 +1,6 @@
 // Adds and removes joints and bodies.
 #include "engine/world.h"
 
-#include <algorithm>
-
 namespace joints {
 
 void World::adopt(std::unique_ptr<Joint> joint) {
@@ -27,12 +25,6 @@ void World::remove(BodyId body) {
     if (joint && (joint->body1 == body || joint->body2 == body)) joint.reset();
   holes_ = true;
   blocks.clear();
-}
-
-void World::close_holes() const {
-  std::erase(joints_, nullptr);
-  for (std::size_t k = 0; k < joints_.size(); ++k) joints_[k]->place_ = k;
-  holes_ = false;
 }
 
 void World::set_beta(real beta) {

@@ -57,7 +57,11 @@ class World {
 
  private:
   void adopt(std::unique_ptr<Joint> joint);
-  void close_holes() const;
+  void close_holes() const {
+    std::erase(joints_, nullptr);
+    for (std::size_t k = 0; k < joints_.size(); ++k) joints_[k]->place_ = k;
+    holes_ = false;
+  }
   mutable std::vector<std::unique_ptr<Joint>> joints_;
   mutable bool holes_ = false;  // joints were removed, and their places are still empty
 };

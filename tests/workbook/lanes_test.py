@@ -13,7 +13,7 @@ def lanes_stay_at_home(root, build):
             yield f"{folder} is not there"
         for path in folder.rglob("*avx2*.o"):
             lines = symbols_of(path).splitlines()
-            if not any("lanes_avx2(" in line for line in lines):
+            if not any("run_pass_avx2(" in line for line in lines):
                 yield f"{path.name}: nm shows no symbols"
             for line in lines:  # W, V, u: one definition of several, whichever the linker takes
                 if re.match(r"[0-9a-f]* ?[WVu] ", line.strip()) and "LanesFor<2," not in line:

@@ -8,7 +8,7 @@ from website import gallery, shell
 MOVES = {"live.html": "live.html#scene=ragdoll", None: "motion/08_ground.html?scene=ragdoll&play=1"}
 ROW = re.compile(r'<tr class="markdownTableRow\w+">\s*(.*?)</tr>', re.S)
 CELL = re.compile(r"<td\b[^>]*>(.*?)</td>", re.S)
-HOURS = re.compile(r"^\| *(\d) *\|.*?\| *([\d.]+) *\| *([\d.]+) *\|$", re.M)
+HOURS = re.compile(r"^\| *(\d+) *\|.*?\| *([\d.]+) *\| *([\d.]+) *\|$", re.M)
 # The picture of a chapter's card, where it is not the first motion of the chapter.
 PICTURES = {1: "bridge", 4: "piston", 5: "ragdoll", 6: "bridge_of_rods", 8: "ragdoll"}
 

@@ -2,6 +2,7 @@
 // contains only those that it names.
 #pragma once
 
+#include <numbers>
 #include <tuple>
 
 #include "chapters/02_ball/ball_joint.h"

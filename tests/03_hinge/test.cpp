@@ -1,5 +1,7 @@
 // The tests of chapter 3's exercises. Linked with the solution, with the reader's file, with the
 // stub and with every known wrong and right answer.
+#include <numbers>
+
 #include "tests/03_hinge/angle_cases.h"
 #include "tests/03_hinge/axis_cases.h"
 #include "tests/03_hinge/coupling_cases.h"

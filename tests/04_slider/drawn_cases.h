@@ -1,6 +1,8 @@
 // Exercises 4.1 to 4.3: cases drawn over scales, sides and angles.
 #pragma once
 
+#include <numbers>
+
 #include "chapters/04_slider/slider.h"
 #include "tests/checker/drawn.h"
 #include "tests/checker/vector_cases.h"

@@ -1,6 +1,8 @@
 // The screw of exercise 10.3: its error as a table of cases, its row as a fixture.
 #pragma once
 
+#include <numbers>
+
 #include "tests/10_own/part_cases.h"
 
 namespace joints::testing {

@@ -1,5 +1,7 @@
 // The tests of chapter 10's exercises. Linked with the solution, with the reader's file, with the
 // stub and with every known wrong and right answer.
+#include <numbers>
+
 #include "checker/check_part.h"
 #include "tests/10_own/cone_cases.h"
 #include "tests/10_own/part_cases.h"

@@ -127,9 +127,10 @@ class Contacts {
   }
   /// Begins to collect. Pairs of removed bodies are forgotten.
   void begin() {
-    std::erase_if(joints_, [&](const auto& entry) {
-      return !world_.bodies.alive(entry.second.joint->body1) ||
-             !world_.bodies.alive(entry.second.joint->body2);
+    std::erase_if(joints_, [&](const auto& entry) {  // their joints were removed with the bodies
+      const auto& [one, other] = entry.first;
+      return !world_.bodies.alive({one.first, one.second}) ||
+             !world_.bodies.alive({other.first, other.second});
     });
     for (auto& [pair, entry] : joints_) entry.touched = false;
   }
@@ -169,9 +170,10 @@ class Contacts {
   inline void restore(const Saved& saved);
 
  private:
-  using Key = std::pair<std::pair<int, int>, std::pair<int, int>>;
+  using Slot = std::pair<std::uint32_t, std::uint32_t>;  // with its generation
+  using Key = std::pair<Slot, Slot>;
   static Key key(BodyId a, BodyId b) {
-    const std::pair first{int(a.slot), int(a.generation)}, second{int(b.slot), int(b.generation)};
+    const Slot first{a.slot, a.generation}, second{b.slot, b.generation};
     return first < second ? Key{first, second} : Key{second, first};
   }
   struct Entry {

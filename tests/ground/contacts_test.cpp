@@ -92,7 +92,7 @@ TEST_CASE("impulses are kept by id or by place, and not for a point elsewhere") 
   CHECK_THAT(refusal([&] { joint.set_places(std::vector{ContactPlace{}}); }), StartsWith("normal"));
 }
 
-TEST_CASE("pairs come and go, are skipped, and forget bodies that were removed") {
+TEST_CASE("pairs come and go and are skipped and forget bodies that were removed") {
   World world;
   const BodyId a = world.add(static_body(vec3(0))), b = world.add(box(1, vec3(1), vec3(0, 1, 0)));
   const BodyId c = world.add(box(1, vec3(1), vec3(0, 2, 0)));

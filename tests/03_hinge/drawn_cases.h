@@ -53,7 +53,7 @@ inline Drawn drawn_twist(Draw& d) {
   return {{"angle [rad]", "how far beyond pi"},
           {yours, std::max(0.0, std::abs(yours) - pi)},
           {yours + std::remainder(twist - yours, 2 * pi), 0},
-          {small + 1e-6 / (small + 1e-9)}};
+          {small + 3e-6 / (small + 1e-9)}};
 }
 
 inline Drawn drawn_unwrapped(Draw& d) {

@@ -66,7 +66,8 @@ std::vector<std::string> words(const std::string& text) {
 FILE* open_table(const std::string& path, bool append, const std::string& columns) {
   FILE* file = std::fopen(path.c_str(), append ? "a" : "w");
   if (!file) refuse("--csv " + path + ": cannot be written");
-  if (!append) std::fprintf(file, "%s\n", columns.c_str());
+  std::fseek(file, 0, SEEK_END);
+  if (std::ftell(file) == 0) std::fprintf(file, "%s\n", columns.c_str());
   return file;
 }
 

@@ -17,7 +17,7 @@ Setting setting_named(const std::string& method);
 /// The words of a text, separated by blanks.
 std::vector<std::string> words(const std::string& text);
 
-/// Opens a program's table: a new one with its header, or an existing one to append to.
+/// Opens a program's table, to append to or anew. An empty one begins with its header.
 /// \throws std::invalid_argument if it cannot be written
 FILE* open_table(const std::string& path, bool append, const std::string& columns);
 

@@ -4,6 +4,11 @@
 #include "tests/checker/catch.h"
 #include "tests/oracle/oracle.h"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+
 using namespace joints;
 using namespace joints::bench;
 using namespace joints::testing;
@@ -76,4 +81,25 @@ TEST_CASE("a table keeps one scene by its name and refuses one that is not there
   keep_named(list, "b", &Entry::name);
   CHECK((list.size() == 1 && list[0].name == "b"));
   CHECK(words("a  bc d") == std::vector<std::string>{"a", "bc", "d"});
+}
+
+TEST_CASE("a table begins with its header once, however often one appends to it") {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                     ("table" + std::to_string(std::random_device{}()) + ".csv");
+  const auto add = [&](bool append, const char* line) {
+    FILE* file = open_table(path.string(), append, "scene");
+    std::fprintf(file, "%s\n", line);
+    std::fclose(file);
+  };
+  const auto lines = [&] {
+    std::ifstream file(path);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  add(true, "S1");
+  add(true, "S2");
+  CHECK(lines() == "scene\nS1\nS2\n");
+  add(false, "S3");
+  CHECK(lines() == "scene\nS3\n");
+  std::filesystem::remove(path);
+  CHECK_THROWS_AS(open_table("/nowhere/table.csv", true, "scene"), std::invalid_argument);
 }

@@ -43,7 +43,7 @@ struct Found {
   double us = std::numeric_limits<double>::quiet_NaN();  // of the processor, for one iteration
 };
 
-// Iterates in pieces of at most 2 % of what has been done, up to `most` iterations.
+// Iterates in pieces of at most 2 % of the iterations done so far, up to `most` iterations.
 template <class Kind>
 Found by_pieces(Kind solver, int hinges, bool sideways, long most) {
   World exact = chain(hinges, sideways), world = chain(hinges, sideways);

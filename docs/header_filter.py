@@ -5,7 +5,7 @@ One comment behind several variables is meant for all of them:
 
     int a = 0, b = 0;  ///< slots    becomes    int a = 0; /**< slots */ int b = 0; /**< slots */
 
-A group that opens before the namespace and closes after it is meant for what is in the namespace,
+A group that opens before the namespace and closes after it is meant for the namespace's contents,
 so its marks move inside. A chapter's group is called its code, since the text is the chapter. Line
 numbers of warnings stay true for the first, nearly for the second.
 Used by docs/Doxyfile; by hand: header_filter.py FILE.

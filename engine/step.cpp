@@ -22,7 +22,8 @@ void soften(Blocks& blocks, const Stepping& how) {
     }
 }
 
-// Shortens the errors of one-sided rows by their slop, and to what the largest speed can correct.
+// Shortens the errors of one-sided rows by their slop, and to the length that the largest speed can
+// correct.
 void ease(Blocks& blocks, real h) {
   for (const auto& [k, slop, push] : blocks.tolerances) {
     const Block& block = blocks.list[std::size_t(k)];

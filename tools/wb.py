@@ -52,7 +52,7 @@ def argument(*names, **how):
 
 
 def command(shown, words, *arguments, lines=(), **how):
-    """A command: the line of the overview, more lines of it, and what argparse is told."""
+    """A command: the line of the overview, more lines of it, and its arguments for argparse."""
     def add(call):
         name = call.__name__.rstrip("_").replace("_", "-")
         parser = Parser(prog=f"./wb {name}", description=words, formatter_class=layout,

@@ -1,4 +1,4 @@
-// What all contacts of points have in common: friction, rebound, and the rows of a point.
+// The common part of all contacts of points: friction, rebound, and the rows of a point.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ class PointContacts : public Joint {
   real restitution = 0;        ///< rebound speed over impact speed, 0 to 1 [1]
   real threshold = real(0.5);  ///< no rebound from an impact slower than this [m/s]
   bool turned_tangents = true;  ///< t1 follows the direction of sliding; false: t1 is fixed by n
-  /// Bounds friction along t2 by what the circle leaves beside friction along t1 in the last step:
+  /// Bounds friction along t2 by the rest of the circle beside friction along t1 in the last step:
   /// a joint then pushes a sliding body sideways as Coulomb's law requires. false: a square, which
   /// brings bodies to rest sooner.
   bool circle = false;

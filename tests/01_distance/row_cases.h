@@ -1,4 +1,4 @@
-// Exercise 1.3: the impulse of one row, and what it does. Cases.
+// Exercise 1.3: the impulse of one row, and its effect. Cases.
 #pragma once
 
 #include "chapters/01_distance/distance.h"

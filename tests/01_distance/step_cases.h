@@ -158,7 +158,7 @@ inline Ways sorted_mistakes(const std::vector<Scene>& all) {
   return ways;
 }
 
-/// Some of the scenes beside the right step. \param all what a mistake must explain
+/// Some of the scenes beside the right step. \param all the scenes that a mistake must explain
 inline CaseTable<Scene> table_of(const Subject& subject, const std::vector<Scene>& scenes,
                                  const std::vector<Scene>& all) {
   const Way right = scenes.front().links.empty() ? Way{} : order_of_yours();

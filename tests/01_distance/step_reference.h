@@ -61,7 +61,7 @@ struct Way {
   Call<real(const Turn&)> wants = [](const Turn& t) {
     return t.row.K == 0 ? 0 : -(row_velocity(t.row.J, t.body1, t.body2) + t.row.bias) / t.row.K;
   };
-  /// What is applied of that: of a rope it is what its sum allows.
+  /// The applied part of it: of a rope, the part that its sum allows.
   Call<real(real, const Turn&)> gets = [](real wanted, const Turn& t) {
     return t.link.rope ? allowed(wanted, t.row.sum) : wanted;
   };

@@ -1,4 +1,4 @@
-// Exercise 2.3: the impulse of a block of three rows, and what it does. Cases.
+// Exercise 2.3: the impulse of a block of three rows, and its effect. Cases.
 #pragma once
 
 #include <numbers>

@@ -6,7 +6,7 @@
 
 namespace joints::testing {
 
-/// How the answer to a projection is written down, and what a mistake does to it.
+/// How the answer to a projection is written down, and the effect of a mistake on it.
 template <class Part>
 struct ProjectionRules {
   using Case = ProjectionCase<Part>;
@@ -179,7 +179,7 @@ void add_copies(typename ProjectionRules<Part>::Mistakes& add) {
                      })});
 }
 
-/// What a rope is asked, and what takes its place.
+/// The test of a rope, and its wrong replacements.
 template <class Part>
 void add_rope(typename ProjectionRules<Part>::Mistakes& add) {
   using Rules = ProjectionRules<Part>;

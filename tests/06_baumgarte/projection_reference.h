@@ -15,7 +15,7 @@ inline vec3 turn_between(const quat& from, const quat& to) {
   return sine > 0 ? 2 * std::atan2(sine, turn.w) / sine * axis : vec3(0);
 }
 
-/// The four moves of a projection, and what reports call them.
+/// The four moves of a projection, and their names in reports.
 struct OneMove {
   vec3 Moves::*of;
   std::string words;

@@ -18,7 +18,7 @@ inline SafetyCase safety_case(double rho, int iterations, double beta) {
 
 inline const double ten_links = std::pow(std::cos(std::acos(-1.0) / 20), 2);  // rho of a chain
 
-/// What is compared with what.
+/// The two compared quantities.
 struct SafetyReference {
   SafetyCase c;
   double left, more, bound = 1;  ///< left * more < bound

@@ -114,7 +114,7 @@ inline CaseTable<WarmCase> warm_table() {
     return flat({lambda, a.way1, a.turn1, a.way2, a.turn2});
   };
   const auto moves = [](const Case& c) { return response<3>(c.J, to_vector(c.lambda), c.pair); };
-  // what is kept of lambda, and what body 1 and body 2 are given of it, by the ratio
+  // the kept part of lambda, and the parts given to body 1 and body 2, by the ratio
   const auto shares = [=](auto share) {
     return [=](const Case& c) {
       const std::array<double, 3> a = share(c.ratio);

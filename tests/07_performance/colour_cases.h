@@ -109,7 +109,7 @@ inline std::string joint_words(const ColourScene& scene, std::size_t k) {
          body(link.body2) + ")";
 }
 
-/// Fails with what is wrong in a scene, and with the mistake that explains it.
+/// Fails with the wrong colours of a scene, and with the mistake that explains them.
 [[noreturn]] inline void fail_colours(const ColourScene& scene, const std::string& what) {
   fail(colours_subject, "Scene: " + scene.words + ".\n\n" + what + "\n" + explain_colours());
 }

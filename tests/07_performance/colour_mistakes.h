@@ -9,7 +9,7 @@
 
 namespace joints::testing {
 
-// ---- what is right, and what is not -------------------------------------------------------------
+// ---- right and wrong ----------------------------------------------------------------------------
 
 /// A body that moves and that both joints hold.
 inline bool share_a_body(const ColourScene& scene, const BodyPair& a, const BodyPair& b) {
@@ -40,7 +40,7 @@ inline Colours right_colours(const ColourScene& scene) {
       scene, [&](const BodyPair& a, const BodyPair& b) { return share_a_body(scene, a, b); });
 }
 
-/// Each joint's colour from what its bodies have seen: a number a body, changed by every joint.
+/// Each joint's colour from a number per body, which every joint changes.
 template <class Rule>
 Colours counted(const ColourScene& scene, Rule rule) {
   std::vector<int> of(scene.moves.size(), 0);
@@ -53,7 +53,7 @@ Colours counted(const ColourScene& scene, Rule rule) {
   return out;
 }
 
-/// Each joint's colour from what its bodies have taken so far. \param choose the colour, of
+/// Each joint's colour from the colours at its bodies so far. \param choose the colour, of
 /// `has(body, colour)` and the link \param keep is it kept for a body of the link?
 template <class Choose, class Keep>
 Colours chosen(const ColourScene& scene, Choose choose, Keep keep) {

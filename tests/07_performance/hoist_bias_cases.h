@@ -6,7 +6,7 @@
 
 namespace joints::testing {
 
-/// The five errors, by what each is multiplied, and what is done with the numbers.
+/// The five errors, their factors, and the operations on the numbers.
 struct BiasReference {
   HingeCase c;
   Vector<5> C, rate, more{};

@@ -69,7 +69,7 @@ inline FourVelocities lane_velocities(const LaneCase& all, int lane) {
 }
 inline void solve_lanes(LaneCase& all) { solve(all.hinge, all.body1, all.body2); }
 
-/// Each velocity of a lane beside what it should be.
+/// Each velocity of a lane beside the right one.
 inline void expect_lane(int lane, const std::string& words, const FourVelocities& yours,
                         const FourVelocities& right, double tolerance,
                         const FourVelocities& before, const std::string& otherwise) {

@@ -51,7 +51,7 @@ struct SolveReference {
   using Step = Call<void(SolveReference&, Vector<5>&)>;
   vec3 r1, r2;              ///< levers
   std::array<vec3, 2> a;    ///< axis rows
-  Jacobian<5> read, push;   ///< J of e, and J of what lambda does
+  Jacobian<5> read, push;   ///< J of e, and J of the effect of lambda
   ImpulseLines lines;       ///< how v1, w1, v2, w2 get it
   Matrix<5> inverse_K;
   Vector<5> bias;

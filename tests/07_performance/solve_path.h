@@ -135,7 +135,7 @@ inline std::string place_on_path() {
          ": e, lambda, P and T are right, because the other lines are";
 }
 
-/// A solve of one hinge beside what is right. Fails with the path in the report.
+/// A solve of one hinge beside the right one. Fails with the path in the report.
 inline void check_solve(const SolveCase& c, const Numbers& expected, const char* beside) {
   CaseTable<SolveCase> table = solve_table();
   const bool right = close(table.yours(c), expected, table.tolerance);

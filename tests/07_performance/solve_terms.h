@@ -12,7 +12,7 @@ inline Pieces<SolveReference> any_pieces() {
   const auto name = [](const char* of, std::size_t i) {
     return of + ("[" + std::to_string(i) + "]");
   };
-  // a term of e, or of what lambda does: of the point's rows, of the axis rows
+  // a term of e, or of the effect of lambda: of the point's rows, of the axis rows
   struct Term {
     Jacobian<5> T::*rows;
     int from, to;

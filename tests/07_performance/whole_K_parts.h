@@ -1,4 +1,4 @@
-// Exercise 7.2: what can go wrong in K, in the point's 3x3 and between point and axis: with what
+// Exercise 7.2: possible mistakes in K, in the point's 3x3 and between point and axis: with what
 // body 1 and body 2 add to it, and with how the sum of both is written down.
 #pragma once
 
@@ -173,7 +173,7 @@ inline KPart point_part() {
 
 // ---- between the point and the axis -------------------------------------------------------------
 
-/// Two columns and what becomes of them beside the point and below it.
+/// Two columns, and their places beside the point and below it.
 template <class Beside, class Below>
 Frame crossing(const std::string& words, Beside beside, Below below) {
   return {words, [=](const mat3& columns, const KSource&) {

@@ -151,7 +151,7 @@ inline std::vector<MatrixCase> dependent_cases() {
 
 constexpr double upper_triangle = 77;  ///< what stands above the diagonal of a diagonal block
 
-/// The matrix of the joints of a case, with places for what is filled in. Behind the targets stand
+/// The matrix of the joints of a case, with places for fill-in. Behind the targets stand
 /// more of them, which point behind the numbers: reading too many does no harm.
 inline JointMatrix joint_matrix(const MatrixCase& c) {
   JointMatrix A;

@@ -16,7 +16,7 @@ class Written : public Corrector {
   Bodies& bodies;
   Body before;             ///< body 1 as it was
   int asked = 0, changed = 0;
-  Numbers seen, rates;     ///< body 1 at each errors(), and what each change_rates() got
+  Numbers seen, rates;     ///< body 1 at each errors(), and the arguments of each change_rates()
 
   std::vector<double>& errors() override {
     const Body& body = bodies.at(1);

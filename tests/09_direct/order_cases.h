@@ -15,9 +15,9 @@
 
 namespace joints::testing {
 
-// ---- what is right, and what is not -------------------------------------------------------------
+// ---- right and wrong ----------------------------------------------------------------------------
 
-/// The elimination, with what a mistake may change.
+/// The elimination, with the parts that a mistake may change.
 struct OrderReference {
   Graph graph;
   enum class By { fewest, most, first_lists, number, fill } by = By::fewest;

@@ -165,7 +165,7 @@ inline Body slow_body(const SlowedCase& c) {
 /// For a test of another kind: the table's mistakes explain whatever is wrong.
 inline void expect_slowed(const SlowedCase& c, const std::string& entry, const vec3& yours,
                           const vec3& right, double tolerance) {
-  const bool same = length(yours - right) <= real(tolerance);  // false for what is no number
+  const bool same = length(yours - right) <= real(tolerance);  // false for NaN
   const std::string given = same ? "" : slowed_given(c) + " Body: " + c.words + ".";
   Subject about = slowed_table().subject;
   about.given = given.c_str();

@@ -15,7 +15,7 @@ from base import house  # noqa: E402
 from bench import cost, instructions  # noqa: E402
 
 SKIPPED = 77
-WITHIN = 0.03  # share of what the table says
+WITHIN = 0.03  # fraction of the table's value
 FEW = 1.0      # what differs by less never counts: bodies without joints have next to nothing
 NUMBERS = ["rows", "bytes_per_joint", "instructions_per_joint_step",
            "instructions_per_joint_iteration"]

@@ -15,7 +15,7 @@ using namespace joints::testing;
 
 namespace {
 
-// How far a scene's finding is from what is expected of it.
+// How far a scene's finding is from the expected value.
 double miss(const MakeScene& make, const std::string& method, int steps) {
   const Finding finding = make().finding;
   return std::abs(run(make, setting_named(method), 1, {.steps = steps}).found - finding.expected);

@@ -32,7 +32,7 @@ class Call<Result(Arguments...)> {
   explicit operator bool() const { return run_; }
 
  private:
-  // of what captures nothing
+  // Calls a lambda without captures, which is made anew.
   template <class Function>
   static Result anew(const void*, Arguments... arguments) {
     return Function()(static_cast<Arguments&&>(arguments)...);

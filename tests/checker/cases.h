@@ -11,7 +11,7 @@
 
 namespace joints::testing {
 
-/// A mistake in words, and what it does.
+/// A mistake in words, and its effect.
 template <class Function>
 struct Mistake {
   std::string words;

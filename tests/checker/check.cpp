@@ -1,4 +1,4 @@
-// Comparing numbers with what is right, and saying so.
+// Comparing numbers with the right ones, and reporting it.
 #include <algorithm>
 
 #include "checker/report.h"

@@ -90,7 +90,7 @@ Drawn drawn_vectors(const std::vector<std::string>& names, const Numbers& yours,
 
 namespace {
 
-// ---- right or wrong, and what that depends on ---------------------------------------------------
+// ---- right or wrong, and why --------------------------------------------------------------------
 
 struct Trial {
   std::vector<double> tape;

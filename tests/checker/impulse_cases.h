@@ -1,5 +1,5 @@
 // Rows and their impulse, exercises 1.3 (one row) and 2.3 (a block of three): which impulse they
-// lack, the usual mistakes, and cases. What the impulse does is in push_cases.h.
+// lack, the usual mistakes, and cases. The effect of the impulse is in push_cases.h.
 #pragma once
 
 #include <valarray>

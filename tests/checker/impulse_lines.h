@@ -10,7 +10,7 @@ namespace joints::testing {
 using FourVectors = std::array<vec3, 4>;  ///< of v1, w1, v2, w2
 
 struct ImpulseLines {
-  std::array<mat3, 4> inverse_M, local_M;  ///< 1/m and I^-1, and what they are in body space
+  std::array<mat3, 4> inverse_M, local_M;  ///< 1/m and I^-1, and the same in body space
   FourVectors before;                      ///< the velocities
   std::array<real, 4> factor{1, 1, 1, 1};
   std::array<bool, 4> set{};  ///< the velocity is replaced, and nothing is added to it

@@ -1,4 +1,4 @@
-// Mistakes that change one piece of what is right: the path to an answer is taken apart into a
+// Mistakes that change one piece of the right answer: the path to an answer is taken apart into a
 // struct, the reference, and each mistake is one change of it. A table gets every mistake by itself
 // and, where none of them explains your numbers, every two of them together.
 #pragma once

@@ -3,7 +3,7 @@
 
 namespace joints::testing {
 
-/// Adds to the count of what was proved, such as "Jacobians". At the end of the program every count
+/// Adds to the count of proved things, such as "Jacobians". At the end of the program every count
 /// is appended to the file that WORKBOOK_COUNTS names, a line each.
 void proved(const char* what, long how_many = 1);
 

@@ -26,7 +26,7 @@ inline Numbers numbers_of(const Pair& pair) {
   return out;
 }
 
-/// One of the two bodies, and what its rows hold for it.
+/// One of the two bodies, and the parts of the rows that belong to it.
 struct Pushed {
   const PushCase& c;
   bool second;

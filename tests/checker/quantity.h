@@ -47,12 +47,12 @@ inline std::string in_words(const Unit& unit) {
 
 /// Two units that do not go together.
 struct UnitError : std::logic_error {
-  Unit first, second;  ///< of what was there, of what came to it
+  Unit first, second;  ///< of the first operand, of the second
   UnitError(const std::string& words, const Unit& first, const Unit& second)
       : std::logic_error(words), first(first), second(second) {}
 };
 
-/// The number. What is written in the code is not `measured`: it has no unit, may be compared with
+/// The number. A literal of the code is not `measured`: it has no unit, may be compared with
 /// anything (a threshold), and where it is 0 or infinite it takes the unit of its neighbour.
 /// No conversion to double: an answer that needs one does not compile and is not checked.
 struct Quantity {

@@ -109,7 +109,7 @@ auto in(const std::string& entry, Call call, const OfTime& time = {}) {
   }
 }
 
-/// The unit of what a call returns.
+/// The unit of the result of a call.
 template <class Call>
 void has_unit(const std::string& entry, Quantity wanted, Call call, const OfTime& time = {}) {
   expect_unit(entry, in(entry, call, time), wanted, time);

@@ -1,5 +1,5 @@
-// What the page calls of a chapter's tests, and what these call of the page. A test that fails or
-// throws tells the page its words, and the page ends the instance.
+// The functions of a chapter's tests that the page calls, and those of the page that they call. A
+// test that fails or throws tells the page its words, and the page ends the instance.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>

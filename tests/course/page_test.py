@@ -44,7 +44,7 @@ class Reader:
         return self.browser.ask(f"{self.place}{code}")
 
     def write(self, text):
-        """Types it in the place of what stands in the exercise's first editor."""
+        """Types it in place of the contents of the exercise's first editor."""
         self.ask(".querySelector('.cm-content').focus()")
         self.ask(".querySelectorAll('.cm-content')[0] && document.getSelection()"
                  f".selectAllChildren({self.place}.querySelector('.cm-content'))")
@@ -63,7 +63,7 @@ class Reader:
 
 
 def served():
-    """The address of out/course, and what ends its server."""
+    """The address of out/course, and the function that ends its server."""
     server = serving.server_of(packing.OUT, 8900)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     return f"http://127.0.0.1:{server.server_port}/", server

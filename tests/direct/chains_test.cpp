@@ -1,4 +1,4 @@
-// Chains by the direct solver: how far they hold together, and what energy they keep.
+// Chains by the direct solver: how far they hold together, and how much energy they keep.
 #include "bench/scenes.h"
 #include "tests/direct/rigs.h"
 #include "tests/oracle/test.h"

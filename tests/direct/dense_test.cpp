@@ -6,7 +6,7 @@ namespace {
 
 const real h = sixtieth;
 
-// A prepared step, and what a dense solve of all its rows makes of the velocities.
+// A prepared step, and the velocities that a dense solve of all its rows gives.
 struct Solved {
   Column before, expected;
   double smallest = 0;  // eigenvalue of A over its largest

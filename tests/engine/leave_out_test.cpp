@@ -1,5 +1,5 @@
-// What a scene does not need costs nothing: no row for what cannot move, no linear or angular half
-// that is zero, and no memory taken from the heap in a step after the first.
+// What a scene does not need costs nothing: no row for bodies that cannot move, no linear or
+// angular half that is zero, and no memory taken from the heap in a step after the first.
 #include "bench/orders.h"
 #include "engine/instruments/plan.h"
 #include "tests/oracle/allocations.h"

@@ -135,7 +135,7 @@ TEST_CASE("I16 a warm start is Gauss-Seidel that begins with the last impulses")
     compare_iteration_by_iteration(solver, world, Order::forward, stepping);
     const Column ended = impulses(world.blocks);
     OrderedImpulses probe = solver;
-    begin_step(world, probe, h, stepping);  // it begins with what the iterations ended with
+    begin_step(world, probe, h, stepping);  // it begins with the result of the iterations
     CHECK(impulses(world.blocks) == ended);
   }
 }

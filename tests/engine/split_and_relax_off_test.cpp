@@ -1,4 +1,4 @@
-// What relax iterations and split impulses leave as it is, and what they refuse.
+// What relax iterations and split impulses do not change, and which settings they reject.
 #include "tests/oracle/allocations.h"
 #include "tests/oracle/test.h"
 #include "tests/oracle/track.h"

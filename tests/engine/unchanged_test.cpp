@@ -1,5 +1,5 @@
 // A step looks over all that it is about to use before it changes anything: what it refuses leaves
-// the world as it was, bit by bit, and what overflows is said and stays where it is.
+// the world as it was, bit by bit, and an overflow is reported and stays in its place.
 #include <functional>
 
 #include "chapters/09_direct/direct_solver.h"

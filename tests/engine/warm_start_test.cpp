@@ -1,4 +1,4 @@
-// Warm starting: what the joints remember of the last step, and what it is worth in the next.
+// Warm starting: what the joints remember of the last step, and its worth in the next.
 #include "engine/simd/packed.h"
 #include "tests/oracle/test.h"
 

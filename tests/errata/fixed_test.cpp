@@ -1,5 +1,5 @@
 // What the thesis says about the fixed joint and about static bodies without the reason, or with
-// the wrong one: each worked out as it stands, and what is so beside it.
+// the wrong one: each worked out as it stands, with the truth beside it.
 #include "tests/oracle/test.h"
 
 namespace {

@@ -1,5 +1,5 @@
-// What the thesis says about the inner loop: what its frame rates cost in time, and what may be
-// computed before the iterations.
+// What the thesis says about the inner loop: the cost of its frame rates in time, and which numbers
+// may be computed before the iterations.
 #include "tests/oracle/test.h"
 
 namespace {

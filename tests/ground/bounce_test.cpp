@@ -118,7 +118,8 @@ TEST_CASE("the ground never pulls, and friction is never more than mu times what
       step(box.world, box.solver, h, box.stepping);
       for (const Touch& touch : touches(box.world.blocks)) {
         CHECK(touch.normal >= 0);
-        // forward, the normal has the last word: it may sink by what 30 iterations have not settled
+        // forward, the normal has the last word: it may sink by the part that 30 iterations have
+        // not settled
         const double leeway = draw % 2 ? 0 : 1e-2 * 10;  // of a mass of 10 kg [N s]
         CHECK(touch.friction() <= double(real(touch.mu) * real(touch.normal)) + leeway);
         ++(touch.normal > 0 ? pressing : off);

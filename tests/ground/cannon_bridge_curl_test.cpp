@@ -1,5 +1,5 @@
 // Three machines of chapter 8 against what can be known beforehand: the parabola of a shot, the
-// shape of a hanging bridge and what it carries, and how strong a motor must be to curl a chain up.
+// shape of a hanging bridge and its load, and how strong a motor must be to curl a chain up.
 #include "chapters/08_ground/program/bridge.h"
 #include "chapters/08_ground/program/cannon.h"
 #include "chapters/08_ground/program/curl.h"

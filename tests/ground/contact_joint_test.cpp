@@ -1,5 +1,5 @@
-// The contact as a joint of the engine: which corners have rows, what is remembered of them, and
-// what projection, reaction, plan and removal make of it.
+// The contact as a joint of the engine: which corners have rows, which of their data are kept, and
+// the effects of projection, reaction, plan and removal.
 #include "checker/numeric.h"
 #include "engine/instruments/plan.h"
 #include "engine/reaction.h"

@@ -1,4 +1,4 @@
-// A body on the ground, and what the tests of the ground read off it.
+// A body on the ground, and the quantities that the tests of the ground read off it.
 #pragma once
 
 #include <algorithm>

@@ -7,7 +7,7 @@ namespace {
 
 const real h = real(1) / 60;
 
-// The rows of a step as the oracle sees them: w = A lambda - c is what each row's rate is off.
+// The rows of a step as the oracle sees them: w = A lambda - c is the error of each row's rate.
 struct Problem {
   Dense A, response;  // response: W J^T, what impulses do to the velocities
   Column c, forced;   // forced: velocities before the iterations

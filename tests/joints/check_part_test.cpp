@@ -8,7 +8,7 @@
 
 namespace {
 
-// A row with what a wrong part may get wrong. Right: C = a1.a2.
+// A row with the possible mistakes of a wrong part. Right: C = a1.a2.
 struct Crossed {
   real sign1 = 1, sign2 = -1, push = 0;
   vec3 a1_local{1, 0, 0}, a2_local{0, 1, 0};

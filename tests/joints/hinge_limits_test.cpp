@@ -128,7 +128,7 @@ TEST_CASE(
   crane.hinge->whole = false;
   const Run run(crane);
   CHECK(run.highest - 60 < 0.5);
-  CHECK(run.highest - 60 > 0.1);  // so it is: that is what the whole joint is for
+  CHECK(run.highest - 60 > 0.1);  // so it is: this is the purpose of the whole joint
   CHECK(std::abs(run.low - 60) < 0.5);
   CHECK(run.high - run.low < tolerance(1e-6, 1e-4));
   Crane once(vec3(1, 0, 0));

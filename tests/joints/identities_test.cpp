@@ -65,7 +65,7 @@ void for_every_joint(Look look) {
   at_every_pose<LimitedSliderFixture>(look);
   at_every_pose<WeldFixture>(look);
 }
-// Hinge, slider and weld, and what they are made of.
+// Hinge, slider and weld, and their parts.
 template <class Look>
 void for_every_turn(Look look) {
   at_every_pose<AxisFixture>(look);

@@ -1,5 +1,6 @@
 // What a hinge, a slider or a weld does not need at a moment costs nothing: no row for a limit that
-// is far away, for a motor that is off or for what cannot move, no linear half of what only turns.
+// is far away, for a motor that is off or for bodies that cannot move, no linear half of rows that
+// only turn.
 #include "engine/instruments/plan.h"
 #include "tests/oracle/allocations.h"
 #include "tests/oracle/test.h"

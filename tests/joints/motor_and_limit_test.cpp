@@ -1,4 +1,4 @@
-// A motor and a limit as what they are to the solver: one row with bounds.
+// A motor and a limit as the solver sees them: one row with bounds.
 #include "tests/oracle/test.h"
 
 namespace {

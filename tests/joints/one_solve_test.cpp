@@ -1,5 +1,5 @@
 // What one exact solve of one joint does, by the engine's own loop: the rows hold, energy and
-// momentum change by what the formulas say, and the error dies away at the promised rate.
+// momentum change as the formulas say, and the error dies away at the promised rate.
 #include "engine/instruments/measure.h"
 #include "tests/checker/joint_fixtures.h"
 #include "chapters/03_hinge/hinge_joint.h"
@@ -18,7 +18,7 @@ struct Broken : Fixture {
 // One joint between two moving bodies, before and after one iteration.
 struct Solved {
   System system;
-  Column lambda, second;  // the impulse of the iteration, and what a further iteration adds
+  Column lambda, second;  // the impulse of the iteration, and that of a further iteration
   Column bias, V1, V2;
   Dense W, K;
   std::vector<Body> before, after;
@@ -46,7 +46,7 @@ struct Solved {
     W = inverse_masses(before);
     K = system.J * W * system.J.transpose();
   }
-  // The size of what the solve had to take away.
+  // The size of the error that the solve had to remove.
   double size() const { return std::max(1.0, (system.J * V1 + bias).largest()); }
   // In float a block near to singular costs digits: as many as its condition number has.
   double loss() const {

@@ -1,4 +1,4 @@
-// Position projection with every kind of joint and with what is awkward: redundant rows, static
+// Position projection with every kind of joint and with awkward scenes: redundant rows, static
 // bodies, points that coincide, joints that were removed, joints that take no part.
 #include "engine/projection.h"
 #include "tests/checker/joint_fixtures.h"

@@ -164,7 +164,8 @@ TEST_CASE("a crate on a soft contact sinks in by its weight") {
   SequentialImpulses solver;
   for (int n = 0; n < 300; ++n) step(world, solver, real(1) / 60, {.warm_start = true});
   const double sunk = -double(contact.gap(world.bodies));
-  // the spring of a corner is made for what resists there, which need not be a quarter of the crate
+  // the spring of a corner is made for the effective mass there, which need not be a quarter of the
+  // crate
   CHECK(sunk > 0.25 * g / std::pow(20 * pi, 2));
   CHECK(sunk < 4 * g / std::pow(20 * pi, 2));
 }

@@ -1,5 +1,5 @@
 // The loop of chapter 7's program: the engine's own solver in fewer instructions, in any order of
-// the hinges and any number of lanes, and what over-relaxation makes of it.
+// the hinges and any number of lanes, and with over-relaxation.
 #include <numeric>
 
 #include "bench/scenes.h"
@@ -81,8 +81,8 @@ World hanging(int links) {
   return world;
 }
 
-// A step's linear system: e = bias + J V before the first iteration, and what an iteration leaves
-// of it.
+// A step's linear system: e = bias + J V before the first iteration, and the error that an
+// iteration leaves of it.
 struct Step {
   System system;
   Dense A;
@@ -272,9 +272,9 @@ TEST_CASE("in a chain that hangs at rest omega 1.9 leaves a smaller gap than 1")
 }
 
 TEST_CASE("with omega 2.1 a hanging chain diverges") {
-  // Two numbers say what a step makes of a mode of the error, and their product is what the
-  // iterations leave of it: 1.1^30 in size. So one of them is at least 1.1^15 = 4.2, and 20 steps
-  // make 10^12 times what rounding left in such a mode: 10^-16 m or, in float, 10^-7 m.
+  // Two numbers say what a step makes of a mode of the error, and their product is the factor that
+  // the iterations leave of it: 1.1^30 in size. So one of them is at least 1.1^15 = 4.2, and 20
+  // steps make 10^12 times what rounding left in such a mode: 10^-16 m or, in float, 10^-7 m.
   auto loop = loop_of<real>(hanging(10), one_by_one(10));
   loop.relaxation = real(2.1);
   double most = 0;

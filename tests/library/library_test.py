@@ -17,7 +17,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-# Of each program: what it must carry, and what it must not.
+# Of each program: the symbols that it must contain, and those that it must not.
 OTHERS = r"Line|Slide|RotationLock|Weld|SliderJoint|FixedJoint"
 PROGRAMS = {"door": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
             "crate": ("Corner::error", rf"{OTHERS}|HingeJoint"),
@@ -85,7 +85,7 @@ def examples_of(prefix):
 
 
 def look_at_build(root, area, folder):
-    """The compiler was pointed at, and has read, nothing of ROOT but what lies in `area`."""
+    """The compiler was pointed at, and has read, nothing of ROOT but `area`."""
     for entry in json.loads((folder / "compile_commands.json").read_text()):
         words = re.split(r"\s|(?<=-I)|(?<=-isystem)", entry["command"])
         read = re.findall(r"^    (.+)$", call("ninja", "-C", folder, "-t", "deps"), re.M)

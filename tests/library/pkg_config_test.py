@@ -1,7 +1,7 @@
 """The library serves a program that is not built with CMake: pkg_config_test.py ROOT BUILD
 
 Installs BUILD, moves what is installed elsewhere, and builds and runs programs of the consumer
-beside this file with nothing but the compiler and what pkg-config says, in double and in float.
+beside this file with nothing but the compiler and the output of pkg-config, in double and in float.
 Exit status 0 when they say what docs/library.md says, 1 otherwise, 2 for a bad command line, 77
 where there is no pkg-config.
 """
@@ -13,7 +13,7 @@ from library_test import Wrong, call, compiler_of, prove
 
 
 def build_and_run(root, area, compiler, library, prefix):
-    """Two programs that pkg-config helps to build with what is below a prefix say their lines."""
+    """Two programs that pkg-config helps to build with the files below a prefix say their lines."""
     os.environ["PKG_CONFIG_PATH"] = str(prefix / "lib" / "pkgconfig")
     flags, libs = (call("pkg-config", what, library).split() for what in ("--cflags", "--libs"))
     for program, source in (("door", "main.cpp"), ("arm", "arm.cpp")):

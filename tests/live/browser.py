@@ -16,7 +16,7 @@ there = looks.there
 
 
 class Browser:
-    """One page; what the console says and what is asked of the network is kept."""
+    """One page; the output of its console and its requests to the network are kept."""
 
     def __init__(self):
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)

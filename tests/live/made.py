@@ -9,7 +9,7 @@ from proofs import exercises, house  # noqa: E402
 
 from website import live  # noqa: E402
 
-# Answers to exercise 1.1, and what the page has to say about them.
+# Answers to exercise 1.1, and the words of the page about them.
 ANSWERS = {
     "endless": ("while (true) {}", None),
     "thrown": ('throw std::runtime_error("too far");', "too far"),

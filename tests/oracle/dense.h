@@ -1,4 +1,4 @@
-// Dense matrices in double, for what the tests work out themselves. All of the arithmetic is
+// Dense matrices in double, for the tests' own calculations. All of the arithmetic is
 // Eigen's. It stands in dense.cpp alone: reading Eigen takes a compiler seconds.
 #pragma once
 

@@ -1,5 +1,5 @@
 // The thesis' chain between two static ends (T 5.1, E44 and E45): what makes it hard, what it does
-// when it is shot at, and what slack changes.
+// when it is shot at, and the effect of slack.
 #include "engine/instruments/rate.h"
 #include "tests/oracle/test.h"
 

@@ -2,9 +2,9 @@
 of chapter 1.
 
 ASKED are calls that no exercise needs; where libseccomp is there they end the tests. VAIN are
-expressions that are true where an attempt succeeds; SHUT is what not even the compiler is to read.
-{root} is the workbook, {other} another submission, {victim} a file that may be written, {port} a
-port of this machine.
+expressions that are true where an attempt succeeds; SHUT is a file that even the compiler may not
+read. {root} is the workbook, {other} another submission, {victim} a file that may be written,
+{port} a port of this machine.
 """
 
 HEAD = """#include <cerrno>
@@ -56,7 +56,7 @@ namespace {{
 }}  // namespace
 """
 
-# What is called, and the word of it that the feedback names.
+# A call, and its word that the feedback names.
 ASKED = {
     "for (int k = 0; k < 150; ++k) if (fork() == 0) for (;;) pause();": "fork",
     'std::system("sleep 1000");': "system",

@@ -75,7 +75,7 @@ class Door:
         assert old in text, f"{old} is not in {self.file}"
         exercises.write(self.file, text.replace(old, new, count))
 
-    # ---- a build folder that links with what is there --------------------------------------------
+    # ---- a build folder that links with an existing build ----------------------------------------
 
     def lend_build(self, folder="build", targets=TARGETS):
         """A build folder in which the reader's file, and nothing else, is compiled."""

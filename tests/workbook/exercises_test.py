@@ -10,7 +10,7 @@ from check import answers
 
 
 def stubs_are_fresh(root, build):
-    """the committed stubs are what the solutions make of them"""
+    """the committed stubs are those made from the solutions"""
     stale = list(would_change("stubs", root, build))
     if os.environ.get("CI") == "true":
         yield from stale

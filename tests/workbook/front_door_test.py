@@ -1,4 +1,4 @@
-"""What a reader types in a copy of the workbook, and what it says: front_door_test.py ROOT BUILD"""
+"""A reader's commands in a copy of the workbook, and their output: front_door_test.py ROOT BUILD"""
 import json
 import os
 import re
@@ -36,7 +36,7 @@ def typed(door, words, status, *expected, hidden=(), wide=False):
 
 
 def the_front_page_shows_a_real_report(root, build):
-    """the report on docs/mainpage.md is what ./wb test 1.1 says of a forgotten sign"""
+    """the report on docs/mainpage.md is the one of ./wb test 1.1 on a forgotten sign"""
     shown = read(root / "docs" / "mainpage.md").split("```\n")[1]
     with Door(root, build) as door:
         door.lend_build()
@@ -141,7 +141,7 @@ def a_damaged_file_is_told(root, build):
 
 
 def an_answer_is_judged_alone(root, build):
-    """an exercise is judged, shown with what it prints, whatever the others of its file do"""
+    """an exercise is judged, shown with its output, whatever the others of its file do"""
     with Door(root, build) as door:
         door.lend_build()
         endless = "while (true) std::this_thread::sleep_for(std::chrono::seconds(1));"
@@ -168,7 +168,7 @@ def an_answer_is_judged_alone(root, build):
 
 
 def crashes_are_told(root, build):
-    """a crash is told in plain words, with its place and what to do next"""
+    """a crash is reported in plain words, with its place and the next thing to do"""
     crashes = {
         "1.1": ("vec3* p = nullptr; if (body1.inverse_mass > 9) p = new vec3(0); p->x = 1;\n"
                 "  return {*p, *p, *p, *p};", "it reached for memory that is not its own"),
@@ -226,7 +226,7 @@ def a_debugger_gets_one_exercise(root, build):
 
 
 def the_editor_types_what_there_is(root, build):
-    """the tasks of .vscode type commands that there are, and what F5 starts is one of them"""
+    """the tasks of .vscode type commands that there are, and F5 starts one of them"""
     tasks, launch = (json.loads(read(root / ".vscode" / f"{name}.json"))
                      for name in ("tasks", "launch"))
     with Door(root, build) as door:

@@ -1,4 +1,4 @@
-"""What ./wb grade makes of what a class has handed in: grade_test.py ROOT BUILD"""
+"""The results of ./wb grade for the submissions of a class: grade_test.py ROOT BUILD"""
 import csv
 import hashlib
 import io
@@ -88,7 +88,7 @@ def tarred(name, text):
 
 
 def tree(folder):
-    """What every file of the copy holds, but for what grading makes."""
+    """The contents of every file of the copy, except the results of grading."""
     return {path: (hashlib.sha1(path.read_bytes()).hexdigest(), path.stat().st_mode)
             for path in folder.rglob("*") if path.is_file() and "out" not in path.parts}
 
@@ -208,7 +208,7 @@ def every_submission_is_judged(root, build):
                            "the feedback: out/grades/class/sign.md")
         yield from c.grade("/zip.zip", 0, "1 submission: 6 done")
         if (door.root / "out" / "grades" / "class.csv").read_bytes() != written:
-            yield "the table of the class is not what it was"
+            yield "the table of the class has changed"
 
 
 def verdicts(c, expected):

@@ -18,7 +18,7 @@ GIVEN = {"engine/simd/arrange.cpp", "chapters/09_direct/program/order.cpp"}
 
 
 def students_can_work_without_solutions(root, build):
-    """an edition for students has no solution in it, and what a student does works there"""
+    """an edition for students has no solution in it, and a student can work there"""
     with Door(root, build) as door:
         door.lend_build()
         yield from typed(door, "show 1.1 --yes", 0, "return {-n", wide=True)

@@ -14,7 +14,7 @@ SECOND_SITTING = "<!-- second sitting -->"  # stands in a text that is too long 
 
 
 def numbers_are_what_the_runs_say(root, build):
-    """every number that is tied to a table, and every table that is made, is what the runs say"""
+    """every number that is tied to a table, and every table that is made, agrees with the runs"""
     yield from would_change("numbers", root, build)
     found = [read(path) for path, _ in texts(root)]
     notes.append(f"{sum(len(list(tied.ties_of(text))) for text in found)} numbers of sentences and "

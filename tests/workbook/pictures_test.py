@@ -1,4 +1,4 @@
-"""The pictures of the texts are what their scripts draw today: pictures_test.py ROOT BUILD"""
+"""The pictures of the texts are as their scripts draw them today: pictures_test.py ROOT BUILD"""
 import sys
 
 from proofs import house, main, read, would_change
@@ -10,7 +10,7 @@ MOST_BYTES = 60_000  # of a result: it is read on a code host, over a network
 
 
 def pictures_are_what_their_scripts_draw(root, build):
-    """every drawing and result is, byte for byte, what its script draws of what is measured"""
+    """every drawing and result is, byte for byte, as its script draws it from the measurements"""
     yield from would_change("pictures", root, build)
 
 

@@ -42,7 +42,7 @@ def run(program, *arguments, **more):
 
 
 def programs_carry_what_they_use(root, build):
-    """a program carries no symbol of what it does not use"""
+    """a program carries no symbol of joints that it does not use"""
     for program, (used, foreign) in PROGRAMS.items():
         symbols = run("nm", "-C", str(build / program)).stdout
         if f"joints::{used}" not in symbols:

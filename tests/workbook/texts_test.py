@@ -17,7 +17,7 @@ FIELD = {"degree of freedom", "constraint", "holonomic", "jacobian", "lagrange m
          "slop", "restitution", "contact point", "manifold", "friction pyramid"}
 OPTIONAL = {"A printed formula that is wrong: find it"}
 THESIS = """1.1 1.2 2 3.1 3.2 3.3 3.4 3.5 3.6 3.7 3.7.1 3.7.2 3.7.3 3.7.4 3.7.5 4 5 5.1 5.2 5.3
-    6""".split()  # its sections, and what it has beside its text
+    6""".split()  # its sections, and its pieces beside the text
 PIECES = ["algorithm 1", "listing 4.1", *(f"figure {n}" for n in "3.1 3.2 3.3 5.3 5.4 5.5 5.6 5.7"
                                           .split()), "figures 5.1 and 5.2", "tables 5.1 and 5.2"]
 

@@ -48,7 +48,7 @@ def indented(words, margin=4):
 # ---- progress ------------------------------------------------------------------------------------
 
 QUIET = 8.0  # a log gets a line of progress at least this often [s], and not much oftener
-_said = {"words": "", "at": time.time()}  # nothing is said of what takes a moment
+_said = {"words": "", "at": time.time()}  # nothing is said of work that takes a moment
 
 
 def progress(words):

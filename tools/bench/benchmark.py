@@ -1,4 +1,4 @@
-"""Error against run time, and what a joint costs as a scene grows: runs, draws, tells the best."""
+"""Error against run time, and the cost of a joint as a scene grows: runs, draws, tells the best."""
 import csv
 import re
 import shutil

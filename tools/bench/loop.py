@@ -16,7 +16,7 @@ def read():
 
 
 def add_instructions():
-    """Fills in what is counted: of a joint and iteration, of a joint and step where it is known."""
+    """Fills in the counts: of a joint and iteration, of a joint and step where it is known."""
     rows = read()
     counts = {(row["variant"], row["chains"]): row for row in instructions.table(
         house.BUILD / "bench" / "loop_float", "--count", "1")}

@@ -27,7 +27,7 @@ def lacking():
 
 
 def machine():
-    """The processor and what the programs are compiled with, without a comma."""
+    """The processor and the compiler of the programs, without a comma."""
     name = platform.processor() or platform.machine()
     try:
         with open("/proc/cpuinfo") as file:

@@ -42,7 +42,7 @@ STUB = "stub"  # the choice that leaves every exercise unwritten
 
 @dataclass
 class Answer:
-    """One known answer and what is promised of it."""
+    """One known answer and its promises."""
     id: str
     kind: str
     told: str                                     # what the heading names

@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from base import house
 from check import dearest, judging, proving
 
-# What Python can see, and what it runs: scripts, and those that cost much and tell little to those
-# who edit a chapter.
+# The parts that Python can see, and those that it runs: scripts, and those that cost much and tell
+# little to those who edit a chapter.
 PROOFS = ("workbook/programs", "workbook/exercises", "workbook/texts", "workbook/sources",
           "workbook/numbers", "workbook/contacts", "workbook/direct_solver",
           "workbook/front_door")
@@ -57,7 +57,7 @@ SCRIPTS = [Script(name, part) for part, names in (("first", PROOFS), ("rest", PR
 
 
 def programs():
-    """The list that CMake writes, as new as what it is made of."""
+    """The list that CMake writes, as new as its sources."""
     subprocess.run(["cmake", "--build", house.BUILD, "--target", "build.ninja"], check=False,
                    capture_output=True)
     lines = (house.BUILD / "tests" / "programs.txt").read_text().split("\n")

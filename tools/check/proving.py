@@ -1,4 +1,4 @@
-"""What ./wb check runs, one thing each, and what it says at the end."""
+"""The parts of ./wb check, one thing each, and its words at the end."""
 import os
 import re
 import subprocess
@@ -108,7 +108,7 @@ def run_script(script, report):
 
 
 def run_chapter(program, report):
-    """A second of a chapter's program, for what the sanitizers find in it."""
+    """A second of a chapter's program, under the sanitizers."""
     house.progress(program)
     command = [house.BUILD / program, "--seconds", "1", "--out", house.BUILD / "out"]
     result = subprocess.run(command, capture_output=True, text=True)

@@ -1,7 +1,7 @@
 """Whose exercise files are alike: a hint for whoever grades, no verdict.
 
 Of each file the runs of symbols are compared, with every name as good as another, so that other
-names, spaces and comments hide nothing. What the solution or a third of the class has, too, does
+names, spaces and comments hide nothing. Code of the solution, or of a third of the class, does
 not count."""
 import re
 from collections import Counter

@@ -39,7 +39,7 @@ def refused(text):
 
 
 def notes(text):
-    """Sentences on what it asks for, with the lines."""
+    """Sentences on its requests, with the lines."""
     code, found = without_comments(text), {}
     for match in INCLUDE.finditer(code):
         name = match[1] or match[2] or match[3]

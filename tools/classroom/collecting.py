@@ -20,7 +20,7 @@ CLOSED = re.compile(r"\.(rar|7z|gz|xz|bz2|zst)$", re.I)  # archives that are not
 SOURCE = re.compile(r"\.(cpp|cc|cxx|txt)$", re.I)
 # What a browser, a system or a reader adds to a name: "Copy of distance (1)_final".
 ADDED = re.compile(r"^copy of |[ _-]*(\(\d+\)|\d+|copy|final|v\d+)$", re.I)
-# Folders of the workbook with files of the same names, and what systems add.
+# Folders of the workbook with files of the same names, and folders that systems add.
 NOT_THEIRS = re.compile(r"^(\..*|__.*|solutions|tests|out|build.*|cmake-build.*)$", re.I)
 EXPECTED = ("A submission is a folder, a zip or a file with exercises, such as distance.cpp or "
             "chapters/01_distance/distance.cpp. Name submissions, or a folder of them: "
@@ -42,7 +42,7 @@ class File:
 
 @dataclass
 class Submission:
-    """What one of the class has handed in, and what came of it."""
+    """A submission of one of the class, and its result."""
     name: str
     files: dict                                 # folder of a chapter: File
     notes: list = field(default_factory=list)   # sentences
@@ -53,7 +53,7 @@ class Submission:
 # ---- files ---------------------------------------------------------------------------------------
 
 class Bag:
-    """The exercise files below a place, and sentences on what cannot be read."""
+    """The exercise files below a place, and sentences on the files that cannot be read."""
 
     def __init__(self, place):
         self.place, self.found, self.notes, self.others, self.count = place, [], [], [], 0
@@ -166,7 +166,7 @@ def is_one(folder):
 
 
 def places_in(place):
-    """(where each submission lies, whether they are a class) of what was named."""
+    """(where each submission lies, whether they are a class) of a named place."""
     if not place.exists():
         raise house.Trouble(f"grade: {place}: there is no such folder")
     if place.is_file() or is_one(place):

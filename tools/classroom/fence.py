@@ -4,7 +4,7 @@ only what it is given, has no network, reaches no other process and leaves none 
 bubblewrap gives it a file system of its own, without anything else in it, and ends all that it has
 started. Where there is none, this file runs the command itself under Linux's Landlock:
 fence.py FENCE COMMAND, with the fence in JSON. Where there is libseccomp for Python, tests that ask
-the system for what no exercise needs are ended at once, in both.
+the system for something that no exercise needs are ended at once, in both.
 """
 import ctypes
 import functools
@@ -144,7 +144,7 @@ def warning():
 # ---- libseccomp ----------------------------------------------------------------------------------
 
 def rules():
-    """Whoever asks for what is never needed is ended with SIGSYS."""
+    """A process that makes a system call that is never needed is ended with SIGSYS."""
     found = seccomp.SyscallFilter(seccomp.ALLOW)
     for name in NEVER:
         try:
@@ -156,7 +156,7 @@ def rules():
 
 @functools.cache
 def rules_file():
-    """The rules in the form that bubblewrap reads, beside what is graded."""
+    """The rules in the form that bubblewrap reads, beside the graded file."""
     path = os.path.join(os.environ.get("TMPDIR", "/tmp"), f"seccomp_{os.getpid()}")
     with open(path, "wb") as file:
         rules().export_bpf(file)
@@ -225,7 +225,7 @@ def tasks():
 # ---- what is left --------------------------------------------------------------------------------
 
 def adopt():
-    """From now on what a submission leaves running becomes a child of this process."""
+    """From now on a process that a submission leaves running becomes a child of this process."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(ADOPT, 1, 0, 0, 0)
 

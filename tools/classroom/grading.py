@@ -57,7 +57,7 @@ def grade_text(text, chapter, line):
 
 def fence_of_compiler(folder, line):
     """What may be read by the commands that compile and link a file that lies in the folder: it,
-    headers, and what is linked; no source that is somebody else's."""
+    headers, and the linked files; no source that is somebody else's."""
     headers = [house.ROOT / "engine", *(house.ROOT / "chapters").glob("*/*.h")]
     objects = [house.BUILD / path for path in re.findall(
         r"(?<=\s)\S+(?:\.[oa]|/where\.cpp)(?=\s|$)", line) if path not in lend.made(line)]
@@ -91,7 +91,7 @@ def ask(folder, chapter, compiler):
 
 
 def grade_all(submissions, chapters):
-    """Grades what was handed in; the same text only once. What is as the stubs are need not be
+    """Grades the submissions; the same text only once. Files that equal the stubs need not be
     compiled."""
     jobs, lines = {}, {}
     for chapter in chapters:
@@ -162,7 +162,7 @@ def tell_chapter(chapter, submissions):
 
 
 def tell_why(submission):
-    """The first report of every exercise that is wrong, and what the compiler says, once."""
+    """The first report of every exercise that is wrong, and the output of the compiler, once."""
     told = set()
     for id_, one in submission.grades.items():
         report = one.failures[0][1] if one.failures else \

@@ -17,7 +17,7 @@ LEFT_OUT = re.compile(r"solutions/|tests/\d\d_\w+/answers/|tests/(?!\d\d_|checke
 
 
 def files():
-    """What belongs to the workbook: nothing that lies beside it, such as what was handed in."""
+    """The files of the workbook: nothing that lies beside it, such as submissions."""
     said = subprocess.run(["git", "-C", house.ROOT, "ls-files", "-z"], capture_output=True,
                           text=True)
     if said.returncode:

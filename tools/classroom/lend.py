@@ -1,5 +1,5 @@
 """A build folder in which a reader's file, and nothing else, is compiled: as another build would
-compile it, and linked with what lies there."""
+compile it, and linked with the files there."""
 import re
 import subprocess
 

@@ -57,7 +57,7 @@ class Within:
 
 
 class Judge:
-    """Grades the exercises. What is wrong of one is put right with the solution, so that it costs
+    """Grades the exercises. A wrong one is replaced by its solution, so that it costs
     the others nothing: those that are right then wait for it."""
 
     def __init__(self, chapter):
@@ -183,7 +183,7 @@ class Judge:
 
     def peel(self, grades):
         """Settles the grades. The first that is wrong is to blame for itself; the others are tried
-        again with the solution's version of it, and of what is not written."""
+        again with the solution's version of it, and of those that are not written."""
         blamed = []
         while grades:
             for one in grades:

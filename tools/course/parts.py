@@ -19,7 +19,7 @@ HERE = house.ROOT / "docs" / "course"
 BUILD = house.BUILD / "course"
 PACKAGES = json.loads((HERE / "packages.json").read_text())
 WASI, CLANG = Path("/usr/include/wasm32-wasi"), "/usr/lib/llvm-*/lib/clang/*"
-# Read by the compiler once, when the course is packed. What a reader includes besides is there.
+# Read by the compiler once, when the course is packed. Other headers of a reader are there, too.
 STANDARD = """algorithm array cassert cmath cstdint cstdio cstdlib cstring deque functional iostream
     limits list map memory numbers numeric optional queue set span sstream stdexcept string tuple
     type_traits utility vector""".split()
@@ -49,7 +49,7 @@ def package(name):
         kind, _, wanted = known["integrity"].partition("-")
         if base64.b64encode(hashlib.new(kind, archive.read_bytes()).digest()).decode() != wanted:
             archive.unlink()
-            raise house.Trouble(f"{name} {known['version']} is not what it was: its {kind} differs")
+            raise house.Trouble(f"{name} {known['version']} has changed: its {kind} differs")
         with tarfile.open(archive) as parts:
             for part in parts.getmembers():
                 path = part.name.partition("/")[2]
@@ -181,7 +181,7 @@ def libraries():
 # ---- headers -------------------------------------------------------------------------------------
 
 def probe(but=()):
-    """A header that includes what the chapters' files do, and what readers often add."""
+    """A header with the includes of the chapters' files, and others that readers often add."""
     named = {line for chapter in house.chapters()
              for line in re.findall(r'^#include "[^"]+"', exercises.read(chapter.solution), re.M)}
     return "".join(f"#include <{name}>\n" for name in STANDARD) + \

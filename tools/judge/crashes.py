@@ -3,7 +3,7 @@ import re
 
 # What the standard library says of an index that is not there: operator[], front(), back(), at().
 OUTSIDE = r"Assertion '(__n < this->size\(\)|!this->empty\(\))'|_M_range_check|array::at"
-ARRAY = re.compile(r"std::array<.*_Tp = ([\w:]+)[;,].*_Nm = (\d+)")  # of what, and of how many
+ARRAY = re.compile(r"std::array<.*_Tp = ([\w:]+)[;,].*_Nm = (\d+)")  # type and number of elements
 SWAPPED = r"Assertion '!\(__hi < __lo\)'"  # of std::clamp
 HEAP = r"^((free|malloc\w*|realloc|munmap_chunk)\(\): |corrupted (size|double)|double free or)"
 # The first that fits is said.

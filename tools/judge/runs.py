@@ -14,12 +14,12 @@ from judge import crashes
 
 # Processor time for the tests of an exercise [s]: they take milliseconds. The proofs wait less.
 LIMIT = int(os.environ.get("WORKBOOK_LIMIT", "4"))
-WAIT = 8  # for what may wait [s]: a busy machine lets others wait, too
+WAIT = 8  # for work that may wait [s]: a busy machine lets others wait, too
 STACK, MEMORY = 256, 1024  # [MB]
-# The limits are the process's own. What runs out of its stack has touched all of it.
+# The limits are the process's own. A process that runs out of its stack has touched all of it.
 LIMITED = "".join(f"ulimit -S {limit} 2>/dev/null; " for limit in (
     f"-s {STACK * 1024}", f"-v {MEMORY * 1024}", "-t $0")) + 'exec "$@"'
-MOST = 1 << 16  # of what it prints is kept [bytes]
+MOST = 1 << 16  # of its output are kept [bytes]
 
 
 @dataclass

@@ -19,7 +19,7 @@ on stand for (without one `$1` is the first cell). In braces stands an expressio
 what may stand in it; with `of`, a column of that table alone is enough) and how it is shown: `2`
 with two digits and all those of a whole number, below a thousandth as a power of ten; `.2` with two
 decimals; `+` before it: with its sign always; `2 mm`: with a unit; `lost > 10000` behind that: this
-word for what is larger, `0 < 1e-9` for what is smaller. `""` is a cell without words; a line that
+word for larger values, `0 < 1e-9` for smaller ones. `""` is a cell without words; a line that
 ends with a backslash goes on in the next.
 """
 import math
@@ -96,7 +96,7 @@ def cell_of(words, known, of, value):
 
 
 def renewed(text, chapter, tables):
-    """(the text with its tables as they are made, [(line, words)] of what changed, of faults)."""
+    """(the text with its tables as they are made, [(line, words)] of changes, of faults)."""
     changes, faults, new = [], [], []
     for match in TABLE.finditer(text):
         line = text.count("\n", 0, match.start("made")) + 1

@@ -1,4 +1,4 @@
-"""Numbers of a text that come from a run: what the text says they are, and what they are.
+"""Numbers of a text that come from a run: as the text states them, and as the run gives them.
 
 Behind a number, or behind several, a text has a comment that no reader sees:
 

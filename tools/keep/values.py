@@ -1,12 +1,12 @@
-"""What an expression is worth: cells of the tables that the programs write, and what is done with
+"""The value of an expression: cells of the tables that the programs write, and operations on
 them.
 
 `FILE[CONDITIONS].COLUMN` is a cell of a table: of the chapter that a text belongs to, of another
 (`06/beta.csv`), of a run with options (`03 --iterations 300/curl.csv`), or of a table that is kept
 (`bench/peers.csv`). A condition is the value of the next column, or `column=value`, `column>=value`
 and so on. A selection of more than one row goes into first, last, max, min, mean, rms, count.
-`printed("limits (\\d+) of 4")` is what the chapter's program says on the terminal.
-`live("scene=chain&t=3", "gap")` is what the live page shows at this address: gap [m], energy [J],
+`printed("limits (\\d+) of 4")` is the output of the chapter's program on the terminal.
+`live("scene=chain&t=3", "gap")` is a number of the live page at this address: gap [m], energy [J],
 or within a step error and first_error [m/s]. `exercises(3)` is how many a chapter has.
 """
 import csv

@@ -51,7 +51,7 @@ def solution(word, yes):
 
 def reset(word, yes, keep):
     """Makes a file anew: with the reader's answers apart from the exercise that is named, or, with
-    `keep`, with all of them. What stood there is kept under out/."""
+    `keep`, with all of them. The old text is kept under out/."""
     chapter, id_ = house.asked(word)
     fresh, mine = exercises.stub(exercises.read(chapter.solution)), chapter.mine_text()
     name, look = house.short(chapter.mine), reading.look(chapter)

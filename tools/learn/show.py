@@ -29,7 +29,7 @@ def run_solution(chapter, quiet=True):
 
 
 def call_program(name, folder, options, quiet):
-    """Runs a program of a chapter. What an earlier run made and this one did not is taken away."""
+    """Runs a program of a chapter. Removes the files that only an earlier run wrote."""
     before = {old: old.stat().st_mtime_ns
               for pattern in ("*.csv", "*.motion.json") for old in folder.glob(pattern)}
     result = subprocess.run([house.BUILD / name, "--out", folder, *options],
@@ -72,7 +72,7 @@ def finite(table):
 
 
 def likely_cause(chapter, written, options):
-    """Which of the reader's exercises may be to blame for a run that went wrong, and what to do."""
+    """Which of the reader's exercises may be to blame for a run that went wrong, and the remedy."""
     if wrong := red(chapter, written or []):
         return f"Likely cause: {wrong}"
     words = "No test finds a mistake in your code." if written else "The code is the solution's."
@@ -138,7 +138,7 @@ def prepare_mine(chapter):
 
 
 def mixed_file(chapter):
-    """The reader's file with what is not written yet taken from the solution."""
+    """The reader's file, completed from the solution where it is not written yet."""
     return house.BUILD / "mixed" / chapter.folder / f"{chapter.name}.cpp"
 
 
@@ -190,14 +190,14 @@ def stale(folder, program):
 
 
 def recorded(chapter):
-    """The folder with what the solution has recorded, in an edition without it."""
+    """The folder with the recordings of the solution, in an edition without it."""
     return chapter.solution.parent / "run"
 
 
 def both_runs(chapter):
     """Sees to it that both recorded runs are there: (solution's folder, reader's or None).
 
-    What ./wb run recorded is kept, with the options it was given: it is what the reader wants to
+    What ./wb run recorded is kept, with the options it was given: the reader wants to
     see. The solution it is laid over has run with the same options.
     """
     written = prepare_mine(chapter)

@@ -11,7 +11,7 @@ from learn.status import COLOURS, status
 from base.talk import bad, bold, faint, folded, good, indented
 
 AT_ONCE = 2  # what is not asked for is not waited for longer [s]
-MOST_PRINTED = 12  # lines of what an answer prints itself
+MOST_PRINTED = 12  # lines of an answer's own output
 
 
 def test(word):
@@ -113,7 +113,7 @@ def tell_printed(words):
 
 
 def tell_broken(chapter, words):
-    """Says where the first error of the compiler lies, and what it means. False: nothing passed."""
+    """Reports the first error of the compiler and its meaning. False: nothing passed."""
     print(f"{house.short(chapter.mine)}: {bad('does not compile')}\n")
     if missing := sorted(set(re.findall(r"undefined reference to [`'](.+)'", words))):
         print(folded(f"These functions are not there, or not with these arguments: "

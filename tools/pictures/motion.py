@@ -81,7 +81,7 @@ def coded(numbers):
 
 def packed(run):
     """A run for the page: frames in whole ten-thousandths, each less what the two before let
-    expect; of readings the gaps and what energy was gained since the first frame, to the digits
+    expect; of readings the gaps and the energy gained since the first frame, to the digits
     that are shown."""
     frames = [[round(1e4 * x) for x in frame] for frame in run["frames"]]
     none = [0] * len(frames[0])

@@ -1,5 +1,5 @@
 """Pages as a browser shows them, many in one start of a headless Chromium: each in a frame, one
-after the other, and what a piece of JavaScript makes of it."""
+after the other, and the result of a piece of JavaScript in it."""
 import json
 import re
 import shutil

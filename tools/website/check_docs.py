@@ -47,7 +47,7 @@ SEARCHES = {
     "how many iterations": "docs_which_method-how-many", "graph coloring": "chapters_07",
     "exercise 2.3": "chapters_02_ball_hints"}
 # All that is asked of a page at the width of a telephone: how wide it is, which listings stand
-# outside the text, which words can hardly be read, and what paper would leave out.
+# outside the text, which words can hardly be read, and which parts paper would leave out.
 LOOK = """(() => {
   if (document.readyState !== "complete") return null;
   const root = document.documentElement, wide = root.scrollWidth, wrong = [];

@@ -57,7 +57,7 @@ def with_formulas(pages):
     return made
 
 
-INCLUDES = "<p><code>#include &lt;"  # behind what a type is
+INCLUDES = "<p><code>#include &lt;"  # after the description of a type
 LIBRARY = ROOT / "docs" / "library.md"
 CLASS = r"(?:struct|class)joints_1_1(\w+)\.html"
 GROUPS = (("use", "To use", "What a program with joints names; the programs of "

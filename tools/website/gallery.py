@@ -25,7 +25,7 @@ SLOT = '<div class="gallery" id="gallery_{}"></div>'
 
 
 class GalleryError(Exception):
-    """What is wrong, and what to do about it, in one line."""
+    """The mistake and its remedy, in one line."""
 
 
 @dataclass

@@ -47,7 +47,7 @@ def missing():
 
 
 def refuse(chapter):
-    """Without the packages: one line that says which, and what there is instead."""
+    """Without the packages: one line that says which, and names the replacement."""
     if lacking := missing():
         raise house.Trouble(
             f"live needs {' '.join(lacking)} (Debian packages). Without them the recorded motion: "
@@ -118,7 +118,7 @@ def build(swaps=None, folder=None):
 # ---- the page ------------------------------------------------------------------------------------
 
 def write_page(page, title, modules, **more):
-    """The page of these modules, [(label, file)]; `more` is what else it is told."""
+    """The page of these modules, [(label, file)]; `more` are its other settings."""
     data = {"title": title, **more, "modules": [
         {"label": label, "wasm": base64.b64encode(file.read_bytes()).decode()}
         for label, file in modules]}
@@ -147,7 +147,7 @@ def source_of(chapter, folder):
 
 
 def named(chapter, written):
-    """The reader's exercises in words, with what their tests said of this file, if they ran."""
+    """The reader's exercises in words, with the results of this file's tests, if they ran."""
     known = grade.recall(chapter)
     return " ".join(id_ if id_ not in known or known[id_].status == grade.DONE
                     else f"{id_} (red)" for id_ in written)

@@ -31,7 +31,7 @@ def summary(chapter):
 
 
 def figure_grid(paths):
-    """Drawn figures, as seen from out/, each with what it shows."""
+    """Drawn figures, as seen from out/, each with a sentence on its content."""
     cells = "".join(
         f'<figure><a href="{path.relative_to(house.OUT)}">'
         f'<img loading="lazy" src="{path.relative_to(house.OUT)}" '
@@ -174,7 +174,7 @@ def write(chapters, seconds, waited):
                      if of_bench(name))
     body = f"""<h1>The Joint Workbook: what was computed</h1>
 <p class="how">{time.strftime("%d %B %Y, %H:%M")}, {machine()}: {waited:.0f} s on the clock,
-{seconds:.0f} s of processor time with what had to be built.</p>
+{seconds:.0f} s of processor time, with the building.</p>
 {findings()}
 <h2>All of it</h2>
 <p>{sentences(chapters)}</p>

@@ -28,7 +28,7 @@
   sum = std::clamp(sum - (rate - motor.speed) / K, -bound, bound);
   return sum - before;
 // right what is left of the bound:
-  // The change is clamped to what the sum has left, up and down.
+  // The change is clamped to the distances of the sum from its bounds.
   const real bound = h * motor.strength, lack = (motor.speed - rate) / K;
   const real change = std::min(std::max(lack, -bound - sum), bound - sum);
   sum += change;

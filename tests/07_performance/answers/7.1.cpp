@@ -86,7 +86,7 @@
   const real C[] = {u.x, u.y, u.z, dot(a1, b), dot(a1, c)};
   for (int i = 0; i < 5; ++i) out.bias[i] = hinge.beta * C[i] / h;
 // right made anew with its K:
-  // Everything at once, and what stood in inverse_K is put back.
+  // Everything at once, and the old contents of inverse_K are put back.
   const HingeNumbers<real> before = out;
   const Jacobian<2> axis = hinge.axis.jacobian(body1, body2);
   const vec3 u = hinge.point.error(body1, body2);

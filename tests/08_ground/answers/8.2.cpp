@@ -159,7 +159,7 @@
 // right friction with smaller and larger: const real wanted = sum - rate / K, bound = mu * normal;
 //         ==> ;; clamp(wanted, -bound, bound) ==> max(-mu * normal, std::min(mu * normal, sum -
 //         rate / K))
-// right friction with what is left of the bound:
+// right friction with the rest of the bound:
   // The change is clamped, between what is left of the bound on both sides.
   const real bound = mu * normal;
   const real change = std::clamp(-rate / K, -bound - sum, bound - sum);

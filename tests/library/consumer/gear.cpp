@@ -1,4 +1,4 @@
-// A gear with a mistake in its row, and what the checker says of it. Exit status 1 unless the
+// A gear with a mistake in its row, and the report of the checker. Exit status 1 unless the
 // checker rejects this gear and accepts the one without the mistake.
 #include <cstdio>
 

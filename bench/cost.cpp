@@ -132,6 +132,7 @@ const Candidate candidates[] = {
     {"engine rows", {.loop = Loop::rows}},
     {"engine packed", {.loop = Loop::packed}},
     {"library default", {.loop = Loop::lanes}},
+    {"textbook", {.loop = Loop::textbook}, true},  // the unit of times in the tables
     {"chapter 7", {.loop = Loop::hinges, .visits = Visits::chain_order}, true}};
 
 // ---- rows and memory ----------------------------------------------------------------------------

@@ -98,7 +98,7 @@ inline Drawn drawn_step(Draw& d, bool ropes) {
 inline Drawn drawn_clamp(Draw& d) {
   const double unit = d.scale(12);
   const double before = d.chance("the sum is 0") ? 0 : unit * std::abs(d.number());
-  const double dlambda = d.size("|dlambda|", unit * d.scale(3) * d.number(), "N s");
+  const double dlambda = d.size("|dlambda|", unit * d.any_size(3), "N s");
   d.size("old sum", before, "N s");
   real sum = real(before);
   const double applied = double(clamp_sum(real(dlambda), sum));

@@ -9,7 +9,8 @@ namespace joints::testing {
 
 /// The rows of a ball joint with levers of any length.
 inline Jacobian<3> drawn_point_rows(Draw& d, const Draw::Units& u) {
-  return jacobian_from_blocks(mat3(-1), skew(d.vector(u.m)), mat3(1), -skew(d.vector(u.m)));
+  const vec3 r1 = d.vector(u.m), r2 = d.vector(u.m);
+  return jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2));
 }
 
 /// Instead of lambda: K lambda beside the rates that it must take away.
@@ -50,7 +51,8 @@ inline Drawn drawn_block_push(Draw& d) {
 /// The rotation from the old orientation to the new one, in units of sin(angle / 2) of a small one.
 inline Drawn drawn_rotation(Draw& d) {
   const real h = real(d.size("h", d.scale(), "s"));
-  const double angle = d.size("angle", d.angle() + (d.chance("more than a turn") ? 30 : 0), "rad");
+  const double turns = d.chance("more than a turn") ? 30 : 0;
+  const double angle = d.size("angle", turns + d.angle(), "rad");
   const vec3 axis = normalize(d.vector());
   const quat q = d.turn();
   const quat mine = turned(q, real(angle) / h * axis, h) * conjugate(q);

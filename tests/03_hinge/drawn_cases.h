@@ -58,7 +58,7 @@ inline Drawn drawn_twist(Draw& d) {
 
 inline Drawn drawn_unwrapped(Draw& d) {
   const double turns = std::floor(d.size("turns", d.scale(5), ""));
-  const double expected = d.number() * d.scale(4), apart = 3 * (2 * d.pick() - 1);
+  const double expected = d.any_size(4), apart = 3 * (2 * d.pick() - 1);
   const double away = (d.number() < 0 ? -2 : 2) * std::numbers::pi * turns;
   const double measured = expected + apart + away;
   return {{"angle [rad]"}, {double(unwrapped(real(measured), real(expected)))}, {expected + apart},
@@ -69,8 +69,8 @@ inline Drawn drawn_limit(Draw& d) {
   const double unit = d.size("range", d.scale(), "rad"), h = d.size("h", d.scale(4), "s");
   const Range range{real(-unit * std::abs(d.number())), real(unit * std::abs(d.number()))};
   const double end = double(d.chance("near the upper limit") ? range.upper : range.lower);
-  const double x = end + unit * d.number() * std::pow(10, -6 * d.pick());
-  const double rate = d.size("|rate|", d.scale() * unit / h * d.number(), "rad/s");
+  const double apart = unit * d.number(), x = end + apart * std::pow(10, -6 * d.pick());
+  const double rate = d.size("|rate|", unit / h * d.any_size(), "rad/s");
   const LimitRow yours = limit_row(range, real(x), real(rate), real(h));
   const double below = x - double(range.lower), above = double(range.upper) - x;
   const bool lower = below + h * rate < above - h * rate;
@@ -83,11 +83,10 @@ inline Drawn drawn_limit(Draw& d) {
 inline Drawn drawn_motor(Draw& d) {
   const double speed = d.size("speed", d.scale(), "rad/s"), h = d.size("h", d.scale(4), "s");
   const double K = d.size("K", d.scale(12), "1/(kg m^2)"), unit = speed / K;
-  const double lacks = d.size("|rate - speed|", speed * d.number() * d.scale(3), "rad/s");
+  const double lacks = d.size("|rate - speed|", speed * d.any_size(3), "rad/s");
   const Motor motor{real(speed * d.number()), real(unit / h * std::abs(d.number()))};
   const double bound = d.size("h strength", h * double(motor.strength), "N m s");
-  const double before = bound * (d.chance("the old sum is beyond the bound") ? 3 : 0.5) *
-                        (d.chance("the old sum is negative") ? -1 : 1);
+  const double before = bound * d.old_sum();
   d.side("the old sum is above 0 and what is lacking, too", lacks < 0 && before > 0);
   real sum = real(before);
   const double change = double(motor_impulse(real(double(motor.speed) + lacks), real(K), motor,

@@ -9,7 +9,7 @@
 namespace joints::testing {
 
 inline Drawn drawn_bias(Draw& d, bool of_limit) {
-  const double C = d.size("|C|", d.scale() * d.number(), "m"), h = d.size("h", d.scale(), "s");
+  const double C = d.size("|C|", d.any_size(), "m"), h = d.size("h", d.scale(), "s");
   const double beta = d.pick();
   d.side("C is negative", C < 0);
   const double yours = double((of_limit ? limit_bias : bias)(real(C), real(beta), real(h)));
@@ -29,8 +29,8 @@ inline Drawn drawn_warm_start(Draw& d) {
   PushCase c{"", {}, {}, d.pair(u)};
   const vec3 before = d.vector(d.size("|lambda|", u.kg * u.m / u.s, "N s"));
   const double ratio = d.size("ratio", d.scale(2), "");
-  const Jacobian<3> J = jacobian_from_blocks(mat3(-1), skew(d.vector(u.m)), mat3(1),
-                                             -skew(d.vector(u.m)));
+  const vec3 r1 = d.vector(u.m), r2 = d.vector(u.m);
+  const Jacobian<3> J = jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2));
   for (int i = 0; i < 3; ++i) c.J.push_back(J[i]), c.lambda.push_back(real(ratio) * before[i]);
   Pair pair = c.pair;
   vec3 lambda = before;

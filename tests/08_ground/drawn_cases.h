@@ -7,12 +7,11 @@
 namespace joints::testing {
 
 inline Drawn drawn_friction(Draw& d) {
-  const double rate = d.size("|rate|", d.scale() * d.number(), "m/s");
+  const double rate = d.size("|rate|", d.any_size(), "m/s");
   const double K = d.size("K", d.scale(12), "1/kg"), stops = std::abs(rate) / K;
   const double mu = d.size("mu", std::abs(d.number()), "");
   const double normal = d.size("normal", stops / mu * d.scale(3), "N s"), bound = mu * normal;
-  const double before = bound * (d.chance("the old sum is beyond the bound") ? 3 : 0.5) *
-                        (d.chance("the old sum is negative") ? -1 : 1);
+  const double before = bound * d.old_sum();
   real sum = real(before);
   const double change = double(friction_impulse(real(rate), real(K), real(mu), real(normal), sum));
   const double right = std::clamp(before - rate / K, -bound, bound);

@@ -88,7 +88,8 @@ inline Drawn drawn_solve(Draw& d) {
 
 inline Drawn drawn_pivot(Draw& d) {
   const double original = d.size("original", d.scale(25), "1/kg");
-  const double left = std::pow(10, -15 * d.pick()) * (d.chance("the pivot is negative") ? -1 : 1);
+  const double sign = d.chance("the pivot is negative") ? -1 : 1;
+  const double left = sign * std::pow(10, -15 * d.pick());
   const double pivot = d.size("pivot", left * original, "1/kg");
   return {{"inverse times original"}, {original * inverse_pivot(pivot, original)},
           {left > dependent_share ? 1 / left : 0}};
@@ -106,7 +107,7 @@ inline Drawn drawn_side(Draw& d) {
   const double beyond = d.size("distance to a bound", unit * std::pow(10, -3 * d.pick()), "N s");
   const bool above = !contact && d.chance("the impulse is near the upper bound");
   const double impulse = (above ? upper : lower) + (d.number() < 0 ? -beyond : beyond);
-  const double rate = d.size("|rate|", d.scale(15) * d.number(), "m/s");
+  const double rate = d.size("|rate|", d.any_size(15), "m/s");
   const Side right = now == Side::free ? impulse < lower   ? Side::lower
                                          : impulse > upper ? Side::upper
                                                            : Side::free

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <numbers>
 
@@ -28,6 +29,10 @@ double Draw::number() {
   const double sign = pick() < 0.5 ? 1 : -1;
   return sign * std::exp2(2 * many().uniform(0, 1) - 1);
 }
+double Draw::any_size(int decades) {
+  const double unit = scale(decades);
+  return unit * number();
+}
 vec3 Draw::vector(double size) {
   const double x = number(), y = number(), z = number();
   return {real(size * x), real(size * y), real(size * z)};
@@ -37,8 +42,15 @@ double Draw::angle() {
   const double sign = pick() < 0.5 ? 1 : -1;
   return nearest + sign * (pick() < 0.3 ? pick() : std::pow(10, -10 * pick()));
 }
-quat Draw::turn() { return rotation(real(angle()) * normalize(vector())); }
+quat Draw::turn() {
+  const real by = real(angle());
+  return rotation(by * normalize(vector()));
+}
 bool Draw::chance(const std::string& words) { return side(words, pick() > 0.7); }
+double Draw::old_sum() {
+  const double size = chance("the old sum is beyond the bound") ? 3 : 0.5;
+  return chance("the old sum is negative") ? -size : size;
+}
 Draw::Units Draw::units(int decades) {
   const Units u{scale(decades), scale(decades), scale(decades)};
   size("mass", u.kg, "kg");
@@ -51,7 +63,9 @@ Draw::Units Draw::units(int decades) {
 Body Draw::body(const Units& u) {
   const double square = u.kg * u.m * u.m;
   const vec3 inertia(real(0.3 * square), real(0.5 * square), real(0.6 * square));
-  Body out = body_with(real(u.kg * std::abs(number())), inertia, vector(u.m), turn());
+  const real mass = real(u.kg * std::abs(number()));
+  const vec3 x = vector(u.m);
+  Body out = body_with(mass, inertia, x, turn());
   out.v = vector(u.m / u.s);
   out.w = vector(1 / u.s);
   return out;
@@ -179,6 +193,20 @@ unsigned seed_of_run() {
   return unsigned(now / 1000 % 100000);
 }
 
+// A number that changes with any number of the cases, and hardly with a rounding error.
+double digest(const std::vector<Trial>& all) {
+  double sum = 0;
+  int place = 0;
+  const auto add = [&](double a) {
+    sum += std::copysign((1 + place++ % 7) * std::log1p(std::abs(a)), a);
+  };
+  for (const Trial& trial : all) {
+    for (const Trait& t : trial.traits) add(t.value);
+    for (const double a : trial.drawn.right) add(a);
+  }
+  return sum;
+}
+
 }  // namespace
 
 void check_drawn(const Subject& subject, const Call<Drawn(Draw&)>& draw, double tolerance,
@@ -197,6 +225,7 @@ void check_drawn(const Subject& subject, const Call<Drawn(Draw&)>& draw, double 
     return all.back();
   };
   for (int n = 0; n < cases; ++n) tried(seed * 1000 + unsigned(n), {});
+  if (std::getenv("WORKBOOK_DRAWN")) std::printf("drawn %.9g\n", digest(all));
   const auto first = std::find_if(all.begin(), all.end(),
                                   [](const Trial& trial) { return trial.wrong; });
   if (first == all.end()) return check(subject, "");

@@ -1,9 +1,11 @@
 // Cases drawn by a seed, over sizes, scales, signs and sides. Each draw reads its choices from a
 // tape of numbers from 0, the simplest, to 1. A case that fails is made simpler, choice by choice,
-// as long as it still fails; what cannot be made simpler is what the mistake depends on.
+// as long as it still fails; what cannot be made simpler is what the mistake depends on. A statement
+// draws once, or in braces: the order of operands and of arguments differs between compilers.
 //
 // The seed of a reader is always the same. With CI=true in the environment it is another one in
-// each run; a report prints it, and WORKBOOK_SEED repeats the run.
+// each run; a report prints it, and WORKBOOK_SEED repeats the run. With WORKBOOK_DRAWN set a
+// digest of the cases is printed, which a test compares with a kept one.
 #pragma once
 
 #include "tests/checker/call.h"
@@ -27,10 +29,12 @@ class Draw {
   int whole(int least, int most);        ///< small numbers are as likely as large ones
   double scale(int decades = 9);         ///< 1, or a power of ten below or above
   double number();                       ///< 0.5 to 2 with a sign: no case is special by chance
+  double any_size(int decades = 9);      ///< such a number times a scale
   vec3 vector(double size = 1);          ///< three such numbers times a size
   double angle();                        ///< any, or near a multiple of pi/2 [rad]
   quat turn();                           ///< about any axis
   bool chance(const std::string& side);  ///< simplest: no. Noted
+  double old_sum();                      ///< of impulses, over their bound. Noted
   struct Units {
     double kg, m, s;
   };

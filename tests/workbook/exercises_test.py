@@ -1,10 +1,12 @@
 """Every exercise is whole: stub, task, hints, tests, known answers: exercises_test.py ROOT BUILD"""
 import os
 import re
+import subprocess
 import sys
 from collections import Counter
 
-from proofs import (exercises, house, main, notes, prose, read, regions, sections, would_change)
+from proofs import (DRAWING, exercises, house, main, notes, other_cases, prose, read, regions,
+                    sections, would_change)
 
 from check import answers
 
@@ -116,9 +118,19 @@ def differ(where, found, wanted):
         yield f"{where}: {' '.join(found)} where {' '.join(wanted)} is wanted"
 
 
+def drawn_cases_are_the_kept_ones(root, build):
+    """a seed draws the same cases with every compiler"""
+    for chapter in house.chapters():
+        house.must_build([f"{chapter.folder}_test"])
+        run = subprocess.run([build / "tests" / f"{chapter.folder}_test"], text=True,
+                             capture_output=True, env={**os.environ, **DRAWING})
+        yield from other_cases("natively", chapter, run.stdout)
+
+
 PROOFS = [stubs_are_fresh, every_region_has_a_task, every_exercise_has_hints,
           every_exercise_stands_in_the_list, every_exercise_has_tests,
-          every_exercise_has_wrong_answers, every_diagnosis_has_one_name]
+          every_exercise_has_wrong_answers, every_diagnosis_has_one_name,
+          drawn_cases_are_the_kept_ones]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

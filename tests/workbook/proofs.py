@@ -3,6 +3,8 @@
 One function a proof; it yields a line for everything that is wrong. Exit status 1 when something is
 wrong, 2 for a bad command line.
 """
+import json
+import math
 import re
 import subprocess
 import sys
@@ -15,6 +17,7 @@ from base.house import files  # noqa: E402, F401
 from keep import keeping, values  # noqa: E402
 
 notes = []
+DRAWING = {"WORKBOOK_DRAWN": "1", "WORKBOOK_SEED": "1"}  # tests print digests of their cases
 to_do = []  # commands that make broken proofs hold
 SLACK = 1.2  # a length is an aim: missed by less it is noted, by more it is wrong
 
@@ -70,6 +73,17 @@ def would_change(kind, root, build):
         notes.extend(set(one.notes) - set(notes))
     if stale:
         to_do.append(f"./wb keep {kind}")
+
+
+def other_cases(where, chapter, printed):
+    """A line where the cases that were drawn are not the kept ones. `printed` with WORKBOOK_DRAWN
+    set: a digest of each test. A rounding error changes the eighth digit."""
+    kept = json.loads(read(house.ROOT / "tests/checker/drawn.json")).get(chapter.folder, 0)
+    found = [float(number) for number in re.findall(r"^drawn (\S+)$", printed, re.M)]
+    if not math.isclose(sum(found), kept, rel_tol=1e-6):
+        yield (f"{where}: the drawn cases of chapter {chapter.number} are not those of "
+               f"tests/checker/drawn.json: the sum of their digests is {sum(found):.2f}, not "
+               f"{kept}. Does a statement draw twice, outside braces?")
 
 
 def folded(text):

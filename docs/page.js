@@ -19,9 +19,19 @@ document.addEventListener("click", event => {
   place.querySelector("figcaption").append(whole);
 });
 
-// Frames that stand in the page from the beginning get the theme once it is known, and again.
+// Frames that stand in the page from the beginning get the theme once it is known, and again. Those
+// of experiments are loaded while they are near the window, and forgotten far from it.
+const near = new IntersectionObserver(seen => {
+  for (const {target, isIntersecting} of seen) target.dataset.near = isIntersecting;
+  dress_frames();
+}, {rootMargin: "600px"});
 function dress_frames() {
   for (const frame of document.querySelectorAll("iframe[data-src]")) {
+    near.observe(frame);
+    if (frame.dataset.near !== "true") {
+      if (frame.dataset.near && frame.src) frame.removeAttribute("src");
+      continue;
+    }
     const [file, hash] = frame.dataset.src.split("#");
     const wanted = `${file}${file.includes("?") ? "&" : "?"}theme=${dark() ? "dark" : "light"}`
       + (hash ? `#${hash}` : "");
@@ -31,6 +41,18 @@ function dress_frames() {
 new MutationObserver(dress_frames).observe(document.documentElement,
                                            {attributes: true, attributeFilter: ["class"]});
 document.addEventListener("DOMContentLoaded", dress_frames);
+
+// A link of a sentence shows its moment in the scene behind it.
+document.addEventListener("click", event => {
+  const link = event.target.closest("a[data-experiment]");
+  if (!link || event.ctrlKey || event.metaKey || event.button) return;
+  event.preventDefault();
+  const frame = document.querySelector(`#${link.dataset.experiment} iframe`);
+  frame.dataset.src = `${link.getAttribute("href")}&only=${frame.dataset.only}`;
+  frame.dataset.near = "true";
+  dress_frames();
+  frame.scrollIntoView({block: "nearest"});
+});
 
 // On paper everything is light.
 let kept = "";

@@ -75,7 +75,7 @@ function write_address(state, about, entry) {
     if (state.settings[name] !== entry.begin[k])
       parts.push(`${name}=${Number(state.settings[name].toPrecision(12))}`);
   });
-  for (const name of ["view", "theme"]) if (state[name]) parts.push(`${name}=${state[name]}`);
+  for (const name of ["view", "theme", "only"]) if (state[name]) parts.push(`${name}=${state[name]}`);
   if (state.t !== undefined) parts.push(`t=${Number(state.t.toPrecision(9))}`);
   if (state.iteration !== undefined) parts.push(`iteration=${state.iteration}`);
   if (state.block) parts.push(`block=${state.block}`);

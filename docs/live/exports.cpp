@@ -2,6 +2,8 @@
 // out before its next call.
 #include <cstring>
 
+#include "chapters/03_hinge/hinge_joint.h"
+#include "chapters/04_slider/slider_joint.h"
 #include "docs/live/run.h"
 
 using namespace joints;
@@ -24,18 +26,43 @@ std::string listed(const List& list, const One& one) {
   return out + "]";
 }
 std::string quoted(const std::string& words) { return '"' + words + '"'; }
-std::string number(double x) {
+std::string decimal(double x) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.17g", x);
   return digits;
 }
-std::string triple(const std::array<double, 3>& a) { return listed(a, number); }
+std::string triple(const std::array<double, 3>& a) { return listed(a, decimal); }
+std::string place(const glm::dvec3& a) { return triple(std::array{a.x, a.y, a.z}); }
 
 std::string line(int body1, const std::array<double, 3>& anchor1, int body2,
                  const std::array<double, 3>& anchor2) {
   return "[" + std::to_string(body1) + "," + triple(anchor1) + "," + std::to_string(body2) + "," +
          triple(anchor2) + "]";
 }
+
+// What is drawn of a driven joint: the axis of body 1 and, for a hinge, the direction in which the
+// centre of body 2 lies while the angle is 0, both in body 1; its limits and its motor.
+template <class Driven>
+std::string driven(const Driven& joint, const vec3& anchor1, const vec3& zero) {
+  const Range range = joint.limits();
+  const auto end = [](real x) { return std::abs(x) < unbounded ? decimal(double(x)) : "null"; };
+  return "{\"body\":" + std::to_string(joint.body1.slot) + ",\"at\":" + place(anchor1) +
+         ",\"axis\":" + place(joint.coordinate().a1_local) + ",\"zero\":" + place(zero) +
+         ",\"lower\":" + end(range.lower) + ",\"upper\":" + end(range.upper) +
+         ",\"speed\":" + decimal(double(joint.motor().speed)) +
+         ",\"strength\":" + decimal(double(joint.motor().strength)) + "}";
+}
+std::vector<std::string> driven_joints(const World& world) {
+  std::vector<std::string> out;
+  for (const auto& joint : world.joints())
+    if (const auto* hinge = dynamic_cast<const HingeJoint*>(joint.get()))
+      out.push_back(driven(*hinge, hinge->first.anchor1_local,
+                           hinge->coordinate().start * -hinge->first.anchor2_local));
+    else if (const auto* slider = dynamic_cast<const SliderJoint*>(joint.get()))
+      out.push_back(driven(*slider, slider->first.anchor1_local, vec3(0)));
+  return out;
+}
+const auto itself = [](const std::string& one) { return one; };
 
 }  // namespace
 
@@ -59,7 +86,7 @@ EXPORT(wb_about)() -> void {
            ",\"watch\":" + quoted(entry.watch) +
            ",\"motor\":" + (fresh.has_motor() ? "true" : "false") +
            ",\"own\":" + (fresh.has_own() ? "true" : "false") +
-           ",\"begin\":" + listed(begin, number) + "}";
+           ",\"begin\":" + listed(begin, decimal) + "}";
   });
   text += "}";
 }
@@ -81,12 +108,22 @@ EXPORT(wb_make)(int scene) -> void {
   }
   for (const Segment& segment : made.segments)
     lines.push_back(line(segment.body1, segment.anchor1, segment.body2, segment.anchor2));
-  text += ",\"lines\":" + listed(lines, [](const std::string& one) { return one; }) +
-          ",\"energy_scale\":" + number(live_run->energy_scale()) + "}";
+  text += ",\"lines\":" + listed(lines, itself) + ",\"marks\":" +
+          listed(made.marks, [](const Mark& mark) {
+            return "[" + std::to_string(mark.body1) + "," + place(mark.anchor1_local) + "," +
+                   std::to_string(mark.body2) + "," + place(mark.anchor2_local) + "," +
+                   place(mark.axis1_local) + "]";
+          }) +
+          ",\"energy_scale\":" + decimal(live_run->energy_scale()) + "}";
 }
 
 /// The settings of the page for the run that is there.
 EXPORT(wb_set)() -> void { live_run->set(page_settings); }
+
+/// The driven joints as they are set now, as JSON.
+EXPORT(wb_driven)() -> void {
+  text = listed(driven_joints(live_run->scene().world), itself);
+}
 
 /// So many steps.
 EXPORT(wb_step)(int count) -> void {

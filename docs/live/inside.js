@@ -27,10 +27,11 @@ function joints_of(numbers) {
   return found;
 }
 
-function arrow(pen, [x1, y1], [x2, y2]) {
+function arrow(pen, [x1, y1], [x2, y2], head) {
   const length = Math.hypot(x2 - x1, y2 - y1);
-  if (length < 3) return;
-  const [u, v] = [(x2 - x1) / length, (y2 - y1) / length], head = Math.min(9, 0.5 * length);
+  if (!head && length < 3) return;
+  const [u, v] = [(x2 - x1) / length, (y2 - y1) / length];
+  head ||= Math.min(9, 0.5 * length);
   pen.beginPath();
   pen.moveTo(x1, y1);
   pen.lineTo(x2, y2);

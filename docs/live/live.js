@@ -6,7 +6,9 @@ const per_panel = words => panels.map(panel =>
   (panels.length > 1 ? `${panel.label}: ` : "") + words(panel)).join("\n");
 
 function reading() {
-  return `t = ${time.toFixed(2)} s\n` + per_panel(({now, us, stopped}) => stopped ? "stopped" : !isFinite(now[2]) ? "not a number" :
+  const slow = playing && pace.rate < 0.97 ? `, ${pace.rate.toPrecision(2)} of real time` : "";
+  return `t = ${time.toFixed(2)} s${slow}\n` + per_panel(({now, us, stopped}) =>
+    stopped ? "stopped" : !isFinite(now[2]) ? "not a number" :
     `gap ${metres(now[1])} · energy ${now[2] > 0 ? "+" : ""}${short(now[2])} J · ` +
     `${us ? Math.round(us) : "…"} µs a step`);
 }
@@ -38,6 +40,9 @@ function says() {
                 ` times the energy that the scene began with. ${cause(panel)}`);
   }
   if (said.length) return [said.join("\n"), true];
+  if (held?.keyed)
+    return [`You hold ${held.keyed}: arrows pull it, tab takes the next one, escape lets go.`,
+            false];
   const talk = panels.find(panel => panel.printed)?.printed.trim().split("\n").at(-1);
   if (talk) return [`Your code prints: ${talk}`, false];
   if (settings.own)
@@ -58,8 +63,10 @@ function show() {
   if (!scene || !panels.every(panel => panel.run)) return;
   for (const panel of panels) {
     panel.painted = draw(panel, scene, 0);
-    if (inside && panel.joints && panel.painted)
-      paint_inside(panel.painted, panel.joints, panel.first_error);
+    if (!panel.painted) continue;
+    if (inside && panel.joints) paint_inside(panel.painted, panel.joints, panel.first_error);
+    else if (isFinite(panel.now[2])) paint_joints(panel.painted, panel.run, panel.driven);
+    if (held?.panel === panel) paint_hand(panel.painted, held);
   }
   plots.gap($("gap"), panels, time);
   plots[view]($("second"), panels, time);
@@ -68,7 +75,7 @@ function show() {
   $("reading").textContent = reading();
   $("hand").hidden = Boolean(settings.own);
   const [words, bad] = says();
-  $("said").textContent = words;
+  if ($("said").textContent !== words) $("said").textContent = words;  // each change is read out
   $("said").classList.toggle("bad", bad);
   const does = playing ? "Pause" : "Play";
   $("play").setAttribute("aria-label", does);
@@ -78,7 +85,8 @@ function settled() {  // what changes only when something was pressed
   show_controls(settings, entry, about, wrong);
   const still = !playing && straight && time > 0;
   write_address({settings, view: view === "energy" ? "" : view,
-                 theme: last_of(first_address, "theme"), t: still || inside ? time : undefined,
+                 theme: last_of(first_address, "theme"), only: only?.name,
+                 t: still || inside ? time : undefined,
                  iteration: inside?.iteration, block: inside?.block}, about, entry);
 }
 function ask() {
@@ -90,6 +98,10 @@ function tick(now) {
   if (playing && !busy) {
     owed = Math.min(owed + Math.max(now - before, 0) / 1000, 0.1);
     before = now;
+    if (now - pace.wall > 1000) {
+      if (time > pace.time) pace.rate = 1000 * (time - pace.time) / (now - pace.wall);
+      Object.assign(pace, {wall: now, time});
+    }
     if (panels.every(gone)) play(false);  // there is nothing to be seen any more
     const count = playing ? Math.floor(owed / settings.h + 1e-9) : 0;
     if (count) {
@@ -109,6 +121,7 @@ function tick(now) {
 function play(on) {
   playing = on && alive().length > 0;
   before = performance.now();
+  pace = {rate: 1, wall: before, time};
   if (on) inside = null;
   settled();
   ask();
@@ -119,14 +132,17 @@ const then_show = job => in_line(job).then(() => { settled(); ask(); });
 function make_panel({label, wasm}) {
   const figure = document.createElement("figure");
   figure.innerHTML = `<figcaption><i></i></figcaption><p role="status"></p>` +
-                     `<canvas tabindex="0" role="img"></canvas>`;
+                     `<canvas tabindex="0" role="application"></canvas>`;
   const [caption, note, canvas] = figure.children;
   caption.append(label);
   caption.hidden = false;
   caption.firstChild.style.background = rgb(colours[label], 0.5);
-  canvas.setAttribute("aria-label", `${label}: a picture that moves, its bodies can be dragged`);
+  canvas.setAttribute("aria-label", `${label}: a picture that moves. Enter takes a body, arrows ` +
+                                    "pull it, shift and arrows turn the picture.");
   const panel = {label, figure, canvas, note, engine: new Engine(label, wasm), kept: [],
                  samples: [], now: [0, 0, 0], us: 0, stopped: ""};
+  canvas.addEventListener("keydown", e => take_by_keys(panel, e));
+  canvas.addEventListener("blur", () => { if (held?.keyed) let_go(); });
   listen(canvas, e => take(panel, e));
   return panel;
 }
@@ -192,14 +208,18 @@ const keys = {" ": () => play(!playing), ArrowRight: () => $("one").click(),
               i: () => $("iteration").click(), b: () => $("block").click()};
 
 const data = JSON.parse($("data").textContent), first_address = read_address();
+// The one setting that a page around this one asks for.
+const only = controls.find(control => control.name === last_of(first_address, "only"));
 async function start() {
   dress(ask, last_of(first_address, "theme"));
   document.title = data.title;
-  $("title").textContent = data.title;
+  $("title").textContent = only && framed ? "" : data.title;
   if (data.back && !framed) $("title").append(Object.assign(document.createElement("a"), data.back));
   if (framed)
     $("title").append(Object.assign(document.createElement("a"), {
-      textContent: "with settings and curves", href: location.href, target: "_top"}));
+      textContent: "all settings and curves", href: "#", target: "_top", onclick() {
+        this.href = location.href.replace(/[?&]theme=\w+/, "").replace(/&only=\w+/, "");
+      }}));
   if (data.note) $("title").append(Object.assign(document.createElement("small"),
                                                  {textContent: data.note}));
   panels = data.modules.map(make_panel);
@@ -214,6 +234,11 @@ async function start() {
     $("scenes").append(tab);
   }
   make_controls($("controls"), (name, value) => then_show(() => change(name, value)));
+  if (only) {
+    document.documentElement.classList.add("only");
+    document.documentElement.classList.toggle("within", first_address.has("iteration"));
+    $("controls").prepend(only.label);
+  }
   $("play").onclick = () => play(!playing);
   $("again").onclick = () => then_show(restart).then(() => play(true));
   $("one").onclick = () => { playing = false; then_show(() => steps(1)); };

@@ -6,7 +6,8 @@ let time = 0, playing = false, busy = false, asked = false, before = 0, owed = 0
 let inside = null;    // {iteration, block} while the page looks into a step
 let straight = true;  // the run is what its address says: nothing was changed or dragged on the way
 let view = "energy", wrong = "", refusal = "", looked = 0;
-let held = false;     // a hand holds a body
+let held = null;      // {panel, body, point, local}: a hand holds a body by one of its points
+let pace = {rate: 1, wall: 0, time: 0};  // of the run, and since when it has been counted
 
 // One thing after the other: whoever wants something of the engines stands in line.
 let line = Promise.resolve();
@@ -35,14 +36,15 @@ async function ask_all(what, more, use = () => {}, patience) {
 const blown_up = panel => panel.now[2] > panel.scale;
 const gone = panel => !(panel.now[2] < 1000 * panel.scale);
 
-function take_state(panel, {state}) {
+function take_state(panel, {state, driven}) {
+  panel.driven = driven;
   panel.now = Array.from(state.slice(0, 3));
   panel.run.frames = [Array.from(state.slice(3))];
 }
 
 async function restart() {
   time = owed = 0;
-  inside = null;
+  inside = held = null;
   straight = true;
   wrong = refusal = "";
   for (const panel of panels)
@@ -50,7 +52,8 @@ async function restart() {
                           counted: 0, now: [0, 0, 0], by_hand: 0, scale: Infinity, printed: ""});
   await ask_all("make", {name: entry.name, settings}, (panel, made) => {
     const known = scene.runs[0];
-    panel.run = {label: panel.label, dt: 1, lines: made.lines, endless: known.endless,
+    panel.run = {label: panel.label, dt: 1, lines: made.lines, marks: made.marks,
+                 endless: known.endless,
                  bodies: made.bodies.map((body, k) => ({...known.bodies[k], ...body}))};
     panel.scale = made.energy_scale;
     take_state(panel, made);
@@ -162,7 +165,8 @@ async function change(name, value) {
   for (const [other, best] of name === "direct" ? Object.entries(with_direct) : [])
     tried[other] = value ? best : entry.begin[about.settings.indexOf(other)];
   try {
-    for (const panel of alive()) await panel.engine.ask("set", {settings: tried});
+    for (const panel of alive())
+      panel.driven = (await panel.engine.ask("set", {settings: tried})).driven;
   } catch (error) {
     if (!(error instanceof Refused)) throw error;
     for (const panel of alive()) await panel.engine.ask("set", {settings});

@@ -54,7 +54,10 @@ function try_settings(settings) {
     use({exports: running});
   }
 }
-const state = () => ({state: numbers(module.wb_state())});
+const state = () => {
+  module.wb_driven();
+  return {driven: JSON.parse(text(module.wb_text())), state: numbers(module.wb_state())};
+};
 
 // So many steps; of each of them time, gap and energy.
 function steps({count}) {

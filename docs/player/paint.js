@@ -6,6 +6,7 @@ const style = name => getComputedStyle(document.documentElement).getPropertyValu
 const parts = name => [1, 3, 5].map(at => parseInt(style(name).slice(at, at + 2), 16));  // #rrggbb
 const colours = {yours: parts("--yours"), "the solution": parts("--solution"),
                  still: parts("--still"), line: parts("--line")};
+const every_second = {yours: parts("--yours-next"), "the solution": parts("--solution-next")};
 const rgb = (colour, light) => {  // light 0 .. 1: darker than the colour below 0.5, paler above
   const s = 2 * light - 1;
   return `rgb(${colour.map(c => Math.round(c + s * (s < 0 ? 0.75 * c : 0.55 * (255 - c))))})`;
@@ -151,9 +152,8 @@ function paint(pen, thing, view, colour) {
     pen.fill();
   } else {
     const large = thing.right - thing.left > 24;  // a small one gets bolder instead of edges
-    const base = thing.odd && !thing.still ? 0.33 : 0.25;  // so that links of a chain can be told
     for (const {n, points} of thing.faces) {
-      const light = clamp(base + 0.48 * dot(n, view.light), 0.16, 0.85);
+      const light = clamp(0.25 + 0.48 * dot(n, view.light), 0.16, 0.85);
       pen.fillStyle = rgb(colour, light);
       pen.strokeStyle = rgb(colour, large ? light - 0.1 : light);
       pen.lineWidth = large ? 0.8 : 1.3;
@@ -214,7 +214,8 @@ function draw({canvas, run, note}, scene, time) {
   paint_ground(pen, view, scene, run, bodies);
   if (bodies.length) paint_way(pen, view, run, scene, time);
   for (const thing of painters_order(things, view.eye))
-    paint(pen, thing, view, thing.still ? colours.still : colours[run.label]);
+    paint(pen, thing, view, thing.still ? colours.still
+      : (thing.odd ? every_second : colours)[run.label]);
   paint_labels(pen, view, things);
   paint_scale(pen, view);
   const moving = thing => !thing.still && !thing.line, says = [];

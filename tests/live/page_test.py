@@ -4,7 +4,6 @@ Skipped, with exit status 77, where Chromium or the packages that make WebAssemb
 """
 import re
 import sys
-import time
 from functools import lru_cache
 
 import browser
@@ -224,41 +223,6 @@ def causes_are_told_apart(root, build):
             yield f"where the code matters: {here.text_of('watch')}"
 
 
-def bodies_are_dragged(root, build):
-    """mouse and finger take a body along; beside it they turn the picture"""
-    address = (build / "live" / "alone.html").as_uri()
-    with browser.Browser() as here:
-        for finger, (width, height) in ((False, WIDE), (True, PHONE)):
-            here.open(f"{address}#scene=chain&t=3", width, height)
-            if finger:
-                here.call("Emulation.setTouchEmulationEnabled", enabled=True)
-            here.ask("scrollTo(0, 0)")
-            x, y = here.ask("""(() => { const {painted, canvas} = panels[0];
-                const b = canvas.getBoundingClientRect();
-                const [x, y] = project(painted.view, painted.bodies[12].x);
-                return [b.left + x, b.top + y]; })()""")
-            before = here.ask("[...panels[0].painted.bodies[12].x, camera.yaw]")
-            # Towards the middle of the picture, and held there.
-            path = [(x + 2 * k, y - 3 * k) for k in range(30)] + [(x + 60, y - 90)] * 20
-            here.drag(path, finger)
-            after = here.ask("[...panels[0].painted.bodies[12].x, camera.yaw]")
-            way = sum((a - b) ** 2 for a, b in zip(before[:3], after[:3])) ** 0.5
-            name = "the finger" if finger else "the mouse"
-            if way < 0.5:
-                yield f"{name} moves the last link by {way:.2f} m"
-            if before[3] != after[3]:
-                yield f"{name} turns the picture as well"
-            if "t=" in hash_of(here):
-                yield f"after a drag the address has a time: {hash_of(here)}"
-            here.click("#play")
-            time.sleep(0.2)
-            here.drag([(width / 4 + 3 * k, y) for k in range(10)], finger)
-            if here.ask("camera.yaw") == after[3]:
-                yield f"{name} beside the bodies does not turn the picture"
-            if here.console:
-                yield f"the console says {here.console}"
-
-
 def a_question_comes_first(root, build):
     """the first question is asked, tried and answered; it can be skipped"""
     address = (build / "live" / "alone.html").as_uri()
@@ -297,7 +261,7 @@ def an_endless_loop_stops_alone(root, build):
 
 
 PROOFS = [it_opens, an_address_is_a_state, texts_say_what_is_shown, settings_work,
-          one_looks_into_a_step, causes_are_told_apart, bodies_are_dragged, a_question_comes_first,
+          one_looks_into_a_step, causes_are_told_apart, a_question_comes_first,
           an_endless_loop_stops_alone]
 
 if __name__ == "__main__":

@@ -14,7 +14,8 @@ from pictures.solid import (UPRIGHT, clamp, dot, ends_of, ground_of, lines_of, p
 WIDTH, HEIGHT = 320, 200
 FOCAL = 1.6 * WIDTH
 PITCH = 0.26
-MOVING, STILL, LINE = rgb("solution"), rgb("still"), named("line")
+MOVING, EVERY_SECOND, STILL = rgb("solution"), rgb("solution-next"), rgb("still")
+LINE = named("line")
 
 
 # ---- the camera ----------------------------------------------------------------------------------
@@ -123,7 +124,7 @@ def draw(thing, view):
     if thing.ends:
         return (f'<path d="{path([view.project(p) for p in thing.ends], False)}" stroke="{LINE}" '
                 'stroke-width="1.2" stroke-linecap="round" fill="none"/>')
-    base = STILL if thing.still else MOVING
+    base = STILL if thing.still else EVERY_SECOND if thing.odd else MOVING
     if thing.ball:
         x, y, depth = view.project(thing.x)
         r = max(FOCAL * thing.half[0] / depth, 1.5)
@@ -131,8 +132,7 @@ def draw(thing, view):
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{r:.1f}" fill="url(#ball-{kind})"/>'
     parts = []
     for n, points in faces(thing, view, lambda n, x: dot(n, sub(view.eye, x)) > 0):
-        light = clamp((0.33 if thing.odd and not thing.still else 0.25) + 0.48 * dot(n, view.light),
-                      0.16, 0.85)
+        light = clamp(0.25 + 0.48 * dot(n, view.light), 0.16, 0.85)
         parts.append(f'<path d="{path([view.project(p) for p in points])}" '
                      f'fill="{colour(base, light)}" stroke="{colour(base, light - 0.1)}"/>')
     return "".join(parts)

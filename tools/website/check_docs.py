@@ -3,14 +3,14 @@
 
 SITE_DIR is the folder html that docs.py made, REPORT the page that ./wb tour ends with. Without a
 browser: links and pictures of all pages lead somewhere, every formula is drawn, each chapter shows
-a figure and a motion and has 15 links, pictures are told in a sentence, each page has its language,
-its first heading and its main part, each type of rows shows its C, J and K, each joint's an
-example, the list of types has three groups, the gallery has a picture for every recording, and the
-site is no larger than it may be. In headless Chromium: no page is wider than its window at 390
-pixels, listings stand where the text does, every word can be told from its background in the light
-and in the dark, paper shows the text alone, the letters of drawings are large enough, thirty
-searches find the wanted page among the first three, and every motion plays. Where there is no
-Chromium that is skipped, and the last line says so.
+a figure, a motion and a live scene and has 15 links, pictures are told in a sentence, each page has
+its language, its first heading and its main part, each type of rows shows its C, J and K, each
+joint's an example, the list of types has three groups, the gallery has a picture for every
+recording, and the site is no larger than it may be. In headless Chromium: no page is wider than its
+window at 390 pixels, listings stand where the text does, every word can be told from its background
+in the light and in the dark, paper shows the text alone, the letters of drawings are large enough,
+thirty searches find the wanted page among the first three, and every motion plays. Where there is
+no Chromium that is skipped, and the last line says so.
 Exit status: 0 good or skipped, 1 something is wrong, 2 no site there.
 """
 import json
@@ -167,8 +167,18 @@ def chapters_of(sources):
             if re.fullmatch(r"chapters_\w+_README.html", page.name)}
 
 
+def experiment_open(body):
+    """True if a live scene stands outside all folds."""
+    folds = 0
+    for mark in re.findall(r'<details|</details>|<div class="experiment"', body):
+        folds += {"<details": 1, "</details>": -1}.get(mark, 0)
+        if folds == 0 and mark.startswith("<div"):
+            return True
+    return False
+
+
 def bad_chapters(sources):
-    """Chapters without a figure, a motion, a way on, or enough links."""
+    """Chapters without a figure, a motion, a live scene, a way on, or enough links."""
     for page, html in chapters_of(sources).items():
         body = html[html.index('<div class="textblock">'):]
         links = set(re.findall(r'<a [^>]*href="([\w.-]+\.html[^"]*)"', body))
@@ -176,6 +186,8 @@ def bad_chapters(sources):
                             ("motion", '<a class="recording"' in body),
                             ("way on", body.count('rel="next"') == 2),
                             ("exercises with hints", re.search(HINTS, body)),
+                            ("live scene beside its sentence, open",
+                             "live.html" not in html or experiment_open(body)),
                             (f"{LINKS} links", len(links) >= LINKS)):
             if not there:
                 yield f"{page.name}: no {what}"

@@ -16,8 +16,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from base import house  # noqa: E402
 from learn import show  # noqa: E402
 from pictures import figures, motion  # noqa: E402
-from website import (classes, formulas, front, gallery, links, live, shell, texts,  # noqa: E402
-                     words)
+from website import (classes, experiments, formulas, front, gallery, links, live,  # noqa: E402
+                     shell, texts, words)
 
 ROOT = Path(__file__).resolve().parents[2]
 THEME = Path("/usr/share/doxygen-awesome-css/doxygen-awesome.css")
@@ -110,7 +110,11 @@ def finish(html, recordings, tags):
     if not formulas.node():
         for part in formulas.PARTS:
             copy(formulas.MATHJAX / part, html / "mathjax" / part)
-    if not (html / "live.html").exists():
+    if (html / "live.html").exists():
+        for chapter in house.chapters():
+            page = shell.text_of(chapter)
+            pages[page] = experiments.with_experiments(pages[page])
+    else:
         pages = {page: links.without_live(text) for page, text in pages.items()}
     targets = links.Targets(pages, tags)
     pages = {page: links.linked(text, page, targets) for page, text in pages.items()}

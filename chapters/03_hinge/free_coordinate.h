@@ -1,75 +1,400 @@
-// The free coordinate of a joint: its limits as parts, its whole turns, and when it need not be
-// measured. Given: there is nothing to edit here.
+// The free coordinate of a joint: an angle or a displacement, and everything that acts on it. Given:
+// there is nothing to edit here.
 #pragma once
 
-#include "chapters/03_hinge/hinge.h"
-#include "engine/joint.h"
+#include <memory>
+
+#include "chapters/03_hinge/limits_and_springs.h"
 
 /// \addtogroup chapter3
 /// @{
 namespace joints {
 
-/// One limit of a coordinate as a part: C = sign (x - bound) >= 0.
+/// One free coordinate of a joint, an angle [rad] or a displacement [m], and everything that acts on
+/// it: limits, a motor or a servo, friction, a spring. Each has a row of its own while it acts. A
+/// joint may have any number of coordinates.
+///
+/// A joint calls choose() when a step begins, append() or its two halves for the blocks, and late()
+/// after each solve. The coordinate is measured when a step begins; a motor alone does not need it.
+/// Turns are counted from step to step while something acts on the coordinate: the angle at the end
+/// of a step is expected to be x + h dx/dt.
 template <class Coordinate>
-struct Limit {
-  Coordinate coordinate;  ///< the part whose error is x
-  real bound = 0;         ///< the value of x at the limit [rad or m]
-  real sign = 1;          ///< +1 for a lower limit, -1 for an upper one
+class FreeCoordinate {
+ public:
+  /// \param joint the joint to which it belongs \param coordinate the part whose error is x
+  /// \param limit_impulse where the limit's impulse is, if its row belongs to a block of the joint
+  FreeCoordinate(const Joint& joint, const Coordinate& coordinate, real* limit_impulse = nullptr)
+      : joint_(joint), coordinate_(coordinate), limit_impulse_(limit_impulse) {}
 
-  static constexpr int rows = 1;           ///< one row
-  static constexpr bool one_sided = true;  ///< its impulse only increases C
-  static constexpr Form form = Coordinate::form;  ///< the form of its row
-  /// C, the gap to the limit [rad or m]; negative beyond it.
-  real error(const Body& body1, const Body& body2) const {
-    return sign * (coordinate.error(body1, body2) - bound);
+  /// The part whose error is x and whose jacobian is the row of everything that acts on x.
+  const Coordinate& coordinate() const { return coordinate_; }
+  /// Replaces that part. \throws std::invalid_argument from its check()
+  void set_coordinate(const Coordinate& coordinate) {
+    check(coordinate);
+    coordinate_ = coordinate;
+    if (data_) data_->leeway.forget();
   }
-  /// The row of the coordinate, times the sign of the limit.
-  Row jacobian(const Body& body1, const Body& body2) const {
-    const Row J = coordinate.jacobian(body1, body2);
-    return {sign * J.v1, sign * J.w1, sign * J.v2, sign * J.w2};
+
+  /// Sets the limits of the coordinate [rad or m]. Equal limits hold it at that value, and infinite
+  /// ones have no effect. If the joint has not counted turns so far, limits less than a turn apart
+  /// determine the turn: the one in which the angle is between them or nearest to them. With wider
+  /// limits the turn is ambiguous; call expect() to choose it.
+  /// \throws std::invalid_argument unless lower <= upper and both are infinite or within max_limit
+  void set_limits(real lower, real upper) {
+    check(Range{lower, upper});
+    change().range = {lower, upper};
   }
+  /// Removes both limits.
+  void clear_limits() {
+    if (data_) change().range = {};
+  }
+  /// Sets the motor; it replaces a servo. \param speed target [rad/s or m/s]
+  /// \param strength [N m or N], 0 for no motor
+  /// \throws std::invalid_argument unless the speed is within max_speed and the strength at least 0
+  void set_motor(real speed, real strength) {
+    check(Motor{speed, strength});
+    change().motor = {speed, strength};
+    data_->servo = false;
+  }
+  /// A position drive with a bounded speed: a motor that removes the fraction Joint::beta of the
+  /// remaining displacement in each step. It replaces the motor; for a drive with a stiffness set a
+  /// spring with a strength. \param target value of x [rad or m] \param speed greatest speed, not
+  /// negative [rad/s or m/s] \param strength [N m or N], 0 for no servo
+  /// \throws std::invalid_argument for a target beyond max_limit, or as set_motor()
+  void set_servo(real target, real speed, real strength) {
+    require(std::abs(target) <= max_limit, "target", target, "must be within 1e9 [rad or m]");
+    require(speed >= 0, "speed", speed, "of a servo must not be negative [rad/s or m/s]");
+    set_motor(speed, strength);
+    data_->servo = true;
+    data_->target = target;
+  }
+  /// Dry friction, beside the motor if there is one: it opposes the motion with this torque or
+  /// force and holds the coordinate at rest if that suffices.
+  /// \param strength [N m or N], 0 for none \throws std::invalid_argument if it is negative
+  void set_friction(real strength) {
+    check(Motor{0, strength});
+    change().friction = strength;
+  }
+  /// Sets the spring; one without stiffness and damping removes it. With a strength it is a
+  /// position drive. \throws std::invalid_argument as check(const Spring&)
+  void set_spring(const Spring& spring) {
+    check(spring);
+    change().spring = spring;
+  }
+  /// Sets the value of the coordinate to within half a turn, from which turns are counted. Use it
+  /// for bodies that were placed or loaded more than half a turn from zero, or to reset the count.
+  /// \param x [rad or m] \throws std::invalid_argument unless it is finite
+  void expect(real x) {
+    require(finite(x), "x: must be finite [rad or m]");
+    change().next = x;
+    data_->counting = true;
+  }
+  Range limits() const { return data_ ? data_->range : Range{}; }     ///< the limits
+  Motor motor() const { return data_ ? data_->motor : Motor{}; }      ///< the motor or servo
+  real friction() const { return data_ ? data_->friction : real(0); } ///< its strength [N m or N]
+  Spring spring() const { return data_ ? data_->spring : Spring{}; }  ///< the spring
+
+  /// The coordinate [rad or m]. Turns are counted only while something acts on it; see expect().
+  real position(const Bodies& bodies) const {
+    return counted_from(expected(bodies), bodies[joint_.body1], bodies[joint_.body2]);
+  }
+  /// The rate of the coordinate [rad/s or m/s]. With Stepping::leapfrog it lags by half a step;
+  /// synchronised() in step.h returns bodies without this lag.
+  real speed(const Bodies& bodies) const {
+    const Body &a = bodies[joint_.body1], &b = bodies[joint_.body2];
+    return row_velocity(coordinate_.jacobian(a, b), a, b);
+  }
+  /// The torque or force of the motor or servo in the last step [N m or N]. Positive ones increase
+  /// the coordinate, here and below.
+  real motor_force() const { return data_ ? force(data_->motor_impulse, data_->shift) : real(0); }
+  /// The torque or force of the friction in the last step [N m or N].
+  real friction_force() const {
+    return data_ ? force(data_->friction_impulse, -data_->shift) : real(0);
+  }
+  /// The torque or force of the spring in the last step [N m or N].
+  real spring_force() const { return data_ ? force(data_->spring_impulse) : real(0); }
+  /// The torque or force of the limits in the last step [N m or N].
+  real limit_force() const {
+    if (!data_) return 0;
+    return force(data_->limit.sign * limit_impulse() + data_->late.sign * data_->late_impulse);
+  }
+
+ protected:
+  template <class, class...>
+  friend class WithCoordinates;
+
+  /// False until something is set; then there is nothing to do.
+  bool in_use() const { return data_ != nullptr; }
+  /// Chooses the rows of a step that begins. \param h step [s]
+  [[gnu::noinline]] void choose(const Bodies& bodies, real h) {
+    if (!data_ || data_->idle) return;
+    const Body &a = at(bodies, joint_.body1), &b = at(bodies, joint_.body2);
+    const bool near = data_->leeway.is_slow(a, b, h) && data_->leeway.still_near(a, b);
+    if (!near || data_->measured) choose_rows(bodies, h, near);
+  }
+  /// Appends the rows of spring, friction and motor that act.
+  void append_drives(const Bodies& bodies, Blocks& blocks) const {
+    if (data_ && data_->pushed) append_acting(bodies, blocks);
+  }
+  /// True if a limit has a row since the step began.
+  bool limited_now() const { return data_ && data_->limit.live; }
+  /// That limit as a part.
+  Limit<Coordinate> limit() const { return limit_part(data_->limit.sign); }
+  /// The target of its row.
+  RowTarget limit_target() const {
+    return {.beta = joint_.beta,
+            .frequency = joint_.frequency,
+            .damping = joint_.damping,
+            .lower = data_->held() ? -unbounded : real(0)};
+  }
+  /// Appends the block of that limit, if it is not in another block.
+  void append_limit(const Bodies& bodies, Blocks& blocks) const {
+    if (limited_now()) append_row(bodies, blocks, data_->limit.sign, limit_impulse());
+  }
+  /// Appends the block of a limit that was found late.
+  void append_late(const Bodies& bodies, Blocks& blocks) const {
+    if (data_ && data_->late.live)
+      append_row(bodies, blocks, data_->late.sign, data_->late_impulse);
+  }
+  /// Expects the coordinate at the end of the step, and appends a limit that the new velocities
+  /// would pass until then. \param h step [s]
+  [[gnu::noinline]] void late(const Bodies& bodies, real h, Blocks& blocks) {
+    if (!data_ || data_->idle) return;
+    if (!data_->leeway.is_slow(at(bodies, joint_.body1), at(bodies, joint_.body2), h))
+      find_late(bodies, h, blocks);
+  }
+  /// Measures again if projection has moved the bodies so far that a turn could be missed.
+  void moved(const Bodies& bodies);
+  /// Sets all impulses to zero: both bodies are static.
+  void drop() {
+    if (data_) data_->drop(), limit_impulse() = 0;
+  }
+  /// Adds the limits and the motors, friction and springs to a report.
+  void report(Joint::Extras& extras) const {
+    if (!data_) return;
+    extras.limits += data_->limited();
+    extras.live_limits += data_->limit.live || data_->late.live;
+    extras.motors += data_->driven() || data_->spring.acts();
+  }
+  /// Saves or restores settings, count, live rows and impulses, always as many values. The impulse
+  /// of a limit belongs to the joint if it is in a block of the joint.
+  void exchange(StateStream& stream);
+
+ private:
+  // A coordinate without settings has none of these.
+  struct Data {
+    Range range;
+    Motor motor;             // its speed is the greatest one of a servo
+    real friction = 0, target = 0;
+    Spring spring;
+    bool servo = false;
+    LimitRow limit, late;    // the limit with a row in this step; the one found late
+    real x = 0, next = 0;    // the coordinate when the step began; its expected value at the end
+    real speed = 0;          // of motor or servo in this step
+    real shift = 0;          // of the bounds of motor and friction, see append_acting()
+    real travelled = 0;      // since x was measured, by the rate alone
+    bool measured = false;   // x was measured in this step
+    bool counting = false;   // next is valid: measured, or set by expect()
+    bool pushed = false;     // motor, friction or spring have a row in this step
+    bool idle = false;       // nothing acts: there is nothing to do until a setting changes
+    Leeway<Coordinate> leeway;
+    real motor_impulse = 0, friction_impulse = 0, spring_impulse = 0;
+    real limit_impulse = 0, late_impulse = 0;  // all are written by the solver
+
+    bool limited() const { return range.lower > -unbounded || range.upper < unbounded; }
+    bool driven() const { return motor.strength > 0 || friction > 0; }
+    bool acts() const { return limited() || driven() || spring.acts(); }
+    // True if x is needed and not only its rate.
+    bool needs_x() const { return limited() || servo || spring.acts(); }
+    // True if only the count of turns needs x: then the last rate is exact enough for 2 rad.
+    bool can_estimate() const { return !needs_x() && counting && next != x && travelled < 2; }
+    bool held() const { return range.lower == range.upper; }
+    // How far x may move until it has to be measured.
+    real slack() const {
+      return servo || spring.acts() ? 0 : std::min(x - range.lower, range.upper - x);
+    }
+    real bound(real sign) const { return sign > 0 ? range.lower : range.upper; }
+    void drop() {
+      limit = late = {}, pushed = false;
+      motor_impulse = friction_impulse = spring_impulse = late_impulse = shift = 0;
+    }
+  };
+  // Access for a change of settings: makes the next step measure.
+  Data& change() {
+    if (!data_) data_ = std::make_unique<Data>();
+    data_->leeway.forget();
+    data_->idle = false;
+    return *data_;
+  }
+
+  // Unchecked access: the step has validated the ids.
+  static const Body& at(const Bodies& bodies, BodyId id) { return bodies.at(int(id.slot)); }
+  real& limit_impulse() const { return limit_impulse_ ? *limit_impulse_ : data_->limit_impulse; }
+  real force(real impulse, real shift = 0) const {
+    return joint_.acted() > 0 ? joint_.mean_force(impulse) + shift : real(0);
+  }
+  Limit<Coordinate> limit_part(real sign) const {
+    return {coordinate_, data_->bound(sign), sign};
+  }
+  template <class Part>
+  void append(const Bodies& bodies, Blocks& blocks, const Part& part, const RowTarget& target,
+              real& impulse) const {
+    blocks.append(bodies, joint_.body1, joint_.body2, part, target, &impulse);
+  }
+
+  real counted_from(real expected, const Body& a, const Body& b) const {
+    if constexpr (requires { coordinate_.expected; }) {
+      Coordinate now = coordinate_;
+      now.expected = expected;
+      return now.error(a, b);
+    } else {
+      return coordinate_.error(a, b);
+    }
+  }
+  // The coordinate is within half a turn of this value. If the joint does not count turns yet, the
+  // limits determine the turn.
+  real expected(const Bodies& bodies) const {
+    if (!data_) return 0;
+    const auto& [lower, upper] = data_->range;
+    const real next = finite(data_->next) ? data_->next : real(0);  // 0 after an overflow
+    if (data_->counting || !(upper - lower < 2 * std::numbers::pi_v<real>)) return next;
+    const real x = counted_from(next, bodies[joint_.body1], bodies[joint_.body2]);
+    return lower <= x && x <= upper ? next : (lower + upper) / 2;
+  }
+  void measure(const Bodies& bodies) {
+    if constexpr (requires { coordinate_.expected; }) coordinate_.expected = expected(bodies);
+    data_->next = data_->x = coordinate_.error(bodies[joint_.body1], bodies[joint_.body2]);
+    data_->travelled = 0;
+    data_->measured = data_->counting = true;
+  }
+  // Rarely needed, so not inlined.
+  [[gnu::noinline]] void append_row(const Bodies& bodies, Blocks& blocks, real sign,
+                                    real& impulse) const {
+    append(bodies, blocks, limit_part(sign), limit_target(), impulse);
+  }
+  [[gnu::noinline]] void choose_rows(const Bodies& bodies, real h, bool near);
+  [[gnu::noinline]] void append_acting(const Bodies& bodies, Blocks& blocks) const;
+  [[gnu::noinline]] void find_late(const Bodies& bodies, real h, Blocks& blocks);
+
+  const Joint& joint_;
+  Coordinate coordinate_;
+  real* limit_impulse_;
+  std::unique_ptr<Data> data_;
 };
 
-/// The largest magnitude of a finite limit [rad or m].
-constexpr real max_limit = real(1e9);
-/// \throws std::invalid_argument unless lower <= upper and both are infinite or within max_limit
-inline void check(const Range& range) {
-  const auto [lower, upper] = range;
-  require(lower <= upper && lower < unbounded && upper > -unbounded,
-          "lower: must not be above upper, and neither infinite on its wrong side [rad or m]");
-  for (const real bound : {lower, upper})
-    require(std::abs(bound) <= max_limit || std::abs(bound) == unbounded,
-            bound == lower ? "lower" : "upper", bound,
-            "must be within 1e9 [rad or m]; infinite for no limit");
-}
-/// \throws std::invalid_argument unless the speed is within max_speed and the strength at least 0
-inline void check(const Motor& motor) {
-  require(std::abs(motor.speed) <= max_speed, "speed", motor.speed,
-          "must be within 3e8 [rad/s or m/s]");
-  require(motor.strength >= 0, "strength", motor.strength, "must not be negative [N m or N]");
+template <class Coordinate>
+void FreeCoordinate<Coordinate>::choose_rows(const Bodies& bodies, real h, bool near) {
+  Data& data = *data_;
+  const Body &a = at(bodies, joint_.body1), &b = at(bodies, joint_.body2);
+  const LimitRow before = data.limit;
+  data.measured = false;
+  data.limit = data.late = {};
+  data.idle = !data.acts();
+  if (data.idle) {
+    data.counting = false;
+  } else if (data.can_estimate()) {
+    data.travelled += std::abs(data.next - data.x);
+    data.x = data.next;
+  } else if (!near) {
+    measure(bodies);
+    data.leeway.measured(coordinate_, a, b, data.slack());
+    if (data.limited()) data.limit = limit_row(data.range, data.x, speed(bodies), h);
+    if (data.limit.live && data.held()) data.limit.sign = 1;  // one row in both directions
+  }
+  data.pushed = data.driven() || data.spring.acts();
+  data.speed = data.motor.speed;
+  if (data.servo)
+    data.speed = std::clamp(joint_.beta / h * (data.target - data.x), -data.speed, data.speed);
+  data.shift = std::copysign(std::min(data.motor.strength, data.friction), data.speed);  // Eq. 3-17
+  if (!data.limit.live || data.limit.sign != before.sign) limit_impulse() = 0;
+  if (data.motor.strength == 0) data.motor_impulse = 0;
+  if (data.friction == 0) data.friction_impulse = 0;
+  if (!data.spring.acts()) data.spring_impulse = 0;
+  data.late_impulse = 0;
 }
 
-/// Makes an angle count its turns to within half a turn of `expected` [rad]. A displacement has no
-/// turns, so this general version does nothing.
+// Two rows of one coordinate with the speeds s and 0 as their targets would work against each other
+// until the weaker one is at its bound. Each of them therefore bears the least force of the two,
+// `shift`, for the other one: their sum is the same at every speed, and while the coordinate moves
+// at a speed between 0 and s, neither has to change.
 template <class Coordinate>
-void count_from(Coordinate&, [[maybe_unused]] real expected) {}
-/// Saves or restores the number of turns of an angle (Joint::exchange). A displacement has none.
-template <class Coordinate>
-void exchange_turns(Coordinate&, StateStream&) {}
+void FreeCoordinate<Coordinate>::append_acting(const Bodies& bodies, Blocks& blocks) const {
+  const Data& data = *data_;
+  if (data.spring.acts()) {
+    const Body &a = at(bodies, joint_.body1), &b = at(bodies, joint_.body2);
+    const Row J = coordinate_.jacobian(a, b);
+    Row response;
+    real K;
+    form_responses(&J, 1, a, b, &response);
+    form_K(&J, &response, 1, &K);
+    const auto [frequency, damping] = tuning(data.spring.stiffness, data.spring.damping, K);
+    append(bodies, blocks, Limit<Coordinate>{coordinate_, data.spring.rest, 1},
+           {.frequency = frequency,
+            .damping = damping,
+            .lower = -data.spring.strength,
+            .upper = data.spring.strength},
+           data_->spring_impulse);
+  }
+  const auto drive = [&](real speed, real strength, real shift, real& impulse) {
+    if (strength > 0)
+      append(bodies, blocks, coordinate_,
+             {.rate = speed,
+              .holds_position = false,
+              .lower = -strength - shift,
+              .upper = strength - shift},  // Eq. 3-17
+             impulse);
+  };
+  drive(0, data.friction, -data.shift, data_->friction_impulse);
+  drive(data.speed, data.motor.strength, data.shift, data_->motor_impulse);
+}
 
-/// Decides when a step need not measure the coordinate, because its limits are out of reach. This
-/// general version always measures. The one in hinge_joint.h skips the atan2 of a hinge.
+// A neighbour's impulse may drive the joint past a limit that had no row at the start of the step.
 template <class Coordinate>
-struct Leeway {
-  /// Called after each measurement. \param slack distance to the nearer limit [rad or m]
-  void measured(const Coordinate&, const Body&, const Body&, [[maybe_unused]] real slack) {}
-  void forget() {}  ///< the next step measures in any case
-  void exchange(StateStream&) {}  ///< saves or restores the measurement (Joint::exchange)
-  /// True if the rotations since the measurement cannot have used up half of the slack.
-  bool still_near(const Body&, const Body&) const { return false; }
-  /// True if this step, at the present velocities, cannot use up the other half. \param h step [s]
-  bool is_slow(const Body&, const Body&, [[maybe_unused]] real h) const { return false; }
-};
+void FreeCoordinate<Coordinate>::find_late(const Bodies& bodies, real h, Blocks& blocks) {
+  Data& data = *data_;
+  data.leeway.forget();
+  if (!data.measured && data.limited()) measure(bodies);
+  const real rate = speed(bodies);
+  data.next = data.x + h * std::clamp(rate, -max_speed, max_speed);  // bodies are clamped, too
+  if (!data.limited() || data.held() || data.late.live) return;
+  for (const real sign : {real(1), real(-1)}) {
+    const real C = sign * (data.x - data.bound(sign));
+    if (C + h * sign * rate >= 0 || (data.limit.live && data.limit.sign == sign)) continue;
+    data.late = {C, sign, true};
+    append_late(bodies, blocks);
+    return;
+  }
+}
+
+template <class Coordinate>
+void FreeCoordinate<Coordinate>::moved(const Bodies& bodies) {
+  if (!data_ || !data_->acts()) return;
+  if (data_->leeway.still_near(bodies[joint_.body1], bodies[joint_.body2])) return;
+  measure(bodies);
+  data_->leeway.forget();
+}
+
+template <class Coordinate>
+void FreeCoordinate<Coordinate>::exchange(StateStream& stream) {
+  Data none;
+  Data& data = data_ ? *data_ : none;
+  stream.bound(data.range.lower), stream.bound(data.range.upper);
+  stream.bound(data.motor.strength), stream.bound(data.friction);
+  stream.bound(data.spring.strength);
+  stream(data.motor.speed, data.servo, data.target, data.spring.stiffness, data.spring.damping,
+         data.spring.rest, data.x, data.next, data.speed, data.shift, data.travelled,
+         data.counting, data.measured, data.pushed, data.motor_impulse, data.friction_impulse,
+         data.spring_impulse, data.limit_impulse, data.late_impulse);
+  for (LimitRow* row : {&data.limit, &data.late}) {
+    stream(row->sign, row->live);
+    require(std::abs(row->sign) == 1, "state: the sign of a limit's row must be 1 or -1");
+  }
+  check(data.range), check(data.motor), check(Motor{0, data.friction}), check(data.spring);
+  if constexpr (requires { coordinate_.expected; }) stream(coordinate_.expected);
+  data.leeway.exchange(stream);
+  data.idle = false;  // the settings may be others now
+  if (none.acts() || none.counting) data_ = std::make_unique<Data>(none);
+}
 
 }  // namespace joints
 /// @}

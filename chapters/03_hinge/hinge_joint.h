@@ -27,11 +27,6 @@ inline void check(const HingeAngle& angle) {
   require_unit("start", angle.start);
 }
 
-/// An angle counts whole turns: it stays within half a turn of `expected` [rad].
-inline void count_from(HingeAngle& angle, real expected) { angle.expected = expected; }
-/// Saves or restores the number of turns of an angle.
-inline void exchange_turns(HingeAngle& angle, StateStream& stream) { stream(angle.expected); }
-
 /// Skips atan2 while the limits of a hinge are out of reach. The rate of the angle is g.(w2 - w1)
 /// with |g| = 1/cos(alpha/2), where alpha is the angle between the axes (Eq. 3-10). While alpha is
 /// below 83 degrees, |g| is below 1.34, so the angle changes by less than 1.34 times the sum of the

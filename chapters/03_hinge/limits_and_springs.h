@@ -1,0 +1,106 @@
+// Limits and springs of a free coordinate, and when it need not be measured. Given: there is
+// nothing to edit here.
+#pragma once
+
+#include <algorithm>
+#include <numbers>
+
+#include "chapters/03_hinge/hinge.h"
+#include "engine/joint.h"
+
+/// \addtogroup chapter3
+/// @{
+namespace joints {
+
+/// One limit of a coordinate as a part: C = sign (x - bound) >= 0.
+template <class Coordinate>
+struct Limit {
+  Coordinate coordinate;  ///< the part whose error is x
+  real bound = 0;         ///< the value of x at the limit [rad or m]
+  real sign = 1;          ///< +1 for a lower limit, -1 for an upper one
+
+  static constexpr int rows = 1;           ///< one row
+  static constexpr bool one_sided = true;  ///< its impulse only increases C
+  static constexpr Form form = Coordinate::form;  ///< the form of its row
+  /// C, the gap to the limit [rad or m]; negative beyond it.
+  real error(const Body& body1, const Body& body2) const {
+    return sign * (coordinate.error(body1, body2) - bound);
+  }
+  /// The row of the coordinate, times the sign of the limit.
+  Row jacobian(const Body& body1, const Body& body2) const {
+    const Row J = coordinate.jacobian(body1, body2);
+    return {sign * J.v1, sign * J.w1, sign * J.v2, sign * J.w2};
+  }
+};
+
+/// The largest magnitude of a finite limit [rad or m].
+constexpr real max_limit = real(1e9);
+/// \throws std::invalid_argument unless lower <= upper and both are infinite or within max_limit
+inline void check(const Range& range) {
+  const auto [lower, upper] = range;
+  require(lower <= upper && lower < unbounded && upper > -unbounded,
+          "lower: must not be above upper, and neither infinite on its wrong side [rad or m]");
+  for (const real bound : {lower, upper})
+    require(std::abs(bound) <= max_limit || std::abs(bound) == unbounded,
+            bound == lower ? "lower" : "upper", bound,
+            "must be within 1e9 [rad or m]; infinite for no limit");
+}
+/// \throws std::invalid_argument unless the speed is within max_speed and the strength at least 0
+inline void check(const Motor& motor) {
+  require(std::abs(motor.speed) <= max_speed, "speed", motor.speed,
+          "must be within 3e8 [rad/s or m/s]");
+  require(motor.strength >= 0, "strength", motor.strength, "must not be negative [N m or N]");
+}
+
+/// A spring and damper on a coordinate: its force is -stiffness (x - rest) - damping dx/dt, at most
+/// `strength`. Units for an angle; for a displacement N/m, N s/m, m and N.
+struct Spring {
+  real stiffness = 0;         ///< k [N m/rad]
+  real damping = 0;           ///< c [N m s/rad]
+  real rest = 0;              ///< the value of x at which it exerts no force [rad]
+  real strength = unbounded;  ///< greatest torque in either direction [N m]
+  /// True if it has a row.
+  bool acts() const { return strength > 0 && (stiffness > 0 || damping > 0); }
+};
+/// \throws std::invalid_argument unless all numbers are finite (the strength may be infinite), the
+/// rest position is within max_limit and nothing else is negative
+inline void check(const Spring& spring) {
+  require(spring.stiffness >= 0 && spring.stiffness < unbounded, "stiffness", spring.stiffness,
+          "must be finite and not negative [N m/rad or N/m]");
+  require(spring.damping >= 0 && spring.damping < unbounded, "damping", spring.damping,
+          "must be finite and not negative [N m s/rad or N s/m]");
+  require(std::abs(spring.rest) <= max_limit, "rest", spring.rest, "must be within 1e9 [rad or m]");
+  require(spring.strength >= 0, "strength", spring.strength, "must not be negative [N m or N]");
+}
+
+/// A natural frequency [Hz] and a damping ratio [1], as in RowTarget and Joint.
+struct Tuning {
+  real frequency = 0;  ///< [Hz]
+  real damping = 0;    ///< [1]
+};
+/// The tuning of a row that has the stiffness k and the damping c: omega^2 = k K and 2 zeta omega =
+/// c K (Eq. 6-18). Without stiffness, omega is a millionth of c K. \param K J M^-1 J^T of the row
+/// [1/kg or 1/(kg m^2)]
+inline Tuning tuning(real stiffness, real damping, real K) {
+  const real omega = std::sqrt(stiffness * K), least = real(1e-6) * damping * K;
+  const real w = std::max(omega, least);
+  if (!(w > 0)) return {};
+  return {w / (2 * std::numbers::pi_v<real>), damping * K / (2 * w)};  // Eq. 6-18
+}
+
+/// Decides when a step need not measure the coordinate, because its limits are out of reach. This
+/// general version always measures. The one in hinge_joint.h skips the atan2 of a hinge.
+template <class Coordinate>
+struct Leeway {
+  /// Called after each measurement. \param slack distance to the nearer limit [rad or m]
+  void measured(const Coordinate&, const Body&, const Body&, [[maybe_unused]] real slack) {}
+  void forget() {}  ///< the next step measures in any case
+  void exchange(StateStream&) {}  ///< saves or restores the measurement (Joint::exchange)
+  /// True if the rotations since the measurement cannot have used up half of the slack.
+  bool still_near(const Body&, const Body&) const { return false; }
+  /// True if this step, at the present velocities, cannot use up the other half. \param h step [s]
+  bool is_slow(const Body&, const Body&, [[maybe_unused]] real h) const { return false; }
+};
+
+}  // namespace joints
+/// @}

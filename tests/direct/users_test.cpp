@@ -102,8 +102,8 @@ BenchScene drawn_hoist(unsigned seed) {
   return scene;
 }
 
-// A square curtain of balls on ball joints. It hangs by every fourth ball of its upper edge, and all
-// others are blown to one side, the lower ones faster than the upper ones.
+// A square curtain of balls on ball joints. It hangs by every fourth ball of its upper edge, and
+// all others are blown to one side, the lower ones faster than the upper ones.
 BenchScene drawn_curtain(unsigned seed, int balls) {
   Draw draw(seed);
   BenchScene scene;

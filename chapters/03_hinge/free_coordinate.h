@@ -1,5 +1,5 @@
-// The free coordinate of a joint: an angle or a displacement, and everything that acts on it. Given:
-// there is nothing to edit here.
+// The free coordinate of a joint: an angle or a displacement, and all that acts on it. Given: there is
+// nothing to edit here.
 #pragma once
 
 #include <memory>
@@ -10,9 +10,9 @@
 /// @{
 namespace joints {
 
-/// One free coordinate of a joint, an angle [rad] or a displacement [m], and everything that acts on
-/// it: limits, a motor or a servo, friction, a spring. Each has a row of its own while it acts. A
-/// joint may have any number of coordinates.
+/// One free coordinate of a joint, an angle [rad] or a displacement [m], and all that acts on it:
+/// limits, a motor or a servo, friction, a spring. Each has a row of its own while it acts. A joint
+/// may have any number of coordinates.
 ///
 /// A joint calls choose() when a step begins, append() or its two halves for the blocks, and late()
 /// after each solve. The coordinate is measured when a step begins; a motor alone does not need it.

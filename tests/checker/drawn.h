@@ -1,7 +1,8 @@
 // Cases drawn by a seed, over sizes, scales, signs and sides. Each draw reads its choices from a
 // tape of numbers from 0, the simplest, to 1. A case that fails is made simpler, choice by choice,
-// as long as it still fails; what cannot be made simpler is what the mistake depends on. A statement
-// draws once, or in braces: the order of operands and of arguments differs between compilers.
+// as long as it still fails; the mistake depends on the choices that cannot be made simpler. A
+// statement draws once, or in braces: the order of operands and of arguments differs between
+// compilers.
 //
 // The seed of a reader is always the same. With CI=true in the environment it is another one in
 // each run; a report prints it, and WORKBOOK_SEED repeats the run. With WORKBOOK_DRAWN set a

@@ -12,29 +12,32 @@ from style import COLOURS, INK, rows, visible
 
 # ---- one body ----------------------------------------------------------------------------------
 
+ROUNDING = 1e-9  # of a displacement [m]: what is below it is drawn there
+
+
 def draw_rest(solution, mine, out):
     table = mine or solution
     few = 4 if 4 in table["iterations"] else table["iterations"].min()
     ends = [f"{metres(np.max(rows(table, start=name, iterations=few)['farthest_m']))} {name}"
             for name in dict.fromkeys(table["start"])]
-    figure, (left, right) = style.figure(
-        f"In a minute at rest, with {few:g} iterations per step, a box creeps {', '.join(ends)}", 2)
-    for ax, column, words in ((left, "farthest_m", "farthest from where it was put  [m]"),
-                              (right, "fastest_m_s", "fastest corner of the minute  [m/s]")):
-        for name, part, colour, marker in parts(table, "start"):
-            ax.plot(part["iterations"], visible(part[column]), color=colour, marker=marker,
-                    markersize=7 if name == "cold" else 4, label=name,
-                    markerfacecolor="white" if name == "cold" else colour)
-        ax.set(yscale="log", ylabel=words)
-        if mine:
-            for _, part, _, _ in parts(solution, "start"):
-                ax.plot(part["iterations"], visible(part[column]), label="_", **FORMULA)
-            style.hold(ax, mine[column], solution[column], 16)
-        counts(ax, table)
-    left.set_title("displacement of a corner" + ("; dashed: the solution's" if mine else ""))
-    right.set_title("speed (in the first steps)")
-    style.label_ends(left)
-    style.label_ends(right)
+    figure, ax = style.figure(
+        f"In a minute at rest, with {few:g} iterations per step, a box creeps {', '.join(ends)}")
+    for name, part, colour, marker in parts(table, "start"):
+        ax.plot(part["iterations"], np.maximum(part["farthest_m"], ROUNDING), color=colour,
+                marker=marker, markersize=5, label=name)
+    if mine:
+        for _, part, _, _ in parts(solution, "start"):
+            ax.plot(part["iterations"], np.maximum(part["farthest_m"], ROUNDING), label="_",
+                    **FORMULA)
+        style.hold(ax, mine["farthest_m"], solution["farthest_m"], 16)
+    ax.set(yscale="log", ylabel="displacement of a corner in a minute",
+           title="dashed: the solution's" if mine else "")
+    ax.axhspan(ROUNDING / 3, 2 * ROUNDING, color=COLOURS[2], alpha=0.15, linewidth=0)
+    ax.text(0.02, 1.2 * ROUNDING, "1 nm and less: it rests", va="center", fontsize=8.5,
+            transform=ax.get_yaxis_transform(), color=COLOURS[2])
+    style.metres_log(ax.yaxis)
+    counts(ax, table)
+    style.label_ends(ax)
     style.save(figure, out / "08_rest")
 
 
@@ -155,9 +158,10 @@ def draw_order(solution, mine, out):
     def end(order, column):
         return rows(ends, order=order, iterations=count)[column][0]
     figure, axes = style.figure(
-        f"Gaps, RMS: interleaved {metres(end('interleaved', 'gap_rms_m'))}, joints first "
-        f"{metres(end('joints first', 'gap_rms_m'))}; contacts first: "
-        f"{metres(end('contacts first', 'penetration_max_m'))} deep", 2, 2)
+        f"Joints first leaves gaps of {metres(end('joints first', 'gap_rms_m'))}, contacts first "
+        f"corners {metres(end('contacts first', 'penetration_max_m'))} deep; one loop over both "
+        f"{metres(end('interleaved', 'gap_rms_m'))} and "
+        f"{metres(end('interleaved', 'penetration_max_m'))}", 2, 2)
     for ax, column, words in zip(axes[0], ("gap_m", "penetration_m"),
                                  ("widest gap of a joint  [m]", "deepest corner  [m]")):
         given = solution[0] if mine else table
@@ -175,8 +179,8 @@ def draw_order(solution, mine, out):
                 ax.plot(part["iterations"], visible(part[column]), label="_", **FORMULA)
         ax.set(yscale="log", ylabel=words)
         counts(ax, ends)
-    axes[1][0].set_title("gaps" + ("; dashed: the solution's" if mine else ""))
-    axes[1][1].set_title("penetration")
+    axes[1][0].set_title("the same by iterations" + ("; dashed: the solution's" if mine else ""))
+    axes[1][1].set_title("the same by iterations")
     for ax in axes.ravel():
         style.label_ends(ax)
     style.save(figure, out / "08_order")

@@ -176,9 +176,11 @@ def draw_time(solution, mine, out):
 
 def draw_bounds(solution, mine, out):
     motor, limits = mine or solution
+    wrong = limits["steps_with_wrong"].sum()
     figure, (left, right) = style.figure(
-        f"A motor of {motor['motor_nm'][-1]:.3g} N m holds the bar at {motor['angle_rad'][-1]:.6f} "
-        f"rad, against {-motor['limit_nm'][-1]:.3g} N m of the limit", 2)
+        f"A motor of {motor['motor_nm'][-1]:.3g} N m holds the bar at its limit of "
+        f"{motor['angle_rad'][-1]:.6f} rad; of {limits['steps'].sum():.0f} steps of chains with "
+        f"limits {wrong:.0f} {'ends' if wrong == 1 else 'end'} with a row wrong", 2)
     for column, words, colour in (("motor_nm", "motor\n[N m]", COLOURS[1]),
                                   ("limit_nm", "limit\n[N m]", COLOURS[0])):
         left.plot(motor["time_s"], motor[column], color=colour, label=words)
@@ -203,7 +205,7 @@ def draw_bounds(solution, mine, out):
                        textcoords="offset points", fontsize=8, color=COLOURS[0])
     right.set(xscale="log", xlabel="hinges of a chain, each with limits", ylabel="passes per step",
               ylim=(0, 1.15 * limits["passes_max"].max()), xlim=(2.4, 90),
-              title="above: steps that end with a row wrong")
+              title="chains with limits; above: steps that end wrong")
     right.yaxis.get_major_locator().set_params(integer=True)
     right.set_xticks(limits["hinges"])
     right.xaxis.set_major_formatter(lambda value, _: f"{value:g}")

@@ -10,7 +10,7 @@ import numpy as np
 import style
 from style import EMPTY, INK
 
-NUMBERS = ["us_per_step", "gap_max_m", "expected", "found"]
+NUMBERS = ["us_per_step", "gap_max_m", "expected", "found", "energy_drift"]
 WORDS = ["scene", "real", "method", "status"]
 ORDER = ["si30", "beta1", "4x8", "16x2", "warm", "projection", "split", "relax",
          "omega", "velocity", "shake",
@@ -42,16 +42,17 @@ def colours():
 
 
 def paint(ax, cells, width, height):
-    """Cells {(column, row): (error [mm] or nan for lost, words of the time)}; yellow is exact."""
+    """Cells {(column, row): (error [mm] or nan for failed, words below)}; yellow is exact."""
     errors = np.full((height, width), np.nan)
-    for (column, row), (error, time) in cells.items():
+    for (column, row), (error, below) in cells.items():
         errors[row, column] = np.clip(error, LEAST, MOST) if np.isfinite(error) else MOST
-        words = "lost" if not error <= MOST else "0" if error < LEAST else short(error)
-        colour = "white" if errors[row, column] > 3 else INK
-        ax.text(column, row - 0.17, words, ha="center", va="center", fontsize=7.5, color=colour,
-                fontweight="bold")
-        if error <= MOST:
-            ax.text(column, row + 0.24, time, ha="center", va="center", fontsize=6.5, color=colour)
+        words = "failed" if not error <= MOST else "0" if error < LEAST else short(error)
+        colour = "white" if errors[row, column] > 0.6 else INK
+        lines = below.split("\n") if error <= MOST else []
+        for k, (line, size) in enumerate([(words, 7.5), *((line, 6.5) for line in lines)]):
+            ax.text(column, row + (k - 0.5 * len(lines)) / (1.15 * (len(lines) + 1)), line,
+                    ha="center", va="center", fontsize=size, color=colour,
+                    fontweight="normal" if k else "bold")
     ax.pcolormesh(np.arange(width + 1) - 0.5, np.arange(height + 1) - 0.5, np.log10(errors),
                   cmap=colours(), vmin=np.log10(LEAST), vmax=np.log10(MOST))
     ax.set_ylim(height - 0.5, -0.5)
@@ -63,7 +64,7 @@ def paint(ax, cells, width, height):
 
 
 def error_of(row, what="gap_max_m"):
-    """The error in a cell [mm]: NaN where the run was lost or gained energy."""
+    """The error in a cell [mm]: NaN where the run failed or gained energy."""
     if row["status"] in ("energy+", "exploded", "nan"):
         return np.nan
     return abs(row["found"] - row["expected"]) if what == "found" else 1000 * row["gap_max_m"]
@@ -82,20 +83,30 @@ def draw_scenes(rows, methods, path):
           len(methods), len(scenes))
     ax.set_xticks(range(len(methods)), [TITLES[name] for name in methods], fontsize=7.5)
     ax.set_yticks(range(len(scenes)), scenes, fontsize=8)
-    ax.set_xlabel("above: largest gap of a joint [mm], the darker the wider; lost: above 1 m, or "
+    ax.set_xlabel("above: largest gap of a joint [mm], the darker the wider; failed: above 1 m, or "
                   "energy gained\nbelow: time of a step; of random families the worst of all",
                   fontsize=8)
     style.save(figure, path)
+
+
+def energy_of(row):
+    """The change of the energy, as a line below the others; none where it is small."""
+    drift = row["energy_drift"]
+    return f"\n\u2212{-100 * drift:.0f} % energy" if drift < -0.005 else ""
 
 
 def draw_maps(rows, methods, path):
     """A panel for each number that changes: its values are the columns, the methods the rows."""
     methods = [name for name in methods if any(
         row["method"] == name and ": " in row["scene"] for row in rows)]
+    price = max(-row["energy_drift"] for row in rows
+                if row["method"] == "inertia" and ": " in row["scene"]
+                and np.isfinite(row["energy_drift"]))
     figure, axes = style.figure("Only the direct solver with added inertia holds every mass ratio, "
-                                "step and spring",
-                                panels=2, rows=3, sharey=True)
-    figure.set_size_inches(style.WIDTH + 1.5, 0.93 * len(methods) + 1.6)
+                                f"step and spring; it removes up to {100 * price:.0f} % of the "
+                                "energy", panels=2, rows=3, sharey=True)
+    figure.set_size_inches(style.WIDTH + 2.2, 1.2 * len(methods) + 1.6)
+    style.entitle(figure, figure._suptitle.get_text().replace("\n", " "))
     axes.flat[-1].set_axis_off()
     for ax, (family, (title, measure)) in zip(axes.flat, MAPS.items()):
         mine = [row for row in rows if row["scene"].startswith(family + ": ")]
@@ -106,7 +117,8 @@ def draw_maps(rows, methods, path):
             if row["method"] in methods:
                 steps = float(value) / 60 if family == "steps per s" else 1
                 cells[values.index(value), methods.index(row["method"])] = (
-                    error_of(row, measure), f"{short(row['us_per_step'] * steps)} us")
+                    error_of(row, measure), f"{short(row['us_per_step'] * steps)} us"
+                    + energy_of(row))
         paint(ax, cells, len(values), len(methods))
         names = [f"$10^{value[2:]}$" if value.startswith("1e") else value for value in values]
         ax.set_xticks(range(len(values)), names, fontsize=8)
@@ -114,8 +126,8 @@ def draw_maps(rows, methods, path):
                       fontsize=7.5)
         ax.set_title(title, fontsize=9, loc="left")
     figure.supxlabel("above: largest gap [mm], for the springs how far the load is off its place; "
-                     "lost: above 1 m, or energy gained\nbelow: time for a sixtieth of a second",
-                     fontsize=8)
+                     "failed: above 1 m, or energy gained\nbelow: time for a sixtieth of a "
+                     "second, and energy removed in the run", fontsize=8)
     style.save(figure, path)
 
 

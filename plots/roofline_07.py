@@ -33,8 +33,8 @@ def picture(path):
     cache = style.rows(roofs, roof="cache")["per_ns"][0]
     at, fast = OPERATIONS / BYTES, rate(loop, "lanes") / USED
     figure, ax = style.figure(
-        f"With its empty lanes the loop does {fast:.0f} of {min(eight, cache * at):.0f} operations "
-        "per ns that fit under the roof")
+        f"With its empty lanes the loop does {fast:.0f} operations per ns of the "
+        f"{min(eight, cache * at):.0f} for which the cache delivers the data")
     x = np.geomspace(0.1, 10, 100)
     ax.plot(x, np.minimum(cache * x, eight), color=INK)
     ax.plot(x, np.minimum(cache * x, one), color=PALE, linestyle="--")
@@ -47,6 +47,12 @@ def picture(path):
         down = -9 if words == "lanes and colours" else -3
         ax.annotate(f"{words}: {rate(loop, variant):.3g}", (at, rate(loop, variant)),
                     xytext=(9, down), textcoords="offset points", fontsize=8.5, color=colour)
+    ax.plot([at, at], [fast, min(eight, cache * at)], color=LANES[1][2], linewidth=0.8,
+            linestyle=":")
+    ax.annotate(f"{min(eight, cache * at):.0f} = {at:.2f} operations per byte · {cache:.0f} bytes",
+                (at, min(eight, cache * at)), xytext=(-8, 26), ha="right", fontsize=8.5,
+                textcoords="offset points", color=LANES[1][2],
+                arrowprops={"arrowstyle": "-", "color": LANES[1][2], "linewidth": 0.8})
     ax.plot(at, fast, "o", color=LANES[1][2], markersize=7, markerfacecolor="white")
     ax.annotate(f"the same with its empty lanes: {fast:.3g}", (at, fast), xytext=(9, -3),
                 textcoords="offset points", fontsize=8.5, color=LANES[1][2])

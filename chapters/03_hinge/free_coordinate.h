@@ -1,5 +1,5 @@
-// The free coordinate of a joint: an angle or a displacement, and all that acts on it. Given: there is
-// nothing to edit here.
+// The free coordinate of a joint: an angle or a displacement, and all that acts on it. Given: there
+// is nothing to edit here.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// Exercise 7.2: possible mistakes in K, in the point's 3x3 and between point and axis: with what
-// body 1 and body 2 add to it, and with how the sum of both is written down.
+// Exercise 7.2: possible mistakes in K, in the point's 3x3 and between point and axis: in the terms
+// of body 1 and body 2, and in the notation of their sum.
 #pragma once
 
 #include "tests/07_performance/loop_hinges.h"

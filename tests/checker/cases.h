@@ -1,5 +1,5 @@
 // A table of cases, for an exercise that is one function of plain arguments. Yours is compared with
-// what is right, case by case, and with what each of the usual mistakes would give. A mistake is
+// the right one, case by case, and with the result of each of the usual mistakes. A mistake is
 // named where it gives your numbers in every case, so that one case that fits by chance names none.
 #pragma once
 

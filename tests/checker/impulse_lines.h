@@ -1,4 +1,4 @@
-// The four lines by which two bodies are given an impulse, v1, w1, v2 and w2, and what can go wrong
+// The four lines by which two bodies are given an impulse, v1, w1, v2 and w2, and possible mistakes
 // in one of them, in both of a body, in both of a kind, or in all.
 #pragma once
 

@@ -35,7 +35,7 @@ std::string where_it_holds(const CaseTable<Case>& table) {
 }
 
 /// One case: every number that is wrong beside the one that is right, at which poses the others of
-/// the table hold, and the likely mistake. \param beside what is right is called
+/// the table hold, and the likely mistake. \param beside the name of the right number
 /// \param more further lines, after the numbers
 template <class Case>
 void check_numbers(const CaseTable<Case>& table, const Case& c, const Numbers& expected,

@@ -1,5 +1,5 @@
-// Solvers behind one interface: chosen at run time they find the same impulses, and what would
-// break without a word is refused.
+// Solvers behind one interface: chosen at run time they find the same impulses, and input that
+// would break them silently is rejected.
 #include "bench/orders.h"
 #include "engine/simd/packed.h"
 #include "tests/library/consumer/symmetric_impulses.h"

@@ -18,7 +18,7 @@ std::string bytes_of(const T& object) {
   return {reinterpret_cast<const char*>(&object), sizeof object};
 }
 
-/// Those of a joint if it is of one of these kinds, the bytes of what all joints have if of none.
+/// Those of a joint if it is of one of these kinds, the bytes of a general joint if of none.
 template <class... Kinds>
 std::string bytes_of_kinds(const Joint& joint) {
   std::string out = bytes_of(joint);

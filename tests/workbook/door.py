@@ -1,6 +1,6 @@
 """A copy of the workbook, as fresh as a reader's, in which tests type commands.
 
-What a reader's file is linked with is taken from a build that is there: only the file itself is
+The libraries of a reader's file are taken from a build that is there: only the file itself is
 compiled, as that build would compile it.
 """
 import os

@@ -1,6 +1,6 @@
 """Several sources as one, which a compiler reads faster: gather.py OUT SOURCES...
 
-What the sources include comes first. Each of them stands in a namespace of its own, so that they
+The includes of the sources come first. Each source stands in a namespace of its own, so that they
 may give the same name to different things, as in files of their own.
 """
 import re

@@ -1,4 +1,4 @@
-"""How far the reader is: the exercises' tests, run and read. What they said is kept in
+"""How far the reader is: the exercises' tests, run and read. Their results are kept in
 build/verdicts for as long as neither the exercise file nor the program changes."""
 import hashlib
 import json

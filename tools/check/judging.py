@@ -51,8 +51,8 @@ def graded(answer, id_, program, chapter):
 
 
 def broken_promises(answer, reports):
-    """The promises that no report keeps. Diagnoses that the heading names, no more and no fewer, must
-    be in the first report, which is the one that a reader sees."""
+    """The promises that no report keeps. Diagnoses that the heading names, no more and no fewer,
+    must be in the first report, which is the one that a reader sees."""
     flat = [fold(report) for report in reports]
     said = re.findall(r"#([a-z0-9-]+) ", flat[0])
     if ids := answer.ids():

@@ -11,9 +11,9 @@
 namespace joints {
 
 /// All data of a world that steps change or that a program changes to control it. After restore()
-/// the next steps are identical to the bit, with the same solver and the same settings. For the
-/// bodies it contains poses, velocities, forces and torques; for the joints accumulated impulses,
-/// counted turns, live rows, limits and motors. It does not contain the construction and settings
+/// the next steps are bit-identical, with the same solver and the same settings. For the bodies it
+/// contains poses, velocities, forces and torques; for the joints accumulated impulses, counted
+/// turns, live rows, limits and motors. It does not contain the construction and settings
 /// of a world: masses, the geometry of the joints and their other settings (beta, frequency,
 /// damping, `projected`), gravity, max_displacement. Nor does it contain World::blocks, which are
 /// empty after restore(), or joints that are Joint::transient().

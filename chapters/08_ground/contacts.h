@@ -91,9 +91,9 @@ class ContactJoint : public PointContacts {
   mutable std::vector<ContactPoint> points_;  // the solver writes the impulses
 };
 
-/// The ContactJoints of a world: it adds one for every pair that touches and removes those that no
-/// longer do. It sets what holds stacks (docs/which_method.md); `configure` may change it. Between
-/// two steps call begin(), touch() for each pair, end().
+/// The ContactJoints of a world. It adds one for every pair that touches and removes it when the
+/// pair separates. Its settings hold stacks (docs/which_method.md); `configure` may change them.
+/// Between two steps call begin(), touch() for each pair, end().
 class Contacts {
  public:
   std::function<void(ContactJoint&)> configure{};  ///< called for each new joint
@@ -115,8 +115,8 @@ class Contacts {
     return (world_.bodies[a].is_static() && world_.bodies[b].is_static()) ||
            skipped_.contains(key(a, b));
   }
-  /// The body one step ahead. Points found there and judged at the present pose act before the
-  /// bodies touch.
+  /// The body one step ahead. Points that are found there and evaluated at the present pose act
+  /// before the bodies touch.
   Body ahead(BodyId id) const {
     Body body = world_.bodies[id];
     if (!body.is_static()) {
@@ -153,7 +153,7 @@ class Contacts {
   }
   int count() const { return int(joints_.size()); }  ///< pairs that touch
 
-  /// What restore() needs, beside the world's own State.
+  /// The data for restore(), in addition to the world's own State.
   struct Saved {
     /// A pair with its points and their numbers.
     struct Pair {
@@ -165,7 +165,7 @@ class Contacts {
   };
   /// The contacts between two steps.
   inline Saved save() const;
-  /// Restores them: joints that have come are removed, and those that have gone are added again.
+  /// Restores them: removes the joints that were added since then and adds those that were removed.
   /// Call it after restore() of the world (state.h).
   inline void restore(const Saved& saved);
 

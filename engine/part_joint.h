@@ -1,6 +1,8 @@
 // A joint of a single part and a single block: balls, rods and ropes.
 #pragma once
 
+#include <type_traits>
+
 #include "engine/joint.h"
 #include "engine/part.h"
 
@@ -9,7 +11,9 @@
 namespace joints {
 
 /// A joint of a single part: a type that satisfies the concept joints::Part and has a free function
-/// check() that rejects impossible geometry.
+/// check() that rejects impossible geometry. A free function `P make(std::type_identity<P>, const
+/// Body&, const Body&, ...)` in the part's namespace makes the part in the present poses; with it,
+/// `world.add<PartJoint<P>>(a, b, ...)` takes the same arguments.
 template <class Part>
 class PartJoint : public Joint {
   static_assert(require_part<Part>());
@@ -24,6 +28,14 @@ class PartJoint : public Joint {
   PartJoint(BodyId body1, BodyId body2, const Part& part) : Joint(body1, body2), part(part) {
     check(part);
   }
+  /// The joint in the present poses: make() makes its part from these arguments, in world space.
+  template <class... Arguments>
+    requires requires(const Body& body, const Arguments&... arguments) {
+      make(std::type_identity<Part>{}, body, body, arguments...);
+    }
+  PartJoint(const Bodies& bodies, BodyId body1, BodyId body2, const Arguments&... arguments)
+      : PartJoint(body1, body2, make(std::type_identity<Part>{}, bodies[body1], bodies[body2],
+                                     arguments...)) {}
   /// Validates the bodies, beta, and the part by its check().
   void check_input(const Bodies& bodies) const override {
     Joint::check_input(bodies);

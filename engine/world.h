@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,13 +32,18 @@ class World {
   /// Removes a body and every joint that is connected to it.
   void remove(BodyId body);
 
-  /// Constructs a joint of type J from these arguments and adds it, as in
-  /// `world.add<HingeJoint>(world.bodies, a, b, anchor, axis)`.
+  /// Constructs a joint of type J between two bodies from these arguments and adds it, as in
+  /// `world.add<HingeJoint>(a, b, anchor, axis)`. If a constructor of J needs the bodies, the world
+  /// passes them as its first argument.
   /// \return the joint, valid until it or one of its bodies is removed
   /// \throws std::invalid_argument from its constructor or Joint::check_input()
   template <class J, class... Arguments>
   J& add(Arguments&&... arguments) {
-    auto joint = std::make_unique<J>(std::forward<Arguments>(arguments)...);
+    std::unique_ptr<J> joint;
+    if constexpr (std::is_constructible_v<J, const Bodies&, Arguments...>)
+      joint = std::make_unique<J>(std::as_const(bodies), std::forward<Arguments>(arguments)...);
+    else
+      joint = std::make_unique<J>(std::forward<Arguments>(arguments)...);
     J& reference = *joint;
     adopt(std::move(joint));
     return reference;

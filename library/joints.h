@@ -11,6 +11,7 @@
 #include "chapters/08_ground/contacts.h"
 #include "chapters/08_ground/ground_contact.h"
 #include "chapters/09_direct/runge_kutta.h"
+#include "chapters/10_own/driven_joints.h"
 #include "chapters/10_own/rack_joint.h"
 #include "engine/instruments/measure.h"
 #include "engine/instruments/rate.h"

@@ -28,6 +28,35 @@ void check(const Rope<Rod>& rope) {
   check(rod);
 }
 
+/// The part of `world.add<CentreDistanceJoint>(a, b)`: the present distance of the centres.
+inline CentreDistance make(std::type_identity<CentreDistance>, const Body& body1,
+                           const Body& body2) {
+  return {length(body2.x - body1.x)};
+}
+/// The same with another length [m].
+inline CentreDistance make(std::type_identity<CentreDistance>, const Body&, const Body&,
+                           real length) {
+  return {length};
+}
+/// The part of `world.add<DistanceJoint>(a, b, point1, point2, length)`.
+/// \param point1 of body 1 [m, world] \param point2 of body 2 [m, world] \param length [m]
+inline Distance make(std::type_identity<Distance>, const Body& body1, const Body& body2,
+                     const vec3& point1, const vec3& point2, real length) {
+  return {to_local(body1, point1 - body1.x), to_local(body2, point2 - body2.x), length};
+}
+/// The same with the present distance of the points as its length.
+inline Distance make(std::type_identity<Distance> rod, const Body& body1, const Body& body2,
+                     const vec3& point1, const vec3& point2) {
+  return make(rod, body1, body2, point1, point2, length(point2 - point1));
+}
+/// The part of a rope takes the arguments of its rod.
+template <class Rod, class... Arguments>
+auto make(std::type_identity<Rope<Rod>>, const Body& body1, const Body& body2,
+          const Arguments&... arguments)
+    -> Rope<decltype(make(std::type_identity<Rod>{}, body1, body2, arguments...))> {
+  return {make(std::type_identity<Rod>{}, body1, body2, arguments...)};
+}
+
 using CentreDistanceJoint = PartJoint<CentreDistance>;      ///< rod from centre to centre
 using DistanceJoint = PartJoint<Distance>;                  ///< rod from anchor to anchor
 using CentreRopeJoint = PartJoint<Rope<CentreDistance>>;    ///< rope from centre to centre

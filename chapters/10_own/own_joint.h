@@ -23,10 +23,6 @@ inline void check(const RightAngle& part) {
   require_unit("a2_local", part.a2_local);
 }
 
-/// Connects two shafts that meet at an angle: a point and a right angle, four rows in one block.
-/// Two rotations remain, about the two pins of its cross.
-using UniversalJoint = PartJoint<Composite<Point, RightAngle>>;
-
 /// Makes the part of a universal joint in the present poses. \param anchor where the shafts' axes
 /// meet [m, world] \param pin1 the pin of the cross in body 1, world, of any length
 /// \param pin2 that in body 2; its part along pin1 is removed
@@ -107,6 +103,12 @@ inline Gear gear_on(const Body& body1, const vec3& axle1, const Body& body2, con
   return {angle_on(body1, axle1), angle_on(body2, axle2), ratio};
 }
 
+/// The part of `world.add<GearJoint>(wheel1, wheel2, axle1, axle2, ratio)`.
+inline Gear make(std::type_identity<Gear>, const Body& body1, const Body& body2, const vec3& axle1,
+                 const vec3& axle2, real ratio) {
+  return gear_on(body1, axle1, body2, axle2, ratio);
+}
+
 /// \throws std::invalid_argument unless slide and angle are valid and the lead is finite
 inline void check(const Screw& screw) {
   check(screw.slide);
@@ -122,6 +124,12 @@ inline Screw screw_along(const Body& body1, const Body& body2, const vec3& ancho
   const Point at = point_at(body1, body2, anchor);
   const HingeAngle angle = angle_about(body1, body2, axis);
   return {{at.anchor1_local, at.anchor2_local, angle.a1_local}, angle, lead};
+}
+
+/// The part of `world.add<ScrewJoint>(screw, nut, anchor, axis, lead)`.
+inline Screw make(std::type_identity<Screw>, const Body& body1, const Body& body2,
+                  const vec3& anchor, const vec3& axis, real lead) {
+  return screw_along(body1, body2, anchor, axis, lead);
 }
 
 // ---- cone ------------------------------------------------------------------------------------
@@ -142,6 +150,19 @@ class ConeJoint : public PartJoint<Cone> {
   static constexpr real tolerance = real(2e-4);  ///< a swing beyond the limit that adds none [rad]
 
   using PartJoint<Cone>::PartJoint;
+  /// The force of all its rows in the last step [N m]: the sum of their impulses over the time.
+  Vector<1> forces() const {
+    real sum = impulse()[0];
+    for (const real late : late_impulse_) sum += late;
+    return {mean_force(sum)};
+  }
+  /// The torque on body 2 in the last step [N m, world]. The rows that were found late have
+  /// directions of their own.
+  vec3 torque() const {
+    vec3 sum = impulse()[0] * axis_;
+    for (int k = 0; k < most_late; ++k) sum += late_impulse_[k] * late_axis_[k];
+    return acted() > 0 ? sum / acted() : vec3(0);
+  }
   /// With E the end of the step, J_E the slope of C there with respect to the velocities, and C_E
   /// the present C there: C_E + h J_E (V_new - V) >= 0, a row with C = C_E - h J_E V (Eq. 10-8).
   /// Where that is negative although the bodies are inside the cone, the turn is too long for a
@@ -156,16 +177,29 @@ class ConeJoint : public PartJoint<Cone> {
     const vec3 n = part.jacobian(end1, end2).w1;
     const Row J{vec3(0), before_turn(h * a.w, n), vec3(0), -before_turn(h * b.w, n)};
     const real slack = std::max(C - h * row_velocity(J, a, b), real(0));
+    late_axis_[late_] = J.w2;
     blocks.append<1>(bodies, body1, body2, {{J}}, {slack}, hold(0), &late_impulse_[late_++]);
   }
 
  protected:
-  void choose_rows(const Bodies&, real) override {
+  void choose_rows(const Bodies& bodies, real) override {
+    axis_ = part.jacobian(bodies[body1], bodies[body2]).w2;
     late_impulse_ = {};
     late_ = 0;
   }
+  void drop_rows() override {
+    late_impulse_ = {};
+    late_ = 0;
+  }
+  /// Saves or restores the impulses of all rows.
+  void exchange_own(StateStream& stream) override {
+    PartJoint::exchange_own(stream);
+    stream(late_impulse_, axis_);
+    for (vec3& axis : late_axis_) stream(axis);
+  }
 
  private:
+  friend class ConeTwistJoint;
   // The slope of n.(rotation at the end of a turn) with respect to the vector of the turn: the
   // transposed left Jacobian of the exponential map, times n.
   static vec3 before_turn(const vec3& turn, const vec3& n) {
@@ -176,12 +210,20 @@ class ConeJoint : public PartJoint<Cone> {
     return s * n + (1 - s) * dot(u, n) * u - c * cross(u, n);
   }
   Vector<most_late> late_impulse_{};  // written by the solver through the blocks
+  vec3 axis_{0};                  // J.w2 of the row, world
+  vec3 late_axis_[most_late]{};   // the same of those found late
   int late_ = 0;                      // how many of them are in use in this step
 };
 /// Makes a cone about a direction in the present poses. \param axis world, of any length
 /// \param limit the greatest swing [rad]
 inline Cone cone_about(const Body& body1, const Body& body2, const vec3& axis, real limit) {
   return {to_local(body1, normalize(axis)), to_local(body2, normalize(axis)), limit};
+}
+
+/// The part of `world.add<ConeJoint>(a, b, axis, limit)`.
+inline Cone make(std::type_identity<Cone>, const Body& body1, const Body& body2, const vec3& axis,
+                 real limit) {
+  return cone_about(body1, body2, axis, limit);
 }
 
 // ---- a part of the reader's own --------------------------------------------------------------

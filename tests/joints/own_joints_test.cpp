@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "chapters/09_direct/direct_solver.h"
+#include "chapters/10_own/driven_joints.h"
 #include "chapters/10_own/rack_joint.h"
 #include "checker/check_part.h"
 #include "engine/instruments/measure.h"
@@ -58,9 +59,7 @@ struct Shafts {
     second = world.add(box(3, vec3(1, real(0.2), real(0.2)), along2, rotation(vec3(0, -bend, 0))));
     drive = &world.add<HingeJoint>(world.bodies, wall, first, -along1, along1);
     driven = &world.add<HingeJoint>(world.bodies, wall, second, along2, along2);
-    world.add<UniversalJoint>(first, second,
-                              cross_at(world.bodies[first], world.bodies[second], vec3(0), pin1,
-                                       cross(along2, pin1)));
+    world.add<UniversalJoint>(first, second, vec3(0), pin1, cross(along2, pin1));
     drive->set_motor(speed, 1e6);
   }
 };
@@ -254,8 +253,7 @@ TEST_CASE("universal joints and cones conserve the momentum of free bodies, scre
     const BodyId b = world.add(box(1, vec3(real(0.5), real(0.3), real(0.7)), vec3(1, 0, 0)));
     const BodyId c = world.add(box(3, vec3(real(0.6)), vec3(2, 0, 0)));
     Bodies& bodies = world.bodies;
-    world.add<UniversalJoint>(a, b, cross_at(bodies[a], bodies[b], vec3(real(0.5), 0, 0),
-                                             vec3(0, 1, 0), vec3(0, 0, 1)));
+    world.add<UniversalJoint>(a, b, vec3(real(0.5), 0, 0), vec3(0, 1, 0), vec3(0, 0, 1));
     world.add<ConeJoint>(a, b, cone_about(bodies[a], bodies[b], vec3(1, 0, 0), real(0.3)));
     world.add<ScrewJoint>(b, c, screw_along(bodies[b], bodies[c], vec3(2, 0, 0), vec3(1, 0, 0), 1));
     push_at_random(bodies, random, 2);

@@ -2,7 +2,7 @@
 // screw, which lifts a nut. Read it; there is nothing to edit here.
 #pragma once
 
-#include "chapters/10_own/own_joint.h"
+#include "chapters/10_own/driven_joints.h"
 #include "engine/instruments/scene.h"
 
 /// \addtogroup chapter10
@@ -39,8 +39,7 @@ struct Machine {
     driven = on_axle(second, along2);
     axle = on_axle(wheel, along2);
     rail = &world.add<SliderJoint>(world.bodies, wall, nut, nut_at, along2);
-    world.add<UniversalJoint>(first, second, cross_at(world.bodies[first], world.bodies[second],
-                                                      vec3(0), up, cross(along2, up)));
+    world.add<UniversalJoint>(first, second, vec3(0), up, cross(along2, up));
     scene.mark(first, second, vec3(0));
     world.add<GearJoint>(second, wheel, gear_on(world.bodies[second], along2, world.bodies[wheel],
                                                 along2, real(ratio)));

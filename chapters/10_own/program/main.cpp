@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "chapters/10_own/program/machine.h"
+#include "chapters/10_own/driven_joints.h"
 #include "chapters/10_own/rack_joint.h"
 #include "engine/instruments/options.h"
 
@@ -34,8 +35,7 @@ void universal(const Settings& settings, CsvFile& table) {
                                           rotation(vec3(0, -bend, 0))));
       auto& drive = world.add<HingeJoint>(world.bodies, wall, first, -along1, along1);
       auto& driven = world.add<HingeJoint>(world.bodies, wall, second, along2, along2);
-      world.add<UniversalJoint>(first, second, cross_at(world.bodies[first], world.bodies[second],
-                                                        vec3(0), pin1, cross(along2, pin1)));
+      world.add<UniversalJoint>(first, second, vec3(0), pin1, cross(along2, pin1));
       drive.set_motor(1, 1e6);
       SequentialImpulses solver;
       solver.iterations = 100 * settings.iterations;

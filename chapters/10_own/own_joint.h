@@ -141,9 +141,9 @@ inline void check(const Cone& cone) {
   require(cone.limit > 0 && cone.limit < std::numbers::pi_v<real>, "limit", cone.limit,
           "must be above 0 and below pi [rad]");
 }
-/// Keeps an axis of body 2 within a cone about an axis of body 1; add it to a ball joint. The row of
-/// a cone is exact for the pose at the start of a step. If the new velocities would lead out of the
-/// cone all the same, up to most_late rows for the pose at the end are added, one after the other.
+/// Keeps an axis of body 2 within a cone about an axis of body 1; add it to a ball joint. The row
+/// of a cone is exact for the pose at the start of a step. If the new velocities would lead out of
+/// the cone all the same, up to most_late rows for the pose at the end are added, one after the other.
 class ConeJoint : public PartJoint<Cone> {
  public:
   static constexpr int most_late = 12;           ///< of these rows

@@ -143,7 +143,8 @@ inline void check(const Cone& cone) {
 }
 /// Keeps an axis of body 2 within a cone about an axis of body 1; add it to a ball joint. The row
 /// of a cone is exact for the pose at the start of a step. If the new velocities would lead out of
-/// the cone all the same, up to most_late rows for the pose at the end are added, one after the other.
+/// the cone all the same, up to most_late rows for the pose at the end are added, one after the
+/// other.
 class ConeJoint : public PartJoint<Cone> {
  public:
   static constexpr int most_late = 12;           ///< of these rows

@@ -32,6 +32,7 @@ class DrivenJoint : public Joint, public FreeCoordinate<Coordinate> {
     check(first);
     check(second);
   }
+  /// Measures the coordinate again after position projection.
   void moved(const Bodies& bodies) override { Free::moved(bodies); }
   /// Appends the blocks of drives, limit and rigid rows that are live.
   void append(const Bodies& bodies, Blocks& blocks) const override {
@@ -65,13 +66,16 @@ class DrivenJoint : public Joint, public FreeCoordinate<Coordinate> {
   }
 
  protected:
+  /// Chooses the rows of a step. \param h step [s]
   void choose_rows(const Bodies& bodies, real h) override {
     if (Free::in_use()) Free::choose(bodies, h);
   }
+  /// Between two static bodies: no row is live.
   void drop_rows() override {
     impulse_ = {};
     Free::drop();
   }
+  /// Saves or restores the coordinate and the impulses.
   void exchange_own(StateStream& stream) override {
     Free::exchange(stream);
     stream(impulse_);

@@ -33,6 +33,7 @@ class WithCoordinates : public PartJoint<Rigid> {
   template <std::size_t k>
   const auto& coordinate() const { return std::get<k>(free_); }
 
+  /// Measures the coordinates again after position projection.
   void moved(const Bodies& bodies) override {
     PartJoint<Rigid>::moved(bodies);
     for_each([&](auto& free) { free.moved(bodies); });
@@ -63,14 +64,17 @@ class WithCoordinates : public PartJoint<Rigid> {
         free_{FreeCoordinate<Coordinates>(*this, coordinates)...} {
     (check(coordinates), ...);
   }
+  /// Chooses the rows of a step. \param h step [s]
   void choose_rows(const Bodies& bodies, real h) override {
     PartJoint<Rigid>::choose_rows(bodies, h);
     for_each([&](auto& free) { free.choose(bodies, h); });
   }
+  /// Between two static bodies: no row is live.
   void drop_rows() override {
     PartJoint<Rigid>::drop_rows();
     for_each([](auto& free) { free.drop(); });
   }
+  /// Saves or restores the coordinates and the impulses.
   void exchange_own(StateStream& stream) override {
     PartJoint<Rigid>::exchange_own(stream);
     for_each([&](auto& free) { free.exchange(stream); });
@@ -290,9 +294,9 @@ class ConeTwistJoint : public WithCoordinates<Point, HingeAngle, SwingAngle, Swi
 // ---- six degrees of freedom ------------------------------------------------------------------
 
 /// Six free coordinates: the displacement along three axes of body 1, and the rotation as a twist
-/// about the first axis and a swing about the other two. Each is free, limited, locked (equal limits) or
-/// driven. All are free in the beginning. Rows: Eq. 4-11, Eq. 3-10 and those of SwingAngle, exact
-/// below half a turn of swing.
+/// about the first axis and a swing about the other two. Each is free, limited, locked (equal
+/// limits) or driven. All are free in the beginning. Rows: Eq. 4-11, Eq. 3-10 and those of
+/// SwingAngle, exact below half a turn of swing.
 class SixDegreesJoint : public WithCoordinates<NoRows, Slide, Slide, Slide, HingeAngle, SwingAngle,
                                                SwingAngle> {
  public:

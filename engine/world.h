@@ -48,6 +48,13 @@ class World {
     adopt(std::move(joint));
     return reference;
   }
+  /// The same with the bodies as the first argument, which the world passes by itself.
+  template <class J, class... Arguments>
+    requires std::is_constructible_v<J, const Bodies&, Arguments...>
+  [[deprecated("the world passes its bodies: write world.add<J>(body1, body2, ...)")]]
+  J& add(Bodies&, Arguments&&... arguments) {
+    return add<J>(std::forward<Arguments>(arguments)...);
+  }
   /// Removes one joint, in constant time. \throws std::invalid_argument if it does not belong to
   /// this world
   void remove(const Joint& joint);

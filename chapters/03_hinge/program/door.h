@@ -16,7 +16,7 @@ const real degree = std::numbers::pi_v<real> / 180;  ///< [rad]
 /// A hinge that is measured. \param anchor [m, world] \param axis world
 inline HingeJoint& hinge(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor, const vec3& axis,
                   const Settings& settings, bool whole) {
-  auto& joint = scene.world.add<HingeJoint>(scene.world.bodies, id1, id2, anchor, axis);
+  auto& joint = scene.world.add<HingeJoint>(id1, id2, anchor, axis);
   joint.beta = settings.beta;
   joint.whole = whole;
   scene.mark(id1, id2, anchor, axis);

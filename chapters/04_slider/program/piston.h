@@ -13,7 +13,7 @@ namespace joints::chapter4 {
 /// A slider, with the settings of the command line.
 inline SliderJoint& slider(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor,
                     const vec3& direction, const Settings& settings, bool whole) {
-  auto& joint = scene.world.add<SliderJoint>(scene.world.bodies, id1, id2, anchor, direction);
+  auto& joint = scene.world.add<SliderJoint>(id1, id2, anchor, direction);
   joint.beta = settings.beta;
   joint.whole = whole;
   return joint;

@@ -25,7 +25,7 @@ struct HungRagdoll {
     const auto limb = [&](const vec3& size, const vec3& x, const vec3& anchor) {
       const BodyId id = scene.box(25, size, x);
       auto& joint = scene.world.add<BallJoint>(
-          torso, id, point_at(scene.world.bodies[torso], scene.world.bodies[id], anchor));
+          torso, id, anchor);
       joint.beta = settings.beta;
       scene.mark(torso, id, anchor);
       return id;
@@ -35,7 +35,7 @@ struct HungRagdoll {
     limb(arm, vec3(real(-0.75), shoulder, 0), vec3(-side, shoulder, 0));
     for (const real x : {real(0.17), real(-0.17)})
       limb(leg, vec3(x, real(-1.05), 0), vec3(x, real(-0.5), 0));
-    auto& neck = scene.world.add<FixedJoint>(scene.world.bodies, torso, head,
+    auto& neck = scene.world.add<FixedJoint>(torso, head,
                                              vec3(0, real(0.5), 0));
     neck.beta = settings.beta;
     neck.whole = settings.whole;
@@ -43,7 +43,7 @@ struct HungRagdoll {
     const vec3 hand(real(1.15), shoulder, 0);
     const BodyId hook = scene.box(0, vec3(real(0.1)), hand);
     grip = &scene.world.add<BallJoint>(
-        hook, right, point_at(scene.world.bodies[hook], scene.world.bodies[right], hand));
+        hook, right, hand);
     grip->beta = settings.beta;
     scene.mark(hook, right, hand);
     scene.energy_scale = mass * 9.81 * 1.5;

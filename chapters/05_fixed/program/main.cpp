@@ -30,7 +30,7 @@ struct Beam {
     for (int k = 0; k < n; ++k) {
       const vec3 anchor(real(k), 0, 0);
       tip = scene.box(1, vec3(1), anchor + vec3(real(0.5), 0, 0));
-      auto& weld = scene.world.add<FixedJoint>(scene.world.bodies, before, tip, anchor);
+      auto& weld = scene.world.add<FixedJoint>(before, tip, anchor);
       weld.beta = settings.beta;
       weld.whole = whole;
       scene.mark(before, tip, anchor);
@@ -96,7 +96,7 @@ void far_anchor(const std::string& out) {
       world.gravity = vec3(0);
       const BodyId wall = world.add(static_body(vec3(0)));
       const BodyId cube = world.add(box(1, vec3(1), vec3(r, 0, 0)));
-      auto& weld = world.add<FixedJoint>(world.bodies, wall, cube, vec3(0));
+      auto& weld = world.add<FixedJoint>(wall, cube, vec3(0));
       weld.whole = whole;
       world.bodies[cube].w = vec3(0, 0, 1);
       SequentialImpulses solver;

@@ -31,8 +31,7 @@ struct CubeChain {
   void add_joint(BodyId a, BodyId b, real beta) {
     World& world = scene.world;
     const vec3 anchor = world.bodies[a].x;
-    joints.push_back(&world.add<BallJoint>(a, b, point_at(world.bodies[a], world.bodies[b],
-                                                          anchor)));
+    joints.push_back(&world.add<BallJoint>(a, b, anchor));
     joints.back()->beta = beta;
     scene.mark(a, b, anchor);
   }

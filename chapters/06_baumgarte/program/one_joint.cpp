@@ -30,12 +30,12 @@ struct Pair {
   BallJoint& ball(real beta) {
     World& world = scene.world;
     auto& joint = world.add<BallJoint>(
-        wall, cube, point_at(world.bodies[wall], world.bodies[cube], vec3(0)));
+        wall, cube, vec3(0));
     joint.beta = beta;
     return joint;
   }
   HingeJoint& hinge(const vec3& axis, real beta) {
-    auto& joint = scene.world.add<HingeJoint>(scene.world.bodies, wall, cube, vec3(0), axis);
+    auto& joint = scene.world.add<HingeJoint>(wall, cube, vec3(0), axis);
     joint.beta = beta;
     return joint;
   }
@@ -196,7 +196,7 @@ void one_joint(const Choice& choice, std::vector<Summary>& lines) {
   lines.push_back(drift(choice));
   decay(choice);
   Pair slider("slider", choice.iterations), hinge("hinge", choice.iterations);
-  auto& along = slider.scene.world.add<SliderJoint>(slider.scene.world.bodies, slider.wall,
+  auto& along = slider.scene.world.add<SliderJoint>(slider.wall,
                                                     slider.cube, vec3(0), vec3(1, 0, 0));
   along.beta = choice.beta;
   correction(slider, along, choice.out + "/slider.csv");

@@ -70,7 +70,7 @@ struct Bridge {
                      vec3(top.x + side * real(0.25), post_top / 2, 0));
   }
   void hinge(BodyId id1, BodyId id2, const vec3& anchor, real rub, real beta) {
-    auto& joint = scene.world.add<HingeJoint>(scene.world.bodies, id1, id2, anchor,
+    auto& joint = scene.world.add<HingeJoint>(id1, id2, anchor,
                                               vec3(0, 0, 1));
     joint.beta = beta;
     joint.set_motor(0, rub);

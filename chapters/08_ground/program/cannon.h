@@ -39,9 +39,9 @@ struct Cannon {
     carriage = scene.box(50, vec3(1), zero, turn);
     shot = scene.box(10, vec3(shot_edge), zero + along, turn);
     scene.shapes.back().label = "shot";
-    rail = &scene.world.add<SliderJoint>(scene.world.bodies, barrel, carriage, zero, along);
+    rail = &scene.world.add<SliderJoint>(barrel, carriage, zero, along);
     for (const BodyId id : {carriage, shot}) scene.world.bodies[id].x -= along;  // loaded: at -1 m
-    hold = &scene.world.add<FixedJoint>(scene.world.bodies, carriage, shot,
+    hold = &scene.world.add<FixedJoint>(carriage, shot,
                                         zero - real(0.5) * along);
     rail->set_limits(-1, 10);
     rail->set_motor(60, 3500);

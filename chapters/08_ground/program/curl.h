@@ -37,8 +37,8 @@ struct Curl {
       cube.push_back(scene.box(real(cube_mass), vec3(1), place));
       if (k == 0) continue;
       const vec3 anchor = place - vec3(distance / 2, 0, 0);
-      hinges.push_back(&scene.world.add<HingeJoint>(
-          scene.world.bodies, cube[std::size_t(k - 1)], cube.back(), anchor, vec3(0, 0, 1)));
+      hinges.push_back(&scene.world.add<HingeJoint>(cube[std::size_t(k - 1)], cube.back(),
+                                                    anchor, vec3(0, 0, 1)));
       hinges.back()->beta = beta;
       hinges.back()->set_limits(0, bend);
       hinges.back()->set_motor(real(0.4), strength);

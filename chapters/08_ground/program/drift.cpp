@@ -27,7 +27,7 @@ void drift(const Choice& choice, std::vector<Summary>& lines) {
     const BodyId wall = scene.box(0, vec3(real(0.4)), vec3(0));
     const BodyId id = scene.box(100, vec3(1), vec3(2, 0, 0));
     scene.mark(wall, id, vec3(0));
-    auto& joint = world.add<HingeJoint>(world.bodies, wall, id, vec3(0), vec3(0, 0, 1));
+    auto& joint = world.add<HingeJoint>(wall, id, vec3(0), vec3(0, 0, 1));
     joint.beta = 0;
     GroundContact* contact = nullptr;
     if (turns != Turns::no_ground) {

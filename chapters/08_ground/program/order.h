@@ -57,7 +57,7 @@ struct LandingChain {
       const BodyId before = ids[std::size_t(k) - 1];
       const vec3 anchor = x - vec3(real(0.25), 0, 0);
       world.add<BallJoint>(before, ids.back(),
-                           point_at(world.bodies[before], world.bodies[ids.back()], anchor))
+                           anchor)
           .beta = beta;
       scene.mark(before, ids.back(), anchor);
       scene.energy_scale += 10 * 9.81 * 0.5 * k;

@@ -1,6 +1,8 @@
 // The ragdoll of chapter 8 (thesis, fig. 5.5): six boxes that fall. Read it; nothing to edit here.
 #pragma once
 
+#include <functional>
+
 #include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/08_ground/program/program.h"
 
@@ -13,6 +15,16 @@ inline const vec3 leg_size{real(0.25), 1, real(0.25)};  ///< of a doll [m]
 /// Rotation from upright, so that feet and a hand land first.
 inline const quat tilted = rotation(vec3(0, 0, real(1.1))) * rotation(vec3(real(0.4), 0, 0));
 
+/// Joins a limb to the torso. \param anchor [m, world] \param along from the anchor to the limb's
+/// centre, world \param across the doll's front, world \param arm false for a leg
+using JoinLimb = std::function<Joint&(World& world, BodyId torso, BodyId limb, const vec3& anchor,
+                                      const vec3& along, const vec3& across, bool arm)>;
+/// A ball joint: the limb may point anywhere.
+inline Joint& on_ball(World& world, BodyId torso, BodyId limb, const vec3& anchor, const vec3&,
+                      const vec3&, bool) {
+  return world.add<BallJoint>(torso, limb, anchor);
+}
+
 /// The bodies of a ragdoll and its contacts with the ground.
 struct Doll {
   BodyId torso;  ///< connected to all others
@@ -21,12 +33,13 @@ struct Doll {
   std::vector<GroundContact*> contacts;  ///< one for each of them
 };
 
-/// The six boxes of chapter 5's ragdoll, without the grip: ball joints in shoulders and hips, the
-/// head welded on, a contact with the ground for every box. There are no contacts between the
+/// The six boxes of chapter 5's ragdoll, without the grip: joints in shoulders and hips, the head
+/// welded on, a contact with the ground for every box. There are no contacts between the
 /// boxes: an arm can lie inside the torso. Its arms are stretched out along its own x.
 /// \param centre of the torso [m] \param turn of the whole doll from upright \param beta of all
-inline Doll add_doll(Scene& scene, BodyId ground, const vec3& centre, const quat& turn,
-                     real beta) {
+/// \param join makes shoulders and hips
+inline Doll add_doll(Scene& scene, BodyId ground, const vec3& centre, const quat& turn, real beta,
+                     const JoinLimb& join = on_ball) {
   Doll doll;
   World& world = scene.world;
   const auto part = [&](real mass, const vec3& size, const vec3& x) {
@@ -36,13 +49,13 @@ inline Doll add_doll(Scene& scene, BodyId ground, const vec3& centre, const quat
   doll.torso = part(100, torso_size, vec3(0));
   doll.head = part(33, head_size, vec3(0, real(0.7), 0));
   const vec3 neck = centre + turn * vec3(0, real(0.5), 0);
-  world.add<FixedJoint>(world.bodies, doll.torso, doll.head, neck).beta = beta;
+  world.add<FixedJoint>(doll.torso, doll.head, neck).beta = beta;
   scene.mark(doll.torso, doll.head, neck);
   const auto limb = [&](const vec3& size, const vec3& x, const vec3& joint) {
     const BodyId id = part(25, size, x);
     const vec3 anchor = centre + turn * joint;
-    world.add<BallJoint>(doll.torso, id,
-                         point_at(world.bodies[doll.torso], world.bodies[id], anchor)).beta = beta;
+    const bool arm = &size == &arm_size;
+    join(world, doll.torso, id, anchor, turn * (x - joint), turn * vec3(0, 0, 1), arm).beta = beta;
     scene.mark(doll.torso, id, anchor);
   };
   for (const real side : {real(1), real(-1)}) {
@@ -65,11 +78,14 @@ struct Ragdoll : Doll {
   BodyId ground;  ///< on which it falls
 
   /// \param height of the torso's centre [m] \param turn of the whole doll from upright
-  explicit Ragdoll(const Choice& choice, real height = 2, const quat& turn = tilted) {
+  /// \param join makes shoulders and hips
+  explicit Ragdoll(const Choice& choice, real height = 2, const quat& turn = tilted,
+                   const JoinLimb& join = on_ball) {
     scene.solver.iterations = choice.iterations;
     scene.stepping.warm_start = true;
     ground = add_ground(scene, 5);
-    static_cast<Doll&>(*this) = add_doll(scene, ground, vec3(0, height, 0), turn, choice.beta);
+    static_cast<Doll&>(*this) = add_doll(scene, ground, vec3(0, height, 0), turn, choice.beta,
+                                        join);
   }
   /// The greatest speed of a centre [m/s].
   double fastest() const {

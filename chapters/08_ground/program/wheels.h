@@ -77,10 +77,10 @@ struct Wheels {
         const vec3 out = turn * vec3(1, 0, 0);
         cubes.push_back(scene.box(cube_mass, vec3(edge), x + spoke * out, turn));
         const vec3 anchor = x + spoke / 2 * out;
-        world.add<FixedJoint>(world.bodies, hub, cubes.back(), anchor).beta = choice.beta;
+        world.add<FixedJoint>(hub, cubes.back(), anchor).beta = choice.beta;
         scene.mark(hub, cubes.back(), anchor);
       }
-      HingeJoint& hinge = world.add<HingeJoint>(world.bodies, beam, hub, x, vec3(0, 0, -1));
+      HingeJoint& hinge = world.add<HingeJoint>(beam, hub, x, vec3(0, 0, -1));
       hinge.beta = choice.beta;
       motors[std::size_t(wheel)] = &hinge;
       scene.mark(beam, hub, x, vec3(0, 0, -1));

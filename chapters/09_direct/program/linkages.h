@@ -16,21 +16,20 @@ namespace joints::chapter9 {
 
 /// A ball joint at a point of the world, with its mark. Its beta is 1.
 inline void on_ball(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor) {
-  const Bodies& bodies = scene.world.bodies;
-  scene.world.add<BallJoint>(id1, id2, point_at(bodies[id1], bodies[id2], anchor)).beta = 1;
+  scene.world.add<BallJoint>(id1, id2, anchor).beta = 1;
   scene.mark(id1, id2, anchor);
 }
 /// A hinge. \param axis world, of any length
 inline HingeJoint& on_hinge(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor,
                             const vec3& axis) {
-  HingeJoint& hinge = scene.world.add<HingeJoint>(scene.world.bodies, id1, id2, anchor, axis);
+  HingeJoint& hinge = scene.world.add<HingeJoint>(id1, id2, anchor, axis);
   hinge.beta = 1;
   scene.mark(id1, id2, anchor, axis);
   return hinge;
 }
 /// A weld.
 inline void welded(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor) {
-  scene.world.add<FixedJoint>(scene.world.bodies, id1, id2, anchor).beta = 1;
+  scene.world.add<FixedJoint>(id1, id2, anchor).beta = 1;
   scene.mark(id1, id2, anchor);
 }
 

@@ -33,18 +33,16 @@ struct Machine {
     const auto on_axle = [&](BodyId id, const vec3& axis) {
       const vec3 anchor = world.bodies[id].x;
       scene.mark(wall, id, anchor, axis);
-      return &world.add<HingeJoint>(world.bodies, wall, id, anchor, axis);
+      return &world.add<HingeJoint>(wall, id, anchor, axis);
     };
     drive = on_axle(first, along1);
     driven = on_axle(second, along2);
     axle = on_axle(wheel, along2);
-    rail = &world.add<SliderJoint>(world.bodies, wall, nut, nut_at, along2);
+    rail = &world.add<SliderJoint>(wall, nut, nut_at, along2);
     world.add<UniversalJoint>(first, second, vec3(0), up, cross(along2, up));
     scene.mark(first, second, vec3(0));
-    world.add<GearJoint>(second, wheel, gear_on(world.bodies[second], along2, world.bodies[wheel],
-                                                along2, real(ratio)));
-    world.add<ScrewJoint>(wheel, nut, screw_along(world.bodies[wheel], world.bodies[nut], nut_at,
-                                                  along2, real(lead)));
+    world.add<GearJoint>(second, wheel, along2, along2, real(ratio));
+    world.add<ScrewJoint>(wheel, nut, nut_at, along2, real(lead));
     drive->set_motor(speed, 500);
     world.set_beta(settings.beta);
     scene.energy_scale = 100;

@@ -33,8 +33,8 @@ void universal(const Settings& settings, CsvFile& table) {
       const BodyId first = world.add(box(4, vec3(1, real(0.2), real(0.2)), -along1));
       const BodyId second = world.add(box(4, vec3(1, real(0.2), real(0.2)), along2,
                                           rotation(vec3(0, -bend, 0))));
-      auto& drive = world.add<HingeJoint>(world.bodies, wall, first, -along1, along1);
-      auto& driven = world.add<HingeJoint>(world.bodies, wall, second, along2, along2);
+      auto& drive = world.add<HingeJoint>(wall, first, -along1, along1);
+      auto& driven = world.add<HingeJoint>(wall, second, along2, along2);
       world.add<UniversalJoint>(first, second, vec3(0), pin1, cross(along2, pin1));
       drive.set_motor(1, 1e6);
       SequentialImpulses solver;
@@ -87,8 +87,8 @@ double gear(const std::string& name, int turns, real ratio, CsvFile& table) {
   const vec3 axle1(0, 0, 1), axle2 = normalize(vec3(0, 1, 1));
   const BodyId one = world.add(box(2, vec3(1, 1, real(0.2)), vec3(0)));
   const BodyId two = world.add(box(1, vec3(real(0.6), real(0.6), real(0.2)), vec3(1, 0, 0)));
-  auto& first = world.add<HingeJoint>(world.bodies, wall, one, vec3(0), axle1);
-  auto& second = world.add<HingeJoint>(world.bodies, wall, two, vec3(1, 0, 0), axle2);
+  auto& first = world.add<HingeJoint>(wall, one, vec3(0), axle1);
+  auto& second = world.add<HingeJoint>(wall, two, vec3(1, 0, 0), axle2);
   Kind part;
   static_cast<Gear&>(part) = gear_on(world.bodies[one], axle1, world.bodies[two], axle2, ratio);
   world.add<CountingJoint<Kind>>(one, two, part);
@@ -129,7 +129,7 @@ double greatest_swing(double direction) {
   const BodyId arm = world.add(box(3, vec3(real(0.8), real(0.2), real(0.15)),
                                    vec3(real(0.4), 0, 0)));
   Bodies& bodies = world.bodies;
-  world.add<BallJoint>(wall, arm, point_at(bodies[wall], bodies[arm], vec3(0)));
+  world.add<BallJoint>(wall, arm, vec3(0));
   Kind cone;
   static_cast<Cone&>(cone) = cone_about(bodies[wall], bodies[arm], vec3(1, 0, 0),
                                         real(45 * degree));
@@ -159,10 +159,9 @@ void loads(const Settings& settings) {
   const vec3 up(0, 1, 0);
   const BodyId spindle = screw.add(box(5, vec3(real(0.1), 1, real(0.1)), vec3(0)));
   const BodyId nut = screw.add(box(2, vec3(real(0.2)), vec3(0)));
-  auto& hinge = screw.add<HingeJoint>(screw.bodies, wall, spindle, vec3(0), up);
-  screw.add<SliderJoint>(screw.bodies, wall, nut, vec3(0), up);
-  screw.add<ScrewJoint>(spindle, nut, screw_along(screw.bodies[spindle], screw.bodies[nut],
-                                                  vec3(0), up, lead));
+  auto& hinge = screw.add<HingeJoint>(wall, spindle, vec3(0), up);
+  screw.add<SliderJoint>(wall, nut, vec3(0), up);
+  screw.add<ScrewJoint>(spindle, nut, vec3(0), up, lead);
   hinge.set_motor(0, 100);
   World ropes;
   const BodyId heavy = ropes.add(box(3, vec3(real(0.2)), vec3(-1, -1, 0)));
@@ -193,7 +192,7 @@ void own_part_at_work(CsvFile& table) {
     const BodyId two = world.add(box(1, vec3(real(0.5), real(0.3), real(0.7)),
                                      vec3(real(1.1), real(0.6), real(0.2))));
     Bodies& bodies = world.bodies;
-    world.add<HingeJoint>(bodies, wall, one, vec3(0), vec3(0, 1, 1));
+    world.add<HingeJoint>(wall, one, vec3(0), vec3(0, 1, 1));
     const OwnPart part = own_part(bodies[one], bodies[two]);
     world.add<OwnJoint>(one, two, part);
     bodies[one].w = vec3(0, 2, 2);

@@ -18,8 +18,8 @@ int main() {
   const BodyId upper = world.add(box(4, vec3(1, real(0.1), real(0.1)), vec3(real(0.5), 0, 0)));
   const BodyId lower = world.add(box(2, vec3(real(0.8), real(0.1), real(0.1)),
                                      vec3(real(1.4), 0, 0)));
-  auto& shoulder = world.add<HingeJoint>(world.bodies, base, upper, vec3(0), axis);
-  auto& elbow = world.add<HingeJoint>(world.bodies, upper, lower, vec3(1, 0, 0), axis);
+  auto& shoulder = world.add<HingeJoint>(base, upper, vec3(0), axis);
+  auto& elbow = world.add<HingeJoint>(upper, lower, vec3(1, 0, 0), axis);
   shoulder.set_limits(-30 * degree, 60 * degree);
   shoulder.set_motor(real(0.5), 60);  // rad/s, at most 60 N m
   elbow.set_limits(-120 * degree, 0);

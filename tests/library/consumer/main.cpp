@@ -12,7 +12,7 @@ int main() {
   World world;  // metres, kilograms, seconds; gravity is 9.81 m/s^2 along -y
   const BodyId frame = world.add(static_body(vec3(0)));
   const BodyId door = world.add(box(20, vec3(real(0.8), 2, real(0.04)), vec3(real(0.4), 0, 0)));
-  auto& hinge = world.add<HingeJoint>(world.bodies, frame, door, vec3(0), vec3(0, 1, 0));
+  auto& hinge = world.add<HingeJoint>(frame, door, vec3(0), vec3(0, 1, 0));
   hinge.set_limits(0, 110 * degree);
   hinge.set_motor(1, 30);  // rad/s, at most 30 N m
 

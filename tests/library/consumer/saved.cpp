@@ -13,7 +13,7 @@ World chain() {
   for (int k = 0; k < 8; ++k) {
     const BodyId next = world.add(ball(1, real(0.2), vec3(real(k + 1), 0, 0)));
     const vec3 middle(real(k) + real(0.5), 0, 0);
-    world.add<BallJoint>(before, next, point_at(world.bodies[before], world.bodies[next], middle));
+    world.add<BallJoint>(before, next, middle);
     before = next;
   }
   world.set_beta(real(0.1));

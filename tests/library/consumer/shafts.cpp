@@ -38,8 +38,8 @@ std::pair<real, real> ratios(Solver& solver) {
   const BodyId first = world.add(box(4, vec3(1, real(0.2), real(0.2)), -along1));
   const BodyId second = world.add(box(4, vec3(1, real(0.2), real(0.2)), along2,
                                       rotation(vec3(0, -angle, 0))));
-  auto& drive = world.add<HingeJoint>(world.bodies, wall, first, -along1, along1);
-  auto& driven = world.add<HingeJoint>(world.bodies, wall, second, along2, along2);
+  auto& drive = world.add<HingeJoint>(wall, first, -along1, along1);
+  auto& driven = world.add<HingeJoint>(wall, second, along2, along2);
   world.add<mine::UniversalJoint>(
       first, second, mine::cross_at(world.bodies[first], world.bodies[second], vec3(0), pin1,
                                     cross(along2, pin1)));

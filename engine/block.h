@@ -88,11 +88,11 @@ struct Reversal {
 };
 
 /// The data that a solver keeps from one step for the next one, in addition to the impulses. It is
-/// part of a world's state. `rates` is used only if the next step has the same rows.
+/// part of a world's state. The rates of an island are used only if it has the same rows again.
 struct SolverMemory {
   std::vector<real> inertia;  ///< least moment that the step used, for each slot [kg m^2]
   std::vector<real> rates;    ///< change of J V per row that corrected the poses [unit of C per s]
-  int pattern = 0;            ///< a hash of the rows to which `rates` belongs
+  std::vector<int> patterns;  ///< for each island a hash of its rows, and their number in `rates`
   bool operator==(const SolverMemory&) const = default;  ///< the same numbers
 };
 

@@ -32,8 +32,9 @@ class Solver {
   /// Describes, for reports, which method the solver chooses for these blocks; "" if it has no
   /// choice.
   virtual std::string plan(const Bodies&, const Blocks&) const { return {}; }
-  /// Appends the blocks of the step once more, at the bodies' present poses.
-  using Append = std::function<void(Blocks&)>;
+  /// Appends the blocks of the step once more, at the bodies' present poses. \param of for each
+  /// slot: append only the blocks of joints of these bodies; null: of all joints
+  using Append = std::function<void(Blocks&, const std::vector<bool>* of)>;
   /// Moves the bodies by their velocities. A solver that corrects errors by other means than
   /// impulses does so here, before or after the move. \param h step [s]
   virtual void advance(Bodies& bodies, real h, [[maybe_unused]] const Append& append) {

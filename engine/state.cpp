@@ -47,6 +47,15 @@ void check_memory(const SolverMemory& memory, int slots) {
     require(finite(I) && I >= 0, "state: memory", I, "must be finite and not negative [kg m^2]");
   for (const real rate : memory.rates)
     require(finite(rate), "state: memory", rate, "must be finite");
+  std::size_t rows = 0;
+  for (std::size_t k = 0; k < memory.patterns.size(); ++k) {
+    const int number = memory.patterns[k];
+    require(k % 2 == 0 || (number >= 0 && std::size_t(number) <= memory.rates.size() - rows),
+            "state: memory: its islands do not have as many rows");
+    if (k % 2 == 1) rows += std::size_t(number);
+  }
+  require(memory.patterns.size() % 2 == 0 && rows == memory.rates.size(),
+          "state: memory: has rows of no island");
 }
 
 // Sets a world to a state of the same structure.

@@ -130,8 +130,10 @@ void begin_step(World& world, Solver& solver, real h, const Stepping& how) {
 
 void end_step(World& world, Solver& solver, real h, const Stepping& how) {
   if (how.leapfrog) turn(world.bodies, h / 2);
-  solver.advance(world.bodies, h, [&world](Blocks& blocks) {
-    for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
+  solver.advance(world.bodies, h, [&world](Blocks& blocks, const std::vector<bool>* of) {
+    for (const auto& joint : world.joints())
+      if (!of || (*of)[joint->body1.slot] || (*of)[joint->body2.slot])
+        joint->append(world.bodies, blocks);
   });
   if (how.leapfrog) turn(world.bodies, h / 2);
   if (!world.blocks.reversals.empty()) reverse(world, solver, h);

@@ -41,7 +41,7 @@ void Xpbd::advance(Bodies& bodies, real h, const Append& append) {
   move(bodies);
   for (int i = 0; i < iterations; ++i) {
     blocks_.clear();
-    append(blocks_);
+    append(blocks_, nullptr);
     start_impulses(i == 0);
     iterate(bodies, h);
     move(bodies);

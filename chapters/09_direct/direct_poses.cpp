@@ -1,5 +1,5 @@
-// The direct solver moves the bodies: with the factor of the step, by secants if this is not
-// enough, and at last with the factors of new poses.
+// The direct solver moves the bodies: with the factor of the step, and single islands by secants if
+// this is not enough, and at last with the factors of new poses.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,23 +16,11 @@ constexpr int most_corrections = 20;
 // have found another pose than the next one.
 constexpr double most_gain = 0.01;
 // An error is small compared to another one if it is less than this fraction of it.
-constexpr double small_share = 0.1;
+constexpr double small_fraction = 0.1;
 // How often velocities are halved at most if no correction closes the joints.
 constexpr int most_halved = 4;
 // Rounding errors of C are at most about this times epsilon times the largest coordinate.
 constexpr double of_rounding = 8;
-
-// Twice the kinetic energy of all bodies [J].
-double twice_kinetic(const Bodies& bodies) {
-  double sum = 0;
-  for (int slot = 0; slot < bodies.slots(); ++slot) {
-    const Body& body = bodies.at(slot);
-    if (body.is_static()) continue;
-    const vec3 w = to_local(body, body.w);
-    sum += double(dot(body.v, body.v) / body.inverse_mass + dot(w / body.inverse_inertia_local, w));
-  }
-  return sum;
-}
 
 // False for a row of zeros, as of points that coincide: no impulse along it corrects anything.
 bool has_direction(const Row& J) {
@@ -40,237 +28,354 @@ bool has_direction(const Row& J) {
   return J.v1 != none || J.w1 != none || J.v2 != none || J.w2 != none;
 }
 
+double largest(const std::vector<double>& C) {
+  double out = 0;
+  for (const double one : C) out = std::max(out, std::abs(one));
+  return out;
+}
+
 }  // namespace
 
-class DirectSolver::Poses : public Corrector {
+// If Newton's method with the factor of the step fails in an island, secants take over: they
+// converge where an iteration multiplies some errors by nearly 1, as it does near the singular pose
+// of a linkage. Their impulses still act along the rows of the step, which keeps the energy. If
+// they fail as well, the factors of the new poses are used. They begin with the best velocities of
+// the secants or, if these are no good either, with those that solve the velocity equations,
+// without the correction predicted for the poses. If this does not close the joints, a body is too
+// fast for the step, and is slowed down.
+class DirectSolver::Positions : public Corrector {
  public:
-  // J: receives the rows at the new poses, if not null
-  Poses(DirectSolver& solver, Bodies& bodies, const Append& append, std::vector<Row>* J = nullptr)
-      : solver_(solver), bodies_(bodies), append_(append), J_(J) {}
+  Positions(DirectSolver& solver, Bodies& bodies, real h, const Append& append)
+      : solver_(solver), islands_(solver.islands_), own_(solver.motion_), bodies_(bodies), h_(h),
+        append_(append), expected_(solver.blocks_->memory.rates) {}
 
+  // Moves all bodies. Returns true if all joints are closed.
+  bool move() {
+    begin();
+    move_onto_constraints(bodies_, double(h_), solver_.newton, 0, *this, own_.start);
+    alone_ = true;
+    bool closed = true;
+    for (int k = 0; k < int(own_.tries.size()); ++k)
+      if (!own_.tries[k].exact) closed = move_alone(k) && closed;
+    return closed;
+  }
+
+  // Errors of all islands that move. Those that are closed, or do not approach it, stay as they
+  // are.
   std::vector<double>& errors() override {
-    Blocks& poses = solver_.poses_;
-    poses.clear();
-    poses.errors_only = J_ == nullptr;
-    append_(poses);
-    std::vector<double>& x = solver_.x_;
-    std::fill(x.begin(), x.end(), 0.0);
-    std::size_t k = 0;
-    for (const Inside& one : solver_.inside_) {
-      const Block& block = *one.block;
-      if (!block.target.holds_position || one.spring > 0) continue;
-      const std::size_t begin = k;  // nearly always the next one
-      while (poses.list[k].impulse != block.impulse)
-        if (k = (k + 1) % poses.list.size(); k == begin) break;
-      if (poses.list[k].impulse != block.impulse) continue;
-      for (int i = 0; i < block.rows; ++i)
-        if (has_direction(solver_.blocks_->J[block.first + i]))
-          x[block.first + i] = double(poses.C[poses.list[k].first + i]);
-      for (int i = 0; J_ && i < block.rows; ++i)
-        (*J_)[block.first + i] = poses.J[poses.list[k].first + i];
-      if (block.target.rate != 0) x[block.first + block.rows - 1] = 0;  // it rebounds
+    evaluate(0, int(own_.tries.size()), false);
+    for (std::size_t k = 0; k < own_.tries.size(); ++k) {
+      Motion::Try& now = own_.tries[k];
+      const auto from = own_.C.begin() + islands_.islands()[k].first_row;
+      const auto end = from + islands_.islands()[k].rows;
+      double most = 0;
+      for (auto C = from; C != end; ++C) most = std::max(most, std::abs(*C));
+      now.exact = now.exact || (now.moving && most <= now.most);
+      now.moving = now.moving && !now.exact && most <= poor_contraction * now.last;
+      now.last = most;
+      if (!now.moving) std::fill(from, end, 0.0);
     }
-    for (BoundedRow& row : solver_.bounded_) {
-      const Block& block = *solver_.inside_[row.inside].block;
-      double& C = x[block.first + block.rows - 1];
-      if (J_ && C < 0 && block.target.one_sided()) row.side = Side::free;  // limit exceeded
-      if (row.side != Side::free) C = 0;
-    }
-    double largest = 0;
-    for (const double C : x) largest = std::max(largest, std::abs(C));
-    solver_.errors_met_.push_back(largest);
-    return x;
+    return own_.C;
   }
   void change_rates(std::vector<double>& rates) override {
-    std::vector<real>& expected = solver_.blocks_->memory.rates;
-    for (std::size_t r = 0; r < rates.size(); ++r) expected[r] += real(rates[r]);
-    solver_.change_rates(bodies_, rates);
-    ++solver_.report_.corrections;
+    change(0, int(own_.tries.size()), rates);
   }
 
  private:
+  void begin() {
+    own_.impulses.resize(std::size_t(islands_.rows()));
+    own_.expected.assign(expected_.begin(), expected_.end());
+    own_.moved.assign(std::size_t(bodies_.slots()), false);
+    own_.tries.clear();
+    for (int k = 0; k < int(islands_.islands().size()); ++k) {
+      const bool solved = pair_of(k) && !pair_of(k)->iterated;
+      const double infinite = std::numeric_limits<double>::infinity();
+      own_.tries.push_back({0, infinite, solved, !solved});
+      if (!solved) continue;
+      if (!pair_of(k)->factored) pair_of(k)->factor_now();  // sides were still wrong
+      real size = 0;  // errors that are only rounding errors need not be corrected
+      for_bodies(k, [&](Body& body, int) {
+        const vec3 x = abs(body.x);
+        size = std::max({size, x.x, x.y, x.z});
+      });
+      own_.tries.back().most = std::max(solver_.tolerance * double(h_) * double(h_),
+                                        of_rounding * double(epsilon * size));
+      keep_impulses(k);
+    }
+  }
+
+  // ---- islands from, ..., end - 1 ---------------------------------------------------------------
+
+  IslandPair* pair_of(int island) {
+    const int pair = islands_.islands()[island].pair;
+    return pair < 0 ? nullptr : &islands_.pairs[pair];
+  }
+  template <class F>
+  void for_bodies(int island, const F& f) {
+    const IslandPair& pair = *pair_of(island);
+    for (int k = 0; k < int(pair.bodies.size()); ++k)
+      if (const int slot = pair.bodies[k][islands_.islands()[island].lane]; pair.moves[k])
+        f(bodies_.at(slot), slot);
+  }
+
+  // C of all rows at the present poses, 0 for rows without an error. \param rows also append the
+  // rows at these poses, and free limits that are exceeded
+  void evaluate(int from, int end, bool rows) {
+    const int base = end > from ? islands_.islands()[from].first_row : 0;
+    if (alone_) for_bodies(from, [&](Body&, int slot) { own_.moved[slot] = true; });
+    own_.poses.clear();
+    own_.poses.errors_only = !rows;
+    append_(own_.poses, alone_ ? &own_.moved : nullptr);
+    if (alone_) for_bodies(from, [&](Body&, int slot) { own_.moved[slot] = false; });
+    int count = 0;
+    for (int k = from; k < end; ++k) count += islands_.islands()[k].rows;
+    own_.C.assign(std::size_t(count), 0.0);
+    own_.met.clear();
+    const std::vector<Block>& list = solver_.blocks_->list;
+    std::size_t k = 0;
+    for (const Block& now : own_.poses.list) {
+      own_.met.push_back(-1);
+      const std::size_t begin = k;  // nearly always the next one
+      while (list[k].impulse != now.impulse)
+        if (k = (k + 1) % list.size(); k == begin) break;
+      const auto& [island, number, row] = islands_.at(int(k));
+      if (list[k].impulse != now.impulse || island < from || island >= end) continue;
+      if (!own_.tries[island].moving && !alone_) continue;
+      own_.met.back() = int(k);
+      const Block& block = list[k];
+      if (!block.target.holds_position || pair_of(island)->is_spring(number, lane_of(island)))
+        continue;
+      double* const C = &own_.C[row - base];
+      for (int i = 0; i < block.rows; ++i)
+        if (has_direction(solver_.blocks_->J[block.first + i]))
+          C[i] = double(own_.poses.C[now.first + i]);
+      if (block.target.rate != 0) C[block.rows - 1] = 0;  // it rebounds
+    }
+    for_bounded(from, end, [&](BoundedRow& bound, const LaneBlock& at) {
+      double& C = own_.C[at.row[bound.lane] + at.rows - 1 - base];
+      const RowTarget& target = list[at.block[bound.lane]].target;
+      if (rows && C < 0 && target.one_sided()) bound.side = Side::free;  // limit exceeded
+      if (bound.side != Side::free) C = 0;
+    });
+    solver_.errors_met_.push_back(largest(own_.C));
+  }
+  int lane_of(int island) const { return islands_.islands()[island].lane; }
+  template <class F>
+  void for_bounded(int from, int end, const F& f) {
+    for (int k = from; k < end; ++k)
+      if (IslandPair* const pair = pair_of(k))
+        for (BoundedRow& bound : pair->bounded)
+          if (bound.lane == lane_of(k)) f(bound, pair->blocks[bound.block]);
+  }
+
+  // Changes velocities and impulses so that J V changes by `rates`, with the present factors.
+  void change(int from, int end, const std::vector<double>& rates) {
+    ++solver_.report_.corrections;
+    const int base = islands_.islands()[from].first_row;
+    for (std::size_t r = 0; r < rates.size(); ++r) expected_[std::size_t(base) + r] += real(rates[r]);
+    for (int k = from; k < end; ++k) {
+      IslandPair* const pair = pair_of(k);
+      const int other = pair ? pair->islands[1 - lane_of(k)] : -1;
+      const bool both = other >= from && other < end;
+      if (!pair || pair->iterated || (both && lane_of(k) == 1)) continue;
+      for (int n = 0; n < int(pair->blocks.size()); ++n)
+        for (const int lane : {0, 1}) {
+          const LaneBlock& block = pair->blocks[n];
+          const bool used = block.block[lane] >= 0 && (both || lane == lane_of(k));
+          for (int i = 0; i < block.rows; ++i)
+            pair->x[pair->A.nodes[n].row + i][lane] =
+                used ? rates[block.row[lane] - base + i] : 0;
+        }
+      pair->load(bodies_);
+      pair->change();
+      pair->store(bodies_, *solver_.blocks_);
+    }
+  }
+
+  // ---- a single island --------------------------------------------------------------------------
+
+  bool move_alone(int island) {
+    const double most = own_.tries[island].most;
+    const int from = islands_.islands()[island].first_row;
+    const int rows = islands_.islands()[island].rows;
+    own_.best.resize(std::size_t(bodies_.slots()));
+    for_bodies(island, [&](Body& body, int slot) { own_.best[slot] = body = own_.start[slot]; });
+    back_to_best(island);
+    std::copy_n(own_.expected.begin() + from, rows, expected_.begin() + from);
+    const double least = move_by_secants(island, most);
+    if (least <= most) return true;
+    back_to_poses(island);
+    back_to_best(island);
+    if (std::isinf(least)) {
+      own_.rates.assign(own_.expected.begin() + from, own_.expected.begin() + from + rows);
+      for (double& rate : own_.rates) rate = -rate;
+      change(island, island + 1, own_.rates);
+    }
+    bool closed = project(island, most);
+    for (int n = 0; n < most_halved && !closed && halve(island, most); ++n)
+      closed = project(island, most);
+    std::fill_n(expected_.begin() + from, rows, real(0));
+    return closed;
+  }
+
+  void back_to_poses(int island) {
+    for_bodies(island, [&](Body& body, int slot) {
+      body.x = own_.start[slot].x, body.q = own_.start[slot].q;
+    });
+  }
+  void move_island(int island) {
+    for_bodies(island, [&](Body& body, int) { integrate_pose(body, h_); });
+  }
+  // Twice the kinetic energy [J].
+  double twice_kinetic(int island) {
+    double sum = 0;
+    for_bodies(island, [&](Body& body, int) {
+      const vec3 w = to_local(body, body.w);
+      sum += double(dot(body.v, body.v) / body.inverse_mass +
+                    dot(w / body.inverse_inertia_local, w));
+    });
+    return sum;
+  }
+  // Stores velocities and impulses that may have to be restored.
+  void keep_best(int island) {
+    for_bodies(island, [&](Body& body, int slot) { own_.best[slot] = body; });
+    keep_impulses(island);
+  }
+  void keep_impulses(int island) {
+    for_impulses(island, [](double& stored, const double& now) { stored = now; });
+  }
+  void back_to_best(int island) {
+    for_bodies(island, [&](Body& body, int slot) {
+      body.v = own_.best[slot].v, body.w = own_.best[slot].w;
+    });
+    for_impulses(island, [](double& stored, double& now) { now = stored; });
+    pair_of(island)->load(bodies_);
+    pair_of(island)->store(bodies_, *solver_.blocks_);
+  }
+  template <class F>
+  void for_impulses(int island, const F& f) {
+    IslandPair& pair = *pair_of(island);
+    const int lane = lane_of(island);
+    for (std::size_t k = 0; k < pair.blocks.size(); ++k)
+      for (int i = 0; pair.blocks[k].block[lane] >= 0 && i < pair.blocks[k].rows; ++i) {
+        TwoLanes& both = pair.impulse[pair.A.nodes[k].row + i];
+        double now = both[lane];
+        f(own_.impulses[pair.blocks[k].row[lane] + i], now);
+        both[lane] = now;
+      }
+  }
+
+  // Returns the largest error that the best velocities leave, or infinity if they are no better
+  // than those of the beginning. Bounded rows exclude secants: a limit that a correction exceeds
+  // would have to change its side.
+  double move_by_secants(int island, double most) {
+    const double kinetic = twice_kinetic(island);
+    double least = std::numeric_limits<double>::infinity(), first = 0;
+    bool bounded = false;
+    for_bounded(island, island + 1, [&](BoundedRow&, const LaneBlock&) { bounded = true; });
+    if (bounded) return least;
+    own_.secants.clear(std::size_t(islands_.islands()[island].rows), most_corrections);
+    for (int n = 0;; ++n) {
+      const bool gains = twice_kinetic(island) > (1 + most_gain) * kinetic;
+      move_island(island);
+      evaluate(island, island + 1, false);
+      const double now = largest(own_.C);
+      if (n == 0) first = now;
+      if (!gains && now < least && (now <= most || now < small_fraction * first)) {
+        least = now;
+        keep_best(island);
+      }
+      if (now <= most || n == most_corrections || !std::isfinite(now)) return least;
+      own_.secants.correction(own_.C, double(h_), own_.rates);
+      change(island, island + 1, own_.rates);
+      back_to_poses(island);
+    }
+  }
+
+  // Newton's method with the factor of each new pose. A correction that makes the errors larger is
+  // halved. If the errors do not vanish, the best velocities are kept.
+  bool project(int island, double most) {
+    IslandPair& pair = *pair_of(island);
+    double last = std::numeric_limits<double>::infinity(), fraction = 1;
+    bool closed = false;
+    keep_best(island);
+    for (int n = 0; n < most_corrections; ++n) {
+      back_to_poses(island);
+      move_island(island);
+      evaluate(island, island + 1, true);
+      const double now = largest(own_.C);
+      closed = now <= most;
+      if (closed || !std::isfinite(now)) break;
+      if (now < last) {
+        last = now, fraction = 1;
+        keep_best(island);
+        own_.last_C = own_.C;
+        for (std::size_t k = 0; k < own_.met.size(); ++k)
+          if (own_.met[k] >= 0)
+            pair.set_rows(islands_.at(own_.met[k]).block, lane_of(island),
+                          &own_.poses.J[own_.poses.list[k].first]);
+        solver_.set_masses(pair, bodies_, lane_of(island));
+        pair.factor_now();
+      } else {
+        fraction /= 2;
+        back_to_best(island);
+      }
+      own_.rates = own_.last_C;
+      for (double& rate : own_.rates) rate *= -fraction / double(h_);
+      change(island, island + 1, own_.rates);
+    }
+    pair.factored = false;  // not that of the step
+    if (closed) return true;
+    back_to_best(island);
+    back_to_poses(island);
+    move_island(island);
+    return false;
+  }
+
+  // Halves the velocities of the bodies at joints that this step has opened: in their old poses
+  // these joints were closed. Returns false if there are none.
+  bool halve(int island, double most) {
+    evaluate(island, island + 1, false);
+    own_.open.assign(std::size_t(bodies_.slots()), false);
+    const JointIslands::Island& own = islands_.islands()[island];
+    for (int n = own.first; n < own.end; ++n) {
+      const Block& block = solver_.blocks_->list[islands_.order()[n]];
+      const int row = islands_.at(islands_.order()[n]).row - own.first_row;
+      for (int i = 0; i < block.rows; ++i)
+        if (small_fraction * std::abs(own_.C[row + i]) >
+            std::max(most, std::abs(double(solver_.blocks_->C[block.first + i]))))
+          own_.open[block.body1] = own_.open[block.body2] = true;
+    }
+    bool any = false;
+    for_bodies(island, [&](Body& body, int slot) {
+      if (own_.open[slot]) body.v /= real(2), body.w /= real(2), any = true;
+    });
+    solver_.report_.halved += any;
+    return any;
+  }
+
   DirectSolver& solver_;
+  JointIslands& islands_;
+  Motion& own_;
   Bodies& bodies_;
+  real h_;
   const Append& append_;
-  std::vector<Row>* J_;
+  std::vector<real>& expected_;
+  bool alone_ = false;  // single islands move
 };
 
-// If Newton's method with the factor of the step fails, secants take over: they converge where an
-// iteration multiplies some errors by nearly 1, as it does near the singular pose of a linkage.
-// Their impulses still act along the rows of the step, which keeps the energy. If they fail as
-// well, the factors of the new poses are used. They begin with the best velocities of the secants
-// or, if these are no good either, with those that solve the velocity equations, without the
-// correction predicted for the poses. If this does not close the joints, a body is too fast for the
-// step, and is slowed down.
 void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   blocks_of(bodies);  // rejects other bodies
-  report_.moved_exactly = false;
   report_.corrections = report_.halved = 0;
+  report_.moved_exactly = false;
   errors_met_.clear();
-  errors_met_.reserve(std::size_t(std::min(newton, 64) + (2 + most_halved) * most_corrections));
-  at_open_.reserve(std::size_t(bodies.slots()));
-  std::vector<real>& expected = blocks_->memory.rates;
-  if (newton == 0 || report_.iterated) {
-    std::fill(expected.begin(), expected.end(), real(0));
-    return report_.iterated ? instead.advance(bodies, h, append) : integrate_poses(bodies, h);
+  if (newton > 0) {
+    report_.moved_exactly = Positions(*this, bodies, h, append).move() && !report_.iterated;
+    if (!report_.iterated) return;
+    for (int slot = 0; slot < bodies.slots(); ++slot)  // `instead` moves all bodies
+      bodies.at(slot).x = motion_.start[slot].x, bodies.at(slot).q = motion_.start[slot].q;
   }
-  if (!factored_) factor_now();  // sides were still wrong
-  keep_best(bodies);
-  in_vain_.assign(expected.begin(), expected.end());
-  Poses poses(*this, bodies, append);
-  const double most = largest_error(bodies, h);
-  report_.moved_exactly = move_onto_constraints(bodies, h, newton, most, poses, start_);
-  if (report_.moved_exactly) return;
-  back_to_start(bodies);
-  std::copy(in_vain_.begin(), in_vain_.end(), expected.begin());
-  const double least = move_by_secants(bodies, h, most, poses);
-  report_.moved_exactly = least <= most;
-  if (report_.moved_exactly) return;
-  back_to_start(bodies);
-  if (std::isinf(least)) {
-    for (double& rate : in_vain_) rate = -rate;
-    change_rates(bodies, in_vain_);
-  }
-  std::fill(expected.begin(), expected.end(), real(0));
-  report_.moved_exactly = project(bodies, h, most, append);
-  while (!report_.moved_exactly && report_.halved < most_halved && halve(bodies, most, append))
-    report_.moved_exactly = project(bodies, h, most, append);
-}
-
-// The error that need not be corrected [m or rad]. It is not below the rounding errors of points of
-// the bodies.
-double DirectSolver::largest_error(const Bodies& bodies, real h) const {
-  real size = 0;
-  for (int slot = 0; slot < bodies.slots(); ++slot) {
-    if (bodies.at(slot).is_static()) continue;
-    const vec3 x = abs(bodies.at(slot).x);
-    size = std::max({size, x.x, x.y, x.z});
-  }
-  return std::max(tolerance * double(h) * double(h), of_rounding * double(epsilon * size));
-}
-
-// Restores the poses of the beginning, and the best velocities and impulses.
-void DirectSolver::back_to_start(Bodies& bodies) const {
-  std::copy(start_.begin(), start_.end(), bodies.data());
-  back_to_best(bodies);
-}
-
-// Returns the largest error that the best velocities leave, or infinity if they are no better than
-// those of the beginning. Bounded rows exclude secants: a limit that a correction exceeds would
-// have to change its side.
-double DirectSolver::move_by_secants(Bodies& bodies, real h, double most, Poses& poses) {
-  const double kinetic = twice_kinetic(bodies);
-  double least = std::numeric_limits<double>::infinity(), first = 0;
-  if (!bounded_.empty()) return least;
-  secants_.clear(x_.size(), most_corrections);
-  for (int n = 0;; ++n) {
-    const bool gains = twice_kinetic(bodies) > (1 + most_gain) * kinetic;
-    integrate_poses(bodies, h);
-    const std::vector<double>& C = poses.errors();
-    const double largest = errors_met_.back();
-    if (n == 0) first = largest;
-    if (!gains && largest < least && (largest <= most || largest < small_share * first)) {
-      least = largest;
-      keep_best(bodies);
-    }
-    if (largest <= most || n == most_corrections || !std::isfinite(largest)) return least;
-    secants_.correction(C, double(h), rates_);
-    poses.change_rates(rates_);
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start_[slot].x, bodies.at(slot).q = start_[slot].q;
-  }
-}
-
-// Halves the velocities of the bodies at joints that this step has opened: in their old poses these
-// joints were closed. Returns false if there are none.
-bool DirectSolver::halve(Bodies& bodies, double most, const Append& append) {
-  const std::vector<double>& C = Poses(*this, bodies, append).errors();
-  at_open_.assign(std::size_t(bodies.slots()), false);
-  for (const Inside& one : inside_)
-    for (int r = one.block->first; r < one.block->first + one.block->rows; ++r)
-      if (small_share * std::abs(C[r]) > std::max(most, std::abs(double(blocks_->C[r]))))
-        at_open_[one.block->body1] = at_open_[one.block->body2] = true;
-  for (int slot = 0; slot < bodies.slots(); ++slot)
-    if (at_open_[slot]) bodies.at(slot).v /= real(2), bodies.at(slot).w /= real(2);
-  ++report_.halved;
-  return std::find(at_open_.begin(), at_open_.end(), true) != at_open_.end();
-}
-
-// Stores velocities and impulses that may have to be restored.
-void DirectSolver::keep_best(Bodies& bodies) {
-  best_.assign(bodies.data(), bodies.data() + bodies.slots());
-  impulses_.clear();
-  for (const Inside& one : inside_)
-    impulses_.insert(impulses_.end(), one.block->impulse, one.block->impulse + one.block->rows);
-}
-
-void DirectSolver::back_to_best(Bodies& bodies) const {
-  for (int slot = 0; slot < bodies.slots(); ++slot)
-    bodies.at(slot).v = best_[slot].v, bodies.at(slot).w = best_[slot].w;
-  const real* impulse = impulses_.data();
-  for (const Inside& one : inside_) {
-    std::copy(impulse, impulse + one.block->rows, one.block->impulse);
-    impulse += one.block->rows;
-  }
-}
-
-// Makes and factors A for the given rows and the inertias at the present poses.
-void DirectSolver::factor_at(const Bodies& bodies, const std::vector<Row>& J) {
-  rows_of_J_ = J.data();
-  for (int slot = 0; slot < bodies.slots(); ++slot) {
-    Body body = bodies.at(slot);
-    if (body.is_static()) continue;
-    if (pulls_[slot].force_lever > 0)
-      body.inverse_inertia_local = pulls_[slot].slowed.inverse_inertia_local;
-    const mat3 I = inverse_inertia(body);
-    masses_[slot].angular = {I[0][0], I[1][1], I[2][2], I[1][0], I[2][0], I[2][1]};
-  }
-  place_rows();
-  factor_now();
-}
-
-// Newton's method with the factor of each new pose. A correction that makes the errors larger is
-// halved. If the errors do not vanish, the best velocities are kept.
-bool DirectSolver::project(Bodies& bodies, real h, double most, const Append& append) {
-  const auto move = [&] {
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies.at(slot).x = start_[slot].x, bodies.at(slot).q = start_[slot].q;
-    integrate_poses(bodies, h);
-  };
-  at_start_ = masses_;
-  double last = std::numeric_limits<double>::infinity(), share = 1;
-  bool closed = false;
-  keep_best(bodies);
-  for (int n = 0; n < most_corrections; ++n) {
-    move();
-    new_J_ = blocks_->J;
-    Poses poses(*this, bodies, append, &new_J_);
-    const std::vector<double>& C = poses.errors();
-    closed = errors_met_.back() <= most;
-    if (closed || !std::isfinite(errors_met_.back())) break;
-    if (errors_met_.back() < last) {
-      last = errors_met_.back(), share = 1;
-      keep_best(bodies);
-      in_vain_ = C;
-      factor_at(bodies, new_J_);
-    } else {
-      share /= 2;
-      back_to_best(bodies);
-    }
-    x_ = in_vain_;
-    for (double& rate : x_) rate *= -share / double(h);
-    change_rates(bodies, x_);
-    ++report_.corrections;
-  }
-  if (!closed) {
-    back_to_best(bodies);
-    move();
-  }
-  masses_ = at_start_;
-  rows_of_J_ = blocks_->J.data();
-  place_rows();
-  factored_ = false;
-  return closed;
+  report_.iterated ? instead.advance(bodies, h, append) : integrate_poses(bodies, h);
 }
 
 }  // namespace joints

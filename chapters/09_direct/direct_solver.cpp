@@ -1,255 +1,361 @@
-// The direct solver: the factor, the corrections, and the bounds by an active set.
+// The direct solver: which blocks are in A, alternation with the others, and added inertia.
 #include "chapters/09_direct/direct_solver.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace joints {
 
-namespace {
-// Bounded rows are softened by this fraction of K, since they may depend on others, as those of a
-// motor and a limit do. Until one of them is at its bound, their impulses are inversely
-// proportional to it. With float velocities 1e-9 would make them so large that the velocities are
-// lost.
-constexpr double bound_softness = sizeof(real) == 4 ? 1e-6 : 1e-9;
 // At most this many times a step is solved again because its forces have jumped.
-constexpr int looks = 4;
-// In an open chain only the masses make a pivot small, so there its threshold is multiplied by
-// this.
-constexpr double of_open_chains = 1e-3;
-// A row is dependent if its pivot is below this multiple of the softening.
-constexpr double of_softening = sizeof(real) == 4 ? 100 : 1000;
-// After this many passes without progress only the last wrong row changes its side.
-constexpr int patience = 3;
+static constexpr int looks = 4;
 
-Triple<double> of(const vec3& a) { return {double(a.x), double(a.y), double(a.z)}; }
+void DirectSolver::check() const {
+  require(newton >= 0, "newton: must not be negative");
+  require(tolerance > 0, "tolerance: must be positive");
+  require(finite(added_inertia) && added_inertia >= 0,
+          "added_inertia: must be finite and not negative");
+  require(softening >= 0 && softening < 1, "softening: must be at least 0 and below 1");
+  require(alternations > 0, "alternations: there must be at least one");
+  require(passes > 0, "passes: there must be at least one");
+  require(most_work >= 0, "most_work: must not be negative");
+  instead.check();
+}
 
-}  // namespace
+// ---- once per step ------------------------------------------------------------------------------
 
-// ---- the factor ---------------------------------------------------------------------------------
+void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) {
+  prepared_for(bodies, blocks, first);
+  blocks_ = &blocks;
+  h_ = h;
+  const bool late = first > 0;
+  if (!late) {
+    report_ = {};
+    before_.clear();
+    pulls_.assign(std::size_t(bodies.slots()), Pull{});
+  }
+  collect_blocks(bodies);
+  islands_.group(pattern_, bodies.slots(), most_work);
+  leave_to_iterations(bodies);
+  recall_rates();
+  report_.multiplications = report_.fill = 0;
+  for (IslandPair& pair : islands_.pairs) {
+    report_.multiplications += pair.multiplications();
+    report_.fill += pair.fill();
+    if (pair.iterated) continue;
+    const auto is_late = [&](const LaneBlock& block) {
+      return block.block[0] >= first || block.block[1] >= first;
+    };
+    if (late && !pair.is_new && std::none_of(pair.blocks.begin(), pair.blocks.end(), is_late))
+      continue;
+    pair.softening = softening;
+    pair.inverse = inverse;
+    pair.prepare(blocks, newton > 0 ? blocks.memory.rates.data() : nullptr, h);
+    set_masses(pair, bodies);
+    if (!late && added_inertia > 0) pair.find_tight_loops();
+  }
+  if (!late && added_inertia > 0) {
+    blocks.memory.inertia.resize(pulls_.size());
+    find_pulls(blocks.acted, pulls_);
+    for (int slot = 0; slot < bodies.slots(); ++slot) slow_down(bodies, slot);
+    for (IslandPair& pair : islands_.pairs) set_masses(pair, bodies);
+  }
+  prepare_outside(bodies);
+  if (report_.iterated) instead.prepare(bodies, iterated_, 0, h);
+}
+
+void DirectSolver::collect_blocks(const Bodies& bodies) {
+  followed_.clear();
+  for (const Block& block : blocks_->list)
+    if (block.target.follows != 0) followed_.push_back(block.impulse + block.target.follows);
+  std::sort(followed_.begin(), followed_.end());
+  pattern_.clear();
+  for (const Block& block : blocks_->list) {
+    const bool bounded = block.target.lower > -unbounded || block.target.upper < unbounded;
+    pattern_.push_back({{block.body1, block.body2},
+                        {!bodies.at(block.body1).is_static(), !bodies.at(block.body2).is_static()},
+                        is_outside(block) ? 0 : block.rows, bounded});
+  }
+}
+
+// True for rows whose bound depends on another impulse, and for the rows of these impulses.
+bool DirectSolver::is_outside(const Block& block) const {
+  if (block.target.follows != 0) return true;
+  const auto next = std::lower_bound(followed_.begin(), followed_.end(), block.impulse);
+  return next != followed_.end() && *next < block.impulse + block.rows;
+}
+
+void DirectSolver::leave(IslandPair& pair) {
+  pair.iterated = true;
+  for (std::size_t k = 0; k < pair.bodies.size(); ++k)
+    for (const int slot : pair.bodies[k])
+      if (pair.moves[k] && slot >= 0) left_[slot] = true;
+}
+
+// Islands that take too much work are left to iterations, and with them all islands that blocks
+// outside A connect to them. Otherwise only blocks outside A are iterated.
+void DirectSolver::leave_to_iterations(const Bodies& bodies) {
+  left_.assign(std::size_t(bodies.slots()), false);
+  for (const int k : islands_.order()) {
+    if (islands_.islands()[islands_.at(k).island].pair >= 0) continue;
+    const auto& [of, moves, rows, bounded] = pattern_[k];  // of a hub
+    if (moves[0]) left_[of.body1] = true;
+    if (moves[1]) left_[of.body2] = true;
+  }
+  for (IslandPair& pair : islands_.pairs) {
+    double rows = 0;
+    for (const LaneBlock& block : pair.blocks) rows += block.lanes() * block.rows;
+    pair.iterated = false;
+    if (pair.multiplications() > most_work * rows) leave(pair);
+  }
+  report_.iterated = std::find(left_.begin(), left_.end(), true) != left_.end();
+  for (bool more = report_.iterated; std::exchange(more, false);)
+    for (const auto& [of, moves, rows, bounded] : pattern_) {
+      if (!moves[0] || !moves[1] || left_[of.body1] == left_[of.body2]) continue;
+      more = left_[of.body1] = left_[of.body2] = true;
+      for (IslandPair& pair : islands_.pairs)
+        for (const auto& slots : pair.bodies)
+          for (const int slot : slots)
+            if (!pair.iterated && (slot == of.body1 || slot == of.body2)) leave(pair);
+    }
+  for (Blocks* list : {&outside_, &iterated_}) {
+    list->clear();
+    list->J.clear();
+    list->acting = blocks_->acting;
+  }
+  for (std::size_t k = 0; k < pattern_.size(); ++k) {
+    const auto& [of, moves, rows, bounded] = pattern_[k];
+    const bool left = (moves[0] && left_[of.body1]) || (moves[1] && left_[of.body2]);
+    if (!left && rows > 0) continue;
+    Blocks& to = left ? iterated_ : outside_;
+    const Block& block = blocks_->list[k];
+    to.list.push_back(block);
+    to.list.back().first = int(to.C.size());
+    for (int r = block.first; r < block.first + block.rows; ++r) {
+      to.J.push_back(blocks_->J[r]);
+      to.C.push_back(blocks_->C[r]);
+    }
+  }
+}
+
+// The corrections of the last step are used in islands whose rows are the same.
+void DirectSolver::recall_rates() {
+  SolverMemory& memory = blocks_->memory;
+  patterns_.clear();
+  for (const JointIslands::Island& island : islands_.islands())
+    patterns_.insert(patterns_.end(), {island.pattern, island.rows});
+  if (newton == 0) memory.patterns.clear(), memory.rates.clear();
+  if (newton == 0 || memory.patterns == patterns_) return;
+  recalled_.assign(std::size_t(islands_.rows()), 0);
+  std::size_t from = 0, to = 0, next = 0;
+  for (std::size_t k = 0; k < patterns_.size(); to += std::size_t(patterns_[k + 1]), k += 2)
+    for (std::size_t n = 0; n < memory.patterns.size(); n += 2) {
+      if (next == memory.patterns.size()) next = from = 0;
+      const std::size_t rows = std::size_t(memory.patterns[next + 1]);
+      const bool same = std::equal(&patterns_[k], &patterns_[k] + 2, &memory.patterns[next]);
+      if (same) std::copy_n(&memory.rates[from], rows, &recalled_[to]);
+      next += 2, from += rows;
+      if (same) break;
+    }
+  memory.rates.swap(recalled_);
+  memory.patterns = patterns_;
+}
+
+// Rows outside A need the same masses as the rows in it. Otherwise alternating between the two
+// would add energy.
+void DirectSolver::prepare_outside(const Bodies& bodies) {
+  contacts_.iterations = 1;
+  if (outside_.list.empty() || added_inertia == 0)
+    return contacts_.prepare(bodies, outside_, 0, h_);
+  slow_bodies_ = bodies;
+  for (int slot = 0; slot < bodies.slots(); ++slot)
+    if (pulls_[slot].force_lever > 0)
+      slow_bodies_.at(slot).inverse_inertia_local = pulls_[slot].slowed.inverse_inertia_local;
+  contacts_.prepare_as(slow_bodies_, bodies, outside_, h_);
+}
+
+void DirectSolver::warm_start(Bodies& bodies, real ratio) {
+  blocks_of(bodies);  // rejects other bodies
+  if (report_.iterated) instead.warm_start(bodies, 0);
+  warm_ = ratio > 0;
+  if (added_inertia > 0) before_.assign(bodies.data(), bodies.data() + bodies.slots());
+  for (int slot = 0; slot < bodies.slots(); ++slot)
+    if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].slowed.w;
+  contacts_.warm_start(bodies, ratio);
+  for (IslandPair& pair : islands_.pairs) {
+    if (pair.iterated) continue;
+    pair.load(bodies);
+    pair.start(double(ratio));
+    pair.store(bodies, *blocks_);
+  }
+}
+
+// ---- the solution -------------------------------------------------------------------------------
+
+void DirectSolver::solve(Bodies& bodies) {
+  blocks_of(bodies);  // rejects other bodies
+  if (report_.iterated) instead.solve(bodies);
+  for (IslandPair& pair : islands_.pairs) pair.active = !pair.iterated;
+  solve_active(bodies);
+  if (!before_.empty()) {
+    for (int k = 0; k < looks && forces_jumped(bodies); ++k) look_again(bodies);
+    for (int slot = 0; slot < bodies.slots(); ++slot)
+      blocks_->memory.inertia[slot] = added_inertia * h_ * h_ * pulls_[slot].force_lever;
+  }
+  report_.passes = report_.wrong = 0;
+  for (const IslandPair& pair : islands_.pairs) {
+    report_.passes = std::max(report_.passes, pair.passes);
+    report_.wrong += pair.wrong;
+  }
+}
+
+void DirectSolver::solve_active(Bodies& bodies) {
+  const int times = outside_.list.empty() ? 1 : alternations;
+  for (int n = 0; n < times; ++n) {
+    if (times > 1 || !outside_.list.empty()) contacts_.solve(bodies);
+    for (IslandPair& pair : islands_.pairs) {
+      if (!pair.active) continue;
+      pair.load(bodies);
+      pair.solve(passes, outside_.list.empty());  // the next alternation refines
+      pair.store(bodies, *blocks_);
+    }
+  }
+}
 
 void DirectSolver::factor_now() {
   require(blocks_ != nullptr && !report_.iterated,
           "solver: there is no matrix: nothing was prepared, or for iterations");
-  maker_.assemble(J_, masses_);
-  JointMatrixOf<TwoLanes>& A = maker_.A;
-  for (BoundedRow& row : bounded_) {
-    const int rows = inside_[row.inside].block->rows, lane = maker_.lane(row.inside);
-    TwoLanes& entry = A.numbers[maker_.diagonal(row.inside) + rows * rows - 1];
-    row.softness = bound_softness * entry[lane];
-    entry[lane] += row.softness;
-  }
-  for (int k = 0; k < int(inside_.size()); ++k) {
-    if (inside_[k].spring == 0) continue;
-    const int n = inside_[k].block->rows, lane = maker_.lane(k);
-    TwoLanes* const block = &A.numbers[maker_.diagonal(k)];
-    for (int i = 0; i < n * n; ++i) block[i][lane] *= 1 + inside_[k].spring;
-  }
-  for (int k = 0; k < int(pattern_.size()); ++k) {
-    if (maker_.loop(k) < 0) continue;
-    const int n = pattern_[k].rows, lane = maker_.lane(k);
-    TwoLanes* const block = &A.numbers[maker_.diagonal(k)];
-    for (int i = 0; i < n - pattern_[k].bounded; ++i) block[i * (n + 1)][lane] *= 1 + softening;
-  }
-  note_diagonal();
-  factor(A, inverse);
-  factored_ = true;
-}
-
-// Stores the diagonal before any elimination.
-void DirectSolver::note_diagonal() {
-  JointMatrixOf<TwoLanes>& A = maker_.A;
-  for (int k = 0; k < int(pattern_.size()); ++k) {
-    const int n = pattern_[k].rows, lane = maker_.lane(k);
-    const double share = maker_.loop(k) < 0 ? of_open_chains : 1;
-    for (int i = 0; i < n; ++i)
-      A.original[maker_.row(k) + i][lane] =
-          share * A.numbers[maker_.diagonal(k) + i * (n + 1)][lane];
-  }
-}
-
-// Number of the rows of a block whose pivot is 0 or less than this fraction of the original entry.
-int DirectSolver::rows_below(double share, int block) const {
-  const int n = pattern_[block].rows, lane = maker_.lane(block);
-  int count = 0;
-  for (int i = 0; i < n; ++i) {
-    const double inverse = maker_.A.numbers[maker_.diagonal(block) + i * (n + 1)][lane];
-    count += inverse == 0 || inverse * maker_.A.original[maker_.row(block) + i][lane] * share > 1;
-  }
-  return count;
+  for (IslandPair& pair : islands_.pairs) pair.factor_now();
 }
 
 int DirectSolver::dependent() const {
-  if (report_.iterated) return 0;  // there is no factor
   int count = 0;
-  for (int k = 0; k < int(pattern_.size()); ++k)
-    count += rows_below(maker_.loop(k) < 0 ? 0 : of_softening * softening, k);
-  for (const BoundedRow& row : bounded_) count -= row.side != Side::free;
+  for (const IslandPair& pair : islands_.pairs)
+    if (!pair.iterated && pair.passes > 0) count += pair.dependent();
   return count;
 }
 
-// ---- corrections --------------------------------------------------------------------------------
-
-std::array<HalfRow, 2> DirectSolver::changes(const Block& block, const double* impulse) const {
-  double sum[12] = {};  // J^T times the impulses
-  for (int i = 0; i < block.rows; ++i) {
-    const real* const J = reinterpret_cast<const real*>(&rows_of_J_[block.first + i]);
-    for (int k = 0; k < 12; ++k) sum[k] += impulse[i] * double(J[k]);
-  }
-  const BodyMass &mass1 = masses_[block.body1], &mass2 = masses_[block.body2];
-  const auto triple_at = [&](int k) { return Triple<double>{sum[k], sum[k + 1], sum[k + 2]}; };
-  return {HalfRow{mass1.linear * triple_at(0), mass1.angular * triple_at(3)},
-          HalfRow{mass2.linear * triple_at(6), mass2.angular * triple_at(9)}};
-}
-
-void DirectSolver::change_impulses(Bodies& bodies, const Block& block,
-                                   const double* change) const {
-  for (int i = 0; i < block.rows; ++i) block.impulse[i] += real(change[i]);
-  const auto push = [&](int slot, const HalfRow& by) {
-    if (masses_[slot].linear == 0) return;
-    Body& body = bodies.at(slot);
-    body.v += vec3(real(by.v.x), real(by.v.y), real(by.v.z));
-    body.w += vec3(real(by.w.x), real(by.w.y), real(by.w.z));
-  };
-  const auto [by1, by2] = changes(block, change);
-  push(block.body1, by1);
-  push(block.body2, by2);
-}
-
-void DirectSolver::change_rates(Bodies& bodies, std::vector<double>& rates) {
-  require(rates.size() == blocks_of(bodies).C.size() && factored_,
+void DirectSolver::change_rates(Bodies& bodies, const std::vector<double>& rates) {
+  const Blocks& blocks = blocks_of(bodies);
+  bool factored = true;
+  for (const IslandPair& pair : islands_.pairs) factored = factored && pair.factored;
+  require(rates.size() == blocks.C.size() && factored,
           "rates: there must be one for each row, and a factor");
-  for (int k = 0; k < int(inside_.size()); ++k) {
-    const Block& block = *inside_[k].block;
-    TwoLanes* const place = &on_lanes_[maker_.row(k)];
-    for (int i = 0; i < block.rows; ++i) place[i][maker_.lane(k)] = rates[block.first + i];
-  }
-  joints::solve(maker_.A, on_lanes_.data());
-  for (int k = 0; k < int(inside_.size()); ++k) {
-    const Block& block = *inside_[k].block;
-    const TwoLanes* const place = &on_lanes_[maker_.row(k)];
-    for (int i = 0; i < block.rows; ++i) rates[block.first + i] = place[i][maker_.lane(k)];
-    change_impulses(bodies, block, &rates[block.first]);
+  for (IslandPair& pair : islands_.pairs) {
+    for (std::size_t k = 0; k < pair.blocks.size(); ++k)
+      for (const int lane : {0, 1})
+        for (int i = 0; pair.blocks[k].block[lane] >= 0 && i < pair.blocks[k].rows; ++i)
+          pair.x[pair.A.nodes[k].row + i][lane] =
+              rates[blocks.list[pair.blocks[k].block[lane]].first + i];
+    pair.load(bodies);
+    pair.change();
+    pair.store(bodies, blocks);
   }
 }
 
-// J V + bias of a row.
-double DirectSolver::rate_left(const Bodies& bodies, const Block& block, int i) const {
-  const Row& J = blocks_->J[block.first + i];
-  return double(row_velocity(J, bodies.at(block.body1), bodies.at(block.body2))) +
-         bias_[block.first + i];
+// ---- added inertia ------------------------------------------------------------------------------
+
+void DirectSolver::set_masses(IslandPair& pair, const Bodies& bodies, int only_lane) const {
+  for (int column = 0; column < int(pair.bodies.size()); ++column)
+    for (const int lane : {0, 1}) {
+      const int slot = pair.bodies[column][lane];
+      if (slot < 0 || !pair.moves[column] || lane == 1 - only_lane) continue;
+      const Pull& pull = pulls_[slot];
+      if (pull.force_lever > 0) {
+        Body body = bodies.at(slot);
+        body.inverse_inertia_local = pull.slowed.inverse_inertia_local;
+        pair.set_mass(column, lane, body);
+      } else {
+        pair.set_mass(column, lane, bodies.at(slot));
+      }
+    }
 }
 
-// Makes the remaining errors of all free rows zero.
-void DirectSolver::correct_velocities(Bodies& bodies) {
-  const std::vector<real>& expected = blocks_->memory.rates;
-  std::fill(x_.begin(), x_.end(), 0.0);
-  for (const Inside& one : inside_) {
-    const Block& block = *one.block;
-    for (int i = 0; i < block.rows; ++i)
-      x_[block.first + i] = double(expected[block.first + i]) - rate_left(bodies, block, i);
-    if (one.spring == 0) continue;
-    double impulse[6];
-    std::copy(block.impulse, block.impulse + block.rows, impulse);
-    const auto [by1, by2] = changes(block, impulse);
-    for (int i = 0; i < block.rows; ++i) {  // K lambda of a spring
+void DirectSolver::slow_down(const Bodies& bodies, int slot) {
+  Pull& pull = pulls_[slot];
+  if (bodies.at(slot).is_static()) pull.force_lever = 0;
+  if (pull.force_lever > 0)
+    pull.slowed = slowed(bodies.at(slot), pull.force_lever, blocks_->memory.inertia[slot],
+                         added_inertia, h_);
+}
+
+// |F||r| of each body, from impulses that acted for the time `acted`. The length of a lever follows
+// from the rows of its block: the squares of the three rows of a point add up to 2 |r|^2.
+void DirectSolver::find_pulls(real acted, std::vector<Pull>& pulls) const {
+  if (acted == 0) return;  // there was no step yet
+  for (const int k : islands_.order()) {
+    const JointIslands::Island& island = islands_.islands()[islands_.at(k).island];
+    if (island.pair < 0) continue;
+    const IslandPair& pair = islands_.pairs[island.pair];
+    if (pair.iterated || pair.is_tight(islands_.at(k).block, island.lane)) continue;
+    const Block& block = blocks_->list[k];
+    vec3 F(0);
+    real square1 = 0, square2 = 0;
+    for (int i = 0; i < block.rows; ++i) {
       const Row& J = blocks_->J[block.first + i];
-      x_[block.first + i] -= one.spring * (dot(of(J.v1), by1.v) + dot(of(J.w1), by1.w) +
-                                           dot(of(J.v2), by2.v) + dot(of(J.w2), by2.w));
+      if (J.v2 == vec3(0)) continue;
+      F += block.impulse[i] / acted * J.v2;
+      square1 += dot(J.w1, J.w1) / 2;
+      square2 += dot(J.w2, J.w2) / 2;
     }
-  }
-  for (const BoundedRow& row : bounded_) {
-    const Block& block = *inside_[row.inside].block;
-    double& x = x_[block.first + block.rows - 1];
-    x = row.side == Side::free ? x - row.softness * double(block.impulse[block.rows - 1]) : 0;
-  }
-  change_rates(bodies, x_);
-}
-
-// ---- bounds -------------------------------------------------------------------------------------
-
-// An impulse that is not free is exactly at its bound.
-void DirectSolver::go_to_bounds(Bodies& bodies) {
-  for (const BoundedRow& row : bounded_) {
-    if (row.side == Side::free) continue;
-    const Block& block = *inside_[row.inside].block;
-    double change[6] = {};
-    real& impulse = block.impulse[block.rows - 1];
-    const double bound = row.side == Side::lower ? row.lower : row.upper;
-    change[block.rows - 1] = bound - double(impulse);
-    if (change[block.rows - 1] == 0) continue;
-    change_impulses(bodies, block, change);
-    impulse = real(bound);
+    const real force = length(F);
+    for (const auto& [slot, square] : {std::pair{block.body1, square1}, {block.body2, square2}})
+      pulls[slot].force_lever += force * std::sqrt(square);
   }
 }
 
-// Changes the sides of all wrong rows, or of the last one only. Returns how many were wrong.
-int DirectSolver::flip_wrong_ones(Bodies& bodies, bool only_last) {
-  int wrong = 0;
-  for (auto row = bounded_.rbegin(); row != bounded_.rend(); ++row) {
-    const Block& block = *inside_[row->inside].block;
-    const int last = block.rows - 1;
-    const double impulse = double(block.impulse[last]);
-    const Side next = next_side(row->side, impulse, row->lower, row->upper,
-                                rate_left(bodies, block, last) + row->softness * impulse);
-    if (next == row->side) continue;
-    if (++wrong > 1 && only_last) continue;
-    row->side = next;
-    place_row(row->inside, last, next == Side::free);
+// True if the new impulses require more than twice the present inertia of a body. This happens
+// after a blow and in the first step, which has no earlier forces. Then only the islands of such
+// bodies are active, or all if there are rows outside A.
+bool DirectSolver::forces_jumped(const Bodies& bodies) {
+  next_pulls_.assign(pulls_.size(), Pull{});
+  find_pulls(blocks_->acting, next_pulls_);
+  const real follows = added_inertia * h_ * h_;
+  const auto jumped = [&](int slot) {
+    const vec3 moments = real(1) / bodies.at(slot).inverse_inertia_local;
+    const real least = std::min({moments.x, moments.y, moments.z});
+    return follows * next_pulls_[slot].force_lever >
+           2 * std::max(follows * pulls_[slot].force_lever, least);
+  };
+  bool any = false;
+  for (IslandPair& pair : islands_.pairs) {
+    pair.active = false;
+    for (std::size_t k = 0; k < pair.bodies.size() && !pair.iterated; ++k)
+      for (const int slot : pair.bodies[k])
+        if (pair.moves[k] && slot >= 0 && jumped(slot)) any = pair.active = true;
   }
-  if (wrong > 0) factored_ = false;
-  return wrong;
+  if (any && !outside_.list.empty())
+    for (IslandPair& pair : islands_.pairs) pair.active = !pair.iterated;
+  return any;
 }
 
-void DirectSolver::solve_joints(Bodies& bodies) {
-  int fewest = int(bounded_.size()) + 1, in_vain = 0;
-  for (int pass = 0; pass < passes; ++pass) {
-    if (!factored_) {
-      factor_now();
-      ++report_.passes;
-    }
-    go_to_bounds(bodies);
-    correct_velocities(bodies);
-    // Refines softened rows and bounded rows that nearly depend on others. If rows outside
-    // alternate with these, the next alternation does that.
-    if (bounded_.empty() && (maker_.loops().empty() || !outside_.list.empty())) return;
-    correct_velocities(bodies);
-    if (bounded_.empty()) return;
-    report_.wrong = flip_wrong_ones(bodies, in_vain >= patience);
-    if (report_.wrong == 0) return;
-    in_vain = report_.wrong < fewest ? 0 : in_vain + 1;
-    fewest = std::min(fewest, report_.wrong);
-  }
-}
-
-void DirectSolver::solve(Bodies& bodies) {
-  blocks_of(bodies);  // rejects other bodies
-  if (report_.iterated) return instead.solve(bodies);
-  solve_all(bodies);
-  if (before_.empty()) return;
-  for (int k = 0; k < looks && forces_jumped(bodies); ++k) look_again(bodies);
-  for (int slot = 0; slot < bodies.slots(); ++slot)
-    blocks_->memory.inertia[slot] = added_inertia * h_ * h_ * pulls_[slot].force_lever;
-}
-
-// Solves the step again, with the inertia that its own forces require.
+// Solves active islands again, with the inertia that their own forces require.
 void DirectSolver::look_again(Bodies& bodies) {
-  pulls_.swap(next_pulls_);
-  for (int slot = 0; slot < bodies.slots(); ++slot)
-    bodies.at(slot).v = before_[slot].v, bodies.at(slot).w = before_[slot].w;
-  collect_masses(bodies);
-  prepare_outside(bodies, h_);
-  warm_start(bodies, warm_ ? real(1) : real(0));
-  factored_ = false;
-  solve_all(bodies);
-}
-
-void DirectSolver::solve_all(Bodies& bodies) {
-  if (outside_.list.empty()) return solve_joints(bodies);
-  for (int n = 0; n < alternations; ++n) {
-    contacts_.solve(bodies);
-    solve_joints(bodies);
+  if (!outside_.list.empty())
+    for (int slot = 0; slot < bodies.slots(); ++slot)
+      if (!left_[slot]) bodies.at(slot).v = before_[slot].v, bodies.at(slot).w = before_[slot].w;
+  for (IslandPair& pair : islands_.pairs) {
+    if (!pair.active) continue;
+    for (std::size_t k = 0; k < pair.bodies.size(); ++k)
+      for (const int slot : pair.bodies[k]) {
+        if (slot < 0 || !pair.moves[k]) continue;
+        bodies.at(slot).v = before_[slot].v, bodies.at(slot).w = before_[slot].w;
+        pulls_[slot] = next_pulls_[slot];
+        slow_down(bodies, slot);
+        if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].slowed.w;
+      }
+    set_masses(pair, bodies);
+    pair.factored = false;
   }
+  prepare_outside(bodies);
+  contacts_.warm_start(bodies, warm_ ? real(1) : real(0));
+  for (IslandPair& pair : islands_.pairs) {
+    if (!pair.active) continue;
+    pair.load(bodies);
+    pair.start(warm_ ? 1 : 0);
+    pair.store(bodies, *blocks_);
+  }
+  solve_active(bodies);
 }
 
 }  // namespace joints

@@ -35,42 +35,33 @@ double bricard_after(double rate) {
 // A pivot's inverse without the rule for rows that depend on others.
 double plain_inverse(double pivot, double) { return 1 / pivot; }
 
-// A of the blocks of a world's last step, and both half-rows of every row.
+// A of the blocks of a world's last step, which are one island.
 struct Assembled {
-  std::vector<BlockPattern> pattern;
-  std::vector<HalfRowOf<TwoLanes>> J;
-  std::vector<BodyMass> masses;
-  JointMatrixMaker maker;
+  IslandPair pair;
 
   explicit Assembled(const World& world) {
-    for (const Block& block : world.blocks.list) {
-      const auto moving = [&](int slot) { return world.bodies.at(slot).is_static() ? -1 : slot; };
-      pattern.push_back({block.rows, block.first, moving(block.body1), moving(block.body2)});
-      for (const bool second : {false, true})
-        for (int i = 0; i < block.rows; ++i) {
-          const Row& row = world.blocks.J[std::size_t(block.first + i)];
-          J.push_back({lanes(second ? row.v2 : row.v1), lanes(second ? row.w2 : row.w1)});
-        }
-    }
-    for (int slot = 0; slot < world.bodies.slots(); ++slot) {
-      const Body& body = world.bodies.at(slot);
-      const mat3 I = inverse_inertia(body);
-      masses.push_back({double(body.inverse_mass),
-                        {double(I[0][0]), double(I[1][1]), double(I[2][2]), double(I[1][0]),
-                         double(I[2][0]), double(I[2][1])}});
-    }
-    maker.follow(pattern);
-    maker.assemble(J, masses);
-    for (int k = 0; k < int(pattern.size()); ++k)
-      for (int i = 0; i < pattern[std::size_t(k)].rows; ++i) {
-        const BlockPattern& block = pattern[std::size_t(k)];
-        maker.A.original[std::size_t(block.row + i)] =
-            maker.A.numbers[std::size_t(maker.diagonal(k) + i * (block.rows + 1))];
+    std::vector<BlockPattern> pattern;
+    const auto moves = [&](int slot) { return !world.bodies.at(slot).is_static(); };
+    for (const Block& block : world.blocks.list)
+      pattern.push_back({{block.body1, block.body2}, {moves(block.body1), moves(block.body2)},
+                         block.rows});
+    JointIslands islands;
+    islands.group(pattern, world.bodies.slots(), 1e9);
+    pair = islands.pairs.at(0);
+    pair.prepare(world.blocks, nullptr, sixtieth);
+    for (int column = 0; column < int(pair.bodies.size()); ++column)
+      pair.set_mass(column, 0, world.bodies.at(pair.bodies[std::size_t(column)][0]));
+    pair.assemble();
+    for (std::size_t k = 0; k < pair.blocks.size(); ++k)
+      for (int i = 0; i < pair.blocks[k].rows; ++i) {
+        const Node& node = pair.A.nodes[k];
+        pair.A.original[std::size_t(node.row + i)] =
+            pair.A.numbers[std::size_t(node.diagonal + i * (node.rows + 1))];
       }
   }
   // The largest multiplier that a right-hand side of any numbers up to 1 gives.
   double largest_multiplier(PivotInverse inverse) const {
-    JointMatrixOf<TwoLanes> A = maker.A;
+    JointMatrixOf<TwoLanes> A = pair.A;
     factor(A, inverse);
     std::vector<TwoLanes> x(A.original.size());
     Random random(911);
@@ -80,11 +71,6 @@ struct Assembled {
     for (const TwoLanes& a : x)
       out = std::isfinite(a[0]) ? std::max(out, std::abs(a[0])) : INFINITY;
     return out;
-  }
-
- private:
-  static Triple<TwoLanes> lanes(const vec3& a) {
-    return {TwoLanes{double(a.x)}, TwoLanes{double(a.y)}, TwoLanes{double(a.z)}};
   }
 };
 

@@ -1,0 +1,46 @@
+// How the blocks of an island are eliminated: their order, fill-in and closed loops. It depends only
+// on which bodies the blocks connect. Given, there is nothing to edit here.
+#pragma once
+
+#include <array>
+#include <vector>
+
+/// \addtogroup chapter9
+/// @{
+namespace joints {
+
+/// The bodies and joints of a closed loop.
+struct ClosedLoop {
+  int bodies = 0;     ///< number of its moving bodies
+  int rows = 0;       ///< number of the rows of its joints, without bounded rows
+  bool held = false;  ///< whether one of its joints is attached to a static body
+  /// Its degrees of freedom in the present pose, without those of the loop as a whole.
+  /// \param dependent number of its rows that depend on others
+  int motions(int dependent) const { return 6 * (bodies - !held) - rows + dependent; }
+};
+
+/// A block of an island's shape: a joint, not an optional row beside it.
+struct ShapeBlock {
+  int link = 0;                  ///< blocks between the same two bodies form a link
+  std::array<int, 2> columns{};  ///< its bodies, numbered within the island
+  std::array<bool, 2> moves{};   ///< whether they can move
+  int rows = 0;                  ///< 1 to 6
+  bool bounded = false;          ///< its last row has bounds
+  auto operator<=>(const ShapeBlock&) const = default;  ///< by all members
+};
+
+/// How an island with a given shape is eliminated. Optional rows beside a joint change nothing of
+/// it: they couple the same two bodies.
+struct EliminationPlan {
+  std::vector<int> links;        ///< in the order of elimination
+  /// For each of them the places in that order of all its neighbours that are eliminated later,
+  /// including those that become neighbours by elimination.
+  std::vector<std::vector<int>> later;
+  std::vector<int> loop;         ///< of each block of the shape the closed loop, or -1
+  std::vector<ClosedLoop> loops;
+
+  explicit EliminationPlan(const std::vector<ShapeBlock>& shape);
+};
+
+}  // namespace joints
+/// @}

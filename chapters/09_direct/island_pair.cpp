@@ -1,0 +1,346 @@
+// A pair of islands: its rows, corrections of its velocities, and the active set.
+#include "chapters/09_direct/island_pair.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace joints {
+
+namespace {
+// Bounded rows are softened by this fraction of K, since they may depend on others, as those of a
+// motor and a limit do. Until one of them is at its bound, their impulses are inversely
+// proportional to it. With float velocities 1e-9 would make them so large that the velocities are
+// lost.
+constexpr double bound_softness = sizeof(real) == 4 ? 1e-6 : 1e-9;
+// In an open chain only the masses make a pivot small, so there its threshold is multiplied by
+// this.
+constexpr double of_open_chains = 1e-3;
+// A row is dependent if its pivot is below this multiple of the softening.
+constexpr double of_softening = sizeof(real) == 4 ? 100 : 1000;
+// After this many passes without progress only the last wrong row changes its side.
+constexpr int patience = 3;
+
+const Body nothing{};   // in place of bodies and rows of an idle lane
+const Row no_rows[6]{};
+
+TwoLanes lanes(real a, real b) { return TwoLanes{double(a), double(b)}; }
+Triple<TwoLanes> lanes(const vec3& a, const vec3& b) {
+  return {lanes(a.x, b.x), lanes(a.y, b.y), lanes(a.z, b.z)};
+}
+// Sets one lane.
+void put(Triple<TwoLanes>& to, int lane, const vec3& a) {
+  to.x[lane] = double(a.x), to.y[lane] = double(a.y), to.z[lane] = double(a.z);
+}
+vec3 lane_of(const Triple<TwoLanes>& a, int lane) {
+  return {real(a.x[lane]), real(a.y[lane]), real(a.z[lane])};
+}
+TwoLanes dot(const HalfRowOf<TwoLanes>& a, const HalfRowOf<TwoLanes>& b) {
+  return joints::dot(a.v, b.v) + joints::dot(a.w, b.w);
+}
+
+}  // namespace
+
+// ---- from bodies and blocks to lanes, and back --------------------------------------------------
+
+void IslandPair::prepare(const Blocks& given, const real* rates, real h) {
+  if (is_new)
+    for (std::vector<TwoLanes>* list : {&x, &wanted_, &impulse})
+      list->assign(A.original.size(), TwoLanes{});
+  softness_.resize(blocks.size());
+  bounded.clear();
+  factored = springs_ = false;
+  passes = wrong = 0;
+  const real acting = given.acts(h);
+  for (int k = 0; k < int(blocks.size()); ++k) {
+    const int n = blocks[k].rows, row = A.nodes[k].row;
+    const Row* from[2]{no_rows, no_rows};
+    softness_[k] = TwoLanes{};
+    for (const int lane : {0, 1}) {
+      if (blocks[k].block[lane] < 0) continue;
+      const Block& block = given.list[blocks[k].block[lane]];
+      from[lane] = &given.J[block.first];
+      const auto [rate, softness] = feedback(block.target, h, acting);
+      softness_[k][lane] = double(softness);
+      springs_ = springs_ || softness > 0;
+      for (int i = 0; i < n; ++i) {
+        const double bias = double(joints::bias(block, i, given.C[block.first + i], rate, h));
+        const double expected = rates ? double(rates[blocks[k].row[lane] + i]) : 0;
+        wanted_[row + i][lane] = expected - bias;
+        impulse[row + i][lane] = double(block.impulse[i]);
+        if (i + 1 < n || !blocks[k].bounded) continue;
+        BoundedRow last{k, lane, double(acting * block.target.lower),
+                        double(acting * block.target.upper), bias};
+        const double before = double(block.impulse[i]);  // of the last step
+        last.side = before <= last.lower ? Side::lower
+                    : before >= last.upper ? Side::upper : Side::free;
+        bounded.push_back(last);
+      }
+    }
+    for (int i = 0; i < n; ++i) {
+      const Row &a = from[0][i], &b = from[1][i];
+      half(k, i, 0) = {lanes(a.v1, b.v1), lanes(a.w1, b.w1)};
+      half(k, i, 1) = {lanes(a.v2, b.v2), lanes(a.w2, b.w2)};
+    }
+  }
+}
+
+void IslandPair::set_rows(int block, int lane, const Row* rows) {
+  for (int i = 0; i < blocks[block].rows; ++i) {
+    put(half(block, i, 0).v, lane, rows[i].v1), put(half(block, i, 0).w, lane, rows[i].w1);
+    put(half(block, i, 1).v, lane, rows[i].v2), put(half(block, i, 1).w, lane, rows[i].w2);
+  }
+}
+
+void IslandPair::set_mass(int column, int lane, const Body& body) {
+  const mat3 I = inverse_inertia(body);
+  auto& [linear, angular] = masses[column];
+  linear[lane] = double(body.inverse_mass);
+  angular.xx[lane] = double(I[0][0]), angular.yy[lane] = double(I[1][1]);
+  angular.zz[lane] = double(I[2][2]), angular.xy[lane] = double(I[1][0]);
+  angular.xz[lane] = double(I[2][0]), angular.yz[lane] = double(I[2][1]);
+}
+
+void IslandPair::load(const Bodies& all) {
+  velocities_.resize(bodies.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const Body& a = bodies[k][0] < 0 ? nothing : all.at(bodies[k][0]);
+    const Body& b = bodies[k][1] < 0 ? nothing : all.at(bodies[k][1]);
+    velocities_[k] = {lanes(a.v, b.v), lanes(a.w, b.w)};
+  }
+}
+
+void IslandPair::store(Bodies& all, const Blocks& given) const {
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    for (const int lane : {0, 1}) {
+      if (!moves[k] || bodies[k][lane] < 0) continue;
+      Body& body = all.at(bodies[k][lane]);
+      body.v = lane_of(velocities_[k].v, lane);
+      body.w = lane_of(velocities_[k].w, lane);
+    }
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+    for (const int lane : {0, 1})
+      for (int i = 0; blocks[k].block[lane] >= 0 && i < blocks[k].rows; ++i)
+        given.list[blocks[k].block[lane]].impulse[i] = real(impulse[A.nodes[k].row + i][lane]);
+}
+
+void IslandPair::start(double ratio) {
+  for (TwoLanes& one : impulse) one *= ratio;
+  for (int k = 0; k < int(blocks.size()) && ratio != 0; ++k) push(k, &impulse[A.nodes[k].row]);
+}
+
+// ---- the factor ---------------------------------------------------------------------------------
+
+// Exchanges rows at their bounds, or all bounded rows, with rows of zeros; a second call puts them
+// back.
+void IslandPair::exchange_rows(bool all) {
+  set_aside_.resize(bounded.size());
+  for (std::size_t n = 0; n < bounded.size(); ++n) {
+    const auto& [block, lane, lower, upper, bias, softness, side] = bounded[n];
+    if (!all && side == Side::free) continue;
+    double* other = set_aside_[n].data();
+    for (const int of : {0, 1}) {
+      HalfRowOf<TwoLanes>& one = half(block, blocks[block].rows - 1, of);
+      for (Triple<TwoLanes>* part : {&one.v, &one.w})
+        for (TwoLanes* entry : {&part->x, &part->y, &part->z}) {
+          const double here = (*entry)[lane];
+          (*entry)[lane] = std::exchange(*other++, here);
+        }
+    }
+  }
+}
+
+void IslandPair::factor_now() {
+  exchange_rows(false);
+  assemble();
+  exchange_rows(false);
+  for (BoundedRow& row : bounded) {
+    const int rows = blocks[row.block].rows;
+    TwoLanes& entry = A.numbers[A.nodes[row.block].diagonal + rows * rows - 1];
+    row.softness = bound_softness * entry[row.lane];
+    entry[row.lane] += row.softness;
+  }
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const int n = blocks[k].rows;
+    TwoLanes* const block = &A.numbers[A.nodes[k].diagonal];
+    for (int i = 0; springs_ && i < n * n; ++i) block[i] *= 1 + softness_[k];
+    if (blocks[k].loop < 0) continue;
+    for (int i = 0; i < n - blocks[k].bounded; ++i) block[i * (n + 1)] *= 1 + softening;
+  }
+  note_diagonal();
+  factor(A, inverse);
+  factored = true;
+}
+
+// Stores the diagonal before any elimination.
+void IslandPair::note_diagonal() {
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const int n = blocks[k].rows;
+    const double fraction = blocks[k].loop < 0 ? of_open_chains : 1;
+    for (int i = 0; i < n; ++i)
+      A.original[A.nodes[k].row + i] = fraction * A.numbers[A.nodes[k].diagonal + i * (n + 1)];
+  }
+}
+
+int IslandPair::rows_below(double fraction, int block, int lane) const {
+  const int n = blocks[block].rows;
+  int count = 0;
+  for (int i = 0; i < n; ++i) {
+    const double pivot = A.numbers[A.nodes[block].diagonal + i * (n + 1)][lane];
+    count += pivot == 0 || pivot * A.original[A.nodes[block].row + i][lane] * fraction > 1;
+  }
+  return count;
+}
+
+int IslandPair::dependent() const {
+  int count = 0;
+  for (int k = 0; k < int(blocks.size()); ++k)
+    for (const int lane : {0, 1})
+      if (blocks[k].block[lane] >= 0)
+        count += rows_below(blocks[k].loop < 0 ? 0 : of_softening * softening, k, lane);
+  for (const BoundedRow& row : bounded) count -= row.side != Side::free;
+  return count;
+}
+
+// Only if the number of rows does not decide this, a factor of A is computed to find the dependent
+// rows.
+void IslandPair::find_tight_loops() {
+  const std::vector<ClosedLoop>& loops = plan->loops;
+  tight_.assign(loops.size(), {});
+  dependent_.assign(loops.size(), {});
+  const auto may_be = [&](std::size_t k, int lane) {
+    return loops[k].motions(dependent_[k][lane]) <= 1;
+  };
+  bool unclear = false;
+  for (std::size_t k = 0; k < loops.size(); ++k) unclear = unclear || may_be(k, 0);
+  if (!unclear) return;
+  exchange_rows(true);
+  assemble();
+  exchange_rows(true);
+  note_diagonal();
+  factor(A, inverse_pivot);
+  factored = false;
+  for (int k = 0; k < int(blocks.size()); ++k)
+    for (const int lane : {0, 1})
+      if (blocks[k].loop >= 0 && blocks[k].block[lane] >= 0)
+        dependent_[blocks[k].loop][lane] += rows_below(0, k, lane) - blocks[k].bounded;
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    for (const int lane : {0, 1}) tight_[k][lane] = may_be(k, lane);
+}
+
+// ---- corrections --------------------------------------------------------------------------------
+
+// Changes the velocities by impulses of a block.
+void IslandPair::push(int block, const TwoLanes* by) {
+  for (const int of : {0, 1}) {
+    HalfRowOf<TwoLanes> sum{};  // J^T times the impulses
+    for (int i = 0; i < blocks[block].rows; ++i) {
+      sum.v += by[i] * half(block, i, of).v;
+      sum.w += by[i] * half(block, i, of).w;
+    }
+    const int column = blocks[block].columns[of];
+    velocities_[column].v += masses[column].linear * sum.v;
+    velocities_[column].w += masses[column].angular * sum.w;
+  }
+}
+
+// J V of a block.
+void IslandPair::rates_of(int block, TwoLanes* out) const {
+  const int n = blocks[block].rows;
+  const HalfRowOf<TwoLanes>* const rows = &J[2 * A.nodes[block].row];
+  const auto& [one, other] = blocks[block].columns;
+  for (int i = 0; i < n; ++i)
+    out[i] = dot(rows[i], velocities_[one]) + dot(rows[n + i], velocities_[other]);
+}
+
+void IslandPair::change() {
+  joints::solve(A, x.data());
+  for (int k = 0; k < int(blocks.size()); ++k) {
+    const int row = A.nodes[k].row;
+    for (int i = row; i < row + blocks[k].rows; ++i) impulse[i] += x[i];
+    push(k, &x[row]);
+  }
+}
+
+// Makes the remaining errors of all free rows zero.
+void IslandPair::correct() {
+  for (int k = 0; k < int(blocks.size()); ++k) {
+    const int n = blocks[k].rows, row = A.nodes[k].row;
+    rates_of(k, &x[row]);
+    for (int i = row; i < row + n; ++i) x[i] = wanted_[i] - x[i];
+    if (softness_[k][0] == 0 && softness_[k][1] == 0) continue;
+    for (int j = 0; j < n; ++j)  // K lambda of a spring
+      for (const int of : {0, 1}) {
+        const auto& [linear, angular] = masses[blocks[k].columns[of]];
+        const HalfRowOf<TwoLanes>& one = half(k, j, of);
+        const HalfRowOf<TwoLanes> response{linear * one.v, angular * one.w};
+        for (int i = 0; i < n; ++i)
+          x[row + i] -= softness_[k] * impulse[row + j] * dot(half(k, i, of), response);
+      }
+  }
+  for (const BoundedRow& bound : bounded) {
+    const int last = A.nodes[bound.block].row + blocks[bound.block].rows - 1;
+    const double soft = bound.softness * impulse[last][bound.lane];
+    x[last][bound.lane] = bound.side == Side::free ? x[last][bound.lane] - soft : 0;
+  }
+  change();
+}
+
+// ---- bounds -------------------------------------------------------------------------------------
+
+// An impulse that is not free is exactly at its bound.
+void IslandPair::go_to_bounds() {
+  for (const BoundedRow& row : bounded) {
+    if (row.side == Side::free) continue;
+    const int n = blocks[row.block].rows, last = A.nodes[row.block].row + n - 1;
+    const double bound = row.side == Side::lower ? row.lower : row.upper;
+    TwoLanes by[6]{};
+    by[n - 1][row.lane] = bound - impulse[last][row.lane];
+    if (by[n - 1][row.lane] != 0) push(row.block, by);
+    impulse[last][row.lane] = bound;
+  }
+}
+
+// Changes the sides of all wrong rows of each island or, if it makes no progress, of the last one
+// only. Returns how many were wrong.
+int IslandPair::flip_wrong_ones(std::array<Progress, 2>& progress) {
+  std::array<int, 2> count{};
+  for (auto row = bounded.rbegin(); row != bounded.rend(); ++row) {
+    const int n = blocks[row->block].rows;
+    const double now = impulse[A.nodes[row->block].row + n - 1][row->lane];
+    TwoLanes rates[6];
+    rates_of(row->block, rates);
+    const double rate = rates[n - 1][row->lane] + row->bias + row->softness * now;
+    const Side next = next_side(row->side, now, row->lower, row->upper, rate);
+    if (next == row->side) continue;
+    if (++count[row->lane] > 1 && progress[row->lane].in_vain >= patience) continue;
+    row->side = next;
+    factored = false;
+  }
+  for (const int lane : {0, 1}) {
+    auto& [fewest, in_vain] = progress[lane];
+    in_vain = count[lane] < fewest ? 0 : in_vain + 1;
+    fewest = std::min(fewest, count[lane]);
+  }
+  return count[0] + count[1];
+}
+
+void IslandPair::solve(int most_passes, bool refine) {
+  std::array<Progress, 2> progress;
+  progress.fill({int(bounded.size()) + 1, 0});
+  for (int pass = 0; pass < most_passes; ++pass) {
+    if (!factored) {
+      factor_now();
+      ++passes;
+    }
+    go_to_bounds();
+    correct();
+    // Refines softened rows and bounded rows that nearly depend on others.
+    if (bounded.empty() && (plan->loops.empty() || !refine)) return;
+    correct();
+    if (bounded.empty()) return;
+    wrong = flip_wrong_ones(progress);
+    if (wrong == 0) return;
+  }
+}
+
+}  // namespace joints

@@ -1,0 +1,95 @@
+// A pair of islands of the direct solver, side by side on two lanes: velocities, impulses, and
+// bounds by an active set. Given, there is nothing to edit here.
+#pragma once
+
+#include "chapters/09_direct/joint_matrix.h"
+#include "engine/block.h"
+
+/// \addtogroup chapter9
+/// @{
+namespace joints {
+
+/// A row with bounds; it is the last one of its block.
+struct BoundedRow {
+  int block = 0, lane = 0;        ///< its block in IslandPair::blocks
+  double lower = 0, upper = 0;    ///< of its impulse [N s or N m s]
+  double bias = 0;                ///< minus the required J V
+  double softness = 0;            ///< in the present factor; J V + bias + softness lambda = 0
+  Side side = Side::free;         ///< its side
+};
+
+/// Up to two islands with the same shape. An idle lane contains zeros.
+class IslandPair : public IslandMatrix {
+ public:
+  std::array<int, 2> islands{-1, -1};      ///< their numbers; -1: the lane is idle
+  std::vector<std::array<int, 2>> bodies;  ///< slots of each column; -1: the lane is idle
+  bool is_new = true;                      ///< `blocks` has changed in this step
+  bool iterated = false;                   ///< other iterations solve it: it is too expensive
+  bool active = false;                     ///< it is solved now
+  bool factored = false;                   ///< A contains the factor of the present rows
+  double softening = 0;                    ///< DirectSolver::softening
+  PivotInverse inverse = inverse_pivot;    ///< DirectSolver::inverse
+  int passes = 0;                          ///< factorisations of this step
+  int wrong = 0;                           ///< bounded rows on the wrong side
+  std::vector<TwoLanes> x;                 ///< for each row a change of J V; overwritten
+  std::vector<TwoLanes> impulse;           ///< accumulated impulses, by rows
+  std::vector<BoundedRow> bounded;         ///< rows with bounds
+
+  /// Prepares all blocks. \param rates the expected corrections (SolverMemory), or null
+  /// \param h step [s]
+  void prepare(const Blocks& given, const real* rates, real h);
+  /// Sets the rows of a block on one lane.
+  void set_rows(int block, int lane, const Row* rows);
+  /// Sets the mass of a body on one lane.
+  void set_mass(int column, int lane, const Body& body);
+  void load(const Bodies& all);  ///< reads the velocities of its bodies
+  /// Writes velocities and impulses to its bodies and joints.
+  void store(Bodies& all, const Blocks& given) const;
+  /// Multiplies the impulses by `ratio` and applies them. \param ratio 0 or above
+  void start(double ratio);
+  /// Factors A.
+  void factor_now();
+  /// Changes impulses and velocities so that J V of all free rows changes by `x`.
+  void change();
+  /// Solves until all rows are satisfied. \param most_passes of the active set \param refine false
+  /// if it will be called again in this step
+  void solve(int most_passes, bool refine);
+  /// True if the spring of a block has this softness, so that its error is no error of a pose.
+  bool is_spring(int block, int lane) const { return softness_[block][lane] > 0; }
+  /// Number of rows of a block whose pivot is 0 or less than this fraction of the original entry.
+  int rows_below(double fraction, int block, int lane) const;
+  /// Number of rows that depend on others, without those at a bound.
+  int dependent() const;
+  /// Finds the loops with at most one degree of freedom: their links cannot zigzag.
+  void find_tight_loops();
+  /// True if a block is in such a loop.
+  bool is_tight(int block, int lane) const {
+    return blocks[block].loop >= 0 && tight_[blocks[block].loop][lane];
+  }
+
+ private:
+  struct Progress {  // of the active set of an island
+    int fewest, in_vain;  // wrong rows; passes without fewer of them
+  };
+  void note_diagonal();
+  void push(int block, const TwoLanes* by);
+  void rates_of(int block, TwoLanes* out) const;
+  void correct();
+  void go_to_bounds();
+  int flip_wrong_ones(std::array<Progress, 2>& progress);
+  void exchange_rows(bool all);
+  HalfRowOf<TwoLanes>& half(int block, int i, int of) {
+    return J[2 * A.nodes[block].row + of * blocks[block].rows + i];
+  }
+
+  std::vector<TwoLanes> wanted_;                 // required J V, by rows
+  std::vector<TwoLanes> softness_;               // Feedback::softness of each block
+  std::vector<HalfRowOf<TwoLanes>> velocities_;  // of each column
+  std::vector<std::array<double, 12>> set_aside_;  // while rows are exchanged
+  bool springs_ = false;                         // there are some
+  std::vector<std::array<int, 2>> dependent_;    // rows of each closed loop
+  std::vector<std::array<bool, 2>> tight_;       // of each closed loop: one motion at most
+};
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,221 @@
+// Islands by union and find, their shapes, and pairs of islands with the same shape.
+#include "chapters/09_direct/joint_islands.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
+
+namespace joints {
+
+// ---- islands ------------------------------------------------------------------------------------
+
+void JointIslands::group(const std::vector<BlockPattern>& blocks, int slots, double most_work) {
+  for (IslandPair& pair : pairs) pair.is_new = false;
+  if (blocks == given_ && most_work == most_work_) return;
+  given_ = blocks;
+  most_work_ = most_work;
+  find_islands(slots);
+  shape_.swap(last_shape_);
+  begins_.swap(last_begins_);
+  find_shapes(most_work);
+  if (shape_ != last_shape_ || begins_ != last_begins_) pair_islands();
+  for (IslandPair& pair : pairs) place_blocks(pair);
+}
+
+int JointIslands::root_of(int body) {
+  while (root_[body] != body) body = root_[body] = root_[root_[body]];
+  return body;
+}
+
+void JointIslands::find_islands(int slots) {
+  root_.resize(std::size_t(slots));
+  std::iota(root_.begin(), root_.end(), 0);
+  for (const BlockPattern& block : given_)
+    if (block.rows > 0 && block.moves[0] && block.moves[1])
+      root_[root_of(block.bodies.body1)] = root_of(block.bodies.body2);
+  first_.assign(std::size_t(slots), -1);  // of each root the first block
+  keys_.clear();
+  for (int k = 0; k < int(given_.size()); ++k) {
+    const BlockPattern& block = given_[k];
+    if (block.rows == 0) continue;
+    int& first = first_[root_of(block.moves[0] ? block.bodies.body1 : block.bodies.body2)];
+    if (first < 0) first = k;
+    keys_.push_back({first, 0, k});
+  }
+  const auto bodies = [&](const Key& key) {
+    const BodyPair& pair = given_[key.block].bodies;
+    return std::tuple(pair.body1, pair.body2, key.block);
+  };
+  std::sort(keys_.begin(), keys_.end(),
+            [&](const Key& a, const Key& b) { return bodies(a) < bodies(b); });
+  for (std::size_t n = 0; n < keys_.size(); ++n) {
+    const bool same = n > 0 && given_[keys_[n].block].bodies == given_[keys_[n - 1].block].bodies;
+    keys_[n].link = same ? keys_[n - 1].link : keys_[n].block;
+  }
+  std::sort(keys_.begin(), keys_.end());
+
+  islands_.clear();
+  order_.clear();
+  at_.assign(given_.size(), Place{});
+  rows_ = 0;
+  for (std::size_t n = 0; n < keys_.size(); ++n) {
+    const auto& [island, link, block] = keys_[n];
+    if (n == 0 || island != keys_[n - 1].island)
+      islands_.push_back({.first = int(n), .first_row = rows_, .pattern = int(2166136261u >> 1)});
+    Island& now = islands_.back();
+    const auto& [of, moves, rows, bounded] = given_[block];
+    for (const int number : {of.body1, of.body2, rows, int(bounded)})
+      now.pattern = int((std::uint32_t(now.pattern) ^ std::uint32_t(number)) * 16777619u >> 1);
+    at_[block] = {int(islands_.size()) - 1, 0, rows_};
+    order_.push_back(block);
+    rows_ += rows;
+    now.rows += rows;
+    now.end = int(n) + 1;
+  }
+}
+
+// True if the blocks of a single body, which are all neighbours of each other, already make the
+// factor too expensive.
+bool JointIslands::is_hub(const Island& island, double most_work) {
+  double most = 0;
+  for (int n = island.first; n < island.end; ++n)
+    for (const int body : {given_[order_[n]].bodies.body1, given_[order_[n]].bodies.body2})
+      most = std::max(most, double(count_[body]));
+  return most * most * most / 6 > most_work * island.rows;
+}
+
+// Numbers the bodies of each island in the order in which its links name them.
+void JointIslands::find_shapes(double most_work) {
+  shape_.clear();
+  begins_.clear();
+  links_.clear();
+  column_.assign(root_.size(), -1);
+  count_.assign(root_.size(), 0);
+  for (const BlockPattern& block : given_) {
+    if (block.moves[0]) count_[block.bodies.body1] += block.rows;
+    if (block.moves[1]) count_[block.bodies.body2] += block.rows;
+  }
+  for (Island& island : islands_) {
+    begins_.push_back(int(shape_.size()));
+    island.first_link = int(links_.size());
+    const bool hub = is_hub(island, most_work);
+    int columns = 0, link = -1;
+    for (int n = island.first; n < island.end && !hub; ++n) {
+      if (n == island.first || keys_[n].link != keys_[n - 1].link) links_.push_back(n), ++link;
+      if (beside(keys_[n])) continue;
+      const auto& [bodies, moves, rows, bounded] = given_[keys_[n].block];
+      ShapeBlock block{link, {}, moves, rows, bounded};
+      for (const int k : {0, 1}) {
+        int& column = column_[k == 0 ? bodies.body1 : bodies.body2];
+        if (!moves[k] || column < 0) column = columns++;
+        block.columns[k] = column;
+      }
+      shape_.push_back(block);
+    }
+  }
+  begins_.push_back(int(shape_.size()));
+  links_.push_back(int(keys_.size()));
+}
+
+std::span<const ShapeBlock> JointIslands::shape(int island) const {
+  return {shape_.data() + begins_[island], shape_.data() + begins_[std::size_t(island) + 1]};
+}
+
+// ---- pairs --------------------------------------------------------------------------------------
+
+void JointIslands::pair_islands() {
+  by_shape_.clear();
+  for (int k = 0; k < int(islands_.size()); ++k)
+    if (!shape(k).empty()) by_shape_.push_back(k);
+  const auto compare = [&](int a, int b) {
+    const auto left = shape(a), right = shape(b);
+    return std::lexicographical_compare_three_way(left.begin(), left.end(), right.begin(),
+                                                  right.end());
+  };
+  std::stable_sort(by_shape_.begin(), by_shape_.end(),
+                   [&](int a, int b) { return compare(a, b) < 0; });
+  std::size_t count = 0;
+  for (std::size_t n = 0; n < by_shape_.size(); ++n) {
+    const int first = by_shape_[n];
+    const bool two = n + 1 < by_shape_.size() && compare(first, by_shape_[n + 1]) == 0;
+    if (count == pairs.size()) pairs.emplace_back();
+    IslandPair& pair = pairs[count++];
+    pair.islands = {first, two ? by_shape_[++n] : -1};
+    pair.blocks.clear();  // to be placed anew
+    std::shared_ptr<const EliminationPlan>& plan =
+        plans_[std::vector(shape(first).begin(), shape(first).end())];
+    if (!plan) plan = std::make_shared<const EliminationPlan>(
+        std::vector(shape(first).begin(), shape(first).end()));
+    pair.plan = plan;
+  }
+  pairs.resize(count);
+  if (plans_.size() > 2 * pairs.size() + 16)
+    std::erase_if(plans_, [](const auto& plan) { return plan.second.use_count() == 1; });
+}
+
+// Lists the blocks of a pair by links in the order of elimination. In a link the blocks of the
+// shape come first, then optional rows; those of both lanes stand side by side.
+void JointIslands::place_blocks(IslandPair& pair) {
+  blocks_.clear();
+  const auto shape = this->shape(pair.islands[0]);
+  pair.bodies.clear();
+  pair.moves.clear();
+  for (const int lane : {0, 1}) {
+    if (pair.islands[lane] < 0) continue;
+    Island& island = islands_[pair.islands[lane]];
+    island.pair = int(&pair - pairs.data());
+    island.lane = lane;
+    int n = island.first;
+    for (const ShapeBlock& block : shape) {
+      while (beside(keys_[n])) ++n;
+      const BodyPair& bodies = given_[keys_[n++].block].bodies;
+      for (const int k : {0, 1}) {
+        const std::size_t column = std::size_t(block.columns[k]);
+        if (pair.bodies.size() <= column)
+          pair.bodies.resize(column + 1, {-1, -1}), pair.moves.resize(column + 1);
+        pair.bodies[column][lane] = k == 0 ? bodies.body1 : bodies.body2;
+        pair.moves[column] = block.moves[k];
+      }
+    }
+  }
+  for (int place = 0; place < int(pair.plan->links.size()); ++place) {
+    const int link = pair.plan->links[place];
+    const auto first = std::lower_bound(shape.begin(), shape.end(), link,
+                                        [](const ShapeBlock& a, int b) { return a.link < b; });
+    for (const bool optional : {false, true}) {
+      int at[2], end[2];
+      for (const int lane : {0, 1}) {
+        const bool idle = pair.islands[lane] < 0;
+        const int k = idle ? 0 : islands_[pair.islands[lane]].first_link + link;
+        at[lane] = idle ? 0 : links_[k];
+        end[lane] = idle ? 0 : std::min(links_[k + 1], islands_[pair.islands[lane]].end);
+      }
+      for (int n = 0;; ++n) {
+        LaneBlock block{.place = place};
+        for (const int lane : {0, 1}) {
+          while (at[lane] < end[lane] && beside(keys_[at[lane]]) != optional) ++at[lane];
+          if (at[lane] == end[lane]) continue;
+          block.block[lane] = keys_[at[lane]++].block;
+          block.row[lane] = at_[block.block[lane]].row;
+        }
+        if (block.lanes() == 0) break;
+        const ShapeBlock& like = *(optional ? first : first + n);
+        block.columns = like.columns;
+        block.rows = optional ? 1 : like.rows;
+        block.bounded = optional || like.bounded;
+        block.loop = optional ? -1 : pair.plan->loop[std::size_t(&like - shape.data())];
+        blocks_.push_back(block);
+      }
+    }
+  }
+  pair.is_new = !std::equal(blocks_.begin(), blocks_.end(), pair.blocks.begin(), pair.blocks.end(),
+                            [](const LaneBlock& a, const LaneBlock& b) { return a.like(b); });
+  pair.blocks.swap(blocks_);
+  if (pair.is_new) pair.lay_out();
+  for (int k = 0; k < int(pair.blocks.size()); ++k)
+    for (const int block : pair.blocks[k].block)
+      if (block >= 0) at_[block].block = k;
+}
+
+}  // namespace joints

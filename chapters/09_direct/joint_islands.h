@@ -1,0 +1,84 @@
+// The islands of the blocks, and their places on two lanes. Given, there is nothing to edit here.
+#pragma once
+
+#include <map>
+#include <span>
+
+#include "chapters/09_direct/island_pair.h"
+#include "engine/simd/body_pair.h"
+
+/// \addtogroup chapter9
+/// @{
+namespace joints {
+
+/// The data of a block on which the pattern of the matrix depends.
+struct BlockPattern {
+  BodyPair bodies;               ///< slots
+  std::array<bool, 2> moves{};   ///< whether they can move
+  int rows = 0;                  ///< 1 to 6
+  bool bounded = false;          ///< its last row has bounds
+  bool operator==(const BlockPattern&) const = default;  ///< all members are equal
+  /// True for a single bounded row, as of a limit or a motor: it may come and go.
+  bool optional() const { return rows == 1 && bounded; }
+};
+
+/// Groups blocks into islands, which are connected by moving bodies, and puts islands of the same
+/// shape on two lanes. Shapes are analysed once and kept. If an optional row comes or goes, only
+/// the list of its pair of islands changes.
+class JointIslands {
+ public:
+  std::vector<IslandPair> pairs;  ///< of all islands but hubs
+  /// An island.
+  struct Island {
+    int first = 0, end = 0;        ///< its blocks in order()
+    int first_row = 0, rows = 0;   ///< its rows, island after island
+    int pair = -1, lane = 0;       ///< -1: it is a hub
+    int pattern = 0;               ///< a hash of its blocks
+    int first_link = 0;            ///< where its links begin
+  };
+  /// Where a block is.
+  struct Place {
+    int island = -1;  ///< its island; -1 if it is in none
+    int block = 0;    ///< its number in IslandPair::blocks
+    int row = 0;      ///< its first row, counted island after island
+  };
+
+  /// Updates islands and pairs. \param blocks with numbers of the list, `rows` is 0 if a block is
+  /// in no island \param slots number of bodies \param most_work an island that takes more
+  /// multiplications per row because of a single body is a hub, and is not analysed
+  void group(const std::vector<BlockPattern>& blocks, int slots, double most_work);
+  const std::vector<Island>& islands() const { return islands_; }  ///< by their first blocks
+  const std::vector<int>& order() const { return order_; }  ///< block numbers, island by island
+  const Place& at(int block) const { return at_[block]; }   ///< of a block
+  int rows() const { return rows_; }                        ///< of all islands
+
+ private:
+  struct Key {  // sorts blocks by island, link and number
+    int island, link, block;
+    auto operator<=>(const Key&) const = default;
+  };
+  int root_of(int body);
+  void find_islands(int slots);
+  void find_shapes(double most_work);
+  bool is_hub(const Island& island, double most_work);
+  void pair_islands();
+  void place_blocks(IslandPair& pair);
+  bool beside(const Key& key) const { return key.link != key.block && given_[key.block].optional(); }
+  std::span<const ShapeBlock> shape(int island) const;
+
+  std::vector<BlockPattern> given_;
+  double most_work_ = 0;
+  std::vector<Key> keys_;
+  std::vector<Island> islands_;
+  std::vector<ShapeBlock> shape_, last_shape_;  // of all islands
+  std::vector<int> begins_, last_begins_;       // of the shapes of the islands
+  std::vector<int> order_, links_, by_shape_;   // links_: where links begin in the keys
+  std::vector<Place> at_;
+  std::vector<int> root_, first_, column_, count_;  // of each body
+    std::vector<LaneBlock> blocks_;
+  std::map<std::vector<ShapeBlock>, std::shared_ptr<const EliminationPlan>> plans_;
+  int rows_ = 0;
+};
+
+}  // namespace joints
+/// @}

@@ -181,10 +181,10 @@ class DirectSolver::Positions : public Corrector {
       for (int n = 0; n < int(pair->blocks.size()); ++n)
         for (const int lane : {0, 1}) {
           const LaneBlock& block = pair->blocks[n];
-          const bool used = block.block[lane] >= 0 && (both || lane == lane_of(k));
+          const bool used = both || lane == lane_of(k);
           for (int i = 0; i < block.rows; ++i)
             pair->x[pair->A.nodes[n].row + i][lane] =
-                used ? rates[block.row[lane] - base + i] : 0;
+                used && i < block.own[lane] ? rates[block.row[lane] - base + i] : 0;
         }
       pair->load(bodies_);
       pair->change();
@@ -257,7 +257,7 @@ class DirectSolver::Positions : public Corrector {
     IslandPair& pair = *pair_of(island);
     const int lane = lane_of(island);
     for (std::size_t k = 0; k < pair.blocks.size(); ++k)
-      for (int i = 0; pair.blocks[k].block[lane] >= 0 && i < pair.blocks[k].rows; ++i) {
+      for (int i = 0; i < pair.blocks[k].own[lane]; ++i) {
         TwoLanes& both = pair.impulse[pair.A.nodes[k].row + i];
         double now = both[lane];
         f(own_.impulses[pair.blocks[k].row[lane] + i], now);

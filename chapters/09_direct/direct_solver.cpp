@@ -104,7 +104,7 @@ void DirectSolver::leave_to_iterations(const Bodies& bodies) {
   }
   for (IslandPair& pair : islands_.pairs) {
     double rows = 0;
-    for (const LaneBlock& block : pair.blocks) rows += block.lanes() * block.rows;
+    for (const LaneBlock& block : pair.blocks) rows += block.own[0] + block.own[1];
     pair.iterated = false;
     if (pair.multiplications() > most_work * rows) leave(pair);
   }
@@ -244,7 +244,7 @@ void DirectSolver::change_rates(Bodies& bodies, const std::vector<double>& rates
   for (IslandPair& pair : islands_.pairs) {
     for (std::size_t k = 0; k < pair.blocks.size(); ++k)
       for (const int lane : {0, 1})
-        for (int i = 0; pair.blocks[k].block[lane] >= 0 && i < pair.blocks[k].rows; ++i)
+        for (int i = 0; i < pair.blocks[k].own[lane]; ++i)
           pair.x[pair.A.nodes[k].row + i][lane] =
               rates[blocks.list[pair.blocks[k].block[lane]].first + i];
     pair.load(bodies);

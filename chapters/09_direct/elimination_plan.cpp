@@ -44,7 +44,7 @@ EliminationPlan::EliminationPlan(const std::vector<ShapeBlock>& shape) {
   const int still = columns;  // one number for all static bodies
   for (int k = 0; k < int(shape.size()); ++k) {
     const ShapeBlock& block = shape[k];
-    if (block.rows == 1 && block.bounded) continue;
+    if (block.rows == 0) continue;
     of_joint.push_back(k);
     joints.push_back({block.moves[0] ? block.columns[0] : still,
                       block.moves[1] ? block.columns[1] : still});
@@ -58,7 +58,7 @@ EliminationPlan::EliminationPlan(const std::vector<ShapeBlock>& shape) {
     loop[of_joint[j]] = found[j];
     loops.resize(std::max(loops.size(), std::size_t(found[j]) + 1));
     members.resize(loops.size());
-    loops[found[j]].rows += block.rows - block.bounded;
+    loops[found[j]].rows += block.rows;
     members[found[j]].insert({joints[j].body1, joints[j].body2});
   }
   for (std::size_t k = 0; k < loops.size(); ++k) {

@@ -24,8 +24,7 @@ struct ShapeBlock {
   int link = 0;                  ///< blocks between the same two bodies form a link
   std::array<int, 2> columns{};  ///< its bodies, numbered within the island
   std::array<bool, 2> moves{};   ///< whether they can move
-  int rows = 0;                  ///< 1 to 6
-  bool bounded = false;          ///< its last row has bounds
+  int rows = 0;                  ///< number of its rows without bounds
   auto operator<=>(const ShapeBlock&) const = default;  ///< by all members
 };
 

@@ -20,8 +20,7 @@ constexpr double of_softening = sizeof(real) == 4 ? 100 : 1000;
 // After this many passes without progress only the last wrong row changes its side.
 constexpr int patience = 3;
 
-const Body nothing{};   // in place of bodies and rows of an idle lane
-const Row no_rows[6]{};
+const Body nothing{};   // in place of the bodies of an idle lane
 
 TwoLanes lanes(real a, real b) { return TwoLanes{double(a), double(b)}; }
 Triple<TwoLanes> lanes(const vec3& a, const vec3& b) {
@@ -52,22 +51,23 @@ void IslandPair::prepare(const Blocks& given, const real* rates, real h) {
   passes = wrong = 0;
   const real acting = given.acts(h);
   for (int k = 0; k < int(blocks.size()); ++k) {
-    const int n = blocks[k].rows, row = A.nodes[k].row;
-    const Row* from[2]{no_rows, no_rows};
+    const int row = A.nodes[k].row;
     softness_[k] = TwoLanes{};
     for (const int lane : {0, 1}) {
       if (blocks[k].block[lane] < 0) continue;
       const Block& block = given.list[blocks[k].block[lane]];
-      from[lane] = &given.J[block.first];
+      set_rows(k, lane, &given.J[block.first]);
       const auto [rate, softness] = feedback(block.target, h, acting);
       softness_[k][lane] = double(softness);
       springs_ = springs_ || softness > 0;
-      for (int i = 0; i < n; ++i) {
+      for (int i = 0; i < block.rows; ++i) {
         const double bias = double(joints::bias(block, i, given.C[block.first + i], rate, h));
         const double expected = rates ? double(rates[blocks[k].row[lane] + i]) : 0;
         wanted_[row + i][lane] = expected - bias;
         impulse[row + i][lane] = double(block.impulse[i]);
-        if (i + 1 < n || !blocks[k].bounded) continue;
+        const bool last_row = i + 1 == block.rows;
+        if (!last_row || (block.target.lower == -unbounded && block.target.upper == unbounded))
+          continue;
         BoundedRow last{k, lane, double(acting * block.target.lower),
                         double(acting * block.target.upper), bias};
         const double before = double(block.impulse[i]);  // of the last step
@@ -76,16 +76,11 @@ void IslandPair::prepare(const Blocks& given, const real* rates, real h) {
         bounded.push_back(last);
       }
     }
-    for (int i = 0; i < n; ++i) {
-      const Row &a = from[0][i], &b = from[1][i];
-      half(k, i, 0) = {lanes(a.v1, b.v1), lanes(a.w1, b.w1)};
-      half(k, i, 1) = {lanes(a.v2, b.v2), lanes(a.w2, b.w2)};
-    }
   }
 }
 
 void IslandPair::set_rows(int block, int lane, const Row* rows) {
-  for (int i = 0; i < blocks[block].rows; ++i) {
+  for (int i = 0; i < blocks[block].own[lane]; ++i) {
     put(half(block, i, 0).v, lane, rows[i].v1), put(half(block, i, 0).w, lane, rows[i].w1);
     put(half(block, i, 1).v, lane, rows[i].v2), put(half(block, i, 1).w, lane, rows[i].w2);
   }
@@ -119,7 +114,7 @@ void IslandPair::store(Bodies& all, const Blocks& given) const {
     }
   for (std::size_t k = 0; k < blocks.size(); ++k)
     for (const int lane : {0, 1})
-      for (int i = 0; blocks[k].block[lane] >= 0 && i < blocks[k].rows; ++i)
+      for (int i = 0; i < blocks[k].own[lane]; ++i)
         given.list[blocks[k].block[lane]].impulse[i] = real(impulse[A.nodes[k].row + i][lane]);
 }
 
@@ -184,7 +179,7 @@ void IslandPair::note_diagonal() {
 int IslandPair::rows_below(double fraction, int block, int lane) const {
   const int n = blocks[block].rows;
   int count = 0;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < blocks[block].own[lane]; ++i) {
     const double pivot = A.numbers[A.nodes[block].diagonal + i * (n + 1)][lane];
     count += pivot == 0 || pivot * A.original[A.nodes[block].row + i][lane] * fraction > 1;
   }
@@ -195,7 +190,7 @@ int IslandPair::dependent() const {
   int count = 0;
   for (int k = 0; k < int(blocks.size()); ++k)
     for (const int lane : {0, 1})
-      if (blocks[k].block[lane] >= 0)
+      if (blocks[k].own[lane] > 0)
         count += rows_below(blocks[k].loop < 0 ? 0 : of_softening * softening, k, lane);
   for (const BoundedRow& row : bounded) count -= row.side != Side::free;
   return count;
@@ -221,8 +216,9 @@ void IslandPair::find_tight_loops() {
   factored = false;
   for (int k = 0; k < int(blocks.size()); ++k)
     for (const int lane : {0, 1})
-      if (blocks[k].loop >= 0 && blocks[k].block[lane] >= 0)
-        dependent_[blocks[k].loop][lane] += rows_below(0, k, lane) - blocks[k].bounded;
+      if (blocks[k].loop >= 0) dependent_[blocks[k].loop][lane] += rows_below(0, k, lane);
+  for (const BoundedRow& row : bounded)
+    if (const int loop = blocks[row.block].loop; loop >= 0) --dependent_[loop][row.lane];
   for (std::size_t k = 0; k < loops.size(); ++k)
     for (const int lane : {0, 1}) tight_[k][lane] = may_be(k, lane);
 }

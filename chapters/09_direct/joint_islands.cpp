@@ -105,7 +105,7 @@ void JointIslands::find_shapes(double most_work) {
       if (n == island.first || keys_[n].link != keys_[n - 1].link) links_.push_back(n), ++link;
       if (beside(keys_[n])) continue;
       const auto& [bodies, moves, rows, bounded] = given_[keys_[n].block];
-      ShapeBlock block{link, {}, moves, rows, bounded};
+      ShapeBlock block{link, {}, moves, rows - bounded};
       for (const int k : {0, 1}) {
         int& column = column_[k == 0 ? bodies.body1 : bodies.body2];
         if (!moves[k] || column < 0) column = columns++;
@@ -133,8 +133,10 @@ void JointIslands::pair_islands() {
     return std::lexicographical_compare_three_way(left.begin(), left.end(), right.begin(),
                                                   right.end());
   };
-  std::stable_sort(by_shape_.begin(), by_shape_.end(),
-                   [&](int a, int b) { return compare(a, b) < 0; });
+  std::sort(by_shape_.begin(), by_shape_.end(), [&](int a, int b) {
+    const auto order = compare(a, b);
+    return order < 0 || (order == 0 && a < b);
+  });
   std::size_t count = 0;
   for (std::size_t n = 0; n < by_shape_.size(); ++n) {
     const int first = by_shape_[n];
@@ -198,12 +200,13 @@ void JointIslands::place_blocks(IslandPair& pair) {
           if (at[lane] == end[lane]) continue;
           block.block[lane] = keys_[at[lane]++].block;
           block.row[lane] = at_[block.block[lane]].row;
+          block.own[lane] = given_[block.block[lane]].rows;
+          block.bounded = block.bounded || given_[block.block[lane]].bounded;
         }
         if (block.lanes() == 0) break;
         const ShapeBlock& like = *(optional ? first : first + n);
         block.columns = like.columns;
-        block.rows = optional ? 1 : like.rows;
-        block.bounded = optional || like.bounded;
+        block.rows = std::max(block.own[0], block.own[1]);
         block.loop = optional ? -1 : pair.plan->loop[std::size_t(&like - shape.data())];
         blocks_.push_back(block);
       }

@@ -16,16 +16,16 @@ struct LaneBlock {
   int place = 0;                  ///< that of its link in the order of elimination
   int loop = -1;                  ///< its closed loop, or -1
   std::array<int, 2> columns{};   ///< of its bodies
-  int rows = 0;                   ///< 1 to 6
-  bool bounded = false;           ///< its last row has bounds
+  int rows = 0;                   ///< 1 to 6, the larger number of both lanes
+  bool bounded = false;           ///< the last row has bounds on a lane
   std::array<int, 2> block{-1, -1};  ///< numbers of its two blocks; -1: the lane is idle
+  std::array<int, 2> own{};       ///< their numbers of rows; 0 if the lane is idle
   std::array<int, 2> row{};       ///< their first rows, counted island after island
-  int lanes() const { return (block[0] >= 0) + (block[1] >= 0); }  ///< that are not idle
+  int lanes() const { return (own[0] > 0) + (own[1] > 0); }  ///< that are not idle
   /// True if the matrix has the same pattern with the other block in its place.
   bool like(const LaneBlock& other) const {
-    const auto idle = [](const LaneBlock& a) { return std::array{a.block[0] < 0, a.block[1] < 0}; };
     return place == other.place && loop == other.loop && columns == other.columns &&
-           rows == other.rows && bounded == other.bounded && idle(*this) == idle(other);
+           own == other.own && bounded == other.bounded;
   }
 };
 

@@ -129,7 +129,7 @@ class DirectSolver::Positions : public Corrector {
     if (alone_) for_bodies(from, [&](Body&, int slot) { own_.moved[slot] = false; });
     int count = 0;
     for (int k = from; k < end; ++k) count += islands_.islands()[k].rows;
-    own_.C.assign(std::size_t(count), 0.0);
+    zeros(own_.C, std::size_t(count));
     own_.met.clear();
     const std::vector<Block>& list = solver_.blocks_->list;
     std::size_t k = 0;

@@ -146,7 +146,7 @@ void DirectSolver::recall_rates() {
     patterns_.insert(patterns_.end(), {island.pattern, island.rows});
   if (newton == 0) memory.patterns.clear(), memory.rates.clear();
   if (newton == 0 || memory.patterns == patterns_) return;
-  recalled_.assign(std::size_t(islands_.rows()), 0);
+  zeros(recalled_, std::size_t(islands_.rows()));
   std::size_t from = 0, to = 0, next = 0;
   for (std::size_t k = 0; k < patterns_.size(); to += std::size_t(patterns_[k + 1]), k += 2)
     for (std::size_t n = 0; n < memory.patterns.size(); n += 2) {

@@ -2,12 +2,20 @@
 // on which bodies the blocks connect. Given, there is nothing to edit here.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
 /// \addtogroup chapter9
 /// @{
 namespace joints {
+
+/// Makes a vector of zeros, with room for more than that if it has to grow.
+template <class Number>
+void zeros(std::vector<Number>& list, std::size_t count) {
+  list.resize(count);
+  std::fill(list.begin(), list.end(), Number{});
+}
 
 /// The bodies and joints of a closed loop.
 struct ClosedLoop {

@@ -43,8 +43,7 @@ TwoLanes dot(const HalfRowOf<TwoLanes>& a, const HalfRowOf<TwoLanes>& b) {
 
 void IslandPair::prepare(const Blocks& given, const real* rates, real h) {
   if (is_new)
-    for (std::vector<TwoLanes>* list : {&x, &wanted_, &impulse})
-      list->assign(A.original.size(), TwoLanes{});
+    for (std::vector<TwoLanes>* list : {&x, &wanted_, &impulse}) zeros(*list, A.original.size());
   softness_.resize(blocks.size());
   bounded.clear();
   factored = springs_ = false;

@@ -13,7 +13,8 @@ namespace joints {
 void JointIslands::group(const std::vector<BlockPattern>& blocks, int slots, double most_work) {
   for (IslandPair& pair : pairs) pair.is_new = false;
   if (blocks == given_ && most_work == most_work_) return;
-  given_ = blocks;
+  given_.resize(blocks.size());
+  std::copy(blocks.begin(), blocks.end(), given_.begin());
   most_work_ = most_work;
   find_islands(slots);
   shape_.swap(last_shape_);
@@ -57,7 +58,7 @@ void JointIslands::find_islands(int slots) {
 
   islands_.clear();
   order_.clear();
-  at_.assign(given_.size(), Place{});
+  zeros(at_, given_.size());
   rows_ = 0;
   for (std::size_t n = 0; n < keys_.size(); ++n) {
     const auto& [island, link, block] = keys_[n];

@@ -42,10 +42,10 @@ void IslandMatrix::lay_out() {
     multiplications_ += lanes * n * (n + below) * (n + below) / 2.0;
   }
   A.nodes.push_back({0, row, numbers, int(A.edges.size())});
-  A.numbers.assign(std::size_t(numbers), TwoLanes{});
-  A.original.assign(std::size_t(row), TwoLanes{});
-  J.assign(std::size_t(2 * row), HalfRowOf<TwoLanes>{});
-  masses.assign(moves.size(), LaneMass{});
+  zeros(A.numbers, std::size_t(numbers));
+  zeros(A.original, std::size_t(row));
+  zeros(J, std::size_t(2 * row));
+  zeros(masses, moves.size());
   A.targets.clear();
   for (int k = 0; k < count; ++k)
     for (int j = A.nodes[k].first_edge; j < A.nodes[k + 1].first_edge; ++j)
@@ -65,24 +65,25 @@ int IslandMatrix::at(int later, int earlier) const {
 }
 
 void IslandMatrix::place_couplings() {
-  blocks_of_.resize(std::max(blocks_of_.size(), moves.size()));
-  for (std::vector<int>& of_one : blocks_of_) of_one.clear();
+  at_body_.clear();  // pairs of a column and a block
   for (int k = 0; k < int(blocks.size()); ++k)
     for (const int column : blocks[k].columns)
-      if (moves[column]) blocks_of_[column].push_back(k);
+      if (moves[column]) at_body_.push_back({column, k});
+  std::sort(at_body_.begin(), at_body_.end());
+  const auto half_rows = [&](int column, int k) {
+    return 2 * A.nodes[k].row + (blocks[k].columns[0] == column ? 0 : blocks[k].rows);
+  };
   halves_.clear();
   couplings_.clear();
-  for (int column = 0; column < int(moves.size()); ++column)
-    for (auto b = blocks_of_[column].begin(); b != blocks_of_[column].end(); ++b) {
-      const auto half_rows = [&](int k) {
-        const LaneBlock& block = blocks[k];
-        return 2 * A.nodes[k].row + (block.columns[0] == column ? 0 : block.rows);
-      };
-      for (auto a = b + 1; a != blocks_of_[column].end(); ++a)
-        couplings_.push_back({half_rows(*a), blocks[*a].rows, at(*a, *b)});
-      halves_.push_back({half_rows(*b), blocks[*b].rows, at(*b, *b), column,
-                         int(blocks_of_[column].end() - b) - 1});
-    }
+  for (auto b = at_body_.begin(); b != at_body_.end(); ++b) {
+    const auto [column, k] = *b;
+    auto a = b + 1;
+    for (; a != at_body_.end() && a->first == column; ++a)
+      couplings_.push_back({half_rows(column, a->second), blocks[a->second].rows,
+                            at(a->second, k)});
+    halves_.push_back({half_rows(column, k), blocks[k].rows, A.nodes[k].diagonal, column,
+                       int(a - b) - 1});
+  }
 }
 
 void IslandMatrix::assemble() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "chapters/09_direct/direct.h"
 #include "chapters/09_direct/elimination_plan.h"
@@ -73,7 +74,7 @@ class IslandMatrix {
   int at(int later, int earlier) const;
 
   std::vector<int> first_;  // block of each link, in the order of elimination
-  std::vector<std::vector<int>> blocks_of_;  // each column
+  std::vector<std::pair<int, int>> at_body_;  // each column and the blocks at its body
   std::vector<Half> halves_;
   std::vector<Coupling> couplings_;
   double multiplications_ = 0;

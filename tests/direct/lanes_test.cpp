@@ -1,5 +1,7 @@
 // Islands side by side on the lanes of the direct solver: each moves as it does alone.
+#include "bench/families.h"
 #include "tests/direct/rigs.h"
+#include "tests/oracle/allocations.h"
 #include "tests/oracle/test.h"
 
 namespace {
@@ -128,4 +130,79 @@ TEST_CASE("the report counts every island, whichever lanes they have") {
   step(three, solver_of_three, sixtieth, second_order);
   CHECK(solver_of_one.report().multiplications > 0);
   CHECK(solver_of_three.report().multiplications == 3 * solver_of_one.report().multiplications);
+}
+
+TEST_CASE("an island whose bodies are slowed down, or that is iterated, changes no other island") {
+  const std::vector<Arm> arms{{0}, {1, 1, true}, {2}};
+  const auto run = [&](World world, const std::vector<Arm>& with_arms, bool hub) {
+    for (const Arm& arm : with_arms) add(world, arm);
+    feed_back_all(world);
+    world.bodies.at(0).w = vec3(0, 0, real(1e-3));  // a static body keeps its velocity
+    DirectSolver solver = shake();
+    int halved = 0;
+    for (int n = 0; n < 60; ++n) {
+      step(world, solver, sixtieth, second_order);
+      halved += solver.report().halved;
+      CHECK(solver.report().iterated == hub);
+    }
+    CHECK((halved > 0) == !hub);
+    if (!hub) CHECK(world.bodies.at(0).w == vec3(0, 0, real(1e-3)));
+    return world;
+  };
+  for (const bool hub : {false, true}) {
+    CAPTURE(hub);
+    const auto made = [&] {
+      if (hub) return chapter9::star(60).world;
+      for (const bench::Family& family : bench::joint_families())
+        if (family.name == "beads") return family.draw(2).world;
+      return World();
+    };
+    const World together = run(made(), arms, hub), without = run(made(), {}, hub);
+    CHECK(difference(together, 0, without) == 0);
+    int slot = without.bodies.slots();
+    for (const Arm& arm : arms) {
+      const World alone = moved({arm}, 8);
+      CHECK(difference(together, slot, alone) == 0);
+      slot += alone.bodies.slots();
+    }
+  }
+}
+
+TEST_CASE("limits that come and go in chains of hinges take hardly any memory later") {
+  for (const int chains : {1, 10})
+    for (const int newton : {0, 8}) {
+      CAPTURE(chains, newton);
+      World world;
+      std::vector<HingeJoint*> hinges;
+      for (int chain = 0; chain < chains; ++chain) {
+        BodyId before = world.add(static_body(vec3(real(5 * chain), 0, 0)));
+        for (int k = 1; k <= 100 / chains; ++k) {
+          const vec3 x(real(5 * chain), 0, real(1.5) * real(k));
+          const BodyId id = world.add(box(100, vec3(1), x));
+          hinges.push_back(&world.add<HingeJoint>(world.bodies, before, id,
+                                                  x - vec3(0, 0, real(0.75)), vec3(1, 0, 0)));
+          hinges.back()->set_limits(0, 0);  // at first all of them act
+          before = id;
+        }
+      }
+      feed_back_all(world);
+      DirectSolver solver = with(newton);
+      int changes = 0, rows = 0;
+      const auto run = [&](int steps) {
+        changes = 0;
+        for (int n = 0; n < steps; ++n) {
+          step(world, solver, sixtieth, second_order);
+          changes += world.blocks.rows() != rows;
+          rows = world.blocks.rows();
+        }
+      };
+      run(5);
+      for (HingeJoint* hinge : hinges) hinge->set_limits(real(-0.3), real(0.3));
+      for (int slot = 0; slot < world.bodies.slots(); ++slot)
+        if (Body& body = world.bodies.at(slot); !body.is_static())
+          body.w = vec3(real(0.3) * real(13 * slot % 11 - 5), 0, 0);
+      run(300);  // rows of late limits take some, too
+      CHECK(allocations_of([&] { run(200); }) <= 10);
+      CHECK(changes > 2);
+    }
 }

@@ -172,7 +172,8 @@ class DirectSolver::Positions : public Corrector {
   void change(int from, int end, const std::vector<double>& rates) {
     ++solver_.report_.corrections;
     const int base = islands_.islands()[from].first_row;
-    for (std::size_t r = 0; r < rates.size(); ++r) expected_[std::size_t(base) + r] += real(rates[r]);
+    real* const expected = expected_.data() + base;
+    for (std::size_t r = 0; r < rates.size(); ++r) expected[r] += real(rates[r]);
     for (int k = from; k < end; ++k) {
       IslandPair* const pair = pair_of(k);
       const int other = pair ? pair->islands[1 - lane_of(k)] : -1;

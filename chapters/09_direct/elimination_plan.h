@@ -1,5 +1,5 @@
-// How the blocks of an island are eliminated: their order, fill-in and closed loops. It depends only
-// on which bodies the blocks connect. Given, there is nothing to edit here.
+// How the blocks of an island are eliminated: their order, fill-in and closed loops, which depend
+// only on the bodies that the blocks connect. Given, there is nothing to edit here.
 #pragma once
 
 #include <algorithm>

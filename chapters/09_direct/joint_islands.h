@@ -43,9 +43,9 @@ class JointIslands {
     int row = 0;      ///< its first row, counted island after island
   };
 
-  /// Updates islands and pairs. \param blocks with numbers of the list, `rows` is 0 if a block is
-  /// in no island \param slots number of bodies \param most_work an island that takes more
-  /// multiplications per row because of a single body is a hub, and is not analysed
+  /// Updates islands and pairs. \param blocks all blocks; those without rows are in no island
+  /// \param slots number of bodies \param most_work an island that takes more multiplications per
+  /// row because of a single body is a hub, and is not analysed
   void group(const std::vector<BlockPattern>& blocks, int slots, double most_work);
   const std::vector<Island>& islands() const { return islands_; }  ///< by their first blocks
   const std::vector<int>& order() const { return order_; }  ///< block numbers, island by island
@@ -63,7 +63,9 @@ class JointIslands {
   bool is_hub(const Island& island, double most_work);
   void pair_islands();
   void place_blocks(IslandPair& pair);
-  bool beside(const Key& key) const { return key.link != key.block && given_[key.block].optional(); }
+  bool beside(const Key& key) const {  // an optional row beside a joint
+    return key.link != key.block && given_[key.block].optional();
+  }
   std::span<const ShapeBlock> shape(int island) const;
 
   std::vector<BlockPattern> given_;

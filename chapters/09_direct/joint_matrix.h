@@ -45,7 +45,7 @@ class IslandMatrix {
   std::vector<LaneBlock> blocks;                ///< of both islands, in the order of elimination
   std::vector<bool> moves;        ///< for each column whether its bodies move
   std::vector<LaneMass> masses;   ///< for each column
-  /// The half-rows of each block, from 2 * A.nodes[k].row on: those of body 1, then those of body 2.
+  /// The half-rows of block k, from 2 * A.nodes[k].row on: those of body 1, then those of body 2.
   std::vector<HalfRowOf<TwoLanes>> J;
 
   /// Computes nodes, edges, targets and couplings from plan, blocks and moves. All J become zero.

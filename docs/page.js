@@ -54,6 +54,20 @@ document.addEventListener("click", event => {
   frame.scrollIntoView({block: "nearest"});
 });
 
+// What is wider than its place scrolls with the keys, too.
+function reach() {
+  for (const one of document.querySelectorAll(".fragment, .tex, table.markdownTable, .drawing")) {
+    const wide = one.scrollWidth > one.clientWidth + 1 &&
+      /auto|scroll/.test(getComputedStyle(one).overflowX);
+    if (wide !== one.hasAttribute("tabindex"))
+      wide ? one.setAttribute("tabindex", "0") : one.removeAttribute("tabindex");
+  }
+}
+addEventListener("DOMContentLoaded", reach);
+addEventListener("load", reach);
+addEventListener("resize", reach);
+document.addEventListener("toggle", reach, true);  // a fold has opened
+
 // On paper everything is light.
 let kept = "";
 addEventListener("beforeprint", () => {

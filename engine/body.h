@@ -32,8 +32,8 @@ struct Body {
   }
 };
 
-/// \throws std::invalid_argument, with member and value, unless all numbers are finite, q has
-/// length 1, and inverse mass and inverse moments are all zero (static) or all positive
+/// Validates it. \throws std::invalid_argument, with member and value, unless all numbers
+/// are finite, q has length 1, and inverse mass and moments are all zero (static) or all positive
 void check(const Body& body);
 
 /// Rotates a direction or lever from body space into world space: R(q) local.

@@ -12,7 +12,7 @@ namespace joints {
 /// The largest Joint::beta [1]. Above 2 every error grows, which may be tried on purpose; a beta
 /// above this limit is rejected as a mistake.
 constexpr real max_beta = 10;
-/// \throws std::invalid_argument unless beta is from 0 to max_beta
+/// Validates a beta. \throws std::invalid_argument unless beta is from 0 to max_beta
 inline void check_beta(real beta) {
   require(beta >= 0 && beta <= max_beta, "beta", beta, "must be between 0 and 10 [1]");
 }
@@ -34,7 +34,7 @@ class Joint {
   real damping = 1;       ///< damping ratio of that spring [1]; 1 is critical
   bool projected = true;  ///< position projection corrects this joint (Stepping::projections)
 
-  /// \throws std::invalid_argument for a joint of a body with itself
+  /// Of two bodies. \throws std::invalid_argument for a joint of a body with itself
   Joint(BodyId body1, BodyId body2) : body1(body1), body2(body2) {
     require(!(body1 == body2), "body2: a joint needs two different bodies");
   }

@@ -24,7 +24,7 @@ class PartJoint : public Joint {
  public:
   Part part;  ///< the geometry; may be changed between steps
 
-  /// \throws std::invalid_argument for a joint of a body with itself, or from the part's check
+  /// Makes it of a part. \throws std::invalid_argument for one body twice, or from check(part)
   PartJoint(BodyId body1, BodyId body2, const Part& part) : Joint(body1, body2), part(part) {
     check(part);
   }

@@ -57,7 +57,7 @@ class SequentialImpulses : public IterativeSolver {
   int split_iterations = 0;
 
   void check() const override;
-  /// \throws std::invalid_argument if a bound follows an impulse that belongs to no row
+  /// Prepares blocks. \throws std::invalid_argument if a bound follows an impulse without a row
   void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
   /// Sets the impulse of a row to zero if its Jacobian is zero or if it depends on other rows of
   /// its block.

@@ -11,7 +11,7 @@ namespace joints {
 /// Thrown by an exercise that has not been written yet.
 struct NotDone : std::logic_error {
   std::string id;  ///< the exercise, such as "2.1"
-  /// \param id the exercise
+  /// Of an exercise. \param id the exercise
   explicit NotDone(const std::string& id)
       : std::logic_error("exercise " + id + " is not written yet"), id(id) {}
 };

@@ -8,12 +8,12 @@
 /// @{
 namespace joints {
 
-/// \throws std::invalid_argument unless the length is positive and finite
+/// Validates it. \throws std::invalid_argument unless the length is positive and finite
 inline void check(const CentreDistance& rod) {
   require(finite(rod.length) && rod.length > 0, "length", rod.length,
           "of a rod it must be positive and finite [m]; for length 0 take a ball joint");
 }
-/// \throws std::invalid_argument unless the length is positive and finite, the anchors finite
+/// Validates it. \throws std::invalid_argument unless the length is positive, all finite
 inline void check(const Distance& rod) {
   check(CentreDistance{rod.length});
   if (finite(sum(rod.anchor1_local) + sum(rod.anchor2_local))) return;

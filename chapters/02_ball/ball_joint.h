@@ -8,7 +8,7 @@
 /// @{
 namespace joints {
 
-/// \throws std::invalid_argument unless both anchors are finite
+/// Validates it. \throws std::invalid_argument unless both anchors are finite
 inline void check(const Point& point) {
   if (finite(sum(point.anchor1_local) + sum(point.anchor2_local))) return;
   require_finite("anchor1_local", point.anchor1_local, "must be finite [m]");

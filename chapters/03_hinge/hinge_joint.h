@@ -9,7 +9,7 @@
 /// @{
 namespace joints {
 
-/// \throws std::invalid_argument unless the three vectors have length 1
+/// Validates it. \throws std::invalid_argument unless the three vectors have length 1
 inline void check(const Axis& axis) {
   const vec3 &a1 = axis.a1_local, &b = axis.b_local, &c = axis.c_local;
   if (std::abs(dot(a1, a1) + dot(b, b) + dot(c, c) - 3) < real(1e-6)) return;  // usual case
@@ -17,8 +17,8 @@ inline void check(const Axis& axis) {
   require_unit("b_local", b);
   require_unit("c_local", c);
 }
-/// \throws std::invalid_argument unless the axis has length 1, `start` is a unit quaternion, and
-/// the expected angle is finite
+/// Validates it. \throws std::invalid_argument unless the axis has length 1, `start` is a unit
+/// quaternion, and the expected angle is finite
 inline void check(const HingeAngle& angle) {
   const vec3& a1 = angle.a1_local;
   require(finite(angle.expected), "expected", angle.expected, "must be finite [rad]");

@@ -35,7 +35,7 @@ struct Limit {
 
 /// The largest magnitude of a finite limit [rad or m].
 constexpr real max_limit = real(1e9);
-/// \throws std::invalid_argument unless lower <= upper and both are infinite or within max_limit
+/// Validates it. \throws std::invalid_argument unless lower <= upper, infinite or in max_limit
 inline void check(const Range& range) {
   const auto [lower, upper] = range;
   require(lower <= upper && lower < unbounded && upper > -unbounded,
@@ -45,7 +45,7 @@ inline void check(const Range& range) {
             bound == lower ? "lower" : "upper", bound,
             "must be within 1e9 [rad or m]; infinite for no limit");
 }
-/// \throws std::invalid_argument unless the speed is within max_speed and the strength at least 0
+/// Validates it. \throws std::invalid_argument unless |speed| <= max_speed and strength >= 0
 inline void check(const Motor& motor) {
   require(std::abs(motor.speed) <= max_speed, "speed", motor.speed,
           "must be within 3e8 [rad/s or m/s]");
@@ -62,8 +62,8 @@ struct Spring {
   /// True if it has a row.
   bool acts() const { return strength > 0 && (stiffness > 0 || damping > 0); }
 };
-/// \throws std::invalid_argument unless all numbers are finite (the strength may be infinite), the
-/// rest position is within max_limit and nothing else is negative
+/// Validates it. \throws std::invalid_argument unless all numbers are finite (the strength may be
+/// infinite), the rest position is within max_limit and nothing else is negative
 inline void check(const Spring& spring) {
   require(spring.stiffness >= 0 && spring.stiffness < unbounded, "stiffness", spring.stiffness,
           "must be finite and not negative [N m/rad or N/m]");

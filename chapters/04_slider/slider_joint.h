@@ -8,16 +8,16 @@
 /// @{
 namespace joints {
 
-/// \throws std::invalid_argument unless the anchors are finite and both directions have length 1
+/// Validates it. \throws std::invalid_argument unless anchors are finite, directions unit
 inline void check(const Line& line) {
   require_finite("anchor1_local", line.anchor1_local, "must be finite [m]");
   require_finite("anchor2_local", line.anchor2_local, "must be finite [m]");
   require_unit("n1_local", line.n1_local);
   require_unit("n2_local", line.n2_local);
 }
-/// \throws std::invalid_argument unless `start` is a unit quaternion
+/// Validates it. \throws std::invalid_argument unless `start` is a unit quaternion
 inline void check(const RotationLock& lock) { require_unit("start", lock.start); }
-/// \throws std::invalid_argument unless the anchors are finite and the direction has length 1
+/// Validates it. \throws std::invalid_argument unless anchors are finite, a1_local is unit
 inline void check(const Slide& slide) {
   require_finite("anchor1_local", slide.anchor1_local, "must be finite [m]");
   require_finite("anchor2_local", slide.anchor2_local, "must be finite [m]");
@@ -29,8 +29,8 @@ inline void check(const Slide& slide) {
 /// part that does not depend on the lock is 1/m. Relative to the lever terms it must stay larger
 /// than the rounding errors and than the threshold below which a solver drops a row.
 constexpr real max_lever_share = sizeof(real) == 4 ? real(1e6) : real(1e10);
-/// \throws std::invalid_argument for an anchor too far from the centre of the body
-/// \param lever from the centre to the anchor [m]
+/// Validates a lever. \throws std::invalid_argument for an anchor too far from the centre of the
+/// body \param lever from the centre to the anchor [m]
 inline void check_lever(const char* anchor, const Body& body, const vec3& lever) {
   const vec3& inverse = body.inverse_inertia_local;
   require(!(dot(lever, lever) * std::max({inverse.x, inverse.y, inverse.z}) >

@@ -98,7 +98,7 @@ class Contacts {
  public:
   std::function<void(ContactJoint&)> configure{};  ///< called for each new joint
 
-  /// \param h step [s] \param substeps Stepping::substeps
+  /// Finds them. \param h step [s] \param substeps Stepping::substeps
   Contacts(World& world, real h, int substeps = 4)
       : world_(world), h_(h), frequency_(real(substeps) / (4 * h)) {
     require(h > 0 && substeps > 0, "h, substeps: must be positive");

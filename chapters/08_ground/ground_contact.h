@@ -15,7 +15,7 @@ struct Outline {
   int count = 0;                  ///< the number of corners in use
   real radius = 0;                ///< of a sphere about each corner [m]
 };
-/// \param size the edges [m] \throws std::invalid_argument unless they are positive and finite
+/// That of a box. \param size edges [m] \throws std::invalid_argument unless positive and finite
 inline Outline box_outline(const vec3& size) {
   check_size(size);
   Outline out{.count = 8};
@@ -23,14 +23,14 @@ inline Outline box_outline(const vec3& size) {
     out.corners[k] = real(0.5) * size * vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
   return out;
 }
-/// \throws std::invalid_argument unless the radius is positive and finite [m]
+/// A ball. \throws std::invalid_argument unless the radius is positive and finite [m]
 inline Outline ball_outline(real radius) {
   require(finite(radius) && radius > 0, "radius: of a ball must be positive and finite [m]");
   return {.count = 1, .radius = radius};
 }
 
-/// \throws std::invalid_argument unless it has one to eight corners, all finite, and its radius is
-/// finite and not negative
+/// Validates it. \throws std::invalid_argument unless it has one to eight corners, all finite, and
+/// its radius is finite and not negative
 inline void check(const Outline& outline) {
   require(outline.count >= 1 && outline.count <= 8, "outline: needs one to eight corners");
   for (int k = 0; k < outline.count; ++k)
@@ -46,7 +46,7 @@ struct Top {
   real half_z = unbounded;  ///< half its extent along the z axis [m]
   real depth = unbounded;   ///< a corner deeper than this is beside the body, not under its top [m]
 };
-/// \throws std::invalid_argument unless the height is finite and nothing else negative
+/// Validates it. \throws std::invalid_argument unless height is finite, nothing else < 0
 inline void check(const Top& top) {
   require_finite("top.height", top.height, "must be finite [m]");
   require(top.half_x >= 0, "top.half_x", top.half_x, "must not be negative [m]");
@@ -73,8 +73,8 @@ class GroundContact : public PointContacts {
 
   static constexpr int most_corners = 4;  ///< the most corners with rows at the same time
 
-  /// \param ground body 1, most often a static one
-  /// \throws std::invalid_argument for a body with itself, or from the outline's check
+  /// Of a body. \param ground body 1, most often a static one \throws std::invalid_argument for a
+  /// body with itself, or from the outline's check
   GroundContact(BodyId ground, BodyId body, const Top& top, const Outline& outline)
       : PointContacts(ground, body), top(top), outline(outline) {
     check(outline);

@@ -41,8 +41,8 @@ struct Rack {
     angle1.expected = angle_of(angle1, body1) + h * dot(slope_of(angle1, body1), body1.w);
   }
 };
-/// \throws std::invalid_argument unless the angle is valid, the direction has length 1 and the rest
-/// is finite
+/// Validates it. \throws std::invalid_argument unless the angle is valid, the direction has length
+/// 1 and the rest is finite
 inline void check(const Rack& rack) {
   check(rack.angle1);
   require_unit("direction", rack.direction);
@@ -89,7 +89,7 @@ struct Pulley {
             -cross(to_world(body2, anchor2_local), u2)};
   }
 };
-/// \throws std::invalid_argument unless all numbers are finite, and length and ratio are positive
+/// Validates it. \throws std::invalid_argument unless all is finite, length and ratio > 0
 inline void check(const Pulley& pulley) {
   require(finite(pulley.top1) && finite(pulley.top2), "top1, top2: must be finite [m]");
   require(finite(pulley.anchor1_local) && finite(pulley.anchor2_local),

@@ -25,11 +25,11 @@ class Options {
   bool read(int argc, const char* const* argv);
 
   std::string text(const std::string& name) const;  ///< the value as text
-  /// \throws std::invalid_argument unless it is a finite number of at least `least`
+  /// Reads a number. \throws std::invalid_argument unless it is a finite number of at least `least`
   double number(const std::string& name, double least) const;
-  /// \throws std::invalid_argument unless it is a whole number from `least` to a million
+  /// Reads a count. \throws std::invalid_argument unless it is a whole number from `least` to a million
   int count(const std::string& name, int least) const;
-  /// \throws std::invalid_argument unless it is 0 or 1
+  /// Reads a switch. \throws std::invalid_argument unless it is 0 or 1
   bool flag(const std::string& name) const;
 
  private:

@@ -17,8 +17,8 @@ namespace joints {
 /// A table on disk: a header line, then one line per row. Figures are drawn from these.
 class CsvFile {
  public:
-  /// \param path the file; created together with its folder
-  /// \throws std::invalid_argument if it cannot be created
+  /// Opens it. \param path the file; created together with its folder \throws std::invalid_argument
+  /// if it cannot be created
   CsvFile(const std::string& path, std::initializer_list<const char*> columns);
   /// One row of numbers. \throws std::invalid_argument unless there is one for each column
   void row(std::initializer_list<double> numbers);
@@ -54,7 +54,7 @@ struct Reading {
 /// JSON, which tools/pictures/motion.py puts into a page that plays it.
 class Motion {
  public:
-  /// \param title shown on the page \param h time between two calls of frame() [s]
+  /// An empty one. \param title shown on the page \param h time between two calls of frame() [s]
   /// \param every keep one frame of this number; all are kept if a body rotates by more than half a
   /// radian between two kept frames
   Motion(std::string title, double h, int every = 2);
@@ -63,7 +63,7 @@ class Motion {
   /// Stores the poses of the first n bodies, n = number of shapes.
   /// \param readings of this moment, the same number in every frame
   void frame(const Body* bodies, const std::vector<Reading>& readings = {});
-  /// \throws std::invalid_argument if the file cannot be created
+  /// Writes the file. \throws std::invalid_argument if the file cannot be created
   void write(const std::string& path) const;
 
  private:

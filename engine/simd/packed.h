@@ -99,7 +99,7 @@ class PackedImpulses : public IterativeSolver {
   Packing packing = Packing::automatic;  ///< how blocks are grouped and ordered
   bool lanes = true;                   ///< false: one block at a time
 
-  /// \throws std::invalid_argument if a bound follows an impulse that no row has
+  /// Once per step. \throws std::invalid_argument if a bound follows an impulse that no row has
   void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
   /// Zeroes the impulse of a row whose Jacobian is zero or that depends on others of its block.
   void warm_start(Bodies& bodies, real ratio) override;

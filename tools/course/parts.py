@@ -33,10 +33,10 @@ def missing(npm=True):
     return live.missing() + [name for name, tool in names.items() if not shutil.which(tool)]
 
 
-def package(name):
+def package(name, known=None):
     """The file that is taken of a package of npm: fetched once, and only as it was when its hash
-    was written down."""
-    known = PACKAGES[name]
+    was written down, in packages.json or in `known`."""
+    known = known or PACKAGES[name]
     folder = BUILD / "npm" / name / known["version"]
     if not (folder / known["take"]).exists():
         house.progress(f"fetching {name}")

@@ -9,7 +9,8 @@ from website import gallery
 
 ROOT = Path(__file__).resolve().parents[2]
 TOKEN = re.compile(r"(<[^>]+>)")
-CLOSED = ("a", "pre", "svg", "script", "style", "title", "h1", "h2", "h3", "nav", "head")
+CLOSED = ("a", "pre", "svg", "script", "style", "title", "h1", "h2", "h3", "nav", "head",
+          "summary")
 CLOSED_CLASSES = re.compile(r'class="(?:fragment|tex|toc|title|memproto|memname|display|line)\b')
 EQUATIONS = re.compile(r"\bEqs?\.\s\d+-\d+(?:(?:,| and| or| to)\s\d+-\d+)*")
 ERRATUM = re.compile(r"\bE\d{1,2}\b")

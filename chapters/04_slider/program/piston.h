@@ -36,7 +36,7 @@ struct Piston {
   real speed = 1;                 ///< of the motor [m/s]
   real strength = 80;             ///< of the motor [N]
 
-  /// \param whole one block, or a block for each part
+  /// Makes the scene. \param whole one block, or a block for each part
   Piston(const Settings& settings, bool whole) {
     scene.solver.iterations = settings.iterations;
     scene.energy_scale = 5 * 9.81 * 0.4;

@@ -33,7 +33,7 @@ struct BetweenWalls {
   Scene scene{.name = "between"};  ///< world, solver, measurements, appearance
   std::vector<BodyId> ids;         ///< from wall to wall
 
-  /// \param bend [rad] \param beta of all joints [1]
+  /// Makes the scene. \param bend [rad] \param beta of all joints [1]
   BetweenWalls(real bend, real beta) {
     const Chain chain = bent_chain(bend);
     scene.energy_scale = 200 * 9.81;

@@ -17,7 +17,7 @@ struct CubeChain {
   std::vector<BodyId> ids;         ///< its cubes, the static one first
   std::vector<BallJoint*> joints;  ///< one less than cubes
 
-  /// \param mass of a cube [kg] \param along from a cube to the next [m]
+  /// Makes the scene. \param mass of a cube [kg] \param along from a cube to the next [m]
   CubeChain(const std::string& name, int links, real mass, const vec3& along, real beta)
       : scene{.name = name} {
     scene.energy_scale = 0;

@@ -27,7 +27,7 @@ struct Bridge {
   std::vector<HingeJoint*> hinges;        ///< from left to right, those at the posts too
   std::vector<GroundContact*> contacts;  ///< of the crate, one per plank
 
-  /// \param iterations iterations per step \param loaded whether the crate is present
+  /// Makes it. \param iterations iterations per step \param loaded whether the crate is present
   /// \param rub greatest torque of a hinge's friction [N m] \param beta of all joints [1]
   explicit Bridge(int iterations, bool loaded = true, real rub = 20, real beta = real(0.02)) {
     scene.solver.iterations = iterations;

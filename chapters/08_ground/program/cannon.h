@@ -22,7 +22,7 @@ struct Cannon {
   GroundContact* landing;    ///< shot and ground
   real shot_edge = real(0.5);  ///< [m]
 
-  /// \param iterations iterations per step \param beta of the joints [1]
+  /// Makes the scene. \param iterations iterations per step \param beta of the joints [1]
   explicit Cannon(int iterations, real beta = real(0.2)) {
     const real diagonal = std::sqrt(real(0.5));
     const vec3 along(diagonal, diagonal, 0), across(diagonal, -diagonal, 0);

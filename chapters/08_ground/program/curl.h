@@ -25,8 +25,8 @@ struct Curl {
   std::vector<HingeJoint*> hinges;       ///< from end to end
   std::vector<GroundContact*> contacts;  ///< one per cube
 
-  /// \param iterations per step \param strength of a motor [N m] \param beta of all joints
-  /// [1]
+  /// Makes it. \param iterations per step \param strength of a motor [N m] \param beta of all
+  /// joints [1]
   explicit Curl(int iterations, real strength = 8000, real beta = real(0.02)) {
     scene.solver.iterations = iterations;
     scene.stepping.warm_start = true;

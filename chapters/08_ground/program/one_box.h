@@ -19,7 +19,7 @@ struct OneBox {
   BodyId ground, box;      ///< the bodies
   GroundContact* contact;  ///< between them
 
-  /// \param slope [rad]
+  /// Makes the scene. \param slope [rad]
   OneBox(const std::string& name, const Choice& choice, const vec3& size, real slope = 0)
       : scene{.name = name}, size(size) {
     scene.solver.iterations = choice.iterations;

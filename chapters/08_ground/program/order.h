@@ -43,7 +43,7 @@ struct LandingChain {
   std::vector<BodyId> ids;   ///< its cubes, the static one first
   int joint_blocks = 0;      ///< one per joint
 
-  /// \param links cubes that move
+  /// Makes the scene. \param links cubes that move
   LandingChain(Turns turns, int links, int iterations, real beta) : scene{.name = "order"} {
     scene.solver.iterations = iterations;
     World& world = scene.world;

@@ -77,7 +77,7 @@ struct Ragdoll : Doll {
   Scene scene{.name = "ragdoll", .energy_scale = 0};  ///< world, solver, measurements, appearance
   BodyId ground;  ///< on which it falls
 
-  /// \param height of the torso's centre [m] \param turn of the whole doll from upright
+  /// Makes it. \param height of the torso's centre [m] \param turn of the whole doll from upright
   /// \param join makes shoulders and hips
   explicit Ragdoll(const Choice& choice, real height = 2, const quat& turn = tilted,
                    const JoinLimb& join = on_ball) {

@@ -60,7 +60,7 @@ struct Wheels {
   std::array<HingeJoint*, 2> motors{};   ///< positive drives towards +x
   std::vector<GroundContact*> contacts;  ///< one for each cube, not for the hubs
 
-  /// \param friction coefficient of all cubes [1]
+  /// Makes the scene. \param friction coefficient of all cubes [1]
   explicit Wheels(const Choice& choice, real friction = 1) {
     scene.solver.iterations = choice.iterations;
     scene.stepping.warm_start = choice.iterations >= safe_iterations;

@@ -17,7 +17,7 @@ struct Machine {
   HingeJoint *drive, *driven, *axle;     ///< of first shaft, second shaft and wheel
   SliderJoint* rail;                     ///< keeps the nut from rotating
 
-  /// \param angle between the shafts [rad] \param speed of the motor [rad/s]
+  /// Makes the scene. \param angle between the shafts [rad] \param speed of the motor [rad/s]
   Machine(const Settings& settings, real angle, real speed) {
     World& world = scene.world;
     scene.solver.iterations = settings.iterations;

@@ -1,0 +1,44 @@
+"""What axe-core finds on the pages of the site: nothing serious. The package is fetched from npm
+once, pinned by its hash, and only for this check."""
+import shutil
+
+from course import parts
+from website import browser
+
+AXE = {"version": "4.14.1", "take": "axe.min.js", "integrity":
+       "sha512-FHfa+lmNjQZfJz1q8wKqIDwC6DExcHt/pkjNQb09a3NPjCKg2rhu5qb2S4r76ASyFNNtuFooJpZe37OgudVGtQ=="}
+AT_ONCE = 40  # pages in one start of the browser
+# check_docs.py computes contrasts itself, in light and dark.
+LOOK = """(() => {
+  if (document.readyState !== "complete") return null;
+  if (!page.asked) {
+    for (const fold of document.querySelectorAll("details")) fold.open = true;
+    page.asked = document.createElement("script");
+    page.asked.src = "ADDRESS";
+    page.asked.onload = () => page.axe.run({include: [["html"]], exclude: [["iframe"]]},
+      {resultTypes: ["violations"], iframes: false, rules: {"color-contrast": {enabled: false}}})
+      .then(found => { page.found = found.violations; }, error => { page.found = String(error); });
+    document.head.append(page.asked);
+  }
+  if (!page.found) return null;
+  if (typeof page.found === "string") return page.found;
+  return "good" + page.found.filter(one => ["serious", "critical"].includes(one.impact))
+    .map(one => `; ${one.id} (${one.nodes.length}): ${one.nodes[0].html.slice(0, 120)}`).join("");
+})()"""
+
+
+def there():
+    """What is lacking for the check, in words; "" where nothing is."""
+    return "" if shutil.which("npm") else "no npm here (Debian package: npm)"
+
+
+def bad_pages(pages):
+    """What is serious on pages of the disk, one line a page."""
+    script = parts.package("axe-core", AXE).as_uri()
+    jobs = [browser.job(page.as_uri(), LOOK.replace("ADDRESS", script), wait=20000)
+            for page in pages]
+    answers = [answer for k in range(0, len(jobs), AT_ONCE)
+               for answer in browser.ask(jobs[k:k + AT_ONCE])]
+    for page, found in zip(pages, answers):
+        if found != "good":
+            yield f"{page.name}: axe-core: {str(found).removeprefix('good; ')}"

@@ -15,7 +15,7 @@ struct NoRows {};
 template <>
 class PartJoint<NoRows> : public Joint {
  public:
-  /// \throws std::invalid_argument for a joint of a body with itself
+  /// Of a part. \throws std::invalid_argument for a joint of a body with itself
   PartJoint(BodyId body1, BodyId body2, NoRows) : Joint(body1, body2) {}
   void append(const Bodies&, Blocks&) const override {}
 };
@@ -143,7 +143,7 @@ struct Length {
     return {.anchor1_local = anchor1_local, .anchor2_local = anchor2_local, .length = 0};
   }
 };
-/// \throws std::invalid_argument unless both anchors are finite
+/// Validates it. \throws std::invalid_argument unless both anchors are finite
 inline void check(const Length& part) { check(Point{part.anchor1_local, part.anchor2_local}); }
 
 /// The distance of two points as a free coordinate [m]: with a spring it is a suspension, with a
@@ -201,7 +201,7 @@ struct SwingAngle {
     return sine > real(1e-6) ? std::atan2(sine, dot(a1, a2)) / sine : real(1);
   }
 };
-/// \throws std::invalid_argument unless the three vectors have length 1
+/// Validates it. \throws std::invalid_argument unless the three vectors have length 1
 inline void check(const SwingAngle& part) {
   require_unit("a1_local", part.a1_local);
   require_unit("n1_local", part.n1_local);

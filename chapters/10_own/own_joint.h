@@ -17,7 +17,7 @@ namespace joints {
 
 // ---- universal joint -------------------------------------------------------------------------
 
-/// \throws std::invalid_argument unless both axes have the length 1
+/// Validates it. \throws std::invalid_argument unless both axes have the length 1
 inline void check(const RightAngle& part) {
   require_unit("a1_local", part.a1_local);
   require_unit("a2_local", part.a2_local);
@@ -234,7 +234,7 @@ class OwnJoint : public Joint {
  public:
   OwnPart part;  ///< the geometry
 
-  /// \throws std::invalid_argument unless the part has 1 to 6 rows and both functions
+  /// Of a part. \throws std::invalid_argument unless the part has 1 to 6 rows and both functions
   OwnJoint(BodyId body1, BodyId body2, const OwnPart& part) : Joint(body1, body2), part(part) {
     require(part.rows >= 1 && part.rows <= 6 && part.error && part.jacobian,
             "part: must have 1 to 6 rows and the functions error and jacobian");

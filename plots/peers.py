@@ -7,7 +7,6 @@ peers.py --csv bench/measured/peers.csv --together docs/beside.svg
 import re
 
 import numpy as np
-from matplotlib.patheffects import withStroke
 
 import style
 from style import COLOURS, PALE
@@ -124,7 +123,7 @@ def name_front(ax, table, line, x, y, gain=1.5):
                     xytext=(6 if left else -2, 7 if y[k] < 10 * LEAST else -9),
                     ha="right" if left else "left", va="center",
                     fontsize=7, textcoords="offset points", color=LOOKS[table["engine"][k]][0],
-                    path_effects=[withStroke(linewidth=2.5, foreground="white")])
+                    bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4, "alpha": 0.85})
 
 
 def draw_together(table, path):

@@ -21,7 +21,7 @@ namespace joints {
 template <class Coordinate>
 class FreeCoordinate {
  public:
-  /// \param joint the joint to which it belongs \param coordinate the part whose error is x
+  /// One of a joint. \param joint the joint \param coordinate the part whose error is x
   /// \param limit_impulse where the limit's impulse is, if its row belongs to a block of the joint
   FreeCoordinate(const Joint& joint, const Coordinate& coordinate, real* limit_impulse = nullptr)
       : joint_(joint), coordinate_(coordinate), limit_impulse_(limit_impulse) {}

@@ -101,8 +101,8 @@ class WithCoordinates : public PartJoint<Rigid> {
 class UniversalJoint
     : public WithCoordinates<Composite<Point, RightAngle>, HingeAngle, HingeAngle> {
  public:
-  /// \param anchor where the shafts' axes meet [m, world] \param pin1 the pin of the cross in body
-  /// 1, world, of any length \param pin2 that in body 2; its part along pin1 is removed
+  /// Makes it of a cross. \param anchor where the shafts' axes meet [m, world] \param pin1 the pin
+  /// of the cross in body 1, world, any length \param pin2 in body 2, without its part along pin1
   /// \throws std::invalid_argument unless all are finite and the pins are not parallel
   UniversalJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& anchor,
                  const vec3& pin1, const vec3& pin2)
@@ -151,7 +151,7 @@ inline void check(const Length& part) { check(Point{part.anchor1_local, part.anc
 /// freedom.
 class StrutJoint : public WithCoordinates<NoRows, Length> {
  public:
-  /// \param point1 of body 1 [m, world] \param point2 of body 2 [m, world]
+  /// Makes it of two points. \param point1 of body 1 [m, world] \param point2 of body 2 [m, world]
   /// \throws std::invalid_argument unless both are finite
   StrutJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& point1, const vec3& point2)
       : WithCoordinates(id1, id2, {}, {to_local(bodies[id1], point1 - bodies[id1].x),

@@ -82,7 +82,7 @@ class CountingJoint : public PartJoint<Counted> {
   Counted next_ = this->part;  // its `expected` are those after the step
 };
 
-/// \throws std::invalid_argument unless both angles are valid and the ratio is finite and not 0
+/// Validates it. \throws std::invalid_argument unless its angles are valid, its ratio is not 0
 inline void check(const Gear& gear) {
   check(gear.angle1);
   check(gear.angle2);
@@ -109,7 +109,7 @@ inline Gear make(std::type_identity<Gear>, const Body& body1, const Body& body2,
   return gear_on(body1, axle1, body2, axle2, ratio);
 }
 
-/// \throws std::invalid_argument unless slide and angle are valid and the lead is finite
+/// Validates it. \throws std::invalid_argument unless its parts are valid, its lead finite
 inline void check(const Screw& screw) {
   check(screw.slide);
   check(screw.angle);
@@ -134,7 +134,7 @@ inline Screw make(std::type_identity<Screw>, const Body& body1, const Body& body
 
 // ---- cone ------------------------------------------------------------------------------------
 
-/// \throws std::invalid_argument unless both axes have the length 1 and the limit is in its range
+/// Validates it. \throws std::invalid_argument unless the axes are unit, the limit in range
 inline void check(const Cone& cone) {
   require_unit("a1_local", cone.a1_local);
   require_unit("a2_local", cone.a2_local);

@@ -6,6 +6,7 @@ from proofs import (beyond, files, folded, house, main, prose, read, regions, se
                     would_change)
 
 from keep import copied, tabled
+from website import experiments, gallery
 
 HEADINGS = ["Goal", "Derivation", "Numbers", "Code", "Exercises", "Check", "Predict", "See it",
             "A printed formula that is wrong: find it", "Questions", "Further reading"]
@@ -158,11 +159,20 @@ def changes_begin_with_the_version(root, build):
         yield f"CHANGELOG.md begins with {first[0]}, the version is {house.version()}"
 
 
+def code_beside_a_scene_is_there(root, build):
+    """the lines of code that the site shows beside a setting of a live scene exist"""
+    for setting in experiments.CODE:
+        try:
+            experiments.code_of(setting)
+        except gallery.GalleryError as error:
+            yield str(error)
+
+
 PROOFS = [changes_begin_with_the_version, texts_have_their_headings, questions_have_answers,
           equations_exist,
           texts_keep_the_solution, links_lead_somewhere, thesis_is_listed,
           errata_are_shown,
-          words_of_the_field_are_explained, quotations_are_exact,
+          words_of_the_field_are_explained, quotations_are_exact, code_beside_a_scene_is_there,
           lines_can_be_edited]
 
 if __name__ == "__main__":

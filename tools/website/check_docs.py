@@ -9,8 +9,9 @@ joint's an example, the list of types has three groups, the gallery has a pictur
 recording, and the site is no larger than it may be. In headless Chromium: no page is wider than its
 window at 390 pixels, listings stand where the text does, every word can be told from its background
 in the light and in the dark, paper shows the text alone, the letters of drawings are large enough,
-thirty searches find the wanted page among the first three, and every motion plays. Where there is
-no Chromium that is skipped, and the last line says so.
+thirty searches find the wanted page among the first three, and every motion plays, and axe-core
+finds nothing serious (accessible.py). Where there is no Chromium that is skipped, and the last line
+says so.
 Exit status: 0 good or skipped, 1 something is wrong, 2 no site there.
 """
 import json
@@ -25,7 +26,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from website import accessible, browser  # noqa: E402
 
 QUIET = {"script", "style", "pre", "code", "title"}  # a backslash in there is meant to be read
-MEGABYTES = 14  # of the whole site, with the live page
+MEGABYTES = 15  # of the whole site, with the live page
 LINKS = 15      # of a chapter's text into code and other pages
 HINTS = re.compile(r'href="chapters_\w+_hints.html#[\w-]+-\d+"')
 TELEPHONE = 390  # [pixels]
@@ -223,6 +224,15 @@ def bad_types(sources):
                 yield f"{page.name} shows {shown} equations: name those of C, J and K in its code"
 
 
+def bad_members(sources):
+    """Members that no line tells what they do: all but deleted ones."""
+    for page, html in sources.items():
+        told = set(re.findall(r'<tr class="memdesc:(\w+)', html))
+        for name, row in re.findall(r'<tr class="memitem:(\w+)"[^>]*>(.*?)</tr>', html, re.S):
+            if name not in told and "=delete" not in row and "operator[]" not in row:
+                yield f"{page.name}: no brief line: {re.sub('<[^>]+>', '', row)[:80]}"
+
+
 def scenes_of(page):
     """The motions of a playing page, by name: title and what to watch; and its link back."""
     found = re.search(r'<script type="application/json" id="data">(.*?)</script>',
@@ -331,6 +341,7 @@ def main():
                if page.name != "live.html"}
     bad = [*dead_links(site, sources), *bad_chapters(sources), *bad_types(sources),
            *bad_reading(sources), *bad_gallery(site, sources), *too_large(site),
+           *bad_members(sources),
            *(line for page in reports for line in bad_report(page))]
     if (site / "glyphs.js").exists():
         bad += bad_formulas(sources)
@@ -339,6 +350,12 @@ def main():
         answers = browser.ask([job for job, _ in jobs])
         bad += filter(None, (wrong(answer) for (_, wrong), answer in zip(jobs, answers)))
         done = f"{len(jobs)} looks of a browser"
+        if lacking := accessible.lacking():
+            done += f", axe-core SKIPPED: {lacking}"
+        else:
+            checked = accessible.of_today([*sources, site / "live.html", *reports])
+            bad += accessible.bad_pages(checked)
+            done += f", {len(checked)} of axe-core"
     else:
         done = "widths, search and motions SKIPPED: no chromium here (Debian package: chromium)"
     for line in bad:

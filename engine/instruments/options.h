@@ -27,7 +27,7 @@ class Options {
   std::string text(const std::string& name) const;  ///< the value as text
   /// Reads a number. \throws std::invalid_argument unless it is a finite number of at least `least`
   double number(const std::string& name, double least) const;
-  /// Reads a count. \throws std::invalid_argument unless it is a whole number from `least` to a million
+  /// Reads a count. \throws std::invalid_argument unless it is whole, from `least` to a million
   int count(const std::string& name, int least) const;
   /// Reads a switch. \throws std::invalid_argument unless it is 0 or 1
   bool flag(const std::string& name) const;

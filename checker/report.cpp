@@ -88,6 +88,7 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 void Table::entry(const std::string& name, double yours, double right, double tolerance) {
+  unwritten_ = unwritten_ || yours == unwritten;
   if (lines_.size() > 9) ++hidden_;
   else line(name, text(yours, tolerance), text(right, tolerance), text(yours - right, tolerance));
 }
@@ -107,7 +108,9 @@ std::string Table::words() const {
     row.erase(row.find_last_not_of(' ') + 1);
     out += row + "\n";
   }
-  return out + (hidden_ > 0 ? "  and " + std::to_string(hidden_ + 1) + " more\n" : "");
+  if (hidden_ > 0) out += "  and " + std::to_string(hidden_ + 1) + " more\n";
+  if (unwritten_) out += "  -12345 stood there before: nothing was written to this place\n";
+  return out;
 }
 
 std::string without_ids(std::string words) {

@@ -38,6 +38,9 @@ std::string without_ids(std::string words);
 std::string folded(std::string line);
 std::string likely(const std::string& mistake);
 
+/// Stands in a place that an answer must write. A table explains it where it is shown.
+inline constexpr double unwritten = -12345;
+
 /// Your numbers beside the right ones, one line per entry, at most nine; the last line may be
 /// "and 2 more".
 class Table {
@@ -53,6 +56,7 @@ class Table {
   }
   std::vector<std::array<std::string, 4>> lines_;
   int hidden_ = 0;
+  bool unwritten_ = false;
 };
 
 }  // namespace joints::testing

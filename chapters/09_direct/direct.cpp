@@ -65,7 +65,7 @@ std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours) {
 
 double inverse_pivot(double pivot, double original) {
   // begin [exercise 9.4]
-  // Return 1 / pivot, or 0 if the pivot is only a rounding error of its original entry, Eq. 9-8.
+  // Return 1 / pivot, or 0 if the pivot is only a rounding error. The rule that decides is yours.
   todo("9.4");
   // end [exercise 9.4]
 }

@@ -135,6 +135,21 @@ function after(id, chapter, file) {
   return next ? ` Next: ${next}, ${place_of(file, chapter.path, next)}` : "";
 }
 
+/// The mistake that a report names; "" if none.
+function named(report) {
+  const found = /Likely mistake: ([^]*?)(?=\n\s*\n|\nWhere: |$)/.exec(report);
+  return found ? found[1].split(/\s+/).join(" ").trim() : "";
+}
+/// A sentence on another mistake: one that a later test names, in another region than the first
+/// report, or where that names none. "" if there is none.
+function second_mistake([first, ...others]) {
+  const where = report => (report.split("Where: ")[1] || "").split("\n")[0];
+  const other = others.find(({report}) => named(report) &&
+    (where(report) !== where(first.report) || !named(first.report)));
+  return other
+    ? `Another test names a mistake at ${where(other.report)}: ${named(other.report)}` : "";
+}
+
 /// What there is to say of a grade, as text for a terminal.
 function told(grade, chapter, file) {
   const {id, status, failures} = grade;
@@ -160,6 +175,8 @@ function told(grade, chapter, file) {
     if (more)
       out.push(`\n  ${more} more of its ${grade.tests} tests ${more === 1 ? "fails" : "fail"}; ` +
                "mend this one first.");
+    const other = second_mistake(failures);
+    if (other) out.push(folded(other, 2));
   } else {
     out.push(`${grade.tests} tests passed.${after(id, chapter, file)}`);
   }

@@ -115,8 +115,8 @@ std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours) {
 
 double inverse_pivot(double pivot, double original) {
   // begin [exercise 9.4]
-  // Return 1 / pivot, or 0 if the pivot is only a rounding error of its original entry, Eq. 9-8.
-  return pivot > dependent_share * original ? 1 / pivot : 0;
+  // Return 1 / pivot, or 0 if the pivot is only a rounding error. The rule that decides is yours.
+  return pivot > dependent_share * original ? 1 / pivot : 0;  // Eq. 9-8
   // end [exercise 9.4]
 }
 

@@ -171,22 +171,6 @@ inline CaseTable<BiasCase> limit_bias_table() {
   return table;
 }
 
-// A bead of 2 kg on a line, at the coordinate C.
-inline const Row along_x{vec3(0), vec3(0), vec3(1, 0, 0), vec3(0)};
-struct Bead {
-  Body rest = static_body(vec3(0)), body;
-  Bead(double C, double v) : body(body_with(2, vec3(1), vec3(real(C), 0, 0))) {
-    body.v.x = real(v);
-  }
-  // A row with this bias; one that only pushes C up is solved once, with its clamp.
-  void step(real b, real h, bool one_sided) {
-    real lambda = row_impulse(along_x, real(0.5), b, rest, body), sum = 0;
-    if (one_sided) lambda = clamp_sum(lambda, sum);
-    apply_impulse(along_x, lambda, rest, body);
-    body.x += h * body.v;
-  }
-};
-
 // ---- 6.1 the half-time --------------------------------------------------------------------------
 
 struct HalfTimeCase {

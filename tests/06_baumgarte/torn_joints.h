@@ -66,40 +66,6 @@ Pair projected(const ProjectionCase<Part>& c) {
   return after;
 }
 
-// What a projection may leave: the second order. A lever that turns by w ends within |w|^2 |r|/2 of
-// r + w x r, and a distance whose ends move by d across it grows by less than d^2/(2 length).
-template <class Part>
-double bend(const ProjectionCase<Part>& c, const Pair& after) {
-  const auto of = [](const Body& before, const Body& body, const vec3& anchor) {
-    const double w = length(turn_between(before.q, body.q));
-    return w * w * double(length(anchor)) / 2;
-  };
-  const auto& rod = rod_of(c.part);
-  const auto u = [&](const Pair& at) {
-    return world_point(at.body2, rod.anchor2_local) - world_point(at.body1, rod.anchor1_local);
-  };
-  double across = 0;
-  if constexpr (Part::one_sided) {
-    const double move = length(u(after) - u(c.pair));
-    across = move * move / (2 * 0.9 * double(rod.length));
-  }
-  return of(c.pair.body1, after.body1, rod.anchor1_local) +
-         of(c.pair.body2, after.body2, rod.anchor2_local) + across;
-}
-
-// What explains an error that is left, where the table of mistakes does not.
-template <class Part>
-std::vector<Suspect> why_left(const CaseTable<ProjectionCase<Part>>& table,
-                              const ProjectionCase<Part>& c,
-                              const Pair& after, double left) {
-  const Moves a = between(c.pair, after);
-  const bool rests = a.way1 == vec3(0) && a.way2 == vec3(0);
-  return table.explain(left, {{left, rests ? "nothing moves where the error is small: there is no "
-                                             "threshold, a projection closes every gap"
-                                           : "the remaining error must fall with the square of the "
-                                             "error: are the moves right to first order?"}});
-}
-
 // The velocities and the static body of a projection are the same afterwards, to the last bit.
 template <class Part>
 void expect_left_alone(const CaseTable<ProjectionCase<Part>>& table) {
@@ -195,12 +161,6 @@ inline auto project_shifted(int by) {
   };
 }
 
-inline real largest_gap(const Chain& chain) {
-  real out = 0;
-  for (std::size_t k = 0; k < chain.joints.size(); ++k)
-    out = std::max(out, length(chain.joints[k].error(chain.bodies[k], chain.bodies[k + 1])));
-  return out;
-}
 inline bool same_chains(const Chain& a, const Chain& b) {
   for (std::size_t k = 0; k < a.bodies.size(); ++k)
     if (!(length(a.bodies[k].x - b.bodies[k].x) <= difference_tolerance) ||

@@ -67,7 +67,7 @@ inline Pieces<BiasReference> wrong_rates() {
     for (const Rule& rule : rates)
       each(rule.words, [=](T& t, std::size_t i) { t.rate[i] = rule.of(t.c); });
     each("#added-what-stood-there added to the old value: = and not +=",
-         [](T& t, std::size_t i) { t.more[i] = unwritten; });
+         [](T& t, std::size_t i) { t.more[i] = real(unwritten); });
     each("the size of the error: a bias has its sign",
          [](T& t, std::size_t i) { t.C[i] = std::abs(t.C[i]); });
     each("only negative errors are fed back",
@@ -117,7 +117,7 @@ inline Pieces<BiasReference> wrong_errors() {
        [](T& t) { t.C[3] = t.C[0], t.C[4] = t.C[1]; }},
       {"#one-place-too-early the two of the axis begin one place too early: bias[3] and bias[4]",
        [](T& t) {
-         t.after = [](Vector<5>& b) { b = {b[0], b[1], b[3], b[4], unwritten}; };
+         t.after = [](Vector<5>& b) { b = {b[0], b[1], b[3], b[4], real(unwritten)}; };
        }},
       {"the bodies are exchanged: point.error(body1, body2)",
        gap([](const HingeCase& c) { return c.hinge.point.error(c.pair.body2, c.pair.body1); })},
@@ -185,14 +185,16 @@ inline CaseTable<HingeCase> hinge_bias_table() {
   table.right = [](const Case& c) { return BiasReference(c).biases(); };
   table.tolerance = 10 * rounding;
   Pieces<BiasReference> pieces = {{"the biases are not written yet",
-                                   [](BiasReference& t) { t.C = {}, t.more.fill(unwritten); }},
+                                   [](BiasReference& t) {
+                                     t.C = {}, t.more.fill(real(unwritten));
+                                   }},
                                   {"all are zero: beta C / h, with the error as it is now",
                                    [](BiasReference& t) { t.C = {}; }}};
   for (int present = 1; present < 31; ++present) {  // which of the five are written or not zero
     std::string missing;
     for (int i = 0; i < 5; ++i)
       if (!(present >> i & 1)) missing += (missing.empty() ? "" : ", ") + table.entries[i];
-    for (const real nothing : {unwritten, real(0)})
+    for (const real nothing : {real(unwritten), real(0)})
       pieces.push_back({(nothing == 0 ? "zero: " : "not written yet: ") + missing +
                             ". All five errors are fed back, three of the point and two of the "
                             "axis",

@@ -6,13 +6,11 @@
 
 namespace joints::testing {
 
-/// What stands in every number before hoist() is called.
-inline constexpr real unwritten = real(-12345);
-
 /// Yours: hoist() on numbers that hold something else before.
 inline HingeNumbers<real> hoisted(const HingeCase& c) {
   HingeNumbers<real> out;
-  std::fill_n(reinterpret_cast<real*>(&out), sizeof out / sizeof(real), unwritten);
+  std::fill_n(reinterpret_cast<real*>(&out), sizeof out / sizeof(real),
+              real(unwritten));
   hoist(c.hinge, c.pair.body1, c.pair.body2, c.h, out);
   return out;
 }
@@ -74,7 +72,7 @@ inline CaseTable<HingeCase> lever_table() {
   };
   add_body_rules<vec3>(
       table,
-      {{"not written yet", [](const Case&, bool) { return vec3(unwritten); }},
+      {{"not written yet", [](const Case&, bool) { return vec3(real(unwritten)); }},
        {"not turned into the world: to_world(body, anchor)",
         [](const Case& c, bool second) { return c.anchor(second); }},
        {"turned the wrong way: to_world, not to_local",
@@ -152,10 +150,10 @@ inline CaseTable<HingeCase> axis_row_table() {
   };
   table.mistakes = {
       {"the rows are not written yet", of_rows([](const Case&, const Rows&) {
-         return Rows{vec3(unwritten), vec3(unwritten)};
+         return Rows{vec3(real(unwritten)), vec3(real(unwritten))};
        })},
       {"the first row is not written yet", of_rows([](const Case&, const Rows& a) {
-         return Rows{vec3(unwritten), a[1]};
+         return Rows{vec3(real(unwritten)), a[1]};
        })},
       {"#axis-sign-one-row the sign of the first row: b x a1 is the block w2",
        of_rows([](const Case&, const Rows& a) { return Rows{-a[0], a[1]}; })},
@@ -167,7 +165,7 @@ inline CaseTable<HingeCase> axis_row_table() {
          return flat({J[0].w2, J[1].w2});
        }},
       {"the second row is not written yet", of_rows([](const Case&, const Rows& a) {
-         return Rows{a[0], vec3(unwritten)};
+         return Rows{a[0], vec3(real(unwritten))};
        })},
       {"the sign: b x a1 and c x a1 are the blocks w2, the blocks w1 are their opposites",
        of_rows([](const Case&, const Rows& a) { return Rows{-a[0], -a[1]}; })},
@@ -257,7 +255,7 @@ inline CaseTable<HingeCase> inertia_table() {
   table.right = [=](const Case& c) { return both(right(c, false), right(c, true)); };
   add_body_rules<Numbers>(
       table,
-      {{"not written yet", [](const Case&, bool) { return Numbers(6, double(unwritten)); }},
+      {{"not written yet", [](const Case&, bool) { return Numbers(6, unwritten); }},
        {"body-space: it must be turned into the world, R I^-1 R^T, inverse_inertia(body)",
         with_body([](const Body& b) {
           return turned_inertia(quat(1, 0, 0, 0), b.inverse_inertia_local);

@@ -164,26 +164,4 @@ inline CaseTable<HingeCase> whole_K_table() {
   return table;
 }
 
-/// The rates of the five errors after an impulse of 1 along one of the rows, on bodies at rest: a
-/// push at both anchors, or a turn, and then both bodies move a little ahead and back.
-inline Vector<5> rates_after_an_impulse(const HingeCase& c, int row) {
-  const vec3 push = row < 3 ? unit_vector(row) : vec3(0);
-  const vec3 turn = row < 3 ? vec3(0) : reference_rows(c)[std::size_t(row - 3)];
-  const auto moved = [&](bool second, real time) {
-    Body body = c.body(second);
-    const real sign = second ? time : -time;
-    const vec3 r = reference_lever(c, second);
-    body.x += sign * body.inverse_mass * push;
-    const vec3 w = reference_inertia(c, second) * (cross(r, push) + turn);
-    body.q = normalize(rotation(sign * w) * body.q);
-    return body;
-  };
-  const real time = difference_step;
-  const Vector<5> ahead = c.hinge.error(moved(false, time), moved(true, time));
-  const Vector<5> behind = c.hinge.error(moved(false, -time), moved(true, -time));
-  Vector<5> out;
-  for (std::size_t i = 0; i < 5; ++i) out[i] = (ahead[i] - behind[i]) / (2 * time);
-  return out;
-}
-
 }  // namespace joints::testing

@@ -287,15 +287,4 @@ inline CaseTable<FrictionCase> friction_table() {
   return table;
 }
 
-/// For a test of another kind: the table's mistakes explain whatever is wrong.
-inline void expect_friction(const std::string& entry, double yours, double right,
-                            const std::string& given) {
-  const double tolerance = 100 * rounding;
-  const bool same = std::abs(yours - right) <= tolerance;
-  Subject about{"8.2", "the impulse of friction", 2};
-  about.given = given.c_str();
-  expect(about, entry, yours, right, tolerance,
-         same ? std::vector<Suspect>{} : friction_table().explain(yours));
-}
-
 }  // namespace joints::testing

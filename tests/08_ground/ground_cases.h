@@ -245,11 +245,4 @@ struct SlidesFixture {
 using CornerSlides = SlidesFixture<CornerFixture>;
 using BallSlides = SlidesFixture<BallOnTopFixture>;
 
-/// For a test of another kind that finds a row wrong: the checker's report explains it.
-inline void explain_rows() {
-  check_jacobian<CornerSlides>();
-  check_jacobian<BallSlides>();
-  check_jacobian<CornerFixture>();
-}
-
 }  // namespace joints::testing

@@ -86,13 +86,48 @@ inline Drawn drawn_solve(Draw& d) {
   return out;
 }
 
-inline Drawn drawn_pivot(Draw& d) {
-  const double original = d.size("original", d.scale(25), "1/kg");
-  const double sign = d.chance("the pivot is negative") ? -1 : 1;
-  const double left = sign * std::pow(10, -15 * d.pick());
-  const double pivot = d.size("pivot", left * original, "1/kg");
-  return {{"inverse times original"}, {original * inverse_pivot(pivot, original)},
-          {left > dependent_share ? 1 / left : 0}};
+/// The rows of a machine, some of which depend on others before them, and the last independent
+/// one nearly: A = J J^T is eliminated with the rule of the reader.
+inline Drawn drawn_pivots(Draw& d) {
+  const double unit = d.size("K", d.scale(25), "1/kg");
+  const int independent = d.count("independent rows", d.whole(1, 24));
+  const int n = independent + d.count("dependent rows", d.whole(0, 8));
+  const double share = d.size("least pivot over its entry", std::pow(least_pivot, d.pick()), "");
+  Random random = d.many();
+  std::vector<Numbers> J;
+  Drawn out{{}, {}, {}, {1}};
+  for (int i = 0, found = 0; i < n; ++i) {
+    const bool depends = found == independent ||
+                         (i > 0 && n - i > independent - found && random.uniform(0, 1) < real(0.5));
+    Numbers row(std::size_t(independent), 0);
+    double square = 0;
+    for (int k = 0; k < found && !depends; ++k)
+      row[std::size_t(k)] = double(random.uniform(-1, 1)), square += row[k] * row[k];
+    for (int k = 0; k < i && depends; ++k) {
+      if (J[k][independent - 1] != 0 || out.right[std::size_t(k)] == 0) continue;
+      const double part = double(random.uniform(-1, 1));
+      for (int column = 0; column < independent; ++column) row[column] += part * J[k][column];
+    }
+    const double left = found + 1 == independent ? std::min(0.5, 1.01 * share) : 1;
+    if (!depends) row[found] = std::sqrt(left == 1 ? 1 : left * square / (1 - left));
+    if (!depends && row[found] == 0) row[found] = 1;
+    found += !depends;
+    J.push_back(row);
+    out.right.push_back(!depends);
+    out.entries.push_back("row " + std::to_string(i) + ": pivot times inverse");
+  }
+  std::vector<Numbers> A(std::size_t(n), Numbers(std::size_t(n), 0));
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < independent; ++k) A[i][j] += unit * J[i][k] * J[j][k];
+  const std::vector<Numbers> original = A;
+  for (int k = 0; k < n; ++k) {
+    const double inverse = inverse_pivot(A[k][k], original[k][k]);
+    out.yours.push_back(A[k][k] * inverse);
+    for (int i = k + 1; i < n; ++i)
+      for (int j = k + 1; j < n; ++j) A[i][j] -= A[i][k] * inverse * A[k][j];
+  }
+  return out;
 }
 
 inline Drawn drawn_side(Draw& d) {

@@ -224,7 +224,7 @@ template <class Move>
 Numbers newton_numbers(const NewtonCase& c, const Move& move) {
   Bodies bodies = newton_bodies(c);
   const std::unique_ptr<Written> corrector = c.corrector(bodies);
-  std::vector<Body> start(7, sliding(99, 99));
+  std::vector<Body> start(7, sliding(real(unwritten), real(unwritten)));
   const bool result = move(bodies, c.h, c.iterations, c.tolerance, *corrector, start);
   const auto cut = [](Numbers numbers, std::size_t size) {
     numbers.resize(size, 0);

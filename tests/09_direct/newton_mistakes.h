@@ -243,43 +243,4 @@ inline void expect_newton(const std::string& entry, double yours, double right, 
          same ? std::vector<Suspect>{} : newton_table().explain(yours));
 }
 
-/// The pendulum is on its pin, and every body is where its new velocity leads it.
-inline void check_landing(const NewtonCase& c) {
-  Bodies bodies = newton_bodies(c);
-  const Bodies before = bodies;
-  const auto corrector = c.corrector(bodies);
-  std::vector<Body> start;
-  const bool arrived =
-      move_onto_constraints(bodies, c.h, c.iterations, c.tolerance, *corrector, start);
-  expect_newton("result (0 false, 1 true)", arrived, 1, 0, c.words);
-  const vec3 gap = world_point(bodies.at(1), vec3(-1, 0, 0));
-  for (int i = 0; i < 3; ++i)
-    expect_newton(std::string("C.") + "xyz"[i], double(gap[i]), 0, c.tolerance, c.words);
-  for (int k = 0; k < bodies.slots(); ++k) {
-    Body led = before.at(k);
-    led.v = bodies.at(k).v;
-    led.w = bodies.at(k).w;
-    integrate_pose(led, real(c.h));
-    const std::string words = " of body " + std::to_string(k) + " by its v and w";
-    for (int i = 0; i < 3; ++i)
-      expect_newton(std::string("x.") + "xyz"[i] + words, double(bodies.at(k).x[i]),
-                    double(led.x[i]), rounding, c.words);
-    expect_newton("q" + words, double(length(bodies.at(k).q - led.q)), 0, rounding, c.words);
-  }
-}
-
-/// The same bodies come out whatever the memory held.
-inline void check_memory(const NewtonCase& c, std::size_t size) {
-  Bodies bodies = newton_bodies(c), other = newton_bodies(c);
-  const auto one = c.corrector(bodies), two = c.corrector(other);
-  std::vector<Body> memory(size, sliding(99, 99)), none;
-  move_onto_constraints(bodies, c.h, c.iterations, c.tolerance, *one, memory);
-  NewtonReference{c}.move(other, c.h, c.iterations, c.tolerance, *two, none);
-  const std::string words = "memory of " + std::to_string(size) + " bodies";
-  expect_newton("bodies in start", double(memory.size()), double(bodies.slots()), 0, words);
-  for (int i = 0; i < 3; ++i)
-    expect_newton(std::string("x.") + "xyz"[i], double(bodies.at(1).x[i]),
-                  double(other.at(1).x[i]), rounding, words);
-}
-
 }  // namespace joints::testing

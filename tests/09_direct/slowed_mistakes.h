@@ -153,24 +153,4 @@ inline CaseTable<SlowedCase> slowed_table() {
   return table;
 }
 
-/// The body with your inertia and angular velocity.
-inline Body slow_body(const SlowedCase& c) {
-  const Slowed out = slowed(c.body, c.force_lever, c.before, c.kappa, c.h);
-  Body body = c.body;
-  body.inverse_inertia_local = out.inverse_inertia_local;
-  body.w = out.w;
-  return body;
-}
-
-/// For a test of another kind: the table's mistakes explain whatever is wrong.
-inline void expect_slowed(const SlowedCase& c, const std::string& entry, const vec3& yours,
-                          const vec3& right, double tolerance) {
-  const bool same = length(yours - right) <= real(tolerance);  // false for NaN
-  const std::string given = same ? "" : slowed_given(c) + " Body: " + c.words + ".";
-  Subject about = slowed_table().subject;
-  about.given = given.c_str();
-  expect(about, entry, yours, right, tolerance,
-         same ? std::vector<VectorSuspect>{} : why(slowed_table(), yours));
-}
-
 }  // namespace joints::testing

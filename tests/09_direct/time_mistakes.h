@@ -213,34 +213,4 @@ inline void expect_time(const std::string& entry, double yours, double right, do
          same ? std::vector<Suspect>{} : time_table().explain(yours));
 }
 
-/// Notes in which order a step calls it.
-class CallsOfSolver : public Solver {
- public:
-  std::string calls;
-  void check() const override {}
-  void prepare(const Bodies&, const Blocks& blocks, int first, real) override {
-    calls += "prepare(" + std::to_string(blocks.list.size()) + " blocks from " +
-             std::to_string(first) + ") ";
-  }
-  void warm_start(Bodies&, real ratio) override {
-    calls += "warm_start(" + short_number(double(ratio)) + ") ";
-  }
-  void solve(Bodies&) override { calls += "solve() "; }
-};
-
-/// The calls of its solver in a step of a world with three blocks. \param n which step it is
-inline void check_calls(World& world, int n) {
-  CallsOfSolver solver;
-  second_order_step(world, solver, real(0.02));
-  const std::string right = "prepare(3 blocks from 0) warm_start(0) solve() ";
-  std::string words;
-  if (solver.calls != right) {
-    words = "Calls of the solver in step " + std::to_string(n) + ":\n\n  yours:    " +
-            solver.calls + "\n  expected: " + right + "\n";
-    const std::vector<std::string> mistakes = time_table().likely();
-    if (!mistakes.empty()) words += "\n" + likely(mistakes[0]);
-  }
-  check(time_subject, words);
-}
-
 }  // namespace joints::testing

@@ -135,6 +135,7 @@ std::string in_words(const Trait& t, double value) {
 struct Side {
   std::string words;
   int right_here = 0, right_elsewhere = 0;
+  std::size_t trait = 0;
 };
 
 Side side_of(const std::vector<Trial>& all, const Trait& t, std::size_t k, bool above) {
@@ -173,16 +174,30 @@ Side side_of(const std::vector<Trial>& all, const Trait& t, std::size_t k, bool 
 }
 
 // What the wrong trials have in common; "" where it is nothing that the others have not.
-std::string explained(const std::vector<Trial>& all) {
+Side explained(const std::vector<Trial>& all, bool counts_alone = false) {
   Side best;
   for (const bool above : {false, true})
     for (std::size_t k = 0; k < all.front().traits.size(); ++k) {
-      if (!above && all.front().traits[k].kind == Trait::Kind::side) continue;
+      const Trait::Kind kind = all.front().traits[k].kind;
+      if (!above && kind == Trait::Kind::side) continue;
+      if (counts_alone && kind != Trait::Kind::count) continue;
       const Side side = side_of(all, all.front().traits[k], k, above);
-      if (side.right_elsewhere < std::max(5, side.right_here)) continue;
-      if (best.words.empty() || side.right_here < best.right_here) best = side;
+      if (side.right_elsewhere < std::max(5, counts_alone ? 0 : side.right_here)) continue;
+      if (best.words.empty() || side.right_here < best.right_here) best = side, best.trait = k;
     }
-  return best.words;
+  return best;
+}
+// A loop may stop too early where a side is such and such.
+std::string in_common(const std::vector<Trial>& all) {
+  const Side best = explained(all);
+  if (best.right_here == 0) return best.words;
+  const Trait& t = all.front().traits[best.trait];
+  if (t.kind != Trait::Kind::side) return best.words;
+  std::vector<Trial> there;
+  for (const Trial& trial : all)
+    if (trial.traits[best.trait].value > 0) there.push_back(trial);
+  const Side part = explained(there, true);
+  return part.words.empty() ? best.words : part.words + " (only where " + t.words + ")";
 }
 
 unsigned seed_of_run() {
@@ -249,7 +264,8 @@ void check_drawn(const Subject& subject, const Call<Drawn(Draw&)>& draw, double 
   const auto wrong = std::count_if(all.begin(), all.begin() + cases,
                                    [](const Trial& trial) { return trial.wrong; });
   given = std::to_string(wrong) + " of " + std::to_string(cases) + " cases drawn with seed " +
-          std::to_string(seed) + " are wrong.\nThe simplest: " + given + ".";
+          std::to_string(seed) + " are wrong.\nThe simplest: " +
+          (given.empty() ? "all numbers are of order 1" : given) + ".";
   Subject about = subject;
   about.given = given.c_str();
   Table table("expected");
@@ -257,7 +273,7 @@ void check_drawn(const Subject& subject, const Call<Drawn(Draw&)>& draw, double 
     if (is_wrong(drawn, i, tolerance))
       table.entry(drawn.entries[i % drawn.entries.size()], drawn.yours[i], drawn.right[i], 0);
   std::string words = no_number(drawn.yours);
-  if (words.empty()) words = explained(all);
+  if (words.empty()) words = in_common(all);
   fail(about, table.words() + (words.empty() ? "" : "\n" + likely(words)));
 }
 

@@ -9,6 +9,7 @@ from proofs import (DRAWING, exercises, house, main, notes, other_cases, prose, 
                     sections, would_change)
 
 from check import answers
+from judge import grade as grading
 
 
 def stubs_are_fresh(root, build):
@@ -127,10 +128,23 @@ def drawn_cases_are_the_kept_ones(root, build):
         yield from other_cases("natively", chapter, run.stdout)
 
 
+def a_second_mistake_is_named(*_):
+    """a mistake in a second region is named beside the first one"""
+    def report(words, line):
+        return f"Exercise 1.6: J\n\n  x 1 2\n{words}\n\nWhere: distance.cpp:{line}\nNext:  hint"
+    sign, lever = "Likely mistake: the sign", "Likely mistake: the lever of\n     body 1"
+    for first, second, place, named in ((sign, lever, 9, True), (sign, lever, 3, False),
+                                        ("", lever, 3, True), (sign, "", 9, False)):
+        words = grading.second_mistake([("K", report(first, 3)), ("J", report(second, place))])
+        if words != (f"Another test names a mistake at distance.cpp:{place}: the lever of body 1"
+                     if named else ""):
+            yield f"after '{first}' in line 3 '{second}' in line {place} is told as '{words}'"
+
+
 PROOFS = [stubs_are_fresh, every_region_has_a_task, every_exercise_has_hints,
           every_exercise_stands_in_the_list, every_exercise_has_tests,
           every_exercise_has_wrong_answers, every_diagnosis_has_one_name,
-          drawn_cases_are_the_kept_ones]
+          drawn_cases_are_the_kept_ones, a_second_mistake_is_named]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -52,7 +52,8 @@ _said = {"words": "", "at": time.time()}  # nothing is said of work that takes a
 
 
 def progress(words):
-    """What is being done: a line that is overwritten by the next. A log gets only some of them."""
+    """What is being done: a line that is overwritten by the next. A log gets only some of them,
+    beside what is reported."""
     _said["words"] = words
     if TERMINAL:
         width = shutil.get_terminal_size().columns - 1
@@ -64,8 +65,7 @@ def progress(words):
 
 def say_progress():
     _said["at"] = time.time()
-    sys.stdout.write(f"  {_said['words']}\n")
-    sys.stdout.flush()
+    print(f"  {_said['words']}", file=sys.stderr, flush=True)
 
 
 def progress_done():

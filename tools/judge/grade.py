@@ -39,6 +39,24 @@ def worse(grade, status, detail=""):
 
 # ---- what the tests say --------------------------------------------------------------------------
 
+def named(report):
+    """The mistake that a report names; "" if none."""
+    found = re.search(r"Likely mistake: (.*?)(?=\n\s*\n|\nWhere: |\Z)", report, re.S)
+    return " ".join(found[1].split()) if found else ""
+
+
+def second_mistake(failures):
+    """A sentence on another mistake: one that a later test names, in another region than the first
+    report, or where that names none. "" if there is none."""
+    where = [report.partition("Where: ")[2].split("\n")[0] for _, report in failures]
+    first = named(failures[0][1])
+    for place, (_, report) in zip(where[1:], failures[1:]):
+        words = named(report)
+        if words and (place != where[0] or not first):
+            return f"Another test names a mistake at {place}: {words}"
+    return ""
+
+
 def with_place(words, chapter, id_):
     """A report that no test has written: where the exercise is, and the next command. Of several
     regions it is the one with an index or a clamp in its function, where that is the trouble."""

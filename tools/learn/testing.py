@@ -96,6 +96,8 @@ def tell(look, one):
             others = len(one.failures) - 1
             print(f"\n  {others} more of its {one.tests} tests "
                   f"{'fails' if others == 1 else 'fail'}; mend this one first.", flush=True)
+            if words := grading.second_mistake(one.failures):
+                print(folded(words, 2))
         if report.startswith("Exercise") and "Likely mistake:" not in report:
             if sentence := grading.units(chapter, one.id):  # they may have to be compiled first
                 print("\n" + folded(sentence, 2))

@@ -41,7 +41,6 @@
 // from right with an if
 // wrong clamps-each-impulse: if (sum + dlambda < 0) { const real given_back = -sum; sum = 0; return
 //         given_back; } ==> dlambda = glm::max( dlambda, real(0));
-// expects: Likely mistake: a rope never releases an excess of its pull
 // wrong minus-sum-that-0: { const real given_back = -sum; sum = 0; return given_back; } ==> return
 //         0;
 // wrong minus-sum-that-0: const real given_back = -sum; ==> ;; given_back ==> -sum

@@ -1,3 +1,4 @@
+// wrong unit-matrix-between-walls: return mat3( ==> return mat3(real(1e-9)) + mat3(
 // wrong body-space-inertia-both: const ==> const auto local = [](const Body& body) { const vec3 i =
 //         body.inverse_inertia_local; return mat3(i.x, 0, 0, 0, i.y, 0, 0, 0, i.z); }; const ;; *
 //         inverse_inertia ==> * local ;; * inverse_inertia ==> * local

@@ -116,7 +116,6 @@
 // expects: moved, broken)
 // wrong "u is forgotten, the lever of body 1 is r1 + u, because n rides on body 1": + u ==>
 // expects: (turned, moved, broken)
-// expects: Likely mistake: u belongs to the lever of body 1 and to no other: push and answer act
 // right J skew: vec3 r1 = to_world(body1, anchor1_local), r2 = to_world(body2, anchor2_local) ==>
 //         mat3 L1 = skew(to_world(body1, anchor1_local) + u); const mat3 L2 = skew(to_world(body2,
 //         anchor2_local)) ;; J[i] = {-n[i], -cross(r1 + u, n[i]), n[i], cross(r2, n[i])}; ==> {

@@ -55,7 +55,6 @@
 // expects: (turned, moved, broken)
 // wrong "levers are missing: such a row drives the centres, not the points":
 // expects: (upright, turned, moved, broken)
-// expects: Likely mistake: levers are missing, or are points: push and answer act along two lines
   const vec3 a = to_world(body1, a1_local);
   return {-a, vec3(0), a, vec3(0)};
 // right J from the balance of momentum:

@@ -26,7 +26,6 @@
 // wrong sign-body-2-has: -(skew ==> skew ;; (body2)) ==> (body2)
 // wrong "the sign of body 1's term: both terms have the minus":
 // expects: Likely mistake: the sign of body 1's term: both terms have the minus, skew(r1)
-// expects: meets -E of the lock (upright, turned, moved)
   const vec3 r1 = to_world(body1, point.anchor1_local), r2 = to_world(body2, point.anchor2_local);
   return skew(r1) * inverse_inertia(body1) - skew(r2) * inverse_inertia(body2);
 // wrong transposed: -(skew(r1) * inverse_inertia(body1) + skew(r2) * inverse_inertia(body2)) ==>

@@ -79,7 +79,7 @@
 //         J[i].v2; }
 
 // region 2
-// wrong drawn-side: real(iterations) ==> real(std::min(iterations, 100))
+// wrong drawn-stops: real(iterations) ==> real(std::min(iterations, 100))
 // wrong drawn-threshold: < 1; ==> < real(0.999999);
 // wrong "at the bound the error does not decay": < 1 ==> <= 1
 // expects: rho 0.5 iterations 1 beta 1

@@ -23,7 +23,6 @@
 // wrong with-velocities: out ==> const vec3 slip = point_velocity(body2, to_world(body2,
 //         hinge.point.anchor2_local)) - point_velocity(body1, to_world(body1,
 //         hinge.point.anchor1_local)); out ;; [i]; ==> [i] + slip[i];
-// expects: the numbers of a hinge, its bodies at rest and flying
 // wrong without-beta: hinge.beta ==> 1
 // wrong "h is forgotten: beta C is a length or an angle": / h ==>
 // expects: bias[0]

@@ -24,7 +24,6 @@
 //         Number{(v.all / body1.inverse_mass.all - push.all) * body1.inverse_mass.all}; else return
 //         body1.inverse_mass == 0 ? v : (v / body1.inverse_mass - push) * body1.inverse_mass; };
 //         body1.v = {less( body1.v .x, push.x), less( body1.v.y, push.y), less(body1.v.z, push.z)}
-// expects: v1 of lane 0 that is not used
 // wrong copies: ; body1 ==> ; Velocities<Number> one = body1, two = body2; one ;; ; body1 ==> ; one
 //         ;; ; body2 ==> ; two ;; ; body2 ==> ; two
 // wrong body-1-less-2: body2.v + cross(body2.w, hinge.r2) - body1.v -
@@ -232,7 +231,6 @@
 //         = reinterpret_cast<real*>(&each); for (std::size_t k = 1; k < sizeof each / sizeof(real);
 //         ++k) lane[k] = lane[0]; } const
 // expects: v1 of lane 1
-// expects: Likely mistake: the lanes are mixed: nothing may pass
 // wrong read-if-full: ; Number ==> ; const auto place = [](int i, int j) { return 5 * i + j < 15 ?
 //         5 * i + j : 14; }; Number ;; hinge.place ==> place ;; hinge.place ==> place
 // wrong "the sign: lambda = -K^-1 e works against e": -hinge ==> hinge ;; [i] - ==> [i] +

@@ -1,3 +1,4 @@
+// wrong never-set: std::copy(L, L + m * n, block) ==> std::copy(L, L + m * m, block)
 // wrong drawn-stops: k + 1 < A.nodes.size() ==> k + 1 < A.nodes.size() && k < 16
 // wrong drawn-stops: end = A.nodes[k + 1].first_edge; ==> end = std::min(A.nodes[k + 1].first_edge,
 //         node.first_edge + 12);

@@ -5,15 +5,15 @@
 //         (void)original; return 1 / pivot
 // wrong only-exactly-zero: pivot > dependent_share * original ==> pivot != 0
 // wrong above-zero: pivot > dependent_share * original ==> pivot > 0
-// wrong absolute-threshold: dependent_share * original ==> dependent_share
+// wrong bound-own: dependent_share * original ==> dependent_share
 // wrong bound-own: dependent_share * original ==> 1e-10
-// wrong "another fraction, smaller than dependent_share": dependent_share ==> 2.220446049250313e-16
-// wrong "another fraction, larger than dependent_share": dependent_share ==> 1e-6
+// wrong fraction-small: dependent_share ==> 2.220446049250313e-16
+// wrong fraction-large: dependent_share ==> 1e-6
 // wrong comparison-turned-round: pivot > ==> pivot <
 // wrong equality-inverted: pivot > ==> pivot >=
 // wrong not-number-gets-through: pivot > ==> pivot <= ;; 1 / pivot : 0 ==> 0 : 1 / pivot
 // wrong below-share-alone: pivot > ==> pivot < ;; 1 / pivot : 0 ==> 0 : 1 / pivot
-// wrong quotient:
+// wrong below-share-alone:
   return pivot / original <= dependent_share ? 0 : 1 / pivot;
 // wrong size-pivot: pivot > dependent ==> std::abs(pivot) > dependent
 // wrong size-pivot-inverted: pivot ==> std::abs(pivot) ;; pivot : ==> std::abs(pivot) :
@@ -33,6 +33,10 @@
 //         dependent_share * original)
 // wrong least-one-bound: ? 1 ==> && pivot > 1e-8 ? 1
 // wrong least-one-bound: dependent_share * original ==> dependent_share * std::max(original, 1.0)
+// right as large a fraction as can be: dependent_share ==> 0.99e-8
+// right as small a fraction as can be: dependent_share ==> 1.01e-12
+// right the roots: pivot > dependent_share * original ==> pivot > 0 && std::sqrt(pivot) > 1e-5 *
+//         std::sqrt(original)
 // right with an if: return pivot > dependent_share * original ? 1 / pivot : 0 ==> if (!(pivot >
 //         original * dependent_share)) return 0; return 1.0 / pivot
 // right the difference: return pivot > ==> const double beyond = pivot - ;; ? 1 / pivot : 0 ==> ;

@@ -1,3 +1,4 @@
+// wrong drawn-stops: largest = std ==> if (&C - rates.data() < 3) largest = std
 // wrong drawn-stops: for (double& C : rates) ==> if (rates.size() > 3) rates.resize(3); for
 //         (double& C : rates)
 // wrong drawn-stops: slot < bodies.slots() ==> slot < bodies.slots() && slot < 8

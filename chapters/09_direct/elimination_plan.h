@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <vector>
 
 /// \addtogroup chapter9
@@ -33,7 +34,11 @@ struct ShapeBlock {
   std::array<int, 2> columns{};  ///< its bodies, numbered within the island
   std::array<bool, 2> moves{};   ///< whether they can move
   int rows = 0;                  ///< number of its rows without bounds
-  auto operator<=>(const ShapeBlock&) const = default;  ///< by all members
+  bool operator==(const ShapeBlock&) const = default;  ///< all members are equal
+  bool operator<(const ShapeBlock& other) const {      ///< by all members
+    return std::tie(link, columns, moves, rows) <
+           std::tie(other.link, other.columns, other.moves, other.rows);
+  }
 };
 
 /// How an island with a given shape is eliminated. Optional rows beside a joint change nothing of

@@ -129,19 +129,16 @@ void JointIslands::pair_islands() {
   by_shape_.clear();
   for (int k = 0; k < int(islands_.size()); ++k)
     if (!shape(k).empty()) by_shape_.push_back(k);
-  const auto compare = [&](int a, int b) {
+  const auto less = [&](int a, int b) {
     const auto left = shape(a), right = shape(b);
-    return std::lexicographical_compare_three_way(left.begin(), left.end(), right.begin(),
-                                                  right.end());
+    return std::lexicographical_compare(left.begin(), left.end(), right.begin(), right.end());
   };
-  std::sort(by_shape_.begin(), by_shape_.end(), [&](int a, int b) {
-    const auto order = compare(a, b);
-    return order < 0 || (order == 0 && a < b);
-  });
+  std::sort(by_shape_.begin(), by_shape_.end(),
+            [&](int a, int b) { return less(a, b) || (!less(b, a) && a < b); });
   std::size_t count = 0;
   for (std::size_t n = 0; n < by_shape_.size(); ++n) {
     const int first = by_shape_[n];
-    const bool two = n + 1 < by_shape_.size() && compare(first, by_shape_[n + 1]) == 0;
+    const bool two = n + 1 < by_shape_.size() && !less(first, by_shape_[n + 1]);
     if (count == pairs.size()) pairs.emplace_back();
     IslandPair& pair = pairs[count++];
     pair.islands = {first, two ? by_shape_[++n] : -1};

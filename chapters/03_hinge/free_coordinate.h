@@ -233,9 +233,7 @@ class FreeCoordinate {
   real force(real impulse, real shift = 0) const {
     return joint_.acted() > 0 ? joint_.mean_force(impulse) + shift : real(0);
   }
-  Limit<Coordinate> limit_part(real sign) const {
-    return {coordinate_, data_->bound(sign), sign};
-  }
+  Limit<Coordinate> limit_part(real sign) const { return {coordinate_, data_->bound(sign), sign}; }
   template <class Part>
   void append(const Bodies& bodies, Blocks& blocks, const Part& part, const RowTarget& target,
               real& impulse) const {
@@ -287,8 +285,7 @@ void FreeCoordinate<Coordinate>::choose_rows(const Bodies& bodies, real h, bool 
   Data& data = *data_;
   const Body &a = at(bodies, joint_.body1), &b = at(bodies, joint_.body2);
   const LimitRow before = data.limit;
-  data.measured = false;
-  data.limit = data.late = {};
+  data.measured = false, data.limit = data.late = {};
   data.idle = !data.acts();
   if (data.idle) {
     data.counting = false;
@@ -314,9 +311,8 @@ void FreeCoordinate<Coordinate>::choose_rows(const Bodies& bodies, real h, bool 
 }
 
 // Two rows of one coordinate with the speeds s and 0 as their targets would work against each other
-// until the weaker one is at its bound. Each of them therefore bears the least force of the two,
-// `shift`, for the other one: their sum is the same at every speed, and while the coordinate moves
-// at a speed between 0 and s, neither has to change.
+// until the weaker one is at its bound. So each bears the least force of the two, `shift`, for the
+// other: their sum is the same at every speed, and at speeds between 0 and s neither changes.
 template <class Coordinate>
 void FreeCoordinate<Coordinate>::append_acting(const Bodies& bodies, Blocks& blocks) const {
   const Data& data = *data_;

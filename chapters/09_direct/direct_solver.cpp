@@ -125,6 +125,7 @@ void DirectSolver::leave_to_iterations(const Bodies& bodies) {
   }
   for (std::size_t k = 0; k < pattern_.size(); ++k) {
     const auto& [of, moves, rows, bounded] = pattern_[k];
+    if (!report_.iterated && rows > 0) continue;
     const bool left = (moves[0] && left_[of.body1]) || (moves[1] && left_[of.body2]);
     if (!left && rows > 0) continue;
     Blocks& to = left ? iterated_ : outside_;
@@ -184,9 +185,9 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
   contacts_.warm_start(bodies, ratio);
   for (IslandPair& pair : islands_.pairs) {
     if (pair.iterated) continue;
-    pair.load(bodies);
+    if (ratio != 0) pair.load(bodies);
     pair.start(double(ratio));
-    pair.store(bodies, *blocks_);
+    if (ratio != 0) pair.store(bodies, *blocks_);  // else solve() does both
   }
 }
 
@@ -212,7 +213,7 @@ void DirectSolver::solve(Bodies& bodies) {
 void DirectSolver::solve_active(Bodies& bodies) {
   const int times = outside_.list.empty() ? 1 : alternations;
   for (int n = 0; n < times; ++n) {
-    if (times > 1 || !outside_.list.empty()) contacts_.solve(bodies);
+    if (!outside_.list.empty()) contacts_.solve(bodies);
     for (IslandPair& pair : islands_.pairs) {
       if (!pair.active) continue;
       pair.load(bodies);

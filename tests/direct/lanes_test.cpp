@@ -179,8 +179,8 @@ TEST_CASE("limits that come and go in chains of hinges take hardly any memory la
         for (int k = 1; k <= 100 / chains; ++k) {
           const vec3 x(real(5 * chain), 0, real(1.5) * real(k));
           const BodyId id = world.add(box(100, vec3(1), x));
-          hinges.push_back(&world.add<HingeJoint>(world.bodies, before, id,
-                                                  x - vec3(0, 0, real(0.75)), vec3(1, 0, 0)));
+          hinges.push_back(&world.add<HingeJoint>(before, id, x - vec3(0, 0, real(0.75)),
+                                                  vec3(1, 0, 0)));
           hinges.back()->set_limits(0, 0);  // at first all of them act
           before = id;
         }

@@ -101,6 +101,29 @@ TEST_CASE("the Runge-Kutta method refuses in words what takes too much work or f
   if (!is_float) CHECK(words.find("shorter step") != std::string::npos);  // in float it sags
 }
 
+TEST_CASE("the Runge-Kutta method refuses a hub of 1,000 arms, and moves a net of 30 x 30 or says no") {
+  World large = hub(8, 1000);
+  const State before = save(large);
+  RungeKutta kutta;
+  CHECK(refusal([&] { kutta.step(large, h); }).find("most_work") != std::string::npos);
+  CHECK(save(large) == before);
+  Scene wide = net(30);
+  const double start = energy_of(wide.world);
+  State last;
+  try {
+    for (int n = 0; n < 10; ++n) {
+      last = save(wide.world);
+      kutta.step(wide.world, h);
+    }
+    CHECK(std::abs(energy_of(wide.world) - start) < tolerance(1e-3, 10));
+    CHECK(widest_gap(wide) < tolerance(1e-9, 1e-3));
+  } catch (const std::exception& error) {
+    INFO(error.what());
+    CHECK(std::string(error.what()).find("world:") == 0);
+    CHECK(save(wide.world).bodies == last.bodies);
+  }
+}
+
 TEST_CASE("the Runge-Kutta method is of order 4 on springs and on forces of state and time") {
   if (is_float) return;  // rounding hides it
   for (unsigned seed = 1; seed <= 5; ++seed) {

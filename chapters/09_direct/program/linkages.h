@@ -124,10 +124,10 @@ inline Scene net(int rows) {
 
 /// A hub: a ball of 10 kg that hangs from a static cube, with arms of 1 kg on ball joints around
 /// it.
-inline Scene star(int arms) {
+inline Scene star(int arms, real mass = 10) {
   Scene scene{.name = "star"};
   const BodyId top = scene.box(0, vec3(real(0.2)), vec3(0, 1, 0));
-  const BodyId hub = scene.world.add(ball(10, real(0.5), vec3(0)));
+  const BodyId hub = scene.world.add(ball(mass, real(0.5), vec3(0)));
   scene.shapes.push_back({.kind = "ball", .size = {1, 1, 1}});
   on_ball(scene, top, hub, vec3(0, real(0.5), 0));
   for (int k = 0; k < arms; ++k) {

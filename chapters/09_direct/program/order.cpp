@@ -97,9 +97,22 @@ std::vector<int> shuffled(std::vector<int> list) {
   return list;
 }
 
+// How far a hub is below its place at most in five seconds [m].
+double sag(Scene&& scene) {
+  DirectSolver direct;
+  direct.newton = 8;
+  const auto leap = leaps(scene, direct);
+  double most = 0;
+  for (int n = 0; n < 300; ++n) {
+    leap();
+    most = std::max(most, -double(scene.world.bodies.at(1).x.y));
+  }
+  return most;
+}
+
 // The most expensive graph: all joints at one body are neighbours of each other.
 void hubs(const Choice& choice) {
-  CsvFile table(choice.out + "/hub.csv", {"arms", "multiplications_per_row", "iterated"});
+  CsvFile table(choice.out + "/hub.csv", {"arms", "multiplications_per_row", "iterated", "sag_m"});
   int most = 0;
   for (const int arms : {1, 2, 5, 10, 20, 30, 40, 50, 60, 80, 100}) {
     Scene scene = star(arms);
@@ -110,7 +123,7 @@ void hubs(const Choice& choice) {
     const Count count = eliminate(graph, elimination_order(graph.neighbours()),
                                   [](int, int, bool) {});
     table.row({double(arms), count.multiplications / (3 * (arms + 1)),
-               double(direct.report().iterated)});
+               double(direct.report().iterated), sag(star(arms, 1))});
     if (!direct.report().iterated) most = arms;
   }
   std::printf("a hub with %d arms is solved directly; with more of them, by iterations\n", most);

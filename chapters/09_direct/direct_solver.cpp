@@ -10,6 +10,14 @@ namespace joints {
 // At most this many times a step is solved again because its forces have jumped.
 static constexpr int looks = 4;
 
+// Calls f(slot) for all bodies of a pair that can move.
+template <class F>
+static void for_moving(const IslandPair& pair, const F& f) {
+  for (std::size_t k = 0; k < pair.bodies.size(); ++k)
+    for (const int slot : pair.bodies[k])
+      if (pair.moves[k] && slot >= 0) f(slot);
+}
+
 void DirectSolver::check() const {
   require(newton >= 0, "newton: must not be negative");
   require(tolerance > 0, "tolerance: must be positive");
@@ -42,6 +50,7 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   for (IslandPair& pair : islands_.pairs) {
     report_.multiplications += pair.multiplications();
     report_.fill += pair.fill();
+    pair.active = !pair.iterated;
     if (pair.iterated) continue;
     const auto is_late = [&](const LaneBlock& block) {
       return block.block[0] >= first || block.block[1] >= first;
@@ -87,9 +96,7 @@ bool DirectSolver::is_outside(const Block& block) const {
 
 void DirectSolver::leave(IslandPair& pair) {
   pair.iterated = true;
-  for (std::size_t k = 0; k < pair.bodies.size(); ++k)
-    for (const int slot : pair.bodies[k])
-      if (pair.moves[k] && slot >= 0) left_[slot] = true;
+  for_moving(pair, [&](int slot) { left_[slot] = true; });
 }
 
 // Islands that take too much work are left to iterations, and with them all islands that blocks
@@ -114,9 +121,9 @@ void DirectSolver::leave_to_iterations(const Bodies& bodies) {
       if (!moves[0] || !moves[1] || left_[of.body1] == left_[of.body2]) continue;
       more = left_[of.body1] = left_[of.body2] = true;
       for (IslandPair& pair : islands_.pairs)
-        for (const auto& slots : pair.bodies)
-          for (const int slot : slots)
-            if (!pair.iterated && (slot == of.body1 || slot == of.body2)) leave(pair);
+        for_moving(pair, [&](int slot) {
+          if (!pair.iterated && (slot == of.body1 || slot == of.body2)) leave(pair);
+        });
     }
   for (Blocks* list : {&outside_, &iterated_}) {
     list->clear();
@@ -177,14 +184,18 @@ void DirectSolver::prepare_outside(const Bodies& bodies) {
 
 void DirectSolver::warm_start(Bodies& bodies, real ratio) {
   blocks_of(bodies);  // rejects other bodies
-  if (report_.iterated) instead.warm_start(bodies, 0);
+  const bool again = !before_.empty();
+  if (report_.iterated && !again) instead.warm_start(bodies, 0);
   warm_ = ratio > 0;
-  if (added_inertia > 0) before_.assign(bodies.data(), bodies.data() + bodies.slots());
-  for (int slot = 0; slot < bodies.slots(); ++slot)
-    if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].slowed.w;
+  if (added_inertia > 0 && !again) before_.assign(bodies.data(), bodies.data() + bodies.slots());
+  for (IslandPair& pair : islands_.pairs)
+    if (pair.active)
+      for_moving(pair, [&](int slot) {
+        if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].slowed.w;
+      });
   contacts_.warm_start(bodies, ratio);
   for (IslandPair& pair : islands_.pairs) {
-    if (pair.iterated) continue;
+    if (!pair.active) continue;
     if (ratio != 0) pair.load(bodies);
     pair.start(double(ratio));
     if (ratio != 0) pair.store(bodies, *blocks_);  // else solve() does both
@@ -321,9 +332,9 @@ bool DirectSolver::forces_jumped(const Bodies& bodies) {
   bool any = false;
   for (IslandPair& pair : islands_.pairs) {
     pair.active = false;
-    for (std::size_t k = 0; k < pair.bodies.size() && !pair.iterated; ++k)
-      for (const int slot : pair.bodies[k])
-        if (pair.moves[k] && slot >= 0 && jumped(slot)) any = pair.active = true;
+    if (pair.iterated) continue;
+    for_moving(pair, [&](int slot) { pair.active = pair.active || jumped(slot); });
+    any = any || pair.active;
   }
   if (any && !outside_.list.empty())
     for (IslandPair& pair : islands_.pairs) pair.active = !pair.iterated;
@@ -337,25 +348,16 @@ void DirectSolver::look_again(Bodies& bodies) {
       if (!left_[slot]) bodies.at(slot).v = before_[slot].v, bodies.at(slot).w = before_[slot].w;
   for (IslandPair& pair : islands_.pairs) {
     if (!pair.active) continue;
-    for (std::size_t k = 0; k < pair.bodies.size(); ++k)
-      for (const int slot : pair.bodies[k]) {
-        if (slot < 0 || !pair.moves[k]) continue;
-        bodies.at(slot).v = before_[slot].v, bodies.at(slot).w = before_[slot].w;
-        pulls_[slot] = next_pulls_[slot];
-        slow_down(bodies, slot);
-        if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].slowed.w;
-      }
+    for_moving(pair, [&](int slot) {
+      bodies.at(slot).v = before_[slot].v, bodies.at(slot).w = before_[slot].w;
+      pulls_[slot] = next_pulls_[slot];
+      slow_down(bodies, slot);
+    });
     set_masses(pair, bodies);
     pair.factored = false;
   }
   prepare_outside(bodies);
-  contacts_.warm_start(bodies, warm_ ? real(1) : real(0));
-  for (IslandPair& pair : islands_.pairs) {
-    if (!pair.active) continue;
-    pair.load(bodies);
-    pair.start(warm_ ? 1 : 0);
-    pair.store(bodies, *blocks_);
-  }
+  warm_start(bodies, warm_ ? real(1) : real(0));
   solve_active(bodies);
 }
 

@@ -13,7 +13,7 @@ namespace joints {
 /// A joint of a single part: a type that satisfies the concept joints::Part and has a free function
 /// check() that rejects impossible geometry. A free function `P make(std::type_identity<P>, const
 /// Body&, const Body&, ...)` in the part's namespace makes the part in the present poses; with it,
-/// `world.add<PartJoint<P>>(a, b, ...)` takes the same arguments.
+/// World::add takes the same arguments after the two bodies.
 template <class Part>
 class PartJoint : public Joint {
   static_assert(require_part<Part>());

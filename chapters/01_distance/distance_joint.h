@@ -28,7 +28,7 @@ void check(const Rope<Rod>& rope) {
   check(rod);
 }
 
-/// The part of `world.add<CentreDistanceJoint>(a, b)`: the present distance of the centres.
+/// As in `world.add<CentreDistanceJoint>(a, b)`: the length is the present distance of the centres.
 inline CentreDistance make(std::type_identity<CentreDistance>, const Body& body1,
                            const Body& body2) {
   return {length(body2.x - body1.x)};
@@ -38,7 +38,7 @@ inline CentreDistance make(std::type_identity<CentreDistance>, const Body&, cons
                            real length) {
   return {length};
 }
-/// The part of `world.add<DistanceJoint>(a, b, point1, point2, length)`.
+/// As in `world.add<RopeJoint>(a, b, anchor, anchor, h)`: two points and a length.
 /// \param point1 of body 1 [m, world] \param point2 of body 2 [m, world] \param length [m]
 inline Distance make(std::type_identity<Distance>, const Body& body1, const Body& body2,
                      const vec3& point1, const vec3& point2, real length) {

@@ -15,7 +15,7 @@ inline void check(const Point& point) {
   require_finite("anchor2_local", point.anchor2_local, "must be finite [m]");
 }
 
-/// The part of `world.add<BallJoint>(a, b, anchor)`. \param anchor common point [m, world]
+/// As in `world.add<BallJoint>(a, b, anchor)`. \param anchor common point [m, world]
 inline Point make(std::type_identity<Point>, const Body& body1, const Body& body2,
                   const vec3& anchor) {
   return point_at(body1, body2, anchor);

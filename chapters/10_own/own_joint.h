@@ -103,7 +103,7 @@ inline Gear gear_on(const Body& body1, const vec3& axle1, const Body& body2, con
   return {angle_on(body1, axle1), angle_on(body2, axle2), ratio};
 }
 
-/// The part of `world.add<GearJoint>(wheel1, wheel2, axle1, axle2, ratio)`.
+/// The arguments of a GearJoint: two axles in world space, and the ratio.
 inline Gear make(std::type_identity<Gear>, const Body& body1, const Body& body2, const vec3& axle1,
                  const vec3& axle2, real ratio) {
   return gear_on(body1, axle1, body2, axle2, ratio);
@@ -126,7 +126,7 @@ inline Screw screw_along(const Body& body1, const Body& body2, const vec3& ancho
   return {{at.anchor1_local, at.anchor2_local, angle.a1_local}, angle, lead};
 }
 
-/// The part of `world.add<ScrewJoint>(screw, nut, anchor, axis, lead)`.
+/// The arguments of a ScrewJoint: a point and the direction of its axis, world, and the lead.
 inline Screw make(std::type_identity<Screw>, const Body& body1, const Body& body2,
                   const vec3& anchor, const vec3& axis, real lead) {
   return screw_along(body1, body2, anchor, axis, lead);
@@ -221,7 +221,7 @@ inline Cone cone_about(const Body& body1, const Body& body2, const vec3& axis, r
   return {to_local(body1, normalize(axis)), to_local(body2, normalize(axis)), limit};
 }
 
-/// The part of `world.add<ConeJoint>(a, b, axis, limit)`.
+/// As in `world.add<ConeJoint>(a, b, axis, 1)`.
 inline Cone make(std::type_identity<Cone>, const Body& body1, const Body& body2, const vec3& axis,
                  real limit) {
   return cone_about(body1, body2, axis, limit);

@@ -49,7 +49,7 @@ inline void check(const Rack& rack) {
   require(finite(rack.start) && finite(rack.anchor2_local), "start: must be finite [m]");
   require(finite(rack.radius), "radius", rack.radius, "must be finite [m]");
 }
-/// The part of `world.add<RackJoint>(pinion, rack, axle, direction, radius)` in the present poses.
+/// The arguments of a RackJoint, for the present poses.
 /// \param axle direction of the pinion's axle, world, of any length \param direction of the rack,
 /// world, of any length \param radius [m]
 inline Rack make(std::type_identity<Rack>, const Body& pinion, const Body& rack, const vec3& axle,
@@ -99,8 +99,8 @@ inline void check(const Pulley& pulley) {
   require(pulley.ratio > 0 && pulley.ratio < unbounded, "ratio", pulley.ratio,
           "must be positive [1]");
 }
-/// The part of `world.add<PulleyJoint>(a, b, top1, top2, point1, point2, ratio)`: a rope that is
-/// taut in the present poses. \param top1, top2 where it leaves the pulleys [m, world]
+/// The arguments of a PulleyJoint: a rope that is taut in the present poses.
+/// \param top1, top2 where it leaves the pulleys [m, world]
 /// \param point1, point2 where it is tied to the bodies [m, world] \param ratio [1]
 inline Pulley make(std::type_identity<Pulley>, const Body& body1, const Body& body2,
                    const vec3& top1, const vec3& top2, const vec3& point1, const vec3& point2,

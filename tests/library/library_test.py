@@ -22,6 +22,7 @@ OTHERS = r"Line|Slide|RotationLock|Weld|SliderJoint|FixedJoint"
 PROGRAMS = {"door": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
             "crate": ("Corner::error", rf"{OTHERS}|HingeJoint"),
             "arm": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
+            "drives": ("Slide::error", r"Weld|FixedJoint|Corner|GroundContact"),
             "shafts": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
             "gear": ("check_functions", rf"SliderJoint|FixedJoint|Corner|GroundContact"),
             "saved": ("restore", rf"{OTHERS}|Axis|HingeJoint|Corner|GroundContact|Scene")}

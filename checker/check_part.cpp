@@ -16,11 +16,14 @@ using testing::close_joint, testing::dot12, testing::Numbers, testing::slope, te
 namespace {
 
 // The momentum that a unit impulse of a row gives to both bodies together, about the origin.
-double momentum_of(const double* row, const PosePair& at) {
+struct Momentum {
+  double linear = 0, angular = 0;
+  double largest() const { return std::max(linear, angular); }
+};
+Momentum momentum_of(const double* row, const PosePair& at) {
   const auto part = [&](int k) { return vec3(real(row[k]), real(row[k + 1]), real(row[k + 2])); };
-  const vec3 linear = part(0) + part(6);
   const vec3 angular = cross(at.body1.x, part(0)) + part(3) + cross(at.body2.x, part(6)) + part(9);
-  return double(std::max(length(linear), length(angular)));
+  return {double(length(part(0) + part(6))), double(length(angular))};
 }
 
 // How far a row is from the form that its part promises.
@@ -211,13 +214,15 @@ class Check {
 
   Finding momentum() const {
     Finding out{"momentum", true, 0, int(closed_.size()), 0, ""};
-    double numeric = 0;
+    double numeric = 0, linear = 0, force = 0;
     for (const PosePair& at : closed_) {
       const Numbers J = part_.J(at), right = slope(part_.C, at);
       double own = 0;
       for (std::size_t i = 0; i < J.size(); i += 12) {
-        own = std::max(own, momentum_of(&J[i], at));
-        numeric = std::max(numeric, momentum_of(&right[i], at));
+        own = std::max(own, momentum_of(&J[i], at).largest());
+        linear = std::max(linear, momentum_of(&J[i], at).linear);
+        for (std::size_t k = 0; k < 3; ++k) force = std::max(force, std::abs(J[i + k]));
+        numeric = std::max(numeric, momentum_of(&right[i], at).largest());
       }
       out.worst = std::max(out.worst, own);
       out.right += own < 100 * testing::difference_tolerance;
@@ -226,7 +231,11 @@ class Check {
     out.holds = refers || out.right == out.poses;
     out.words = !out.holds
                     ? "The forces change the momentum of the two bodies (" + of_poses(out) +
-                          " are right): they must be opposite, with levers about each centre."
+                          " are right)" +
+                          (force > 0 && linear < 100 * testing::difference_tolerance
+                               ? ": they are opposite, but their levers, each from the centre of "
+                                 "its body, do not end on one line."
+                               : ": they must be opposite, with levers about each centre.")
                 : refers ? "C changes when both bodies move as one, so the joint exchanges "
                            "momentum with the world: right only for parts of a fixed machine."
                          : "The forces conserve linear and angular momentum.";

@@ -142,9 +142,7 @@ class FreeCoordinate {
   Limit<Coordinate> limit() const { return limit_part(data_->limit.sign); }
   /// The target of its row.
   RowTarget limit_target() const {
-    return {.beta = joint_.beta,
-            .frequency = joint_.frequency,
-            .damping = joint_.damping,
+    return {.beta = joint_.beta, .frequency = joint_.frequency, .damping = joint_.damping,
             .lower = data_->held() ? -unbounded : real(0)};
   }
   /// Appends the block of that limit, if it is not in another block.
@@ -166,9 +164,7 @@ class FreeCoordinate {
   /// Measures again if projection has moved the bodies so far that a turn could be missed.
   void moved(const Bodies& bodies);
   /// Sets all impulses to zero: both bodies are static.
-  void drop() {
-    if (data_) data_->drop(), limit_impulse() = 0;
-  }
+  void drop() { if (data_) data_->drop(), limit_impulse() = 0; }
   /// Adds the limits and the motors, friction and springs to a report.
   void report(Joint::Extras& extras) const {
     if (!data_) return;
@@ -283,7 +279,6 @@ class FreeCoordinate {
 template <class Coordinate>
 void FreeCoordinate<Coordinate>::choose_rows(const Bodies& bodies, real h, bool near) {
   Data& data = *data_;
-  const Body &a = at(bodies, joint_.body1), &b = at(bodies, joint_.body2);
   const LimitRow before = data.limit;
   data.measured = false, data.limit = data.late = {};
   data.idle = !data.acts();
@@ -294,7 +289,8 @@ void FreeCoordinate<Coordinate>::choose_rows(const Bodies& bodies, real h, bool 
     data.x = data.next;
   } else if (!near) {
     measure(bodies);
-    data.leeway.measured(coordinate_, a, b, data.slack());
+    data.leeway.measured(coordinate_, at(bodies, joint_.body1), at(bodies, joint_.body2),
+                         data.slack());
     if (data.limited()) data.limit = limit_row(data.range, data.x, speed(bodies), h);
     if (data.limit.live && data.held()) data.limit.sign = 1;  // one row in both directions
   }
@@ -325,18 +321,14 @@ void FreeCoordinate<Coordinate>::append_acting(const Bodies& bodies, Blocks& blo
     form_K(&J, &response, 1, &K);
     const auto [frequency, damping] = tuning(data.spring.stiffness, data.spring.damping, K);
     append(bodies, blocks, Limit<Coordinate>{coordinate_, data.spring.rest, 1},
-           {.frequency = frequency,
-            .damping = damping,
-            .lower = -data.spring.strength,
+           {.frequency = frequency, .damping = damping, .lower = -data.spring.strength,
             .upper = data.spring.strength},
            data_->spring_impulse);
   }
   const auto drive = [&](real speed, real strength, real shift, real& impulse) {
     if (strength > 0)
       append(bodies, blocks, coordinate_,
-             {.rate = speed,
-              .holds_position = false,
-              .lower = -strength - shift,
+             {.rate = speed, .holds_position = false, .lower = -strength - shift,
               .upper = strength - shift},  // Eq. 3-17
              impulse);
   };

@@ -1,30 +1,15 @@
 // Joints with several free coordinates: their rows beside differences, what their coordinates
 // measure, limits in every direction, drives, locks, and the forces.
 #include "chapters/05_fixed/fixed_joint.h"
-#include "chapters/09_direct/direct_solver.h"
 #include "chapters/10_own/driven_joints.h"
 #include "checker/check_part.h"
-#include "engine/simd/packed.h"
 #include "engine/state.h"
+#include "tests/joints/three_solvers.h"
 #include "tests/oracle/test.h"
 
 namespace {
 
 const real h = real(1) / 60, pi = std::numbers::pi_v<real>;
-
-std::vector<std::unique_ptr<Solver>> solvers(int iterations = 100) {
-  std::vector<std::unique_ptr<Solver>> out;
-  const auto iterated = [&](auto solver) {
-    solver->iterations = iterations;
-    out.push_back(std::move(solver));
-  };
-  iterated(std::make_unique<SequentialImpulses>());
-  iterated(std::make_unique<PackedImpulses>());
-  out.push_back(std::make_unique<DirectSolver>());
-  return out;
-}
-
-vec3 drawn_direction(Random& random) { return normalize(random.vector(1) + vec3(0, 0, 2)); }
 
 // A wall and a body, not in a special pose.
 struct Two {
@@ -82,7 +67,7 @@ TEST_CASE("the two angles of a universal joint are those of its pins, with limit
     const double few = tolerance(1e-9, 1e-4);
     CHECK(double(joint.angle1().position(two.world.bodies)) == Approx(double(a)).margin(few));
     CHECK(double(joint.angle2().position(two.world.bodies)) == Approx(double(b)).margin(few));
-    for (const auto& solver : solvers()) {
+    for (const auto& solver : three_solvers(100)) {
       two.it().q = start;
       two.it().w = two.it().v = vec3(0);
       joint.angle1().set_motor(2, 50);
@@ -105,7 +90,7 @@ TEST_CASE("a shoulder is stopped by its cone and by its twist in every direction
     const real limit = random.uniform(real(0.2), real(1.5)), most = random.uniform(real(0.2), 1);
     const vec3 axis = drawn_direction(random), across = random.vector(1);
     const vec3 throw_ = real(100) * normalize(random.vector(1));
-    for (const auto& solver : solvers(30)) {
+    for (const auto& solver : three_solvers(30)) {
       Random again(seed);
       Two two(again);
       auto& joint = two.world.add<ConeTwistJoint>(two.wall, two.body, vec3(0), axis, across, limit);
@@ -134,7 +119,7 @@ TEST_CASE("the drives of a shoulder take it to any orientation within its cone")
     const vec3 axis = drawn_direction(random), across = random.vector(1);
     const real one = random.uniform(real(-0.6), real(0.6)), two_ = random.uniform(real(-0.6), 0);
     const real turn = random.uniform(-1, 1);
-    for (const auto& solver : solvers()) {
+    for (const auto& solver : three_solvers(100)) {
       Random again(seed);
       Two two(again);
       auto& joint = two.world.add<ConeTwistJoint>(two.wall, two.body, vec3(0), axis, across, 1);
@@ -162,7 +147,7 @@ TEST_CASE("the torque of a cone is all that changes the angular momentum of what
     world.bodies[ball_].w = random.uniform(5, 100) * normalize(random.vector(1));
     const double inertia = 1 / double(world.bodies[ball_].inverse_inertia_local.x);
     const vec3 start = world.bodies[ball_].w;
-    for (const auto& solver : solvers()) {
+    for (const auto& solver : three_solvers(100)) {
       world.bodies[ball_].q = quat(1, 0, 0, 0);
       for (int n = 0; n < 20; ++n) {
         if (n % 4 == 0) world.bodies[ball_].w += start;
@@ -186,7 +171,7 @@ TEST_CASE("six locked coordinates are a weld") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Random random(seed);
     const vec3 anchor = random.vector(real(0.5));
-    for (const auto& solver : solvers(200)) {
+    for (const auto& solver : three_solvers(200)) {
       Random again(seed);
       Two two(again);
       auto& joint = two.world.add<SixDegreesJoint>(two.wall, two.body, anchor,
@@ -212,7 +197,7 @@ TEST_CASE("each of six coordinates is free, limited, locked or driven beside any
   int held = 0, reached = 0;
   double worst_lock = 0, worst_limit = 0, worst_drive = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
-    for (const auto& solver : solvers(200)) {
+    for (const auto& solver : three_solvers(200)) {
       Random random(seed);
       Two two(random);
       auto& joint = two.world.add<SixDegreesJoint>(two.wall, two.body, vec3(0),
@@ -249,7 +234,7 @@ TEST_CASE("each of six coordinates is free, limited, locked or driven beside any
 }
 
 TEST_CASE("a rope on a winch holds its load and lifts it at the speed of the drum") {
-  for (const auto& solver : solvers()) {
+  for (const auto& solver : three_solvers(100)) {
     World world;
     const BodyId ceiling = world.add(static_body(vec3(0)));
     const BodyId load = world.add(box(5, vec3(real(0.4)), vec3(0, -3, 0)));

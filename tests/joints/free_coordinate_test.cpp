@@ -1,26 +1,13 @@
 // Everything that acts on a free coordinate, alone and together: motor and friction, servo, spring,
 // damper. Families drawn by seeds, for angles and displacements, with every kind of solver.
-#include "chapters/09_direct/direct_solver.h"
 #include "chapters/10_own/driven_joints.h"
-#include "engine/simd/packed.h"
 #include "engine/state.h"
+#include "tests/joints/three_solvers.h"
 #include "tests/oracle/test.h"
 
 namespace {
 
 const real h = real(1) / 60;
-
-std::vector<std::unique_ptr<Solver>> solvers() {
-  std::vector<std::unique_ptr<Solver>> out;
-  const auto iterated = [&](auto solver) {
-    solver->iterations = 40;
-    out.push_back(std::move(solver));
-  };
-  iterated(std::make_unique<SequentialImpulses>());
-  iterated(std::make_unique<PackedImpulses>());
-  out.push_back(std::make_unique<DirectSolver>());
-  return out;
-}
 
 // A sledge on a rail, or a wheel on an axle, with an outer force or torque along its coordinate.
 struct Driven {
@@ -63,7 +50,7 @@ TEST_CASE("a motor and friction together give the force of both at every speed")
     if (std::abs(surplus) < 0.5 || along > double(strength + friction) - 0.5 ||
         along + double(strength + friction) < 0.5)
       continue;  // too near to the edge between rest and motion, or it runs away
-    for (const auto& solver : solvers()) {
+    for (const auto& solver : three_solvers(40)) {
       Driven one(turns, mass, load);
       one.with([&](auto& free) { free.set_motor(target, strength), free.set_friction(friction); });
       for (int n = 0; n < 1500; ++n) step(one.world, *solver, h, {.warm_start = true});
@@ -95,7 +82,7 @@ TEST_CASE("a spring of k and c sags by F / k, and the suspension by 98.1 mm") {
     const real load = suspension ? real(200 * -9.81) : k * random.uniform(real(-0.5), real(0.5));
     const real c = suspension ? real(1500) : real(1.2) * std::sqrt(k * mass);
     const double sag = double(load) / double(k);
-    for (const auto& solver : solvers())
+    for (const auto& solver : three_solvers(40))
       for (const bool leapfrog : {false, true}) {
         Driven one(turns, mass, load);
         one.with([&](auto& free) { free.set_spring({.stiffness = k, .damping = c}); });
@@ -119,7 +106,7 @@ TEST_CASE("a spring swings with the frequency of k, and a damper alone lets go a
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Random random(seed);
     const real mass = random.uniform(1, 50), w = random.uniform(1, 6);
-    for (const auto& solver : solvers()) {
+    for (const auto& solver : three_solvers(40)) {
       CAPTURE(seed, mass, w);
       Driven one(false, mass, 0);
       one.slider->set_spring({.stiffness = w * w * mass, .rest = real(0.5)});
@@ -142,7 +129,7 @@ TEST_CASE("a servo reaches its target within its speed and holds it against a lo
     const bool turns = seed % 2 == 0;
     const real target = random.uniform(-12, 12), fastest = random.uniform(1, 8);
     const real load = random.uniform(-20, 20);
-    for (const auto& solver : solvers()) {
+    for (const auto& solver : three_solvers(40)) {
       CAPTURE(seed, turns, target, fastest, load);
       Driven one(turns, random.uniform(1, 5), load);
       one.with([&](auto& free) { free.set_servo(target, fastest, 500); });
@@ -161,7 +148,7 @@ TEST_CASE("a servo reaches its target within its speed and holds it against a lo
 
 TEST_CASE("a spring with a strength is a drive that gives way beyond it") {
   for (const double load : {5.0, 9.0, 11.0, 20.0})
-    for (const auto& solver : solvers()) {
+    for (const auto& solver : three_solvers(40)) {
       Driven one(false, 2, real(load));
       one.slider->set_spring({.stiffness = 100, .damping = 40, .rest = 1, .strength = 10});
       for (int n = 0; n < 600; ++n) step(one.world, *solver, h, {.warm_start = true});

@@ -2,32 +2,17 @@
 // are known by formula, momentum, power, the forces at rest, and saving, with every kind of solver.
 #include <numbers>
 
-#include "chapters/09_direct/direct_solver.h"
 #include "chapters/10_own/driven_joints.h"
 #include "chapters/10_own/rack_joint.h"
 #include "checker/check_part.h"
 #include "engine/instruments/measure.h"
-#include "engine/simd/packed.h"
 #include "engine/state.h"
+#include "tests/joints/three_solvers.h"
 #include "tests/oracle/test.h"
 
 namespace {
 
 const real h = real(1) / 60, pi = std::numbers::pi_v<real>;
-
-std::vector<std::unique_ptr<Solver>> solvers(int iterations = 400) {
-  std::vector<std::unique_ptr<Solver>> out;
-  const auto iterated = [&](auto solver) {
-    solver->iterations = iterations;
-    out.push_back(std::move(solver));
-  };
-  iterated(std::make_unique<SequentialImpulses>());
-  iterated(std::make_unique<PackedImpulses>());
-  out.push_back(std::make_unique<DirectSolver>());
-  return out;
-}
-
-vec3 drawn_direction(Random& random) { return normalize(random.vector(1) + vec3(0, 0, 2)); }
 
 // Wheels on their axles, at angles of less than a radian, and tilted a little.
 PosePair on_axles(const vec3& axle1, const vec3& axle2, PoseRandom& random) {
@@ -110,7 +95,7 @@ TEST_CASE("a universal joint turns its second shaft by cos b / (1 - sin^2 b sin^
   for (int draw = 0; draw < 40; ++draw) {
     const real bend = random.uniform(real(-1.2), real(1.2)), turn = random.uniform(-3, 3);
     const vec3 pin1 = rotation(turn * vec3(1, 0, 0)) * vec3(0, 1, 0);
-    for (const auto& solver : solvers(3000)) {
+    for (const auto& solver : three_solvers(3000)) {
       Shafts shafts(bend, pin1, 1);
       begin_step(shafts.world, *solver, h);
       solver->solve(shafts.world.bodies);
@@ -154,7 +139,7 @@ TEST_CASE("a gear keeps its ratio over ten thousand turns, at any speed, and whe
 }
 
 TEST_CASE("a screw moves its nut by its lead per turn, and a pinion its rack by its radius") {
-  for (const auto& solver : solvers()) {
+  for (const auto& solver : three_solvers(400)) {
     const real lead = real(-0.3), radius = real(0.2);
     World world;
     world.gravity = vec3(0);
@@ -198,7 +183,7 @@ Held cones(bool along, int draws) {
   Random random(73);
   Held out;
   for (int draw = 0; draw < draws; ++draw)
-    for (const auto& solver : solvers(100)) {
+    for (const auto& solver : three_solvers(100)) {
       World world;
       world.gravity = vec3(0);
       const vec3 axis = drawn_direction(random);
@@ -245,7 +230,7 @@ TEST_CASE("from anywhere inside and about any axis a cone stops 100 rad/s within
 // ---- momentum, power, forces --------------------------------------------------------------------
 
 TEST_CASE("universal joints and cones conserve the momentum of free bodies, screws as well") {
-  for (const auto& solver : solvers(30)) {
+  for (const auto& solver : three_solvers(30)) {
     Random random(74);
     World world;
     world.gravity = vec3(0);
@@ -267,7 +252,7 @@ TEST_CASE("universal joints and cones conserve the momentum of free bodies, scre
 }
 
 TEST_CASE("at rest a screw, a gear and a rope over pulleys bear what statics says") {
-  for (const auto& solver : solvers()) {
+  for (const auto& solver : three_solvers(400)) {
     const real lead = real(0.05), ratio = -2;
     World world;
     const vec3 up(0, 1, 0);

@@ -101,7 +101,8 @@ TEST_CASE("the Runge-Kutta method refuses in words what takes too much work or f
   if (!is_float) CHECK(words.find("shorter step") != std::string::npos);  // in float it sags
 }
 
-TEST_CASE("the Runge-Kutta method refuses a hub of 1,000 arms, and moves a net of 30 x 30 or says no") {
+TEST_CASE("the Runge-Kutta method refuses a hub of 1,000 arms, and a net of 30 x 30 it moves or "
+          "refuses") {
   World large = hub(8, 1000);
   const State before = save(large);
   RungeKutta kutta;

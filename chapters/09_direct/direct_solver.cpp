@@ -121,7 +121,7 @@ void DirectSolver::leave_to_iterations(const Bodies& bodies) {
       if (!moves[0] || !moves[1] || left_[of.body1] == left_[of.body2]) continue;
       more = left_[of.body1] = left_[of.body2] = true;
       for (IslandPair& pair : islands_.pairs)
-        for_moving(pair, [&](int slot) {
+        for_moving(pair, [&, &of = of](int slot) {  // clang 14 captures no binding
           if (!pair.iterated && (slot == of.body1 || slot == of.body2)) leave(pair);
         });
     }

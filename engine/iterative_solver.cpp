@@ -13,20 +13,16 @@ StepTarget step_target(const RowTarget& target, real h, real acting, real relaxa
   return {rate, mass_scale, relaxation - mass_scale, unit * target.lower, unit * target.upper};
 }
 
-// The search starts at the nearest blocks of the list.
 int followed_row(const Blocks& blocks, int k) {
-  const Block& block = blocks.list[std::size_t(k)];
-  if (block.target.follows == 0) return -1;
-  require(block.rows == 1, "follows: only a block of one row can follow another impulse");
-  const real* const impulse = block.impulse + block.target.follows;
-  const int count = int(blocks.list.size());
-  for (int d = 1; d < count; ++d)
-    for (const int k_other : {k + d, k - d}) {
-      if (k_other < 0 || k_other >= count) continue;
-      const Block& other = blocks.list[std::size_t(k_other)];
-      for (int i = 0; i < other.rows; ++i)
-        if (other.impulse + i == impulse) return other.first + i;
-    }
+  const Block* const block = &blocks.list[std::size_t(k)];
+  const int follows = block->target.follows, row = block->first + follows;
+  if (follows == 0) return -1;
+  require(block->rows == 1, "follows: only a block of one row can follow another impulse");
+  const Block* const end = follows > 0 ? &*blocks.list.cend() : &blocks.list.front() - 1;
+  for (const Block* other = block; other != end; other += follows > 0 ? 1 : -1)
+    if (const int i = row - other->first;
+        i >= 0 && i < other->rows && other->impulse + i == block->impulse + follows)
+      return row;
   refuse("follows: the impulse that bounds a row must have a row of its own");
 }
 

@@ -48,7 +48,7 @@ void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int
   }
   for (int k = first; k < int(blocks.list.size()); ++k) {
     const Block& block = blocks.list[std::size_t(k)];
-    followed_row(blocks, k);  // rejects a bound that follows no row
+    if (block.target.follows != 0) followed_row(blocks, k);  // rejects one that follows no row
     const int together = row_by_row ? 1 : block.rows;
     for (int i = 0; i < block.rows; i += together) add(bodies, blocks, block, i, i + together, h);
   }

@@ -14,7 +14,8 @@ namespace joints {
 struct Member {
   BodyPair bodies;  ///< slots; -1: a body that does not move
   int kind = 0;     ///< only blocks of one kind are solved side by side
-  bool operator==(const Member&) const = default;  ///< the same bodies and the same kind
+  int follows = -1;  ///< the row that bounds it (followed_row()), or -1
+  bool operator==(const Member&) const = default;  ///< the same in all of these
 };
 
 /// Groups of up to `width` blocks, one per lane, that are solved one group after the other. No two

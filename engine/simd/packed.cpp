@@ -7,23 +7,26 @@ namespace joints {
 
 namespace {
 
-BlockKind kind_of(const Bodies& bodies, const Block& block) {
+PackedBody packed(const Body& body) {
+  const bool moves = !body.is_static(), drives = !moves && (body.v != vec3(0) || body.w != vec3(0));
+  return {symmetric(inverse_inertia(body)), triple(body.v), triple(body.w), body.inverse_mass,
+          moves, drives, body.is_isotropic()};
+}
+
+BlockKind kind_of(const Block& block, const PackedBody& body1, const PackedBody& body2) {
   const RowTarget& target = block.target;
-  const Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
   const bool follows = target.follows != 0, point = block.form == Form::point;
   const bool hard = !follows && target.frequency == 0 && target.lower == -unbounded &&
                     target.upper == unbounded;
-  const bool isotropic = point && body1.is_isotropic() && body2.is_isotropic();
-  const bool lone = block.rows == 1 && (body1.is_static() || body2.is_static());
+  const bool isotropic = point && body1.isotropic && body2.isotropic;
+  const bool lone = block.rows == 1 && !(body1.moves && body2.moves);
   return {static_cast<signed char>(block.rows), point, hard, isotropic, follows, lone};
 }
 
-Member member_of(const Bodies& bodies, const Block& block) {
-  const bool moves1 = !bodies.at(block.body1).is_static();
-  const bool moves2 = !bodies.at(block.body2).is_static();
-  const BlockKind kind = kind_of(bodies, block);
+Member member_of(const Block& block, const PackedBody& body1, const PackedBody& body2) {
+  const BlockKind kind = kind_of(block, body1, body2);
   const int none1 = kind.lone ? block.body2 : -1, none2 = kind.lone ? block.body1 : -1;
-  return {{moves1 ? block.body1 : none1, moves2 ? block.body2 : none2}, kind.number()};
+  return {{body1.moves ? block.body1 : none1, body2.moves ? block.body2 : none2}, kind.number()};
 }
 
 // ---- the numbers of a block ---------------------------------------------------------------------
@@ -33,8 +36,7 @@ struct Source {
   const Block& block;
   const Row* J;
   const real* C;
-  const Body &body1, &body2;
-  const Symmetric<real> &I1, &I2;  // inverse inertias, world
+  const PackedBody &body1, &body2;
   StepTarget target;
   real h;
 };
@@ -46,53 +48,49 @@ void fill_rows(PointRows<N, isotropic, Number>& rows, const Source& from, int la
   scatter(Triple<real>{J[2].w1.y, J[0].w1.z, J[1].w1.x}, rows.r1, lane);
   scatter(Triple<real>{-J[2].w2.y, -J[0].w2.z, -J[1].w2.x}, rows.r2, lane);
   if constexpr (isotropic) {
-    scatter(from.body1.inverse_inertia_local.x, rows.I1, lane);
-    scatter(from.body2.inverse_inertia_local.x, rows.I2, lane);
+    scatter(from.body1.inertia.xx, rows.I1, lane);
+    scatter(from.body2.inertia.xx, rows.I2, lane);
   } else {
-    scatter(from.I1, rows.I1, lane);
-    scatter(from.I2, rows.I2, lane);
+    scatter(from.body1.inertia, rows.I1, lane);
+    scatter(from.body2.inertia, rows.I2, lane);
   }
   for (int i = 3; i < N; ++i) scatter(triple(J[i].w2), rows.axis[i - 3], lane);
 }
 
-// Half of row i: that of body 1 or 2; of a lone row that of the one that moves.
-struct HalfRow {
-  Triple<real> v, w;              // of J
-  Triple<real> response_w;        // of M^-1 J^T
-  real inverse_mass;
-};
-template <int ends>
-HalfRow half_of(const Source& from, int i, int end) {
-  const Row& J = from.J[i];
-  const bool second = ends == 2 ? end == 1 : !from.body2.is_static();
-  const Triple<real> w = triple(second ? J.w2 : J.w1);
-  return {triple(second ? J.v2 : J.v1), w, (second ? from.I2 : from.I1) * w,
-          (second ? from.body2 : from.body1).inverse_mass};
+// Calls f(half of a record's row, v and w of J, body) for each half row: those of body 1 and body
+// 2, or of a lone row that of the body that moves.
+template <class Rows, class F>
+void each_half(Rows& rows, const Source& from, const F& f) {
+  for (int i = 0; i < int(std::size(rows.row)); ++i)
+    for (int end = 0; end < Rows::ends; ++end) {
+      const bool second = Rows::ends == 2 ? end == 1 : from.body2.moves;
+      const Row& J = from.J[i];
+      f(rows.row[i][end], triple(second ? J.v2 : J.v1), triple(second ? J.w2 : J.w1),
+        second ? from.body2 : from.body1);
+    }
 }
 
 template <int N, int ends, class Number>
 void fill_rows(AnyRows<N, ends, Number>& rows, const Source& from, int lane) {
-  for (int i = 0; i < N; ++i)
-    for (int end = 0; end < ends; ++end) {
-      const auto [v, w, response_w, inverse_mass] = half_of<ends>(from, i, end);
-      scatter(typename AnyRows<N, ends, real>::Half{v, w, response_w}, rows.row[i][end], lane);
-    }
+  each_half(rows, from, [&](auto& half, const auto& v, const auto& w, const PackedBody& body) {
+    scatter(v, half.v, lane);
+    scatter(w, half.w, lane);
+    scatter(body.inertia * w, half.response_w, lane);
+  });
 }
 
 template <int N, int ends>
 void fill_rows(SingleRows<N, ends, real>& rows, const Source& from, int) {
-  for (int i = 0; i < N; ++i)
-    for (int end = 0; end < ends; ++end) {
-      const auto [v, w, response_w, inverse_mass] = half_of<ends>(from, i, end);
-      rows.row[i][end] = {{v, 0, w, 0}, {inverse_mass * v, 0, response_w, 0}};
-    }
+  each_half(rows, from, [](auto& half, const auto& v, const auto& w, const PackedBody& body) {
+    half = {{v, 0, w, 0}, {body.inverse_mass * v, 0, body.inertia * w, 0}};
+  });
 }
 
 // The part of J V from static bodies with a velocity. The iterations read zeros for these bodies.
-real still_rate(const Row& J, const Body& body1, const Body& body2) {
+real still_rate(const Row& J, const PackedBody& body1, const PackedBody& body2) {
   real rate = 0;
-  if (body1.is_static()) rate += dot(J.v1, body1.v) + dot(J.w1, body1.w);
-  if (body2.is_static()) rate += dot(J.v2, body2.v) + dot(J.w2, body2.w);
+  if (body1.drives) rate += dot(triple(J.v1), body1.v) + dot(triple(J.w1), body1.w);
+  if (body2.drives) rate += dot(triple(J.v2), body2.v) + dot(triple(J.w2), body2.w);
   return rate;
 }
 
@@ -100,10 +98,11 @@ template <class Rows, int N, bool hard, class Number>
 void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
   const Block& block = from.block;
   fill_rows(record.rows, from, lane);
-  const bool still = from.body1.is_static() || from.body2.is_static();
+  const bool driven = from.body1.drives || from.body2.drives;
   for (int i = 0; i < N; ++i) {
-    const real asked = bias(block, i, from.C[i], from.target.rate, from.h);
-    const real given = still ? still_rate(from.J[i], from.body1, from.body2) : real(0);
+    const real asked = i < N - 1 ? from.target.rate * from.C[i]
+                                 : bias(block, i, from.C[i], from.target.rate, from.h);
+    const real given = driven ? still_rate(from.J[i], from.body1, from.body2) : real(0);
     scatter(asked + given, record.rows.bias[i], lane);
     scatter(block.impulse[i], record.impulses.lambda[i], lane);
   }
@@ -126,27 +125,26 @@ void fill(FollowingRecord<ends, Number>& record, const Source& from, int lane) {
 // ---- the groups ---------------------------------------------------------------------------------
 
 // Updates the data on which the groups depend. \return true if nothing has changed
-bool PackedBlocks::sign(const Bodies& bodies, const Blocks& list, int first) {
+bool PackedBlocks::sign(const Blocks& list, int first) {
   const std::size_t count = list.list.size();
   bool same = members_.size() == count;
   members_.resize(count);
-  follows_.resize(count);
   for (std::size_t k = std::size_t(first); k < count; ++k) {
-    const Member now = member_of(bodies, list.list[k]);
-    const int followed = followed_row(list, int(k));
-    same = same && members_[k] == now && follows_[k] == followed;
+    const Block& block = list.list[k];
+    Member now = member_of(block, body(block.body1), body(block.body2));
+    if (block.target.follows != 0) now.follows = followed_row(list, int(k));
+    if (members_[k] == now) continue;
     members_[k] = now;
-    follows_[k] = followed;
+    same = false;
   }
   return same;
 }
 
 // Gives the bodies places, new ones if necessary. \return true if they are new
-bool PackedBlocks::place(const Bodies& bodies) {
+bool PackedBlocks::place() {
   if (wanted_ != Packing::automatic) return false;
   moves_.clear();
-  for (int slot = 0; slot < bodies.slots(); ++slot)
-    moves_.push_back(!bodies.at(slot).is_static());
+  for (const PackedBody& body : bodies_) moves_.push_back(body.moves);
   if (!places_.place(members_, moves_, lanes_ ? lane_count : 1)) return false;
   ++placings_;
   // Lanes in use: one for each body, for each link, and for each island one of static bodies. An
@@ -160,11 +158,11 @@ bool PackedBlocks::place(const Bodies& bodies) {
 }
 
 // Appends groups of the blocks from number `first` on; with 0 it makes all groups anew.
-void PackedBlocks::append(const Bodies& bodies, int first) {
+void PackedBlocks::append(int first) {
   if (first == 0) {
     chosen_ = wanted_;
     if (wanted_ == Packing::automatic && !fits_lanes_) chosen_ = Packing::colours;
-    order_.clear(lanes_ && wanted_ != Packing::list ? lane_count : 1, bodies.slots());
+    order_.clear(lanes_ && wanted_ != Packing::list ? lane_count : 1, int(bodies_.size()));
   }
   if (chosen_ == Packing::automatic) return places_.append(order_, members_, first);
   if (chosen_ == Packing::colours) {
@@ -172,13 +170,13 @@ void PackedBlocks::append(const Bodies& bodies, int first) {
     const bool too_empty = 2 * members_.size() < order_.blocks.size();
     if (first > 0 || wanted_ == Packing::colours || !too_empty) return;
     chosen_ = Packing::list;
-    order_.clear(1, bodies.slots());
+    order_.clear(1, int(bodies_.size()));
   }
   append_in_turn(order_, members_, first);
 }
 
 // Allocates the records of new groups. \param first 0 if all groups are new
-void PackedBlocks::add_groups(const Bodies& bodies, const Blocks& list, int first) {
+void PackedBlocks::add_groups(const Blocks& list, int first) {
   if (first == 0) {
     groups_.clear();
     numbers_.clear();
@@ -190,7 +188,8 @@ void PackedBlocks::add_groups(const Bodies& bodies, const Blocks& list, int firs
     const int* const lanes = &order_.blocks[std::size_t(k * order_.width)];
     const int* const one =
         std::find_if(lanes, lanes + order_.width, [](int block) { return block >= 0; });
-    LaneGroup group{kind_of(bodies, list.list[std::size_t(*one)])};
+    const Block& block = list.list[std::size_t(*one)];
+    LaneGroup group{kind_of(block, body(block.body1), body(block.body2))};
     group.first = int(numbers_.size()) * lane_count;
     in_record(group, any.lane, [&](auto& record) {
       group.first_lambda = group.first + int(sizeof record.rows / sizeof(real));
@@ -209,7 +208,7 @@ void PackedBlocks::add_groups(const Bodies& bodies, const Blocks& list, int firs
     for (int lane = 0; lane < order_.width; ++lane)  // of an unused lane itself, which is 0
       followed[lane] = lambda_index(groups_[std::size_t(k)], 0, lane);
     each_block(k, [&](int block, int lane) {
-      const int row = follows_[std::size_t(block)];
+      const int row = members_[std::size_t(block)].follows;
       if (row >= 0) followed[lane] = lambda_of_row_[std::size_t(row)];
     });
   }
@@ -229,26 +228,24 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, rea
   if (anew || first != int(members_.size())) first = 0;
   std::size_t begin = first == 0 ? 0 : groups_.size();  // the first group to be filled
   if (first == 0) {
-    inertias_.resize(std::size_t(bodies.slots()));
+    bodies_.clear();
     for (int slot = 0; slot < bodies.slots(); ++slot)
-      inertias_[std::size_t(slot)] = symmetric(inverse_inertia(bodies.at(slot)));
+      bodies_.push_back(packed(bodies.at(slot)));
   }
-  const bool same = sign(bodies, list, first);
+  const bool same = sign(list, first);
   if (!same || anew || (first == 0 && late_)) {
     ++groupings_;
-    if (place(bodies)) begin = 0, first = 0;
+    if (place()) begin = 0, first = 0;
     late_ = first > 0;
-    append(bodies, first);
-    add_groups(bodies, list, first);
+    append(first);
+    add_groups(list, first);
   }
   for (std::size_t k = begin; k < groups_.size(); ++k)
     in_record(groups_[k], numbers() + groups_[k].first, [&](auto& record) {
       each_block(int(k), [&](int number, int lane) {
         const Block& block = list.list[std::size_t(number)];
         const std::size_t row = std::size_t(block.first);
-        const std::size_t one = std::size_t(block.body1), other = std::size_t(block.body2);
-        fill(record, {block, &list.J[row], &list.C[row], bodies.at(block.body1),
-                      bodies.at(block.body2), inertias_[one], inertias_[other],
+        fill(record, {block, &list.J[row], &list.C[row], body(block.body1), body(block.body2),
                       step_target(block.target, h, list.acts(h), relaxation), h}, lane);
       });
     });

@@ -19,6 +19,16 @@ enum class Packing {
   list        ///< the order of the list, without lanes
 };
 
+/// The data of a body from which records are filled.
+struct PackedBody {
+  Symmetric<real> inertia;  ///< inverse inertia [1/(kg m^2)], world
+  Triple<real> v, w;        ///< velocities at the begin of the step [m/s, rad/s], world
+  real inverse_mass;        ///< [1/kg]
+  bool moves;               ///< it is not static
+  bool drives;              ///< it is static and has a velocity
+  bool isotropic;           ///< Body::is_isotropic()
+};
+
 /// The blocks of a step in groups that are solved side by side. The places of the bodies are kept
 /// until islands are connected differently, and the groups until a block comes, goes or changes its
 /// kind. Once its vectors have grown, a step does not allocate.
@@ -44,10 +54,10 @@ class PackedBlocks {
   int groupings() const { return groupings_; }  ///< how often blocks were put into groups
 
  private:
-  bool sign(const Bodies& bodies, const Blocks& list, int first);
-  bool place(const Bodies& bodies);
-  void append(const Bodies& bodies, int first);
-  void add_groups(const Bodies& bodies, const Blocks& list, int first);
+  bool sign(const Blocks& list, int first);
+  bool place();
+  void append(int first);
+  void add_groups(const Blocks& list, int first);
   void run(Pass pass, real parameter, int first);
   // Calls f with the record of a group, of one block or of lane_count.
   template <class F>
@@ -68,11 +78,11 @@ class PackedBlocks {
   int lambda_index(const LaneGroup& group, int row, int lane) const {
     return group.first_lambda + row * order_.width + lane;
   }
+  const PackedBody& body(int slot) const { return bodies_[std::size_t(slot)]; }
   real* numbers() { return reinterpret_cast<real*>(numbers_.data()); }
   const real* numbers() const { return reinterpret_cast<const real*>(numbers_.data()); }
 
   std::vector<Member> members_;  // of each block: the data on which the groups depend
-  std::vector<int> follows_;     // of each block: followed_row()
   Places places_;
   GreedyColours colours_;
   std::vector<bool> moves_;  // of each body
@@ -87,7 +97,7 @@ class PackedBlocks {
   std::vector<LaneNumber> numbers_;  // the records of all groups
   std::vector<int> lambda_of_row_;   // of each row: the index of its accumulated impulse
   std::vector<int> followed_;        // LaneWork::followed
-  std::vector<Symmetric<real>> inertias_;  // of each body: its inverse inertia in this step, world
+  std::vector<PackedBody> bodies_;   // all of them, in this step
   BodyRecords records_;
 };
 

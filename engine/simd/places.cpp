@@ -20,7 +20,8 @@ bool Places::find_links(const std::vector<Member>& members) {
   std::iota(root_.begin(), root_.end(), 0);
   std::size_t count = 0;
   bool same = true;
-  for (const auto& [bodies, kind] : members) {
+  for (const Member& member : members) {
+    const BodyPair& bodies = member.bodies;
     if (bodies.body1 < 0 || bodies.body2 < 0) continue;
     const auto [first, second] = std::minmax({root_of(bodies.body1), root_of(bodies.body2)});
     if (first == second) continue;
@@ -94,7 +95,7 @@ void Places::append(LaneOrder& order, const std::vector<Member>& members, int fi
   begin_.assign(first_column_.size(), -1);
   last_.assign(islands_.size(), -1);
   for (int k = first; k < int(members.size()); ++k) {
-    const auto& [bodies, kind] = members[k];
+    const auto& [bodies, kind, follows] = members[k];
     const int island = places_[std::max(bodies.body1, bodies.body2)].island;
     const int batch = island / width_;
     const auto column = [&](int body) {

@@ -27,6 +27,16 @@ void push(Twelve& V, real lambda, const Row& response) {
   for (int k = 0; k < 12 / register_size; ++k) V.part[k] += lambda * twelve(response).part[k];
 }
 
+// Row i of a block as a block of its own: only the last one has a target rate and bounds.
+Block row_of(Block block, int i) {
+  if (i < block.rows - 1)
+    block.target.rate = 0, block.target.lower = -unbounded, block.target.upper = unbounded;
+  block.rows = 1;
+  block.first += i;
+  block.impulse += i;
+  return block;
+}
+
 }  // namespace
 
 void SequentialImpulses::check() const {
@@ -49,24 +59,22 @@ void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int
   for (int k = first; k < int(blocks.list.size()); ++k) {
     const Block& block = blocks.list[std::size_t(k)];
     if (block.target.follows != 0) followed_row(blocks, k);  // rejects one that follows no row
-    const int together = row_by_row ? 1 : block.rows;
-    for (int i = 0; i < block.rows; i += together) add(bodies, blocks, block, i, i + together, h);
+    if (!row_by_row) add(bodies, blocks, block, h);
+    else for (int i = 0; i < block.rows; ++i) add(bodies, blocks, row_of(block, i), h);
   }
 }
 
-// Prepares the rows [from, to) of a block as one block.
 void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const Block& block,
-                             int from, int to, real h) {
+                             real h) {
   auto& [prepared, rows, inverse_K] = prepared_;
-  const int n = to - from, first = block.first + from;
-  PreparedBlock out{block.body1, block.body2, n, first, int(inverse_K.size()), block.target.follows,
-                    step_target(block.target, h, blocks.acts(h), relaxation), block.impulse + from};
-  if (split_iterations > 0 && block.corrects())
-    out.target = step_target(without_feedback(block.target), h, blocks.acts(h), relaxation);
-  if (to < block.rows) out.target.lower = -unbounded, out.target.upper = unbounded;
+  const bool split = split_iterations > 0 && block.corrects();
+  const PreparedBlock out{block, int(inverse_K.size()),
+                          step_target(split ? without_feedback(block.target) : block.target, h,
+                                      blocks.acts(h), relaxation)};
   prepared.push_back(out);
 
-  const Row* const J = &blocks.J[std::size_t(first)];
+  const int n = block.rows;
+  const Row* const J = &blocks.J[std::size_t(block.first)];
   Row response[6];
   form_responses(J, n, bodies.at(block.body1), bodies.at(block.body2), response);
   inverse_K.resize(inverse_K.size() + std::size_t(n * n));
@@ -76,10 +84,10 @@ void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const B
 
   const real over_last = inverse_above(inverse[n * n - 1], 0);
   for (int i = 0; i < n; ++i)
-    rows.push_back({response[i], bias(block, from + i, blocks.C[std::size_t(first + i)],
-                                      out.target.rate, h),
+    rows.push_back({response[i], bias(block, i, blocks.C[std::size_t(block.first + i)],
+                                      out.step.rate, h),
                     inverse[i * n + n - 1] * over_last});
-  for (int i = 0; i < n * n; ++i) inverse[i] *= out.target.mass_scale;
+  for (int i = 0; i < n * n; ++i) inverse[i] *= out.step.mass_scale;
 }
 
 void SequentialImpulses::warm_start(Bodies& bodies, real ratio) {
@@ -109,34 +117,25 @@ void SequentialImpulses::advance(Bodies& bodies, real h, const Append& append) {
   if (relax_iterations > 0) relax(bodies, h);
 }
 
-// Gives a prepared block the scales and biases of another target with the same bounds.
-void SequentialImpulses::aim(PreparedBlock& prepared, const Blocks& blocks, const Block& block,
-                             const RowTarget& target, real h) {
+// Gives a block the scales and biases of another target with the same bounds.
+void SequentialImpulses::retarget(PreparedBlock& block, const Blocks& blocks,
+                                  const RowTarget& target, real h) {
   const StepTarget now = step_target(target, h, blocks.acts(h), relaxation);
-  const real scale = now.mass_scale / prepared.target.mass_scale;
-  for (int i = 0; i < prepared.rows * prepared.rows; ++i)
-    prepared_.inverse_K[std::size_t(prepared.first_K + i)] *= scale;
-  prepared.target.mass_scale = now.mass_scale;
-  prepared.target.impulse_scale = now.impulse_scale;
-  for (int row = prepared.first; row < prepared.first + prepared.rows; ++row)
-    prepared_.rows[std::size_t(row)].bias =
-        bias(block, row - block.first, blocks.C[std::size_t(row)], now.rate, h);
-}
-
-// Calls f(prepared block, block) where C is an error; with row_by_row for each of its rows.
-template <class F>
-void SequentialImpulses::for_corrections(const Blocks& blocks, const F& f) {
-  auto prepared = prepared_.blocks.begin();
-  for (const Block& block : blocks.list)
-    for (int rows = 0; rows < block.rows; rows += prepared++->rows)
-      if (block.corrects()) f(*prepared, block);
+  const real scale = now.mass_scale / block.step.mass_scale;
+  for (int i = 0; i < block.rows * block.rows; ++i)
+    prepared_.inverse_K[std::size_t(block.first_K + i)] *= scale;
+  block.step.mass_scale = now.mass_scale;
+  block.step.impulse_scale = now.impulse_scale;
+  for (int i = 0; i < block.rows; ++i) {
+    const std::size_t row = std::size_t(block.first + i);
+    prepared_.rows[row].bias = bias(block, i, blocks.C[row], now.rate, h);
+  }
 }
 
 void SequentialImpulses::relax(Bodies& bodies, real h) {
   const Blocks& blocks = blocks_of(bodies);
-  for_corrections(blocks, [&](PreparedBlock& prepared, const Block& block) {
-    aim(prepared, blocks, block, without_feedback(block.target), h);
-  });
+  for (PreparedBlock& block : prepared_.blocks)
+    if (block.corrects()) retarget(block, blocks, without_feedback(block.target), h);
   for (int i = 0; i < relax_iterations; ++i) iterate(bodies);  // Eq. 6-15
 }
 
@@ -144,18 +143,18 @@ void SequentialImpulses::advance_split(Bodies& bodies, real h) {
   const Blocks& blocks = blocks_of(bodies);
   split_impulses_.assign(blocks.C.size(), real(0));
   split_blocks_.clear();
-  for_corrections(blocks, [&](PreparedBlock& prepared, const Block& block) {
-    aim(prepared, blocks, block, block.target, h);
-    split_blocks_.push_back(prepared);
-    split_blocks_.back().impulse = &split_impulses_[std::size_t(prepared.first)];
-    const std::size_t last = std::size_t(block.first + block.rows - 1);
-    if (prepared.first + prepared.rows <= int(last)) return;
+  for (PreparedBlock& block : prepared_.blocks) {
+    if (!block.corrects()) continue;
+    retarget(block, blocks, block.target, h);
+    split_blocks_.push_back(block);
+    split_blocks_.back().impulse = &split_impulses_[std::size_t(block.first)];
     // a limit uses the sum of both velocities, an equality only the correcting one
+    const std::size_t last = std::size_t(block.first + block.rows - 1);
     prepared_.rows[last].bias +=
         block.target.one_sided()
             ? row_velocity(blocks.J[last], bodies.at(block.body1), bodies.at(block.body2))
             : block.target.rate;
-  });
+  }
 
   const auto for_bodies = [&](const auto& f) {
     for (int slot = 0; slot < bodies.slots(); ++slot) f(bodies.at(slot), velocities_[slot]);
@@ -211,7 +210,7 @@ void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedB
   J += block.first;
   const PreparedRow* row = &prepared_.rows[std::size_t(block.first)];
   const real* inverse_K = &prepared_.inverse_K[std::size_t(block.first_K)];
-  const StepTarget& target = block.target;
+  const StepTarget& target = block.step;
   Twelve V = velocities(body1, body2);
 
   real e[N];  // velocity error of each row: J V + bias
@@ -228,8 +227,8 @@ void SequentialImpulses::solve_block(Body* bodies, const Row* J, const PreparedB
   // value: each changes by clamp_response per unit of the cut.
   const real wanted = block.impulse[N - 1] + dlambda[N - 1];
   real lower = target.lower, upper = target.upper;
-  if (N == 1 && block.follows != 0) {  // bounds are -+upper * impulse[follows]
-    upper *= block.impulse[block.follows];
+  if (N == 1 && block.target.follows != 0) {  // bounds are -+upper * impulse[follows]
+    upper *= block.impulse[block.target.follows];
     lower = -upper;
   }
   const real kept = std::clamp(wanted, lower, upper), cut = kept - wanted;

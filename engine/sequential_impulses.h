@@ -16,14 +16,10 @@ struct PreparedRow {
   real clamp_response;
 };
 
-/// The data of a block that the inner loop needs.
-struct PreparedBlock {
-  int body1, body2;     ///< slots
-  int rows;             ///< 1 to 6
-  int first, first_K;   ///< its first row in Blocks::J and Prepared::rows; first number of K^-1
-  int follows;          ///< RowTarget::follows
-  StepTarget target;    ///< scales and bounds; no bounds for rows that are not the last
-  real* impulse;        ///< the accumulated impulses, owned by the joint
+/// A block with the data that the inner loop needs. With row_by_row it is one row of a block.
+struct PreparedBlock : Block {
+  int first_K;      ///< index of the first number of K^-1 in Prepared::inverse_K
+  StepTarget step;  ///< its target as scales and bounds
 };
 
 /// The prepared blocks of a step: bias, scales, bounds and the inverse of K, all for one h.
@@ -81,12 +77,8 @@ class SequentialImpulses : public IterativeSolver {
   Prepared prepared_;  ///< all blocks of the step so far
 
  private:
-  void add(const Bodies& bodies, const Blocks& blocks, const Block& block, int from, int to,
-           real h);
-  void aim(PreparedBlock& prepared, const Blocks& blocks, const Block& block,
-           const RowTarget& target, real h);
-  template <class F>
-  void for_corrections(const Blocks& blocks, const F& f);
+  void add(const Bodies& bodies, const Blocks& blocks, const Block& block, real h);
+  void retarget(PreparedBlock& block, const Blocks& blocks, const RowTarget& target, real h);
   void relax(Bodies& bodies, real h);
   void advance_split(Bodies& bodies, real h);
   template <int N>

@@ -47,8 +47,8 @@ void ConjugateGradients::solve(Bodies& bodies) {
   // Calls f(row, gamma times these impulses) for the rows of a soft block: gamma = softness K,
   // mass_scale = 1/(1 + softness), impulse_scale = 1 - mass_scale.
   const auto gamma = [&](const PreparedBlock& block, const real* numbers, const auto& f) {
-    if (block.target.impulse_scale == 0) return;
-    const real softness = block.target.impulse_scale / block.target.mass_scale;
+    if (block.step.impulse_scale == 0) return;
+    const real softness = block.step.impulse_scale / block.step.mass_scale;
     for (int i = 0; i < block.rows; ++i) {
       real sum = 0;
       for (int j = 0; j < block.rows; ++j)

@@ -14,22 +14,23 @@ class BodyRecords {
  public:
   /// Copies the bodies' velocities into the records. \param body function from slot to body
   template <class F>
-  void take(const LaneOrder& order, const F& body) {
+  void gather(const LaneOrder& order, const F& body) {
     records_.resize(order.bodies.size());
     each(order, [&](int slot, auto& all, int lane) {
-      if (slot < 0) return scatter(Velocities<real>{}, all, lane);
+      if (slot < 0) return joints::scatter(Velocities<real>{}, all, lane);
       const Body& from = body(slot);
-      scatter(Velocities<real>{triple(from.v), from.inverse_mass, triple(from.w), 0}, all, lane);
+      joints::scatter(Velocities<real>{triple(from.v), from.inverse_mass, triple(from.w), 0}, all,
+                      lane);
     });
   }
   /// Copies the velocities back to the bodies that are not static.
   template <class F>
-  void give_back(const LaneOrder& order, const F& body) {
+  void scatter(const LaneOrder& order, const F& body) {
     each(order, [&](int slot, const auto& all, int lane) {
       if (slot < 0) return;
       Body& to = body(slot);
       if (to.is_static()) return;
-      const auto one = gather<Velocities<real>>(all, lane);
+      const auto one = joints::gather<Velocities<real>>(all, lane);
       to.v = vec3(one.v.x, one.v.y, one.v.z);
       to.w = vec3(one.w.x, one.w.y, one.w.z);
     });

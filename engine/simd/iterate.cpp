@@ -3,7 +3,7 @@
 
 namespace joints {
 
-extern template void warm_all<Lanes>(const LaneWork& work, real ratio);  // warm_lanes.cpp
+extern template void run<Pass::warm, Lanes>(const LaneWork& work, real ratio);  // warm_lanes.cpp
 
 #if defined(__x86_64__) && defined(JOINTS_AVX2)
 void run_pass_avx2(const LaneWork& work, Pass pass, real parameter);  // iterate_avx2.cpp
@@ -14,7 +14,7 @@ void run_pass(const LaneWork& work, Pass pass, real parameter) {
   static const bool has_avx2 = __builtin_cpu_supports("avx2");
   if (has_avx2) return run_pass_avx2(work, pass, parameter);
 #endif
-  run_all<Single, Lanes>(work, pass, parameter);
+  run<Single, Lanes>(work, pass, parameter);
 }
 
 }  // namespace joints

@@ -1,6 +1,7 @@
 // The operations on a record: its K^-1, its warm start, its solve. Each file that is compiled for
-// an instruction set includes it. Number is one number or one per lane. Every kind of rows has
-// three functions; everything else is the same for all kinds:
+// an instruction set includes it. Number is one number or one per lane, so every formula is that of
+// one block (records.h draws the memory). A solve is errors, impulses, apply; every kind of rows has
+// three functions, and everything else is the same for all kinds:
 //   form_K   J M^-1 J^T, lower triangle
 //   errors   bias + J V
 //   apply    V += M^-1 J^T lambda
@@ -277,7 +278,7 @@ inline void solve_record(Record<Rows, N, hard, Number>& record, Velocities<Numbe
 template <int ends, class Number>
 inline void move_bounds(FollowingRecord<ends, Number>& record, const real* numbers,
                         const int* followed) {
-  for (int lane = 0; lane < int(sizeof(Number) / sizeof(real)); ++lane) {
+  for (int lane = 0; lane < width_of<Number>; ++lane) {
     const real bound = gather<real>(record.factor, lane) * numbers[followed[lane]];
     scatter(-bound, record.bounds.lower, lane);
     scatter(bound, record.bounds.upper, lane);
@@ -303,36 +304,29 @@ inline void each_group(const LaneWork& work, const F& f) {
   }
 }
 
-template <class Number>
-void prepare_all(const LaneWork& work, real relaxation) {
-  each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int) {
-    prepare_record(record, body1, body2, relaxation);
-  });
-}
-template <class Number>
-void warm_all(const LaneWork& work, real ratio) {
-  each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int) {
-    warm_record(record, body1, body2, ratio);
-  });
-}
-template <class Number>
-void iterate_all(const LaneWork& work) {
-  constexpr int width = int(sizeof(Number) / sizeof(real));
+template <Pass pass, class Number>
+void run(const LaneWork& work, real parameter) {
   each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int k) {
-    if constexpr (requires { record.factor; })
-      move_bounds(record, work.numbers, work.followed + k * width);
-    solve_record(record, body1, body2);
+    if constexpr (pass == Pass::prepare) prepare_record(record, body1, body2, parameter);
+    if constexpr (pass == Pass::warm) warm_record(record, body1, body2, parameter);
+    if constexpr (pass == Pass::iterate) {
+      if constexpr (requires { record.factor; })
+        move_bounds(record, work.numbers, work.followed + k * width_of<Number>);
+      solve_record(record, body1, body2);
+    }
   });
 }
 
 template <class Single, class Lanes>
-inline void run_all(const LaneWork& work, Pass pass, real parameter) {
+inline void run(const LaneWork& work, Pass pass, real parameter) {
   const bool lanes = work.width > 1;
   switch (pass) {
     case Pass::prepare:
-      return (lanes ? prepare_all<Lanes> : prepare_all<Single>)(work, parameter);
-    case Pass::warm: return (lanes ? warm_all<Lanes> : warm_all<Single>)(work, parameter);
-    case Pass::iterate: return (lanes ? iterate_all<Lanes> : iterate_all<Single>)(work);
+      return (lanes ? run<Pass::prepare, Lanes> : run<Pass::prepare, Single>)(work, parameter);
+    case Pass::warm:
+      return (lanes ? run<Pass::warm, Lanes> : run<Pass::warm, Single>)(work, parameter);
+    case Pass::iterate:
+      return (lanes ? run<Pass::iterate, Lanes> : run<Pass::iterate, Single>)(work, parameter);
   }
 }
 

@@ -5,7 +5,7 @@ namespace joints {
 
 void run_pass_avx2(const LaneWork& work, Pass pass, real parameter);
 void run_pass_avx2(const LaneWork& work, Pass pass, real parameter) {
-  run_all<Single, Lanes>(work, pass, parameter);
+  run<Single, Lanes>(work, pass, parameter);
 }
 
 }  // namespace joints

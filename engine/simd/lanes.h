@@ -71,6 +71,10 @@ using Lanes = LanesFor<JOINTS_PROCESSOR>;
 using Single = LanesFor<JOINTS_PROCESSOR, true>;
 
 /// \cond
+// The number of lanes: 1 or lane_count.
+template <class Number>
+constexpr int width_of = int(sizeof(Number) / sizeof(real));
+
 namespace {
 
 // Transposes 8x8 numbers in three steps: pairs, quadruples, halves.
@@ -134,7 +138,7 @@ inline void store(Velocities<real>* records, const int* index, Velocities<Lanes>
 // with that in both places. Number is Single or Lanes.
 template <class Number, int bodies = 2, class F>
 JOINTS_INLINED inline void with_bodies(const BodyView& view, int group, const F& f) {
-  constexpr int width = int(sizeof(Number) / sizeof(real));
+  constexpr int width = width_of<Number>;
   Velocities<real>* const records = view.records;
   if (width == 1 || view.columns) {
     const int* const ends = view.ends + 2 * group;

@@ -249,16 +249,16 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, rea
                       step_target(block.target, h, list.acts(h), relaxation), h}, lane);
       });
     });
-  take(bodies);  // for the masses
+  gather(bodies);  // for the masses
   run(Pass::prepare, relaxation, int(begin));
 }
 
-void PackedBlocks::take(const Bodies& bodies) {
-  records_.take(order_, [&](int slot) -> const Body& { return bodies.at(slot); });
+void PackedBlocks::gather(const Bodies& bodies) {
+  records_.gather(order_, [&](int slot) -> const Body& { return bodies.at(slot); });
 }
 
-void PackedBlocks::give_back(Bodies& bodies) {
-  records_.give_back(order_, [&](int slot) -> Body& { return bodies.at(slot); });
+void PackedBlocks::scatter(Bodies& bodies) {
+  records_.scatter(order_, [&](int slot) -> Body& { return bodies.at(slot); });
 }
 
 // Over the groups from number `first` on.
@@ -277,7 +277,7 @@ void PackedBlocks::unpack(const Blocks& list) const {
     });
 }
 
-std::string PackedBlocks::words() const {
+std::string PackedBlocks::description() const {
   if (order_.width == 1) return "one block at a time";
   return std::to_string(order_.width) +
          (order_.columns ? " lanes, an island in each" : " lanes, by colours");
@@ -286,7 +286,7 @@ std::string PackedBlocks::words() const {
 std::string PackedImpulses::plan(const Bodies& bodies, const Blocks& blocks) const {
   PackedBlocks packed;
   packed.pack(bodies, blocks, 0, 1, relaxation, packing, lanes);
-  return packed.words();
+  return packed.description();
 }
 
 void PackedImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int first,
@@ -298,14 +298,14 @@ void PackedImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int fir
 void PackedImpulses::warm_start(Bodies& bodies, real ratio) {
   blocks_of(bodies);  // rejects other bodies
   packed_.run(Pass::warm, ratio);
-  if (ratio != 0) packed_.give_back(bodies);
+  if (ratio != 0) packed_.scatter(bodies);
 }
 
 void PackedImpulses::solve(Bodies& bodies) {
   const Blocks& blocks = blocks_of(bodies);
-  packed_.take(bodies);
+  packed_.gather(bodies);
   for (int i = 0; i < iterations; ++i) packed_.run(Pass::iterate);
-  packed_.give_back(bodies);
+  packed_.scatter(bodies);
   packed_.unpack(blocks);
 }
 

@@ -40,8 +40,8 @@ class PackedBlocks {
   /// \param lanes false: every group is one block
   void pack(const Bodies& bodies, const Blocks& list, int first, real h, real relaxation,
             Packing packing, bool lanes);
-  void take(const Bodies& bodies);  ///< copies the bodies' velocities into the records
-  void give_back(Bodies& bodies);   ///< copies them back to the bodies that can move
+  void gather(const Bodies& bodies);  ///< copies the bodies' velocities into the records
+  void scatter(Bodies& bodies);   ///< copies them back to the bodies that can move
   /// A pass over all groups, with the best instruction set of this processor.
   void run(Pass pass, real parameter = 0) { run(pass, parameter, 0); }
   /// Copies the accumulated impulses back into the joints. \param list as given to pack()
@@ -49,7 +49,7 @@ class PackedBlocks {
 
   const LaneOrder& order() const { return order_; }  ///< the groups and their order
   const std::vector<LaneGroup>& groups() const { return groups_; }  ///< one per group of the order
-  std::string words() const;  ///< the order in words, as "8 lanes, an island in each"
+  std::string description() const;  ///< the order in words, as "8 lanes, an island in each"
   int placings() const { return placings_; }    ///< how often the bodies got places
   int groupings() const { return groupings_; }  ///< how often blocks were put into groups
 

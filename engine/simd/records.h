@@ -1,5 +1,18 @@
-// The memory layout of packed blocks: a record of plain numbers for one block (Number is real), or
-// for a group, where each number has lane_count lanes.
+// The memory layout of packed blocks. A record has the numbers of one block: rows, accumulated
+// impulses, K^-1, bounds. A group is lane_count blocks of one kind; its record has the same members,
+// each with the numbers of all lanes side by side. A group of four hinges in double:
+//
+//                  lane 0    lane 1    lane 2    lane 3
+//   rows.r1.x      block 0   block 5   block 9   0        32 bytes, one register
+//   rows.r1.y      block 0   block 5   block 9   0
+//   ...                                                   the lane without a block holds zeros
+//   lambda[0]      block 0   block 5   block 9   0        from LaneGroup::first_lambda on
+//   ...
+//
+// One instruction reads or changes a line, so the formulas are written as for one block. scatter()
+// writes the record of one block into the column of its lane, and gather() reads it. Bodies have
+// the same layout if they keep their lanes (BodyView::columns); otherwise each has a record of its
+// own, and load() and store() transpose those of a group to lines and back (lanes.h).
 #pragma once
 
 #include <array>

@@ -4,6 +4,6 @@
 
 namespace joints {
 
-template void warm_all<Lanes>(const LaneWork& work, real ratio);
+template void run<Pass::warm, Lanes>(const LaneWork& work, real ratio);
 
 }  // namespace joints

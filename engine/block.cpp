@@ -32,7 +32,7 @@ bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form fo
     return false;
   }
   list.push_back({slot1, slot2, rows, form, false, int(C.size()), target, impulse});
-  C.resize(C.size() + std::size_t(rows));
+  for (int i = 0; i < rows; ++i) C.push_back(0);
   if (errors_only || J.size() >= C.size()) return true;
   if (J.capacity() < C.size()) J.reserve(C.size() + C.size() / 4);  // the largest of all vectors
   J.resize(C.size());

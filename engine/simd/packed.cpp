@@ -272,8 +272,8 @@ void PackedBlocks::unpack(const Blocks& list) const {
   for (std::size_t k = 0; k < groups_.size(); ++k)
     each_block(int(k), [&](int block, int lane) {
       real* const impulse = list.list[std::size_t(block)].impulse;
-      for (int row = 0; row < groups_[k].rows; ++row)
-        impulse[row] = numbers()[lambda_index(groups_[k], row, lane)];
+      const real* const lambda = numbers() + lambda_index(groups_[k], 0, lane);
+      for (int row = 0; row < groups_[k].rows; ++row) impulse[row] = lambda[row * order_.width];
     });
 }
 

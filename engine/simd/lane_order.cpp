@@ -34,23 +34,18 @@ void append_in_turn(LaneOrder& order, const std::vector<Member>& members, int fi
 }
 
 void GreedyColours::append(LaneOrder& order, const std::vector<Member>& members, int first) {
-  for (auto& colours : taken_) colours.clear();
+  const std::size_t bodies = order.bodies.size();
+  for (auto& taken : taken_) taken.assign(bodies, false);
   colours_.resize(members.size());
   sorted_.clear();
   for (int k = first; k < int(members.size()); ++k) {
     const BodyPair& pair = members[std::size_t(k)].bodies;
-    if (const int most = std::max(pair.body1, pair.body2); most >= int(taken_.size()))
-      taken_.resize(std::size_t(most) + 1);
     std::size_t colour = 0;
-    const auto is_taken = [&](int body) {
-      return body >= 0 && colour < taken_[body].size() && taken_[body][colour];
-    };
-    while (is_taken(pair.body1) || is_taken(pair.body2)) ++colour;
-    for (const int body : {pair.body1, pair.body2}) {
-      if (body < 0) continue;
-      taken_[body].resize(std::max(taken_[body].size(), colour + 1));
-      taken_[body][colour] = true;
-    }
+    const auto is_taken = [&](int body) { return body >= 0 && taken_[colour][body]; };
+    while (colour < taken_.size() && (is_taken(pair.body1) || is_taken(pair.body2))) ++colour;
+    if (colour == taken_.size()) taken_.emplace_back(bodies);
+    for (const int body : {pair.body1, pair.body2})
+      if (body >= 0) taken_[colour][body] = true;
     colours_[k] = int(colour);
     sorted_.push_back(k);
   }

@@ -50,7 +50,7 @@ class GreedyColours {
   void append(LaneOrder& order, const std::vector<Member>& members, int first);
 
  private:
-  std::vector<std::vector<bool>> taken_;  // for each body, its colours
+  std::vector<std::vector<bool>> taken_;  // for each colour, the bodies that have it
   std::vector<int> colours_;              // for each block
   std::vector<int> sorted_;               // blocks by colour and kind
   std::vector<int> lanes_;                // of one group

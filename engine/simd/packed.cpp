@@ -2,6 +2,7 @@
 #include "engine/simd/packed.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace joints {
 
@@ -183,7 +184,7 @@ void PackedBlocks::add_groups(const Blocks& list, int first) {
   }
   const int before = int(groups_.size()), end = order_.groups();
   LaneNumber any;  // never read: only the size of a record is used
-  lambda_of_row_.resize(list.C.size());
+  first_lambda_.resize(list.list.size());
   for (int k = before; k < end; ++k) {
     const int* const lanes = &order_.blocks[std::size_t(k * order_.width)];
     const int* const one =
@@ -191,25 +192,28 @@ void PackedBlocks::add_groups(const Blocks& list, int first) {
     const Block& block = list.list[std::size_t(*one)];
     LaneGroup group{kind_of(block, body(block.body1), body(block.body2))};
     group.first = int(numbers_.size()) * lane_count;
+    int lambda = group.first;
     in_record(group, any.lane, [&](auto& record) {
-      group.first_lambda = group.first + int(sizeof record.rows / sizeof(real));
+      lambda += int(sizeof record.rows / sizeof(real));
       numbers_.resize(numbers_.size() + (sizeof record + sizeof any - 1) / sizeof any, {});
     });
     groups_.push_back(group);
-    each_block(k, [&](int block, int lane) {
-      const int first_row = list.list[std::size_t(block)].first;
-      for (int row = 0; row < group.rows; ++row)
-        lambda_of_row_[std::size_t(first_row + row)] = lambda_index(group, row, lane);
+    each_block(k, [&](int number, int lane) {
+      first_lambda_[std::size_t(number)] = lambda + lane;
     });
   }
   followed_.resize(order_.blocks.size());
   for (int k = before; k < end; ++k) {
     int* const followed = &followed_[std::size_t(k * order_.width)];
-    for (int lane = 0; lane < order_.width; ++lane)  // of an unused lane itself, which is 0
-      followed[lane] = lambda_index(groups_[std::size_t(k)], 0, lane);
-    each_block(k, [&](int block, int lane) {
-      const int row = members_[std::size_t(block)].follows;
-      if (row >= 0) followed[lane] = lambda_of_row_[std::size_t(row)];
+    std::iota(followed, followed + order_.width, groups_[k].first);  // zeros of an unused lane
+    each_block(k, [&](int number, int lane) {
+      const int row = members_[std::size_t(number)].follows;
+      if (row < 0) return;
+      const Block* owner = &list.list[std::size_t(number)];
+      while (row < owner->first) --owner;
+      while (row >= owner->first + owner->rows) ++owner;
+      followed[lane] = first_lambda_[std::size_t(owner - list.list.data())] +
+                       (row - owner->first) * order_.width;
     });
   }
   for (int k = end - 2; k >= before; --k)
@@ -269,12 +273,11 @@ void PackedBlocks::run(Pass pass, real parameter, int first) {
 }
 
 void PackedBlocks::unpack(const Blocks& list) const {
-  for (std::size_t k = 0; k < groups_.size(); ++k)
-    each_block(int(k), [&](int block, int lane) {
-      real* const impulse = list.list[std::size_t(block)].impulse;
-      const real* const lambda = numbers() + lambda_index(groups_[k], 0, lane);
-      for (int row = 0; row < groups_[k].rows; ++row) impulse[row] = lambda[row * order_.width];
-    });
+  const int* first = first_lambda_.data();
+  for (const Block& block : list.list) {
+    const real* const lambda = numbers() + *first++;
+    for (int row = 0; row < block.rows; ++row) block.impulse[row] = lambda[row * order_.width];
+  }
 }
 
 std::string PackedBlocks::description() const {

@@ -74,10 +74,6 @@ class PackedBlocks {
     for (int lane = 0; lane < order_.width; ++lane)
       if (blocks[lane] >= 0) f(blocks[lane], lane);
   }
-  // The index in numbers() of a row's accumulated impulse.
-  int lambda_index(const LaneGroup& group, int row, int lane) const {
-    return group.first_lambda + row * order_.width + lane;
-  }
   const PackedBody& body(int slot) const { return bodies_[std::size_t(slot)]; }
   real* numbers() { return reinterpret_cast<real*>(numbers_.data()); }
   const real* numbers() const { return reinterpret_cast<const real*>(numbers_.data()); }
@@ -95,7 +91,7 @@ class PackedBlocks {
   LaneOrder order_;
   std::vector<LaneGroup> groups_;
   std::vector<LaneNumber> numbers_;  // the records of all groups
-  std::vector<int> lambda_of_row_;   // of each row: the index of its accumulated impulse
+  std::vector<int> first_lambda_;    // of each block: the index of its first accumulated impulse
   std::vector<int> followed_;        // LaneWork::followed
   std::vector<PackedBody> bodies_;   // all of them, in this step
   BodyRecords records_;

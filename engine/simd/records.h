@@ -6,7 +6,7 @@
 //   rows.r1.x      block 0   block 5   block 9   0        32 bytes, one register
 //   rows.r1.y      block 0   block 5   block 9   0
 //   ...                                                   the lane without a block holds zeros
-//   lambda[0]      block 0   block 5   block 9   0        from LaneGroup::first_lambda on
+//   lambda[0]      block 0   block 5   block 9   0        the accumulated impulses
 //   ...
 //
 // One instruction reads or changes a line, so the formulas are written as for one block. scatter()
@@ -192,7 +192,6 @@ inline One gather(const All& all, int lane) {
 /// Blocks that are solved side by side, one per lane.
 struct LaneGroup : BlockKind {
   int first = 0;         ///< index of its record's first number
-  int first_lambda = 0;  ///< index of the record's first accumulated impulse
   int alike = 1;         ///< number of groups of this kind in sequence from here on
 };
 

@@ -13,8 +13,8 @@ from classroom import hand_out
 from learn import show
 
 FILE = "distance.cpp"
-# The engine's own colouring is exercise 7.3, and a program of chapter 9 counts what 9.3 eliminates.
-GIVEN = {"engine/simd/arrange.cpp", "chapters/09_direct/program/order.cpp"}
+# A program of chapter 9 counts what 9.3 eliminates.
+GIVEN = {"chapters/09_direct/program/order.cpp"}
 
 
 def students_can_work_without_solutions(root, build):

@@ -27,7 +27,7 @@ def sources():
     mine = {chapter.mine for chapter in chapters}
     engine = ("body", "matrix", "block", "world", "iterative_solver", "sequential_impulses",
               "projection", "step", "state", "input", "reaction",
-              "simd/arrange", "simd/lane_order", "simd/places",
+              "simd/lane_order", "simd/places",
               "instruments/measure", "instruments/rate", "instruments/scene")
     return {"engine": [root / "engine" / f"{name}.cpp" for name in engine],
             "given": [path for path in sorted((root / "chapters").glob("*/*.cpp"))

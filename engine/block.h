@@ -22,9 +22,9 @@ struct RowTarget {
   real damping = 1;    ///< damping ratio of that spring [1]
   real rate = 0;       ///< target rate of the last row [unit of C per s]: the speed of a motor
   bool holds_position = true;  ///< true: C is an error to be removed; false: only a rate is given
-  /// If not 0, the bounds are -+upper * impulse[follows], where `impulse` is the block's own
-  /// pointer. `upper` is then a factor [1], and `lower` is not read. Only for a block of one row.
-  /// The row that it follows must be one-sided, so that its impulse is never negative.
+  /// If not 0, the bounds of this block of one row are -+upper * impulse[follows], `impulse` being
+  /// its own pointer; `upper` is a factor [1], `lower` is not read. The row of that impulse is
+  /// `follows` rows behind it in Blocks, and one-sided, so that the impulse is never negative.
   int follows = 0;
   real lower = -unbounded;  ///< least force of the last row [N or N m]; 0 for C >= 0
   real upper = unbounded;   ///< greatest force of the last row [N or N m]

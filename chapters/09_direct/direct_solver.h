@@ -86,9 +86,12 @@ class DirectSolver : public Solver {
     std::vector<real> expected;      // SolverMemory::rates at the beginning
     std::vector<Body> start, best;
     std::vector<bool> moved, open;   // for each slot
+    /// The corrections of an island.
     struct Try {
-      double most, last;  // the largest error that need not be corrected, and the last one
-      bool moving, exact;
+      double most;  ///< the largest error that need not be corrected
+      double last;  ///< the last error
+      bool moving;  ///< its corrections go on
+      bool exact;   ///< its errors are at most `most`
     };
     std::vector<Try> tries;          // of the islands
     Secants secants;

@@ -49,8 +49,9 @@ struct EliminationPlan {
   /// including those that become neighbours by elimination.
   std::vector<std::vector<int>> later;
   std::vector<int> loop;         ///< of each block of the shape the closed loop, or -1
-  std::vector<ClosedLoop> loops;
+  std::vector<ClosedLoop> loops;  ///< all closed loops of the shape
 
+  /// Plans the elimination of a shape. \param shape its blocks
   explicit EliminationPlan(const std::vector<ShapeBlock>& shape);
 };
 

@@ -1,7 +1,7 @@
 // The operations on a record: its K^-1, its warm start, its solve. Each file that is compiled for
 // an instruction set includes it. Number is one number or one per lane, so every formula is that of
-// one block (records.h draws the memory). A solve is errors, impulses, apply; every kind of rows has
-// three functions, and everything else is the same for all kinds:
+// one block (records.h draws the memory). A solve is errors, impulses, apply; every kind of rows
+// has three functions, and everything else is the same for all kinds:
 //   form_K   J M^-1 J^T, lower triangle
 //   errors   bias + J V
 //   apply    V += M^-1 J^T lambda

@@ -1,6 +1,6 @@
 // The memory layout of packed blocks. A record has the numbers of one block: rows, accumulated
-// impulses, K^-1, bounds. A group is lane_count blocks of one kind; its record has the same members,
-// each with the numbers of all lanes side by side. A group of four hinges in double:
+// impulses, K^-1, bounds. A group is lane_count blocks of one kind; its record has the same
+// members, each with the numbers of all lanes side by side. A group of four hinges in double:
 //
 //                  lane 0    lane 1    lane 2    lane 3
 //   rows.r1.x      block 0   block 5   block 9   0        32 bytes, one register

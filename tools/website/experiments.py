@@ -22,7 +22,8 @@ CODE = {
     "relaxation": (("engine/iterative_solver.cpp",
                     "const auto [rate, softness] = feedback(target, h, acting);", 2),),
     "tilt": (("engine/sequential_impulses.cpp",
-              "if (N == 1 && block.follows != 0) {  // bounds are -+upper * impulse[follows]", 5),),
+              "if (N == 1 && block.target.follows != 0) {"
+              "  // bounds are -+upper * impulse[follows]", 5),),
     "projections": (("engine/step.cpp",
                      "for (int i = 0; i < how.projections; ++i) project_positions(world);", 1),
                     ("engine/projection.cpp", "for (const auto& joint : world.joints()) {", 4)),

@@ -12,6 +12,30 @@ namespace {
 // Divides by every pivot, even if it is only a rounding error.
 double plain_inverse(double pivot, double) { return 1 / pivot; }
 
+// How far the rods of Bricard's linkage are from their places after a second.
+void errors_after_a_second(const Choice& choice) {
+  CsvFile table(choice.out + "/bricard_after.csv", {"newton", "steps_per_s", "off_m"});
+  const auto after = [](int newton, int rate) {
+    Scene scene = bricard();
+    DirectSolver direct;
+    direct.newton = newton;
+    scene.h = real(1) / real(rate);
+    const auto leap = leaps(scene, direct);
+    for (int n = 0; n < rate; ++n) leap();
+    const auto all = all_of(scene.world.bodies);
+    return std::vector<Body>(all.begin(), all.end());
+  };
+  const std::vector<Body> exact = after(8, 3840);
+  for (const int newton : {0, 8})
+    for (const int rate : {60, 120, 240}) {
+      const std::vector<Body> bodies = after(newton, rate);
+      double most = 0;
+      for (std::size_t k = 0; k < exact.size(); ++k)
+        most = std::max(most, double(length(bodies[k].x - exact[k].x)));
+      table.row({double(newton), double(rate), most});
+    }
+}
+
 void bricards(const Choice& choice, std::vector<Summary>& lines) {
   CsvFile table(choice.out + "/bricard.csv", {"method", "time_s", "gap_m", "energy"});
   bricard().print_plan();
@@ -21,6 +45,7 @@ void bricards(const Choice& choice, std::vector<Summary>& lines) {
       table.row({name}, {time, widest(scene), (energy_of(scene) - start) / scene.energy_scale});
     };
   };
+  errors_after_a_second(choice);
   const double seconds = 2 * choice.seconds;
   {
     Scene scene = bricard();

@@ -119,8 +119,13 @@ class Exercise {
     }
   }
   async test() {
-    if (this.check.disabled) return;
-    this.check.disabled = true;
+    if (this.check.hasAttribute("aria-disabled")) return;
+    if (navigator.deviceMemory < 1 && !engine.is_loaded() && !this.warned) {
+      this.warned = true;
+      return this.say("This device has less than 1 GB of memory, and the compiler needs about " +
+                      "500 MB. Press the button again to try it.", "open");
+    }
+    this.check.setAttribute("aria-disabled", "true");  // disabled, it would lose the focus
     try {
       await this.load();
       await this.judge();
@@ -128,7 +133,7 @@ class Exercise {
       this.say(`${error.message}\n\nIf this computer has little memory, close other pages and ` +
                "load this one again: the compiler needs about 500 MB.", "bad");
     }
-    this.check.disabled = false;
+    this.check.removeAttribute("aria-disabled");
     exercises.forEach(one => one.label());
   }
   async load() {

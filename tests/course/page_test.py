@@ -55,7 +55,7 @@ class Reader:
         """The report."""
         self.browser.click(f'[data-exercise="{self.id}"] button.check')
         time.sleep(0.05)
-        self.browser.wait(f"!{self.place}.querySelector('button.check').disabled", PATIENCE)
+        self.browser.wait(f"!{self.place}.querySelector('button.check').ariaDisabled", PATIENCE)
         return self.report()
 
     def report(self):
@@ -200,8 +200,21 @@ def a_telephone_shows_it(root, build):
     server.shutdown()
 
 
+def little_memory_is_told(root, build):
+    """a device with less than 1 GB is told before the compiler is loaded"""
+    address, server = served()
+    with Browser() as browser:
+        browser.call("Page.addScriptToEvaluateOnNewDocument", source=
+                     "Object.defineProperty(Navigator.prototype, 'deviceMemory', {value: 0.5})")
+        reader = Reader(browser, address + PAGE)
+        yield from lacks(reader.check(), "less than 1 GB of memory")
+        if any(url.endswith(".xz") for url in browser.requests):
+            yield "the compiler is loaded all the same"
+    server.shutdown()
+
+
 PROOFS = [the_first_exercise_can_be_done, what_goes_wrong_is_told, nothing_is_lost,
-          a_telephone_shows_it]
+          a_telephone_shows_it, little_memory_is_told]
 
 if __name__ == "__main__":
     if not there() or not (packing.OUT / "course" / "manifest.json").exists():

@@ -1,0 +1,123 @@
+"""A headless Firefox that is told what to do over its own port (Marionette), in the words of
+browser.py. No package of Python's and no driver is needed."""
+import json
+import os
+import re
+import shutil
+import socket
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+NAMES = ("firefox-esr", "firefox")
+ENTER, TAB, ESCAPE, CONTROL = "\ue007", "\ue004", "\ue00c", "\ue009"
+SHIFT, UP = "\ue008", "\ue013"
+
+
+def there():
+    """The browser's path, or None."""
+    return next(filter(None, map(shutil.which, NAMES)), None)
+
+
+def free_port():
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        return one.getsockname()[1]
+
+
+class Firefox:
+    """One page."""
+
+    def __init__(self):
+        self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        port = free_port()
+        Path(self.folder.name, "user.js").write_text("".join(
+            f'user_pref("{name}", {json.dumps(value)});\n' for name, value in {
+                "marionette.port": port, "datareporting.policy.dataSubmissionEnabled": False,
+                "app.update.enabled": False, "network.captive-portal-service.enabled": False,
+                "network.connectivity-service.enabled": False, "browser.shell.checkDefaultBrowser":
+                False, "toolkit.telemetry.reportingpolicy.firstRun": False}.items()))
+        self.process = subprocess.Popen(
+            [there(), "--headless", "--marionette", "--no-remote", "--profile", self.folder.name],
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+            env={**os.environ, "HOME": self.folder.name, "MOZ_HEADLESS_WIDTH": "1280",
+                 "MOZ_HEADLESS_HEIGHT": "900"})
+        end, self.text, self.number = time.time() + 60, b"", 0
+        while True:
+            try:
+                self.socket = socket.create_connection(("127.0.0.1", port), timeout=60)
+                break
+            except OSError:
+                if time.time() > end:
+                    raise
+                time.sleep(0.2)
+        self.receive()  # what it is
+        self.call("WebDriver:NewSession", capabilities={"alwaysMatch": {}})
+        self.call("WebDriver:SetTimeouts", script=60000, pageLoad=60000)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        self.socket.close()
+        self.process.kill()
+        self.process.wait()
+        self.folder.cleanup()
+
+    def receive(self):
+        """A message: its length, a colon, JSON."""
+        while True:
+            if found := re.match(rb"(\d+):", self.text):
+                end = found.end() + int(found[1])
+                if len(self.text) >= end:
+                    one, self.text = self.text[found.end():end], self.text[end:]
+                    return json.loads(one)
+            more = self.socket.recv(1 << 20)
+            if not more:
+                raise TimeoutError("the browser has gone")
+            self.text += more
+
+    def call(self, name, **parameters):
+        self.number += 1
+        message = json.dumps([0, self.number, name, parameters]).encode()
+        self.socket.sendall(b"%d:" % len(message) + message)
+        _, _, error, result = self.receive()
+        if error:
+            raise RuntimeError(f"{name}: {error['error']}: {error['message'][:300]}")
+        return result
+
+    # ---- a page ----------------------------------------------------------------------------------
+
+    def open(self, address, ready="document.documentElement?.dataset.ready === 'yes'"):
+        """Opens a page and waits until it is ready."""
+        self.call("WebDriver:Navigate", url="about:blank")
+        self.call("WebDriver:Navigate", url=address)
+        self.wait(ready)
+
+    def ask(self, code):
+        """The value of an expression of the page's."""
+        script = f"return window.eval({json.dumps(code)})"
+        return self.call("WebDriver:ExecuteScript", script=script, args=[], sandbox=None)["value"]
+
+    def wait(self, code, patience=60):
+        end = time.time() + patience
+        while not self.ask(code):
+            if time.time() > end:
+                raise TimeoutError(f"never true: {code}")
+            time.sleep(0.05)
+
+    def text_of(self, id_):
+        return self.ask(f"document.getElementById('{id_}').textContent")
+
+    def keys(self, *keys):
+        """Presses keys, one after the other, wherever the focus is."""
+        actions = [{"type": kind, "value": key} for key in keys for kind in ("keyDown", "keyUp")]
+        self.call("WebDriver:PerformActions", actions=[
+            {"type": "key", "id": "keys", "actions": actions}])
+
+    def chord(self, held, key):
+        """Presses a key while another one is held."""
+        self.call("WebDriver:PerformActions", actions=[{"type": "key", "id": "keys", "actions": [
+            {"type": kind, "value": value} for kind, value in (
+                ("keyDown", held), ("keyDown", key), ("keyUp", key), ("keyUp", held))]}])

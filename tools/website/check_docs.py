@@ -225,11 +225,11 @@ def bad_types(sources):
 
 
 def bad_members(sources):
-    """Members that no line tells what they do: all but deleted ones."""
+    """Members without a brief line, other than operators and deleted ones."""
     for page, html in sources.items():
         told = set(re.findall(r'<tr class="memdesc:(\w+)', html))
         for name, row in re.findall(r'<tr class="memitem:(\w+)"[^>]*>(.*?)</tr>', html, re.S):
-            if name not in told and "=delete" not in row and "operator[]" not in row:
+            if name not in told and "=delete" not in row and "operator" not in row:
                 yield f"{page.name}: no brief line: {re.sub('<[^>]+>', '', row)[:80]}"
 
 

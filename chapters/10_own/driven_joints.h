@@ -282,8 +282,8 @@ class ConeTwistJoint : public WithCoordinates<Point, HingeAngle, SwingAngle, Swi
   ConeTwistJoint(const Body& a, const Body& b, BodyId id1, BodyId id2, const vec3& anchor,
                  const std::array<vec3, 3>& frame, real limit)
       : WithCoordinates(id1, id2, point_at(a, b, anchor), angle_about(a, b, to_world(a, frame[0])),
-                        {frame[0], frame[1], to_local(b, to_world(a, frame[0]))},
-                        {frame[0], frame[2], to_local(b, to_world(a, frame[0]))}),
+                        {frame[0], frame[1], normalize(to_local(b, to_world(a, frame[0])))},
+                        {frame[0], frame[2], normalize(to_local(b, to_world(a, frame[0])))}),
         cone_(id1, id2, cone_about(a, b, to_world(a, frame[0]), 1)) {
     set_cone(limit);
   }
@@ -323,8 +323,8 @@ class SixDegreesJoint : public WithCoordinates<NoRows, Slide, Slide, Slide, Hing
                         {at.anchor1_local, at.anchor2_local, frame[1]},
                         {at.anchor1_local, at.anchor2_local, frame[2]},
                         angle_about(a, b, to_world(a, frame[0])),
-                        {frame[0], frame[1], to_local(b, to_world(a, frame[0]))},
-                        {frame[0], frame[2], to_local(b, to_world(a, frame[0]))}) {}
+                        {frame[0], frame[1], normalize(to_local(b, to_world(a, frame[0])))},
+                        {frame[0], frame[2], normalize(to_local(b, to_world(a, frame[0])))}) {}
 };
 
 }  // namespace joints

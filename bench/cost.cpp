@@ -63,7 +63,7 @@ struct Case {
 };
 
 HingeJoint& hinge(World& world, BodyId a, BodyId b, const vec3& anchor) {
-  return world.add<HingeJoint>(world.bodies, a, b, anchor, vec3(1, 0, 0));
+  return world.add<HingeJoint>(a, b, anchor, vec3(1, 0, 0));
 }
 
 std::vector<Case> cases() {
@@ -90,11 +90,11 @@ std::vector<Case> cases() {
        }},
       {"slider",
        [](World& world, BodyId a, BodyId b, const vec3& anchor) {
-         world.add<SliderJoint>(world.bodies, a, b, anchor, vec3(1, 0, 0));
+         world.add<SliderJoint>(a, b, anchor, vec3(1, 0, 0));
        }},
       {"fixed",
        [](World& world, BodyId a, BodyId b, const vec3& anchor) {
-         world.add<FixedJoint>(world.bodies, a, b, anchor);
+         world.add<FixedJoint>(a, b, anchor);
        }},
       {"box at rest", [](World& world, BodyId, BodyId b, const vec3&) {
          const BodyId ground = world.bodies.id(0);  // its top lies under all others

@@ -41,7 +41,7 @@ struct Row {
     reach += double(length(bodies[next].x - bodies[last].x)) + travel;
     if (kind == Kind::ball) join_by_ball(scene, last, next, anchor);
     if (kind == Kind::hinge) join_by_hinge(scene, last, next, anchor, axis);
-    if (kind == Kind::slider) scene.world.add<SliderJoint>(bodies, last, next, anchor, axis);
+    if (kind == Kind::slider) scene.world.add<SliderJoint>(last, next, anchor, axis);
     scene.energy_scale += g * reach / double(bodies[next].inverse_mass);
     last = next;
   }
@@ -329,7 +329,7 @@ Drawn slider_crank(Draw draw) {
   join_by_hinge(scene, ground, turning, vec3(0), across);
   join_by_hinge(scene, turning, joining, pin, across);
   join_by_hinge(scene, joining, block, end, across);
-  scene.world.add<SliderJoint>(scene.world.bodies, ground, block, end, level);
+  scene.world.add<SliderJoint>(ground, block, end, level);
   scene.energy_scale = g * crank * 10;
   return scene;
 }

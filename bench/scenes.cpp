@@ -44,7 +44,7 @@ void join_by_ball(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor) {
 HingeJoint& join_by_hinge(Scene& scene, BodyId id1, BodyId id2, const vec3& anchor,
                           const vec3& axis) {
   scene.mark(id1, id2, anchor, axis);
-  return scene.world.add<HingeJoint>(scene.world.bodies, id1, id2, anchor, axis);
+  return scene.world.add<HingeJoint>(id1, id2, anchor, axis);
 }
 
 BenchScene cubes_on_balls(int chains, int length) {

@@ -24,7 +24,7 @@ struct Rotor {
     world.gravity = vec3(0);
     wall = world.add(static_body(vec3(0)));
     body = world.add(body_with(1, vec3(1), vec3(lever, 0, 0)));
-    hinge = &world.add<HingeJoint>(world.bodies, wall, body, vec3(0), vec3(0, 0, 1));
+    hinge = &world.add<HingeJoint>(wall, body, vec3(0), vec3(0, 0, 1));
     world.bodies[body].w = vec3(0, 0, speed);
     world.bodies[body].v = vec3(0, speed * lever, 0);
   }

@@ -88,7 +88,7 @@ void static_bodies(bool, const Tell& tell) {
     World world;
     const BodyId a = world.add(static_body(vec3(0))), b = world.add(static_body(vec3(5, 0, 0)));
     world.add<DistanceJoint>(a, b, Distance{vec3(0), vec3(0), 1});
-    world.add<HingeJoint>(world.bodies, a, b, vec3(1, 0, 0), vec3(0, 1, 0)).set_motor(3, 500);
+    world.add<HingeJoint>(a, b, vec3(1, 0, 0), vec3(0, 1, 0)).set_motor(3, 500);
     world.bodies[b].q = rotation(vec3(0, 3, 1));
     const Body start = world.bodies[b];
     Watch watch{world};

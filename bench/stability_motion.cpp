@@ -21,7 +21,7 @@ struct Bent {
     body = world.add(body_with(2, vec3(1, real(0.7), real(0.5)),
                                anchor + vec3(real(0.3), real(-0.4), real(0.2)),
                                rotation(vec3(1, 2, 0))));
-    hinge = &world.add<HingeJoint>(world.bodies, wall, body, anchor, vec3(1, 2, -1));
+    hinge = &world.add<HingeJoint>(wall, body, anchor, vec3(1, 2, -1));
     hinge->whole = whole;
     const quat turn = rotation(angle * normalize(cross(axis1(), vec3(0, 0, 1))));
     Body& turned = world.bodies[body];

@@ -145,8 +145,8 @@ void iteration_rates(bool quick, const Tell& tell) {
       World& world = scene.world;
       const BodyId wall = world.add(static_body(vec3(0)));
       const BodyId body = world.add(body_with(2, vec3(real(0.7)), vec3(0, 0, real(r))));
-      if (fixed) world.add<FixedJoint>(world.bodies, wall, body, vec3(0)).whole = false;
-      else world.add<HingeJoint>(world.bodies, wall, body, vec3(0), vec3(1, 0, 0)).whole = false;
+      if (fixed) world.add<FixedJoint>(wall, body, vec3(0)).whole = false;
+      else world.add<HingeJoint>(wall, body, vec3(0), vec3(1, 0, 0)).whole = false;
       kick(scene, false);
       rate_line(tell, fixed ? "fixed joint, two blocks" : "hinge, two blocks", "lever [m]", r,
                 2 * r * r / (0.7 + 2 * r * r), world);
@@ -158,7 +158,7 @@ void iteration_rates(bool quick, const Tell& tell) {
 void bad_input(bool, const Tell& tell) {
   World world;
   const BodyId a = world.add(static_body(vec3(0))), b = world.add(box(1, vec3(1), vec3(2, 0, 0)));
-  auto& hinge = world.add<HingeJoint>(world.bodies, a, b, vec3(1, 0, 0), vec3(0, 0, 1));
+  auto& hinge = world.add<HingeJoint>(a, b, vec3(1, 0, 0), vec3(0, 0, 1));
   const real nan = std::numeric_limits<real>::quiet_NaN();
   SequentialImpulses solver;
   const struct {
@@ -179,9 +179,9 @@ void bad_input(bool, const Tell& tell) {
       {"an anchor of nan", "anchor",
        [&] { world.add<PartJoint<Point>>(a, b, Point{vec3(nan), vec3(0)}); }},
       {"a hinge without an axis", "axis",
-       [&] { world.add<HingeJoint>(world.bodies, a, b, vec3(0), vec3(0)); }},
+       [&] { world.add<HingeJoint>(a, b, vec3(0), vec3(0)); }},
       {"a hinge with an anchor of nan", "anchor",
-       [&] { world.add<HingeJoint>(world.bodies, a, b, vec3(nan), vec3(1, 0, 0)); }},
+       [&] { world.add<HingeJoint>(a, b, vec3(nan), vec3(1, 0, 0)); }},
       {"lower limit above the upper", "lower", [&] { hinge.set_limits(1, -1); }},
       {"a motor of negative strength", "strength", [&] { hinge.set_motor(1, -1); }},
       {"a motor speed of nan", "speed", [&] { hinge.set_motor(nan, 1); }},

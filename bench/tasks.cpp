@@ -118,7 +118,7 @@ BenchScene arm() {
   }
   const glm::dvec3 half(0.05, 0, 0);
   const BodyId tool = scene.box(5, vec3(real(0.1)), vec3(place + half));
-  scene.world.add<FixedJoint>(scene.world.bodies, before, tool, vec3(place));
+  scene.world.add<FixedJoint>(before, tool, vec3(place));
   scene.mark(before, tool, vec3(place));
   scene.tip = int(tool.slot);
   scene.tip_reference = end + turned * half;

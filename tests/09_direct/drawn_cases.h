@@ -188,7 +188,7 @@ inline Drawn drawn_time(Draw& d) {
                    world.add<BallJoint>(last, id,
                                         point_at(world.bodies[last], world.bodies[id], anchor));
                  else if (k <= joints)
-                   world.add<HingeJoint>(world.bodies, last, id, anchor, numbers.vector(1))
+                   world.add<HingeJoint>(last, id, anchor, numbers.vector(1))
                        .set_limits(real(0.2), 3);  // that presses from the first step on
                  last = id;
                }

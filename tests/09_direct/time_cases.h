@@ -44,14 +44,14 @@ inline void hang(World& world, bool swings = true) {
 inline void machine(World& world) {
   hang(world);
   const BodyId id = world.add(tumbling(vec3(2, 0, 0)));
-  auto& hinge = world.add<HingeJoint>(world.bodies, world.bodies.id(1), id,
+  auto& hinge = world.add<HingeJoint>(world.bodies.id(1), id,
                                       vec3(real(1.5), 0, 0), vec3(0, 1, real(0.3)));
   hinge.set_motor(3, 2000);  // more than it needs
 }
 /// A hinge whose limit presses from the first step on.
 inline void beyond(World& world) {
   const BodyId wall = world.add(static_body(vec3(0))), id = world.add(tumbling(vec3(1, 0, 0)));
-  world.add<HingeJoint>(world.bodies, wall, id, vec3(0), vec3(0, 1, real(0.3)))
+  world.add<HingeJoint>(wall, id, vec3(0), vec3(0, 1, real(0.3)))
       .set_limits(real(0.5), 3);
 }
 inline std::vector<TimeCase> time_cases() {

@@ -56,7 +56,7 @@ std::vector<BodyId> add_doll(Heap& heap, const vec3& x) {
   std::vector<BodyId> out{torso};
   const auto limb = [&](real mass, const vec3& size, const vec3& at, const vec3& joint, bool weld) {
     const BodyId id = heap.box(mass, size, x + at);
-    if (weld) world.add<FixedJoint>(world.bodies, torso, id, x + joint);
+    if (weld) world.add<FixedJoint>(torso, id, x + joint);
     else world.add<BallJoint>(torso, id,
                               point_at(world.bodies[torso], world.bodies[id], x + joint));
     out.push_back(id);

@@ -34,9 +34,9 @@ World driven(Random& random) {
     const vec3 anchor = (x + world.bodies[before].x) / real(2);
     const vec3 axis = random.vector(1) + vec3(0, 0, real(1.1));
     if (random.uniform(0, 1) < real(0.6))
-      drive(world.add<HingeJoint>(world.bodies, before, ids.back(), anchor, axis));
+      drive(world.add<HingeJoint>(before, ids.back(), anchor, axis));
     else
-      drive(world.add<SliderJoint>(world.bodies, before, ids.back(), anchor, axis));
+      drive(world.add<SliderJoint>(before, ids.back(), anchor, axis));
   }
   feed_back_all(world);
   push_at_random(world.bodies, random);

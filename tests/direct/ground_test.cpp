@@ -44,7 +44,7 @@ double slides(Solver& solver, real slope, real friction) {
   auto& contact =
       pair.world.add<GroundContact>(pair.ground, other, Top{}, box_outline(brick));
   contact.friction = friction;
-  pair.world.add<HingeJoint>(pair.world.bodies, pair.body, other,
+  pair.world.add<HingeJoint>(pair.body, other,
                              turn * vec3(real(0.55), brick.y / 2, 0), vec3(0, 0, 1));
   for (int n = 0; n < 60; ++n) step(pair.world, solver, sixty);
   if (const auto* direct = dynamic_cast<const DirectSolver*>(&solver))

@@ -32,7 +32,7 @@ void add(World& world, const Arm& arm) {
   for (std::size_t n = 0; n < axes.size(); ++n) {
     const std::size_t k = arm.from_end ? axes.size() - 1 - n : n;
     const vec3 anchor = world.bodies[ids[k + 1]].x - vec3(real(0.5), 0, 0);
-    hinges[k] = &world.add<HingeJoint>(world.bodies, ids[k], ids[k + 1], anchor, axes[k]);
+    hinges[k] = &world.add<HingeJoint>(ids[k], ids[k + 1], anchor, axes[k]);
   }
   feed_back_all(world);
   if (!arm.bounded) return;

@@ -43,7 +43,7 @@ struct Whip {
     for (int k = 1; k <= count; ++k) {
       const vec3 x(0, 0, real(1.5) * real(k));
       const BodyId id = world.add(box(1, vec3(real(0.4), real(0.4), 1), x));
-      hinges.push_back(&world.add<HingeJoint>(world.bodies, before, id,
+      hinges.push_back(&world.add<HingeJoint>(before, id,
                                               x - vec3(0, 0, real(0.75)), vec3(1, 0, 0)));
       hinges.back()->set_limits(-limit, limit);
       before = id;
@@ -151,8 +151,8 @@ TEST_CASE("equal limits hold a hinge and a slider as welds would") {
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId a = world.add(box(3, vec3(1, real(0.5), real(0.7)), vec3(1, 0, 0)));
     const BodyId b = world.add(box(2, vec3(1, real(0.5), real(0.7)), vec3(2, 0, 0)));
-    auto& hinge = world.add<HingeJoint>(world.bodies, wall, a, vec3(0), vec3(0, 0, 1));
-    auto& slider = world.add<SliderJoint>(world.bodies, a, b, vec3(real(1.5), 0, 0), vec3(1, 1, 0));
+    auto& hinge = world.add<HingeJoint>(wall, a, vec3(0), vec3(0, 0, 1));
+    auto& slider = world.add<SliderJoint>(a, b, vec3(real(1.5), 0, 0), vec3(1, 1, 0));
     hinge.set_limits(0, 0);
     slider.set_limits(0, 0);
     feed_back_all(world);

@@ -29,7 +29,7 @@ World three_on_hinges() {
     const vec3 x(real(0.9) * real(k + 1), real(0.1) * real(k), real(-0.2));
     const BodyId id = world.add(body_with(real(k + 1), vec3(real(0.1), real(0.25), real(0.3)), x,
                                           rotation(vec3(real(0.3) * real(k), real(0.5), 0))));
-    world.add<HingeJoint>(world.bodies, before, id, x - vec3(real(0.5), 0, 0), axes[std::size_t(k)])
+    world.add<HingeJoint>(before, id, x - vec3(real(0.5), 0, 0), axes[std::size_t(k)])
         .beta = 1;
     before = id;
   }
@@ -46,8 +46,8 @@ World hinge_slider_ball() {
   };
   const BodyId a = add(vec3(1, 0, 0)), b = add(vec3(real(1.6), real(0.2), 0)),
                c = add(vec3(real(2.4), 0, real(0.3)));
-  world.add<HingeJoint>(world.bodies, wall, a, vec3(0), vec3(0, real(0.3), 1));
-  world.add<SliderJoint>(world.bodies, a, b, vec3(real(1.3), 0, 0), vec3(1, real(0.5), 0));
+  world.add<HingeJoint>(wall, a, vec3(0), vec3(0, real(0.3), 1));
+  world.add<SliderJoint>(a, b, vec3(real(1.3), 0, 0), vec3(1, real(0.5), 0));
   world.add<BallJoint>(b, c, point_at(world.bodies[b], world.bodies[c], vec3(2, 0, 0)));
   feed_back_all(world);
   return world;

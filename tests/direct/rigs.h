@@ -35,9 +35,9 @@ inline void join_at_random(World& world, BodyId id1, BodyId id2, Random& random)
   const vec3 axis = random.vector(1);
   switch (int(random.uniform(0, real(4.999)))) {
     case 0: world.add<BallJoint>(id1, id2, point_at(bodies[id1], bodies[id2], anchor)); break;
-    case 1: world.add<HingeJoint>(bodies, id1, id2, anchor, axis); break;
-    case 2: world.add<SliderJoint>(bodies, id1, id2, anchor, axis); break;
-    case 3: world.add<FixedJoint>(bodies, id1, id2, anchor); break;
+    case 1: world.add<HingeJoint>(id1, id2, anchor, axis); break;
+    case 2: world.add<SliderJoint>(id1, id2, anchor, axis); break;
+    case 3: world.add<FixedJoint>(id1, id2, anchor); break;
     default:
       world.add<DistanceJoint>(
           id1, id2,

@@ -137,8 +137,8 @@ TEST_CASE("the Runge-Kutta method is of order 4 on springs and on forces of stat
                                    random.turn()));
       };
       const BodyId a = add(vec3(1, 0, 0)), b = add(vec3(2, real(0.2), 0));
-      auto& first = world.add<HingeJoint>(world.bodies, wall, a, vec3(real(0.2)), random.vector(1));
-      world.add<FixedJoint>(world.bodies, a, b, vec3(real(1.5), 0, real(0.1)));
+      auto& first = world.add<HingeJoint>(wall, a, vec3(real(0.2)), random.vector(1));
+      world.add<FixedJoint>(a, b, vec3(real(1.5), 0, real(0.1)));
       if (what == 0) {  // springs in the place of both
         first.frequency = random.uniform(real(0.5), 2);
         first.damping = random.uniform(real(0), real(0.5));
@@ -176,7 +176,7 @@ TEST_CASE("a spring of the Runge-Kutta method is the limit of soft rows in short
       const BodyId wall = world.add(static_body(vec3(0)));
       const BodyId a = world.add(body_with(2, vec3(real(0.2), real(0.3), real(0.4)),
                                            vec3(1, 0, 0), random.turn()));
-      auto& weld = world.add<FixedJoint>(world.bodies, wall, a, random.vector(real(0.5)));
+      auto& weld = world.add<FixedJoint>(wall, a, random.vector(real(0.5)));
       weld.frequency = random.uniform(1, 3);
       weld.damping = random.uniform(real(0), real(0.4));
       return world;

@@ -89,7 +89,7 @@ BenchScene drawn_hoist(unsigned seed) {
   const vec3 along(real(std::sin(angle)), real(-std::cos(angle)), 0);
   const BodyId post = scene.box(0, vec3(real(0.2)), vec3(0, 1, 0));
   const BodyId carriage = scene.box(50, vec3(real(0.3)), vec3(0));
-  auto& lift = scene.world.add<SliderJoint>(scene.world.bodies, post, carriage, vec3(0),
+  auto& lift = scene.world.add<SliderJoint>(post, carriage, vec3(0),
                                             vec3(0, 1, 0));
   lift.set_motor(real(draw.number(0.2, 1)), 100000);
   BodyId before = carriage;
@@ -150,7 +150,7 @@ double cylinder_off(unsigned seed, int hertz) {
   join_by_hinge(scene, base, boom, pin, z);
   join_by_hinge(scene, base, barrel, foot, z);
   join_by_hinge(scene, piston, boom, eye, z);
-  auto& slider = world.add<SliderJoint>(world.bodies, barrel, piston, middle, pull);
+  auto& slider = world.add<SliderJoint>(barrel, piston, middle, pull);
   const double speed = draw.number(0.02, 0.06) * (draw.chance(0.5) ? 1 : -1);
   slider.set_motor(real(speed), 1e7);
   world.set_beta(1);

@@ -62,9 +62,9 @@ struct Weight {
     const Point point = point_at(world.bodies[wall], world.bodies[id], anchor);
     const vec3 across = normalize(cross(down, normalize(random.vector(1))));
     if (kind == 0) joint = &world.add<BallJoint>(wall, id, point);
-    if (kind == 1) joint = &world.add<HingeJoint>(world.bodies, wall, id, anchor, across);
-    if (kind == 2) joint = &world.add<FixedJoint>(world.bodies, wall, id, anchor);
-    if (kind == 3) joint = &world.add<SliderJoint>(world.bodies, wall, id, anchor, across);
+    if (kind == 1) joint = &world.add<HingeJoint>(wall, id, anchor, across);
+    if (kind == 2) joint = &world.add<FixedJoint>(wall, id, anchor);
+    if (kind == 3) joint = &world.add<SliderJoint>(wall, id, anchor, across);
     if (kind == 4)
       joint = &world.add<DistanceJoint>(wall, id, Distance{point.anchor1_local, vec3(0), lever});
   }

@@ -79,7 +79,7 @@ TEST_CASE("projection leaves the common centre of two free bodies where it is") 
   World world;
   const BodyId a = world.add(box(2, vec3(1), vec3(0)));
   const BodyId b = world.add(box(5, vec3(1), vec3(1, 0, 0)));
-  world.add<FixedJoint>(world.bodies, a, b, vec3(real(0.5), 0, 0));
+  world.add<FixedJoint>(a, b, vec3(real(0.5), 0, 0));
   world.bodies[b].x += vec3(real(0.02), real(-0.05), real(0.03));
   const vec3 before = real(2) * world.bodies[a].x + real(5) * world.bodies[b].x;
   for (int n = 0; n < 10; ++n) project_positions(world);
@@ -159,7 +159,7 @@ TEST_CASE("projection brings a passed limit back and leaves a motor and a limit 
     World world = weightless();
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId door = world.add(box(2, vec3(1, 2, real(0.1)), vec3(real(0.5), 0, 0)));
-    auto& hinge = world.add<HingeJoint>(world.bodies, wall, door, vec3(0), vec3(0, 1, 0));
+    auto& hinge = world.add<HingeJoint>(wall, door, vec3(0), vec3(0, 1, 0));
     hinge.set_limits(-60 * degree, 60 * degree);
     hinge.set_motor(1, 5);
     const quat turn = rotation(vec3(0, real(start) * degree, 0));

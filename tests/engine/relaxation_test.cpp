@@ -22,11 +22,11 @@ struct Machine {
       body.w = random.vector(1);
       const BodyId id = world.add(body);
       if (k == 4) {
-        slider = &world.add<SliderJoint>(world.bodies, before, id, anchor, vec3(1, 1, 0));
+        slider = &world.add<SliderJoint>(before, id, anchor, vec3(1, 1, 0));
         slider->set_limits(real(0.01), 1);
       } else {
         HingeJoint& hinge =
-            world.add<HingeJoint>(world.bodies, before, id, anchor, vec3(0, real(k % 2), 1));
+            world.add<HingeJoint>(before, id, anchor, vec3(0, real(k % 2), 1));
         if (k == 1) motor = &hinge;
       }
       before = id;

@@ -24,7 +24,7 @@ World machine() {
                                                         world.bodies[ids.back()], anchor));
       continue;
     }
-    auto& hinge = world.add<HingeJoint>(world.bodies, before, ids.back(), anchor, vec3(0, 1, 1));
+    auto& hinge = world.add<HingeJoint>(before, ids.back(), anchor, vec3(0, 1, 1));
     if (k == 3) hinge.set_motor(2, 5);
     if (k == 5) hinge.set_limits(0, 1);
   }

@@ -119,7 +119,7 @@ TEST_CASE("a split correction does not fight a brake") {
   Track track({0, real(1.1)}, {1});
   track.join(0, 1, 1);
   World& world = track.world;
-  auto& slider = world.add<SliderJoint>(world.bodies, track.ids[0], track.ids[1],
+  auto& slider = world.add<SliderJoint>(track.ids[0], track.ids[1],
                                         vec3(real(1.1), 0, 0), vec3(1, 0, 0));
   slider.set_motor(0, 1000);  // it is solved after the joint
   SequentialImpulses solver = splitting();
@@ -155,7 +155,7 @@ TEST_CASE("a limit that is found late is kept by both") {
     Track track({0, real(1.5)}, {1});
     World& world = track.world;
     const BodyId hammer = world.add(ball(1, real(0.1), vec3(2, 1, 0)));
-    auto& slider = world.add<SliderJoint>(world.bodies, track.ids[0], track.ids[1],
+    auto& slider = world.add<SliderJoint>(track.ids[0], track.ids[1],
                                           vec3(real(1.5), 0, 0), vec3(1, 0, 0));
     slider.set_limits(real(-0.01), 1);  // 1 cm away, and the slider stands still
     world.add<Along>(track.ids[1], hammer, real(0.5));
@@ -241,7 +241,7 @@ TEST_CASE("a limit that is found late is as soft as one whose row is there from 
     Track track({0, real(1.5)}, {1});
     World& world = track.world;
     const BodyId hammer = world.add(ball(1, real(0.1), vec3(2, 1, 0)));
-    auto& slider = world.add<SliderJoint>(world.bodies, track.ids[0], track.ids[1],
+    auto& slider = world.add<SliderJoint>(track.ids[0], track.ids[1],
                                           vec3(real(1.5), 0, 0), vec3(1, 0, 0));
     if (late) slider.set_limits(real(-0.01), 1);
     else track.join(0, 1, real(1.49), true);

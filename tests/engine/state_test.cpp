@@ -32,7 +32,7 @@ World machine() {
     return world.add(box(2, vec3(real(0.9), real(0.2), real(0.3)), vec3(x, y, z)));
   };
   const auto hinge = [&](BodyId a, BodyId b, const vec3& anchor, const vec3& axis) -> HingeJoint& {
-    return world.add<HingeJoint>(world.bodies, a, b, anchor, axis);
+    return world.add<HingeJoint>(a, b, anchor, axis);
   };
   const BodyId gone = bar(0, 0, 0);  // its slot stays empty
   const BodyId wheel = bar(real(-3.5), 5, 0), arm = bar(real(0.5), 5, 0);
@@ -47,11 +47,11 @@ World machine() {
                        point_at(world.bodies[forearm], world.bodies[hand], vec3(2, 5, 0)));
   const BodyId sledge = bar(-4, 8, 3), plate = bar(-4, real(7.8), 3), foot = bar(-4, real(7.6), 3);
   const vec3 rail(1, 1, 0);
-  auto& slider = world.add<SliderJoint>(world.bodies, ground, sledge, vec3(-4, 8, 3), rail);
+  auto& slider = world.add<SliderJoint>(ground, sledge, vec3(-4, 8, 3), rail);
   slider.set_limits(real(-0.2), 1);
   slider.set_motor(2, 70);
-  world.add<FixedJoint>(world.bodies, sledge, plate, vec3(-4, 8, 3));
-  auto& weld = world.add<FixedJoint>(world.bodies, plate, foot, vec3(-4, real(7.7), 3));
+  world.add<FixedJoint>(sledge, plate, vec3(-4, 8, 3));
+  auto& weld = world.add<FixedJoint>(plate, foot, vec3(-4, real(7.7), 3));
   weld.whole = false;
   weld.frequency = 6;
   weld.damping = real(0.1);
@@ -249,7 +249,7 @@ TEST_CASE("limits come back to a joint whose motor had been switched off") {
     World world;
     const BodyId post = world.add(static_body(vec3(0)));
     const BodyId leaf = world.add(box(3, vec3(1, real(0.1), 2), vec3(real(0.5), 0, 0)));
-    auto& hinge = world.add<HingeJoint>(world.bodies, post, leaf, vec3(0), vec3(0, 0, 1));
+    auto& hinge = world.add<HingeJoint>(post, leaf, vec3(0), vec3(0, 0, 1));
     if (lower < upper) hinge.set_limits(lower, upper);
     hinge.set_motor(speed, 0);
     return world;

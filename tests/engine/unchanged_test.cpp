@@ -35,11 +35,11 @@ struct Zoo {
     free = world.add(box(2, vec3(1), vec3(20, 9, 0)));
     ball = &world.add<BallJoint>(ground, some(1), Point{vec3(2, 5, 0), vec3(0, 1, 0)});
     rod = &world.add<DistanceJoint>(ground, some(2), Distance{vec3(4, 5, 0), vec3(0), 1});
-    hinge = &world.add<HingeJoint>(world.bodies, ground, some(3), vec3(6, 5, 0), vec3(0, 0, 1));
+    hinge = &world.add<HingeJoint>(ground, some(3), vec3(6, 5, 0), vec3(0, 0, 1));
     hinge->set_limits(real(-0.1), 30);
-    slider = &world.add<SliderJoint>(world.bodies, ground, some(4), vec3(8, 4, 0), vec3(1, 0, 0));
+    slider = &world.add<SliderJoint>(ground, some(4), vec3(8, 4, 0), vec3(1, 0, 0));
     slider->set_motor(1, 10);
-    weld = &world.add<FixedJoint>(world.bodies, ground, some(5), vec3(10, 4, 0));
+    weld = &world.add<FixedJoint>(ground, some(5), vec3(10, 4, 0));
     const BodyId box = some(6);
     world.bodies[box].x.y = real(0.5);
     contact = &world.add<GroundContact>(ground, box, Top{}, box_outline(vec3(1)));
@@ -227,7 +227,7 @@ struct Shared {
   }
   BodyId add(real x) {
     const BodyId id = world.add(box(real(0.5), vec3(1), vec3(x, -1, 0)));
-    world.add<HingeJoint>(world.bodies, ceiling, id, vec3(x, 0, 0), vec3(0, 0, 1));
+    world.add<HingeJoint>(ceiling, id, vec3(x, 0, 0), vec3(0, 0, 1));
     return id;
   }
 };

@@ -262,9 +262,9 @@ class Game {
         case 2: world_.add<CentreRopeJoint>(a, b, Rope<CentreDistance>{{far}}); break;
         case 3: world_.add<RopeJoint>(a, b, Rope<Distance>{{anchor, along, far}}); break;
         case 4: world_.add<BallJoint>(a, b, point_at(bodies[a], bodies[b], anchor)); break;
-        case 5: drive(world_.add<HingeJoint>(bodies, a, b, anchor, along), whole); break;
-        case 6: drive(world_.add<SliderJoint>(bodies, a, b, anchor, along), whole); break;
-        case 7: world_.add<FixedJoint>(bodies, a, b, anchor).whole = whole; break;
+        case 5: drive(world_.add<HingeJoint>(a, b, anchor, along), whole); break;
+        case 6: drive(world_.add<SliderJoint>(a, b, anchor, along), whole); break;
+        case 7: world_.add<FixedJoint>(a, b, anchor).whole = whole; break;
         case 8: {
           const Outline outline = far == length ? box_outline(vec3(1)) : Outline{{}, 1, far};
           Top top{.height = anchor.y};

@@ -77,7 +77,7 @@ TEST_CASE("a hit opens an uncorrected hinge no more than speed does unless conta
     const BodyId wall = scene.box(0, vec3(real(0.4)), vec3(0));
     const BodyId id = scene.box(100, vec3(1), vec3(2, 0, 0));
     const BodyId ground = scene.box(0, vec3(8, real(0.2), 8), vec3(0, real(-2.1), 0));
-    auto& joint = world.add<HingeJoint>(world.bodies, wall, id, vec3(0), vec3(0, 0, 1));
+    auto& joint = world.add<HingeJoint>(wall, id, vec3(0), vec3(0, 0, 1));
     joint.beta = 0;
     const vec3 size(1);
     const auto& contact = stand(scene, ground, id, size, 0);

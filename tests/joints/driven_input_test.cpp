@@ -19,7 +19,7 @@ struct Small {
     wall = world.add(static_body(vec3(0)));
     weight = world.add(box(2, vec3(1), vec3(0, -1, 0)));
     world.bodies[weight].v = vec3(1, 2, 3);
-    hinge = &world.add<HingeJoint>(world.bodies, wall, weight, anchor, axis);
+    hinge = &world.add<HingeJoint>(wall, weight, anchor, axis);
   }
   bool unchanged() const {
     const Body& body = world.bodies[weight];
@@ -30,7 +30,7 @@ struct Small {
   // What the world says to a joint of kind J.
   template <class J, class... Rest>
   std::string add(BodyId a, BodyId b, const Rest&... rest) {
-    return refusal([&] { world.add<J>(world.bodies, a, b, rest...); });
+    return refusal([&] { world.add<J>(a, b, rest...); });
   }
 };
 

@@ -20,7 +20,7 @@ struct Welded {
     const Pair pair = uneven_pair();
     one = world.add(to_wall ? static_body(pair.body1.x, pair.body1.q) : pair.body1);
     two = world.add(pair.body2);
-    weld = &world.add<FixedJoint>(world.bodies, one, two,
+    weld = &world.add<FixedJoint>(one, two,
                                   pair.body2.x + distance * normalize(vec3(1, -2, 2)));
     weld->whole = whole;
     begin_step(world, solver, h);  // at rest: no gyroscopic torque
@@ -99,9 +99,9 @@ TEST_CASE(
       const BodyId wall = world.add(static_body(vec3(0)));
       const BodyId body = world.add(body_with(3, vec3(real(0.7)), vec3(real(r), 0, 0)));
       if (hinge)  // the axis is the lever's other normal: one of two directions is left
-        world.add<HingeJoint>(world.bodies, wall, body, vec3(0), vec3(0, 1, 0)).whole = false;
+        world.add<HingeJoint>(wall, body, vec3(0), vec3(0, 1, 0)).whole = false;
       else
-        world.add<FixedJoint>(world.bodies, wall, body, vec3(0)).whole = false;
+        world.add<FixedJoint>(wall, body, vec3(0)).whole = false;
       SequentialImpulses solver;
       begin_step(world, solver, h);
       world.bodies[body].v = vec3(1, 2, 3);
@@ -125,7 +125,7 @@ TEST_CASE("I23 a weld from which 3 kg hang pulls with 29.43 N after ten warm ste
     World world;
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId body = world.add(box(3, vec3(1), vec3(0, -1, 0)));
-    auto& weld = world.add<FixedJoint>(world.bodies, wall, body, vec3(0, real(-0.4), 0));
+    auto& weld = world.add<FixedJoint>(wall, body, vec3(0, real(-0.4), 0));
     weld.whole = whole;
     SequentialImpulses solver;
     Stepping stepping{.warm_start = true};
@@ -139,7 +139,7 @@ TEST_CASE("I11 an error of 1 mm and 1 mrad in a weld shrinks by 1 - beta a step"
   World world = weightless();
   const Pair pair = uneven_pair();
   const BodyId wall = world.add(static_body(vec3(0), pair.body1.q)), two = world.add(pair.body2);
-  auto& weld = world.add<FixedJoint>(world.bodies, wall, two, vec3(1, 2, 0));
+  auto& weld = world.add<FixedJoint>(wall, two, vec3(1, 2, 0));
   const auto error = [&] {
     const Vector<6> C = weld.weld.error(world.bodies[wall], world.bodies[two]);
     double sum = 0;
@@ -165,7 +165,7 @@ TEST_CASE("a weld broken by any turn up to 180 degrees comes back with q as with
         World world = weightless();
         const Pair pair = uneven_pair();
         const BodyId wall = world.add(static_body(vec3(0))), two = world.add(pair.body2);
-        auto& weld = world.add<FixedJoint>(world.bodies, wall, two, pair.body2.x);
+        auto& weld = world.add<FixedJoint>(wall, two, pair.body2.x);
         weld.whole = whole;
         Body& body = world.bodies[two];
         body.q = sign * (rotation(real(angle) * degree * normalize(vec3(1, 2, -2))) * body.q);
@@ -225,7 +225,7 @@ TEST_CASE("I25 a weld leaves a static body untouched to the last bit and two of 
         const BodyId wall = world.add(static_body(vec3(0), rotation(vec3(real(0.3)))));
         const BodyId other = world.add(both ? static_body(vec3(1, 0, 0))
                                             : box(5, vec3(1, real(0.2), 2), vec3(1, 0, 0)));
-        auto& weld = world.add<FixedJoint>(world.bodies, wall, other, vec3(3, 1, 0));
+        auto& weld = world.add<FixedJoint>(wall, other, vec3(3, 1, 0));
         weld.whole = whole;
         world.bodies[other].q = rotation(vec3(0, 1, 0));  // broken at once
         const Body before = world.bodies[wall], before_other = world.bodies[other];

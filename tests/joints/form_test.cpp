@@ -24,9 +24,9 @@ TEST_CASE("at any pose rows have the form that the type of their part promises")
       const BodyId a = world.add(box(1, vec3(1, 2, 3), random.vector(1), random.turn()));
       const BodyId b = world.add(box(2, vec3(1, 2, 3), random.vector(1), random.turn()));
       const vec3 at = random.vector(1), axis = random.vector(1) + vec3(2, 0, 0);
-      auto& hinge = world.add<HingeJoint>(world.bodies, a, b, at, axis);
-      auto& slider = world.add<SliderJoint>(world.bodies, a, b, at, axis);
-      auto& fixed = world.add<FixedJoint>(world.bodies, a, b, at);
+      auto& hinge = world.add<HingeJoint>(a, b, at, axis);
+      auto& slider = world.add<SliderJoint>(a, b, at, axis);
+      auto& fixed = world.add<FixedJoint>(a, b, at);
       world.add<BallJoint>(a, b, point_at(world.bodies[a], world.bodies[b], at));
       hinge.whole = slider.whole = fixed.whole = whole;
       hinge.set_limits(0, 0), slider.set_limits(0, 0);

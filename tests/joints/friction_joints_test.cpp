@@ -18,7 +18,7 @@ struct Pendulum {
   explicit Pendulum(real friction) {
     wall = world.add(static_body(vec3(0)));
     bar = world.add(box(2, vec3(1, real(0.1), real(0.1)), vec3(real(0.5), 0, 0)));
-    hinge = &world.add<HingeJoint>(world.bodies, wall, bar, vec3(0), vec3(0, 0, 1));
+    hinge = &world.add<HingeJoint>(wall, bar, vec3(0), vec3(0, 0, 1));
     hinge->beta = 1;
     hinge->set_friction(friction);
   }
@@ -70,7 +70,7 @@ TEST_CASE("a slider with friction stops after v^2 m / 2 F, and a motor leaves th
   World world = weightless();
   const BodyId wall = world.add(static_body(vec3(0)));
   const BodyId sledge = world.add(box(3, vec3(1), vec3(0)));
-  auto& slider = world.add<SliderJoint>(world.bodies, wall, sledge, vec3(0), vec3(1, 0, 0));
+  auto& slider = world.add<SliderJoint>(wall, sledge, vec3(0), vec3(1, 0, 0));
   slider.set_friction(6);
   world.bodies[sledge].v = vec3(4, 0, 0);
   SequentialImpulses solver;

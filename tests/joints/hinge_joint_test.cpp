@@ -25,7 +25,7 @@ struct Bent {
     one = world.add(free ? body_with(3, vec3(1, 2, real(1.5)), vec3(0), q1)
                          : static_body(vec3(0), q1));
     two = world.add(other);
-    hinge = &world.add<HingeJoint>(world.bodies, one, two, anchor, vec3(1, 2, -1));
+    hinge = &world.add<HingeJoint>(one, two, anchor, vec3(1, 2, -1));
     hinge->whole = whole;
     hinge->set_limits(-1, 1);
     const vec3 across = normalize(cross(axis1(), vec3(0, 0, 1)));
@@ -58,7 +58,7 @@ TEST_CASE("a hinge's axis may have any length") {
     for (const vec3& axis : {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(1, 2, 3)}) {
       World world;
       const BodyId a = world.add(static_body(vec3(0))), b = world.add(ball(1, 1, vec3(0)));
-      auto& hinge = world.add<HingeJoint>(world.bodies, a, b, vec3(0), real(size) * axis);
+      auto& hinge = world.add<HingeJoint>(a, b, vec3(0), real(size) * axis);
       CHECK(double(length(hinge.second.a1_local - normalize(axis))) < 4 * double(epsilon));
     }
 }
@@ -230,7 +230,7 @@ TEST_CASE("X17 a door with limits and a motor is as good after 1e5 steps as in i
     const BodyId frame = world.add(static_body(vec3(0)));
     const BodyId leaf =
         world.add(box(20, vec3(1, 2, real(0.05)), vec3(real(0.5), 0, 0)));
-    auto& door = world.add<HingeJoint>(world.bodies, frame, leaf, vec3(0), vec3(0, 1, 0));
+    auto& door = world.add<HingeJoint>(frame, leaf, vec3(0), vec3(0, 1, 0));
     door.whole = whole;
     door.set_limits(0, 110 * degree);
     SequentialImpulses solver;
@@ -266,7 +266,7 @@ TEST_CASE("a hinge between two static bodies has no row and no force") {
   for (bool warm : {false, true}) {
     World world;
     const BodyId a = world.add(static_body(vec3(0))), b = world.add(static_body(vec3(5, 0, 0)));
-    auto& hinge = world.add<HingeJoint>(world.bodies, a, b, vec3(1, 0, 0), vec3(0, 1, 0));
+    auto& hinge = world.add<HingeJoint>(a, b, vec3(1, 0, 0), vec3(0, 1, 0));
     hinge.set_limits(-1, 1);
     hinge.set_motor(3, 500);
     world.bodies[b].q = rotation(vec3(0, 3, 0));
@@ -280,4 +280,29 @@ TEST_CASE("a hinge between two static bodies has no row and no force") {
     CHECK(double(hinge.motor_force()) == 0);
     CHECK(double(hinge.limit_force()) == 0);
   }
+}
+
+TEST_CASE("the former way to add a hinge, with the world's bodies, makes the same rows") {
+  World worlds[2];
+  for (World& world : worlds) {
+    world.add(static_body(vec3(0)));
+    world.add(box(1, vec3(1), vec3(1, 0, 0)));
+  }
+  const auto of = [](World& world, int slot) { return world.bodies.id(slot); };
+  const vec3 anchor(real(0.5), 0, 0), axis(0, 0, 1);
+  worlds[0].add<HingeJoint>(of(worlds[0], 0), of(worlds[0], 1), anchor, axis);
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+  worlds[1].add<HingeJoint>(worlds[1].bodies, of(worlds[1], 0), of(worlds[1], 1), anchor, axis);
+#pragma GCC diagnostic pop
+  std::vector<Row> rows[2];
+  for (int k = 0; k < 2; ++k) {
+    SequentialImpulses solver;
+    step(worlds[k], solver, h);
+    rows[k] = worlds[k].blocks.J;
+  }
+  REQUIRE((rows[0].size() == 5 && rows[1].size() == 5));
+  for (std::size_t i = 0; i < 5; ++i)
+    CHECK((rows[0][i].v1 == rows[1][i].v1 && rows[0][i].w1 == rows[1][i].w1 &&
+           rows[0][i].v2 == rows[1][i].v2 && rows[0][i].w2 == rows[1][i].w2));
 }

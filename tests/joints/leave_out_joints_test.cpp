@@ -25,9 +25,9 @@ struct One {
   }
   J& make() {
     if constexpr (std::is_same_v<J, FixedJoint>)
-      return world.add<J>(world.bodies, base, body, vec3(real(0.5), 0, 0));
+      return world.add<J>(base, body, vec3(real(0.5), 0, 0));
     else
-      return world.add<J>(world.bodies, base, body, vec3(real(0.5), 0, 0), along);
+      return world.add<J>(base, body, vec3(real(0.5), 0, 0), along);
   }
   // Gives the free coordinate this rate [rad/s or m/s].
   void drive(real rate) {
@@ -159,11 +159,11 @@ struct Machine {
       const BodyId a = ids[std::size_t(k) - 1], b = ids.back();
       const vec3 anchor(real(k) - real(0.5), 0, 0), axis(0, real(k % 2), 1);
       if (k % 3 == 1)
-        hinges.push_back(&world.add<HingeJoint>(world.bodies, a, b, anchor, axis));
+        hinges.push_back(&world.add<HingeJoint>(a, b, anchor, axis));
       else if (k % 3 == 2)
-        sliders.push_back(&world.add<SliderJoint>(world.bodies, a, b, anchor, axis));
+        sliders.push_back(&world.add<SliderJoint>(a, b, anchor, axis));
       else
-        world.add<FixedJoint>(world.bodies, a, b, anchor).whole = k % 2 == 0;
+        world.add<FixedJoint>(a, b, anchor).whole = k % 2 == 0;
     }
     hinges[1]->whole = sliders[0]->whole = false;
   }

@@ -20,7 +20,7 @@ struct Door {
     world.gravity = vec3(0);
     post = world.add(static_body(vec3(0)));
     door = world.add(box(3, vec3(1, real(0.1), 2), vec3(real(0.5), 0, 0)));
-    hinge = &world.add<HingeJoint>(world.bodies, post, door, vec3(0), vec3(0, 0, 1));
+    hinge = &world.add<HingeJoint>(post, door, vec3(0), vec3(0, 0, 1));
     hinge->set_limits(-60 * degree, 60 * degree);
   }
   Body& body() { return world.bodies[door]; }
@@ -106,7 +106,7 @@ TEST_CASE("two wheels on one axle that spin as one keep their angle and count no
   World world = weightless();
   const BodyId one = world.add(box(1, vec3(1), vec3(0)));
   const BodyId other = world.add(box(2, vec3(1), vec3(0, 0, 2)));
-  auto& hinge = world.add<HingeJoint>(world.bodies, one, other, vec3(0, 0, 1), vec3(0, 0, 1));
+  auto& hinge = world.add<HingeJoint>(one, other, vec3(0, 0, 1), vec3(0, 0, 1));
   hinge.set_limits(-60 * degree, 60 * degree);
   for (const BodyId id : {one, other}) world.bodies[id].w = vec3(0, 0, 20);
   SequentialImpulses solver;

@@ -21,7 +21,7 @@ TEST_CASE("a hinge with limits at 60 degrees either way stops there within a hun
       World world = weightless();
       const BodyId post = world.add(static_body(vec3(0), rotation(vec3(1, real(0.5), 2))));
       const BodyId door = world.add(box(3, vec3(1, real(0.1), 2), vec3(real(0.5), 0, 0)));
-      auto& hinge = world.add<HingeJoint>(world.bodies, post, door, vec3(0), vec3(0, 0, 1));
+      auto& hinge = world.add<HingeJoint>(post, door, vec3(0), vec3(0, 0, 1));
       hinge.whole = whole;
       hinge.set_limits(-60 * degree, 60 * degree);
       Body& body = world.bodies[door];

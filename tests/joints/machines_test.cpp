@@ -27,15 +27,15 @@ struct Machine {
       const real lower = -random.uniform(0, 1), upper = random.uniform(0, 1);
       const int kind = int(random.uniform(0, 3));
       if (kind == 0) {
-        hinges.push_back(&world.add<HingeJoint>(world.bodies, last, next, anchor, axis));
+        hinges.push_back(&world.add<HingeJoint>(last, next, anchor, axis));
         hinges.back()->whole = whole;
         hinges.back()->set_limits(lower, upper);
       } else if (kind == 1) {
-        sliders.push_back(&world.add<SliderJoint>(world.bodies, last, next, anchor, axis));
+        sliders.push_back(&world.add<SliderJoint>(last, next, anchor, axis));
         sliders.back()->whole = whole;
         sliders.back()->set_limits(lower, upper);
       } else {
-        world.add<FixedJoint>(world.bodies, last, next, anchor).whole = whole;
+        world.add<FixedJoint>(last, next, anchor).whole = whole;
       }
       last = next;
     }

@@ -26,7 +26,7 @@ TEST_CASE("a weld's load about its seam does not depend on the anchor, and break
         const BodyId wall = world.add(static_body(seam - way));
         const BodyId beam = world.add(box(mass, vec3(1, real(0.5), real(0.3)), seam + reach * way,
                                           random.turn()));
-        auto& weld = world.add<FixedJoint>(world.bodies, wall, beam, seam + out * way);
+        auto& weld = world.add<FixedJoint>(wall, beam, seam + out * way);
         SequentialImpulses iterated;
         DirectSolver at_once;
         for (int n = 0; n < 5; ++n)
@@ -50,7 +50,7 @@ TEST_CASE("a beam that is let go loads its wall with more than its weight, howev
     FixedJoint* wall = nullptr;
     for (int k = 0; k < 10; ++k) {
       const BodyId next = world.add(box(1, vec3(1), vec3(real(k) + real(0.5), 0, 0)));
-      auto& weld = world.add<FixedJoint>(world.bodies, before, next, vec3(real(k), 0, 0));
+      auto& weld = world.add<FixedJoint>(before, next, vec3(real(k), 0, 0));
       if (k == 0) wall = &weld;
       before = next;
     }
@@ -77,7 +77,7 @@ TEST_CASE("a slider's limit on a rail that spins is passed by h^2 omega^2 x over
     const BodyId cart = world.add(box(1, vec3(real(0.2)), vec3(limit, 0, 0)));
     world.bodies[rail].w = world.bodies[cart].w = vec3(0, 0, omega);
     world.bodies[cart].v = vec3(0, omega * limit, 0);
-    auto& slider = world.add<SliderJoint>(world.bodies, rail, cart, vec3(0), vec3(1, 0, 0));
+    auto& slider = world.add<SliderJoint>(rail, cart, vec3(0), vec3(1, 0, 0));
     slider.set_limits(-unbounded, 0);  // where it is now
     slider.beta = beta;
     SequentialImpulses solver;
@@ -138,8 +138,8 @@ TEST_CASE("welds and sliders hold up to the farthest anchor that is taken") {
           const vec3 across = cross(way, vec3(0, 1, 0));
           const auto add = [&] {
             const auto [one, two] = swapped ? std::pair{cube, wall} : std::pair{wall, cube};
-            if (slides) world.add<SliderJoint>(world.bodies, one, two, vec3(0), across);
-            else world.add<FixedJoint>(world.bodies, one, two, vec3(0));
+            if (slides) world.add<SliderJoint>(one, two, vec3(0), across);
+            else world.add<FixedJoint>(one, two, vec3(0));
           };
           const std::string words = refusal(add);
           CAPTURE(slides, direct, seed, double(far));

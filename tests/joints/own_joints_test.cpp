@@ -42,8 +42,8 @@ struct Shafts {
     const BodyId wall = world.add(static_body(vec3(0)));
     first = world.add(box(4, vec3(1, real(0.2), real(0.2)), -along1));
     second = world.add(box(3, vec3(1, real(0.2), real(0.2)), along2, rotation(vec3(0, -bend, 0))));
-    drive = &world.add<HingeJoint>(world.bodies, wall, first, -along1, along1);
-    driven = &world.add<HingeJoint>(world.bodies, wall, second, along2, along2);
+    drive = &world.add<HingeJoint>(wall, first, -along1, along1);
+    driven = &world.add<HingeJoint>(wall, second, along2, along2);
     world.add<UniversalJoint>(first, second, vec3(0), pin1, cross(along2, pin1));
     drive->set_motor(speed, 1e6);
   }
@@ -119,8 +119,8 @@ TEST_CASE("a gear keeps its ratio over ten thousand turns, at any speed, and whe
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId one = world.add(box(2, vec3(1, 1, real(0.2)), vec3(0)));
     const BodyId two = world.add(box(1, vec3(real(0.6), real(0.6), real(0.2)), vec3(1, 0, 0)));
-    world.add<HingeJoint>(world.bodies, wall, one, vec3(0), axle1);
-    world.add<HingeJoint>(world.bodies, wall, two, vec3(1, 0, 0), axle2);
+    world.add<HingeJoint>(wall, one, vec3(0), axle1);
+    world.add<HingeJoint>(wall, two, vec3(1, 0, 0), axle2);
     auto& joint = world.add<GearJoint>(one, two, gear_on(world.bodies[one], axle1,
                                                          world.bodies[two], axle2, ratio));
     world.bodies[one].w = rate * axle1;
@@ -149,9 +149,9 @@ TEST_CASE("a screw moves its nut by its lead per turn, and a pinion its rack by 
     const BodyId nut = world.add(box(2, vec3(real(0.2)), axis));
     const BodyId rack = world.add(box(2, vec3(2, real(0.1), real(0.1)), vec3(0, 0, 1)));
     Bodies& bodies = world.bodies;
-    auto& drive = world.add<HingeJoint>(bodies, wall, spindle, vec3(0), axis);
-    auto& guide = world.add<SliderJoint>(bodies, wall, nut, axis, axis);
-    auto& rail = world.add<SliderJoint>(bodies, wall, rack, vec3(0, 0, 1), vec3(1, 0, 0));
+    auto& drive = world.add<HingeJoint>(wall, spindle, vec3(0), axis);
+    auto& guide = world.add<SliderJoint>(wall, nut, axis, axis);
+    auto& rail = world.add<SliderJoint>(wall, rack, vec3(0, 0, 1), vec3(1, 0, 0));
     world.add<ScrewJoint>(spindle, nut,
                           screw_along(bodies[spindle], bodies[nut], axis, axis, lead));
     world.add<RackJoint>(spindle, rack, Rack{angle_on(bodies[spindle], axis), vec3(1, 0, 0),
@@ -263,9 +263,9 @@ TEST_CASE("at rest a screw, a gear and a rope over pulleys bear what statics say
     const BodyId light = world.add(box(real(1.5), vec3(real(0.2)), vec3(5, -1, 0)));
     const BodyId heavy = world.add(box(3, vec3(real(0.2)), vec3(4, -1, 0)));
     Bodies& bodies = world.bodies;
-    auto& motor = world.add<HingeJoint>(bodies, wall, wheel, vec3(2, 0, 0), up);
-    world.add<HingeJoint>(bodies, wall, spindle, vec3(0), up);
-    world.add<SliderJoint>(bodies, wall, nut, vec3(0), up);
+    auto& motor = world.add<HingeJoint>(wall, wheel, vec3(2, 0, 0), up);
+    world.add<HingeJoint>(wall, spindle, vec3(0), up);
+    world.add<SliderJoint>(wall, nut, vec3(0), up);
     auto& screw = world.add<ScrewJoint>(spindle, nut, screw_along(bodies[spindle], bodies[nut],
                                                                   vec3(0), up, lead));
     auto& gear = world.add<GearJoint>(spindle, wheel, gear_on(bodies[spindle], up, bodies[wheel],

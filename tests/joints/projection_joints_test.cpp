@@ -37,9 +37,9 @@ struct Apart {
       made.whole = whole;
       joint = &made;
     };
-    if (kind == 0) take(world.add<HingeJoint>(world.bodies, one, two, anchor, axis));
-    if (kind == 1) take(world.add<SliderJoint>(world.bodies, one, two, anchor, axis));
-    if (kind == 2) take(world.add<FixedJoint>(world.bodies, one, two, anchor));
+    if (kind == 0) take(world.add<HingeJoint>(one, two, anchor, axis));
+    if (kind == 1) take(world.add<SliderJoint>(one, two, anchor, axis));
+    if (kind == 2) take(world.add<FixedJoint>(one, two, anchor));
     world.bodies[two].x += real(size) * vec3(real(0.2), real(-0.1), real(0.15));
     turn_about(world.bodies[two], world.bodies[two].x,
                rotation(real(size) * vec3(real(0.3), real(0.2), real(-0.3))));
@@ -161,8 +161,8 @@ TEST_CASE("X6 projection moves no static body and nothing between two of them") 
   const BodyId a = world.add(static_body(vec3(1, 2, 3), rotation(vec3(1, 0, 2))));
   const BodyId b = world.add(static_body(vec3(5, 0, 0)));
   world.add<BallJoint>(a, b, Point{});
-  world.add<FixedJoint>(world.bodies, a, b, vec3(0));
-  auto& hinge = world.add<HingeJoint>(world.bodies, a, b, vec3(0), axis);
+  world.add<FixedJoint>(a, b, vec3(0));
+  auto& hinge = world.add<HingeJoint>(a, b, vec3(0), axis);
   hinge.set_limits(1, 2);
   const std::vector<Body> before = snapshot(world.bodies);
   SequentialImpulses solver;
@@ -209,7 +209,7 @@ TEST_CASE("X7 projection alone brings a hinge back from 90 and 180 degrees and n
       World world = weightless();
       const BodyId one = world.add(static_body(vec3(0), rotation(vec3(1, 0, 2))));
       const BodyId two = world.add(body_with(2, vec3(1, real(0.7), real(0.5)), vec3(1, 0, 0)));
-      auto& hinge = world.add<HingeJoint>(world.bodies, one, two, vec3(real(0.5), 0, 0),
+      auto& hinge = world.add<HingeJoint>(one, two, vec3(real(0.5), 0, 0),
                                           vec3(0, 0, 1));
       turn_about(world.bodies[two], vec3(real(0.5), 0, 0),
                  rotation(vec3(real(angle) * degree, 0, 0)));
@@ -295,7 +295,7 @@ TEST_CASE("projection reaches the floor of its numbers in every joint of a swing
 TEST_CASE("projection allocates in no step but the first") {
   Bars bars(6);
   bars.stepping.projections = 3;
-  bars.world.add<FixedJoint>(bars.world.bodies, bars.ids[0], bars.ids[1], vec3(0));
+  bars.world.add<FixedJoint>(bars.ids[0], bars.ids[1], vec3(0));
   bars.run(1);
   CHECK(allocations_of([&] { bars.run(50); }) == 0);
 }

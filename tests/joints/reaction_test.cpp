@@ -47,9 +47,9 @@ struct Beam {
     switch (kind) {
       case Kind::ball:
         return &world.add<BallJoint>(a, b, point_at(bodies[a], bodies[b], anchor));
-      case Kind::hinge: return &world.add<HingeJoint>(bodies, a, b, anchor, axis);
-      case Kind::slider: return &world.add<SliderJoint>(bodies, a, b, anchor, axis);
-      case Kind::weld: return &world.add<FixedJoint>(bodies, a, b, anchor);
+      case Kind::hinge: return &world.add<HingeJoint>(a, b, anchor, axis);
+      case Kind::slider: return &world.add<SliderJoint>(a, b, anchor, axis);
+      case Kind::weld: return &world.add<FixedJoint>(a, b, anchor);
     }
     return nullptr;
   }

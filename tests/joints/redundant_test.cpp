@@ -57,7 +57,7 @@ struct Pin {
 };
 template <bool whole>
 void add_hinge(World& world, BodyId a, BodyId b, const vec3& anchor) {
-  world.add<HingeJoint>(world.bodies, a, b, anchor, vec3(0, 0, 1)).whole = whole;
+  world.add<HingeJoint>(a, b, anchor, vec3(0, 0, 1)).whole = whole;
 }
 const Point& point_of_hinge(const Joint& joint) {
   return static_cast<const HingeJoint&>(joint).first;
@@ -82,17 +82,17 @@ TEST_CASE("X14 two identical hinges or sliders or welds do what one does") {
         check_twice_is_once(gravity, warm, whole || warm, add);
       };
       check(down, [=](World& world, BodyId a, BodyId b) {
-        auto& hinge = world.add<HingeJoint>(world.bodies, a, b, anchor, vec3(0, real(0.3), 1));
+        auto& hinge = world.add<HingeJoint>(a, b, anchor, vec3(0, real(0.3), 1));
         hinge.whole = whole || warm;  // apart and warm the blocks are out of the criterion
         hinge.set_limits(-unbounded, real(0.2));
       });
       check(down, [=](World& world, BodyId a, BodyId b) {
-        auto& slider = world.add<SliderJoint>(world.bodies, a, b, anchor, vec3(1, -1, 0));
+        auto& slider = world.add<SliderJoint>(a, b, anchor, vec3(1, -1, 0));
         slider.whole = whole || warm;
         slider.set_limits(-unbounded, 2);
       });
       check(down + vec3(1, 0, 0), [=](World& world, BodyId a, BodyId b) {
-        world.add<FixedJoint>(world.bodies, a, b, anchor).whole = whole || warm;
+        world.add<FixedJoint>(a, b, anchor).whole = whole || warm;
       });
     }
 }
@@ -145,7 +145,7 @@ TEST_CASE("X14 a beam that is welded at both ends stays where it is and bears it
     }
     std::vector<FixedJoint*> welds;
     for (std::size_t k = 1; k < 5; ++k)
-      welds.push_back(&world.add<FixedJoint>(world.bodies, ids[k - 1], ids[k],
+      welds.push_back(&world.add<FixedJoint>(ids[k - 1], ids[k],
                                              vec3(real(k) - real(0.5), 0, 0)));
     SequentialImpulses solver;
     Stepping stepping{.warm_start = warm};

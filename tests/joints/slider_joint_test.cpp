@@ -24,7 +24,7 @@ struct Piston {
     const vec3 x1(real(0.2), real(-0.3), real(0.1));
     one = world.add(free ? body_with(3, real(2) * moments, x1, q1) : static_body(x1, q1));
     two = world.add(body_with(2, moments, vec3(real(0.9), real(0.4), real(-0.7)), q2));
-    slider = &world.add<SliderJoint>(world.bodies, one, two,
+    slider = &world.add<SliderJoint>(one, two,
                                      vec3(real(0.5), real(0.3), real(0.6)), along);
   }
   Body& body() { return world.bodies[two]; }
@@ -169,7 +169,7 @@ TEST_CASE("a box on an inclined slider slides down with g times the sine of the 
       const BodyId wall = world.add(static_body(vec3(0)));
       const BodyId body = world.add(box(5, vec3(1, 2, 3), vec3(real(0.3), real(0.4), 0)));
       const real phi = real(slope) * degree;
-      auto& slider = world.add<SliderJoint>(world.bodies, wall, body, vec3(0),
+      auto& slider = world.add<SliderJoint>(wall, body, vec3(0),
                                             vec3(std::cos(phi), -std::sin(phi), 0));
       slider.whole = whole;
       SequentialImpulses solver;

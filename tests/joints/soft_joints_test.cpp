@@ -56,11 +56,11 @@ struct Held {
     if (kind == 0)
       joint = &world.add<BallJoint>(wall, body, Point{});
     else if (kind == 1)
-      joint = &world.add<FixedJoint>(world.bodies, wall, body, vec3(0));
+      joint = &world.add<FixedJoint>(wall, body, vec3(0));
     else if (kind == 2)
-      joint = &world.add<HingeJoint>(world.bodies, wall, body, vec3(0), vec3(0, 1, 0));
+      joint = &world.add<HingeJoint>(wall, body, vec3(0), vec3(0, 1, 0));
     else if (kind == 3)
-      joint = &world.add<SliderJoint>(world.bodies, wall, body, vec3(0), vec3(1, 0, 0));
+      joint = &world.add<SliderJoint>(wall, body, vec3(0), vec3(1, 0, 0));
     else
       it.x.y = -2, rest = -2,
       joint = &world.add<DistanceJoint>(wall, body, Distance{vec3(0), vec3(0), 2});

@@ -123,7 +123,7 @@ TEST_CASE("a motor alone keeps the count of turns at any speed between bodies th
     for (int k = 1; k <= 2; ++k) {
       ids.push_back(world.add(box(random.uniform(1, 5), vec3(1, real(0.4), real(0.3)),
                                   vec3(real(k), 0, 0), random.turn())));
-      hinges.push_back(&world.add<HingeJoint>(world.bodies, ids[std::size_t(k - 1)], ids.back(),
+      hinges.push_back(&world.add<HingeJoint>(ids[std::size_t(k - 1)], ids.back(),
                                               vec3(real(k) - real(0.5), 0, 0), random.vector(1)));
     }
     SequentialImpulses solver;
@@ -213,7 +213,7 @@ TEST_CASE("an angle that is not finite is not expected, and a length has no turn
   World world;
   const BodyId wall = world.add(static_body(vec3(0)));
   const BodyId sledge = world.add(box(1, vec3(1), vec3(0)));
-  auto& slider = world.add<SliderJoint>(world.bodies, wall, sledge, vec3(0), vec3(1, 0, 0));
+  auto& slider = world.add<SliderJoint>(wall, sledge, vec3(0), vec3(1, 0, 0));
   slider.expect(50);
   slider.set_limits(4, 5);
   CHECK(slider.position(world.bodies) == 0);

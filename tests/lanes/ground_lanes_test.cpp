@@ -27,7 +27,7 @@ World field(int figures, bool limbs, bool alike, real drop = 1) {
       const BodyId right = world.add(box(2, brick, vec3(x + real(1.1), y, 0)));
       world.add<BallJoint>(body, left, point_at(world.bodies[body], world.bodies[left],
                                                 vec3(x - real(0.55), y, 0)));
-      world.add<HingeJoint>(world.bodies, body, right, vec3(x + real(0.55), y, 0), vec3(0, 0, 1));
+      world.add<HingeJoint>(body, right, vec3(x + real(0.55), y, 0), vec3(0, 0, 1));
       stand(left);
       stand(right);
     }

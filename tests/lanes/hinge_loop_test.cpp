@@ -39,7 +39,7 @@ World uneven_chains(int count, int links, bool held = true) {
       Body body = box(real(1 + k % 3), vec3(real(0.6), real(0.4), real(0.3)), x, random.turn());
       body.w = random.vector(1);
       const BodyId id = world.add(body);
-      world.add<HingeJoint>(world.bodies, before, id, x - vec3(0, 0, real(0.5)),
+      world.add<HingeJoint>(before, id, x - vec3(0, 0, real(0.5)),
                             vec3(1, real(k % 2), real(0.3)));
       before = id;
     }
@@ -75,7 +75,7 @@ World hanging(int links) {
   for (int k = 1; k <= links; ++k) {
     const vec3 x(0, real(-1.5) * real(k), 0);
     const BodyId id = world.add(box(100, vec3(1), x));
-    world.add<HingeJoint>(world.bodies, before, id, x + vec3(0, real(1.5), 0), vec3(1, 0, 0));
+    world.add<HingeJoint>(before, id, x + vec3(0, real(1.5), 0), vec3(1, 0, 0));
     before = id;
   }
   return world;

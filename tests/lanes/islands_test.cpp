@@ -63,7 +63,7 @@ World limited_chains(unsigned seed) {
       Body body = box(random.uniform(1, 3), vec3(real(0.8), real(0.3), real(0.2)), x);
       body.w = random.vector(2);
       const BodyId id = world.add(body);
-      world.add<HingeJoint>(world.bodies, before, id, x - vec3(real(0.5), 0, 0), vec3(0, 0, 1))
+      world.add<HingeJoint>(before, id, x - vec3(real(0.5), 0, 0), vec3(0, 0, 1))
           .set_limits(real(-0.3), real(0.3));
       before = id;
     }

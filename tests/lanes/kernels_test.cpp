@@ -228,10 +228,10 @@ TEST_CASE("which kernels the joints of the workbook take") {
   };
   const vec3 middle(real(0.5), 0, 0), axis(1, 2, 2);
   const auto hinge = [&](World& world, BodyId a, BodyId b) -> HingeJoint& {
-    return world.add<HingeJoint>(world.bodies, a, b, middle, axis);
+    return world.add<HingeJoint>(a, b, middle, axis);
   };
   const auto slider = [&](World& world, BodyId a, BodyId b) -> SliderJoint& {
-    return world.add<SliderJoint>(world.bodies, a, b, middle, axis);
+    return world.add<SliderJoint>(a, b, middle, axis);
   };
   const std::vector<Line> lines = {
       {"rod", {{.rows = 1, .hard = true, .lone = true}},
@@ -261,7 +261,7 @@ TEST_CASE("which kernels the joints of the workbook take") {
       {"slider in two blocks", {{2, false, true, false}, {3, false, true, false}},
        [&](World& w, BodyId a, BodyId b) { slider(w, a, b).whole = false; }},
       {"weld", {{6, true, true, true}},
-       [&](World& w, BodyId a, BodyId b) { w.add<FixedJoint>(w.bodies, a, b, middle); }}};
+       [&](World& w, BodyId a, BodyId b) { w.add<FixedJoint>(a, b, middle); }}};
   for (const Line& line : lines)
     for (const bool isotropic : {true, false}) {
       INFO(line.joint << (isotropic ? ", isotropic bodies" : ""));

@@ -35,12 +35,12 @@ World zoo(const std::vector<int>& order) {
     const vec3 anchor = (bodies[a].x + bodies[b].x) / real(2);
     switch (k % 6) {
       case 0: world.add<BallJoint>(a, b, point_at(bodies[a], bodies[b], anchor)); break;
-      case 1: world.add<FixedJoint>(bodies, a, b, anchor); break;
-      case 2: world.add<HingeJoint>(bodies, a, b, anchor, vec3(1, 2, 3)); break;
+      case 1: world.add<FixedJoint>(a, b, anchor); break;
+      case 2: world.add<HingeJoint>(a, b, anchor, vec3(1, 2, 3)); break;
       case 3: world.add<DistanceJoint>(a, b, Distance{vec3(0), vec3(0), 1}); break;
-      case 4: world.add<SliderJoint>(bodies, a, b, anchor, vec3(1, 0, 1)); break;
+      case 4: world.add<SliderJoint>(a, b, anchor, vec3(1, 0, 1)); break;
       case 5:
-        world.add<HingeJoint>(bodies, a, b, anchor, vec3(0, 0, 1))
+        world.add<HingeJoint>(a, b, anchor, vec3(0, 0, 1))
             .set_limits(real(0.02), 3);  // passed from the beginning: a row of the block
         break;
     }
@@ -205,7 +205,7 @@ TEST_CASE(
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId rotor = world.add(body_with(1, vec3(1), vec3(0)));
     const BodyId stone = world.add(ball(real(0.1), real(0.1), vec3(1, 0, 0)));
-    auto& hinge = world.add<HingeJoint>(world.bodies, wall, rotor, vec3(0), vec3(0, 0, 1));
+    auto& hinge = world.add<HingeJoint>(wall, rotor, vec3(0), vec3(0, 0, 1));
     hinge.set_limits(real(-0.1), real(0.1));
     world.add<BallJoint>(rotor, stone,
                          point_at(world.bodies[rotor], world.bodies[stone], vec3(1, 0, 0)));

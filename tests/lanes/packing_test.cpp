@@ -41,21 +41,21 @@ struct Zoo {
     const vec3 at1 = to_local(bodies[a], anchor - bodies[a].x);
     switch (k) {
       case 1: case 2: case 3: case 4: {
-        auto& hinge = world.add<HingeJoint>(bodies, a, b, anchor, along);
+        auto& hinge = world.add<HingeJoint>(a, b, anchor, along);
         hinge.whole = k % 2 == 0;
         if (bounded && k > 1) hinge.set_motor(4, 3);
         if (bounded && k > 2) hinge.set_limits(real(0.05), 1);  // passed from the beginning
         return keep(hinge);
       }
       case 5: case 6: case 7: {
-        auto& slider = world.add<SliderJoint>(bodies, a, b, anchor, along);
+        auto& slider = world.add<SliderJoint>(a, b, anchor, along);
         slider.whole = k % 2 == 0;
         if (bounded && k > 5) slider.set_motor(2, 20), slider.set_limits(real(0.02), 1);
         return keep(slider);
       }
       case 8: return keep(world.add<BallJoint>(a, b, point_at(bodies[a], bodies[b], anchor)));
-      case 9: return keep(world.add<FixedJoint>(bodies, a, b, anchor));
-      case 10: world.add<FixedJoint>(bodies, a, b, anchor).whole = false; return;
+      case 9: return keep(world.add<FixedJoint>(a, b, anchor));
+      case 10: world.add<FixedJoint>(a, b, anchor).whole = false; return;
       case 11: return keep(world.add<DistanceJoint>(a, b, Distance{at1, vec3(0), real(0.5)}));
       case 12: return keep(world.add<CentreDistanceJoint>(a, b, CentreDistance{1}));
       case 13:
@@ -101,7 +101,7 @@ World whips() {
     for (int k = 1; k <= 3; ++k) {
       const vec3 x(real(k), 0, real(chain));
       const BodyId id = world.add(box(1, vec3(real(0.8), real(0.4), real(0.3)), x));
-      world.add<HingeJoint>(world.bodies, before, id, x - vec3(real(0.5), 0, 0), vec3(0, 1, 1));
+      world.add<HingeJoint>(before, id, x - vec3(real(0.5), 0, 0), vec3(0, 1, 1));
       before = id;
     }
   }

@@ -55,7 +55,7 @@ struct Rotor {
     world.gravity = vec3(0);
     wall = world.add(static_body(vec3(0)));
     body = world.add(body_with(1, vec3(1), vec3(lever, 0, 0)));
-    hinge = &world.add<HingeJoint>(world.bodies, wall, body, vec3(0), vec3(0, 0, 1));
+    hinge = &world.add<HingeJoint>(wall, body, vec3(0), vec3(0, 0, 1));
     rotor().w = vec3(0, 0, speed);
     rotor().v = vec3(0, speed * lever, 0);
   }
@@ -78,7 +78,7 @@ struct Crane {
   explicit Crane(const vec3& axis) {
     wall = world.add(static_body(vec3(0)));
     cube = world.add(box(100, vec3(1), vec3(0, 0, real(1.5))));
-    hinge = &world.add<HingeJoint>(world.bodies, wall, cube, vec3(0), axis);
+    hinge = &world.add<HingeJoint>(wall, cube, vec3(0), axis);
   }
   double in_degrees() const { return double(hinge->position(world.bodies) / degree); }
 };

@@ -42,7 +42,7 @@ bench::BenchScene slide() {
   bench::BenchScene scene;
   const BodyId rail = scene.box(0, vec3(1), vec3(0));
   const BodyId sled = scene.box(3, vec3(real(0.5), 1, 1), vec3(1, 2, 0));
-  scene.world.add<SliderJoint>(scene.world.bodies, rail, sled, vec3(1, 2, 0), vec3(1, 1, 0));
+  scene.world.add<SliderJoint>(rail, sled, vec3(1, 2, 0), vec3(1, 1, 0));
   return scene;
 }
 

@@ -50,7 +50,7 @@ vec3 spin_of_a_hinge(const vec3& gap) {
   World world = weightless();
   const BodyId wall = world.add(static_body(vec3(0)));
   const BodyId cube = world.add(box(100, vec3(1), vec3(2, 0, 0)));
-  world.add<HingeJoint>(world.bodies, wall, cube, vec3(0), vec3(0, 1, 0)).beta = real(0.15);
+  world.add<HingeJoint>(wall, cube, vec3(0), vec3(0, 1, 0)).beta = real(0.15);
   world.bodies[cube].x += gap;
   SequentialImpulses solver;
   for (int n = 0; n < 900; ++n) step(world, solver, h);
@@ -206,7 +206,7 @@ TEST_CASE("a limit keeps the speed that it gave and an equality takes it back", 
     World world = weightless();
     const BodyId wall = world.add(static_body(vec3(0)));
     const BodyId rotor = world.add(body_with(1, vec3(1), vec3(0)));
-    auto& hinge = world.add<HingeJoint>(world.bodies, wall, rotor, vec3(0), vec3(0, 0, 1));
+    auto& hinge = world.add<HingeJoint>(wall, rotor, vec3(0), vec3(0, 0, 1));
     hinge.beta = real(0.2);
     hinge.set_limits(one_sided ? real(-1) : real(0), 0);
     world.bodies[rotor].q = rotation(vec3(0, 0, real(0.05)));  // 0.05 rad too far

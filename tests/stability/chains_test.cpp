@@ -78,7 +78,7 @@ struct Cubes {
       const auto at = [&](real r) { return level ? vec3(0, 0, r) : vec3(0, -r, 0); };
       ids.push_back(world.add(k == 0 ? static_body(at(0)) : box(100, vec3(1), at(away))));
       if (k > 0)
-        joints.push_back(&world.add<HingeJoint>(world.bodies, ids[std::size_t(k) - 1], ids.back(),
+        joints.push_back(&world.add<HingeJoint>(ids[std::size_t(k) - 1], ids.back(),
                                                 at(before), vec3(1, 0, 0)));
     }
   }

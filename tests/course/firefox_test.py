@@ -29,7 +29,7 @@ def place_of(id_):
 
 def packed():
     """The chapters that out/course has."""
-    folders = json.loads((packing.OUT / "course" / "manifest.json").read_text())["folders"]
+    folders = packing.manifest()["folders"]
     return [chapter for chapter in house.chapters() if chapter.folder in folders]
 
 
@@ -132,9 +132,13 @@ PROOFS = [the_first_exercise_by_keys, each_chapter_is_judged, a_body_is_taken_by
           a_narrow_window_shows_it]
 
 if __name__ == "__main__":
-    if not firefox.there() or not (packing.OUT / "course" / "manifest.json").exists():
-        print("the course in Firefox: " + ("firefox-esr missing (Debian package)" if not
-                                           firefox.there() else
-                                           "./wb course --no-serve has not run"))
+    try:
+        packing.manifest()
+    except house.Trouble as trouble:
+        lacking = str(trouble)
+    else:
+        lacking = "" if firefox.there() else "firefox-esr missing (Debian package)"
+    if lacking:
+        print(f"the course in Firefox: {lacking}")
         sys.exit(77)
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -2,7 +2,7 @@
 
 Looks at out/course, which ./wb course writes: exercise 1.1 wrong, right and moving; a loop without
 end, a crash, an error of the compiler; the file out and in; two tabs; without a network; a narrow
-window. Skipped, with exit status 77, where there is no browser or no out/course.
+window. Skipped, with exit status 77, where there is no browser or no present out/course.
 """
 import json
 import statistics
@@ -217,10 +217,14 @@ PROOFS = [the_first_exercise_can_be_done, what_goes_wrong_is_told, nothing_is_lo
           a_telephone_shows_it, little_memory_is_told]
 
 if __name__ == "__main__":
-    if not there() or not (packing.OUT / "course" / "manifest.json").exists():
-        print("the course in a browser: " + ("chromium missing (Debian package)" if not there()
-                                             else "./wb course --no-serve has not run"))
+    try:
+        sizes = packing.manifest()["sizes"]
+    except house.Trouble as trouble:
+        lacking = str(trouble)
+    else:
+        lacking = "" if there() else "chromium missing (Debian package)"
+        notes.append(f"course: {sum(sizes.values()) / 1e6:.1f} MB packed, for all chapters")
+    if lacking:
+        print(f"the course in a browser: {lacking}")
         sys.exit(77)
-    sizes = json.loads((packing.OUT / "course" / "manifest.json").read_text())["sizes"]
-    notes.append(f"course: {sum(sizes.values()) / 1e6:.1f} MB packed, for all chapters")
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

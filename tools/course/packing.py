@@ -130,6 +130,27 @@ def write_front():
     page.write_text(text.replace('<p class="ways">', f'<p class="ways">{way}', 1), encoding="utf-8")
 
 
+def sources():
+    """A digest of what is packed: chapters, engine, checker, tests of exercises and the page."""
+    digest = hashlib.sha256()
+    for top in (house.ROOT / "chapters", house.ROOT / "engine", house.ROOT / "checker",
+                house.ROOT / "solutions", house.ROOT / "tests", HERE):
+        for path in sorted(top.rglob("*")):
+            if path.suffix in (".h", ".cpp", ".js", ".css", ".md"):
+                digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def manifest():
+    """What out/course says of itself. \throws house.Trouble without it, or if it is out of date"""
+    path = OUT / "course" / "manifest.json"
+    known = json.loads(path.read_text()) if path.exists() else {}
+    if known.get("sources") != sources():
+        raise house.Trouble(("out/course is older than its sources" if known else "out/course is "
+                             "missing") + ": ./wb course --no-serve")
+    return known
+
+
 def write_manifest(folder):
     """Sizes, and all files for use without a network."""
     files = sorted(path for path in OUT.rglob("*") if path.is_file())
@@ -138,7 +159,8 @@ def write_manifest(folder):
         digest.update(path.read_bytes())
     names = [str(path.relative_to(OUT)) for path in files] + ["course/manifest.json"]
     (folder / "manifest.json").write_text(json.dumps({
-        "version": house.version(), "cache": f"joint-workbook-{digest.hexdigest()[:16]}",
+        "version": house.version(), "sources": sources(),
+        "cache": f"joint-workbook-{digest.hexdigest()[:16]}",
         "sizes": {path.name: path.stat().st_size for path in sorted(folder.glob("*.xz"))},
         "folders": [chapter.folder for chapter in house.chapters()],
         "files": names}), encoding="utf-8")

@@ -80,14 +80,15 @@ TEST_CASE("four-bars, rings and Bricard's linkage keep their energy through sing
     const bool all = family.name == "equal four-bars" || family.name == "Bricard";
     if (!all && family.name != "rings") continue;
     int kept = 0;
-    for (unsigned seed = 101; seed <= 112; ++seed) {
+    for (unsigned seed = 101; seed <= 124; ++seed) {
       const Outcome out = run_drawn(family.draw(seed), "shake");
       INFO(family.name << ", seed " << seed << ": gap " << out.gap << " m, loss " << out.loss);
       CHECK(out.gap < (sizeof(real) == 8 ? 1e-6 : 1e-3));
       kept += out.kept();
     }
-    INFO(family.name << ": " << kept << " of 12");
-    CHECK(kept >= (all ? 12 : 11));
+    INFO(family.name << ": " << kept << " of 24");
+    // In float rounding kicks a ring in its singular pose now and then: 294 of 300 keep it.
+    CHECK(kept >= (all || sizeof(real) == 8 ? 24 : 21));
   }
 }
 

@@ -1,7 +1,7 @@
 // Rods and ropes as joints of the engine. Given: there is nothing to edit here.
 #pragma once
 
-#include "chapters/01_distance/distance.h"
+#include "chapters/01_distance/rods.h"
 #include "engine/part_joint.h"
 
 /// \addtogroup chapter1

@@ -2,7 +2,7 @@
 // There is nothing to edit here.
 #pragma once
 
-#include "chapters/01_distance/distance.h"
+#include "chapters/01_distance/rods.h"
 #include "chapters/02_ball/ball.h"
 
 /// \defgroup chapter6 Chapter 6: Baumgarte

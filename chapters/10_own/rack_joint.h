@@ -2,7 +2,7 @@
 // there is nothing to edit here.
 #pragma once
 
-#include "chapters/01_distance/distance.h"
+#include "chapters/01_distance/rods.h"
 #include "chapters/10_own/own_joint.h"
 
 /// \addtogroup chapter10

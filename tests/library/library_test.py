@@ -19,18 +19,21 @@ from pathlib import Path
 
 # Of each program: the symbols that it must contain, and those that it must not.
 OTHERS = r"Line|Slide|RotationLock|Weld|SliderJoint|FixedJoint"
-PROGRAMS = {"door": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
+CONTACTS = r"Corner|\w*Contact\w*"
+PROGRAMS = {"door": ("Axis::error", rf"{OTHERS}|{CONTACTS}"),
             "crate": ("Corner::error", rf"{OTHERS}|HingeJoint"),
-            "arm": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
-            "drives": ("Slide::error", r"Weld|FixedJoint|Corner|GroundContact"),
-            "shafts": ("Axis::error", rf"{OTHERS}|Corner|GroundContact"),
-            "gear": ("check_functions", rf"SliderJoint|FixedJoint|Corner|GroundContact"),
-            "saved": ("restore", rf"{OTHERS}|Axis|HingeJoint|Corner|GroundContact|Scene")}
+            "arm": ("Axis::error", rf"{OTHERS}|{CONTACTS}"),
+            "drives": ("Slide::error", rf"Weld|FixedJoint|{CONTACTS}"),
+            "shafts": ("Axis::error", rf"{OTHERS}|{CONTACTS}"),
+            "gear": ("check_functions", rf"SliderJoint|FixedJoint|{CONTACTS}"),
+            "saved": ("restore", rf"{OTHERS}|Axis|HingeJoint|{CONTACTS}|Scene")}
 
 
-# What the examples in the headers' comments name.
+# What the examples in the headers' comments name. A link is the program's own struct.
 EXAMPLES = """#include <joints.h>
 using namespace joints;
+struct Link { int body1, body2; };
+Link link_of_mine{1, 2};
 void examples(World& world, Solver& solver, real h, BodyId a, BodyId b, vec3 anchor, vec3 axis) {
 %s}
 """

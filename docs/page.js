@@ -3,14 +3,18 @@
 "use strict";
 
 const dark = () => document.documentElement.classList.contains("dark-mode");
-const themed = link => link.href.replace(/&theme=\w+/, "") + `&theme=${dark() ? "dark" : "light"}`;
+// In the one-file edition, pages of their own are at other addresses.
+const address_of = name => (window.address_inside || String)(name);
+const themed = link => link.getAttribute("href").replace(/&theme=\w+/, "")
+  + `&theme=${dark() ? "dark" : "light"}`;
 
 document.addEventListener("click", event => {
   const link = event.target.closest("a.recording");
   if (!link || event.ctrlKey || event.metaKey || event.button) return;
   event.preventDefault();
   const frame = document.createElement("iframe");
-  Object.assign(frame, {src: themed(link) + "&play=1", title: link.getAttribute("aria-label")});
+  Object.assign(frame, {src: address_of(themed(link) + "&play=1"),
+                        title: link.getAttribute("aria-label")});
   const place = link.closest("figure");
   place.classList.add("playing");
   link.replaceWith(frame);
@@ -33,8 +37,8 @@ function dress_frames() {
       continue;
     }
     const [file, hash] = frame.dataset.src.split("#");
-    const wanted = `${file}${file.includes("?") ? "&" : "?"}theme=${dark() ? "dark" : "light"}`
-      + (hash ? `#${hash}` : "");
+    const theme = `${file.includes("?") ? "&" : "?"}theme=${dark() ? "dark" : "light"}`;
+    const wanted = address_of(file + theme + (hash ? `#${hash}` : ""));
     if (frame.getAttribute("src") !== wanted) frame.src = wanted;
   }
 }

@@ -65,7 +65,7 @@ function find() {
   if (!asked) {
     asked = true;
     const script = document.createElement("script");
-    script.src = field.dataset.words;
+    script.src = (window.address_inside || String)(field.dataset.words);
     document.head.append(script);
   }
   if (!index) return;

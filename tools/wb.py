@@ -234,10 +234,12 @@ def live(args):
 
 @command("course", "the whole course in a browser: write, check, see it move (--no-serve: only "
          "writes out/course)",
-         argument("--no-serve", action="store_true", help="write out/course and end"))
+         argument("--no-serve", action="store_true", help="write out/course and end"),
+         argument("--one-file", action="store_true", help="also out/joint_workbook.html, which a "
+                  "browser opens from a disk"))
 def course(args):
     from course import packing
-    return packing.command(not args.no_serve)
+    return packing.command(not args.no_serve, args.one_file)
 
 
 @command("bench [...]", "error against run time; a joint's cost in larger scenes",

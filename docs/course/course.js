@@ -4,13 +4,12 @@ import * as engine from "./engine.js";
 import * as store from "./store.js";
 import {show_live} from "./scene.js";
 import {offer_file} from "./file.js";
-import {keep_offline} from "./offline.js";
+import {keep_offline, text as text_of} from "./where.js";
 
-const base = new URL(".", import.meta.url);
 const {make_editor} = await import("./editor.js").catch(() => import("./plain_editor.js"));
 const places = [...document.querySelectorAll(".exercise[data-exercise]")];
 const number = document.querySelector("[data-chapter]")?.dataset.chapter;
-const chapter = await (await fetch(new URL(`chapter_${number}.json`, base))).json();
+const chapter = JSON.parse(await text_of(`course/chapter_${number}.json`));
 
 const stub = answers_in(chapter.stub), names = Object.keys(stub);
 const answers = {...stub, ...store.kept(names)};  // of every region, as it stands in its editor

@@ -1,16 +1,15 @@
 // Compiler and tests as the page calls them, each in a worker of its own.
+import * as where from "./where.js";
 
 const PATIENCE = 2000;  // with a test [ms]: on a slow machine the longest takes one second
 const START = 10000;    // with the start of a worker [ms]
-const base = new URL(".", import.meta.url);
-
-export const manifest = await (await fetch(new URL("manifest.json", base))).json();
+export const manifest = JSON.parse(await where.text("course/manifest.json"));
 
 class Compilation {
   constructor() {
     this.waiting = new Map();
     this.next = 0;
-    this.worker = new Worker(new URL("compile_worker.js", base));
+    this.worker = where.worker("compile_worker.js");
     this.worker.onmessage = ({data}) => {
       if (data.told !== undefined) return this.told?.(data.told);
       const {resolve, reject} = this.waiting.get(data.id);
@@ -29,6 +28,8 @@ class Compilation {
 let compilation = null, loading = null;
 
 const packs_of = chapter => ["compiler.xz", "common.xz", "header.xz", `${chapter.folder}.xz`];
+const packed = names => Promise.all(names.map(async name =>
+  ({...await where.pack(name), size: manifest.sizes[name]})));
 const size_of = names => names.reduce((sum, name) => sum + manifest.sizes[name], 0);
 /// How much the compiler weighs, packed [bytes].
 export const weight = chapter => size_of(packs_of(chapter));
@@ -38,9 +39,8 @@ export const is_loaded = () => Boolean(compilation?.ready);
 export function load(chapter, told) {
   compilation ||= new Compilation();
   compilation.told = told;
-  loading ||= compilation.ask("load", {packs: packs_of(chapter).map(name =>
-    [name, manifest.sizes[name]])}).then(() => { compilation.ready = true; },
-    error => {
+  loading ||= packed(packs_of(chapter)).then(packs => compilation.ask("load", {packs})).then(
+    () => { compilation.ready = true; }, error => {
       compilation.worker.terminate();
       compilation = loading = null;
       throw error;
@@ -49,31 +49,32 @@ export function load(chapter, told) {
 }
 
 const others = chapter => manifest.folders.filter(folder => folder !== chapter.folder);
-const build = (chapter, text, more) =>
-  compilation.ask("build", {path: chapter.path, text, header: "/course.pch", flags: [], ...more});
+const build = async (chapter, text, {pack, ...more}) =>
+  compilation.ask("build", {path: chapter.path, text, header: "/course.pch", flags: [], ...more,
+                            packs: await packed([pack])});
 
 /// The module of a chapter's tests with a file: {wasm} or {printed} by the compiler.
 export const build_tests = (chapter, text) => build(chapter, text, {
-  packs: [`${chapter.folder}.xz`],
+  pack: `${chapter.folder}.xz`,
   link: {first: [`tests_${chapter.folder}`, `where_${chapter.folder}`, "checker", "module"],
          maybe: ["engine", "given", ...others(chapter)]}});
 
 /// The same with units: its numbers carry kilograms, metres and seconds.
 export const build_units = (chapter, text) => build(chapter, text, {
-  packs: ["units.xz"], header: "/units.pch", units: true,
+  pack: "units.xz", header: "/units.pch", units: true,
   link: {first: [`units_${chapter.folder}`, "module"],
          maybe: ["units_engine", ...others(chapter).map(folder => `units_of_${folder}`)]}});
 
 /// The module of the live page with a file.
 export const build_live = (chapter, text) => build(chapter, text, {
-  packs: ["live.xz"], flags: ["-O1"],
+  pack: "live.xz", flags: ["-O1"],
   link: {first: ["exports", "run", "scenes", "thrown", "bench"],
          maybe: ["engine", "given", ...others(chapter)]}});
 
 /// Runs the tests of an exercise: the results of those that ran. One that does not end is ended.
 export function run_tests(wasm, chapter, text, id) {
   return new Promise((resolve, reject) => {
-    const worker = new Worker(new URL("test_worker.js", base)), results = [];
+    const worker = where.worker("test_worker.js"), results = [];
     let name = "", clock = 0;
     const wait = (patience, then) => {
       clearTimeout(clock);

@@ -1,4 +1,5 @@
 // The reader's file, out of the page and into it: the very file that ./wb and ./wb grade take.
+import {at} from "./where.js";
 
 function element(tag, more = {}, ...children) {
   const made = Object.assign(document.createElement(tag), more);
@@ -40,7 +41,7 @@ export function offer_file(place, chapter, file, change, homeless) {
     element("h3", {textContent: `Your file: ${name}`}),
     element("p", {textContent: "What you write is kept in this browser. The file is the one that " +
                                `./wb takes as ${chapter.path}. `},
-            element("a", {href: new URL("licences.txt", import.meta.url),
+            element("a", {href: at("course/licences.txt"),
                           textContent: "Licences of compiler and editor"})),
     element("p", {className: "buttons"},
             element("button", {type: "button", textContent: `Export ${name}`, onclick: out}),

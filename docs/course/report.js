@@ -41,7 +41,7 @@ function plainly(text, words) {
   return text;
 }
 // How a module stops, by the signal that stops a program; libc++ says what is wrong with an index.
-const STOPS = [[/call stack/i, "stack is full"], [/out of bounds/, "SIGSEGV"],
+const STOPS = [[/call stack|recursion/i, "stack is full"], [/out of bounds/, "SIGSEGV"],
                [/by zero/, "SIGFPE"], [/unreachable/, "SIGILL"]];
 const LIBRARY = /^.*_LIBCPP_ASSERT '.*' failed/;
 function crash(result, words) {

@@ -1,7 +1,7 @@
 // The live page with the reader's code beside the solution's, below an exercise that is right.
 import * as engine from "./engine.js";
+import * as where from "./where.js";
 
-const base = new URL("../", import.meta.url);
 const base64 = bytes => {
   let text = "";
   for (let k = 0; k < bytes.length; k += 1 << 15)
@@ -24,7 +24,7 @@ export async function show_live(place, chapter, text) {
   const {ids, text: whole} = mixed(chapter, text);
   const built = await engine.build_live(chapter, whole);
   if (!built.wasm) throw new Error(`The scene cannot be built:\n${built.printed}`);
-  const page = await (await fetch(new URL("live.html", base))).text();
+  const page = await where.text("live.html");
   const slot = /(<script type="application\/json" id="data">)([^<]*)(<\/script>)/;
   const data = JSON.parse(slot.exec(page)[2]);
   data.modules.unshift({label: "yours", wasm: base64(built.wasm)});

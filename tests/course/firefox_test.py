@@ -1,5 +1,6 @@
 """The course and the live page in a headless Firefox: firefox_test.py ROOT BUILD
 
+What page_test.py looks at in Chromium: faults, the file, without a network, the one-file edition.
 Exercise 1.1 by the keyboard alone, wrong, right and moving; one exercise of each other chapter; 390
 pixels; a body taken by keys. Skipped, with exit status 77, where there is no Firefox or no
 out/course.
@@ -12,7 +13,8 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 HERE = Path(__file__).resolve().parent
 sys.path += [str(HERE.parent / folder) for folder in ("workbook", "live")]
-from page_test import PAGE, PATIENCE, RIGHT, WRONG, lacks, served  # noqa: E402
+from page_test import (PAGE, PATIENCE, RIGHT, WRONG, lacks, nothing_is_lost,  # noqa: E402
+                       one_file_is_enough, served, what_goes_wrong_is_told)
 import firefox  # noqa: E402
 from proofs import house, main, notes, read  # noqa: E402
 
@@ -128,7 +130,16 @@ def a_narrow_window_shows_it(root, build):
     server.shutdown()
 
 
-PROOFS = [the_first_exercise_by_keys, each_chapter_is_judged, a_body_is_taken_by_keys,
+def in_firefox(proof):
+    """A proof of page_test.py with the other browser."""
+    def same(root, build):
+        yield from proof(root, build, firefox.Firefox)
+    same.__name__, same.__doc__ = proof.__name__, f"in Firefox: {proof.__doc__}"
+    return same
+
+
+PROOFS = [*map(in_firefox, (what_goes_wrong_is_told, nothing_is_lost, one_file_is_enough)),
+          the_first_exercise_by_keys, each_chapter_is_judged, a_body_is_taken_by_keys,
           a_narrow_window_shows_it]
 
 if __name__ == "__main__":

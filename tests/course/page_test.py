@@ -1,8 +1,9 @@
 """The course in a headless Chromium: page_test.py ROOT BUILD
 
 Looks at out/course, which ./wb course writes: exercise 1.1 wrong, right and moving; a loop without
-end, a crash, an error of the compiler; the file out and in; two tabs; without a network; a narrow
-window. Skipped, with exit status 77, where there is no browser or no present out/course.
+end, a crash, an error of the compiler; the file out and in; two tabs; without a network; the
+one-file edition; a narrow window. Skipped, with exit status 77, where there is no browser or no
+present out/course.
 """
 import json
 import statistics
@@ -23,6 +24,7 @@ PAGE = "chapters_01_distance_README.html"
 WRONG = "  const vec3 n = direction(body2.x - body1.x);\n  return {n, vec3(0), n, vec3(0)};"
 RIGHT = WRONG.replace("{n", "{-n")
 PATIENCE = 120  # with the compiler on a busy machine [s]
+MOST_IN_ONE_FILE = 50e6  # [bytes]
 AT_MOST = 1.0  # from edit to verdict on a machine that is not busy [s]
 
 
@@ -31,25 +33,28 @@ class Reader:
 
     def __init__(self, browser, address, id_="1.1", **window):
         self.browser, self.id = browser, id_
+        self.place = f"document.querySelector('[data-exercise=\"{id_}\"]')"
         self.begin(address, **window)
 
-    def begin(self, address, width=1280, height=900):
-        self.browser.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
-                          deviceScaleFactor=1, mobile=width < 600)
-        self.browser.call("Page.navigate", url=address)
-        self.browser.wait("document.documentElement?.dataset.course === 'ready'")
-        self.place = f"document.querySelector('[data-exercise=\"{self.id}\"]')"
+    def begin(self, address, **window):
+        self.browser.open(address, ready="document.documentElement?.dataset.course === 'ready'",
+                          **window)
 
     def ask(self, code):
         return self.browser.ask(f"{self.place}{code}")
 
     def write(self, text):
-        """Types it in place of the contents of the exercise's first editor."""
-        self.ask(".querySelector('.cm-content').focus()")
-        self.ask(".querySelectorAll('.cm-content')[0] && document.getSelection()"
-                 f".selectAllChildren({self.place}.querySelector('.cm-content'))")
-        time.sleep(0.1)
-        self.browser.call("Input.insertText", text=text)
+        """Pastes it in place of the contents of the exercise's first editor."""
+        self.browser.ask(f"""(async () => {{
+          const editor = {self.place}.querySelector(".cm-content"), data = new DataTransfer();
+          editor.focus();
+          getSelection().selectAllChildren(editor);
+          await new Promise(then => setTimeout(then, 100));
+          const text = {json.dumps(text)}, dataType = "text/plain";
+          data.setData(dataType, text);
+          const paste = {{clipboardData: data, data: text, dataType}};  // Firefox: the last
+          editor.dispatchEvent(new ClipboardEvent(
+            "paste", {{...paste, bubbles: true, cancelable: true}})); }})()""")
 
     def check(self):
         """The report."""
@@ -108,10 +113,10 @@ def the_first_exercise_can_be_done(root, build):
     server.shutdown()
 
 
-def what_goes_wrong_is_told(root, build):
+def what_goes_wrong_is_told(root, build, kind=Browser):
     """a loop without end, a crash, memory, what is thrown, an error of the compiler at its line"""
     address, server = served()
-    with Browser() as browser:
+    with kind() as browser:
         reader = Reader(browser, address + PAGE)
         for code, words in {
                 "  while (body1.x.x < 9) {}\n  return {};": "did not end within 2 seconds",
@@ -136,7 +141,7 @@ def what_goes_wrong_is_told(root, build):
     server.shutdown()
 
 
-def nothing_is_lost(root, build):
+def nothing_is_lost(root, build, kind=Browser):
     """what is written is there after a reload and without a network; the file goes out and in"""
     address, server = served()
     chapter = house.chapter_of("1")
@@ -145,7 +150,7 @@ def nothing_is_lost(root, build):
                                RIGHT.split("\n") if region.id == "1.1" else None)
     caught = """(() => { const made = URL.createObjectURL; URL.createObjectURL = blob => {
       blob.text().then(text => { window.exported = text; }); return made.call(URL, blob); }; })()"""
-    with Browser() as browser:
+    with kind() as browser:
         reader = Reader(browser, address + PAGE)
         reader.write(RIGHT)
         reader.check()
@@ -184,6 +189,39 @@ def nothing_is_lost(root, build):
                      f"{time.time() - began:.1f} s")
 
 
+def one_file_is_enough(root, build, kind=Browser):
+    """the one-file edition judges from a disk, and leads to its other pages"""
+    path = packing.write_one_file()
+    address, size = path.as_uri(), path.stat().st_size
+    notes.append(f"course: {size / 1e6:.1f} MB in one file")
+    if size > MOST_IN_ONE_FILE:
+        yield f"the file has {size / 1e6:.1f} MB"
+    page = "document.querySelector('iframe')?.contentDocument"
+    place = f"{page}.querySelector('[data-exercise=\"1.1\"]')"
+    solution = json.dumps(read(house.chapter_of("1").solution))
+    with kind() as browser:
+        browser.open(f"{address}#{PAGE}",
+                     ready=f"{page}?.documentElement?.dataset.course === 'ready'")
+        for words in ("not written yet", "5 tests passed."):
+            browser.ask(f"{place}.querySelector('button.check').click(), 0")
+            browser.wait(f"!{place}.querySelector('button.check').ariaDisabled", PATIENCE)
+            yield from lacks(browser.ask(f"{place}.querySelector('.report').textContent"), words)
+            browser.ask(f"""(async () => {{ const all = new DataTransfer();
+              const field = {page}.querySelector('.exercise-file input');
+              all.items.add(new File([{solution}], "distance.cpp"));
+              field.files = all.files; await field.onchange(); }})()""")
+        browser.wait(f"!!{place}.querySelector('.scene iframe')", PATIENCE)
+        for selector in ("#pages a[href*=which_method]", "#pages a[href*=hinge_README]"):
+            name = browser.ask(f"{page}.querySelector('{selector}').getAttribute('href')")
+            browser.ask(f"{page}.querySelector('{selector}').click(), 0")
+            browser.wait(f"document.querySelector('iframe').dataset.shows === '{name}'")
+            lost = browser.ask(f"""(async () => {{ for (const one of {page}.images) {{
+              one.loading = "eager";
+              try {{ await one.decode(); }} catch {{ return one.outerHTML; }} }} }})()""")
+            if lost:
+                yield f"{name}: a picture is missing: {lost}"
+
+
 def a_telephone_shows_it(root, build):
     """at 390 pixels nothing is wider than the window; the report's table fits"""
     address, server = served()
@@ -214,7 +252,7 @@ def little_memory_is_told(root, build):
 
 
 PROOFS = [the_first_exercise_can_be_done, what_goes_wrong_is_told, nothing_is_lost,
-          a_telephone_shows_it, little_memory_is_told]
+          one_file_is_enough, a_telephone_shows_it, little_memory_is_told]
 
 if __name__ == "__main__":
     try:

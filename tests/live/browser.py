@@ -83,7 +83,8 @@ class Browser:
 
     # ---- a page ----------------------------------------------------------------------------------
 
-    def open(self, address, width=1280, height=900, dark=False):
+    def open(self, address, width=1280, height=900, dark=False,
+             ready="document.documentElement?.dataset.ready === 'yes'"):
         """Opens a page and waits until it says that it is ready; returns the seconds it took."""
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
                   deviceScaleFactor=1, mobile=width < 600)
@@ -93,7 +94,7 @@ class Browser:
         self.console, self.requests = [], []
         began = time.time()
         self.call("Page.navigate", url=address)
-        self.wait("document.documentElement?.dataset.ready === 'yes'")
+        self.wait(ready)
         return time.time() - began
 
     def ask(self, code):

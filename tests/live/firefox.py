@@ -110,6 +110,9 @@ class Firefox:
     def text_of(self, id_):
         return self.ask(f"document.getElementById('{id_}').textContent")
 
+    def click(self, selector):
+        self.ask(f"document.querySelector({json.dumps(selector)}).click(), 0")
+
     def keys(self, *keys):
         """Presses keys, one after the other, wherever the focus is."""
         actions = [{"type": kind, "value": key} for key in keys for kind in ("keyDown", "keyUp")]

@@ -1,4 +1,5 @@
 """./wb course: the site with the whole course in it, as a folder that any web server can serve."""
+import base64
 import hashlib
 import json
 import re
@@ -13,7 +14,8 @@ from website import docs, shell
 
 OUT = house.OUT / "course"
 HERE = parts.HERE
-SCRIPTS = [path.name for path in sorted(HERE.glob("*.js")) if path.name != "offline_worker.js"]
+SCRIPTS = [path.name for path in sorted(HERE.glob("*.js"))
+           if path.name not in ("offline_worker.js", "one_file.js")]
 
 
 # ---- what is loaded ------------------------------------------------------------------------------
@@ -188,7 +190,23 @@ def refuse():
         raise house.Trouble(f"course needs {' '.join(lacking)} (Debian packages)")
 
 
-def command(serve=True):
+def write_one_file():
+    """The one-file edition: the site and the packs in a page that works from a disk; its path."""
+    inside, site = OUT / "course", parts.BUILD / "site.xz"
+    parts.pack(site, {str(path.relative_to(OUT)): path.read_bytes() for path in
+                      sorted(OUT.rglob("*")) if path.is_file() and path.suffix != ".xz"})
+    packs = "\n".join(f'<script type="text/plain" id="{path.name}">'
+                      f"{base64.b64encode(path.read_bytes()).decode()}</script>"
+                      for path in [site, *sorted(inside.glob("*.xz"))])
+    scripts = "\n".join(path.read_text(encoding="utf-8") for path in (
+        parts.package("xz-decompress"), HERE / "pack.js", HERE / "one_file.js"))
+    target = house.OUT / "joint_workbook.html"
+    target.write_text((HERE / "one_file.html").read_text(encoding="utf-8")
+                      .replace("SCRIPTS", scripts).replace("PACKS", packs), encoding="utf-8")
+    return target
+
+
+def command(serve=True, one_file=False):
     """Packs the course, and serves it to this computer's browser."""
     from course import serving
     refuse()
@@ -197,4 +215,9 @@ def command(serve=True):
     pack()
     size = sum(path.stat().st_size for path in (OUT / "course").glob("*.xz"))
     print(f"course: {house.short(OUT)}, {size / 1e6:.1f} MB of it for the compiler")
+    if one_file:
+        path = write_one_file()
+        print(f"the same in one file: {house.short(path)}, {path.stat().st_size / 1e6:.0f} MB; "
+              "any browser opens it from a disk")
+        return 0
     return serving.serve(OUT) if serve else 0

@@ -223,6 +223,7 @@ async function start() {
   if (data.note) $("title").append(Object.assign(document.createElement("small"),
                                                  {textContent: data.note}));
   panels = data.modules.map(make_panel);
+  document.documentElement.classList.toggle("beside", panels.length > 1);
   $("stage").replaceChildren(...panels.map(panel => panel.figure));
   about = (await Promise.all(panels.map(panel => panel.engine.about))).at(-1);
   for (const each of about.scenes) {

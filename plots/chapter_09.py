@@ -178,9 +178,9 @@ def draw_bounds(solution, mine, out):
     motor, limits = mine or solution
     wrong = limits["steps_with_wrong"].sum()
     figure, (left, right) = style.figure(
-        f"A motor of {motor['motor_nm'][-1]:.3g} N m holds the bar at its limit of "
-        f"{motor['angle_rad'][-1]:.6f} rad; of {limits['steps'].sum():.0f} steps of chains with "
-        f"limits {wrong:.0f} {'ends' if wrong == 1 else 'end'} with a row wrong", 2)
+        f"A motor of {motor['motor_nm'][-1]:.3g} N m presses the bar against its limit, "
+        f"{motor['angle_rad'][-1]:.6f} rad; {wrong:.0f} of {limits['steps'].sum():.0f} steps of "
+        f"chains with limits {'ends' if wrong == 1 else 'end'} with a row wrong", 2)
     for column, words, colour in (("motor_nm", "motor\n[N m]", COLOURS[1]),
                                   ("limit_nm", "limit\n[N m]", COLOURS[0])):
         left.plot(motor["time_s"], motor[column], color=colour, label=words)
@@ -201,15 +201,17 @@ def draw_bounds(solution, mine, out):
             right.plot(solution[1]["hinges"], solution[1][column], label="_", **FORMULA)
     for x, y, wrong, steps in zip(limits["hinges"], limits["passes_max"],
                                   limits["steps_with_wrong"], limits["steps"]):
-        right.annotate(f"{wrong:.0f} of {steps:.0f}", (x, y), xytext=(2, 7), ha="right",
-                       textcoords="offset points", fontsize=8, color=COLOURS[0])
-    right.set(xscale="log", xlabel="hinges of a chain, each with limits", ylabel="passes per step",
-              ylim=(0, 1.15 * limits["passes_max"].max()), xlim=(2.4, 90),
-              title="chains with limits; above: steps that end wrong")
-    right.yaxis.get_major_locator().set_params(integer=True)
-    right.set_xticks(limits["hinges"])
-    right.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
-    right.set_xticks([], minor=True)
+        if wrong:
+            right.annotate(f"{wrong:.0f} of {steps:.0f} steps\nends wrong", (x, y), xytext=(-8, 0),
+                           ha="right", va="center", textcoords="offset points", fontsize=8,
+                           color=COLOURS[0])
+    right.set(xscale="log", yscale="log", xlabel="hinges of a chain, each with limits",
+              ylabel="passes per step", ylim=(0.8, 1.5 * limits["passes_max"].max()),
+              xlim=(4, 90), title="chains with limits")
+    for axis, ticks in ((right.xaxis, limits["hinges"]), (right.yaxis, (1, 3, 10, 30, 100))):
+        axis.set_ticks(ticks)
+        axis.set_ticks([], minor=True)
+        axis.set_major_formatter(lambda value, _: f"{value:g}")
     style.label_ends(left)
     style.label_ends(right)
     style.save(figure, out / "09_bounds")
@@ -219,11 +221,11 @@ def draw_bounds(solution, mine, out):
 
 def draw_heavy(solution, mine, out):
     table, energy = mine or solution
-    lost = [-100 * last(table, "energy_change_2s", factor=factor, ratio=100.0)
-            for factor in (1, 8)]
+    change = [100 * last(table, "energy_change_2s", factor=factor, ratio=100.0)
+              for factor in (1, 8)]
     figure, (left, right) = style.figure(
-        f"More inertia holds a heavy end, and removes {lost[0]:.0f} to {lost[1]:.0f} % of the "
-        "energy in 2 s", 2)
+        "Added inertia holds a heavy end; with 100 kg it changes the energy by "
+        f"{change[0]:+.1f} to {change[1]:+.1f} % in 2 s", 2)
     over(left, solution[0], mine and table, "ratio", "gap_m", "factor",
          lambda factor: rf"$\kappa$ = {factor:g}")
     left.set(xlabel="end  [kg], after ten links of 1 kg",

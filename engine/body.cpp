@@ -214,20 +214,34 @@ void Bodies::remove(BodyId id) {
   free_.push_back(id.slot);
 }
 
+HeldMatrices::HeldMatrices(Bodies& bodies) : bodies_(bodies) {
+  bodies.matrices_.resize(std::size_t(bodies.slots()));
+  BodyMatrices* matrices = bodies.matrices_.data();
+  for (Body& body : bodies) {
+    matrices->R = mat3_cast(body.q);
+    if (!body.is_isotropic()) matrices->inverse_inertia = rotated_inverse_inertia(body);
+    body.matrices.now = matrices++;
+  }
+}
+
+HeldMatrices::~HeldMatrices() {
+  for (Body& body : bodies_) body.matrices.now = nullptr;
+}
+
 void integrate_forces(Bodies& bodies, const vec3& gravity, real h) {
-  for (int slot = 0; slot < bodies.slots(); ++slot) integrate_forces(bodies.at(slot), gravity, h);
+  for (Body& body : bodies) integrate_forces(body, gravity, h);
 }
 
 void integrate_poses(Bodies& bodies, real h) {
-  for (int slot = 0; slot < bodies.slots(); ++slot) integrate_pose(bodies.at(slot), h);
+  for (Body& body : bodies) integrate_pose(body, h);
 }
 
 void kick(Bodies& bodies, const vec3& gravity, real h) {
-  for (int slot = 0; slot < bodies.slots(); ++slot) kick(bodies.at(slot), gravity, h);
+  for (Body& body : bodies) kick(body, gravity, h);
 }
 
 void turn(Bodies& bodies, real h) {
-  for (int slot = 0; slot < bodies.slots(); ++slot) turn(bodies.at(slot), h);
+  for (Body& body : bodies) turn(body, h);
 }
 
 }  // namespace joints

@@ -11,6 +11,20 @@
 /// @{
 namespace joints {
 
+/// The orientation of a body as matrices.
+struct BodyMatrices {
+  mat3 R;                ///< body space to world
+  mat3 inverse_inertia;  ///< [1/(kg m^2)], world; not set if the inertia is isotropic
+};
+/// The matrices of one body while a HeldMatrices exists, else null. A copy is null, too, because
+/// the copied body may be rotated.
+struct MatricesOfStep {
+  const BodyMatrices* now = nullptr;  ///< set by HeldMatrices only
+  MatricesOfStep() = default;       ///< null
+  MatricesOfStep(const MatricesOfStep&) {}  ///< null
+  MatricesOfStep& operator=(const MatricesOfStep&) { return now = nullptr, *this; }  ///< null
+};
+
 /// A rigid body. Position and velocities are in world space, inertia in the body's own axes.
 /// A body that never moves (static) has both inverses exactly zero.
 struct Body {
@@ -22,6 +36,7 @@ struct Body {
   vec3 inverse_inertia_local{0};  ///< inverse principal moments [1/(kg m^2)], body space
   vec3 force{0};                  ///< external force at the centre [N], world; steps keep it
   vec3 torque{0};                 ///< external torque [N m], world; steps keep it
+  MatricesOfStep matrices{};      ///< of q, while a step makes its rows
 
   /// True if nothing can move this body.
   bool is_static() const { return inverse_mass == 0; }
@@ -37,11 +52,15 @@ struct Body {
 void check(const Body& body);
 
 /// Rotates a direction or lever from body space into world space: R(q) local.
-inline vec3 to_world(const Body& body, const vec3& local) { return body.q * local; }
+inline vec3 to_world(const Body& body, const vec3& local) {
+  return body.matrices.now ? body.matrices.now->R * local : body.q * local;
+}
 /// Rotates a direction or lever from world space into body space.
 inline vec3 to_local(const Body& body, const vec3& world) { return conjugate(body.q) * world; }
 /// World position [m] of the point with lever `local` [m, body space].
-inline vec3 world_point(const Body& body, const vec3& local) { return body.x + body.q * local; }
+inline vec3 world_point(const Body& body, const vec3& local) {
+  return body.x + to_world(body, local);
+}
 /// Velocity [m/s] of the point of the body at lever `r` [m, world] from its centre.
 inline vec3 point_velocity(const Body& body, const vec3& r) { return body.v + cross(body.w, r); }
 
@@ -49,7 +68,8 @@ inline vec3 point_velocity(const Body& body, const vec3& r) { return body.v + cr
 mat3 rotated_inverse_inertia(const Body& body);
 /// The inverse inertia in world axes, R I_local^-1 R^T [1/(kg m^2)].
 inline mat3 inverse_inertia(const Body& body) {
-  return body.is_isotropic() ? mat3(body.inverse_inertia_local.x) : rotated_inverse_inertia(body);
+  if (body.is_isotropic()) return mat3(body.inverse_inertia_local.x);
+  return body.matrices.now ? body.matrices.now->inverse_inertia : rotated_inverse_inertia(body);
 }
 
 /// A body that never moves. \param x its centre [m] \param q its orientation (normalised here)
@@ -138,14 +158,32 @@ class Bodies {
   Body& at(int slot) { return bodies_[slot]; }       ///< by slot; an empty slot is a static body
   const Body& at(int slot) const { return bodies_[slot]; }  ///< the same, read-only
   Body* data() { return bodies_.data(); }  ///< the array itself, for solvers
+  auto begin() { return bodies_.begin(); }  ///< the first slot: all slots in order, empty ones too
+  auto begin() const { return bodies_.begin(); }  ///< the same, read-only
+  auto end() { return bodies_.end(); }            ///< behind the last slot
+  auto end() const { return bodies_.end(); }      ///< the same, read-only
   int size() const { return slots() - int(free_.size()); }  ///< number of bodies
 
  private:
+  friend class HeldMatrices;
   static std::uint32_t new_generation();
   std::uint32_t first_generation_;
   std::vector<Body> bodies_;
   std::vector<std::uint32_t> generation_;  // odd while the slot holds a body
   std::vector<std::uint32_t> free_;
+  std::vector<BodyMatrices> matrices_;  // of each slot
+};
+
+/// Computes the matrices of all bodies once, for all calls of to_world() and inverse_inertia()
+/// while it exists. During that time no body may be rotated, added or removed.
+class HeldMatrices {
+ public:
+  explicit HeldMatrices(Bodies& bodies);  ///< Of these bodies, for the present poses.
+  ~HeldMatrices();                        ///< Ends their use.
+  HeldMatrices(const HeldMatrices&) = delete;  ///< not copied
+
+ private:
+  Bodies& bodies_;
 };
 
 /// integrate_forces() for all bodies.

@@ -64,6 +64,7 @@ void reverse(World& world, Solver& solver, real h) {
 // begin_step() without the validation.
 void begin(World& world, Solver& solver, real h, const Stepping& how) {
   Bodies& bodies = world.bodies;
+  const HeldMatrices matrices(bodies);  // for the rows and for their K
   real &acted = world.blocks.acted, &acting = world.blocks.acting;
   acted = acting;
   acting = how.leapfrog ? (world.last_h + h) / 2 : h;

@@ -166,3 +166,37 @@ TEST_CASE("a beta that no joint may have is refused by the world and changes no 
     for (const auto& joint : hanging.world.joints()) CHECK(double(joint->beta) <= 1);
   }
 }
+
+TEST_CASE("an orientation that is written between two steps holds for the next rows") {
+  Random random(4);
+  for (int draw = 0; draw < 20; ++draw) {
+    World world;
+    const BodyId a = world.add(box(1, vec3(1, 2, 3), vec3(0)));
+    const BodyId b = world.add(box(1, vec3(1), vec3(4)));
+    const vec3 lever = random.vector(1);
+    world.add<BallJoint>(a, b, Point{lever, vec3(0)});
+    SequentialImpulses solver;
+    step(world, solver, h);
+    Body& body = world.bodies[a];
+    body.q = rotation(random.vector(3));
+    CHECK(to_world(body, lever) == body.q * lever);
+    CHECK(inverse_inertia(body) == rotated_inverse_inertia(body));
+    begin_step(world, solver, h);
+    CHECK(length(world.blocks.J[0].w1 + skew(body.q * lever)[0]) < 10 * epsilon);
+    CHECK(to_world(body, lever) == body.q * lever);
+  }
+}
+
+TEST_CASE("a copy that is rotated while the rows are made has an orientation of its own") {
+  Bodies bodies;
+  const BodyId a = bodies.add(box(1, vec3(1, 2, 3), vec3(0)));
+  const HeldMatrices held(bodies);
+  Body copy = bodies[a], assigned;
+  assigned = bodies[a];
+  const vec3 lever(1, 2, 3);
+  for (Body* body : {&copy, &assigned}) {
+    body->q = rotation(vec3(1, 2, 3));
+    CHECK(to_world(*body, lever) == body->q * lever);
+    CHECK(inverse_inertia(*body) == rotated_inverse_inertia(*body));
+  }
+}

@@ -157,7 +157,7 @@ TEST_CASE("the torque of a cone is all that changes the angular momentum of what
         const vec3 change = real(inertia) * (world.bodies[ball_].w - before) / h;
         CAPTURE(seed, n);
         CHECK(double(length(cone.torque() - change)) <=
-              tolerance(1e-9, 2e-2) * (1 + double(length(change))));
+              tolerance(1e-8, 2e-2) * (1 + double(length(change))));  // of nearly parallel rows
         if (length(change) > 1) {
           CHECK(cone.forces()[0] > 0);
           late += cone.forces()[0] > cone.impulse()[0] / h * real(1.01);

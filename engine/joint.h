@@ -1,6 +1,8 @@
 // The interface of every joint: it makes blocks from the poses of two bodies.
 #pragma once
 
+#include <cstdint>
+
 #include "engine/block.h"
 #include "engine/state_stream.h"
 
@@ -97,6 +99,7 @@ class Joint {
   /// The mean force of a row over the time for which its impulse acted [N or N m]; 0 before the
   /// first step. \param impulse its accumulated impulse [N s or N m s]
   real mean_force(real impulse) const { return acted_ > 0 ? impulse / acted_ : real(0); }
+  std::uint64_t number() const { return number_; }  ///< see JointId; 0 outside of a world
   real last_h() const { return h_; }  ///< length of the last step [s], 0 before the first
   /// The time for which the impulses of the last step acted (Blocks::acting) [s], 0 before the
   /// first.
@@ -121,7 +124,8 @@ class Joint {
   friend class World;
   real h_ = 0, acted_ = 0;  // of the last step [s]
   bool can_move_ = true;
-  std::size_t place_ = 0;  // in World::joints()
+  std::size_t place_ = 0;     // in World::joints()
+  std::uint64_t number_ = 0;  // of all joints that were ever added to a world
 };
 
 }  // namespace joints

@@ -36,6 +36,11 @@ using vec3 = glm::vec<3, real, glm::defaultp>;     ///< a column of three number
 using mat3 = glm::mat<3, 3, real, glm::defaultp>;  ///< 3x3, stored by columns: M[column][row]
 using quat = glm::qua<real, glm::defaultp>;        ///< (w, x, y, z), rotates body space into world
 
+/// The library defines it for its own kind of number, and every file that includes this one refers
+/// to it: files and libraries of different kinds do not link.
+void number_of_the_library(real);
+[[gnu::used]] static void (*const this_library)(real) = number_of_the_library;
+
 /// The distance from 1 to the next larger `real`.
 inline constexpr real epsilon = std::numeric_limits<real>::epsilon();
 /// A bound that has no effect.

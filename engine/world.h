@@ -2,6 +2,7 @@
 // particular joint or solver.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -13,6 +14,19 @@
 /// \brief The parts of a simulation, the step that advances it, and the solvers.
 /// @{
 namespace joints {
+
+/// Identifies a joint of type J until it is removed, as in `JointId door = world.add<HingeJoint>(a,
+/// b, anchor, axis)`. Unlike a reference it is checked: after the removal, and in another world, it
+/// is rejected.
+template <class J = Joint>
+struct JointId {
+  std::uint64_t number = 0;  ///< of all joints that were ever added; 0 identifies no joint
+
+  JointId() = default;  ///< identifies no joint
+  /// Of a joint that a world holds.
+  JointId(const J& joint) : number(joint.number()) {}
+  bool operator==(const JointId&) const = default;  ///< the same joint
+};
 
 /// Bodies, the joints between them, and gravity. Anything may be added, removed or changed
 /// between two steps.
@@ -35,7 +49,7 @@ class World {
   /// Constructs a joint of type J between two bodies from these arguments and adds it, as in
   /// `world.add<HingeJoint>(a, b, anchor, axis)`. If a constructor of J needs the bodies, the world
   /// passes them as its first argument.
-  /// \return the joint, valid until it or one of its bodies is removed
+  /// \return the joint, valid until it or one of its bodies is removed. A JointId is checked.
   /// \throws std::invalid_argument from its constructor or Joint::check_input()
   template <class J, class... Arguments>
   J& add(Arguments&&... arguments) {
@@ -58,6 +72,19 @@ class World {
   /// Removes one joint, in constant time. \throws std::invalid_argument if it does not belong to
   /// this world
   void remove(const Joint& joint);
+  /// The joint with this id. \throws std::invalid_argument if it was removed, or is of another world
+  template <class J>
+  J& operator[](JointId<J> id) const {
+    const auto joint = dynamic_cast<J*>(find(id.number));
+    require(joint != nullptr, no_such_joint);
+    return *joint;
+  }
+  /// True if this id identifies a joint of this world.
+  template <class J>
+  bool alive(JointId<J> id) const { return find(id.number) != nullptr; }
+  /// Removes the joint with this id. \throws std::invalid_argument for a stale id
+  template <class J>
+  void remove(JointId<J> id) { remove((*this)[id]); }
   /// Sets beta of all present joints. \param beta fraction of the error that is removed in a step
   /// [1] \throws std::invalid_argument unless it is from 0 to max_beta
   void set_beta(real beta);
@@ -69,7 +96,10 @@ class World {
   }
 
  private:
+  static constexpr const char* no_such_joint =
+      "joint: this world has no such joint (removed, or of another one)";
   void adopt(std::unique_ptr<Joint> joint);
+  Joint* find(std::uint64_t number) const;  // nullptr if it is not there
   void close_holes() const {
     std::erase(joints_, nullptr);
     for (std::size_t k = 0; k < joints_.size(); ++k) joints_[k]->place_ = k;

@@ -7,7 +7,6 @@
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/04_slider/slider_joint.h"
 #include "chapters/05_fixed/fixed_joint.h"
-#include "chapters/06_baumgarte/baumgarte.h"
 #include "chapters/08_ground/contacts.h"
 #include "chapters/08_ground/ground_contact.h"
 #include "chapters/09_direct/runge_kutta.h"

@@ -82,6 +82,7 @@ struct Rope {
   real K(const Body& body1, const Body& body2) const { return rod.K(body1, body2); }
 };
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 1.3, first half: the impulse that satisfies the row.
 /// \param J the row \param K J M^-1 J^T of the row [1/kg], not negative
 /// \param bias minus the required J V [m/s]
@@ -97,6 +98,7 @@ void apply_impulse(const Row& J, real lambda, Body& body1, Body& body2);
 /// become negative
 /// \return the change of the accumulated impulse [N s]
 real clamp_sum(real dlambda, real& sum);
+#endif
 
 }  // namespace joints
 /// @}

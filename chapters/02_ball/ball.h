@@ -36,6 +36,7 @@ inline Point point_at(const Body& body1, const Body& body2, const vec3& anchor) 
   return {to_local(body1, anchor - body1.x), to_local(body2, anchor - body2.x)};
 }
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 2.3, first half: the impulse that satisfies three rows at the same time.
 /// \param K J M^-1 J^T of the block [1/kg], not singular
 /// \param bias minus the required J V [m/s]
@@ -50,6 +51,7 @@ void apply_impulse(const Jacobian<3>& J, const vec3& lambda, Body& body1, Body& 
 /// \param q orientation now, unit length \param w angular velocity [rad/s, world] \param h [s]
 /// \return the new orientation, unit length
 quat turned(const quat& q, const vec3& w, real h);
+#endif
 
 }  // namespace joints
 /// @}

@@ -52,6 +52,7 @@ Axis axis_along(const Body& body1, const Body& body2, const vec3& axis);
 /// row b. \return a M^-1 b^T [1/kg, 1/(kg m) or 1/(kg m^2), depending on the units of the rows]
 real coupling(const Row& a, const Row& b, const Body& body1, const Body& body2);
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// K = J M^-1 J^T of any N rows, computed entry by entry with coupling().
 template <int N>
 Matrix<N> K_of(const Jacobian<N>& J, const Body& body1, const Body& body2) {
@@ -60,6 +61,7 @@ Matrix<N> K_of(const Jacobian<N>& J, const Body& body1, const Body& body2) {
     for (int j = i; j < N; ++j) K[i][j] = K[j][i] = coupling(J[i], J[j], body1, body2);
   return K;
 }
+#endif
 
 // ---- the angle ------------------------------------------------------------------------------
 
@@ -123,12 +125,14 @@ struct Motor {
   real strength = 0;  ///< greatest torque or force in either direction [N m or N]; 0 is off
 };
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 3.5: the change of a motor's accumulated impulse by one solve.
 /// \param rate J V, the rate of the coordinate now [rad/s or m/s]
 /// \param K K of its row [1/(kg m^2) or 1/kg] \param h step [s]
 /// \param sum its accumulated impulse in this step [N m s or N s], updated here
 /// \return the change of the accumulated impulse [N m s or N s]
 real motor_impulse(real rate, real K, const Motor& motor, real h, real& sum);
+#endif
 
 }  // namespace joints
 /// @}

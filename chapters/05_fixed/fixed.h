@@ -12,9 +12,11 @@
 /// @{
 namespace joints {
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 5.1: couples the point's three rows with the lock's three, X = J_t M^-1 J_r^T.
 /// \return the upper right 3x3 block of a weld's K [1/(kg m)]
 mat3 cross_K(const Point& point, const Body& body1, const Body& body2);
+#endif
 
 /// Holds two bodies rigidly together: a point (rows 1 to 3) and a lock (rows 4 to 6) in one block.
 /// Removes six degrees of freedom.
@@ -24,8 +26,10 @@ mat3 cross_K(const Point& point, const Body& body1, const Body& body2);
 /// parts as two blocks.
 using Weld = Composite<Point, RotationLock>;
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// The same K in closed form: ((K of Point, X), (X^T, K of RotationLock)), X = cross_K, Eq. 5-3.
 Matrix<6> weld_K(const Weld& weld, const Body& body1, const Body& body2);
+#endif
 
 /// Exercise 5.2, first part: the mean load of a weld in a step.
 /// \param impulse accumulated impulses of its six rows [N s, then N m s] \param h that step [s]
@@ -36,6 +40,7 @@ Reaction carried(const Vector<6>& impulse, real h);
 /// \param from the point of `load.torque` [m, world] \param to the new point [m, world]
 Reaction about(const Reaction& load, const vec3& from, const vec3& to);
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// The load at which a weld breaks.
 struct Strength {
   real force = unbounded;   ///< [N]
@@ -44,6 +49,7 @@ struct Strength {
 
 /// Exercise 5.2, third part: true if the force or the torque exceeds the strength.
 bool breaks(const Reaction& load, const Strength& strength);
+#endif
 
 }  // namespace joints
 /// @}

@@ -53,6 +53,7 @@ struct Corner {
 /// t2 = n x t1. At rest (below 1e-4 m/s perpendicular to n) t1 is any such direction.
 std::array<vec3, 2> tangents(const vec3& n, const vec3& sliding);
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 8.2: the change of a friction row's impulse by one solve.
 /// \param rate J V, the speed along its direction [m/s] \param K of its row [1/kg], positive
 /// \param mu coefficient of friction [1]
@@ -60,6 +61,7 @@ std::array<vec3, 2> tangents(const vec3& n, const vec3& sliding);
 /// \param sum the accumulated impulse of this row in this step [N s], updated here
 /// \return the change of the accumulated impulse [N s]
 real friction_impulse(real rate, real K, real mu, real normal, real& sum);
+#endif
 
 /// Given: the speed of a corner when it reaches the ground at the constant acceleration kick / h,
 /// Eq. 8-9. \param C gap [m] \param rate J V with the forces of this step [m/s], negative

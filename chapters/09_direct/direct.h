@@ -30,6 +30,7 @@ struct HalfRowOf {
 /// A half-row of type double.
 using HalfRow = HalfRowOf<double>;
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 9.1: the coupling of two blocks through a common body, Eq. 9-2. Adds to A[i][j] the
 /// rate of row i of the first block per unit impulse along row j of the second one.
 /// \param J the half-rows of the first block at the common body, n of them
@@ -38,6 +39,7 @@ using HalfRow = HalfRowOf<double>;
 template <class Number>
 void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* response, int m,
                   Number* A);
+#endif
 
 /// A block of rows as a node of the joint graph, in the order of elimination.
 struct Node {
@@ -71,6 +73,7 @@ using JointMatrix = JointMatrixOf<double>;
 /// Returns 1 / pivot, or 0. \param original the diagonal entry before any elimination
 using PivotInverse = double (*)(double pivot, double original);
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 9.2, first half: factors A = L D L^T in place, node after node, Eq. 9-4. After it, each
 /// diagonal block contains its own factor (factor_block), and each edge contains its block of L.
 template <class Number>
@@ -85,6 +88,7 @@ void solve(const JointMatrixOf<Number>& A, Number* x);
 /// \param neighbours of each node, without itself; each pair is in both lists
 /// \return the nodes in the order of elimination
 std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours);
+#endif
 
 /// Exercise 9.4: 1 / pivot, or 0 for a row that depends on the rows before it, whose pivot is only
 /// a rounding error. Such a row gets no impulse. Of its original entry, a dependent row keeps at
@@ -98,9 +102,11 @@ constexpr double dependent_share = sizeof(real) == 4 ? 1e-7 : 1e-11;
 
 // ---- time ---------------------------------------------------------------------------------------
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 9.5: one step of second order, Eq. 9-9: step() with Stepping::leapfrog, for a world
 /// in which no row is at a bound. \param solver its blocks are solved once \param h [s]
 void second_order_step(World& world, Solver& solver, real h);
+#endif
 
 /// The operations that Newton's method on the positions uses.
 class Corrector {
@@ -116,6 +122,7 @@ class Corrector {
 /// If a Newton iteration multiplies the error by more than this, the method stops.
 constexpr double poor_contraction = 0.7;
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 9.6: moves the bodies by their velocities, and changes the velocities until C is at
 /// most `tolerance` at the new poses, Eq. 9-10.
 /// \param iterations how often the velocities are changed at most
@@ -125,6 +132,7 @@ constexpr double poor_contraction = 0.7;
 /// were used up, or if one of them multiplied the error by more than poor_contraction
 bool move_onto_constraints(Bodies& bodies, double h, int iterations, double tolerance,
                            Corrector& corrector, std::vector<Body>& start);
+#endif
 
 // ---- bounds -------------------------------------------------------------------------------------
 
@@ -135,10 +143,12 @@ enum class Side : signed char {
   upper = 1    ///< at its upper bound
 };
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 9.7: the side on which a row should be in the next pass, Eq. 9-12.
 /// \param now its side in this pass \param impulse its accumulated impulse after this pass
 /// \param rate J V + bias after this pass; a larger impulse makes it larger
 Side next_side(Side now, double impulse, double lower, double upper, double rate);
+#endif
 
 // ---- inertia ------------------------------------------------------------------------------------
 
@@ -148,6 +158,7 @@ struct Slowed {
   vec3 w;                      ///< angular velocity [rad/s], world
 };
 
+#ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 9.8: enough inertia for the step to follow the motion of a body, Eq. 9-14: no principal
 /// moment is less than kappa h^2 |F||r|. Where a moment is larger than in the last step, the energy
 /// of the rotation is kept; where it is smaller, the angular velocity. \param body a moving body
@@ -155,6 +166,7 @@ struct Slowed {
 /// \param before the lower limit of the moments in the last step [kg m^2]; 0 if there was none
 /// \param kappa about 8 [1]
 Slowed slowed(const Body& body, real force_lever, real before, real kappa, real h);
+#endif
 
 }  // namespace joints
 /// @}

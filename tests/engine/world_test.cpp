@@ -51,6 +51,34 @@ TEST_CASE("a body that goes takes its joints along and what hung from it falls")
   CHECK(std::abs(fall(hanging, 0)) < tolerance(1e-9, 1e-5));
 }
 
+TEST_CASE("an id of a joint names it until the joint goes, and is then refused in words") {
+  Hanging hanging, other;
+  World& world = hanging.world;
+  const JointId first = *hanging.rod[0], second = *hanging.rod[1], third = *hanging.rod[2];
+  CHECK(&world[first] == hanging.rod[0]);
+  CHECK(&world[JointId<>(*hanging.rod[1])] == hanging.rod[1]);
+  world.remove(first);
+  CHECK_FALSE(world.alive(first));
+  CHECK(&world[third] == hanging.rod[2]);  // the others keep their ids
+  const std::string gone = "joint: this world has no such joint (removed, or of another one)";
+  CHECK_THROWS_WITH(world[first], gone);
+  CHECK_THROWS_WITH(world.remove(first), gone);
+  CHECK_THROWS_WITH(other.world[third], gone);
+  CHECK_THROWS_WITH(world[JointId<BallJoint>()], gone);
+  JointId<BallJoint> ball;
+  ball.number = third.number;  // of another kind
+  CHECK_THROWS_WITH(world[ball], gone);
+  world.remove(hanging.id[2]);  // with the joints of this body
+  CHECK_FALSE(world.alive(third));
+  CHECK(world.joints().size() == 1);
+  world.remove(second);
+  CHECK(world.joints().empty());
+  const auto& next = world.add<CentreDistanceJoint>(hanging.ceiling, hanging.id[0],
+                                                    CentreDistance{1});
+  CHECK(&world[JointId(next)] == &next);
+  CHECK_FALSE(world.alive(first));  // its number is not given again
+}
+
 TEST_CASE("a slot that became free is given to the next body and old ids are refused") {
   Hanging hanging;
   Bodies& bodies = hanging.world.bodies;

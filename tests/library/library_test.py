@@ -5,9 +5,10 @@ copy against the installed files and runs it, once in double and once in float. 
 compiled may come from ROOT, nothing that is installed may name it, and the program of a hinge may
 carry no slider, no weld and no ground, that of a crate on the ground no hinge joint, that of two
 shafts no slider either, that of a chain of ball joints none of all these. The examples in the
-headers' comments compile. For a part that lacks a member the compiler prints a sentence. Double
-and float do not link into one program, and headers without their definitions say so. The library is
-configured without the packages that only the workbook needs.
+headers' comments compile. The names that its headers export are those of names.txt. For a part
+that lacks a member the compiler prints a sentence. Double and float do not link into one program,
+and headers without their definitions say so. The library is configured without the packages that
+only the workbook needs.
 Exit status 0 when all of that holds, 1 otherwise, 2 for a bad command line.
 """
 import json
@@ -16,6 +17,8 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+import names
 
 # Of each program: the symbols that it must contain, and those that it must not.
 OTHERS = r"Line|Slide|RotationLock|Weld|SliderJoint|FixedJoint"
@@ -28,6 +31,12 @@ PROGRAMS = {"door": ("Axis::error", rf"{OTHERS}|{CONTACTS}"),
             "gear": ("check_functions", rf"SliderJoint|FixedJoint|{CONTACTS}"),
             "saved": ("restore", rf"{OTHERS}|Axis|HingeJoint|{CONTACTS}|Scene")}
 
+
+# The functions of exercises that inline functions of the installed headers call; and functions of
+# the engine that have the name of one.
+CALLED_EXERCISES = {"about", "carried", "coupling", "inverse_pivot", "limit_row", "tangents",
+                    "unwrapped"}
+NAMESAKES = {"bias", "step"}
 
 # What the examples in the headers' comments name. A link is the program's own struct.
 EXAMPLES = """#include <joints.h>
@@ -131,6 +140,11 @@ def build_and_run(root, area, prefix, compiler, library):
     return said
 
 
+def definitions(prefix, library):
+    """The preprocessor definitions that come with an installed library."""
+    return re.findall(r"-D[\w=]+", (prefix / "lib" / "pkgconfig" / f"{library}.pc").read_text())
+
+
 def kinds_do_not_mix(area, prefix, compiler):
     """A program of one kind of number with the library of the other, or of both, does not link."""
     door, crate = area / "double_door.o", area / "float_crate.o"
@@ -140,6 +154,13 @@ def kinds_do_not_mix(area, prefix, compiler):
     for number, own, library in (("double", door, in_float), ("float", crate, in_double)):
         refused(f"undefined reference to `joints::step(joints::World&, joints::Solver&, {number}",
                 compiler, own, library, "-o", area / "mixed")
+    # even a file that calls no function of numbers
+    source, empty = area / "empty.cpp", area / "empty.o"
+    source.write_text("#include <joints.h>\nint main() { return joints::World().bodies.size(); }\n")
+    call(compiler, "-std=c++20", "-c", *definitions(prefix, "joints_float"),
+         f"-I{prefix}/include/joints", source, "-o", empty)
+    refused("undefined reference to `joints::number_of_the_library(float)", compiler, empty,
+            in_double, "-o", area / "mixed")
     call("objcopy", "--redefine-sym", "main=other", crate)
     for libraries in ((in_double, in_float), (in_float, in_double)):
         refused("multiple definition of `joints::", compiler, door, crate, *libraries,
@@ -168,7 +189,7 @@ def parts_say_what_is_missing(root, area, prefix, compiler):
     """Without one of the members of a part, the first error is a sentence that names it."""
     header = root / "tests" / "library" / "consumer" / "universal_joint.h"
     source, whole = area / "part.cpp", header.read_text().replace("#pragma once", "")
-    needed = re.findall(r"-DGLM_\w+", (prefix / "lib" / "pkgconfig" / "joints.pc").read_text())
+    needed = definitions(prefix, "joints")
     for said, member in (("needs `static constexpr int rows`", r"  static constexpr int rows.*?\n"),
                          ("`static constexpr bool one_sided`", r"  static constexpr bool.*?\n"),
                          ("`static constexpr Form form`", r"  static constexpr Form.*?\n"),
@@ -179,12 +200,31 @@ def parts_say_what_is_missing(root, area, prefix, compiler):
         source.write_text(left + "\ntemplate class joints::PartJoint<joints::Composite<"
                           "joints::Point, mine::RightAngle>>;\n")
         command = [compiler, "-std=c++20", "-fsyntax-only", f"-I{prefix}/include/joints", *needed,
-                   "-DJOINTS_REAL=double", source]
+                   source]
         errors = subprocess.run([str(word) for word in command], capture_output=True,
                                 text=True).stderr
         first = next((line for line in errors.split("\n") if "error:" in line), "")
         if count != 1 or said not in first:
             raise Wrong(f"a part without {said}: the first error is\n{first}")
+
+
+def names_are_listed(root, area, prefix, compiler):
+    """The installed headers bring the names of names.txt into joints, and no exercise beyond those
+    that they call themselves."""
+    text = call(compiler, "-std=c++20", "-E", "-P", *definitions(prefix, "joints"),
+                f"-I{prefix}/include/joints", area / "bare.cpp")
+    exported = names.names(text)
+    listed = set((root / "tests" / "library" / "names.txt").read_text().split())
+    if exported != listed:
+        raise Wrong("tests/library/names.txt is not the list of the exported names: "
+                    f"new {sorted(exported - listed)}, gone {sorted(listed - exported)}")
+    function = re.compile(r"^/// Exercise (?:.*\n///)*.*\n(?:template .*\n)?\S[^(;]*?(\w+)\(", re.M)
+    exercises = {name for header in (root / "chapters").glob("*/*.h")
+                 for name in function.findall(header.read_text())}
+    if (exercises & exported) - NAMESAKES != CALLED_EXERCISES:
+        raise Wrong(f"exported exercises: {sorted(exercises & exported)}")
+    print(f"{len(exported)} names are exported; of {len(exercises)} functions of exercises "
+          f"{len(CALLED_EXERCISES)}, which the headers call")
 
 
 def compiled(root, folder, *question):
@@ -241,6 +281,7 @@ def library_test(root, build, area):
                 raise Wrong("docs/library.md says that a program says something else")
     kinds_do_not_mix(area, prefix, compiler)
     bare_headers_say_so(area, prefix, compiler)
+    names_are_listed(root, area, prefix, compiler)
     parts_say_what_is_missing(root, area, prefix, compiler)
     library_stands_alone(root, build, area, compiler)
     return 0

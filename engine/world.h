@@ -15,9 +15,9 @@
 /// @{
 namespace joints {
 
-/// Identifies a joint of type J until it is removed, as in `JointId door = world.add<HingeJoint>(a,
-/// b, anchor, axis)`. Unlike a reference it is checked: after the removal, and in another world, it
-/// is rejected.
+/// Identifies a joint of type J until it is removed: `JointId(world.add<HingeJoint>(a, b, anchor,
+/// axis))` is that of a hinge. Unlike a reference it is checked: after the removal, and in another
+/// world, it is rejected.
 template <class J = Joint>
 struct JointId {
   std::uint64_t number = 0;  ///< of all joints that were ever added; 0 identifies no joint

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "chapters/03_hinge/limits_and_springs.h"
 
@@ -10,14 +11,11 @@
 /// @{
 namespace joints {
 
-/// One free coordinate of a joint, an angle [rad] or a displacement [m], and all that acts on it:
+/// One free coordinate x of a joint, an angle [rad] or a displacement [m], and all that acts on it:
 /// limits, a motor or a servo, friction, a spring. Each has a row of its own while it acts. A joint
-/// may have any number of coordinates.
-///
-/// A joint calls choose() when a step begins, append() or its two halves for the blocks, and late()
-/// after each solve. The coordinate is measured when a step begins; a motor alone does not need it.
-/// Turns are counted from step to step while something acts on the coordinate: the angle at the end
-/// of a step is expected to be x + h dx/dt.
+/// may have any number of coordinates: it calls choose() when a step begins, append_drives() and
+/// append_limit() for the blocks, and late() after each solve. Turns are counted from step to step
+/// while something acts: x is expected to be x + h dx/dt at the end of a step.
 template <class Coordinate>
 class FreeCoordinate {
  public:
@@ -53,8 +51,9 @@ class FreeCoordinate {
   /// \throws std::invalid_argument unless the speed is within max_speed and the strength at least 0
   void set_motor(real speed, real strength) {
     check(Motor{speed, strength});
-    change().motor = {speed, strength};
-    data_->servo = false;
+    Data& data = change();
+    data.motor = {speed, strength};
+    data.target = unbounded;
   }
   /// A position drive with a bounded speed: a motor that removes the fraction Joint::beta of the
   /// remaining displacement in each step. It replaces the motor; for a drive with a stiffness set a
@@ -65,7 +64,6 @@ class FreeCoordinate {
     require(std::abs(target) <= max_limit, "target", target, "must be within 1e9 [rad or m]");
     require(speed >= 0, "speed", speed, "of a servo must not be negative [rad/s or m/s]");
     set_motor(speed, strength);
-    data_->servo = true;
     data_->target = target;
   }
   /// Dry friction, beside the motor if there is one: it opposes the motion with this torque or
@@ -86,12 +84,13 @@ class FreeCoordinate {
   /// \param x [rad or m] \throws std::invalid_argument unless it is finite
   void expect(real x) {
     require(finite(x), "x: must be finite [rad or m]");
-    change().next = x;
-    data_->counting = true;
+    Data& data = change();
+    data.next = x;
+    data.known = Known::turn;
   }
   Range limits() const { return data_ ? data_->range : Range{}; }     ///< the limits
   Motor motor() const { return data_ ? data_->motor : Motor{}; }      ///< the motor or servo
-  real friction() const { return data_ ? data_->friction : real(0); } ///< its strength [N m or N]
+  real friction() const { return data_ ? data_->friction : 0; }       ///< its strength [N m or N]
   Spring spring() const { return data_ ? data_->spring : Spring{}; }  ///< the spring
 
   /// The coordinate [rad or m]. Turns are counted only while something acts on it; see expect().
@@ -106,144 +105,170 @@ class FreeCoordinate {
   }
   /// The torque or force of the motor or servo in the last step [N m or N]. Positive ones increase
   /// the coordinate, here and below.
-  real motor_force() const { return data_ ? force(data_->motor_impulse, data_->shift) : real(0); }
+  real motor_force() const { return data_ ? force(data_->now.motor_impulse, data_->now.shift) : 0; }
   /// The torque or force of the friction in the last step [N m or N].
   real friction_force() const {
-    return data_ ? force(data_->friction_impulse, -data_->shift) : real(0);
+    return data_ ? force(data_->now.friction_impulse, -data_->now.shift) : 0;
   }
   /// The torque or force of the spring in the last step [N m or N].
-  real spring_force() const { return data_ ? force(data_->spring_impulse) : real(0); }
+  real spring_force() const { return data_ ? force(data_->now.spring_impulse) : 0; }
   /// The torque or force of the limits in the last step [N m or N].
   real limit_force() const {
     if (!data_) return 0;
-    return force(data_->limit.sign * limit_impulse() + data_->late.sign * data_->late_impulse);
+    const Rows& now = data_->now;
+    return force(now.limit_sign * limit_impulse() + now.late_sign * now.late_impulse);
   }
 
  protected:
   template <class, class...>
   friend class WithCoordinates;
 
+  /// The joint that it belongs to.
+  const Joint& joint() const { return joint_; }
   /// False until something is set; then there is nothing to do.
   bool in_use() const { return data_ != nullptr; }
   /// Chooses the rows of a step that begins. \param h step [s]
   [[gnu::noinline]] void choose(const Bodies& bodies, real h) {
-    if (!data_ || data_->idle) return;
+    if (!data_ || data_->known == Known::idle) return;
     const Body &a = at(bodies, joint_.body1), &b = at(bodies, joint_.body2);
-    const bool near = data_->leeway.is_slow(a, b, h) && data_->leeway.still_near(a, b);
-    if (!near || data_->measured) choose_rows(bodies, h, near);
+    const bool away = data_->leeway.is_slow(a, b, h) && data_->leeway.still_near(a, b);
+    if (!away || data_->known == Known::value) choose_rows(bodies, h, away);
   }
   /// Appends the rows of spring, friction and motor that act.
   void append_drives(const Bodies& bodies, Blocks& blocks) const {
-    if (data_ && data_->pushed) append_acting(bodies, blocks);
+    if (data_ && data_->pushes()) append_acting(bodies, blocks);
   }
   /// True if a limit has a row since the step began.
-  bool limited_now() const { return data_ && data_->limit.live; }
+  bool limited_now() const { return data_ && data_->now.limit_sign != 0; }
   /// That limit as a part.
-  Limit<Coordinate> limit() const { return limit_part(data_->limit.sign); }
+  Limit<Coordinate> limit() const { return limit(data_->now.limit_sign); }
+  /// The lower limit as a part, or with the sign -1 the upper one.
+  Limit<Coordinate> limit(real sign) const {
+    return {coordinate_, sign > 0 ? data_->range.lower : data_->range.upper, sign};
+  }
   /// The target of its row.
   RowTarget limit_target() const {
     return {.beta = joint_.beta, .frequency = joint_.frequency, .damping = joint_.damping,
             .lower = data_->held() ? -unbounded : real(0)};
   }
-  /// Appends the block of that limit, if it is not in another block.
+  /// Appends its block, if it is not in another block.
   void append_limit(const Bodies& bodies, Blocks& blocks) const {
-    if (limited_now()) append_row(bodies, blocks, data_->limit.sign, limit_impulse());
+    if (limited_now()) append_row(bodies, blocks, data_->now.limit_sign, limit_impulse());
   }
   /// Appends the block of a limit that was found late.
   void append_late(const Bodies& bodies, Blocks& blocks) const {
-    if (data_ && data_->late.live)
-      append_row(bodies, blocks, data_->late.sign, data_->late_impulse);
+    if (data_ && data_->now.late_sign != 0)
+      append_row(bodies, blocks, data_->now.late_sign, data_->now.late_impulse);
   }
   /// Expects the coordinate at the end of the step, and appends a limit that the new velocities
   /// would pass until then. \param h step [s]
   [[gnu::noinline]] void late(const Bodies& bodies, real h, Blocks& blocks) {
-    if (!data_ || data_->idle) return;
+    if (!data_ || data_->known == Known::idle) return;
     if (!data_->leeway.is_slow(at(bodies, joint_.body1), at(bodies, joint_.body2), h))
       find_late(bodies, h, blocks);
   }
   /// Measures again if projection has moved the bodies so far that a turn could be missed.
-  void moved(const Bodies& bodies);
+  void moved(const Bodies& bodies) {
+    if (!data_ || !(data_->limited() || data_->pushes())) return;
+    if (data_->leeway.still_near(bodies[joint_.body1], bodies[joint_.body2])) return;
+    measure(bodies);
+    data_->leeway.forget();
+  }
+  /// The mean torque or force of an impulse in the last step. \param shift is added to it
+  real force(real impulse, real shift = 0) const {
+    return joint_.acted() > 0 ? joint_.mean_force(impulse) + shift : real(0);
+  }
   /// Sets all impulses to zero: both bodies are static.
-  void drop() { if (data_) data_->drop(), limit_impulse() = 0; }
+  void drop() {
+    if (data_) data_->now = {}, limit_impulse() = 0;
+  }
   /// Adds the limits and the motors, friction and springs to a report.
   void report(Joint::Extras& extras) const {
     if (!data_) return;
     extras.limits += data_->limited();
-    extras.live_limits += data_->limit.live || data_->late.live;
-    extras.motors += data_->driven() || data_->spring.acts();
+    extras.live_limits += data_->now.limit_sign != 0 || data_->now.late_sign != 0;
+    extras.motors += data_->pushes();
   }
   /// Saves or restores settings, count, live rows and impulses, always as many values. The impulse
   /// of a limit belongs to the joint if it is in a block of the joint.
-  void exchange(StateStream& stream);
+  void exchange(StateStream& stream) {
+    Data none;
+    Data& data = data_ ? *data_ : none;
+    Rows& now = data.now;
+    for (real* bound : {&data.range.lower, &data.range.upper, &data.target, &data.motor.strength,
+                        &data.friction, &data.spring.strength})
+      stream.bound(*bound);
+    bool turn = data.known >= Known::turn, value = data.known == Known::value;
+    stream(data.motor.speed, data.spring.stiffness, data.spring.damping, data.spring.rest, turn,
+           value, data.x, data.next, now.speed, now.shift, now.motor_impulse, now.friction_impulse,
+           now.spring_impulse, data.limit_impulse, now.late_impulse, now.limit_sign, now.late_sign);
+    data.known = value ? Known::value : turn ? Known::turn : Known::nothing;
+    for (const real sign : {now.limit_sign, now.late_sign})
+      require(sign * sign * sign == sign, "state: the sign of a limit's row must be 0, 1 or -1");
+    check(data.range), check(data.motor), check(Motor{0, data.friction}), check(data.spring);
+    if constexpr (requires { coordinate_.expected; }) stream(coordinate_.expected);
+    data.leeway.exchange(stream);
+    if (!data_ && (none.limited() || none.pushes() || turn)) data_ = std::make_unique<Data>(none);
+  }
 
  private:
+  // What is known of x. A change of settings takes `idle` to `nothing`, and expect() takes any to
+  // `turn`. A step that begins takes it to `idle` if nothing acts, to `turn` if the limits are out
+  // of reach, and else to `value`.
+  enum class Known : char {
+    idle,     // nothing, and there is nothing to do until a setting changes
+    nothing,  // nothing yet: limits determine the turn
+    turn,     // it is within half a turn of `next`
+    value     // it was measured in this step
+  };
+  // The rows of a step. The impulses are written by the solver.
+  struct Rows {
+    real limit_sign = 0, late_sign = 0;  // of a limit with a row, and of one found late; 0: none
+    real speed = 0;                      // of motor or servo
+    real shift = 0;                      // of the bounds of motor and friction, see append_acting()
+    real motor_impulse = 0, friction_impulse = 0, spring_impulse = 0, late_impulse = 0;
+  };
   // A coordinate without settings has none of these.
   struct Data {
     Range range;
-    Motor motor;             // its speed is the greatest one of a servo
-    real friction = 0, target = 0;
+    Motor motor;              // its speed is the greatest one of a servo
+    real target = unbounded;  // of a servo; infinite for a motor
+    real friction = 0;
     Spring spring;
-    bool servo = false;
-    LimitRow limit, late;    // the limit with a row in this step; the one found late
-    real x = 0, next = 0;    // the coordinate when the step began; its expected value at the end
-    real speed = 0;          // of motor or servo in this step
-    real shift = 0;          // of the bounds of motor and friction, see append_acting()
-    real travelled = 0;      // since x was measured, by the rate alone
-    bool measured = false;   // x was measured in this step
-    bool counting = false;   // next is valid: measured, or set by expect()
-    bool pushed = false;     // motor, friction or spring have a row in this step
-    bool idle = false;       // nothing acts: there is nothing to do until a setting changes
+    Known known = Known::nothing;
+    real x = 0, next = 0;     // the coordinate when the step began; its expected value at the end
+    Rows now;
+    real limit_impulse = 0;   // unless it is in a block of the joint
     Leeway<Coordinate> leeway;
-    real motor_impulse = 0, friction_impulse = 0, spring_impulse = 0;
-    real limit_impulse = 0, late_impulse = 0;  // all are written by the solver
 
     bool limited() const { return range.lower > -unbounded || range.upper < unbounded; }
-    bool driven() const { return motor.strength > 0 || friction > 0; }
-    bool acts() const { return limited() || driven() || spring.acts(); }
-    // True if x is needed and not only its rate.
-    bool needs_x() const { return limited() || servo || spring.acts(); }
-    // True if only the count of turns needs x: then the last rate is exact enough for 2 rad.
-    bool can_estimate() const { return !needs_x() && counting && next != x && travelled < 2; }
     bool held() const { return range.lower == range.upper; }
+    bool servo() const { return target < unbounded; }
+    bool pushes() const { return motor.strength > 0 || friction > 0 || spring.acts(); }
     // How far x may move until it has to be measured.
     real slack() const {
-      return servo || spring.acts() ? 0 : std::min(x - range.lower, range.upper - x);
-    }
-    real bound(real sign) const { return sign > 0 ? range.lower : range.upper; }
-    void drop() {
-      limit = late = {}, pushed = false;
-      motor_impulse = friction_impulse = spring_impulse = late_impulse = shift = 0;
+      return servo() || spring.acts() ? 0 : std::min(x - range.lower, range.upper - x);
     }
   };
   // Access for a change of settings: makes the next step measure.
   Data& change() {
     if (!data_) data_ = std::make_unique<Data>();
     data_->leeway.forget();
-    data_->idle = false;
+    if (data_->known == Known::idle) data_->known = Known::nothing;
     return *data_;
   }
 
   // Unchecked access: the step has validated the ids.
   static const Body& at(const Bodies& bodies, BodyId id) { return bodies.at(int(id.slot)); }
   real& limit_impulse() const { return limit_impulse_ ? *limit_impulse_ : data_->limit_impulse; }
-  real force(real impulse, real shift = 0) const {
-    return joint_.acted() > 0 ? joint_.mean_force(impulse) + shift : real(0);
-  }
-  Limit<Coordinate> limit_part(real sign) const { return {coordinate_, data_->bound(sign), sign}; }
-  template <class Part>
-  void append(const Bodies& bodies, Blocks& blocks, const Part& part, const RowTarget& target,
+  void append(const Bodies& bodies, Blocks& blocks, const auto& part, const RowTarget& target,
               real& impulse) const {
     blocks.append(bodies, joint_.body1, joint_.body2, part, target, &impulse);
   }
-
   real counted_from(real expected, const Body& a, const Body& b) const {
-    if constexpr (requires { coordinate_.expected; }) {
-      Coordinate now = coordinate_;
-      now.expected = expected;
-      return now.error(a, b);
-    } else {
-      return coordinate_.error(a, b);
-    }
+    Coordinate now = coordinate_;
+    if constexpr (requires { now.expected; }) now.expected = expected;
+    return now.error(a, b);
   }
   // The coordinate is within half a turn of this value. If the joint does not count turns yet, the
   // limits determine the turn.
@@ -251,138 +276,98 @@ class FreeCoordinate {
     if (!data_) return 0;
     const auto& [lower, upper] = data_->range;
     const real next = finite(data_->next) ? data_->next : real(0);  // 0 after an overflow
-    if (data_->counting || !(upper - lower < 2 * std::numbers::pi_v<real>)) return next;
+    if (data_->known >= Known::turn || !(upper - lower < 2 * std::numbers::pi_v<real>)) return next;
     const real x = counted_from(next, bodies[joint_.body1], bodies[joint_.body2]);
     return lower <= x && x <= upper ? next : (lower + upper) / 2;
   }
   void measure(const Bodies& bodies) {
     if constexpr (requires { coordinate_.expected; }) coordinate_.expected = expected(bodies);
     data_->next = data_->x = coordinate_.error(bodies[joint_.body1], bodies[joint_.body2]);
-    data_->travelled = 0;
-    data_->measured = data_->counting = true;
+    data_->known = Known::value;
   }
   // Rarely needed, so not inlined.
   [[gnu::noinline]] void append_row(const Bodies& bodies, Blocks& blocks, real sign,
                                     real& impulse) const {
-    append(bodies, blocks, limit_part(sign), limit_target(), impulse);
+    append(bodies, blocks, limit(sign), limit_target(), impulse);
   }
-  [[gnu::noinline]] void choose_rows(const Bodies& bodies, real h, bool near);
-  [[gnu::noinline]] void append_acting(const Bodies& bodies, Blocks& blocks) const;
-  [[gnu::noinline]] void find_late(const Bodies& bodies, real h, Blocks& blocks);
+
+  [[gnu::noinline]] void choose_rows(const Bodies& bodies, real h, bool away) {
+    Data& data = *data_;
+    Rows& now = data.now;
+    const real before = std::exchange(now.limit_sign, real(0));
+    if (!data.limited() && !data.pushes()) {
+      data.known = Known::idle;
+    } else if (away) {
+      data.known = Known::turn;
+    } else {
+      measure(bodies);
+      data.leeway.measured(coordinate_, at(bodies, joint_.body1), at(bodies, joint_.body2),
+                           data.slack());
+      if (data.limited()) {
+        const LimitRow row = limit_row(data.range, data.x, speed(bodies), h);
+        if (row.live) now.limit_sign = data.held() ? 1 : row.sign;  // held: both directions
+      }
+    }
+    now.speed = data.motor.speed;
+    if (data.servo())
+      now.speed = std::clamp(joint_.beta / h * (data.target - data.x), -now.speed, now.speed);
+    const real weaker = std::min(data.motor.strength, data.friction);
+    now.shift = std::copysign(weaker, now.speed);  // Eq. 3-17
+    if (now.limit_sign != before) limit_impulse() = 0;
+    if (data.motor.strength == 0) now.motor_impulse = 0;
+    if (data.friction == 0) now.friction_impulse = 0;
+    if (!data.spring.acts()) now.spring_impulse = 0;
+    now.late_sign = now.late_impulse = 0;
+  }
+
+  // Two rows of one coordinate with the speeds s and 0 as their targets would work against each
+  // other until the weaker one is at its bound. So each bears the lesser strength of the two, with
+  // the sign of `shift`, for the other: their sum is the same at every speed.
+  [[gnu::noinline]] void append_acting(const Bodies& bodies, Blocks& blocks) const {
+    const Data& data = *data_;
+    if (data.spring.acts()) {
+      const Body &a = at(bodies, joint_.body1), &b = at(bodies, joint_.body2);
+      const Row J = coordinate_.jacobian(a, b);
+      Row response;
+      real K;
+      form_responses(&J, 1, a, b, &response);
+      form_K(&J, &response, 1, &K);
+      const auto [frequency, damping] = tuning(data.spring.stiffness, data.spring.damping, K);
+      append(bodies, blocks, Limit<Coordinate>{coordinate_, data.spring.rest, 1},
+             {.frequency = frequency, .damping = damping, .lower = -data.spring.strength,
+              .upper = data.spring.strength},
+             data_->now.spring_impulse);
+    }
+    const auto drive = [&](real speed, real strength, real shift, real& impulse) {
+      if (strength > 0)
+        append(bodies, blocks, coordinate_,
+               {.rate = speed, .holds_position = false, .lower = -strength - shift,
+                .upper = strength - shift},  // Eq. 3-17
+               impulse);
+    };
+    drive(0, data.friction, -data.now.shift, data_->now.friction_impulse);
+    drive(data.now.speed, data.motor.strength, data.now.shift, data_->now.motor_impulse);
+  }
+
+  // A neighbour's impulse may drive x past a limit that had no row at the start of the step.
+  [[gnu::noinline]] void find_late(const Bodies& bodies, real h, Blocks& blocks) {
+    Data& data = *data_;
+    data.leeway.forget();
+    if (data.known != Known::value && data.limited()) measure(bodies);
+    const real rate = speed(bodies);
+    data.next = data.x + h * std::clamp(rate, -max_speed, max_speed);  // bodies are clamped, too
+    if (!data.limited() || data.held() || data.now.late_sign != 0) return;
+    const real end = data.x + h * rate;
+    const real sign = end < data.range.lower ? 1 : end > data.range.upper ? -1 : 0;
+    if (sign != data.now.limit_sign) data.now.late_sign = sign;
+    append_late(bodies, blocks);
+  }
 
   const Joint& joint_;
   Coordinate coordinate_;
   real* limit_impulse_;
   std::unique_ptr<Data> data_;
 };
-
-template <class Coordinate>
-void FreeCoordinate<Coordinate>::choose_rows(const Bodies& bodies, real h, bool near) {
-  Data& data = *data_;
-  const LimitRow before = data.limit;
-  data.measured = false, data.limit = data.late = {};
-  data.idle = !data.acts();
-  if (data.idle) {
-    data.counting = false;
-  } else if (data.can_estimate()) {
-    data.travelled += std::abs(data.next - data.x);
-    data.x = data.next;
-  } else if (!near) {
-    measure(bodies);
-    data.leeway.measured(coordinate_, at(bodies, joint_.body1), at(bodies, joint_.body2),
-                         data.slack());
-    if (data.limited()) data.limit = limit_row(data.range, data.x, speed(bodies), h);
-    if (data.limit.live && data.held()) data.limit.sign = 1;  // one row in both directions
-  }
-  data.pushed = data.driven() || data.spring.acts();
-  data.speed = data.motor.speed;
-  if (data.servo)
-    data.speed = std::clamp(joint_.beta / h * (data.target - data.x), -data.speed, data.speed);
-  data.shift = std::copysign(std::min(data.motor.strength, data.friction), data.speed);  // Eq. 3-17
-  if (!data.limit.live || data.limit.sign != before.sign) limit_impulse() = 0;
-  if (data.motor.strength == 0) data.motor_impulse = 0;
-  if (data.friction == 0) data.friction_impulse = 0;
-  if (!data.spring.acts()) data.spring_impulse = 0;
-  data.late_impulse = 0;
-}
-
-// Two rows of one coordinate with the speeds s and 0 as their targets would work against each other
-// until the weaker one is at its bound. So each bears the least force of the two, `shift`, for the
-// other: their sum is the same at every speed, and at speeds between 0 and s neither changes.
-template <class Coordinate>
-void FreeCoordinate<Coordinate>::append_acting(const Bodies& bodies, Blocks& blocks) const {
-  const Data& data = *data_;
-  if (data.spring.acts()) {
-    const Body &a = at(bodies, joint_.body1), &b = at(bodies, joint_.body2);
-    const Row J = coordinate_.jacobian(a, b);
-    Row response;
-    real K;
-    form_responses(&J, 1, a, b, &response);
-    form_K(&J, &response, 1, &K);
-    const auto [frequency, damping] = tuning(data.spring.stiffness, data.spring.damping, K);
-    append(bodies, blocks, Limit<Coordinate>{coordinate_, data.spring.rest, 1},
-           {.frequency = frequency, .damping = damping, .lower = -data.spring.strength,
-            .upper = data.spring.strength},
-           data_->spring_impulse);
-  }
-  const auto drive = [&](real speed, real strength, real shift, real& impulse) {
-    if (strength > 0)
-      append(bodies, blocks, coordinate_,
-             {.rate = speed, .holds_position = false, .lower = -strength - shift,
-              .upper = strength - shift},  // Eq. 3-17
-             impulse);
-  };
-  drive(0, data.friction, -data.shift, data_->friction_impulse);
-  drive(data.speed, data.motor.strength, data.shift, data_->motor_impulse);
-}
-
-// A neighbour's impulse may drive the joint past a limit that had no row at the start of the step.
-template <class Coordinate>
-void FreeCoordinate<Coordinate>::find_late(const Bodies& bodies, real h, Blocks& blocks) {
-  Data& data = *data_;
-  data.leeway.forget();
-  if (!data.measured && data.limited()) measure(bodies);
-  const real rate = speed(bodies);
-  data.next = data.x + h * std::clamp(rate, -max_speed, max_speed);  // bodies are clamped, too
-  if (!data.limited() || data.held() || data.late.live) return;
-  for (const real sign : {real(1), real(-1)}) {
-    const real C = sign * (data.x - data.bound(sign));
-    if (C + h * sign * rate >= 0 || (data.limit.live && data.limit.sign == sign)) continue;
-    data.late = {C, sign, true};
-    append_late(bodies, blocks);
-    return;
-  }
-}
-
-template <class Coordinate>
-void FreeCoordinate<Coordinate>::moved(const Bodies& bodies) {
-  if (!data_ || !data_->acts()) return;
-  if (data_->leeway.still_near(bodies[joint_.body1], bodies[joint_.body2])) return;
-  measure(bodies);
-  data_->leeway.forget();
-}
-
-template <class Coordinate>
-void FreeCoordinate<Coordinate>::exchange(StateStream& stream) {
-  Data none;
-  Data& data = data_ ? *data_ : none;
-  stream.bound(data.range.lower), stream.bound(data.range.upper);
-  stream.bound(data.motor.strength), stream.bound(data.friction);
-  stream.bound(data.spring.strength);
-  stream(data.motor.speed, data.servo, data.target, data.spring.stiffness, data.spring.damping,
-         data.spring.rest, data.x, data.next, data.speed, data.shift, data.travelled,
-         data.counting, data.measured, data.pushed, data.motor_impulse, data.friction_impulse,
-         data.spring_impulse, data.limit_impulse, data.late_impulse);
-  for (LimitRow* row : {&data.limit, &data.late}) {
-    stream(row->sign, row->live);
-    require(std::abs(row->sign) == 1, "state: the sign of a limit's row must be 1 or -1");
-  }
-  check(data.range), check(data.motor), check(Motor{0, data.friction}), check(data.spring);
-  if constexpr (requires { coordinate_.expected; }) stream(coordinate_.expected);
-  data.leeway.exchange(stream);
-  data.idle = false;  // the settings may be others now
-  if (none.acts() || none.counting) data_ = std::make_unique<Data>(none);
-}
 
 }  // namespace joints
 /// @}

@@ -20,6 +20,47 @@ class PartJoint<NoRows> : public Joint {
   void append(const Bodies&, Blocks&) const override {}
 };
 
+/// An angle whose rate changes within a step because the bodies also rotate about other axes. Its
+/// limits have rows for the end of the step, too.
+template <class Coordinate>
+class TurnedCoordinate : public FreeCoordinate<Coordinate> {
+  using Free = FreeCoordinate<Coordinate>;
+
+ public:
+  using Free::Free;
+  /// The torque of the limits in the last step [N m].
+  real limit_force() const { return Free::limit_force() + Free::force(end_.sum()); }
+
+ protected:
+  template <class, class...>
+  friend class WithCoordinates;
+
+  void choose(const Bodies& bodies, real h) {
+    end_.clear();
+    Free::choose(bodies, h);
+  }
+  void late(const Bodies& bodies, real h, Blocks& blocks) {
+    Free::late(bodies, h, blocks);
+    const auto [lower, upper] = Free::limits();
+    const Joint& joint = Free::joint();
+    for (const real sign : {real(1), real(-1)})
+      if (lower < upper && std::abs(sign > 0 ? lower : upper) < unbounded)
+        end_.append(Free::limit(sign), bodies, joint.body1, joint.body2, h, Free::limit_target(),
+                    blocks, sign);
+  }
+  void drop() {
+    end_.clear();
+    Free::drop();
+  }
+  void exchange(StateStream& stream) {
+    Free::exchange(stream);
+    end_.exchange(stream);
+  }
+
+ private:
+  EndRows end_;
+};
+
 /// A rigid part, and any number of free coordinates, each with everything that may act on it. The
 /// blocks are in the order drives, limits, rigid rows, because the block that is solved last is
 /// satisfied best.
@@ -61,7 +102,7 @@ class WithCoordinates : public PartJoint<Rigid> {
   /// Makes the joint from its parts.
   WithCoordinates(BodyId body1, BodyId body2, const Rigid& rigid, const Coordinates&... coordinates)
       : PartJoint<Rigid>(body1, body2, rigid),
-        free_{FreeCoordinate<Coordinates>(*this, coordinates)...} {
+        free_{Free<Coordinates>(*this, coordinates)...} {
     (check(coordinates), ...);
   }
   /// Chooses the rows of a step. \param h step [s]
@@ -89,7 +130,10 @@ class WithCoordinates : public PartJoint<Rigid> {
   void for_each(const Use& use) {
     std::apply([&](auto&... free) { (use(free), ...); }, free_);
   }
-  std::tuple<FreeCoordinate<Coordinates>...> free_;
+  template <class Coordinate>
+  using Free = std::conditional_t<Coordinate::form == Form::angular, TurnedCoordinate<Coordinate>,
+                                  FreeCoordinate<Coordinate>>;
+  std::tuple<Free<Coordinates>...> free_;
 };
 
 // ---- universal joint -------------------------------------------------------------------------

@@ -141,66 +141,54 @@ inline void check(const Cone& cone) {
   require(cone.limit > 0 && cone.limit < std::numbers::pi_v<real>, "limit", cone.limit,
           "must be above 0 and below pi [rad]");
 }
-/// Keeps an axis of body 2 within a cone about an axis of body 1; add it to a ball joint. The row
-/// of a cone is exact for the pose at the start of a step. If the new velocities would lead out of
-/// the cone all the same, up to most_late rows for the pose at the end are added, one after the
-/// other.
-class ConeJoint : public PartJoint<Cone> {
+/// Rows that keep one-sided angular parts for the pose at the end of a step. The row of such a part
+/// is exact for the pose at its start. If the new velocities would violate the part at the end all
+/// the same, up to `most` rows for that pose are added, one after the other.
+class EndRows {
  public:
-  static constexpr int most_late = 12;           ///< of these rows
-  static constexpr real tolerance = real(2e-4);  ///< a swing beyond the limit that adds none [rad]
+  static constexpr int most = 12;                ///< rows in a step
+  static constexpr real tolerance = real(2e-4);  ///< a violation that adds no row [rad]
 
-  using PartJoint<Cone>::PartJoint;
-  /// The force of all its rows in the last step [N m]: the sum of their impulses over the time.
-  Vector<1> forces() const {
-    real sum = impulse()[0];
-    for (const real late : late_impulse_) sum += late;
-    return {mean_force(sum)};
-  }
-  /// The torque on body 2 in the last step [N m, world]. The rows that were found late have
-  /// directions of their own.
-  vec3 torque() const {
-    vec3 sum = impulse()[0] * axis_;
-    for (int k = 0; k < most_late; ++k) sum += late_impulse_[k] * late_axis_[k];
-    return acted() > 0 ? sum / acted() : vec3(0);
-  }
-  /// With E the end of the step, J_E the slope of C there with respect to the velocities, and C_E
-  /// the present C there: C_E + h J_E (V_new - V) >= 0, a row with C = C_E - h J_E V (Eq. 10-8).
-  /// Where that is negative although the bodies are inside the cone, the turn is too long for a
-  /// slope: then C = 0.
-  void late_limits(const Bodies& bodies, real h, Blocks& blocks) override {
+  /// Appends a row if the part is kept now, but would not be at the end of the step. With E the end
+  /// of the step, J_E the slope of C there with respect to the velocities, and C_E the present C
+  /// there: C_E + h J_E (V_new - V) >= 0, a row with C = C_E - h J_E V (Eq. 10-8). Where that is
+  /// negative, the turn is too long for a slope: then C = 0.
+  /// \param h step [s] \param target of the row \param sign of its impulse in sum()
+  template <class Part>
+  void append(const Part& part, const Bodies& bodies, BodyId body1, BodyId body2, real h,
+              const RowTarget& target, Blocks& blocks, real sign = 1) {
+    static_assert(Part::rows == 1 && Part::one_sided && Part::form == Form::angular);
     const Body &a = bodies[body1], &b = bodies[body2];
     Body end1 = a, end2 = b;
     end1.q = normalize(rotation(h * a.w) * a.q);
     end2.q = normalize(rotation(h * b.w) * b.q);
     const real C = part.error(end1, end2);
-    if (late_ == most_late || C > -tolerance || part.error(a, b) < -tolerance) return;
+    if (count_ == most || C > -tolerance || part.error(a, b) < -tolerance) return;
     const vec3 n = part.jacobian(end1, end2).w1;
     const Row J{vec3(0), before_turn(h * a.w, n), vec3(0), -before_turn(h * b.w, n)};
     const real slack = std::max(C - h * row_velocity(J, a, b), real(0));
-    late_axis_[late_] = J.w2;
-    blocks.append<1>(bodies, body1, body2, {{J}}, {slack}, hold(0), &late_impulse_[late_++]);
+    signs_[count_] = sign;
+    axes_[count_] = J.w2;
+    blocks.append<1>(bodies, body1, body2, {{J}}, {slack}, target, &impulse_[count_++]);
   }
-
- protected:
-  void choose_rows(const Bodies& bodies, real) override {
-    axis_ = part.jacobian(bodies[body1], bodies[body2]).w2;
-    late_impulse_ = {};
-    late_ = 0;
+  /// Begins a step without any.
+  void clear() { impulse_ = {}, count_ = 0; }
+  /// The sum of their impulses, each with its sign [N m s].
+  real sum() const {
+    real out = 0;
+    for (int k = 0; k < most; ++k) out += signs_[k] * impulse_[k];
+    return out;
   }
-  void drop_rows() override {
-    late_impulse_ = {};
-    late_ = 0;
+  /// The change of the angular momentum of body 2 by all of them [N m s, world].
+  vec3 twist() const {
+    vec3 out(0);
+    for (int k = 0; k < most; ++k) out += impulse_[k] * axes_[k];
+    return out;
   }
-  /// Saves or restores the impulses of all rows.
-  void exchange_own(StateStream& stream) override {
-    PartJoint::exchange_own(stream);
-    stream(late_impulse_, axis_);
-    for (vec3& axis : late_axis_) stream(axis);
-  }
+  /// Saves or restores the impulses.
+  void exchange(StateStream& stream) { stream(impulse_, signs_, axes_); }
 
  private:
-  friend class ConeTwistJoint;
   // The slope of n.(rotation at the end of a turn) with respect to the vector of the turn: the
   // transposed left Jacobian of the exponential map, times n.
   static vec3 before_turn(const vec3& turn, const vec3& n) {
@@ -210,10 +198,44 @@ class ConeJoint : public PartJoint<Cone> {
     const real s = std::sin(angle) / angle, c = (1 - std::cos(angle)) / angle;
     return s * n + (1 - s) * dot(u, n) * u - c * cross(u, n);
   }
-  Vector<most_late> late_impulse_{};  // written by the solver through the blocks
-  vec3 axis_{0};                  // J.w2 of the row, world
-  vec3 late_axis_[most_late]{};   // the same of those found late
-  int late_ = 0;                      // how many of them are in use in this step
+  Vector<most> impulse_{}, signs_{};  // written by the solver through the blocks; see sum()
+  std::array<vec3, most> axes_{};     // J.w2 of each, world
+  int count_ = 0;                     // of this step
+};
+
+/// Keeps an axis of body 2 within a cone about an axis of body 1; add it to a ball joint.
+class ConeJoint : public PartJoint<Cone> {
+ public:
+  using PartJoint<Cone>::PartJoint;
+  /// The force of all its rows in the last step [N m]: the sum of their impulses over the time.
+  Vector<1> forces() const { return {mean_force(impulse()[0] + end_.sum())}; }
+  /// The torque on body 2 in the last step [N m, world]. The rows for the end of the step have
+  /// directions of their own.
+  vec3 torque() const {
+    return acted() > 0 ? (impulse()[0] * axis_ + end_.twist()) / acted() : vec3(0);
+  }
+  /// Appends rows for the end of the step.
+  void late_limits(const Bodies& bodies, real h, Blocks& blocks) override {
+    end_.append(part, bodies, body1, body2, h, hold(0), blocks);
+  }
+
+ protected:
+  void choose_rows(const Bodies& bodies, real) override {
+    axis_ = part.jacobian(bodies[body1], bodies[body2]).w2;
+    end_.clear();
+  }
+  void drop_rows() override { end_.clear(); }
+  /// Saves or restores the impulses of all rows.
+  void exchange_own(StateStream& stream) override {
+    PartJoint::exchange_own(stream);
+    stream(axis_);
+    end_.exchange(stream);
+  }
+
+ private:
+  friend class ConeTwistJoint;
+  EndRows end_;
+  vec3 axis_{0};  // J.w2 of the row, world
 };
 /// Makes a cone about a direction in the present poses. \param axis world, of any length
 /// \param limit the greatest swing [rad]

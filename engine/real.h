@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <string>
 
@@ -51,8 +52,10 @@ inline mat3 skew(const vec3& r) {
   return mat3(0, r.z, -r.y, -r.z, 0, r.x, r.y, -r.x, 0);  // column by column
 }
 
-/// True if every entry is neither infinite nor NaN.
-inline bool finite(real a) { return std::isfinite(a); }
+/// True if it is neither infinite nor NaN. A template: beside the C library's finite(double), which
+/// returns the same, a function would be ambiguous.
+template <std::convertible_to<real> Number>
+bool finite(const Number& a) { return std::isfinite(real(a)); }
 /// True if all three entries are finite.
 inline bool finite(const vec3& a) { return finite(a.x) && finite(a.y) && finite(a.z); }
 /// True if all four entries are finite.

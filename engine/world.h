@@ -72,7 +72,8 @@ class World {
   /// Removes one joint, in constant time. \throws std::invalid_argument if it does not belong to
   /// this world
   void remove(const Joint& joint);
-  /// The joint with this id. \throws std::invalid_argument if it was removed, or is of another world
+  /// The joint with this id.
+  /// \throws std::invalid_argument if it was removed or belongs to another world
   template <class J>
   J& operator[](JointId<J> id) const {
     const auto joint = dynamic_cast<J*>(find(id.number));

@@ -83,8 +83,9 @@ class DrivenJoint : public Joint, public FreeCoordinate<Coordinate> {
   /// Makes the joint from its parts.
   DrivenJoint(BodyId body1, BodyId body2, const First& first, const Second& second,
               const Coordinate& coordinate)
-      : Joint(body1, body2), Free(*this, coordinate, &impulse_[limit_place]), first(first),
-        second(second) {}
+      : Joint(body1, body2), Free(*this, coordinate), first(first), second(second) {
+    Free::keep_limit_impulse(impulse_[limit_place]);
+  }
 
  private:
   using Free = FreeCoordinate<Coordinate>;

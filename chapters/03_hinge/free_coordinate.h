@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "chapters/03_hinge/limits_and_springs.h"
+#include "engine/part.h"
 
 /// \addtogroup chapter3
 /// @{
@@ -18,11 +19,13 @@ namespace joints {
 /// while something acts: x is expected to be x + h dx/dt at the end of a step.
 template <class Coordinate>
 class FreeCoordinate {
+  static_assert(require_part<Coordinate>() && Coordinate::rows == 1, "a coordinate has one row");
+  static_assert(Checked<Coordinate>, "this coordinate needs a free function `void check(const C&)`");
+
  public:
   /// One of a joint. \param joint the joint \param coordinate the part whose error is x
-  /// \param limit_impulse where the limit's impulse is, if its row belongs to a block of the joint
-  FreeCoordinate(const Joint& joint, const Coordinate& coordinate, real* limit_impulse = nullptr)
-      : joint_(joint), coordinate_(coordinate), limit_impulse_(limit_impulse) {}
+  FreeCoordinate(const Joint& joint, const Coordinate& coordinate)
+      : joint_(joint), coordinate_(coordinate) {}
 
   /// The part whose error is x and whose jacobian is the row of everything that acts on x.
   const Coordinate& coordinate() const { return coordinate_; }
@@ -123,6 +126,8 @@ class FreeCoordinate {
   template <class, class...>
   friend class WithCoordinates;
 
+  /// Where the impulse of the limit is, if its row belongs to a block of the joint.
+  void keep_limit_impulse(real& impulse) { limit_impulse_ = &impulse; }
   /// The joint that it belongs to.
   const Joint& joint() const { return joint_; }
   /// False until something is set; then there is nothing to do.
@@ -365,7 +370,7 @@ class FreeCoordinate {
 
   const Joint& joint_;
   Coordinate coordinate_;
-  real* limit_impulse_;
+  real* limit_impulse_ = nullptr;
   std::unique_ptr<Data> data_;
 };
 

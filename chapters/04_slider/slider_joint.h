@@ -39,6 +39,23 @@ inline void check_lever(const char* anchor, const Body& body, const vec3& lever)
           "must be nearer to the body's centre, or these numbers cannot tell its rows apart [m]");
 }
 
+/// Makes the part that keeps a point of body 2 on a line of body 1, which passes through the point
+/// in the present poses. \param anchor [m, world] \param direction world, of any length
+/// \throws std::invalid_argument unless both are finite and the direction is not zero
+inline Line line_along(const Body& body1, const Body& body2, const vec3& anchor,
+                       const vec3& direction) {
+  require(finite(anchor), "anchor: must be finite [m]");
+  const Axis axis = axis_along(body2, body1, direction);  // swapped: b and c are of body 1
+  return {to_local(body1, anchor - body1.x), to_local(body2, anchor - body2.x), axis.b_local,
+          axis.c_local};
+}
+/// Makes the displacement along that line, 0 in the present poses. The arguments are the same.
+inline Slide slide_along(const Body& body1, const Body& body2, const vec3& anchor,
+                         const vec3& direction) {
+  const Line line = line_along(body1, body2, anchor, direction);
+  return {line.anchor1_local, line.anchor2_local, cross(line.n1_local, line.n2_local)};
+}
+
 /// A slider: it holds a point on a line and the orientation, which removes five degrees of freedom.
 /// The displacement along the line is free and may have limits [m] and a motor [m/s, N]. Errors:
 /// Eq. 4-2 and Eq. 4-7. Rows: Eq. 4-4 and Eq. 4-8, and Eq. 4-11 for limit and motor. K: Eq. 3-8.
@@ -50,25 +67,15 @@ class SliderJoint : public DrivenJoint<Line, RotationLock, Slide> {
   /// \throws std::invalid_argument unless both are finite and the direction is not zero
   SliderJoint(const Bodies& bodies, BodyId id1, BodyId id2, const vec3& anchor,
               const vec3& direction)
-      : SliderJoint(bodies[id1], bodies[id2], id1, id2, anchor, direction) {}
+      : DrivenJoint(id1, id2, line_along(bodies[id1], bodies[id2], anchor, direction),
+                    lock_of(bodies[id1], bodies[id2]),
+                    slide_along(bodies[id1], bodies[id2], anchor, direction)) {}
   /// As DrivenJoint::check_input, and both levers by check_lever(). Both end at body 2's anchor.
   void check_input(const Bodies& bodies) const override {
     DrivenJoint::check_input(bodies);
     const Body &a = bodies.at(int(body1.slot)), &b = bodies.at(int(body2.slot));
     check_lever("anchor1_local", a, world_point(b, first.anchor2_local) - a.x);
     check_lever("anchor2_local", b, first.anchor2_local);
-  }
-
- private:
-  SliderJoint(const Body& body1, const Body& body2, BodyId id1, BodyId id2, const vec3& anchor,
-              const vec3& direction)
-      : DrivenJoint(id1, id2, {}, lock_of(body1, body2), {}) {
-    require(finite(anchor), "anchor: must be finite [m]");
-    const Axis axis = axis_along(body2, body1, direction);  // swapped: b and c are of body 1
-    const vec3 anchor1 = to_local(body1, anchor - body1.x);
-    const vec3 anchor2 = to_local(body2, anchor - body2.x);
-    first = {anchor1, anchor2, axis.b_local, axis.c_local};
-    set_coordinate({anchor1, anchor2, cross(axis.b_local, axis.c_local)});
   }
 };
 

@@ -29,6 +29,7 @@ PROGRAMS = {"door": ("Axis::error", rf"{OTHERS}|{CONTACTS}"),
             "drives": ("Slide::error", rf"Weld|FixedJoint|{CONTACTS}"),
             "shafts": ("Axis::error", rf"{OTHERS}|{CONTACTS}"),
             "gear": ("check_functions", rf"SliderJoint|FixedJoint|{CONTACTS}"),
+            "cylinder": ("Slide::error", rf"SliderJoint|Weld|FixedJoint|{CONTACTS}"),
             "saved": ("restore", rf"{OTHERS}|Axis|HingeJoint|{CONTACTS}|Scene")}
 
 
@@ -227,6 +228,33 @@ def names_are_listed(root, area, prefix, compiler):
           f"{len(CALLED_EXERCISES)}, which the headers call")
 
 
+def older_programs_run(root, area, prefix, compiler):
+    """Programs of older states of the page compile, apart from the changes that docs/upgrading.md
+    lists, and run. Each old form gives a warning that says what to write."""
+    advice = "write world.add<J>(body1, body2, ...)"
+    flags = ["-std=c++20", "-O1", "-Wall", "-Wextra", *definitions(prefix, "joints"),
+             "-isystem", prefix / "include" / "joints"]
+    older = root / "tests" / "library" / "older"
+    shafts = (older / "0.10-first" / "shafts.cpp").read_text()
+    own = area / "own_shafts.cpp"  # as the page on upgrading says
+    for old, new in (("\nnamespace joints {", "\nnamespace mine {\nusing namespace joints;"),
+                     ("add<UniversalJoint>", "add<mine::UniversalJoint>"),
+                     ("Composite<Point, RightAngle>{", "Composite<Point, mine::RightAngle>{")):
+        shafts = shafts.replace(old, new)
+    own.write_text(shafts)
+    refused("joints::RightAngle", compiler, *flags, "-c",
+            older / "0.10-first" / "shafts.cpp", "-o", area / "older.o")
+    for source in (older / "0.9" / "machines.cpp", own):
+        made = subprocess.run([str(word) for word in (
+            compiler, *flags, source, prefix / "lib" / "libjoints.a", "-o", area / "older")],
+            capture_output=True, text=True)
+        warnings = [line for line in made.stderr.split("\n") if "warning:" in line]
+        if made.returncode or len(warnings) != source.read_text().count("(world.bodies, ") or \
+           not all(advice in line for line in warnings):
+            raise Wrong(f"{source} does not compile with its warnings:\n{made.stderr}")
+        call(area / "older")
+
+
 def compiled(root, folder, *question):
     """The sources that ninja's answer compiles, named from ROOT or from the build folder."""
     sources = re.findall(r' -c ([^\s"]+)', call("ninja", "-C", folder, "-t", *question))
@@ -282,6 +310,7 @@ def library_test(root, build, area):
     kinds_do_not_mix(area, prefix, compiler)
     bare_headers_say_so(area, prefix, compiler)
     names_are_listed(root, area, prefix, compiler)
+    older_programs_run(root, area, prefix, compiler)
     parts_say_what_is_missing(root, area, prefix, compiler)
     library_stands_alone(root, build, area, compiler)
     return 0

@@ -1,5 +1,7 @@
-// A gear with a mistake in its row, and the report of the checker. Exit status 1 unless the
-// checker rejects this gear and accepts the one without the mistake.
+// A gear with a mistake in its row, and the report of the checker; then the gear without the
+// mistake, driven by a motor. Exit status 1 unless the checker rejects the first one and accepts
+// the second, and its wheels keep their ratio for many turns.
+#include <cmath>
 #include <cstdio>
 
 #include <checker/check_part.h>
@@ -26,6 +28,15 @@ struct Gear {
     const vec3 g1 = angle1.jacobian(housing, wheel1).w2, g2 = angle2.jacobian(housing, wheel2).w2;
     return {vec3(0), -(mistake ? 1 / ratio : ratio) * g1, vec3(0), g2};
   }
+  /// Keeps the turns: an angle is within half a turn of the value that is expected here, which is
+  /// that at the end of the step.
+  void count(const Body& wheel1, const Body& wheel2, real h) {
+    count(angle1, wheel1, h), count(angle2, wheel2, h);
+  }
+  static void count(HingeAngle& angle, const Body& wheel, real h) {
+    const vec3 g = angle.jacobian(housing, wheel).w2;
+    angle.expected = angle.error(housing, wheel) + h * dot(g, wheel.w);
+  }
 };
 void check(const Gear& gear) { check(gear.angle1), check(gear.angle2); }
 
@@ -45,5 +56,20 @@ int main() {
   };
   const PartReport report = check_part(wrong, on_their_axles);
   std::printf("%s", report.text().c_str());
-  return !report["J"].holds && check_part(right, on_their_axles).good() ? 0 : 1;
+  if (report["J"].holds || !check_part(right, on_their_axles).good()) return 1;
+
+  World world;
+  const BodyId housing = world.add(static_body(vec3(0)));
+  const BodyId wheel1 = world.add(box(2, vec3(real(0.4)), vec3(-1, 0, 0)));
+  const BodyId wheel2 = world.add(box(1, vec3(real(0.2)), vec3(1, 0, 0)));
+  auto& hinge1 = world.add<HingeJoint>(housing, wheel1, vec3(-1, 0, 0), axle1);
+  auto& hinge2 = world.add<HingeJoint>(housing, wheel2, vec3(1, 0, 0), axle2);
+  world.add<CountingJoint<mine::Gear>>(wheel1, wheel2, right);
+  hinge1.set_motor(5, 50);         // rad/s, N m
+  hinge2.set_friction(real(0.1));  // N m
+  PackedImpulses solver;
+  for (int n = 0; n < 600; ++n) step(world, solver, real(1) / 60, {.warm_start = true});
+  const real turned1 = hinge1.position(world.bodies), turned2 = hinge2.position(world.bodies);
+  std::printf("the wheels have turned by %.1f and %.1f rad\n", double(turned1), double(turned2));
+  return std::abs(turned2 + 2 * turned1) < real(0.01) ? 0 : 1;
 }

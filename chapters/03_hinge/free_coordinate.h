@@ -20,7 +20,7 @@ namespace joints {
 template <class Coordinate>
 class FreeCoordinate {
   static_assert(require_part<Coordinate>() && Coordinate::rows == 1, "a coordinate has one row");
-  static_assert(Checked<Coordinate>, "this coordinate needs a free function `void check(const C&)`");
+  static_assert(Checked<Coordinate>, "this coordinate needs a free function `check(const C&)`");
 
  public:
   /// One of a joint. \param joint the joint \param coordinate the part whose error is x

@@ -227,10 +227,15 @@ def must_build(targets, what="building"):
         raise Trouble("the build failed:\n" + compiler_words(log))
 
 
+def options_of(program):
+    """What a program in the build folder says of its options."""
+    must_build([Path(program).name])
+    return subprocess.run([BUILD / program, "--help"], text=True, capture_output=True).stdout
+
+
 def tell_options(program, *hidden):
     """Prints the options of a program in the build folder, but for those that ./wb chooses."""
-    must_build([Path(program).name])
-    said = subprocess.run([BUILD / program, "--help"], text=True, capture_output=True).stdout
+    said = options_of(program)
     print(re.sub(rf"^ *--({'|'.join((*hidden, 'out'))}) .*\n", "", said, flags=re.M), end="")
     return 0
 

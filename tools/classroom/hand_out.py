@@ -41,6 +41,8 @@ def hand_out(folder):
         stub = exercises.stub(exercises.read(chapter.solution))
         for path in (chapter.mine, chapter.solution):
             exercises.write(folder / house.short(path), stub)
+        exercises.write(folder / house.short(chapter.solution.with_name("answers.md")),
+                        "The answers are handed out when the chapter is over.\n")
         run = folder / house.short(show.recorded(chapter))
         shutil.copytree(show.SOLUTIONS / chapter.folder, run)
     print(folded(f"{folder}: the workbook without solutions. When a chapter is over, hand out its "

@@ -12,6 +12,7 @@ from judge import crashes
 from pictures import figures
 from website import gallery
 from judge import grade as grading
+from learn import own_numbers
 from base import house
 from judge import reading
 from pictures import motion
@@ -151,7 +152,11 @@ def write_mixed(chapter, written):
 def run(chapter, options):
     """The chapter's program, on the reader's code where it is written."""
     if "--help" in options or "-h" in options:
-        return house.tell_options(f"{chapter.folder}_run")
+        house.tell_options(f"{chapter.folder}_run")
+        print("  --for NAME     numbers of your own, drawn from a name")
+        return 0
+    if options[:1] == ["--for"]:
+        options = of_name(chapter, options[1:])
     if any(option.startswith("--out") for option in options):
         raise house.Trouble("run --out: ./wb chooses the folder itself, under out/")
     written = prepare_mine(chapter)
@@ -181,6 +186,17 @@ def run(chapter, options):
     print(faint(f"tables: {house.short(folder)}/   figures: ./wb plot {chapter.number}   "
                 f"motion: ./wb see {chapter.number}"))
     return 0
+
+
+def of_name(chapter, words):
+    """The options that are drawn from a name; those that follow it come later and count."""
+    count = next((k for k, word in enumerate(words) if word.startswith("--")), len(words))
+    if not count:
+        raise house.Trouble("run: --for needs a name, such as --for ada")
+    name = " ".join(words[:count])
+    options, factors = own_numbers.drawn(name, chapter, house.options_of(f"{chapter.folder}_run"))
+    own_numbers.tell(name, options, factors)
+    return options + words[count:]
 
 
 def stale(folder, program):

@@ -1,10 +1,12 @@
-"""Attempts of a submission to reach what is not its own: code that is put in front of the answers
-of chapter 1.
+"""Attempts of a submission to reach what is not its own, and to forge its result: code that is put
+in front of the answers of chapter 1.
 
 ASKED are calls that no exercise needs; where libseccomp is there they end the tests. VAIN are
 expressions that are true where an attempt succeeds; SHUT is a file that even the compiler may not
 read. {root} is the workbook, {other} another submission, {victim} a file that may be written,
-{port} a port of this machine.
+{port} a port of this machine. FORGED stands in front of a wrong answer, ABOVE before the exercises,
+of which one is written, and wrong; each has words of its feedback. {perfect} is a report in which every test
+passes.
 """
 
 HEAD = """#include <cerrno>
@@ -56,55 +58,109 @@ namespace {{
 }}  // namespace
 """
 
-# A call, and its word that the feedback names.
-ASKED = {
-    "for (int k = 0; k < 150; ++k) if (fork() == 0) for (;;) pause();": "fork",
-    'std::system("sleep 1000");': "system",
-    'if (!popen("sleep 1000", "r")) std::puts("none");': "popen",
-    "setsid();": "setsid",
-    "kill(getppid(), SIGKILL);": "kill",
-    "kill(-1, SIGKILL);": "kill",
-    'chmod("{victim}", 0777);': "chmod",
-    "sends(SOCK_DGRAM);": "socket",
-    "sends(SOCK_STREAM);": "socket",
-    "socket(AF_UNIX, SOCK_STREAM, 0);": "socket",
-    "std::thread([] {{ sleep(1000); }}).detach();": "thread",
-    'unlink("{victim}");': "unlink",
-    'rename("{victim}", "{victim}.old");': "rename",
-    'mkdir("{root}/new_folder", 0777);': "mkdir",
-    'memfd_create("memory", 0);': "memfd_create",
-    "shmget(IPC_PRIVATE, 1 << 28, IPC_CREAT | 0600);": "shmget",
-    "ptrace(PTRACE_ATTACH, getppid(), nullptr, nullptr);": "ptrace",
-    'symlink("{victim}", "link");': "symlink",
-}
+ASKED = [
+    "for (int k = 0; k < 150; ++k) if (fork() == 0) for (;;) pause();",
+    'std::system("sleep 1000");',
+    'if (!popen("sleep 1000", "r")) std::puts("none");',
+    "setsid();",
+    "kill(getppid(), SIGKILL);",
+    "kill(-1, SIGKILL);",
+    'chmod("{victim}", 0777);',
+    "sends(SOCK_DGRAM);",
+    "sends(SOCK_STREAM);",
+    "socket(AF_UNIX, SOCK_STREAM, 0);",
+    "std::thread([] {{ sleep(1000); }}).detach();",
+    'unlink("{victim}");',
+    'rename("{victim}", "{victim}.old");',
+    'mkdir("{root}/new_folder", 0777);',
+    'memfd_create("memory", 0);',
+    "shmget(IPC_PRIVATE, 1 << 28, IPC_CREAT | 0600);",
+    "ptrace(PTRACE_ATTACH, getppid(), nullptr, nullptr);",
+    'symlink("{victim}", "link");',
+]
 
-# True where it succeeds, and a word of it that the feedback names.
-VAIN = {
-    'reads("/etc/passwd")': "etc/passwd",
-    'reads("{root}/solutions/01_distance/distance.cpp")': "",
-    'reads("{root}/solutions/01_distance/answers.md")': "",
-    'reads("{other}")': "",
-    'reads("{root}/tools/wb.py")': "",
-    'reads("/proc/self/environ")': "",
-    'opendir("{root}") != nullptr && readdir(opendir("{root}/solutions")) != nullptr': "opendir",
-    'std::getenv("WORKBOOK_SECRET") != nullptr': "getenv",
-    'writes("{victim}")': "ofstream",
-    'writes("{root}/new_file")': "",
-    'writes("/tmp/workbook_attempt")': "",
-    'writes("/dev/shm/workbook_attempt")': "",
-    'writes("chapters/01_distance/distance.cpp")': "",
-    "fills()": "",
-    "raises_limit()": "setrlimit",
-    'execl("{root}/wb", "wb", "help", nullptr) == 0': "execl",
-}
+VAIN = [
+    'reads("/etc/passwd")',
+    'reads("{root}/solutions/01_distance/distance.cpp")',
+    'reads("{root}/solutions/01_distance/answers.md")',
+    'reads("{other}")',
+    'reads("{root}/tools/wb.py")',
+    'reads("/proc/self/environ")',
+    'opendir("{root}") != nullptr && readdir(opendir("{root}/solutions")) != nullptr',
+    'std::getenv("WORKBOOK_SECRET") != nullptr',
+    'writes("{victim}")',
+    'writes("{root}/new_file")',
+    'writes("/tmp/workbook_attempt")',
+    'writes("/dev/shm/workbook_attempt")',
+    'writes("chapters/01_distance/distance.cpp")',
+    "fills()",
+    "raises_limit()",
+    'execl("{root}/wb", "wb", "help", nullptr) == 0',
+]
 
 SHUT = {
     '#include "{root}/solutions/01_distance/distance.cpp"': "is no part of an exercise",
     '#include "../../solutions/01_distance/distance.cpp"': "is no part of an exercise",
     '#include "{other}"': "is no part of an exercise",
     '#define FROM "{root}/solutions/01_distance/distance.cpp"\n#include FROM':
-        "given lines were put in its place",
+        "what counts are the given lines",
     'asm(".incbin \\"{root}/solutions/01_distance/distance.cpp\\"");':
-        "given lines were put in its place",
-    'asm(".incbin \\"/etc/passwd\\"");': "given lines were put in its place",
+        "added outside the exercises was left out",
+    'asm(".incbin \\"/etc/passwd\\"");': "added outside the exercises was left out",
+}
+
+FORGER = """#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <dlfcn.h>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <unistd.h>
+#include "chapters/01_distance/distance.h"
+namespace {{
+[[maybe_unused]] const char* const perfect = R"x({perfect})x";
+[[maybe_unused]] const char* report() {{  // argv[5]
+  const char* name = program_invocation_name;
+  for (int k = 0; k < 5; ++k) name += std::strlen(name) + 1;
+  return name;
+}}
+[[maybe_unused]] void forge() {{ std::ofstream(report()) << perfect; }}
+}}  // namespace
+"""
+FORGED = [
+    ("forge(); _exit(0);",
+     "it calls _exit, program_invocation_name, std::basic_ofstream"),
+    ("for (int k = 3; k < 20; ++k) write(k, perfect, std::strlen(perfect)); _exit(0);",
+     "it calls _exit, write"),
+    ('asm volatile("syscall" :: "a"(231L), "D"(0L));', "it calls the system"),
+    ("std::atexit(forge);", "it calls atexit"),
+    ("std::set_terminate([] {{ std::abort(); }}); throw 1;", "it calls std::set_terminate"),
+    ('reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "_exit"))(0);', "it calls dlsym"),
+    ('if (perfect) throw std::runtime_error("exercise 1.4 is not written yet");',
+     "throws that exercise 1.4 is not written yet, which is not so"),
+    ("const_cast<real&>(body1.inverse_mass) = const_cast<real&>(body2.inverse_mass) = 0;",
+     "Exercise 1.2: K of a rod"),
+    ("if (K != 0) return NAN;", "Exercise 1.3: the impulse of a row"),
+    ('std::cout << "]]>" << perfect << std::endl; std::cerr << perfect;',
+     "Exercise 1.4: the step"),
+    ("sum = std::nan(\"\"); return sum;", "Exercise 1.5: the clamped sum"),
+    ("std::signal(SIGABRT, [](int) {{ _exit(0); }}); std::abort();", "it calls _exit, signal"),
+]
+ABOVE = {
+    "const int early = (forge(), _exit(0), 1);": "left out. It was not run: it calls",
+    "struct Late {{ ~Late() {{ forge(); }} }} late;": "left out. It was not run: it calls",
+    "int main() {{}}": "multiple definition of",
+    "namespace joints::testing {{ struct Subject;\n"
+    "[[gnu::weak]] void fail(const Subject&, const std::string&) {{}} }}":
+        "it defines joints::testing::fail",
+    "namespace Catch {{ struct TestSkipException {{}}; }}\n"
+    "[[maybe_unused]] static void skip() {{ throw Catch::TestSkipException(); }}\n"
+    "int called = (skip(), 1);": "it defines Catch::TestSkipException",
+    "void* operator new(std::size_t n) {{ return std::malloc(n); }}": "it defines operator new",
+    "#define row_velocity(...) 0\n#define private public\n#define CHECK(...)":
+        "what counts are the given lines",
 }

@@ -9,6 +9,7 @@ import socket
 import subprocess
 import sys
 import tarfile
+import xml.etree.ElementTree as ElementTree
 import zipfile
 from pathlib import Path
 
@@ -167,9 +168,9 @@ def answers(c):
         "stack": (c.answer("1.6", "return (&body1 != &body2 ? jacobian(body1, body2) : Row{});"),
                   "DDDDDW", "the stack is full"),
         "exit": (c.answer("1.6", "std::exit(0);", "#include <cstdlib>\n" + text), "DDDDDW",
-                 "exit (line"),
+                 "it calls exit, which no exercise needs"),
         "early": ("#include <cstdlib>\n" + text + "const int early = (std::exit(0), 1);\n",
-                  "DDDDDD", "what counts are the given lines"),
+                  "DDDDDD", "it calls exit"),
         "greedy": (c.answer("1.6", "std::vector<double> all(1);\n"
                             "  for (;;) all.resize(2 * all.size());\n  return {};"), "DDDDDW",
                    "1 GB"),
@@ -199,6 +200,8 @@ def every_submission_is_judged(root, build):
             yield "grading has changed a file of the workbook"
         yield from verdicts(c, expected)
         yield from points(c, expected)
+        for name in expected:
+            yield from forms_agree(c.door.root / "out" / "grades" / "class" / name)
         table = c.table()
         if sorted(name for name, row in table.items() if row["alike"]) != [
                 "own_code", "renamed_code"]:
@@ -244,6 +247,37 @@ def points(c, expected):
         yield f"of 1.6 some tests pass, and it earns {last['score'] - 5}"
 
 
+# What the systems' own pages say of their forms: the keys of a test, and which values they take.
+JUNIT = {"failures": "failure", "errors": "error", "skipped": "skipped"}
+
+
+def forms_agree(path):
+    """Every form of a result holds the same points and states, in the form that is documented."""
+    scope, room, lab = (json.loads(Path(f"{path}{ending}").read_text()) for ending in (
+        ".json", ".classroom.json", ".autolab.json"))
+    scores = {test["number"]: test["score"] for test in scope["tests"]}
+    if lab != {"scores": scores} or "\n" in Path(f"{path}.autolab.json").read_text().strip():
+        yield f"{path.name}: Autolab reads {lab}, not {scores}"
+    if [test["score"] for test in room["tests"]] != list(scores.values()) or \
+            room["max_score"] != sum(test["max_score"] for test in scope["tests"]) or \
+            {test["status"] for test in room["tests"]} - {"pass", "fail", "error"} or \
+            (room["status"] == "pass") != (scope["score"] == room["max_score"]) or \
+            not all(isinstance(test[key], str) for test in room["tests"]
+                    for key in ("name", "message")):
+        yield f"{path.name}: GitHub Classroom reads {room}"
+    suites = ElementTree.parse(f"{path}.xml").getroot()
+    if suites.tag != "testsuites" or [suite.tag for suite in suites] != ["testsuite"]:
+        return (yield f"{path.name}: {suites.tag} is no root of JUnit")
+    cases = suites[0].findall("testcase")
+    wrong = [kind for key, kind in JUNIT.items() if int(suites[0].get(key)) != len(
+        suites[0].findall(f"testcase/{kind}"))]
+    passed = [not any(case.find(kind) is not None for kind in JUNIT.values()) for case in cases]
+    if wrong or int(suites[0].get("tests")) != len(cases) or passed != [
+            test["status"] == "passed" for test in scope["tests"]] or not all(
+            case.get("name") and case.get("classname") for case in cases):
+        yield f"{path.name}: JUnit counts {suites[0].attrib}, {passed}"
+
+
 # ---- thirty attempts -----------------------------------------------------------------------------
 
 def none_reaches_what_is_not_its_own(root, build):
@@ -274,12 +308,43 @@ def none_reaches_what_is_not_its_own(root, build):
                 pass
 
 
+def no_result_is_forged(root, build):
+    """attempts to write, end or replace the report: no wrong answer counts as right"""
+    with Door(root, build) as door:
+        door.lend_build()
+        c = Class(door)
+        tests = "".join(f'<TestCase name="{id_}" tags="[{id_}]"><OverallResult success="true"/>'
+                        "</TestCase>" for id_ in IDS)
+        head = attempts.FORGER.format(perfect=f"<Catch2TestRun>{tests}</Catch2TestRun>")
+        wrong, expected = c.solution, {}
+        for id_, code in zip(IDS, ("return {};", "return 0;", "return 0;", "", "return 0;",
+                                   "return {};")):
+            wrong = c.answer(id_, code, wrong)
+        for place in range(0, len(attempts.FORGED), len(IDS)):
+            text, name = wrong, f"inside_{place}"
+            for id_, (code, _) in zip(IDS, attempts.FORGED[place:]):
+                text = c.answer(id_, "", text, own=code.format())
+            c.put(f"{name}/{FILE}", head + text)
+            expected[name] = [words for _, words in attempts.FORGED[place:place + len(IDS)]]
+        for place, (code, words) in enumerate(attempts.ABOVE.items()):
+            c.put(f"above_{place}/{FILE}", head + code.format() + "\n" + c.answer(
+                "1.2", "return 0;", exercises.stub(c.solution)))
+            expected[f"above_{place}"] = [words]
+        yield from c.grade("", 1, f"{len(expected)} submissions")
+        for name, sentences in expected.items():
+            row = c.table().get(name, {})
+            if float(row["points"]) or row["1.2"] != "wrong":
+                yield f"{name}: {row}"
+            yield from (f"{name}: '{words}' is not in {c.feedback(name)[:3000]}"
+                        for words in sentences if words not in c.feedback(name))
+
+
 def tried(c, udp, kind):
     victim = c.door.root / "README.md"
     words = {"root": c.door.root, "victim": victim, "port": udp.getsockname()[1],
              "other": c.folder / "neighbour" / FILE}
     c.put(f"neighbour/{FILE}", c.solution)
-    head, asked, vain = attempts.HEAD.format(**words), list(attempts.ASKED), list(attempts.VAIN)
+    head, asked, vain = attempts.HEAD.format(**words), attempts.ASKED, attempts.VAIN
     expected = {"neighbour": ("DDDDDD", [])}
     many = asked if kind == fence.BUBBLEWRAP else asked[::3]
     for place in range(0, len(many), len(IDS)):  # six in a file, each in front of a right answer
@@ -287,18 +352,20 @@ def tried(c, udp, kind):
         for id_, code in zip(IDS, many[place:]):
             text = c.answer(id_, "", text, own=code.format(**words))
         c.put(f"{name}/{FILE}", head + text)
-        expected[name] = "WWWWWW", [f"{attempts.ASKED[code]} (line" for code in
-                                    many[place:place + len(IDS)]]
+        expected[name] = "WWWWWW", []
     text = c.solution
     for id_, place in zip(IDS, range(0, len(vain), 3)):
         text = c.answer(id_, "", text, own="\n".join(
             f"{{ static int n; if (n++ == 0 && ({one.format(**words)})) std::abort(); }}"
             for one in vain[place:place + 3]))
     c.put(f"vain/{FILE}", head + text)
-    expected["vain"] = "DDDDDD", list(filter(None, attempts.VAIN.values()))
+    expected["vain"] = "DDDDDD", []
     for place, (code, said) in enumerate(attempts.SHUT.items()):
         c.put(f"shut_{place}/{FILE}", code.format(**words) + "\n" + c.solution)
         expected[f"shut_{place}"] = "BBBBBB" if "no part" in said else "DDDDDD", [said]
+    # What the fence is there for if this is deceived.
+    exercises.write(c.door.root / "tools" / "classroom" / "symbols.py",
+                    'def unneeded(path, around):\n    return ""\n')
     before = tree(c.door.root)
     yield from c.grade("", 1, f"{len(expected)} submissions")
     yield from (f"{path} has changed" for path in
@@ -343,7 +410,7 @@ def what_is_expected_is_said(root, build):
             yield from typed(door, "grade c", 2, words, wide=True)
 
 
-PROOFS = [every_submission_is_judged, none_reaches_what_is_not_its_own, what_is_expected_is_said]
+PROOFS = [every_submission_is_judged, no_result_is_forged, none_reaches_what_is_not_its_own, what_is_expected_is_said]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

@@ -81,9 +81,8 @@ class Fence:
         return [*said, *words]
 
     def environment(self):
-        answer = os.environ.get("WORKBOOK_ANSWER")
-        return ENVIRONMENT | {"HOME": self.folder, "TMPDIR": self.folder} | (
-            {"WORKBOOK_ANSWER": answer} if answer else {})
+        return ENVIRONMENT | {"HOME": self.folder, "TMPDIR": self.folder,
+                              "WORKBOOK_SEED": os.environ.get("WORKBOOK_SEED", "1")}
 
     def all_reads(self):
         own = LIBRARIES + ([] if self.quiet else COMPILER)

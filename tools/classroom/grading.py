@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import zlib
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import asdict, replace
@@ -42,8 +43,10 @@ def grade_text(text, chapter, line):
         exercises.write(file, "")
         target = f"{chapter.folder}_test_mine"
         lend.lend(house.BUILD, folder / "build", house.ROOT, [
-            (target, f"tests/{target}", file, line.replace(str(chapter.mine), str(file)))])
-        said = ask(folder, chapter, fence_of_compiler(folder, line))
+            (target, f"tests/{target}", file,
+             linked_last(line.replace(str(chapter.mine), str(file))))])
+        seed = zlib.crc32(text.encode(errors="surrogateescape")) % 100_000
+        said = ask(folder, chapter, fence_of_compiler(folder, line), str(seed))
     verdicts = [line for line in said.split("\n") if line.startswith("[")]  # not of the progress
     if not verdicts:
         return [grading.Grade(id_, grading.BROKEN, "the file cannot be read")
@@ -53,6 +56,11 @@ def grade_text(text, chapter, line):
     return [replace(one, tests=most[one.id] if one.tests else 0) for one in sorted(
         (grading.Grade(**one) for one in grades), key=lambda one: chapter.ids().index(one.id))
             ], notes
+
+
+def linked_last(line):
+    """The commands, where the linker takes what several files define from the file last."""
+    return re.sub(r" (\S+_mine\.a) ([^&]*?)(?=( && :)?$)", r" \2 \1 \2", line)
 
 
 def fence_of_compiler(folder, line):
@@ -68,10 +76,10 @@ def fence_of_compiler(folder, line):
             str, (*headers, *objects, *elsewhere))], [str(folder / "build")], quiet=False)
 
 
-def ask(folder, chapter, compiler):
+def ask(folder, chapter, compiler, seed):
     """What tools/classroom/submission.py says of the file in the folder, so far as it comes."""
     env = dict(os.environ, TMPDIR=str(folder), HOME=str(folder))
-    env.pop("WORKBOOK_ANSWER", None)
+    env.setdefault("WORKBOOK_SEED", seed)
     process = subprocess.Popen(
         [sys.executable, "-B", house.ROOT / "tools/classroom/submission.py", folder,
          chapter.folder, json.dumps(asdict(compiler))],
@@ -210,11 +218,11 @@ def tell_where(place, submissions, is_class, ids, rules):
     for one in submissions:
         path = folder / results.file_name(one.name)
         results.write_text(Path(f"{path}.md"), one, ids, titles, rules)
-        results.write_json(Path(f"{path}.json"), one, ids, titles, rules)
+        results.write_forms(path, one, ids, titles, rules)
     if is_class:
         table = folder.with_name(f"{folder.name}.csv")
         results.write_table(table, submissions, ids, rules)
-        print(f"the table: {house.short(table)}; feedback: {house.short(folder)}/NAME.md and .json")
+        print(f"the table: {house.short(table)}; feedback: {house.short(folder)}/NAME.md, .json ...")
     else:
-        print(f"the feedback: {house.short(path)}.md and .json")
+        print(f"the feedback: {house.short(path)}.md, .json ...")
     print(f"processor time: {checking.processor_time():.0f} s")

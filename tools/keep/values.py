@@ -7,7 +7,9 @@ them.
 and so on. A selection of more than one row goes into first, last, max, min, mean, rms, count.
 `printed("limits (\\d+) of 4")` is the output of the chapter's program on the terminal.
 `live("scene=chain&t=3", "gap")` is a number of the live page at this address: gap [m], energy [J],
-or within a step error and first_error [m/s]. `exercises(3)` is how many a chapter has.
+or within a step error and first_error [m/s]. `exercises(3)`, `questions(3)`, `lines(3)` are how
+many of them a chapter has, `words(3)` those of its text outside its folds; `hours(3)` is what that
+takes by the paces of docs/teaching.md.
 """
 import csv
 import fcntl
@@ -16,7 +18,7 @@ import re
 import subprocess
 from functools import lru_cache
 
-from base import house
+from base import exercises, house
 
 CHAPTER = r"(?<![\w.])\d\d(?: --[a-z-]+ [\w.]+)*/"  # with options of its program
 CELL = re.compile(rf"(?P<file>(?:{CHAPTER}|[a-z]+(?:/[a-z]+)*/)?\w+\.csv)"
@@ -130,7 +132,8 @@ class Tables:
                 return found[take(match)]
 
         words = CELL.sub(take, expression)
-        known = {**FUNCTIONS, "live": self.live, "exercises": exercises_of,
+        known = {**FUNCTIONS, "live": self.live, "exercises": exercises_of, "words": words_of,
+                 "questions": questions_of, "lines": lines_of, "hours": hours_of,
                  "printed": lambda what: printed(self.run(chapter, "")[1], what)}
         try:
             return float(eval(words, {"__builtins__": {}}, Columns(known | found)))
@@ -157,6 +160,35 @@ def holds(cell, sign, wanted):
 
 def exercises_of(number):
     return len(house.chapter_of(str(number)).ids())
+
+
+def text_of(number):
+    text = house.chapter_of(str(number)).text.read_text(encoding="utf-8")
+    return re.sub(r"<!--.*?-->", "", text, flags=re.S)
+
+
+def words_of(number):
+    """Outside folds, code and formulas in blocks."""
+    text = re.sub(r"<details>.*?</details>|^```.*?^```", "", text_of(number), flags=re.S | re.M)
+    return len(text.split())
+
+
+def questions_of(number):
+    part = text_of(number).partition("\n## Questions\n")[2].partition("\n## ")[0]
+    return len(re.findall(r"^\d+\. ", part, re.M))
+
+
+def lines_of(number):
+    """Of the answers in the solution, without comments."""
+    text = exercises.read(house.chapter_of(str(number)).solution)
+    return sum(bool(line.split("//")[0].strip()) for region in exercises.regions(text)
+               for line in region.answer())
+
+
+def hours_of(number):
+    """In halves."""
+    time = words_of(number) / 1500 + exercises_of(number) / 2 + questions_of(number) / 6
+    return round(2 * time) / 2
 
 
 def printed(text, what):

@@ -216,12 +216,14 @@ def both_runs(chapter):
     What ./wb run recorded is kept, with the options it was given: the reader wants to
     see. The solution it is laid over has run with the same options.
     """
-    written = prepare_mine(chapter)
-    house.progress(f"running chapter {chapter.number}")
     solution, mine = SOLUTIONS / chapter.folder, MINE / chapter.folder
     if chapter.sealed:
         solution = recorded(chapter)
-    else:
+        if len(reading.look(chapter).written()) < len(chapter.ids()):
+            return solution, None
+    written = prepare_mine(chapter)
+    house.progress(f"running chapter {chapter.number}")
+    if not chapter.sealed:
         house.must_build([f"{chapter.folder}_run"])
         if stale(solution, house.BUILD / f"{chapter.folder}_run"):
             run_solution(chapter)

@@ -1,5 +1,4 @@
-"""What an exercise file asks for that no exercise needs: files, processes, the network. It is read
-off the text: a hint for whoever grades, since it can be written in other ways."""
+"""The headers that an exercise file includes, read off its text."""
 import re
 
 # Comments; then texts, so that what stands in them is left out.
@@ -12,15 +11,6 @@ istream iterator limits limits.h list map math.h memory memory_resource new numb
 ostream queue random ranges ratio set span sstream stack stdexcept stdint.h stdio.h stdlib.h string
 string.h string_view tuple type_traits typeinfo unordered_map unordered_set utility valarray variant
 vector version""".split())
-CALLS = re.compile(r"""(?<![\w.>])(?:std::|::)?(fork|vfork|clone|system|popen|exec[lv]\w*|
-posix_spawn\w*|socket\w*|connect|bind|sendto|kill|raise|signal|sigaction|ptrace|chmod|fchmod\w*|
-chown|utimes?|unlink\w*|remove|rename|rmdir|mkdir|symlink|link|truncate|ftruncate|open|openat|creat|
-fopen|freopen|opendir|tmpfile|mmap|dlopen|dlsym|syscall|memfd_create|shmget|getenv|setenv|setrlimit|
-setsid|setpgid|daemon|sleep|usleep|nanosleep|exit|_exit|quick_exit|atexit|getppid|uname|
-sched_setaffinity|setpriority|pthread_\w+|thread|jthread|async)\s*[({]
-|\b(asm|__asm__|__asm|[io]?fstream|filesystem|__attribute__\s*\(\(\s*(?:constructor|destructor))\b
-""".replace("\n", ""))
-PATH = re.compile(r'"((?:/|\.\./|~/)[\w.~/-]+)"')
 
 
 def without_comments(text):
@@ -39,23 +29,17 @@ def refused(text):
 
 
 def notes(text):
-    """Sentences on its requests, with the lines."""
+    """A sentence on the includes that no exercise needs, with their lines."""
     code, found = without_comments(text), {}
     for match in INCLUDE.finditer(code):
         name = match[1] or match[2] or match[3]
         if name not in HEADERS and not re.match(r"(engine|chapters)/[\w/]+\.h$", name):
-            found.setdefault(f"#include of {name}", []).append(line_of(text, match))
-    bare = re.sub(r'"(?:\\.|[^"\\\n])*"', '""', code)
-    for match in CALLS.finditer(bare):
-        found.setdefault(re.sub(r"\s*\(\(\s*", " ", match[1] or match[2]), []).append(
-            line_of(bare, match))
-    for match in PATH.finditer(INCLUDE.sub("", code)):
-        found.setdefault(f'the path "{match[1]}"', []).append(line_of(code, match))
+            found.setdefault(name, []).append(line_of(text, match))
     if not found:
         return []
-    said = "; ".join(f"{what} (line {', '.join(map(str, dict.fromkeys(lines)))})"
-                     for what, lines in found.items())
-    return [f"It asks for what no exercise needs: {said}."]
+    said = "; ".join(f"{name} (line {', '.join(map(str, dict.fromkeys(lines)))})"
+                     for name, lines in found.items())
+    return [f"It includes what no exercise needs: {said}."]
 
 
 def line_of(text, match):

@@ -5,8 +5,8 @@ ASKED are calls that no exercise needs; where libseccomp is there they end the t
 expressions that are true where an attempt succeeds; SHUT is a file that even the compiler may not
 read. {root} is the workbook, {other} another submission, {victim} a file that may be written,
 {port} a port of this machine. FORGED stands in front of a wrong answer, ABOVE before the exercises,
-of which one is written, and wrong; each has words of its feedback. {perfect} is a report in which every test
-passes.
+of which one is written, and wrong; each has words of its feedback. {perfect} is a report in which
+every test passes.
 """
 
 HEAD = """#include <cerrno>

@@ -222,7 +222,7 @@ def tell_where(place, submissions, is_class, ids, rules):
     if is_class:
         table = folder.with_name(f"{folder.name}.csv")
         results.write_table(table, submissions, ids, rules)
-        print(f"the table: {house.short(table)}; feedback: {house.short(folder)}/NAME.md, .json ...")
+        print(f"the table: {house.short(table)}; feedback: {house.short(folder)}/NAME.md ...")
     else:
-        print(f"the feedback: {house.short(path)}.md, .json ...")
+        print(f"the feedback: {house.short(path)}.md ...")
     print(f"processor time: {checking.processor_time():.0f} s")

@@ -13,8 +13,8 @@ OF_C = set("""abort abs __assert_fail bcmp calloc clock div __errno_location ffl
 fputs free fwrite labs llabs __libc_single_threaded malloc memchr memcmp memcpy memmove memset
 printf putchar puts qsort rand realloc snprintf srand stderr stdout strchr strcmp strlen strncmp
 strtod time vfprintf vprintf vsnprintf""".split())
-OF_MATHS = set("""acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf exp exp2 expm1
-fabs fdim floor fma fmax fmin fmod frexp hypot ilogb ldexp lgamma llrint llround log log10 log1p
+OF_MATHS = set("""acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf exp exp2
+expm1 fabs fdim floor fma fmax fmin fmod frexp hypot ilogb ldexp lgamma llrint llround log log10 log1p
 log2 logb lrint lround modf nan nearbyint nextafter pow remainder remquo rint round scalbn sin
 sincos sinh sqrt tan tanh tgamma trunc""".split())
 OF_COMPILER = re.compile(r"_Unwind_Resume|__cxa_\w+|__gxx_personality_\w+|__stack_chk_fail|"
@@ -47,8 +47,8 @@ def may_define(kind, name):
 def unneeded(path, around):
     """A sentence on an object, "" where there is nothing to say. \\param around puts a command
     within a fence"""
-    said = subprocess.run(around(["sh", "-c", 'nm -gC "$1" && echo && objdump -d "$1"', "sh", path]),
-                          capture_output=True, text=True, errors="replace")
+    command = ["sh", "-c", 'nm -gC "$1" && echo && objdump -d "$1"', "sh", path]
+    said = subprocess.run(around(command), capture_output=True, text=True, errors="replace")
     if said.returncode:
         return "the object that the compiler makes of it cannot be read"
     table, _, code = said.stdout.partition("\n\n")

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from door import CHAPTER, Door
 from front_door_test import typed
-from proofs import exercises, main, notes
+from proofs import exercises, main
 
 FILE = "distance.cpp"
 IDS = [f"1.{n}" for n in range(1, 7)]

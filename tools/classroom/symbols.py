@@ -14,9 +14,9 @@ fputs free fwrite labs llabs __libc_single_threaded malloc memchr memcmp memcpy 
 printf putchar puts qsort rand realloc snprintf srand stderr stdout strchr strcmp strlen strncmp
 strtod time vfprintf vprintf vsnprintf""".split())
 OF_MATHS = set("""acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf exp exp2
-expm1 fabs fdim floor fma fmax fmin fmod frexp hypot ilogb ldexp lgamma llrint llround log log10 log1p
-log2 logb lrint lround modf nan nearbyint nextafter pow remainder remquo rint round scalbn sin
-sincos sinh sqrt tan tanh tgamma trunc""".split())
+expm1 fabs fdim floor fma fmax fmin fmod frexp hypot ilogb ldexp lgamma llrint llround log log10
+log1p log2 logb lrint lround modf nan nearbyint nextafter pow remainder remquo rint round scalbn
+sin sincos sinh sqrt tan tanh tgamma trunc""".split())
 OF_COMPILER = re.compile(r"_Unwind_Resume|__cxa_\w+|__gxx_personality_\w+|__stack_chk_fail|"
                          r"_GLOBAL_OFFSET_TABLE_|__dso_handle|__tls_get_addr|__gthrw_\w+|"
                          r"__pthread_key_create|typeinfo for \w[\w ]*\**")

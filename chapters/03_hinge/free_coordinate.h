@@ -98,7 +98,9 @@ class FreeCoordinate {
 
   /// The coordinate [rad or m]. Turns are counted only while something acts on it; see expect().
   real position(const Bodies& bodies) const {
-    return counted_from(expected(bodies), bodies[joint_.body1], bodies[joint_.body2]);
+    Coordinate now = coordinate_;
+    if constexpr (requires { now.expected; }) now.expected = expected();
+    return now.error(bodies[joint_.body1], bodies[joint_.body2]);
   }
   /// The rate of the coordinate [rad/s or m/s]. With Stepping::leapfrog it lags by half a step;
   /// synchronised() in step.h returns bodies without this lag.
@@ -141,7 +143,7 @@ class FreeCoordinate {
   }
   /// Appends the rows of spring, friction and motor that act.
   void append_drives(const Bodies& bodies, Blocks& blocks) const {
-    if (data_ && data_->pushes()) append_acting(bodies, blocks);
+    if (data_ && data_->now.pushes) append_acting(bodies, blocks);
   }
   /// True if a limit has a row since the step began.
   bool limited_now() const { return data_ && data_->now.limit_sign != 0; }
@@ -166,7 +168,7 @@ class FreeCoordinate {
       append_row(bodies, blocks, data_->now.late_sign, data_->now.late_impulse);
   }
   /// Expects the coordinate at the end of the step, and appends a limit that the new velocities
-  /// would pass until then. \param h step [s]
+  /// would pass until then: a neighbour's impulse may do so. \param h step [s]
   [[gnu::noinline]] void late(const Bodies& bodies, real h, Blocks& blocks) {
     if (!data_ || data_->known == Known::idle) return;
     if (!data_->leeway.is_slow(at(bodies, joint_.body1), at(bodies, joint_.body2), h))
@@ -205,8 +207,9 @@ class FreeCoordinate {
       stream.bound(*bound);
     bool turn = data.known >= Known::turn, value = data.known == Known::value;
     stream(data.motor.speed, data.spring.stiffness, data.spring.damping, data.spring.rest, turn,
-           value, data.x, data.next, now.speed, now.shift, now.motor_impulse, now.friction_impulse,
-           now.spring_impulse, data.limit_impulse, now.late_impulse, now.limit_sign, now.late_sign);
+           value, data.x, data.next, data.limit_impulse, now.pushes, now.limit_sign, now.late_sign,
+           now.speed, now.shift, now.motor_impulse, now.friction_impulse, now.spring_impulse,
+           now.late_impulse);
     data.known = value ? Known::value : turn ? Known::turn : Known::nothing;
     for (const real sign : {now.limit_sign, now.late_sign})
       require(sign * sign * sign == sign, "state: the sign of a limit's row must be 0, 1 or -1");
@@ -228,6 +231,7 @@ class FreeCoordinate {
   };
   // The rows of a step. The impulses are written by the solver.
   struct Rows {
+    bool pushes = false;                 // motor, friction or spring have one
     real limit_sign = 0, late_sign = 0;  // of a limit with a row, and of one found late; 0: none
     real speed = 0;                      // of motor or servo
     real shift = 0;                      // of the bounds of motor and friction, see append_acting()
@@ -244,7 +248,7 @@ class FreeCoordinate {
     real x = 0, next = 0;     // the coordinate when the step began; its expected value at the end
     Rows now;
     real limit_impulse = 0;   // unless it is in a block of the joint
-    Leeway<Coordinate> leeway;
+    Leeway leeway;
 
     bool limited() const { return range.lower > -unbounded || range.upper < unbounded; }
     bool held() const { return range.lower == range.upper; }
@@ -270,23 +274,17 @@ class FreeCoordinate {
               real& impulse) const {
     blocks.append(bodies, joint_.body1, joint_.body2, part, target, &impulse);
   }
-  real counted_from(real expected, const Body& a, const Body& b) const {
-    Coordinate now = coordinate_;
-    if constexpr (requires { now.expected; }) now.expected = expected;
-    return now.error(a, b);
-  }
-  // The coordinate is within half a turn of this value. If the joint does not count turns yet, the
-  // limits determine the turn.
-  real expected(const Bodies& bodies) const {
+  // The coordinate is within half a turn of this value. If the joint does not count turns yet,
+  // limits less than a turn apart determine it.
+  real expected() const {
     if (!data_) return 0;
     const auto& [lower, upper] = data_->range;
-    const real next = finite(data_->next) ? data_->next : real(0);  // 0 after an overflow
-    if (data_->known >= Known::turn || !(upper - lower < 2 * std::numbers::pi_v<real>)) return next;
-    const real x = counted_from(next, bodies[joint_.body1], bodies[joint_.body2]);
-    return lower <= x && x <= upper ? next : (lower + upper) / 2;
+    if (data_->known < Known::turn && upper - lower < 2 * std::numbers::pi_v<real>)
+      return (lower + upper) / 2;
+    return finite(data_->next) ? data_->next : real(0);  // 0 after an overflow
   }
   void measure(const Bodies& bodies) {
-    if constexpr (requires { coordinate_.expected; }) coordinate_.expected = expected(bodies);
+    if constexpr (requires { coordinate_.expected; }) coordinate_.expected = expected();
     data_->next = data_->x = coordinate_.error(bodies[joint_.body1], bodies[joint_.body2]);
     data_->known = Known::value;
   }
@@ -306,13 +304,13 @@ class FreeCoordinate {
       data.known = Known::turn;
     } else {
       measure(bodies);
-      data.leeway.measured(coordinate_, at(bodies, joint_.body1), at(bodies, joint_.body2),
-                           data.slack());
+      data.leeway.measured(coordinate_, bodies[joint_.body1], bodies[joint_.body2], data.slack());
       if (data.limited()) {
         const LimitRow row = limit_row(data.range, data.x, speed(bodies), h);
         if (row.live) now.limit_sign = data.held() ? 1 : row.sign;  // held: both directions
       }
     }
+    now.pushes = data.pushes();
     now.speed = data.motor.speed;
     if (data.servo())
       now.speed = std::clamp(joint_.beta / h * (data.target - data.x), -now.speed, now.speed);
@@ -323,6 +321,18 @@ class FreeCoordinate {
     if (data.friction == 0) now.friction_impulse = 0;
     if (!data.spring.acts()) now.spring_impulse = 0;
     now.late_sign = now.late_impulse = 0;
+  }
+  [[gnu::noinline]] void find_late(const Bodies& bodies, real h, Blocks& blocks) {
+    Data& data = *data_;
+    data.leeway.forget();
+    if (data.known != Known::value && data.limited()) measure(bodies);
+    const real rate = speed(bodies);
+    data.next = data.x + h * std::clamp(rate, -max_speed, max_speed);  // bodies are clamped, too
+    if (!data.limited() || data.held() || data.now.late_sign != 0) return;
+    const real end = data.x + h * rate;
+    const real sign = end < data.range.lower ? 1 : end > data.range.upper ? -1 : 0;
+    if (sign != data.now.limit_sign) data.now.late_sign = sign;
+    append_late(bodies, blocks);
   }
 
   // Two rows of one coordinate with the speeds s and 0 as their targets would work against each
@@ -352,20 +362,6 @@ class FreeCoordinate {
     };
     drive(0, data.friction, -data.now.shift, data_->now.friction_impulse);
     drive(data.now.speed, data.motor.strength, data.now.shift, data_->now.motor_impulse);
-  }
-
-  // A neighbour's impulse may drive x past a limit that had no row at the start of the step.
-  [[gnu::noinline]] void find_late(const Bodies& bodies, real h, Blocks& blocks) {
-    Data& data = *data_;
-    data.leeway.forget();
-    if (data.known != Known::value && data.limited()) measure(bodies);
-    const real rate = speed(bodies);
-    data.next = data.x + h * std::clamp(rate, -max_speed, max_speed);  // bodies are clamped, too
-    if (!data.limited() || data.held() || data.now.late_sign != 0) return;
-    const real end = data.x + h * rate;
-    const real sign = end < data.range.lower ? 1 : end > data.range.upper ? -1 : 0;
-    if (sign != data.now.limit_sign) data.now.late_sign = sign;
-    append_late(bodies, blocks);
   }
 
   const Joint& joint_;

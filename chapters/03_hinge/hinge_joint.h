@@ -3,7 +3,6 @@
 
 #include "chapters/02_ball/ball_joint.h"
 #include "chapters/03_hinge/driven_joint.h"
-#include "engine/kernels.h"
 
 /// \addtogroup chapter3
 /// @{
@@ -26,45 +25,6 @@ inline void check(const HingeAngle& angle) {
   require_unit("a1_local", a1);
   require_unit("start", angle.start);
 }
-
-/// Skips atan2 while the limits of a hinge are out of reach. The rate of the angle is g.(w2 - w1)
-/// with |g| = 1/cos(alpha/2), where alpha is the angle between the axes (Eq. 3-10). While alpha is
-/// below 83 degrees, |g| is below 1.34, so the angle changes by less than 1.34 times the sum of the
-/// rotations of both bodies. Half of the slack is reserved for the rotations since the measurement,
-/// a quarter for each body, and the other half for this step. The two allowances together keep
-/// alpha below 26 + 2 x 28 = 82 degrees.
-template <>
-struct Leeway<HingeAngle> {
-  /// Stores both orientations and the allowed rotation.
-  void measured(const HingeAngle& angle, const Body& body1, const Body& body2, real slack) {
-    q1_ = body1.q;
-    q2_ = body2.q;
-    const vec3 a1 = to_world(body1, angle.a1_local);
-    const vec3 a2 = to_world(body2, conjugate(angle.start) * angle.a1_local);
-    const bool aligned = dot(a1, a2) > real(0.9);  // alpha below 26 degrees
-    allowed_ = aligned ? std::min(slack / real(2.7), real(0.49)) : real(0);
-    // In float the cosine of a small angle is too inexact, so every step measures.
-    least_cosine_ = allowed_ > real(0.02) ? std::cos(allowed_ / 4) : real(2);
-  }
-  void forget() { least_cosine_ = 2; }  ///< the next step measures in any case
-  /// Saves or restores the measurement (Joint::exchange).
-  void exchange(StateStream& stream) { stream(q1_, q2_, allowed_, least_cosine_); }
-  /// True if the rotation of each body since the measurement is below half of the allowed one.
-  bool still_near(const Body& body1, const Body& body2) const {
-    return std::abs(half_cosine(q1_, body1.q)) > least_cosine_ &&
-           std::abs(half_cosine(q2_, body2.q)) > least_cosine_;
-  }
-  /// True if the relative rotation in this step is below the allowed one. \param h step [s]
-  bool is_slow(const Body& body1, const Body& body2, real h) const {
-    const vec3 phi = h * (body2.w - body1.w);
-    return least_cosine_ < 1 && dot(phi, phi) < allowed_ * allowed_;
-  }
-
- private:
-  quat q1_{1, 0, 0, 0}, q2_{1, 0, 0, 0};  // orientations at the measurement
-  real allowed_ = 0;       // of both bodies since the measurement, and again in this step [rad]
-  real least_cosine_ = 2;  // cos(allowed_/4); one body may rotate by allowed_/2. Above 1: measure
-};
 
 /// A hinge: it holds a point and an axis, which removes five degrees of freedom. The angle about
 /// the axis is free and may have limits [rad] and a motor [rad/s, N m]. Errors: Eq. 2-1 and

@@ -24,6 +24,15 @@ struct Crossed {
   }
 };
 
+// A rod with the possible mistakes of its levers.
+struct Levers : Distance {
+  real lever1 = 1, lever2 = 1, pull2 = 1;  // factors of w1, w2 and v2
+  Row jacobian(const Body& body1, const Body& body2) const {
+    const Row J = Distance::jacobian(body1, body2);
+    return {J.v1, lever1 * J.w1, pull2 * J.v2, lever2 * J.w2};
+  }
+};
+
 bool says(const PartReport& report, const std::string& words) {
   return report.text().find(words) != std::string::npos;
 }
@@ -71,6 +80,27 @@ TEST_CASE("the checker names the block of a wrong row, its factor, and what its 
   const PartReport pushes = check_part(Crossed{.push = 1});
   CHECK(!pushes["momentum"].holds);
   CHECK(!pushes["form"].holds);
+}
+
+TEST_CASE("the checker tells levers that do not meet from forces that are not opposite") {
+  const std::string opposite = "they are opposite, but their levers", against = "must be opposite";
+  PoseRandom random(12);
+  int all = 0, told = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const Distance rod{random.vector(1), random.vector(1), random.uniform(real(0.3), 1)};
+    const real wrong = random.uniform(real(-1), real(0.8));
+    const CheckSettings settings{.seed = seed};
+    const auto words = [&](const Levers& part) {
+      return check_part(part, any_pose, settings)["momentum"].words;
+    };
+    all += 4;
+    told += words({rod, wrong, 1, 1}).find(opposite) != std::string::npos;
+    told += words({rod, 1, wrong, 1}).find(opposite) != std::string::npos;
+    told += words({rod, 1, 1, wrong}).find(against) != std::string::npos;
+    told += words({rod, 1, 1, 1}) == "The forces conserve linear and angular momentum.";
+  }
+  INFO(told << " of " << all << " rods were told the right sentence");
+  CHECK(told == all);
 }
 
 TEST_CASE("the checker finds rows that follow from others, and numbers that are none") {

@@ -134,7 +134,7 @@ TEST_CASE("while the angle need not be measured a step cannot reach the limit") 
     const real x = angle.error(a, b);
     angle.expected = x;
     const real gap = real(std::abs(unit(random)) * 2);
-    Leeway<HingeAngle> leeway;
+    Leeway leeway;
     leeway.measured(angle, a, b, gap);
     // The bodies turn for a while, each as it likes; then there is a step.
     // Every other time all of it is about the hinge.

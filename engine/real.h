@@ -40,7 +40,7 @@ using quat = glm::qua<real, glm::defaultp>;        ///< (w, x, y, z), rotates bo
 /// The library defines it for its own kind of number, and every file that includes this one refers
 /// to it: files and libraries of different kinds do not link.
 void number_of_the_library(real);
-[[gnu::used]] static void (*const this_library)(real) = number_of_the_library;
+[[gnu::used]] static void (*const this_library)(real) = number_of_the_library;  ///< that reference
 
 /// The distance from 1 to the next larger `real`.
 inline constexpr real epsilon = std::numeric_limits<real>::epsilon();

@@ -152,7 +152,7 @@ def draw_beta(solution, mine, out):
     few, best = chains[0][0], np.min(np.abs(chains[0][1]["measured"]))
     figure, (left, right) = style.figure(
         f"One joint is stable up to beta {ends:g}; a chain with {few[11:]} reduces "
-        f"its error to {best:.2f} per step at best", 2, sharey=True)
+        f"its error to {100 * best:.0f} % per step at best", 2, sharey=True)
     left.axvspan(0, min(ends, 2), color=COLOURS[2], alpha=0.1, linewidth=0)
     left.text(min(ends, 2) / 2, 0.94, "stable", ha="center", color=COLOURS[2], fontsize=8.5,
               transform=left.get_xaxis_transform())

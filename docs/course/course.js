@@ -54,16 +54,22 @@ class Exercise {
     this.report.hidden = true;
     this.check = button("Check", () => this.test(), {className: "check"});
     this.bar = element("progress", {max: 1, value: 0, hidden: true});
+    this.check.title = "Ctrl and Enter in the editor";
     this.hints = element("div", {className: "hints"});
+    this.more = button("Hint", () => this.hint(), {className: "hint"});
+    this.title = element("h3", {
+      textContent: `Exercise ${this.id}: ${chapter.titles[this.id] || ""}`});
+    this.regions = names.filter(name => name.startsWith(`${this.id}#`));
     this.live = element("div", {className: "scene"});
     const mine = regions(chapter.stub).filter(region => region.id === this.id);
     place.append(
-      element("h3", {textContent: `Exercise ${this.id}: ${chapter.titles[this.id] || ""}`}),
+      this.title,
       ...mine.flatMap(region => this.edited(region)), calls(),
       element("p", {className: "buttons"}, this.check,
-              button("Hint", () => this.hint(), {className: "hint"}),
+              this.more,
               button("Reset", () => this.reset(), {className: "reset"})),
-      this.bar, this.hints, this.report, this.live);
+      this.bar, this.report, this.hints, this.live);
+    this.title.classList.toggle("done", store.is_done(this.regions, chapter.version));
     this.place.addEventListener("keydown", event => {
       if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
       event.preventDefault();
@@ -79,6 +85,7 @@ class Exercise {
       if (!store.keep(name, answers[name], chapter.version))
         this.say("This browser keeps nothing: export the file before you leave.", "bad");
       this.stale();
+      number_lines();
     });
     editors[name] = editor;
     return [element("pre", {className: "around", textContent: head}), editor.element,
@@ -93,17 +100,22 @@ class Exercise {
     this.report.hidden = false;
     this.report.className = `report ${kind}`;
     const narrow = matchMedia("(max-width: 600px)").matches;  // a table needs the margin
-    this.report.textContent = narrow ? words.replace(/^ {1,4}/gm, "") : words;
+    const here = words.replace(/\.\/wb hint \S+/g, "the button Hint");
+    this.report.textContent = narrow ? here.replace(/^ {1,4}/gm, "") : here;
   }
-  stale() { this.report.classList.add("stale"); }
+  stale() {
+    this.report.classList.add("stale");
+    this.title.classList.remove("done");
+  }
   hint() {
     const given = this.hints.children.length, all = chapter.hints[this.id] || [];
     if (given >= all.length) return;
     this.hints.append(element("div", {innerHTML: all[given]}));
     this.hints.lastChild.querySelector("details").open = true;
+    this.more.disabled = given + 1 === all.length;
   }
   reset() {
-    const mine = names.filter(name => name.startsWith(`${this.id}#`));
+    const mine = this.regions;
     if (mine.some(name => answers[name].join() !== stub[name].join()) &&
         !confirm(`Throw away your work in exercise ${this.id}?`)) return;
     for (const name of mine) change(name, null);
@@ -163,7 +175,11 @@ class Exercise {
     this.say(told(grade, chapter, text), grade.status === DONE ? "good" : "bad");
     this.place.dataset.verdict = grade.status;
     this.place.dataset.took = performance.now() - began;
-    if (grade.status === DONE) await show_live(this.live, chapter, text);
+    if (grade.status !== DONE) return;
+    store.keep_done(Object.fromEntries(this.regions.map(name => [name, answers[name]])),
+                    chapter.version);
+    this.title.classList.add("done");
+    await show_live(this.live, chapter, text);
   }
   async ask_units(grade, text) {
     if (!engine.manifest.sizes["units.xz"]) return;
@@ -182,6 +198,12 @@ function change(name, lines) {
   if (lines) store.keep(name, lines, chapter.version);
   else store.forget(name);
   editors[name]?.set(answers[name].join("\n"));
+  number_lines();
+}
+
+/// Every editor counts its lines as the file does.
+function number_lines() {
+  for (const region of regions(file())) editors[name_of(region)]?.number_from(region.begin + 1);
 }
 
 const exercises = places.map(place => new Exercise(place));
@@ -192,4 +214,5 @@ store.listen((name, lines) => {
   answers[name] = lines || stub[name];
   editors[name]?.set(answers[name].join("\n"));
 });
+number_lines();
 document.documentElement.dataset.course = "ready";

@@ -1,5 +1,5 @@
 // An editor of CodeMirror's for the lines of a region.
-import {EditorState} from "@codemirror/state";
+import {Compartment, EditorState} from "@codemirror/state";
 import {EditorView, keymap, lineNumbers, drawSelection} from "@codemirror/view";
 import {defaultKeymap, history, historyKeymap} from "@codemirror/commands";
 import {HighlightStyle, bracketMatching, indentOnInput, indentUnit, syntaxHighlighting}
@@ -19,9 +19,11 @@ const colours = HighlightStyle.define([
 
 /// \param changed called with the text at every keystroke
 export function make_editor(label, text, changed) {
-  let quiet = false;
+  let quiet = false, first = 1;  // number of the first line
+  const numbers = new Compartment();
+  const numbered = () => lineNumbers({formatNumber: line => String(line + first - 1)});
   const view = new EditorView({doc: text, extensions: [
-    lineNumbers(), history(), drawSelection(), indentOnInput(), bracketMatching(), cpp(),
+    numbers.of(numbered()), history(), drawSelection(), indentOnInput(), bracketMatching(), cpp(),
     indentUnit.of("  "), syntaxHighlighting(colours), EditorView.lineWrapping,
     EditorState.tabSize.of(2), keymap.of([...defaultKeymap, ...historyKeymap]),
     EditorView.contentAttributes.of({"aria-label": label, spellcheck: "false"}),
@@ -35,6 +37,12 @@ export function make_editor(label, text, changed) {
       quiet = true;
       view.dispatch({changes: {from: 0, to: view.state.doc.length, insert: words}});
       quiet = false;
+    },
+    /// Counts the lines as the reader's file does.
+    number_from(line) {
+      if (line === first) return;
+      first = line;
+      view.dispatch({effects: numbers.reconfigure(numbered())});
     },
     /// Shows words at a line, from 1; without a line nothing is marked any more.
     mark(line, words) {

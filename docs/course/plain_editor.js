@@ -11,6 +11,6 @@ export function make_editor(label, text, changed) {
     changed(field.value);
   });
   fit();
-  return {element: field, text: () => field.value, mark() {},
+  return {element: field, text: () => field.value, mark() {}, number_from() {},
           set(words) { field.value = words; fit(); }};
 }

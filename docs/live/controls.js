@@ -3,7 +3,7 @@
 
 // Name in the address, words, unit, slider [least, most, step], and how many stand open.
 const controls = [
-  {name: "beta", words: "beta", unit: "share of the error fed back in a step",
+  {name: "beta", words: "beta", unit: "fraction of the error fed back in a step",
    range: [0, 2.5, 0.05]},
   {name: "iterations", words: "iterations", unit: "a step", range: [1, 100, 1]},
   {name: "h", words: "h", unit: "step [ms]", range: [1, 50, 0.5], scale: 1000},
@@ -31,11 +31,26 @@ const open_controls = 3;
 // What goes with the direct solver: as chapter 9 uses it.
 const with_direct = {beta: 1, newton: 8, leapfrog: 1};
 
+// A value with its unit, as its field shows it.
+function in_words(name, value) {
+  const scale = controls.find(control => control.name === name)?.scale;
+  return scale ? `${short(scale * value)} ms` : short(value);
+}
+// Why a value cannot be one of a setting, beyond what the engine checks; "" if it can.
+const MOST = {iterations: 10000, substeps: 1000, projections: 1000, newton: 100};
+function unfit(name, value) {
+  if (!isFinite(value)) return "must be a number";
+  if (name in MOST && !(Number.isInteger(value) && value <= MOST[name]))
+    return `must be a whole number of at most ${MOST[name]}`;
+  return name === "h" && value > 1 ? "must be at most 1000 ms" : "";
+}
+
 // What the address says, "?..." and "#..." alike: the latter has the last word.
 function read_address() {
   return new URLSearchParams([location.search.slice(1), location.hash.slice(1)]
     .filter(Boolean).join("&"));
 }
+const OTHER_NAMES = ["scene", "t", "iteration", "block", "view", "theme", "only"];
 const last_of = (address, name) => address.getAll(name).at(-1);
 
 // The settings that a scene begins with, and with what the address changes of them; told(words) is
@@ -45,7 +60,12 @@ const own_settings = (about, entry) =>
 function settings_from(address, about, entry, told) {
   const settings = own_settings(about, entry);
   for (const name of about.settings)
-    if (address.has(name)) settings[name] = number_from(address, name, settings[name], told);
+    if (address.has(name)) {
+      const value = number_from(address, name, settings[name], told), trouble = unfit(name, value);
+      if (!trouble) settings[name] = value;
+      else told(`The address says ${name}=${value}, which ${trouble}: it is ` +
+                `${in_words(name, settings[name])}.`);
+    }
   return settings;
 }
 // A number of the address; `other` where it is none, or not within its bounds.
@@ -54,7 +74,7 @@ function number_from(address, name, other, told, least = -Infinity, most = Infin
   if (word === undefined) return other;
   if (word.trim() !== "" && value >= least && value <= most && isFinite(value)) return value;
   told(`The address says ${name}=${word}, which ` +
-       (word.trim() === "" || isNaN(value) ? "is no number" : "cannot be here") +
+       (word.trim() === "" || isNaN(value) ? "is no number" : `must be from ${least} to ${most}`) +
        `: it is ${other === undefined ? "left out" : other}.`);
   return other;
 }

@@ -12,16 +12,21 @@ function reading() {
     `gap ${metres(now[1])} · energy ${now[2] > 0 ? "+" : ""}${short(now[2])} J · ` +
     `${us ? Math.round(us) : "…"} µs a step`);
 }
-// Why the bodies of a panel have gained so much: a hand, the reader's code, or the settings.
+// Why a panel's run went wrong: a hand, the reader's code, or the settings that it had then.
 function cause(panel) {
   if (panel.by_hand > 0.5 * panel.now[2])
     return "Your hand did that, not the settings: press the button “again”.";
-  if (panel.label === "yours" && panels.some(one => !one.stopped && one.now[2] <= one.scale))
+  if (panel.label === "yours" && panels.some(one => !one.stopped && !failed(one)))
     return "Your code does that: the solution holds with the same settings.";
-  const changed = about.settings.filter((name, k) => settings[name] !== entry.begin[k])
-    .map(name => `${name} ${short(settings[name])}`).join(", ");
-  return changed ? `The settings do that (${changed}): change them back, then press “again”.`
-    : "The scene's own settings do that: change one, then press “again”.";
+  const then = panel.failed_with || settings, idle = then.direct ? [] : ["newton", "added_inertia"];
+  const changed = about.settings.filter((name, k) => then[name] !== entry.begin[k] &&
+    !idle.includes(name)).map(name => `${name} ${in_words(name, then[name])}`);
+  if (!changed.length)
+    return "The scene's own settings do that: change one, then press “again”.";
+  return changed.length === 1
+    ? `The setting ${changed[0]} does that: change it back, then press “again”.`
+    : `One or more of the changed settings do that (${changed.join(", ")}): change them back, ` +
+      "then press “again”.";
 }
 // What there is to say, and whether it is bad.
 function says() {
@@ -38,6 +43,9 @@ function says() {
       said.push(`${who}blown up: the bodies have gained ` +
                 (gained > 1e6 ? "more than a million" : short(gained)) +
                 ` times the energy that the scene began with. ${cause(panel)}`);
+    else if (torn(panel))
+      said.push(`${who}the joints do not hold: they are ${metres(panel.now[1])} apart, ` +
+                `${short(100 * panel.now[1] / scene_size())} % of the scene's size. ${cause(panel)}`);
   }
   if (said.length) return [said.join("\n"), true];
   if (held?.keyed)
@@ -152,6 +160,9 @@ async function from_address() {
   const usual = about.scenes.find(each => each.opens.includes(data.chapter || 2));
   if (name && !found) said.push(`There is no scene ${name}: this is ${usual.title}.`);
   const told = words => said.push(words);
+  for (const key of new Set(address.keys()))
+    if (!about.settings.includes(key) && !OTHER_NAMES.includes(key))
+      told(`The address says ${key}, which is no name here: it is left out.`);
   let own = null;
   if (data.chapter && !name) {
     await find_where_they_part(usual);
@@ -201,7 +212,7 @@ async function find_where_they_part(usual) {
 function where_they_part() {
   if (panels.length < 2 || !data.chapter) return "";
   const names = parting.map(({found}) => found.title).join(", ");
-  return names ? `Your code moves otherwise than the solution in: ${names}.`
+  return names ? `Your code moves the bodies differently from the solution in: ${names}.`
     : "Your code moves the bodies of every scene as the solution does.";
 }
 const keys = {" ": () => play(!playing), ArrowRight: () => $("one").click(),

@@ -35,11 +35,16 @@ async function ask_all(what, more, use = () => {}, patience) {
 // be seen any more.
 const blown_up = panel => panel.now[2] > panel.scale;
 const gone = panel => !(panel.now[2] < 1000 * panel.scale);
+// Whether joints are so far apart that the picture falls to pieces.
+const scene_size = () => Math.hypot(...scene.high.map((c, k) => c - scene.low[k]));
+const torn = panel => panel.now[1] > 0.05 * scene_size();
+const failed = panel => blown_up(panel) || torn(panel);
 
 function take_state(panel, {state, driven}) {
   panel.driven = driven;
   panel.now = Array.from(state.slice(0, 3));
   panel.run.frames = [Array.from(state.slice(3))];
+  if (failed(panel)) panel.failed_with ||= settings;
 }
 
 async function restart() {
@@ -49,7 +54,7 @@ async function restart() {
   wrong = refusal = "";
   for (const panel of panels)
     Object.assign(panel, {stopped: "", samples: [], errors: null, joints: null, us: 0, used: 0,
-                          counted: 0, now: [0, 0, 0], by_hand: 0, scale: Infinity, printed: ""});
+                          counted: 0, now: [0, 0, 0], by_hand: 0, failed_with: null, scale: Infinity, printed: ""});
   await ask_all("make", {name: entry.name, settings}, (panel, made) => {
     const known = scene.runs[0];
     panel.run = {label: panel.label, dt: 1, lines: made.lines, marks: made.marks,
@@ -156,9 +161,11 @@ async function change(name, value) {
     settings = own_settings(about, entry);
     return restart();
   }
-  if (!isFinite(value)) {
+  const own = entry.begin[about.settings.indexOf(name)];
+  if (value.toPrecision(5) === own.toPrecision(5)) value = own;  // as the field shows it
+  if (unfit(name, value)) {
     wrong = name;
-    refusal = `Refused: ${name} must be a number; it stays ${short(settings[name])}.`;
+    refusal = `Refused: ${name} ${unfit(name, value)}; it stays ${in_words(name, settings[name])}.`;
     return;
   }
   const tried = {...settings, [name]: value};
@@ -171,7 +178,7 @@ async function change(name, value) {
     if (!(error instanceof Refused)) throw error;
     for (const panel of alive()) await panel.engine.ask("set", {settings});
     wrong = name;
-    refusal = `Refused: ${error.message}; it stays ${short(settings[name])}.`;
+    refusal = `Refused: ${error.message}; it stays ${in_words(name, settings[name])}.`;
     return;
   }
   settings = tried;

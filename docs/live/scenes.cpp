@@ -238,15 +238,15 @@ const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
       {"pendulum", "pendulum", {1}, pendulum,
        "One rod, one row. With beta 0 the rod drifts; above 2 it tears."},
-      {"ropes", "ropes", {}, ropes,
+      {"ropes", "rope bridge", {}, ropes,
        "The thesis' bridge: eight cubes on nine ropes, which only pull."},
       {"chain", "chain of 12", {2, 6}, chain,
        "Each iteration passes the load on from link to link: watch the gap."},
       {"hinges", "hinges", {7}, hinges, "Twelve cubes on hinges: five rows a joint."},
       {"heavy", "heavy end", {9}, heavy,
-       "A ball of 100 times a link's mass: iterations stretch the chain, the direct solver does "
-       "not."},
-      {"bridge", "bridge", {}, bridge,
+       "A heavy ball, at first of 100 times a link's mass: iterations stretch the chain, the "
+       "direct solver does not."},
+      {"bridge", "plank bridge", {}, bridge,
        "Ten planks, eleven hinges that rub, and a crate that falls on them."},
       {"door", "door", {3}, door,
        "Pushed open, held by a limit at 110 degrees, closed by a motor."},
@@ -257,7 +257,7 @@ const std::vector<Entry>& entries() {
        "Three blows at a chain that has hardly room to move: a loop of joints."},
       {"box", "box", {8}, box, "It falls, tips and comes to rest: rows that only push, and rub."},
       {"wheels", "wheels", {}, wheels,
-       "Six cubes a wheel, a motor in each hub. Warm, with 60 iterations, they fly apart."},
+       "Six cubes a wheel, a motor in each hub. With 60 iterations in place of 300 they fly apart."},
       {"machine", "machine", {10}, machine,
        "A motor, a universal joint, a gear and a screw: the second shaft turns unevenly."}};
   return all;

@@ -185,14 +185,28 @@ def causes_are_told_apart(root, build):
     with browser.Browser() as here:
         for state, words, not_there in (
                 ("scene=pendulum&ratio=100&beta=1&t=1.2", "", "blown up"),
-                ("scene=chain&beta=2.1&t=3", "The settings do that (beta 2.1)", "hand"),
+                ("scene=chain&beta=2.1&t=3", "The setting beta 2.1 does that", "hand"),
                 ("beta=abc&t=0.1", "beta=abc, which is no number: it is 0.2", "NaN"),
                 ("scene=nowhere&t=0.1", "There is no scene nowhere: this is chain of 12", "NaN"),
-                ("scene=chain&t=0.1&iteration=999", "iteration=999, which cannot be here", "of 30"),
+                ("scene=chain&t=0.1&iteration=999", "iteration=999, which must be from 0 to 30", "of 30"),
                 ("scene=chain&beta=-1&t=0.1", "beta is -1", "stopped")):
             here.open(f"{address}#{state}")
             if words not in said(here) or not_there in said(here) + shown(here):
                 yield f"#{state}: {said(here)}, {shown(here)}"
+        for state, words in (("foo=3&t=0.1", "foo, which is no name here"),
+                             ("iterations=2.5&t=0.1", "must be a whole number of at most 10000"),
+                             ("h=66.7&t=0.1", "must be at most 1000 ms: it is 16.7 ms"),
+                             ("ratio=1000&t=3", "the joints do not hold")):
+            here.open(f"{address}#scene={'heavy' if 'ratio' in state else 'chain'}&{state}")
+            if words not in said(here):
+                yield f"#{state}: {said(here)}"
+        here.open(f"{address}#scene=chain&beta=2.1&t=3")
+        here.type("[data-name=beta] [type=number]", "0.2")
+        here.type("[data-name=iterations] [type=number]", "40")
+        here.wait("settings.iterations === 40")
+        if "The setting beta 2.1 does that" not in said(here):
+            yield f"what did it once it is changed back: {said(here)}"
+        here.open(f"{address}#scene=chain&t=0.1")
         here.type("[data-name=beta] [type=number]", "")
         here.wait("document.getElementById('said').textContent.includes('must be a number')")
         here.open(f"{address}#scene=chain&beta=2.1")
@@ -219,7 +233,7 @@ def causes_are_told_apart(root, build):
         here.wait("document.getElementById('said').textContent.includes('too far')")
         if "yours: stopped" not in shown(here) or "gap" in shown(here).split("\n")[1]:
             yield f"of code that has stopped: {shown(here)}"
-        if "otherwise than the solution in: pendulum" not in here.text_of("watch"):
+        if "differently from the solution in: pendulum" not in here.text_of("watch"):
             yield f"where the code matters: {here.text_of('watch')}"
 
 
@@ -231,7 +245,7 @@ def a_question_comes_first(root, build):
         if here.ask("getComputedStyle(document.getElementById('controls')).display") != "none":
             yield "the settings are open before the question"
         here.click("#question button:nth-of-type(2)")
-        here.wait("document.getElementById('question').textContent.includes('Just so')")
+        here.wait("document.getElementById('question').textContent.includes('Right.')")
         if "beta=2.1" not in hash_of(here) or "blown up" not in said(here):
             yield f"after the guess: {hash_of(here)}, {said(here)}"
         here.click("#question button")

@@ -257,7 +257,7 @@ const std::vector<Entry>& entries() {
        "Three blows at a chain that has hardly room to move: a loop of joints."},
       {"box", "box", {8}, box, "It falls, tips and comes to rest: rows that only push, and rub."},
       {"wheels", "wheels", {}, wheels,
-       "Six cubes a wheel, a motor in each hub. With 60 iterations in place of 300 they fly apart."},
+       "Six cubes a wheel, a motor in each hub. With 60 iterations, not 300, they fly apart."},
       {"machine", "machine", {10}, machine,
        "A motor, a universal joint, a gear and a screw: the second shaft turns unevenly."}};
   return all;

@@ -188,7 +188,7 @@ def causes_are_told_apart(root, build):
                 ("scene=chain&beta=2.1&t=3", "The setting beta 2.1 does that", "hand"),
                 ("beta=abc&t=0.1", "beta=abc, which is no number: it is 0.2", "NaN"),
                 ("scene=nowhere&t=0.1", "There is no scene nowhere: this is chain of 12", "NaN"),
-                ("scene=chain&t=0.1&iteration=999", "iteration=999, which must be from 0 to 30", "of 30"),
+                ("scene=chain&t=0.1&iteration=999", "999, which must be from 0 to 30", "after"),
                 ("scene=chain&beta=-1&t=0.1", "beta is -1", "stopped")):
             here.open(f"{address}#{state}")
             if words not in said(here) or not_there in said(here) + shown(here):

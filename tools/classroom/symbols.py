@@ -1,8 +1,9 @@
 """What the object of an exercise file calls and defines that no exercise needs: what could write a
-report of its own, end the program or take the place of a test. The compiler has written it, so it
-is there however the file calls it; text can be hidden, for example behind macros."""
+report of its own, end the program or take the place of a test. The compiler has written it, so a
+call is there however the text hides it, for example behind macros."""
 import re
 import subprocess
+import sys
 
 # What the standard library of C++ holds that reaches out of the program, or decides how it ends.
 OUT_OF_STD = re.compile(r"filebuf|fstream|filesystem|thread|future|async|random_device|_handler|"

@@ -18,7 +18,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-import names
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+from keep import exported  # noqa: E402
 
 # Of each program: the symbols that it must contain, and those that it must not.
 OTHERS = r"Line|Slide|RotationLock|Weld|SliderJoint|FixedJoint"
@@ -214,17 +215,15 @@ def names_are_listed(root, area, prefix, compiler):
     that they call themselves."""
     text = call(compiler, "-std=c++20", "-E", "-P", *definitions(prefix, "joints"),
                 f"-I{prefix}/include/joints", area / "bare.cpp")
-    exported = names.names(text)
-    listed = set((root / "tests" / "library" / "names.txt").read_text().split())
-    if exported != listed:
-        raise Wrong("tests/library/names.txt is not the list of the exported names: "
-                    f"new {sorted(exported - listed)}, gone {sorted(listed - exported)}")
+    found = exported.names(text)
+    if found != set((root / exported.LIST).read_text().split()):
+        raise Wrong(f"{exported.LIST} is not the list of the exported names: ./wb keep listings")
     function = re.compile(r"^/// Exercise (?:.*\n///)*.*\n(?:template .*\n)?\S[^(;]*?(\w+)\(", re.M)
     exercises = {name for header in (root / "chapters").glob("*/*.h")
                  for name in function.findall(header.read_text())}
-    if (exercises & exported) - NAMESAKES != CALLED_EXERCISES:
-        raise Wrong(f"exported exercises: {sorted(exercises & exported)}")
-    print(f"{len(exported)} names are exported; of {len(exercises)} functions of exercises "
+    if (exercises & found) - NAMESAKES != CALLED_EXERCISES:
+        raise Wrong(f"exported exercises: {sorted(exercises & found)}")
+    print(f"{len(found)} names are exported; of {len(exercises)} functions of exercises "
           f"{len(CALLED_EXERCISES)}, which the headers call")
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from base import house
-from keep import copied, drawn, tabled, tied
+from keep import copied, drawn, exported, tabled, tied
 from keep.values import Tables, Wrong
 
 MOST_LINES = 6  # of one file that are listed
@@ -49,8 +49,12 @@ def numbers(root, tables):
 
 
 def listings(root, tables):
-    """The code that texts quote."""
-    return in_texts(root, [lambda text, _: copied.quoted(text, root)])
+    """The code that texts quote, and the names that the library exports."""
+    yield from in_texts(root, [lambda text, _: copied.quoted(text, root)])
+    path, text = root / exported.LIST, exported.listed(root)
+    new, old = set(text.split()), set(path.read_text().split())
+    yield Kept(path, text, [f"new: {name}" for name in sorted(new - old)] +
+                           [f"gone: {name}" for name in sorted(old - new)])
 
 
 def stubs(root, tables):

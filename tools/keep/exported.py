@@ -1,5 +1,9 @@
-"""The names that a header brings into the namespace joints, read from its preprocessed text."""
+"""The names that the library brings into the namespace joints, read from preprocessed headers."""
 import re
+import subprocess
+import textwrap
+
+LIST = "tests/library/names.txt"
 
 TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|[A-Za-z_]\w*|\d[\w.\']*|::|\S')
 OPENING = {"(": ")", "{": "}", "[": "]"}
@@ -99,3 +103,12 @@ def inside(tokens):
         else:
             at = closing(tokens, at) if tokens[at] in OPENING else at + 1
     return found - {None}
+
+
+def listed(root):
+    """The list of the names that joints.h exports."""
+    flags = [flag for flag in (root / "compile_flags.txt").read_text().split() if flag != "-xc++"]
+    text = subprocess.run(["c++", *flags, "-DJOINTS_LIBRARY", "-E", "-P", "-x", "c++",
+                           "library/joints.h"], cwd=root, check=True, capture_output=True,
+                          text=True).stdout
+    return textwrap.fill(" ".join(sorted(names(text))), 98) + "\n"

@@ -24,6 +24,7 @@ TABLES = {"stability": "stiff, extreme and redundant scenes: which setting holds
           "families": "scenes drawn by seeds: how many each setting holds",
           "stacks": "boxes on each other: which of them stand for a minute",
           "peers": "ours beside Bullet, ODE and MuJoCo of Debian",
+          "contacts": "our contacts beside those of Bullet and ODE",
           "convergence": "iterations until a chain is right, method by method",
           "loop": "a joint and iteration, from the textbook's loop to lanes",
           "cost": "rows, bytes and instructions of every kind of joint"}

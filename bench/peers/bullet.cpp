@@ -21,7 +21,7 @@ class BulletWorld : public Peer {
     info.m_numIterations = choice.iterations;
     info.m_erp = btScalar(choice.erp);
     if (dense_) info.m_minimumSolverBatchSize = 1;  // one matrix an island, as its manual advises
-    for (std::size_t k = 0; k < scene.bodies.size(); ++k) add(scene.bodies[k], scene.shapes[k]);
+    for (std::size_t k = 0; k < scene.bodies.size(); ++k) add(scene.bodies[k], scene.shapes[k], scene.heap);
     for (const PeerJoint& joint : scene.joints) add(joint, scene);
   }
   ~BulletWorld() override {
@@ -57,7 +57,7 @@ class BulletWorld : public Peer {
     }
     return std::make_unique<btMLCPSolver>(dense_.get());
   }
-  void add(const Body& body, const PeerShape& shape) {
+  void add(const Body& body, const PeerShape& shape, bool heap) {
     btRigidBody::btRigidBodyConstructionInfo info(mass_of(body), nullptr, parts_.add(shape),
                                                   inertia_of(body));
     info.m_startWorldTransform = pose_of(body);
@@ -69,7 +69,7 @@ class BulletWorld : public Peer {
       bodies_.back()->setAngularVelocity(to_bullet(glm::dvec3(body.w)));
     }
     world_->addRigidBody(bodies_.back().get(), BulletParts::group(shape),
-                         BulletParts::mask(shape));
+                         BulletParts::mask(shape, heap));
   }
   void add(const PeerJoint& joint, const PeerScene& scene) {
     const auto at = [](int slot) { return std::size_t(slot); };
@@ -134,20 +134,33 @@ std::string version() {
   return std::to_string(BT_BULLET_VERSION / 100) + "." + std::to_string(BT_BULLET_VERSION % 100);
 }
 
+PeerSetting bullet_setting(const std::string& name, const BulletChoice& choice) {
+  return {.engine = "Bullet", .version = version(),
+          .number = sizeof(btScalar) == 8 ? "double" : "float", .name = name,
+          .exact = choice.solver >= BulletChoice::Solver::dantzig,
+          .make = [choice](const PeerScene& scene) {
+            return std::make_unique<BulletWorld>(scene, choice);
+          }};
+}
+
 }  // namespace
+
+std::vector<PeerSetting> bullet_heap_settings() {
+  std::vector<PeerSetting> out{bullet_setting("10 iterations (its default)", {})};
+  for (const auto& [substeps, iterations] : {std::pair{1, 50}, {4, 10}, {16, 4}, {16, 10}})
+    out.push_back(bullet_setting(std::to_string(substeps) + " substeps of " +
+                                     std::to_string(iterations),
+                                 {.iterations = iterations, .substeps = substeps}));
+  return out;
+}
 
 std::vector<PeerSetting> bullet_settings(bool search) {
   using Solver = BulletChoice::Solver;
   std::vector<PeerSetting> out;
   const auto add = [&](const std::string& name, const BulletChoice& choice, bool quick,
                        int most_joints = 5000) {
-    out.push_back({.engine = "Bullet", .version = version(),
-                   .number = sizeof(btScalar) == 8 ? "double" : "float", .name = name,
-                   .quick = quick, .most_joints = most_joints,
-                   .exact = choice.solver >= Solver::dantzig,
-                   .make = [choice](const PeerScene& scene) {
-                     return std::make_unique<BulletWorld>(scene, choice);
-                   }});
+    out.push_back(bullet_setting(name, choice));
+    out.back().quick = quick, out.back().most_joints = most_joints;
   };
   const auto add_trees = [&](const std::string& name, const BulletChoice& choice, bool quick,
                              int most_joints = 5000) {

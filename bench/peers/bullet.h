@@ -56,6 +56,10 @@ struct BulletParts {
       case PeerShape::Kind::box:
         shapes.push_back(std::make_unique<btBoxShape>(to_bullet(shape.half)));
         break;
+      case PeerShape::Kind::capsule:
+        shapes.push_back(std::make_unique<btCapsuleShape>(btScalar(shape.half.x),
+                                                          btScalar(2 * shape.half.y)));
+        break;
       default:
         shapes.push_back(std::make_unique<btSphereShape>(
             btScalar(shape.kind == PeerShape::Kind::ball ? shape.half.x : 0.5)));
@@ -64,8 +68,8 @@ struct BulletParts {
   }
   // Bits for the collision filter: grounds touch what stands on them, and nothing else touches.
   static int group(const PeerShape& shape) { return shape.is_ground ? 1 : 2; }
-  static int mask(const PeerShape& shape) {
-    return shape.kind == PeerShape::Kind::none ? 0 : shape.is_ground ? 2 : 1;
+  static int mask(const PeerShape& shape, bool heap = false) {
+    return shape.kind == PeerShape::Kind::none ? 0 : heap ? 3 : shape.is_ground ? 2 : 1;
   }
 };
 

@@ -1,6 +1,8 @@
 // ODE: bodies in maximal coordinates, its iterative and its dense step.
 #include "bench/peers/peer.h"
 
+#include <numbers>
+
 #include <ode/ode.h>
 #include <ode/version.h>
 
@@ -13,6 +15,9 @@ struct Choice {
   int iterations = 20;  // of the iterative step; 0: the dense one
   int substeps = 1;
   double erp = 0.2;     // fraction of the error fed back in a step
+  double layer = 0;     // depth that is not corrected [m]
+  double push = 0;      // greatest speed of the correction of a contact [m/s]; 0: unbounded
+  double cfm = -1;      // softness of all rows; -1: its default
 };
 
 class OdeWorld : public Peer {
@@ -24,10 +29,13 @@ class OdeWorld : public Peer {
     contacts_ = dJointGroupCreate(0);
     dWorldSetGravity(world_, scene.gravity.x, scene.gravity.y, scene.gravity.z);
     dWorldSetERP(world_, choice.erp);
+    dWorldSetContactSurfaceLayer(world_, choice.layer);
+    if (choice.push > 0) dWorldSetContactMaxCorrectingVel(world_, choice.push);
+    if (choice.cfm >= 0) dWorldSetCFM(world_, choice.cfm);
     dWorldSetQuickStepNumIterations(world_, std::max(1, choice.iterations));
     for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
       bodies_.push_back(add(scene.bodies[k]));
-      add(scene.shapes[k], bodies_.back(), scene.bodies[k]);
+      add(scene.shapes[k], bodies_.back(), scene.bodies[k], scene.heap);
     }
     for (const PeerJoint& joint : scene.joints) add(joint);
   }
@@ -78,7 +86,7 @@ class OdeWorld : public Peer {
     dBodySetAutoDisableFlag(id, 0);
     return id;
   }
-  void add(const PeerShape& shape, dBodyID id, const Body& body) {
+  void add(const PeerShape& shape, dBodyID id, const Body& body, bool heap) {
     dGeomID geom = nullptr;
     if (shape.kind == PeerShape::Kind::plane) {
       const glm::dvec3 up(to_world(body, vec3(0, 1, 0)));
@@ -87,18 +95,23 @@ class OdeWorld : public Peer {
       geom = dCreateBox(space_, 2 * shape.half.x, 2 * shape.half.y, 2 * shape.half.z);
     } else if (shape.kind == PeerShape::Kind::ball) {
       geom = dCreateSphere(space_, shape.half.x);
+    } else if (shape.kind == PeerShape::Kind::capsule) {
+      geom = dCreateCapsule(space_, shape.half.x, 2 * shape.half.y);
     } else {
       return;
     }
     if (id) {
       dGeomSetBody(geom, id);
+      dMatrix3 turn;  // a capsule of ODE is parallel to z
+      dRFromAxisAndAngle(turn, 1, 0, 0, -std::numbers::pi / 2);
+      if (shape.kind == PeerShape::Kind::capsule) dGeomSetOffsetRotation(geom, turn);
     } else if (shape.kind != PeerShape::Kind::plane) {
       const dQuaternion q{double(body.q.w), double(body.q.x), double(body.q.y), double(body.q.z)};
       dGeomSetPosition(geom, double(body.x.x), double(body.x.y), double(body.x.z));
       dGeomSetQuaternion(geom, q);
     }
     dGeomSetCategoryBits(geom, shape.is_ground ? 1 : 2);
-    dGeomSetCollideBits(geom, shape.is_ground ? 2 : 1);
+    dGeomSetCollideBits(geom, heap ? 3 : shape.is_ground ? 2 : 1);
     frictions_.push_back(shape.friction);
     dGeomSetData(geom, reinterpret_cast<void*>(frictions_.size() - 1));
   }
@@ -147,6 +160,8 @@ class OdeWorld : public Peer {
   }
   static void touch(void* self, dGeomID a, dGeomID b) {
     auto& world = *static_cast<OdeWorld*>(self);
+    const dBodyID first = dGeomGetBody(a), second = dGeomGetBody(b);
+    if (first && second && dAreConnectedExcluding(first, second, dJointTypeContact)) return;
     constexpr int most = 8;
     dContact contacts[most];
     const int count = dCollide(a, b, most, &contacts[0].geom, sizeof(dContact));
@@ -157,7 +172,7 @@ class OdeWorld : public Peer {
       contacts[k].surface.mode = dContactApprox1;
       contacts[k].surface.mu = friction(a) * friction(b);
       const dJointID id = dJointCreateContact(world.world_, world.contacts_, &contacts[k]);
-      dJointAttach(id, dGeomGetBody(a), dGeomGetBody(b));
+      dJointAttach(id, first, second);
     }
   }
 
@@ -169,20 +184,34 @@ class OdeWorld : public Peer {
   std::vector<double> frictions_;  // of the geometries
 };
 
-}  // namespace
-
-std::vector<PeerSetting> ode_settings(bool search) {
+PeerSetting ode_setting(const std::string& name, const Choice& choice) {
   static const bool started = dInitODE2(0) != 0 && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
   if (!started) refuse("ODE: does not start");
+  return {.engine = "ODE", .version = dODE_VERSION,
+          .number = sizeof(dReal) == 8 ? "double" : "float", .name = name,
+          .exact = choice.iterations == 0, .make = [choice](const PeerScene& scene) {
+            return std::make_unique<OdeWorld>(scene, choice);
+          }};
+}
+
+}  // namespace
+
+std::vector<PeerSetting> ode_heap_settings() {
+  std::vector<PeerSetting> out{ode_setting("20 iterations (its default)", {})};
+  for (const auto& [substeps, iterations] : {std::pair{1, 50}, {4, 10}, {4, 50}, {16, 50}})
+    out.push_back(ode_setting(std::to_string(substeps) + " substeps of " +
+                                  std::to_string(iterations) + " with a layer",
+                              {.iterations = iterations, .substeps = substeps, .layer = 1e-3,
+                               .push = 0.8, .cfm = 1e-5}));
+  return out;
+}
+
+std::vector<PeerSetting> ode_settings(bool search) {
   std::vector<PeerSetting> out;
   const auto add = [&](const std::string& name, const Choice& choice, bool quick,
                        int most_joints = 5000) {
-    out.push_back({.engine = "ODE", .version = dODE_VERSION,
-                   .number = sizeof(dReal) == 8 ? "double" : "float", .name = name, .quick = quick,
-                   .most_joints = most_joints, .exact = choice.iterations == 0,
-                   .make = [choice](const PeerScene& scene) {
-                     return std::make_unique<OdeWorld>(scene, choice);
-                   }});
+    out.push_back(ode_setting(name, choice));
+    out.back().quick = quick, out.back().most_joints = most_joints;
   };
   if (search) {
     for (const int substeps : {1, 4, 16})

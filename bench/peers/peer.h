@@ -27,9 +27,11 @@ struct PeerJoint {
 
 /// What of a body can be touched.
 struct PeerShape {
-  enum class Kind { none, plane, box, ball };
+  enum class Kind { none, plane, box, ball, capsule };
   Kind kind = Kind::none;
-  glm::dvec3 half{0};   ///< half the edges of a box, or the radius of a ball in x [m]
+  /// Half the edges of a box; the radius of a ball or a capsule in x, and in y half the length of
+  /// the capsule's cylinder, which is parallel to the body's y axis [m].
+  glm::dvec3 half{0};
   double height = 0;    ///< of a plane above the body's centre, across the body's y axis [m]
   double friction = 1;  ///< of a body that stands; of a ground 1, so that the product is ours
   bool is_ground = false;  ///< grounds touch bodies that stand, and nothing else touches
@@ -41,6 +43,7 @@ struct PeerScene {
   std::vector<PeerShape> shapes{};  ///< one a body
   std::vector<PeerJoint> joints{};
   glm::dvec3 gravity{0};            ///< [m/s^2]
+  bool heap = false;                ///< all shapes touch each other, but no joined ones
   bool touches() const;             ///< some body can be touched
   bool is_driven() const;           ///< some joint has limits or a motor
 };
@@ -89,6 +92,8 @@ struct PeerSetting {
 std::vector<PeerSetting> bullet_settings(bool search);  ///< of the same kind of number as `real`
 std::vector<PeerSetting> ode_settings(bool search);     ///< double
 std::vector<PeerSetting> mujoco_settings(bool search);  ///< double
+std::vector<PeerSetting> bullet_heap_settings();  ///< those of heaps.h
+std::vector<PeerSetting> ode_heap_settings();     ///< those of heaps.h
 /// Of all engines that are compiled in. \param search those of the search for the best instead
 std::vector<PeerSetting> peer_settings(bool search = false);
 

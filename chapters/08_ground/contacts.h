@@ -41,7 +41,8 @@ struct ContactPlace {
 };
 
 /// Keeps two bodies apart at points that are supplied before each step. Its impulses are kept by
-/// the points' ids, or by their places on body 1. Source: Catto 2005 for the cached impulses.
+/// the points' ids, or by their places on body 1. New points begin with the normal impulses of those
+/// that have vanished. Source: Catto 2005 for the cached impulses.
 class ContactJoint : public PointContacts {
  public:
   real same_place = real(0.02);  ///< points without id are the same if they are this near [m]
@@ -210,12 +211,19 @@ inline const ContactPoint* ContactJoint::known(const ContactPlace& place) const 
 
 inline void ContactJoint::set_places(std::span<const ContactPlace> places) {
   std::vector<ContactPoint> points;
+  real lost = 0;  // normal impulse of the points that have vanished
+  for (const ContactPoint& point : points_) lost += point.impulse[2];
+  std::vector<std::size_t> fresh;
   for (const ContactPlace& place : places) {
     require(finite(place.place1) && finite(place.place2), "place1, place2: must be finite [m]");
     require_unit("normal", place.normal);
     const ContactPoint* const old = known(place);
+    if (old) lost -= old->impulse[2];
+    else fresh.push_back(points.size());
     points.push_back(old ? *old : ContactPoint{});
   }
+  for (const std::size_t k : fresh)
+    points[k].impulse[2] = std::max(real(0), lost) / real(fresh.size());
   points_ = std::move(points);
   places_.assign(places.begin(), places.end());
 }

@@ -7,6 +7,7 @@ where there is no pkg-config.
 """
 import os
 import shutil
+import subprocess
 import sys
 
 from library_test import Wrong, call, compiler_of, prove
@@ -26,6 +27,21 @@ def build_and_run(root, area, compiler, library, prefix):
             raise Wrong("docs/library.md says that a program says something else")
 
 
+def contacts_from_bullet(root, area, compiler):
+    """Where Bullet is, the program of docs/contacts.md needs its collision part alone."""
+    if subprocess.run(["pkg-config", "--exists", "bullet-float64"]).returncode != 0:
+        print("bullet-float64 is not there")
+        return
+    flags = call("pkg-config", "--cflags", "--libs", "joints").split()
+    flags += call("pkg-config", "--cflags", "bullet-float64").split()
+    call(compiler, "-std=c++20", "-O2", root / "tests" / "bullet" / "heap.cpp", *flags,
+         "-lBulletCollision-float64", "-lLinearMath-float64", "-o", area / "heap")
+    said = call(area / "heap").strip()
+    print(f"heap: {said}")
+    if said not in (root / "docs" / "contacts.md").read_text():
+        raise Wrong("docs/contacts.md says that a program says something else")
+
+
 def pkg_config_test(root, build, area):
     if not shutil.which("pkg-config"):
         print("pkg-config is not there")
@@ -34,6 +50,7 @@ def pkg_config_test(root, build, area):
     (area / "first").rename(area / "moved")
     for library in ("joints", "joints_float"):
         build_and_run(root, area, compiler_of(build), library, area / "moved")
+    contacts_from_bullet(root, area, compiler_of(build))
     return 0
 
 

@@ -28,10 +28,10 @@ TEST_CASE("ten cubes stand on Bullet's points; turned against each other they cr
   CHECK(twenty.drift < 1e-3);
 }
 
-TEST_CASE("points one step ahead halve the penetration of boxes thrown along the ground") {
+TEST_CASE("points one step ahead reduce the penetration of boxes thrown along the ground") {
   const Heaped ahead = run("ten thrown boxes"), present = run("ten thrown boxes", 0, 4, false);
   CAPTURE(ahead.deepest, present.deepest);
-  CHECK(ahead.deepest < 0.6 * present.deepest);
+  CHECK(ahead.deepest < 0.4 * present.deepest);
   CHECK(ahead.fallen + present.fallen == 0);
 }
 

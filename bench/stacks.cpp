@@ -21,7 +21,8 @@ void put(Built& stack, double mass, const vec3& size, double lower, double frict
                                            : stack.boxes.back();
   const real base = stack.boxes.empty() ? 0 : stack.places.back().y + top.height;
   const vec3 place(0, base + size.y / 2, 0);
-  const BodyId box = stack.world.add(joints::box(real(mass), size, place - vec3(0, real(lower), 0)));
+  const vec3 x = place - vec3(0, real(lower), 0);
+  const BodyId box = stack.world.add(joints::box(real(mass), size, x));
   auto& contact = stack.world.add<GroundContact>(below, box, top, box_outline(size));
   contact.friction = real(friction);
   stack.boxes.push_back(box);

@@ -21,7 +21,8 @@ class BulletWorld : public Peer {
     info.m_numIterations = choice.iterations;
     info.m_erp = btScalar(choice.erp);
     if (dense_) info.m_minimumSolverBatchSize = 1;  // one matrix an island, as its manual advises
-    for (std::size_t k = 0; k < scene.bodies.size(); ++k) add(scene.bodies[k], scene.shapes[k], scene.heap);
+    for (std::size_t k = 0; k < scene.bodies.size(); ++k)
+      add(scene.bodies[k], scene.shapes[k], scene.heap);
     for (const PeerJoint& joint : scene.joints) add(joint, scene);
   }
   ~BulletWorld() override {

@@ -1,6 +1,8 @@
 // Heaps: the scenes, our own contacts, and a run.
 #include "bench/peers/heaps.h"
 
+#include <bullet_contacts.h>
+
 #include <ctime>
 
 #include "bench/draw.h"
@@ -8,7 +10,6 @@
 #include "chapters/05_fixed/fixed_joint.h"
 #include "engine/simd/packed.h"
 #include "engine/step.h"
-#include "library/bullet_contacts.h"
 
 namespace joints::bench {
 

@@ -29,7 +29,7 @@ struct Heaped {
   double fastest = 0;  ///< largest speed of a centre in the last second [m/s]
   double seconds = 0;  ///< of the processor, without the measurements
   int moving = 0;      ///< bodies faster than 5 cm/s in the last second
-  int fallen = 0;  ///< centres that are below the ground, or more than 0.2 m below their first place
+  int fallen = 0;  ///< centres below the ground; cubes more than 0.2 m below their place
 };
 /// Runs it with an engine. \param seconds 0: as long as it lasts
 Heaped run_heap(const Heap& heap, const PeerSetting& who, double seconds = 0);

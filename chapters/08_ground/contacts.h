@@ -41,8 +41,8 @@ struct ContactPlace {
 };
 
 /// Keeps two bodies apart at points that are supplied before each step. Its impulses are kept by
-/// the points' ids, or by their places on body 1. New points begin with the normal impulses of those
-/// that have vanished. Source: Catto 2005 for the cached impulses.
+/// the points' ids, or by their places on body 1. New points begin with the normal impulses of
+/// those that have vanished. Source: Catto 2005 for the cached impulses.
 class ContactJoint : public PointContacts {
  public:
   real same_place = real(0.02);  ///< points without id are the same if they are this near [m]

@@ -10,11 +10,17 @@ RowTarget without_feedback(RowTarget target) {
   return target;
 }
 
-Feedback feedback(const RowTarget& target, real h, real acting) {
-  if (target.frequency == 0) return {target.beta / h, 0};
-  const real omega = 2 * std::numbers::pi_v<real> * target.frequency;
-  const real a1 = 2 * target.damping + h * omega;
-  return {omega / a1, 1 / (acting * omega * a1)};
+StepTarget step_target(const RowTarget& target, real h, real acting, real relaxation) {
+  real rate = target.beta / h, softness = 0;
+  if (target.frequency != 0) {
+    const real omega = 2 * std::numbers::pi_v<real> * target.frequency;
+    const real a1 = 2 * target.damping + h * omega;
+    rate = omega / a1, softness = 1 / (acting * omega * a1);
+  }
+  const real mass_scale = relaxation / (1 + softness);
+  const real unit = target.follows == 0 ? acting : real(1);  // forces become impulses, factors stay
+  return {rate, softness, mass_scale, relaxation - mass_scale, unit * target.lower,
+          unit * target.upper};
 }
 
 void Blocks::truncate(int count) {

@@ -35,16 +35,21 @@ struct RowTarget {
 /// The same target without feedback: hard rows with the same bounds and target rate.
 RowTarget without_feedback(RowTarget target);
 
-/// The feedback of a target in a step of a given length.
-struct Feedback {
-  real rate;      ///< factor of C in the bias [1/s]: beta/h for hard rows
-  real softness;  ///< J V + bias + softness K lambda = 0 is solved [1]; 0 for hard rows
+/// A target in a step of a given length, with impulses in place of forces. Iterative solvers add
+/// dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda to the accumulated impulses.
+struct StepTarget {
+  real rate;           ///< factor of C in the bias [1/s]: beta/h for hard rows
+  real softness;       ///< J V + bias + softness K lambda = 0 is solved [1]; 0 for hard rows
+  real mass_scale;     ///< relaxation / (1 + softness) [1]
+  real impulse_scale;  ///< relaxation - mass_scale: 0 for hard rows [1]
+  real lower, upper;   ///< bounds of the last row's accumulated impulse [N s or N m s]; if the
+                       ///< bound follows another impulse, `upper` is the factor RowTarget::upper
 };
-/// Computes the feedback from beta, or from frequency and damping: a spring and damper, implicit in
-/// time. \param h step [s]
+/// Computes it from beta, or from frequency and damping: a spring and damper, implicit in time.
+/// \param h step [s] \param relaxation over-relaxation [1]
 /// \param acting time for which the impulses of the step act, Blocks::acts() [s]
 /// Source: Catto, "Soft Constraints", GDC 2011.
-Feedback feedback(const RowTarget& target, real h, real acting);
+StepTarget step_target(const RowTarget& target, real h, real acting, real relaxation = 1);
 
 /// The header of a block. Its rows and errors are in the flat arrays of Blocks, from `first` on.
 /// Target rate and bounds belong to the last row; the other rows are equalities.
@@ -65,7 +70,7 @@ struct Block {
 };
 
 /// The bias of row `i` of a block, minus the required J V, from its error C.
-/// \param rate Feedback::rate [1/s] \param h step [s]
+/// \param rate StepTarget::rate [1/s] \param h step [s]
 inline real bias(const Block& block, int i, real C, real rate, real h) {
   if (i < block.rows - 1) return rate * C;
   // speculative: the gap may close, but not more
@@ -100,7 +105,9 @@ struct SolverMemory {
 class Blocks {
  public:
   std::vector<Block> list;  ///< the headers, in the order in which they are solved
-  std::vector<real> C;  ///< the errors of all blocks, one per row [m, rad, or 1 for a small sine]
+  /// The errors of all blocks, one per row [m, rad, or 1 for a small sine]; 0 in a block that holds
+  /// no position.
+  std::vector<real> C;
   std::vector<Row> J;   ///< their rows; rows of former steps may follow behind the last of them
   std::vector<Tolerance> tolerances;  ///< the step shortens the errors C by these, and empties it
   std::vector<Reversal> reversals;  ///< of the step; they follow the move of the bodies (end_step)
@@ -126,7 +133,7 @@ class Blocks {
               const RowTarget& target, real* impulse) {
     if (!add(bodies, id1, id2, Part::rows, Part::form, target, impulse)) return;
     const Body &body1 = bodies.at(list.back().body1), &body2 = bodies.at(list.back().body2);
-    write_error(part, body1, body2, C.data() + list.back().first);
+    if (target.holds_position) write_error(part, body1, body2, C.data() + list.back().first);
     if (!errors_only) write_jacobian(part, body1, body2, J.data() + list.back().first);
   }
 

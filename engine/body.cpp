@@ -3,25 +3,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
-#include <stdexcept>
-#include <type_traits>
 
 namespace joints {
 
 // ---- validation ---------------------------------------------------------------------------------
 
 namespace {
-
-template <class Number>
-std::string text(Number a) {
-  char digits[32] = "a number with a unit";  // tests/checker/quantity.h
-  if constexpr (std::is_floating_point_v<Number>) {
-    if (std::isnan(a)) return "nan";  // of either sign
-    std::snprintf(digits, sizeof digits, "%.*g", std::numeric_limits<real>::digits10, double(a));
-  }
-  return digits;
-}
 
 // A moment is an integral over two squares of coordinates; each square is in two moments.
 bool are_moments(const vec3& moments) {
@@ -33,33 +20,6 @@ bool are_moments(const vec3& moments) {
 }  // namespace
 
 void number_of_the_library(real) {}
-
-void refuse(const std::string& what) { throw std::invalid_argument(what); }
-
-void refuse(const char* what, real value, const char* must) {
-  refuse(what + (" is " + text(value)) + "; " + must);
-}
-void refuse(const char* what, const vec3& a, const char* must) {
-  refuse(what + (" is (" + text(a.x)) + ", " + text(a.y) + ", " + text(a.z) + "); " + must);
-}
-void refuse(const char* what, const quat& q, const char* must) {
-  refuse(what + (" is (" + text(q.w)) + ", " + text(q.x) + ", " + text(q.y) + ", " + text(q.z) +
-         "); " + must);
-}
-
-void require_finite(const char* what, const real& value, const char* must) {
-  require(finite(value), what, value, must);
-}
-void require_finite(const char* what, const vec3& value, const char* must) {
-  require(finite(value), what, value, must);
-}
-
-void require_unit(const char* what, const vec3& value) {
-  require(is_unit(value), what, value, "must have the length 1");
-}
-void require_unit(const char* what, const quat& value) {
-  require(is_unit(value), what, value, "must have the length 1");
-}
 
 void check(const Body& body) {
   require_finite("x", body.x);
@@ -228,22 +188,6 @@ HeldMatrices::HeldMatrices(Bodies& bodies) : bodies_(bodies) {
 
 HeldMatrices::~HeldMatrices() {
   for (Body& body : bodies_) body.matrices.now = nullptr;
-}
-
-void integrate_forces(Bodies& bodies, const vec3& gravity, real h) {
-  for (Body& body : bodies) integrate_forces(body, gravity, h);
-}
-
-void integrate_poses(Bodies& bodies, real h) {
-  for (Body& body : bodies) integrate_pose(body, h);
-}
-
-void kick(Bodies& bodies, const vec3& gravity, real h) {
-  for (Body& body : bodies) kick(body, gravity, h);
-}
-
-void turn(Bodies& bodies, real h) {
-  for (Body& body : bodies) turn(body, h);
 }
 
 }  // namespace joints

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/real.h"
+#include "engine/require.h"
 
 /// \defgroup bodies Bodies
 /// \brief State, mass and free motion of rigid bodies, and the array that holds them.
@@ -187,13 +187,21 @@ class HeldMatrices {
 };
 
 /// integrate_forces() for all bodies.
-void integrate_forces(Bodies& bodies, const vec3& gravity, real h);
+inline void integrate_forces(Bodies& bodies, const vec3& gravity, real h) {
+  for (Body& body : bodies) integrate_forces(body, gravity, h);
+}
 /// integrate_pose() for all bodies.
-void integrate_poses(Bodies& bodies, real h);
+inline void integrate_poses(Bodies& bodies, real h) {
+  for (Body& body : bodies) integrate_pose(body, h);
+}
 /// kick() for all bodies.
-void kick(Bodies& bodies, const vec3& gravity, real h);
+inline void kick(Bodies& bodies, const vec3& gravity, real h) {
+  for (Body& body : bodies) kick(body, gravity, h);
+}
 /// turn() for all bodies.
-void turn(Bodies& bodies, real h);
+inline void turn(Bodies& bodies, real h) {
+  for (Body& body : bodies) turn(body, h);
+}
 
 }  // namespace joints
 /// @}

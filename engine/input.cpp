@@ -56,9 +56,9 @@ void check_input(const World& world, const Solver& solver, real h, const Steppin
   require(finite(how.damping) && how.damping >= 0, "damping", how.damping,
           "must be finite and not negative [1]");
   check_input(world, h);
-  const auto [rate, softness] =
-      feedback({.beta = 1, .frequency = how.frequency, .damping = how.damping}, h, h);
-  require(finite(rate) && finite(softness), "frequency", how.frequency,
+  const StepTarget spring =
+      step_target({.beta = 1, .frequency = how.frequency, .damping = how.damping}, h, h);
+  require(finite(spring.rate) && finite(spring.softness), "frequency", how.frequency,
           "a spring of this frequency and damping must be possible in a step of this length [Hz]");
 }
 

@@ -1,17 +1,10 @@
 // Common code of all solvers: the blocks for which they were prepared. Of the iterative ones also
-// the settings, and the targets and bounds of a block.
+// the settings and the bounds that follow an impulse.
 #include "engine/iterative_solver.h"
 
 #include <stdexcept>
 
 namespace joints {
-
-StepTarget step_target(const RowTarget& target, real h, real acting, real relaxation) {
-  const auto [rate, softness] = feedback(target, h, acting);
-  const real mass_scale = relaxation / (1 + softness);
-  const real unit = target.follows == 0 ? acting : real(1);  // forces become impulses, factors stay
-  return {rate, mass_scale, relaxation - mass_scale, unit * target.lower, unit * target.upper};
-}
 
 int followed_row(const Blocks& blocks, int k) {
   const Block& block = blocks.list[std::size_t(k)];

@@ -1,4 +1,4 @@
-// Common code of the iterative solvers: their settings, and the target of a block in a step.
+// Common code of the iterative solvers: their settings, and the bounds that follow an impulse.
 #pragma once
 
 #include "engine/solver.h"
@@ -6,20 +6,6 @@
 /// \addtogroup rows
 /// @{
 namespace joints {
-
-/// A block's target in a step of a given length, as the inner loop uses it. For every block the
-/// loop adds dlambda = -mass_scale K^-1 (J V + bias) - impulse_scale lambda to the accumulated
-/// impulses.
-struct StepTarget {
-  real rate;           ///< Feedback::rate
-  real mass_scale;     ///< relaxation / (1 + softness) [1]
-  real impulse_scale;  ///< relaxation - mass_scale: 0 for hard rows [1]
-  real lower, upper;   ///< bounds of the last row's accumulated impulse [N s or N m s]; if the
-                       ///< bound follows another impulse, `upper` is the factor RowTarget::upper
-};
-/// Computes the target of a block for a step.
-/// \param h step [s] \param acting Blocks::acts() [s] \param relaxation over-relaxation [1]
-StepTarget step_target(const RowTarget& target, real h, real acting, real relaxation);
 
 /// The row whose impulse bounds block number k (RowTarget::follows), as an index into Blocks::J, or
 /// -1 if there is none.

@@ -32,14 +32,6 @@ struct Four {
 };
 /// The sum of all four.
 inline real sum(const Four& a) { return (a[0] + a[2]) + (a[1] + a[3]); }
-/// The cosine of half the rotation between two orientations, of either sign.
-inline real half_cosine(const quat& p, const quat& q) {
-  Four product;
-  for (int k = 0; k < 4 / register_size; ++k)
-    product.part[k] = reinterpret_cast<const Register*>(&p)[k] *
-                      reinterpret_cast<const Register*>(&q)[k];
-  return sum(product);
-}
 
 /// The twelve numbers of a row.
 struct Twelve {
@@ -61,6 +53,7 @@ inline real dot(const Twelve& J, const Twelve& V) {
 inline real inverse_above(real a, real least) { return a > least ? 1 / a : real(0); }
 
 /// \cond
+#define JOINTS_INLINED __attribute__((always_inline))
 // Calls f(0) to f(n - 1) with compile-time constants, so that the loop is unrolled and the entries
 // below can stay in registers.
 template <int n, class F>
@@ -70,6 +63,18 @@ inline void unrolled(const F& f) {
   }(std::make_integer_sequence<int, n>{});
 }
 /// \endcond
+/// Calls f with n, from 1 to 6, as a compile-time constant.
+template <class F>
+JOINTS_INLINED inline void with_size(int n, const F& f) {
+  switch (n) {
+    case 1: return f(std::integral_constant<int, 1>{});
+    case 2: return f(std::integral_constant<int, 2>{});
+    case 3: return f(std::integral_constant<int, 3>{});
+    case 4: return f(std::integral_constant<int, 4>{});
+    case 5: return f(std::integral_constant<int, 5>{});
+    case 6: return f(std::integral_constant<int, 6>{});
+  }
+}
 
 /// The index of row i and column j in the lower triangle of a symmetric matrix, row by row.
 constexpr int lower_index(int i, int j) {

@@ -44,25 +44,11 @@ void form_responses(const Row* J, int n, const Body& body1, const Body& body2, R
 }
 
 void form_K(const Row* J, const Row* response, int n, real* K) {
-  switch (n) {
-    case 1: return form<1>(J, response, K);
-    case 2: return form<2>(J, response, K);
-    case 3: return form<3>(J, response, K);
-    case 4: return form<4>(J, response, K);
-    case 5: return form<5>(J, response, K);
-    case 6: return form<6>(J, response, K);
-  }
+  with_size(n, [&](auto size) { form<size>(J, response, K); });
 }
 
 void invert_symmetric(real* K, int n) {
-  switch (n) {
-    case 1: return invert<1>(K);
-    case 2: return invert<2>(K);
-    case 3: return invert<3>(K);
-    case 4: return invert<4>(K);
-    case 5: return invert<5>(K);
-    case 6: return invert<6>(K);
-  }
+  with_size(n, [&](auto size) { invert<size>(K); });
 }
 
 }  // namespace joints

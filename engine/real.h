@@ -1,10 +1,9 @@
-// The scalar type, GLM's small vectors made of it, and the functions that reject invalid input.
+// The scalar type, and GLM's small vectors made of it.
 #pragma once
 
 #include <cmath>
 #include <concepts>
 #include <limits>
-#include <string>
 
 #ifndef JOINTS_REAL
 #define JOINTS_REAL double
@@ -70,37 +69,6 @@ inline real sum(const quat& q) { return q.w + q.x + q.y + q.z; }
 /// displaces a point 10 m away by at most 20 micrometres.
 template <class Vector>
 bool is_unit(const Vector& a) { return std::abs(dot(a, a) - 1) < real(2e-6); }
-
-/// Rejects invalid input. Every std::invalid_argument of the engine and the joints is thrown here.
-/// \param what one sentence with the argument and the condition that it must satisfy
-/// \throws std::invalid_argument always
-[[noreturn]] void refuse(const std::string& what);
-
-/// Rejects a value, as in "beta is -1; must be between 0 and 10 [1]". \param what its name
-/// \param must the condition that it must satisfy, in words \throws std::invalid_argument always
-[[noreturn]] void refuse(const char* what, real value, const char* must);
-/// The same for three numbers.
-[[noreturn]] void refuse(const char* what, const vec3& value, const char* must);
-/// The same for four numbers, (w, x, y, z).
-[[noreturn]] void refuse(const char* what, const quat& value, const char* must);
-
-/// Calls refuse(what) unless `good`.
-inline void require(bool good, const char* what) {
-  if (!good) refuse(what);
-}
-/// Calls refuse(what, value, must) unless `good`.
-template <class Value>
-void require(bool good, const char* what, const Value& value, const char* must) {
-  if (!good) refuse(what, value, must);
-}
-/// Rejects a number that is NaN or infinite.
-void require_finite(const char* what, const real& value, const char* must = "must be finite");
-/// The same for three numbers.
-void require_finite(const char* what, const vec3& value, const char* must = "must be finite");
-/// Rejects a direction whose length is not 1.
-void require_unit(const char* what, const vec3& value);
-/// Rejects a quaternion whose length is not 1.
-void require_unit(const char* what, const quat& value);
 
 }  // namespace joints
 /// @}

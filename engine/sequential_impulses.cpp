@@ -192,14 +192,7 @@ void SequentialImpulses::iterate(Bodies& bodies, int from, int to) {
   const Row* const J = blocks.J.data();
   for (int k = from; k < to; ++k) {  // one predictable switch per block
     const PreparedBlock& block = prepared_.blocks[std::size_t(k)];
-    switch (block.rows) {
-      case 1: solve_block<1>(array, J, block); break;
-      case 2: solve_block<2>(array, J, block); break;
-      case 3: solve_block<3>(array, J, block); break;
-      case 4: solve_block<4>(array, J, block); break;
-      case 5: solve_block<5>(array, J, block); break;
-      case 6: solve_block<6>(array, J, block); break;
-    }
+    with_size(block.rows, [&](auto n) { solve_block<n>(array, J, block); });
   }
 }
 

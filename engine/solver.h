@@ -31,7 +31,7 @@ class Solver {
   virtual void solve(Bodies& bodies) = 0;
   /// Describes, for reports, which method the solver chooses for these blocks; "" if it has no
   /// choice.
-  virtual std::string plan(const Bodies&, const Blocks&) const { return {}; }
+  virtual std::string description(const Bodies&, const Blocks&) const { return {}; }
   /// Appends the blocks of the step once more, at the bodies' present poses. \param of for each
   /// slot: append only the blocks of joints of these bodies; null: of all joints
   using Append = std::function<void(Blocks&, const std::vector<bool>* of)>;

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/real.h"
+#include "engine/require.h"
 
 /// \addtogroup world
 /// @{

@@ -30,7 +30,7 @@ void ease(Blocks& blocks, real h) {
     real& C = blocks.C[std::size_t(block.first + block.rows - 1)];
     if (C > 0) continue;
     C = std::min(C + slop, real(0));
-    const real rate = feedback(block.target, h, blocks.acts(h)).rate;
+    const real rate = step_target(block.target, h, blocks.acts(h)).rate;
     if (rate * C < -push) C = -push / rate;
   }
   blocks.tolerances.clear();

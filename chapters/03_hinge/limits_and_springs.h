@@ -7,7 +7,6 @@
 
 #include "chapters/03_hinge/hinge.h"
 #include "engine/joint.h"
-#include "engine/kernels.h"
 
 /// \addtogroup chapter3
 /// @{
@@ -118,8 +117,8 @@ class Leeway {
   void exchange(StateStream& stream) { stream(q1_, q2_, allowed_, least_cosine_); }
   /// True if the rotation of each body since the measurement is below half of the allowed one.
   bool still_near(const Body& body1, const Body& body2) const {
-    return std::abs(half_cosine(q1_, body1.q)) > least_cosine_ &&
-           std::abs(half_cosine(q2_, body2.q)) > least_cosine_;
+    return std::abs(dot(q1_, body1.q)) > least_cosine_ &&
+           std::abs(dot(q2_, body2.q)) > least_cosine_;
   }
   /// True if the relative rotation in this step is below the allowed one. \param h step [s]
   bool is_slow(const Body& body1, const Body& body2, real h) const {

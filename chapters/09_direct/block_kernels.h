@@ -2,28 +2,12 @@
 // to edit here.
 #pragma once
 
-#include <utility>
-
 #include "chapters/09_direct/direct.h"
+#include "engine/kernels.h"
 
 /// \addtogroup chapter9
 /// @{
 namespace joints {
-
-/// \cond
-// Calls f with n as a compile-time constant: loops over blocks are unrolled.
-template <class F>
-inline void with_size(int n, const F& f) {
-  switch (n) {
-    case 1: return f(std::integral_constant<int, 1>{});
-    case 2: return f(std::integral_constant<int, 2>{});
-    case 3: return f(std::integral_constant<int, 3>{});
-    case 4: return f(std::integral_constant<int, 4>{});
-    case 5: return f(std::integral_constant<int, 5>{});
-    case 6: return f(std::integral_constant<int, 6>{});
-  }
-}
-/// \endcond
 
 /// \cond
 // inverse(pivot, original); for two lanes, lane by lane.

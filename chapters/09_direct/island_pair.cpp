@@ -56,11 +56,12 @@ void IslandPair::prepare(const Blocks& given, const real* rates, real h) {
       if (blocks[k].block[lane] < 0) continue;
       const Block& block = given.list[blocks[k].block[lane]];
       set_rows(k, lane, &given.J[block.first]);
-      const auto [rate, softness] = feedback(block.target, h, acting);
-      softness_[k][lane] = double(softness);
-      springs_ = springs_ || softness > 0;
+      const StepTarget target = step_target(block.target, h, acting);
+      softness_[k][lane] = double(target.softness);
+      springs_ = springs_ || target.softness > 0;
       for (int i = 0; i < block.rows; ++i) {
-        const double bias = double(joints::bias(block, i, given.C[block.first + i], rate, h));
+        const real C = given.C[block.first + i];
+        const double bias = double(joints::bias(block, i, C, target.rate, h));
         const double expected = rates ? double(rates[blocks[k].row[lane] + i]) : 0;
         wanted_[row + i][lane] = expected - bias;
         impulse[row + i][lane] = double(block.impulse[i]);

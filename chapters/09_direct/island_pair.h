@@ -83,7 +83,7 @@ class IslandPair : public IslandMatrix {
   }
 
   std::vector<TwoLanes> wanted_;                 // required J V, by rows
-  std::vector<TwoLanes> softness_;               // Feedback::softness of each block
+  std::vector<TwoLanes> softness_;               // StepTarget::softness of each block
   std::vector<HalfRowOf<TwoLanes>> velocities_;  // of each column
   std::vector<std::array<double, 12>> set_aside_;  // while rows are exchanged
   bool springs_ = false;                         // there are some

@@ -180,7 +180,7 @@ void RungeKutta::factor(World& world) {
 }
 
 // Stores the forces of the springs in place of their impulses. The force of a spring and damper
-// with the mass K^-1 is -K^-1 (omega^2 C + 2 damping omega J V); Feedback is its implicit step.
+// with the mass K^-1 is -K^-1 (omega^2 C + 2 damping omega J V); StepTarget is its implicit step.
 void RungeKutta::stretch_springs(const Bodies& bodies) const {
   for (const Block& block : springs_.list) {
     std::fill_n(block.impulse, block.rows, real(0));

@@ -142,18 +142,18 @@ void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, r
                double* out) {
   const Row* J = &blocks.J[std::size_t(block.first)];
   const Body &a = bodies.at(block.body1), &b = bodies.at(block.body2);
-  const Feedback feedback = joints::feedback(block.target, h, blocks.acts(h));
+  const StepTarget now = step_target(block.target, h, blocks.acts(h));
   Row response[6];
   real K[36];
-  if (feedback.softness != 0) {
+  if (now.softness != 0) {
     form_responses(J, block.rows, a, b, response);
     form_K(J, response, block.rows, K);
   }
   for (int i = 0; i < block.rows; ++i) {
     const real C = blocks.C[std::size_t(block.first + i)];
-    real e = row_velocity(J[i], a, b) + bias(block, i, C, feedback.rate, h);
-    for (int j = 0; feedback.softness != 0 && j < block.rows; ++j)
-      e += feedback.softness * K[i * block.rows + j] * block.impulse[j];
+    real e = row_velocity(J[i], a, b) + bias(block, i, C, now.rate, h);
+    for (int j = 0; now.softness != 0 && j < block.rows; ++j)
+      e += now.softness * K[i * block.rows + j] * block.impulse[j];
     if (i == block.rows - 1) {  // at a bound it may have any rate that leads away from it
       const RowTarget& target = block.target;
       const bool follows = target.follows != 0;

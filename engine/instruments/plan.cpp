@@ -21,7 +21,7 @@ Plan plan(const World& world, bool warm_start, const Solver* solver) {
   plan.blocks = int(blocks.list.size());
   plan.rows = blocks.rows();
   plan.warm_start = warm_start;
-  if (solver) plan.solver = solver->plan(world.bodies, blocks);
+  if (solver) plan.solver = solver->description(world.bodies, blocks);
   return plan;
 }
 

@@ -14,7 +14,7 @@ struct Plan {
   int blocks = 0, rows = 0;                      ///< active ones
   int limits = 0, live_limits = 0, motors = 0;   ///< of all joints
   bool warm_start = false;                       ///< as in Stepping
-  std::string solver{};                          ///< Solver::plan()
+  std::string solver{};                          ///< Solver::description()
   std::string line() const;  ///< "bodies 12 (2 static), blocks 19, rows 34, ..."
 };
 

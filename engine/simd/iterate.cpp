@@ -3,8 +3,6 @@
 
 namespace joints {
 
-extern template void run<Pass::warm, Lanes>(const LaneWork& work, real ratio);  // warm_lanes.cpp
-
 #if defined(__x86_64__) && defined(JOINTS_AVX2)
 void run_pass_avx2(const LaneWork& work, Pass pass, real parameter);  // iterate_avx2.cpp
 #endif

@@ -41,30 +41,23 @@ struct LanesFor {
   friend LanesFor operator-(const LanesFor& a) { return {-a.all}; }
   friend LanesFor& operator+=(LanesFor& a, const LanesFor& b) { return a = a + b; }
   friend LanesFor& operator-=(LanesFor& a, const LanesFor& b) { return a = a - b; }
+  /// The lesser of both in each lane.
+  friend LanesFor lesser(const LanesFor& a, const LanesFor& b) {
+    return {a.all < b.all ? a.all : b.all};
+  }
+  /// The greater of both in each lane.
+  friend LanesFor greater(const LanesFor& a, const LanesFor& b) {
+    return {a.all > b.all ? a.all : b.all};
+  }
+  /// x where a > least, else 0.
+  friend LanesFor where_above(const LanesFor& a, const LanesFor& least, const LanesFor& x) {
+    return {a.all > least.all ? x.all : Vector{}};
+  }
+  /// 1 / a where a > least, else 0.
+  friend LanesFor inverse_above(const LanesFor& a, const LanesFor& least) {
+    return where_above(a, least, {1 / a.all});
+  }
 };
-/// \cond
-// The lesser and the greater of both, lane by lane.
-template <int P, bool single>
-inline LanesFor<P, single> lesser(const LanesFor<P, single>& a, const LanesFor<P, single>& b) {
-  return {a.all < b.all ? a.all : b.all};
-}
-template <int P, bool single>
-inline LanesFor<P, single> greater(const LanesFor<P, single>& a, const LanesFor<P, single>& b) {
-  return {a.all > b.all ? a.all : b.all};
-}
-// x where a > least, else 0; and 1 / a there.
-template <int P, bool single>
-inline LanesFor<P, single> where_above(const LanesFor<P, single>& a,
-                                       const LanesFor<P, single>& least,
-                                       const LanesFor<P, single>& x) {
-  return {a.all > least.all ? x.all : typename LanesFor<P, single>::Vector{}};
-}
-template <int P, bool single>
-inline LanesFor<P, single> inverse_above(const LanesFor<P, single>& a,
-                                         const LanesFor<P, single>& least) {
-  return where_above(a, least, LanesFor<P, single>{1 / a.all});
-}
-/// \endcond
 /// The lane type of the including file.
 using Lanes = LanesFor<JOINTS_PROCESSOR>;
 /// A single number, compiled for the including file's instruction set.

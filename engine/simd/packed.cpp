@@ -8,26 +8,21 @@ namespace joints {
 
 namespace {
 
-PackedBody packed(const Body& body) {
-  const bool moves = !body.is_static(), drives = !moves && (body.v != vec3(0) || body.w != vec3(0));
-  return {symmetric(inverse_inertia(body)), triple(body.v), triple(body.w), body.inverse_mass,
-          moves, drives, body.is_isotropic()};
-}
-
-BlockKind kind_of(const Block& block, const PackedBody& body1, const PackedBody& body2) {
+BlockKind kind_of(const Block& block, const Body& body1, const Body& body2) {
   const RowTarget& target = block.target;
   const bool follows = target.follows != 0, point = block.form == Form::point;
   const bool hard = !follows && target.frequency == 0 && target.lower == -unbounded &&
                     target.upper == unbounded;
-  const bool isotropic = point && body1.isotropic && body2.isotropic;
-  const bool lone = block.rows == 1 && !(body1.moves && body2.moves);
+  const bool isotropic = point && body1.is_isotropic() && body2.is_isotropic();
+  const bool lone = block.rows == 1 && (body1.is_static() || body2.is_static());
   return {static_cast<signed char>(block.rows), point, hard, isotropic, follows, lone};
 }
 
-Member member_of(const Block& block, const PackedBody& body1, const PackedBody& body2) {
+Member member_of(const Block& block, const Body& body1, const Body& body2) {
   const BlockKind kind = kind_of(block, body1, body2);
   const int none1 = kind.lone ? block.body2 : -1, none2 = kind.lone ? block.body1 : -1;
-  return {{body1.moves ? block.body1 : none1, body2.moves ? block.body2 : none2}, kind.number()};
+  return {{body1.is_static() ? none1 : block.body1, body2.is_static() ? none2 : block.body2},
+          kind.number()};
 }
 
 // ---- the numbers of a block ---------------------------------------------------------------------
@@ -37,9 +32,10 @@ struct Source {
   const Block& block;
   const Row* J;
   const real* C;
-  const PackedBody &body1, &body2;
+  const Body &body1, &body2;
   StepTarget target;
   real h;
+  bool driven;  // there are static bodies with a velocity
 };
 
 // Writes the numbers of one block into one lane of its group's record; a scalar record has one.
@@ -49,49 +45,57 @@ void fill_rows(PointRows<N, isotropic, Number>& rows, const Source& from, int la
   scatter(Triple<real>{J[2].w1.y, J[0].w1.z, J[1].w1.x}, rows.r1, lane);
   scatter(Triple<real>{-J[2].w2.y, -J[0].w2.z, -J[1].w2.x}, rows.r2, lane);
   if constexpr (isotropic) {
-    scatter(from.body1.inertia.xx, rows.I1, lane);
-    scatter(from.body2.inertia.xx, rows.I2, lane);
+    scatter(from.body1.inverse_inertia_local.x, rows.I1, lane);
+    scatter(from.body2.inverse_inertia_local.x, rows.I2, lane);
   } else {
-    scatter(from.body1.inertia, rows.I1, lane);
-    scatter(from.body2.inertia, rows.I2, lane);
+    scatter(symmetric(inverse_inertia(from.body1)), rows.I1, lane);
+    scatter(symmetric(inverse_inertia(from.body2)), rows.I2, lane);
   }
   for (int i = 3; i < N; ++i) scatter(triple(J[i].w2), rows.axis[i - 3], lane);
 }
 
-// Calls f(half of a record's row, v and w of J, body) for each half row: those of body 1 and body
-// 2, or of a lone row that of the body that moves.
+// Calls f(half of a record's row, v and w of J, w times the inverse inertia, inverse mass) for each
+// half row: those of body 1 and body 2, or of a lone row that of the body that moves.
 template <class Rows, class F>
 void each_half(Rows& rows, const Source& from, const F& f) {
   for (int i = 0; i < int(std::size(rows.row)); ++i)
     for (int end = 0; end < Rows::ends; ++end) {
-      const bool second = Rows::ends == 2 ? end == 1 : from.body2.moves;
-      const Row& J = from.J[i];
-      f(rows.row[i][end], triple(second ? J.v2 : J.v1), triple(second ? J.w2 : J.w1),
-        second ? from.body2 : from.body1);
+      const bool second = Rows::ends == 2 ? end == 1 : !from.body2.is_static();
+      const Body& body = second ? from.body2 : from.body1;
+      const vec3& v = second ? from.J[i].v2 : from.J[i].v1;
+      const vec3& w = second ? from.J[i].w2 : from.J[i].w1;
+      const vec3 response_w = body.is_isotropic() ? body.inverse_inertia_local.x * w
+                                                  : inverse_inertia(body) * w;
+      f(rows.row[i][end], triple(v), triple(w), triple(response_w), body.inverse_mass);
     }
 }
 
 template <int N, int ends, class Number>
 void fill_rows(AnyRows<N, ends, Number>& rows, const Source& from, int lane) {
-  each_half(rows, from, [&](auto& half, const auto& v, const auto& w, const PackedBody& body) {
+  each_half(rows, from, [&](auto& half, const auto& v, const auto& w, const auto& turned, real) {
     scatter(v, half.v, lane);
     scatter(w, half.w, lane);
-    scatter(body.inertia * w, half.response_w, lane);
+    scatter(turned, half.response_w, lane);
   });
 }
 
 template <int N, int ends>
 void fill_rows(SingleRows<N, ends, real>& rows, const Source& from, int) {
-  each_half(rows, from, [](auto& half, const auto& v, const auto& w, const PackedBody& body) {
-    half = {{v, 0, w, 0}, {body.inverse_mass * v, 0, body.inertia * w, 0}};
+  each_half(rows, from, [](auto& half, const auto& v, const auto& w, const auto& turned,
+                           real inverse_mass) {
+    half = {{v, 0, w, 0}, {inverse_mass * v, 0, turned, 0}};
   });
 }
 
-// The part of J V from static bodies with a velocity. The iterations read zeros for these bodies.
-real still_rate(const Row& J, const PackedBody& body1, const PackedBody& body2) {
+// A static body with a velocity, as in a belt.
+bool drives(const Body& body) {
+  return body.is_static() && (body.v != vec3(0) || body.w != vec3(0));
+}
+// The part of J V from such bodies. The iterations read zeros for static bodies.
+real driven_rate(const Row& J, const Body& body1, const Body& body2) {
   real rate = 0;
-  if (body1.drives) rate += dot(triple(J.v1), body1.v) + dot(triple(J.w1), body1.w);
-  if (body2.drives) rate += dot(triple(J.v2), body2.v) + dot(triple(J.w2), body2.w);
+  if (drives(body1)) rate += dot(J.v1, body1.v) + dot(J.w1, body1.w);
+  if (drives(body2)) rate += dot(J.v2, body2.v) + dot(J.w2, body2.w);
   return rate;
 }
 
@@ -99,13 +103,12 @@ template <class Rows, int N, bool hard, class Number>
 void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
   const Block& block = from.block;
   fill_rows(record.rows, from, lane);
-  const bool driven = from.body1.drives || from.body2.drives;
   for (int i = 0; i < N; ++i) {
     const real asked = i < N - 1 ? from.target.rate * from.C[i]
                                  : bias(block, i, from.C[i], from.target.rate, from.h);
-    const real given = driven ? still_rate(from.J[i], from.body1, from.body2) : real(0);
+    const real given = from.driven ? driven_rate(from.J[i], from.body1, from.body2) : real(0);
     scatter(asked + given, record.rows.bias[i], lane);
-    scatter(block.impulse[i], record.impulses.lambda[i], lane);
+    scatter(block.impulse[i], record.lambda[i], lane);
   }
   if constexpr (!hard) {
     scatter(from.target.impulse_scale, record.bounds.impulse_scale, lane);
@@ -126,13 +129,13 @@ void fill(FollowingRecord<ends, Number>& record, const Source& from, int lane) {
 // ---- the groups ---------------------------------------------------------------------------------
 
 // Updates the data on which the groups depend. \return true if nothing has changed
-bool PackedBlocks::sign(const Blocks& list, int first) {
+bool PackedBlocks::sign(const Bodies& bodies, const Blocks& list, int first) {
   const std::size_t count = list.list.size();
   bool same = members_.size() == count;
   members_.resize(count);
   for (std::size_t k = std::size_t(first); k < count; ++k) {
     const Block& block = list.list[k];
-    Member now = member_of(block, body(block.body1), body(block.body2));
+    Member now = member_of(block, bodies.at(block.body1), bodies.at(block.body2));
     if (block.target.follows != 0) now.follows = followed_row(list, int(k));
     if (members_[k] == now) continue;
     members_[k] = now;
@@ -142,10 +145,10 @@ bool PackedBlocks::sign(const Blocks& list, int first) {
 }
 
 // Gives the bodies places, new ones if necessary. \return true if they are new
-bool PackedBlocks::place() {
+bool PackedBlocks::place(const Bodies& bodies) {
   if (wanted_ != Packing::automatic) return false;
   moves_.clear();
-  for (const PackedBody& body : bodies_) moves_.push_back(body.moves);
+  for (const Body& body : bodies) moves_.push_back(!body.is_static());
   if (!places_.place(members_, moves_, lanes_ ? lane_count : 1)) return false;
   ++placings_;
   // Lanes in use: one for each body, for each link, and for each island one of static bodies. An
@@ -159,11 +162,11 @@ bool PackedBlocks::place() {
 }
 
 // Appends groups of the blocks from number `first` on; with 0 it makes all groups anew.
-void PackedBlocks::append(int first) {
+void PackedBlocks::append(const Bodies& bodies, int first) {
   if (first == 0) {
     chosen_ = wanted_;
     if (wanted_ == Packing::automatic && !fits_lanes_) chosen_ = Packing::colours;
-    order_.clear(lanes_ && wanted_ != Packing::list ? lane_count : 1, int(bodies_.size()));
+    order_.clear(lanes_ && wanted_ != Packing::list ? lane_count : 1, bodies.slots());
   }
   if (chosen_ == Packing::automatic) return places_.append(order_, members_, first);
   if (chosen_ == Packing::colours) {
@@ -171,13 +174,13 @@ void PackedBlocks::append(int first) {
     const bool too_empty = 2 * members_.size() < order_.blocks.size();
     if (first > 0 || wanted_ == Packing::colours || !too_empty) return;
     chosen_ = Packing::list;
-    order_.clear(1, int(bodies_.size()));
+    order_.clear(1, bodies.slots());
   }
   append_in_turn(order_, members_, first);
 }
 
 // Allocates the records of new groups. \param first 0 if all groups are new
-void PackedBlocks::add_groups(const Blocks& list, int first) {
+void PackedBlocks::add_groups(const Bodies& bodies, const Blocks& list, int first) {
   if (first == 0) {
     groups_.clear();
     numbers_.clear();
@@ -190,7 +193,7 @@ void PackedBlocks::add_groups(const Blocks& list, int first) {
     const int* const one =
         std::find_if(lanes, lanes + order_.width, [](int block) { return block >= 0; });
     const Block& block = list.list[std::size_t(*one)];
-    LaneGroup group{kind_of(block, body(block.body1), body(block.body2))};
+    LaneGroup group{kind_of(block, bodies.at(block.body1), bodies.at(block.body2))};
     group.first = int(numbers_.size()) * lane_count;
     int lambda = group.first;
     in_record(group, any.lane, [&](auto& record) {
@@ -231,26 +234,24 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, rea
   lanes_ = lanes;
   if (anew || first != int(members_.size())) first = 0;
   std::size_t begin = first == 0 ? 0 : groups_.size();  // the first group to be filled
-  if (first == 0) {
-    bodies_.clear();
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      bodies_.push_back(packed(bodies.at(slot)));
-  }
-  const bool same = sign(list, first);
+  const bool same = sign(bodies, list, first);
   if (!same || anew || (first == 0 && late_)) {
     ++groupings_;
-    if (place()) begin = 0, first = 0;
+    if (place(bodies)) begin = 0, first = 0;
     late_ = first > 0;
-    append(first);
-    add_groups(list, first);
+    append(bodies, first);
+    add_groups(bodies, list, first);
   }
+  const bool driven = std::any_of(bodies.begin(), bodies.end(), drives);
   for (std::size_t k = begin; k < groups_.size(); ++k)
     in_record(groups_[k], numbers() + groups_[k].first, [&](auto& record) {
       each_block(int(k), [&](int number, int lane) {
         const Block& block = list.list[std::size_t(number)];
         const std::size_t row = std::size_t(block.first);
-        fill(record, {block, &list.J[row], &list.C[row], body(block.body1), body(block.body2),
-                      step_target(block.target, h, list.acts(h), relaxation), h}, lane);
+        fill(record,
+             {block, &list.J[row], &list.C[row], bodies.at(block.body1), bodies.at(block.body2),
+              step_target(block.target, h, list.acts(h), relaxation), h, driven},
+             lane);
       });
     });
   gather(bodies);  // for the masses
@@ -286,7 +287,7 @@ std::string PackedBlocks::description() const {
          (order_.columns ? " lanes, an island in each" : " lanes, by colours");
 }
 
-std::string PackedImpulses::plan(const Bodies& bodies, const Blocks& blocks) const {
+std::string PackedImpulses::description(const Bodies& bodies, const Blocks& blocks) const {
   PackedBlocks packed;
   packed.pack(bodies, blocks, 0, 1, relaxation, packing, lanes);
   return packed.description();

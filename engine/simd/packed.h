@@ -19,16 +19,6 @@ enum class Packing {
   list        ///< the order of the list, without lanes
 };
 
-/// The data of a body from which records are filled.
-struct PackedBody {
-  Symmetric<real> inertia;  ///< inverse inertia [1/(kg m^2)], world
-  Triple<real> v, w;        ///< velocities at the begin of the step [m/s, rad/s], world
-  real inverse_mass;        ///< [1/kg]
-  bool moves;               ///< it is not static
-  bool drives;              ///< it is static and has a velocity
-  bool isotropic;           ///< Body::is_isotropic()
-};
-
 /// The blocks of a step in groups that are solved side by side. The places of the bodies are kept
 /// until islands are connected differently, and the groups until a block comes, goes or changes its
 /// kind. Once its vectors have grown, a step does not allocate.
@@ -54,10 +44,10 @@ class PackedBlocks {
   int groupings() const { return groupings_; }  ///< how often blocks were put into groups
 
  private:
-  bool sign(const Blocks& list, int first);
-  bool place();
-  void append(int first);
-  void add_groups(const Blocks& list, int first);
+  bool sign(const Bodies& bodies, const Blocks& list, int first);
+  bool place(const Bodies& bodies);
+  void append(const Bodies& bodies, int first);
+  void add_groups(const Bodies& bodies, const Blocks& list, int first);
   void run(Pass pass, real parameter, int first);
   // Calls f with the record of a group, of one block or of lane_count.
   template <class F>
@@ -74,7 +64,6 @@ class PackedBlocks {
     for (int lane = 0; lane < order_.width; ++lane)
       if (blocks[lane] >= 0) f(blocks[lane], lane);
   }
-  const PackedBody& body(int slot) const { return bodies_[std::size_t(slot)]; }
   real* numbers() { return reinterpret_cast<real*>(numbers_.data()); }
   const real* numbers() const { return reinterpret_cast<const real*>(numbers_.data()); }
 
@@ -93,7 +82,6 @@ class PackedBlocks {
   std::vector<LaneNumber> numbers_;  // the records of all groups
   std::vector<int> first_lambda_;    // of each block: the index of its first accumulated impulse
   std::vector<int> followed_;        // LaneWork::followed
-  std::vector<PackedBody> bodies_;   // all of them, in this step
   BodyRecords records_;
 };
 
@@ -110,7 +98,7 @@ class PackedImpulses : public IterativeSolver {
   /// Zeroes the impulse of a row whose Jacobian is zero or that depends on others of its block.
   void warm_start(Bodies& bodies, real ratio) override;
   void solve(Bodies& bodies) override;
-  std::string plan(const Bodies& bodies, const Blocks& blocks) const override;
+  std::string description(const Bodies& bodies, const Blocks& blocks) const override;
   const PackedBlocks& packed() const { return packed_; }  ///< of the last step
 
  private:

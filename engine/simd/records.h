@@ -26,8 +26,6 @@
 /// @{
 namespace joints {
 
-constexpr int lane_count = 32 / int(sizeof(real));  ///< 8 in float, 4 in double
-
 /// The kind of a block chooses its record. Only blocks of one kind are solved side by side.
 struct BlockKind {
   signed char rows = 0;  ///< 1 to 6
@@ -81,13 +79,6 @@ struct SingleRows {
   Half row[N][ends];  ///< the rows, from the first
 };
 
-/// The accumulated impulses, and K^-1.
-template <int N, class Number>
-struct Impulses {
-  Number lambda[N];                   ///< accumulated impulses [N s or N m s]
-  Number inverse_K[N * (N + 1) / 2];  ///< lower triangle of mass_scale K^-1, by lower_index()
-};
-
 /// Only for a block that is soft or bounded.
 template <int N, class Number>
 struct Bounds {
@@ -102,8 +93,9 @@ struct Unbounded {};
 template <class Rows, int N, bool hard, class Number>
 struct Record {
   static constexpr int ends = Rows::ends;  ///< bodies of a row
-  Rows rows;                     ///< geometry and bias
-  Impulses<N, Number> impulses;  ///< accumulated impulses, and K^-1
+  Rows rows;                          ///< geometry and bias
+  Number lambda[N];                   ///< accumulated impulses [N s or N m s]
+  Number inverse_K[N * (N + 1) / 2];  ///< lower triangle of mass_scale K^-1, by lower_index()
   /// Scales and bounds, if there are any.
   [[no_unique_address]] std::conditional_t<hard, Unbounded, Bounds<N, Number>> bounds;
 };
@@ -122,7 +114,6 @@ struct FollowingRecord : AnyRecord<1, ends, false, Number> {
 };
 
 /// \cond
-#define JOINTS_INLINED __attribute__((always_inline))
 template <class Record, class F>
 JOINTS_INLINED inline void use(real* numbers, const F& f) {
   f(*reinterpret_cast<Record*>(numbers));
@@ -153,14 +144,7 @@ JOINTS_INLINED inline void use_rows(const BlockKind& kind, real* numbers, const 
 /// type tells the compiler the number of rows.
 template <class Number, class F>
 JOINTS_INLINED inline void use_record(const BlockKind& kind, real* numbers, const F& f) {
-  switch (kind.rows) {
-    case 1: return use_rows<1, Number>(kind, numbers, f);
-    case 2: return use_rows<2, Number>(kind, numbers, f);
-    case 3: return use_rows<3, Number>(kind, numbers, f);
-    case 4: return use_rows<4, Number>(kind, numbers, f);
-    case 5: return use_rows<5, Number>(kind, numbers, f);
-    case 6: return use_rows<6, Number>(kind, numbers, f);
-  }
+  with_size(kind.rows, [&](auto n) JOINTS_INLINED { use_rows<n, Number>(kind, numbers, f); });
 }
 
 // ---- records and lanes -------------------------------------------------------------------------

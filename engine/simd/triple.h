@@ -73,6 +73,8 @@ inline Symmetric<real> symmetric(const mat3& m) {
   return {m[0][0], m[1][1], m[2][2], m[1][0], m[2][0], m[2][1]};
 }
 
+constexpr int lane_count = 32 / int(sizeof(real));  ///< 8 in float, 4 in double
+
 /// What an iteration reads and writes of a body: a record of eight numbers, or one per lane.
 template <class Number>
 struct alignas(32) Velocities {

@@ -175,7 +175,7 @@ TEST_CASE("the packing is chosen by how many lanes it would use, and is said in 
   const auto words = [](const World& world, PackedImpulses solver) {
     Blocks blocks;
     for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
-    return solver.plan(world.bodies, blocks);
+    return solver.description(world.bodies, blocks);
   };
   const auto pendulums = [](int islands, int length) {
     World world;
@@ -195,7 +195,7 @@ TEST_CASE("the packing is chosen by how many lanes it would use, and is said in 
   PackedImpulses list;
   list.packing = Packing::list;
   CHECK(words(pendulums(lane_count, 3), list) == "one block at a time");
-  CHECK(SequentialImpulses().plan(World().bodies, Blocks()).empty());
+  CHECK(SequentialImpulses().description(World().bodies, Blocks()).empty());
 }
 
 TEST_CASE(

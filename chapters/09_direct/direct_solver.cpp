@@ -44,7 +44,7 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   }
   collect_blocks(bodies);
   islands_.group(pattern_, bodies.slots(), most_work);
-  leave_to_iterations(bodies);
+  leave_to_iterations();
   recall_rates();
   report_.multiplications = report_.fill = 0;
   for (IslandPair& pair : islands_.pairs) {
@@ -101,8 +101,8 @@ void DirectSolver::leave(IslandPair& pair) {
 
 // Islands that take too much work are left to iterations, and with them all islands that blocks
 // outside A connect to them. Otherwise only blocks outside A are iterated.
-void DirectSolver::leave_to_iterations(const Bodies& bodies) {
-  left_.assign(std::size_t(bodies.slots()), false);
+void DirectSolver::leave_to_iterations() {
+  left_.assign(pulls_.size(), false);
   for (const int k : islands_.order()) {
     if (islands_.islands()[islands_.at(k).island].pair >= 0) continue;
     const auto& [of, moves, rows, bounded] = pattern_[k];  // of a hub
@@ -253,15 +253,30 @@ void DirectSolver::change_rates(Bodies& bodies, const std::vector<double>& rates
   for (const IslandPair& pair : islands_.pairs) factored = factored && pair.factored;
   require(rates.size() == blocks.C.size() && factored,
           "rates: there must be one for each row, and a factor");
-  for (IslandPair& pair : islands_.pairs) {
-    for (std::size_t k = 0; k < pair.blocks.size(); ++k)
-      for (const int lane : {0, 1})
-        for (int i = 0; i < pair.blocks[k].own[lane]; ++i)
-          pair.x[pair.A.nodes[k].row + i][lane] =
-              rates[blocks.list[pair.blocks[k].block[lane]].first + i];
-    pair.load(bodies);
-    pair.change();
-    pair.store(bodies, blocks);
+  rates_.clear();
+  for (const int k : islands_.order()) {
+    const auto first = rates.begin() + blocks.list[k].first;
+    rates_.insert(rates_.end(), first, first + blocks.list[k].rows);
+  }
+  change(bodies, 0, int(islands_.islands().size()), rates_);
+}
+
+// Changes J V of the islands from, ..., end - 1. \param rates of their rows
+void DirectSolver::change(Bodies& bodies, int from, int end, const std::vector<double>& rates) {
+  for (int k = from; k < end; ++k) {
+    IslandPair* const pair = islands_.pair_of(k);
+    if (!pair || pair->iterated || (pair->islands[1] == k && pair->islands[0] >= from)) continue;
+    for (std::size_t n = 0; n < pair->blocks.size(); ++n)
+      for (const int lane : {0, 1}) {
+        const LaneBlock& block = pair->blocks[n];
+        const bool used = pair->islands[lane] >= from && pair->islands[lane] < end;
+        const double* const of = rates.data() + block.row[lane] - islands_.islands()[from].first_row;
+        for (int i = 0; i < block.rows; ++i)
+          pair->x[pair->A.nodes[n].row + i][lane] = used && i < block.own[lane] ? of[i] : 0;
+      }
+    pair->load(bodies);
+    pair->change();
+    pair->store(bodies, *blocks_);
   }
 }
 

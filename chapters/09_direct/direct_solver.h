@@ -84,14 +84,15 @@ class DirectSolver : public Solver {
     std::vector<int> met;            // number of each of its blocks in *blocks_, or -1
     std::vector<double> C, last_C, rates, impulses;
     std::vector<real> expected;      // SolverMemory::rates at the beginning
-    std::vector<Body> start, best;
+    std::vector<Body> start;
+    std::vector<std::pair<vec3, vec3>> best;  // velocities
     std::vector<bool> moved, open;   // for each slot
-    /// The corrections of an island.
+    // The corrections of an island.
     struct Try {
-      double most;  ///< the largest error that need not be corrected
-      double last;  ///< the last error
-      bool moving;  ///< its corrections go on
-      bool exact;   ///< its errors are at most `most`
+      double most = 0;  // the largest error that need not be corrected
+      double last = infinite;  // the last error
+      bool moving = false;  // its corrections go on
+      bool exact = false;   // its errors are at most `most`
     };
     std::vector<Try> tries;          // of the islands
     Secants secants;
@@ -107,7 +108,7 @@ class DirectSolver : public Solver {
 
   void collect_blocks(const Bodies& bodies);
   bool is_outside(const Block& block) const;
-  void leave_to_iterations(const Bodies& bodies);
+  void leave_to_iterations();
   void leave(IslandPair& pair);
   void recall_rates();
   void prepare_outside(const Bodies& bodies);
@@ -117,6 +118,7 @@ class DirectSolver : public Solver {
   bool forces_jumped(const Bodies& bodies);
   void look_again(Bodies& bodies);
   void solve_active(Bodies& bodies);
+  void change(Bodies& bodies, int from, int end, const std::vector<double>& rates);
 
   const Blocks* blocks_ = nullptr;
   real h_ = 0;
@@ -133,6 +135,7 @@ class DirectSolver : public Solver {
   std::vector<Body> before_;            // velocities before the warm start
   std::vector<int> patterns_;           // SolverMemory::patterns of this step
   std::vector<real> recalled_;
+  std::vector<double> rates_;           // of all islands
   Motion motion_;
   std::vector<double> errors_met_;
   Report report_;

@@ -2,7 +2,6 @@
 #include "chapters/09_direct/island_pair.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace joints {
 
@@ -125,34 +124,19 @@ void IslandPair::start(double ratio) {
 
 // ---- the factor ---------------------------------------------------------------------------------
 
-// Exchanges rows at their bounds, or all bounded rows, with rows of zeros; a second call puts them
-// back.
-void IslandPair::exchange_rows(bool all) {
-  set_aside_.resize(bounded.size());
-  for (std::size_t n = 0; n < bounded.size(); ++n) {
-    const auto& [block, lane, lower, upper, bias, softness, side] = bounded[n];
-    if (!all && side == Side::free) continue;
-    double* other = set_aside_[n].data();
-    for (const int of : {0, 1}) {
-      HalfRowOf<TwoLanes>& one = half(block, blocks[block].rows - 1, of);
-      for (Triple<TwoLanes>* part : {&one.v, &one.w})
-        for (TwoLanes* entry : {&part->x, &part->y, &part->z}) {
-          const double here = (*entry)[lane];
-          (*entry)[lane] = std::exchange(*other++, here);
-        }
-    }
-  }
+// The diagonal entries of a bounded row, and of that beside it on the other lane.
+TwoLanes& IslandPair::diagonal_of(const BoundedRow& row) {
+  const int n = blocks[row.block].rows;
+  return A.numbers[A.nodes[row.block].diagonal + n * n - 1];
 }
 
+// A row at its bound gets no impulse from the factor, since its diagonal entry is infinite.
 void IslandPair::factor_now() {
-  exchange_rows(false);
   assemble();
-  exchange_rows(false);
   for (BoundedRow& row : bounded) {
-    const int rows = blocks[row.block].rows;
-    TwoLanes& entry = A.numbers[A.nodes[row.block].diagonal + rows * rows - 1];
-    row.softness = bound_softness * entry[row.lane];
-    entry[row.lane] += row.softness;
+    const bool free = row.side == Side::free;
+    row.softness = free ? bound_softness * diagonal_of(row)[row.lane] : 0;
+    diagonal_of(row)[row.lane] += free ? row.softness : infinite;
   }
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const int n = blocks[k].rows;
@@ -199,18 +183,12 @@ int IslandPair::dependent() const {
 // Only if the number of rows does not decide this, a factor of A is computed to find the dependent
 // rows.
 void IslandPair::find_tight_loops() {
-  const std::vector<ClosedLoop>& loops = plan->loops;
-  tight_.assign(loops.size(), {});
-  dependent_.assign(loops.size(), {});
-  const auto may_be = [&](std::size_t k, int lane) {
-    return loops[k].motions(dependent_[k][lane]) <= 1;
-  };
-  bool unclear = false;
-  for (std::size_t k = 0; k < loops.size(); ++k) unclear = unclear || may_be(k, 0);
-  if (!unclear) return;
-  exchange_rows(true);
+  dependent_.assign(plan->loops.size(), {});
+  if (std::none_of(plan->loops.begin(), plan->loops.end(),
+                   [](const ClosedLoop& loop) { return loop.motions(0) <= 1; }))
+    return;
   assemble();
-  exchange_rows(true);
+  for (const BoundedRow& row : bounded) diagonal_of(row)[row.lane] = infinite;
   note_diagonal();
   factor(A, inverse_pivot);
   factored = false;
@@ -219,8 +197,6 @@ void IslandPair::find_tight_loops() {
       if (blocks[k].loop >= 0) dependent_[blocks[k].loop][lane] += rows_below(0, k, lane);
   for (const BoundedRow& row : bounded)
     if (const int loop = blocks[row.block].loop; loop >= 0) --dependent_[loop][row.lane];
-  for (std::size_t k = 0; k < loops.size(); ++k)
-    for (const int lane : {0, 1}) tight_[k][lane] = may_be(k, lane);
 }
 
 // ---- corrections --------------------------------------------------------------------------------

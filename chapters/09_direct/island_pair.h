@@ -2,12 +2,17 @@
 // bounds by an active set. Given, there is nothing to edit here.
 #pragma once
 
+#include <limits>
+
 #include "chapters/09_direct/joint_matrix.h"
 #include "engine/block.h"
 
 /// \addtogroup chapter9
 /// @{
 namespace joints {
+
+/// Infinity.
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A row with bounds; it is the last one of its block.
 struct BoundedRow {
@@ -64,7 +69,8 @@ class IslandPair : public IslandMatrix {
   void find_tight_loops();
   /// True if a block is in such a loop.
   bool is_tight(int block, int lane) const {
-    return blocks[block].loop >= 0 && tight_[blocks[block].loop][lane];
+    const int loop = blocks[block].loop;
+    return loop >= 0 && plan->loops[loop].motions(dependent_[loop][lane]) <= 1;
   }
 
  private:
@@ -77,7 +83,7 @@ class IslandPair : public IslandMatrix {
   void correct();
   void go_to_bounds();
   int flip_wrong_ones(std::array<Progress, 2>& progress);
-  void exchange_rows(bool all);
+  TwoLanes& diagonal_of(const BoundedRow& row);
   HalfRowOf<TwoLanes>& half(int block, int i, int of) {
     return J[2 * A.nodes[block].row + of * blocks[block].rows + i];
   }
@@ -85,10 +91,8 @@ class IslandPair : public IslandMatrix {
   std::vector<TwoLanes> wanted_;                 // required J V, by rows
   std::vector<TwoLanes> softness_;               // StepTarget::softness of each block
   std::vector<HalfRowOf<TwoLanes>> velocities_;  // of each column
-  std::vector<std::array<double, 12>> set_aside_;  // while rows are exchanged
   bool springs_ = false;                         // there are some
   std::vector<std::array<int, 2>> dependent_;    // rows of each closed loop
-  std::vector<std::array<bool, 2>> tight_;       // of each closed loop: one motion at most
 };
 
 }  // namespace joints

@@ -78,7 +78,7 @@ void JointIslands::find_islands(int slots) {
 
 // True if the blocks of a single body, which are all neighbours of each other, already make the
 // factor too expensive.
-bool JointIslands::is_hub(const Island& island, double most_work) {
+bool JointIslands::is_hub(const Island& island, double most_work) const {
   double most = 0;
   for (int n = island.first; n < island.end; ++n)
     for (const int body : {given_[order_[n]].bodies.body1, given_[order_[n]].bodies.body2})
@@ -86,11 +86,13 @@ bool JointIslands::is_hub(const Island& island, double most_work) {
   return most * most * most / 6 > most_work * island.rows;
 }
 
-// Numbers the bodies of each island in the order in which its links name them.
+// Numbers the bodies of each island in the order in which its links name them. A static body has a
+// column for each of its joints.
 void JointIslands::find_shapes(double most_work) {
   shape_.clear();
   begins_.clear();
   links_.clear();
+  columns_.clear();
   column_.assign(root_.size(), -1);
   count_.assign(root_.size(), 0);
   for (const BlockPattern& block : given_) {
@@ -100,27 +102,26 @@ void JointIslands::find_shapes(double most_work) {
   for (Island& island : islands_) {
     begins_.push_back(int(shape_.size()));
     island.first_link = int(links_.size());
+    island.first_column = int(columns_.size());
     const bool hub = is_hub(island, most_work);
-    int columns = 0, link = -1;
-    for (int n = island.first; n < island.end && !hub; ++n) {
+    for (int n = island.first, link = -1; n < island.end && !hub; ++n) {
       if (n == island.first || keys_[n].link != keys_[n - 1].link) links_.push_back(n), ++link;
       if (beside(keys_[n])) continue;
       const auto& [bodies, moves, rows, bounded] = given_[keys_[n].block];
       ShapeBlock block{link, {}, moves, rows - bounded};
       for (const int k : {0, 1}) {
-        int& column = column_[k == 0 ? bodies.body1 : bodies.body2];
-        if (!moves[k] || column < 0) column = columns++;
-        block.columns[k] = column;
+        const int body = k == 0 ? bodies.body1 : bodies.body2;
+        if (!moves[k] || column_[body] < 0) {
+          column_[body] = int(columns_.size()) - island.first_column;
+          columns_.push_back(body);
+        }
+        block.columns[k] = column_[body];
       }
       shape_.push_back(block);
     }
   }
   begins_.push_back(int(shape_.size()));
   links_.push_back(int(keys_.size()));
-}
-
-std::span<const ShapeBlock> JointIslands::shape(int island) const {
-  return {shape_.data() + begins_[island], shape_.data() + begins_[std::size_t(island) + 1]};
 }
 
 // ---- pairs --------------------------------------------------------------------------------------
@@ -133,8 +134,7 @@ void JointIslands::pair_islands() {
     const auto left = shape(a), right = shape(b);
     return std::lexicographical_compare(left.begin(), left.end(), right.begin(), right.end());
   };
-  std::sort(by_shape_.begin(), by_shape_.end(),
-            [&](int a, int b) { return less(a, b) || (!less(b, a) && a < b); });
+  std::stable_sort(by_shape_.begin(), by_shape_.end(), less);
   std::size_t count = 0;
   for (std::size_t n = 0; n < by_shape_.size(); ++n) {
     const int first = by_shape_[n];
@@ -143,10 +143,9 @@ void JointIslands::pair_islands() {
     IslandPair& pair = pairs[count++];
     pair.islands = {first, two ? by_shape_[++n] : -1};
     pair.blocks.clear();  // to be placed anew
-    std::shared_ptr<const EliminationPlan>& plan =
-        plans_[std::vector(shape(first).begin(), shape(first).end())];
-    if (!plan) plan = std::make_shared<const EliminationPlan>(
-        std::vector(shape(first).begin(), shape(first).end()));
+    const std::vector<ShapeBlock> same(shape(first).begin(), shape(first).end());
+    std::shared_ptr<const EliminationPlan>& plan = plans_[same];
+    if (!plan) plan = std::make_shared<const EliminationPlan>(same);
     pair.plan = plan;
   }
   pairs.resize(count);
@@ -160,36 +159,32 @@ void JointIslands::place_blocks(IslandPair& pair) {
   blocks_.clear();
   const auto shape = this->shape(pair.islands[0]);
   pair.bodies.clear();
-  pair.moves.clear();
+  for (const ShapeBlock& block : shape)
+    for (const int k : {0, 1}) {
+      const std::size_t column = std::size_t(block.columns[k]);
+      if (column == pair.bodies.size()) pair.bodies.push_back({-1, -1});
+      pair.moves.resize(pair.bodies.size());
+      pair.moves[column] = block.moves[k];
+    }
   for (const int lane : {0, 1}) {
     if (pair.islands[lane] < 0) continue;
     Island& island = islands_[pair.islands[lane]];
     island.pair = int(&pair - pairs.data());
     island.lane = lane;
-    int n = island.first;
-    for (const ShapeBlock& block : shape) {
-      while (beside(keys_[n])) ++n;
-      const BodyPair& bodies = given_[keys_[n++].block].bodies;
-      for (const int k : {0, 1}) {
-        const std::size_t column = std::size_t(block.columns[k]);
-        if (pair.bodies.size() <= column)
-          pair.bodies.resize(column + 1, {-1, -1}), pair.moves.resize(column + 1);
-        pair.bodies[column][lane] = k == 0 ? bodies.body1 : bodies.body2;
-        pair.moves[column] = block.moves[k];
-      }
-    }
+    for (std::size_t k = 0; k < pair.bodies.size(); ++k)
+      pair.bodies[k][lane] = columns_[std::size_t(island.first_column) + k];
   }
   for (int place = 0; place < int(pair.plan->links.size()); ++place) {
     const int link = pair.plan->links[place];
     const auto first = std::lower_bound(shape.begin(), shape.end(), link,
                                         [](const ShapeBlock& a, int b) { return a.link < b; });
     for (const bool optional : {false, true}) {
-      int at[2], end[2];
+      int at[2]{}, end[2]{};
       for (const int lane : {0, 1}) {
-        const bool idle = pair.islands[lane] < 0;
-        const int k = idle ? 0 : islands_[pair.islands[lane]].first_link + link;
-        at[lane] = idle ? 0 : links_[k];
-        end[lane] = idle ? 0 : std::min(links_[k + 1], islands_[pair.islands[lane]].end);
+        if (pair.islands[lane] < 0) continue;
+        const Island& island = islands_[pair.islands[lane]];
+        at[lane] = links_[island.first_link + link];
+        end[lane] = std::min(links_[island.first_link + link + 1], island.end);
       }
       for (int n = 0;; ++n) {
         LaneBlock block{.place = place};

@@ -34,7 +34,7 @@ class JointIslands {
     int first_row = 0, rows = 0;   ///< its rows, island after island
     int pair = -1, lane = 0;       ///< -1: it is a hub
     int pattern = 0;               ///< a hash of its blocks
-    int first_link = 0;            ///< where its links begin
+    int first_link = 0, first_column = 0;  ///< where its links and its columns begin
   };
   /// Where a block is.
   struct Place {
@@ -51,6 +51,10 @@ class JointIslands {
   const std::vector<int>& order() const { return order_; }  ///< block numbers, island by island
   const Place& at(int block) const { return at_[block]; }   ///< of a block
   int rows() const { return rows_; }                        ///< of all islands
+  /// The pair of an island; null for a hub.
+  IslandPair* pair_of(int island) {
+    return islands_[island].pair < 0 ? nullptr : &pairs[islands_[island].pair];
+  }
 
  private:
   struct Key {  // sorts blocks by island, link and number
@@ -60,13 +64,15 @@ class JointIslands {
   int root_of(int body);
   void find_islands(int slots);
   void find_shapes(double most_work);
-  bool is_hub(const Island& island, double most_work);
+  bool is_hub(const Island& island, double most_work) const;
   void pair_islands();
   void place_blocks(IslandPair& pair);
   bool beside(const Key& key) const {  // an optional row beside a joint
     return key.link != key.block && given_[key.block].optional();
   }
-  std::span<const ShapeBlock> shape(int island) const;
+  std::span<const ShapeBlock> shape(int island) const {
+    return std::span(shape_).subspan(begins_[island], begins_[island + 1] - begins_[island]);
+  }
 
   std::vector<BlockPattern> given_;
   double most_work_ = 0;
@@ -75,9 +81,10 @@ class JointIslands {
   std::vector<ShapeBlock> shape_, last_shape_;  // of all islands
   std::vector<int> begins_, last_begins_;       // of the shapes of the islands
   std::vector<int> order_, links_, by_shape_;   // links_: where links begin in the keys
+  std::vector<int> columns_;                    // of all islands: the bodies of their columns
   std::vector<Place> at_;
   std::vector<int> root_, first_, column_, count_;  // of each body
-    std::vector<LaneBlock> blocks_;
+  std::vector<LaneBlock> blocks_;
   std::map<std::vector<ShapeBlock>, std::shared_ptr<const EliminationPlan>> plans_;
   int rows_ = 0;
 };

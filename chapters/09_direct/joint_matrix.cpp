@@ -65,39 +65,37 @@ int IslandMatrix::at(int later, int earlier) const {
 }
 
 void IslandMatrix::place_couplings() {
-  at_body_.clear();  // pairs of a column and a block
-  for (int k = 0; k < int(blocks.size()); ++k)
-    for (const int column : blocks[k].columns)
-      if (moves[column]) at_body_.push_back({column, k});
-  std::sort(at_body_.begin(), at_body_.end());
-  const auto half_rows = [&](int column, int k) {
-    return 2 * A.nodes[k].row + (blocks[k].columns[0] == column ? 0 : blocks[k].rows);
-  };
-  halves_.clear();
   couplings_.clear();
-  for (auto b = at_body_.begin(); b != at_body_.end(); ++b) {
-    const auto [column, k] = *b;
-    auto a = b + 1;
-    for (; a != at_body_.end() && a->first == column; ++a)
-      couplings_.push_back({half_rows(column, a->second), blocks[a->second].rows,
-                            at(a->second, k)});
-    halves_.push_back({half_rows(column, k), blocks[k].rows, A.nodes[k].diagonal, column,
-                       int(a - b) - 1});
-  }
+  couplings_end_.clear();
+  for (int k = 0; k < int(blocks.size()); ++k)
+    for (const int column : blocks[k].columns) {
+      for (int j = A.nodes[k].first_edge; moves[column] && j < A.nodes[k + 1].first_edge; ++j) {
+        const auto& [to, at] = A.edges[j];
+        for (const int of : {0, 1})
+          if (blocks[to].columns[of] == column)
+            couplings_.push_back({2 * A.nodes[to].row + of * blocks[to].rows, blocks[to].rows, at});
+      }
+      couplings_end_.push_back(int(couplings_.size()));
+    }
 }
 
 void IslandMatrix::assemble() {
-  std::fill(A.numbers.begin(), A.numbers.end(), TwoLanes{});
   const Coupling* coupling = couplings_.data();
-  for (const Half& half : halves_) {
-    const auto& [linear, angular] = masses[half.column];
-    HalfRowOf<TwoLanes> response[6];
-    for (int i = 0; i < half.rows; ++i)
-      response[i] = {linear * J[half.J + i].v, angular * J[half.J + i].w};
-    for (int i = 0; i < half.rows; ++i)  // with itself: only the lower triangle is needed
-      add_coupling(&J[half.J + i], 1, response, i + 1, &A.numbers[half.at + i * half.rows]);
-    for (const Coupling* const end = coupling + half.couplings; coupling != end; ++coupling)
-      add_coupling(&J[coupling->J], coupling->rows, response, half.rows, &A.numbers[coupling->at]);
+  for (int k = 0; k < int(blocks.size()); ++k) {
+    TwoLanes* const diagonal = &A.numbers[A.nodes[k].diagonal];
+    std::fill(diagonal, A.numbers.data() + A.nodes[k + 1].diagonal, TwoLanes{});
+    const int n = blocks[k].rows;
+    for (const int of : {0, 1}) {
+      if (!moves[blocks[k].columns[of]]) continue;
+      const HalfRowOf<TwoLanes>* const half = &J[2 * A.nodes[k].row + of * n];
+      const auto& [linear, angular] = masses[blocks[k].columns[of]];
+      HalfRowOf<TwoLanes> response[6];
+      for (int i = 0; i < n; ++i) response[i] = {linear * half[i].v, angular * half[i].w};
+      for (int i = 0; i < n; ++i)  // with itself: only the lower triangle is needed
+        add_coupling(half + i, 1, response, i + 1, diagonal + i * n);
+      for (; coupling != couplings_.data() + couplings_end_[2 * k + of]; ++coupling)
+        add_coupling(&J[coupling->J], coupling->rows, response, n, &A.numbers[coupling->at]);
+    }
   }
 }
 

@@ -58,25 +58,17 @@ class IslandMatrix {
   int fill() const { return fill_; }
 
  private:
-  // The half of a block that belongs to a moving body. The body couples it with itself and with the
-  // halves of other blocks.
-  struct Half {
-    int J, rows;    // where its half-rows begin, and their number
-    int at;         // where the diagonal block begins
-    int column;     // its body
-    int couplings;  // number of its couplings; they follow those of the previous half
-  };
+  // Another half at the same body as a half of a block, which is eliminated earlier.
   struct Coupling {
-    int J, rows;  // of the other half; its block is eliminated later
-    int at;       // where the numbers of the block in A begin
+    int J, rows;  // where its half-rows begin, and their number
+    int at;       // where the block of the two begins in A
   };
   void place_couplings();
   int at(int later, int earlier) const;
 
   std::vector<int> first_;  // block of each link, in the order of elimination
-  std::vector<std::pair<int, int>> at_body_;  // each column and the blocks at its body
-  std::vector<Half> halves_;
-  std::vector<Coupling> couplings_;
+  std::vector<Coupling> couplings_;  // of both halves of all blocks
+  std::vector<int> couplings_end_;   // of each half, two for each block
   double multiplications_ = 0;
   int fill_ = 0;
 };

@@ -94,37 +94,31 @@ bool DirectSolver::is_outside(const Block& block) const {
   return next != followed_.end() && *next < block.impulse + block.rows;
 }
 
-void DirectSolver::leave(IslandPair& pair) {
-  pair.iterated = true;
-  for_moving(pair, [&](int slot) { left_[slot] = true; });
-}
-
 // Islands that take too much work are left to iterations, and with them all islands that blocks
-// outside A connect to them. Otherwise only blocks outside A are iterated.
+// outside A connect to them, and those beside them on the other lane. Otherwise only blocks outside
+// A are iterated.
 void DirectSolver::leave_to_iterations() {
   left_.assign(pulls_.size(), false);
-  for (const int k : islands_.order()) {
-    if (islands_.islands()[islands_.at(k).island].pair >= 0) continue;
-    const auto& [of, moves, rows, bounded] = pattern_[k];  // of a hub
-    if (moves[0]) left_[of.body1] = true;
-    if (moves[1]) left_[of.body2] = true;
+  const auto left = [&](int body) { return left_[islands_.root_of(body)]; };
+  const auto root = [&](int island) {
+    const BlockPattern& block = pattern_[islands_.order()[islands_.islands()[island].first]];
+    return islands_.root_of(block.moves[0] ? block.bodies.body1 : block.bodies.body2);
+  };
+  report_.iterated = false;
+  for (int k = 0; k < int(islands_.islands().size()); ++k)
+    if (const IslandPair* const pair = islands_.pair_of(k);
+        !pair || pair->multiplications() > most_work * pair->rows())
+      left_[root(k)] = report_.iterated = true;
+  for (bool more = report_.iterated; std::exchange(more, false);) {
+    const auto spread = [&](int one, int other) {
+      if (left_[one] != left_[other]) left_[one] = left_[other] = more = true;
+    };
+    for (const auto& [of, moves, rows, bounded] : pattern_)
+      if (moves[0] && moves[1]) spread(islands_.root_of(of.body1), islands_.root_of(of.body2));
+    for (const IslandPair& pair : islands_.pairs)
+      if (pair.islands[1] >= 0) spread(root(pair.islands[0]), root(pair.islands[1]));
   }
-  for (IslandPair& pair : islands_.pairs) {
-    double rows = 0;
-    for (const LaneBlock& block : pair.blocks) rows += block.own[0] + block.own[1];
-    pair.iterated = false;
-    if (pair.multiplications() > most_work * rows) leave(pair);
-  }
-  report_.iterated = std::find(left_.begin(), left_.end(), true) != left_.end();
-  for (bool more = report_.iterated; std::exchange(more, false);)
-    for (const auto& [of, moves, rows, bounded] : pattern_) {
-      if (!moves[0] || !moves[1] || left_[of.body1] == left_[of.body2]) continue;
-      more = left_[of.body1] = left_[of.body2] = true;
-      for (IslandPair& pair : islands_.pairs)
-        for_moving(pair, [&, &of = of](int slot) {  // clang 14 captures no binding
-          if (!pair.iterated && (slot == of.body1 || slot == of.body2)) leave(pair);
-        });
-    }
+  for (IslandPair& pair : islands_.pairs) pair.iterated = left_[root(pair.islands[0])];
   for (Blocks* list : {&outside_, &iterated_}) {
     list->clear();
     list->J.clear();
@@ -133,16 +127,14 @@ void DirectSolver::leave_to_iterations() {
   for (std::size_t k = 0; k < pattern_.size(); ++k) {
     const auto& [of, moves, rows, bounded] = pattern_[k];
     if (!report_.iterated && rows > 0) continue;
-    const bool left = (moves[0] && left_[of.body1]) || (moves[1] && left_[of.body2]);
-    if (!left && rows > 0) continue;
-    Blocks& to = left ? iterated_ : outside_;
+    const bool to_iterate = (moves[0] && left(of.body1)) || (moves[1] && left(of.body2));
+    if (!to_iterate && rows > 0) continue;
+    Blocks& to = to_iterate ? iterated_ : outside_;
     const Block& block = blocks_->list[k];
     to.list.push_back(block);
     to.list.back().first = int(to.C.size());
-    for (int r = block.first; r < block.first + block.rows; ++r) {
-      to.J.push_back(blocks_->J[r]);
-      to.C.push_back(blocks_->C[r]);
-    }
+    to.J.insert(to.J.end(), &blocks_->J[block.first], &blocks_->J[block.first] + block.rows);
+    to.C.insert(to.C.end(), &blocks_->C[block.first], &blocks_->C[block.first] + block.rows);
   }
 }
 
@@ -154,17 +146,16 @@ void DirectSolver::recall_rates() {
     patterns_.insert(patterns_.end(), {island.pattern, island.rows});
   if (newton == 0) memory.patterns.clear(), memory.rates.clear();
   if (newton == 0 || memory.patterns == patterns_) return;
+  std::map<std::pair<int, int>, const real*> known;
+  const real* rates = memory.rates.data();
+  for (std::size_t k = 0; k < memory.patterns.size(); k += 2) {
+    known[{memory.patterns[k], memory.patterns[k + 1]}] = rates;
+    rates += memory.patterns[k + 1];
+  }
   zeros(recalled_, std::size_t(islands_.rows()));
-  std::size_t from = 0, to = 0, next = 0;
-  for (std::size_t k = 0; k < patterns_.size(); to += std::size_t(patterns_[k + 1]), k += 2)
-    for (std::size_t n = 0; n < memory.patterns.size(); n += 2) {
-      if (next == memory.patterns.size()) next = from = 0;
-      const std::size_t rows = std::size_t(memory.patterns[next + 1]);
-      const bool same = std::equal(&patterns_[k], &patterns_[k] + 2, &memory.patterns[next]);
-      if (same) std::copy_n(&memory.rates[from], rows, &recalled_[to]);
-      next += 2, from += rows;
-      if (same) break;
-    }
+  for (const JointIslands::Island& island : islands_.islands())
+    if (const auto last = known.find({island.pattern, island.rows}); last != known.end())
+      std::copy_n(last->second, island.rows, &recalled_[island.first_row]);
   memory.rates.swap(recalled_);
   memory.patterns = patterns_;
 }
@@ -172,13 +163,12 @@ void DirectSolver::recall_rates() {
 // Rows outside A need the same masses as the rows in it. Otherwise alternating between the two
 // would add energy.
 void DirectSolver::prepare_outside(const Bodies& bodies) {
-  contacts_.iterations = 1;
-  if (outside_.list.empty() || added_inertia == 0)
-    return contacts_.prepare(bodies, outside_, 0, h_);
+  if (outside_.list.empty()) return;
   slow_bodies_ = bodies;
   for (int slot = 0; slot < bodies.slots(); ++slot)
     if (pulls_[slot].force_lever > 0)
       slow_bodies_.at(slot).inverse_inertia_local = pulls_[slot].slowed.inverse_inertia_local;
+  contacts_.iterations = 1;
   contacts_.prepare_as(slow_bodies_, bodies, outside_, h_);
 }
 
@@ -193,7 +183,7 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
       for_moving(pair, [&](int slot) {
         if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].slowed.w;
       });
-  contacts_.warm_start(bodies, ratio);
+  if (!outside_.list.empty()) contacts_.warm_start(bodies, ratio);
   for (IslandPair& pair : islands_.pairs) {
     if (!pair.active) continue;
     if (ratio != 0) pair.load(bodies);
@@ -288,13 +278,9 @@ void DirectSolver::set_masses(IslandPair& pair, const Bodies& bodies, int only_l
       const int slot = pair.bodies[column][lane];
       if (slot < 0 || !pair.moves[column] || lane == 1 - only_lane) continue;
       const Pull& pull = pulls_[slot];
-      if (pull.force_lever > 0) {
-        Body body = bodies.at(slot);
-        body.inverse_inertia_local = pull.slowed.inverse_inertia_local;
-        pair.set_mass(column, lane, body);
-      } else {
-        pair.set_mass(column, lane, bodies.at(slot));
-      }
+      Body body = bodies.at(slot);
+      if (pull.force_lever > 0) body.inverse_inertia_local = pull.slowed.inverse_inertia_local;
+      pair.set_mass(column, lane, body);
     }
 }
 
@@ -308,13 +294,13 @@ void DirectSolver::slow_down(const Bodies& bodies, int slot) {
 
 // |F||r| of each body, from impulses that acted for the time `acted`. The length of a lever follows
 // from the rows of its block: the squares of the three rows of a point add up to 2 |r|^2.
-void DirectSolver::find_pulls(real acted, std::vector<Pull>& pulls) const {
+void DirectSolver::find_pulls(real acted, std::vector<Pull>& pulls) {
   if (acted == 0) return;  // there was no step yet
   for (const int k : islands_.order()) {
-    const JointIslands::Island& island = islands_.islands()[islands_.at(k).island];
-    if (island.pair < 0) continue;
-    const IslandPair& pair = islands_.pairs[island.pair];
-    if (pair.iterated || pair.is_tight(islands_.at(k).block, island.lane)) continue;
+    const auto& [island, number, row] = islands_.at(k);
+    const IslandPair* const pair = islands_.pair_of(island);
+    if (!pair || pair->iterated || pair->is_tight(number, islands_.islands()[island].lane))
+      continue;
     const Block& block = blocks_->list[k];
     vec3 F(0);
     real square1 = 0, square2 = 0;
@@ -358,13 +344,15 @@ bool DirectSolver::forces_jumped(const Bodies& bodies) {
 
 // Solves active islands again, with the inertia that their own forces require.
 void DirectSolver::look_again(Bodies& bodies) {
-  if (!outside_.list.empty())
-    for (int slot = 0; slot < bodies.slots(); ++slot)
-      if (!left_[slot]) bodies.at(slot).v = before_[slot].v, bodies.at(slot).w = before_[slot].w;
+  const auto go_back = [&](int slot) {
+    bodies.at(slot).v = before_[slot].v, bodies.at(slot).w = before_[slot].w;
+  };
+  for (int slot = 0; slot < bodies.slots() && !outside_.list.empty(); ++slot)
+    if (!left_[islands_.root_of(slot)]) go_back(slot);
   for (IslandPair& pair : islands_.pairs) {
     if (!pair.active) continue;
     for_moving(pair, [&](int slot) {
-      bodies.at(slot).v = before_[slot].v, bodies.at(slot).w = before_[slot].w;
+      go_back(slot);
       pulls_[slot] = next_pulls_[slot];
       slow_down(bodies, slot);
     });

@@ -109,12 +109,11 @@ class DirectSolver : public Solver {
   void collect_blocks(const Bodies& bodies);
   bool is_outside(const Block& block) const;
   void leave_to_iterations();
-  void leave(IslandPair& pair);
   void recall_rates();
   void prepare_outside(const Bodies& bodies);
   void set_masses(IslandPair& pair, const Bodies& bodies, int only_lane = -1) const;
   void slow_down(const Bodies& bodies, int slot);
-  void find_pulls(real acted, std::vector<Pull>& pulls) const;
+  void find_pulls(real acted, std::vector<Pull>& pulls);
   bool forces_jumped(const Bodies& bodies);
   void look_again(Bodies& bodies);
   void solve_active(Bodies& bodies);
@@ -127,7 +126,7 @@ class DirectSolver : public Solver {
   std::vector<const real*> followed_;   // impulses on which bounds depend
   Blocks outside_;                      // the other blocks
   Blocks iterated_;                     // all blocks of islands that `instead` solves
-  std::vector<bool> left_;              // for each slot: it is in such an island
+  std::vector<bool> left_;              // for the root of each island: it is such an island
   Outside contacts_;                    // solves the blocks outside
   Bodies slow_bodies_;                  // with added inertia, for the blocks outside
   bool warm_ = false;                   // the impulses of the last step were applied

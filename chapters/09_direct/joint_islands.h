@@ -51,6 +51,7 @@ class JointIslands {
   const std::vector<int>& order() const { return order_; }  ///< block numbers, island by island
   const Place& at(int block) const { return at_[block]; }   ///< of a block
   int rows() const { return rows_; }                        ///< of all islands
+  int root_of(int body);  ///< one body of each island, for all of its moving bodies
   /// The pair of an island; null for a hub.
   IslandPair* pair_of(int island) {
     return islands_[island].pair < 0 ? nullptr : &pairs[islands_[island].pair];
@@ -61,7 +62,6 @@ class JointIslands {
     int island, link, block;
     auto operator<=>(const Key&) const = default;
   };
-  int root_of(int body);
   void find_islands(int slots);
   void find_shapes(double most_work);
   bool is_hub(const Island& island, double most_work) const;

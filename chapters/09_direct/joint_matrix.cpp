@@ -20,11 +20,12 @@ void IslandMatrix::lay_out() {
   A.edges.clear();
   int row = 0, numbers = 0;
   multiplications_ = 0;
-  fill_ = 0;
+  fill_ = rows_ = 0;
   for (int k = 0; k < count; ++k) {
     const int n = blocks[k].rows, lanes = blocks[k].lanes();
     A.nodes.push_back({n, row, numbers, int(A.edges.size())});
     row += n;
+    rows_ += blocks[k].own[0] + blocks[k].own[1];
     numbers += n * n;
     int below = 0;
     const auto add_edges = [&](int from, int end) {

@@ -54,6 +54,7 @@ class IslandMatrix {
   void assemble();
   /// Number of multiplications of a factorisation, about (Eq. 9-6).
   double multiplications() const { return multiplications_; }
+  int rows() const { return rows_; }  ///< of both islands
   /// Number of entries that elimination fills in.
   int fill() const { return fill_; }
 
@@ -70,7 +71,7 @@ class IslandMatrix {
   std::vector<Coupling> couplings_;  // of both halves of all blocks
   std::vector<int> couplings_end_;   // of each half, two for each block
   double multiplications_ = 0;
-  int fill_ = 0;
+  int fill_ = 0, rows_ = 0;
 };
 
 }  // namespace joints

@@ -29,11 +29,8 @@ quat unit(const quat& q) {
   return normalize(q / std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)}));
 }
 
-// Moves a body by its velocities for a time, which may be negative.
-void displace(Body& body, real time) {
-  if (body.is_static()) return;
-  body.x += time * body.v;
-  body.q = normalize(rotation(time * body.w) * body.q);
+void copy(Bodies& bodies, std::vector<Body>& to) {
+  to.assign(bodies.data(), bodies.data() + bodies.slots());
 }
 
 // Calls f(accumulated impulse) for every row.
@@ -68,12 +65,12 @@ const real times[] = {0, real(0.3), (4 - root) / 10, (4 + root) / 10, 1};
 void RungeKutta::step(World& world, real h) {
   begin(world, h);
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
-  read(world.bodies, given_);
+  copy(world.bodies, given_);
   enough_ = 0;
   wanted_.assign(world.blocks.C.size(), 0);
   reach(world.bodies, world.blocks, wanted_);  // joints may have come since the last step
-  read(world.bodies, start_);
-  for (const State& body : start_)
+  copy(world.bodies, start_);
+  for (const Body& body : start_)
     enough_ = std::max(enough_, exact * double(std::max(length(body.v), length(body.w))));
   std::vector<double> impulses(world.blocks.C.size() + springs_.C.size(), 0.0);  // of the step
   real before = 1;  // the time for which the forces of the stage before have acted [s]
@@ -83,10 +80,10 @@ void RungeKutta::step(World& world, real h) {
       exchange_rows(springs_, next_springs_);
       factor(world);
     }
-    std::vector<State>& slope = slopes_[stage];
+    std::vector<Slope>& slope = slopes_[stage];
     find_free_slope(world, times[stage] * h, slope);
     write(world.bodies, stage + 1);
-    read(world.bodies, free_);
+    copy(world.bodies, free_);
     collect(world, next_, &next_springs_);
     const real acted = h * weights[stage + 1][stage];
     solver_.warm_start(world.bodies, stage == 0 ? 0 : acted / before);  // about the same forces
@@ -118,7 +115,9 @@ void RungeKutta::step(World& world, real h) {
 // Rejects worlds that it cannot move, and factors the blocks at the present poses.
 void RungeKutta::begin(World& world, real h) {
   check_input(world, h);
-  const char* const bounded = "world: no joint may have limits or a motor, and no row bounds";
+  const char* const bounded =
+      "world: no joint may have limits, a motor, friction or a spring of a coordinate, and no row "
+      "may have bounds";
   for (const auto& joint : world.joints()) {
     const Joint::Extras extras = joint->extras();
     require(extras.limits == 0 && extras.motors == 0 && !extras.bounded, bounded);
@@ -137,20 +136,12 @@ void RungeKutta::begin(World& world, real h) {
   factor(world);
 }
 
-void RungeKutta::read(const Bodies& bodies, std::vector<State>& states) {
-  states.clear();
-  for (int slot = 0; slot < bodies.slots(); ++slot) {
-    const Body& body = bodies.at(slot);
-    states.push_back({body.x, body.q, body.v, body.w});
-  }
-}
-
 // Sets the bodies to their state in a stage, or at the step's end, from the slopes before it.
 void RungeKutta::write(Bodies& bodies, int stage) const {
   for (int slot = 0; slot < bodies.slots(); ++slot) {
-    State to = start_[slot];
+    Body to = start_[slot];
     for (int k = 0; k < stage; ++k) {
-      const State& slope = slopes_[k][slot];
+      const Slope& slope = slopes_[k][slot];
       const real time = h_ * weights[stage][k];
       to.x += time * slope.x;
       to.q = to.q + time * slope.q;
@@ -202,11 +193,7 @@ void RungeKutta::stretch_springs(const Bodies& bodies) const {
 
 // Restores the bodies and throws.
 void RungeKutta::give_up(Bodies& bodies, const std::string& why) const {
-  for (int slot = 0; slot < bodies.slots(); ++slot) {
-    Body& body = bodies.at(slot);
-    const State& from = given_[slot];
-    body.x = from.x, body.q = from.q, body.v = from.v, body.w = from.w;
-  }
+  std::copy(given_.begin(), given_.end(), bodies.data());
   throw std::runtime_error("world: " + why +
                            "; take a shorter step, or remove joints that hold what others hold "
                            "already, as some in a net of balls do");
@@ -223,7 +210,7 @@ void RungeKutta::check_slopes(World& world) {
       const vec3 local = to_local(body, w);
       return double(dot(v, v) / body.inverse_mass + dot(local, local / body.inverse_inertia_local));
     };
-    const State &second = slopes_[1][slot], &third = slopes_[2][slot];
+    const Slope &second = slopes_[1][slot], &third = slopes_[2][slot];
     differ += square(h_ * (third.v - second.v), h_ * (third.w - second.w));
     size += square(vec3(at_rest), vec3(0)) + square(start_[slot].v, start_[slot].w) +
             square(h_ * (world.gravity + body.inverse_mass * body.force), vec3(0));
@@ -233,9 +220,12 @@ void RungeKutta::check_slopes(World& world) {
 }
 
 // The velocities, and the accelerations without the forces of rigid joints.
-void RungeKutta::find_free_slope(World& world, real time, std::vector<State>& slope) {
+void RungeKutta::find_free_slope(World& world, real time, std::vector<Slope>& slope) {
   Bodies& bodies = world.bodies;
+  const std::size_t joints = world.joints().size();
   if (forces) forces(bodies, time);
+  require(bodies.slots() == int(start_.size()) && world.joints().size() == joints,
+          "forces: must not add or remove bodies or joints");
   stretch_springs(bodies);
   slope.clear();
   for (int slot = 0; slot < bodies.slots(); ++slot) {
@@ -266,7 +256,7 @@ void RungeKutta::find_free_slope(World& world, real time, std::vector<State>& sl
 // do not improve. The velocities stay.
 void RungeKutta::project(World& world) {
   Bodies& bodies = world.bodies;
-  read(bodies, free_);  // for the velocities
+  copy(bodies, free_);  // for the velocities
   double before = std::numeric_limits<double>::infinity();
   poses_.errors_only = true;
   for (int n = 0;; ++n) {
@@ -285,7 +275,11 @@ void RungeKutta::project(World& world) {
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).v = bodies.at(slot).w = vec3(0);
     reach(bodies, world.blocks, wanted_);
-    for (int slot = 0; slot < bodies.slots(); ++slot) displace(bodies.at(slot), 1);
+    for (int slot = 0; slot < bodies.slots(); ++slot) {
+      Body& body = bodies.at(slot);
+      body.x += body.v;
+      body.q = normalize(rotation(body.w) * body.q);
+    }
     collect(world, poses_, nullptr);
   }
   for (int slot = 0; slot < bodies.slots(); ++slot)

@@ -14,7 +14,7 @@ namespace joints {
 /// forces are chosen so that J V = 0 at the poses of the next stage; after a step, the poses are
 /// projected onto the constraints. A joint with a frequency acts as the spring and damper that its
 /// soft rows approach for short steps. A step appends the rows six times and factors five times. It
-/// accepts only rows without bounds: no limits, motors, ropes or contacts. Joints report the mean
+/// accepts only rows without bounds: no limits, motors, springs of a coordinate, ropes or contacts. Joints report the mean
 /// force of the step. The velocities belong to the time of the poses: set World::last_h to 0 before
 /// a step with leapfrog. Source: Brasey and Hairer, "Half-explicit Runge-Kutta methods for
 /// differential-algebraic systems of index 2", SIAM Journal on Numerical Analysis 30, 1993.
@@ -35,17 +35,16 @@ class RungeKutta {
   void step(World& world, real h);
 
  private:
-  struct State {  // of a body, or its change in time
-    vec3 x{0};
-    quat q{1, 0, 0, 0};
-    vec3 v{0}, w{0};
+  struct Slope {  // of a body: the derivatives of its position, orientation and velocities
+    vec3 x;
+    quat q;
+    vec3 v, w;
   };
   static constexpr int stages = 5;
-  static void read(const Bodies& bodies, std::vector<State>& states);
   [[noreturn]] void give_up(Bodies& bodies, const std::string& why) const;
   void check_slopes(World& world);
   void begin(World& world, real h);
-  void find_free_slope(World& world, real time, std::vector<State>& slope);
+  void find_free_slope(World& world, real time, std::vector<Slope>& slope);
   void write(Bodies& bodies, int stage) const;
   void collect(const World& world, Blocks& rigid, Blocks* springs) const;
   void factor(World& world);
@@ -60,9 +59,9 @@ class RungeKutta {
   std::vector<real> wanted_;              // required J V of every row: 0, but while poses change
   std::vector<double> rates_;             // what is left to it
   double enough_ = 0;                     // largest error of J V that may be left
-  std::vector<State> given_, start_;      // as given; with velocities that the joints permit
-  std::vector<State> free_;               // of the next stage, without the joints' forces
-  std::array<std::vector<State>, stages> slopes_;
+  std::vector<Body> given_, start_;       // as given; with velocities that the joints permit
+  std::vector<Body> free_;                // of the next stage, without the joints' forces
+  std::array<std::vector<Slope>, stages> slopes_;
 };
 
 }  // namespace joints

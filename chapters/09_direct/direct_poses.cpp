@@ -42,8 +42,8 @@ double largest(std::span<const double> C) {
 // of a linkage. Their impulses still act along the rows of the step, which keeps the energy. If
 // they fail as well, the factors of the new poses are used. They begin with the best velocities of
 // the secants or, if these are no good either, with those that solve the velocity equations,
-// without the correction predicted for the poses. If this does not close the joints, a body is too
-// fast for the step, and is slowed down.
+// without the correction predicted for the poses. If this does not close the joints, a body turns too
+// far in the step, and the island is slowed down.
 class DirectSolver::Positions : public Corrector {
  public:
   Positions(DirectSolver& solver, Bodies& bodies, real h, const Append& append)
@@ -249,10 +249,12 @@ class DirectSolver::Positions : public Corrector {
       for (double& rate : own_.rates) rate = -rate;
       change_rates(own_.rates);
     }
-    bool closed = project(now.most);
-    for (int n = 0; n < most_halved && !closed && halve(now.most); ++n) closed = project(now.most);
+    for (int n = 0; !(now.exact = project(now.most)) && n < most_halved; ++n) {
+      for_bodies([](Body& body, int) { body.v /= real(2), body.w /= real(2); });
+      ++solver_.report_.halved;
+    }
     std::fill_n(expected, rows, real(0));
-    return closed;
+    return now.exact;
   }
 
   // Returns the largest error that the best velocities leave, or infinity if they are no better
@@ -321,27 +323,6 @@ class DirectSolver::Positions : public Corrector {
     to_start();
     move_bodies();
     return false;
-  }
-
-  // Halves the velocities of the bodies at joints that this step has opened: in their old poses
-  // these joints were closed. Returns false if there are none.
-  bool halve(double most) {
-    evaluate(false);
-    own_.open.assign(std::size_t(bodies_.slots()), false);
-    const JointIslands::Island& own = islands_.islands()[from_];
-    for (int n = own.first; n < own.end; ++n) {
-      const int k = islands_.order()[n];
-      for (int i = 0; i < list_[k].rows; ++i)
-        if (small_fraction * std::abs(own_.C[islands_.at(k).row - base_ + i]) >
-            std::max(most, std::abs(double(solver_.blocks_->C[list_[k].first + i]))))
-          own_.open[list_[k].body1] = own_.open[list_[k].body2] = true;
-    }
-    bool any = false;
-    for_bodies([&](Body& body, int slot) {
-      if (own_.open[slot]) body.v /= real(2), body.w /= real(2), any = true;
-    });
-    solver_.report_.halved += any;
-    return any;
   }
 
   DirectSolver& solver_;

@@ -50,7 +50,9 @@ class DirectSolver : public Solver {
     int fill = 0;                ///< entries that elimination filled in
     int corrections = 0;         ///< of the positions: of all, and then of single islands
     bool moved_exactly = false;  ///< the errors of the positions are at most `tolerance` times h^2
-    int halved = 0;  ///< how often velocities at open joints of an island were halved to reach this
+    /// How often the velocities of an island were halved to reach this: a body turns too far in a
+    /// step. Take a shorter step if its energy matters.
+    int halved = 0;
     bool iterated = false;       ///< `instead` was used for an island
   };
   const Report& report() const { return report_; }  ///< of the last step
@@ -86,7 +88,7 @@ class DirectSolver : public Solver {
     std::vector<real> expected;      // SolverMemory::rates at the beginning
     std::vector<Body> start;
     std::vector<std::pair<vec3, vec3>> best;  // velocities
-    std::vector<bool> moved, open;   // for each slot
+    std::vector<bool> moved;         // for each slot
     // The corrections of an island.
     struct Try {
       double most = 0;  // the largest error that need not be corrected

@@ -19,12 +19,6 @@ constexpr double of_softening = sizeof(real) == 4 ? 100 : 1000;
 // After this many passes without progress only the last wrong row changes its side.
 constexpr int patience = 3;
 
-const Body nothing{};   // in place of the bodies of an idle lane
-
-TwoLanes lanes(real a, real b) { return TwoLanes{double(a), double(b)}; }
-Triple<TwoLanes> lanes(const vec3& a, const vec3& b) {
-  return {lanes(a.x, b.x), lanes(a.y, b.y), lanes(a.z, b.z)};
-}
 // Sets one lane.
 void put(Triple<TwoLanes>& to, int lane, const vec3& a) {
   to.x[lane] = double(a.x), to.y[lane] = double(a.y), to.z[lane] = double(a.z);
@@ -41,8 +35,10 @@ TwoLanes dot(const HalfRowOf<TwoLanes>& a, const HalfRowOf<TwoLanes>& b) {
 // ---- from bodies and blocks to lanes, and back --------------------------------------------------
 
 void IslandPair::prepare(const Blocks& given, const real* rates, real h) {
-  if (is_new)
+  if (is_new) {
     for (std::vector<TwoLanes>* list : {&x, &wanted_, &impulse}) zeros(*list, A.original.size());
+    zeros(velocities_, bodies.size());
+  }
   softness_.resize(blocks.size());
   bounded.clear();
   factored = springs_ = false;
@@ -95,12 +91,12 @@ void IslandPair::set_mass(int column, int lane, const Body& body) {
 }
 
 void IslandPair::load(const Bodies& all) {
-  velocities_.resize(bodies.size());
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const Body& a = bodies[k][0] < 0 ? nothing : all.at(bodies[k][0]);
-    const Body& b = bodies[k][1] < 0 ? nothing : all.at(bodies[k][1]);
-    velocities_[k] = {lanes(a.v, b.v), lanes(a.w, b.w)};
-  }
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    for (const int lane : {0, 1})
+      if (bodies[k][lane] >= 0) {
+        put(velocities_[k].v, lane, all.at(bodies[k][lane]).v);
+        put(velocities_[k].w, lane, all.at(bodies[k][lane]).w);
+      }
 }
 
 void IslandPair::store(Bodies& all, const Blocks& given) const {

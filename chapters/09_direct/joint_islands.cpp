@@ -42,7 +42,7 @@ void JointIslands::find_islands(int slots) {
     if (block.rows == 0) continue;
     int& first = first_[root_of(block.moves[0] ? block.bodies.body1 : block.bodies.body2)];
     if (first < 0) first = k;
-    keys_.push_back({first, 0, k});
+    keys_.push_back({first, 0, block.optional(), k});
   }
   const auto bodies = [&](const Key& key) {
     const BodyPair& pair = given_[key.block].bodies;
@@ -61,7 +61,7 @@ void JointIslands::find_islands(int slots) {
   zeros(at_, given_.size());
   rows_ = 0;
   for (std::size_t n = 0; n < keys_.size(); ++n) {
-    const auto& [island, link, block] = keys_[n];
+    const auto& [island, link, optional, block] = keys_[n];
     if (n == 0 || island != keys_[n - 1].island)
       islands_.push_back({.first = int(n), .first_row = rows_, .pattern = int(2166136261u >> 1)});
     Island& now = islands_.back();
@@ -105,8 +105,9 @@ void JointIslands::find_shapes(double most_work) {
     island.first_column = int(columns_.size());
     const bool hub = is_hub(island, most_work);
     for (int n = island.first, link = -1; n < island.end && !hub; ++n) {
-      if (n == island.first || keys_[n].link != keys_[n - 1].link) links_.push_back(n), ++link;
-      if (beside(keys_[n])) continue;
+      const bool is_first = n == island.first || keys_[n].link != keys_[n - 1].link;
+      if (is_first) links_.push_back(n), ++link;
+      else if (keys_[n].optional) continue;
       const auto& [bodies, moves, rows, bounded] = given_[keys_[n].block];
       ShapeBlock block{link, {}, moves, rows - bounded};
       for (const int k : {0, 1}) {
@@ -153,10 +154,9 @@ void JointIslands::pair_islands() {
     std::erase_if(plans_, [](const auto& plan) { return plan.second.use_count() == 1; });
 }
 
-// Lists the blocks of a pair by links in the order of elimination. In a link the blocks of the
-// shape come first, then optional rows; those of both lanes stand side by side.
+// Lists the blocks of a pair by links in the order of elimination, those of both lanes side by side.
+// The first ones of a link are those of the shape.
 void JointIslands::place_blocks(IslandPair& pair) {
-  blocks_.clear();
   const auto shape = this->shape(pair.islands[0]);
   pair.bodies.clear();
   for (const ShapeBlock& block : shape)
@@ -174,35 +174,32 @@ void JointIslands::place_blocks(IslandPair& pair) {
     for (std::size_t k = 0; k < pair.bodies.size(); ++k)
       pair.bodies[k][lane] = columns_[std::size_t(island.first_column) + k];
   }
+  blocks_.clear();
   for (int place = 0; place < int(pair.plan->links.size()); ++place) {
     const int link = pair.plan->links[place];
-    const auto first = std::lower_bound(shape.begin(), shape.end(), link,
-                                        [](const ShapeBlock& a, int b) { return a.link < b; });
-    for (const bool optional : {false, true}) {
-      int at[2]{}, end[2]{};
+    auto like = std::lower_bound(shape.begin(), shape.end(), link,
+                                 [](const ShapeBlock& a, int b) { return a.link < b; });
+    LaneBlock block{.place = place, .columns = like->columns};
+    for (int n = 0;; ++n) {
+      block.own = {};
+      block.block = {-1, -1};
+      block.bounded = false;
       for (const int lane : {0, 1}) {
         if (pair.islands[lane] < 0) continue;
         const Island& island = islands_[pair.islands[lane]];
-        at[lane] = links_[island.first_link + link];
-        end[lane] = std::min(links_[island.first_link + link + 1], island.end);
+        const int key = links_[island.first_link + link] + n;
+        if (key >= std::min(links_[island.first_link + link + 1], island.end)) continue;
+        block.block[lane] = keys_[key].block;
+        block.row[lane] = at_[keys_[key].block].row;
+        block.own[lane] = given_[keys_[key].block].rows;
+        block.bounded = block.bounded || given_[keys_[key].block].bounded;
       }
-      for (int n = 0;; ++n) {
-        LaneBlock block{.place = place};
-        for (const int lane : {0, 1}) {
-          while (at[lane] < end[lane] && beside(keys_[at[lane]]) != optional) ++at[lane];
-          if (at[lane] == end[lane]) continue;
-          block.block[lane] = keys_[at[lane]++].block;
-          block.row[lane] = at_[block.block[lane]].row;
-          block.own[lane] = given_[block.block[lane]].rows;
-          block.bounded = block.bounded || given_[block.block[lane]].bounded;
-        }
-        if (block.lanes() == 0) break;
-        const ShapeBlock& like = *(optional ? first : first + n);
-        block.columns = like.columns;
-        block.rows = std::max(block.own[0], block.own[1]);
-        block.loop = optional ? -1 : pair.plan->loop[std::size_t(&like - shape.data())];
-        blocks_.push_back(block);
-      }
+      if (block.lanes() == 0) break;
+      block.rows = std::max(block.own[0], block.own[1]);
+      block.loop = -1;
+      if (like != shape.end() && like->link == link)
+        block.loop = pair.plan->loop[like++ - shape.begin()];
+      blocks_.push_back(block);
     }
   }
   pair.is_new = !std::equal(blocks_.begin(), blocks_.end(), pair.blocks.begin(), pair.blocks.end(),

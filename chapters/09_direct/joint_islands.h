@@ -58,8 +58,10 @@ class JointIslands {
   }
 
  private:
-  struct Key {  // sorts blocks by island, link and number
-    int island, link, block;
+  struct Key {  // sorts blocks by island and link; in a link optional rows come last
+    int island, link;
+    bool optional;
+    int block;
     auto operator<=>(const Key&) const = default;
   };
   void find_islands(int slots);
@@ -67,9 +69,6 @@ class JointIslands {
   bool is_hub(const Island& island, double most_work) const;
   void pair_islands();
   void place_blocks(IslandPair& pair);
-  bool beside(const Key& key) const {  // an optional row beside a joint
-    return key.link != key.block && given_[key.block].optional();
-  }
   std::span<const ShapeBlock> shape(int island) const {
     return std::span(shape_).subspan(begins_[island], begins_[island + 1] - begins_[island]);
   }

@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
                      {"seed", "1", "of the first scene of every family"},
                      {"draws", "0", "scenes of every family; 0: as many as it has"},
                      {"hertz", "60", "steps per second [Hz]"},
-                     {"each", "0", "1: tell every scene that is not held"}});
+                     {"each", "0", "1: tell every scene that is not held or kept"}});
     if (!options.read(argc, argv)) return;
     std::vector<Family> list = families();
     keep_named(list, options.text("family"), &Family::name);
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
             kept += out.kept();
             losses.push_back(out.loss);
           }
-          if (options.flag("each") && !out.held())
+          if (options.flag("each") && !(out.held() && (!keeps_energy || out.kept())))
             std::printf("  seed %d: gap %.3g mm, gain %.3g %%, loss %.3g %%\n", first + k,
                         1000 * out.gap, 100 * out.gain, 100 * out.loss);
         }

@@ -249,12 +249,26 @@ class DirectSolver::Positions : public Corrector {
       for (double& rate : own_.rates) rate = -rate;
       change_rates(own_.rates);
     }
-    for (int n = 0; !(now.exact = project(now.most)) && n < most_halved; ++n) {
+    for (int n = 0; !(now.exact = project(now.most)) && n < most_halved && opened(now.most); ++n) {
       for_bodies([](Body& body, int) { body.v /= real(2), body.w /= real(2); });
       ++solver_.report_.halved;
     }
     std::fill_n(expected, rows, real(0));
     return now.exact;
+  }
+
+  // True if the errors are larger than in the old poses.
+  bool opened(double most) {
+    evaluate(false);
+    double before = most / small_fraction;
+    const JointIslands::Island& own = islands_.islands()[from_];
+    for (int n = own.first; n < own.end; ++n) {
+      const int k = islands_.order()[n], row = islands_.at(k).row - base_;
+      for (int i = 0; i < list_[k].rows; ++i)
+        if (own_.C[row + i] != 0)
+          before = std::max(before, std::abs(double(solver_.blocks_->C[list_[k].first + i])));
+    }
+    return largest(own_.C) > before;
   }
 
   // Returns the largest error that the best velocities leave, or infinity if they are no better

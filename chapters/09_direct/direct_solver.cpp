@@ -146,16 +146,17 @@ void DirectSolver::recall_rates() {
     patterns_.insert(patterns_.end(), {island.pattern, island.rows});
   if (newton == 0) memory.patterns.clear(), memory.rates.clear();
   if (newton == 0 || memory.patterns == patterns_) return;
-  std::map<std::pair<int, int>, const real*> known;
-  const real* rates = memory.rates.data();
-  for (std::size_t k = 0; k < memory.patterns.size(); k += 2) {
-    known[{memory.patterns[k], memory.patterns[k + 1]}] = rates;
-    rates += memory.patterns[k + 1];
-  }
   zeros(recalled_, std::size_t(islands_.rows()));
+  std::size_t from = 0, next = 0;  // of the old ones
   for (const JointIslands::Island& island : islands_.islands())
-    if (const auto last = known.find({island.pattern, island.rows}); last != known.end())
-      std::copy_n(last->second, island.rows, &recalled_[island.first_row]);
+    for (std::size_t n = 0; n < memory.patterns.size(); n += 2) {
+      if (next == memory.patterns.size()) next = from = 0;
+      const int* const old = &memory.patterns[next];
+      const bool same = old[0] == island.pattern && old[1] == island.rows;
+      if (same) std::copy_n(&memory.rates[from], island.rows, &recalled_[island.first_row]);
+      next += 2, from += std::size_t(old[1]);
+      if (same) break;
+    }
   memory.rates.swap(recalled_);
   memory.patterns = patterns_;
 }

@@ -18,12 +18,13 @@ struct Heavy {
   Scene scene;
   DirectSolver solver;
   Watched seen;
+  int halved = 0;
 
   Heavy(double ratio, real added_inertia, double seconds = 10)
       : scene(chapter9::heavy_chain(20, real(ratio))) {
     solver.newton = 8;
     solver.added_inertia = added_inertia;
-    seen = watch(scene, solver, seconds, h);
+    seen = watch(scene, solver, seconds, h, [&] { halved += solver.report().halved > 0; });
   }
 };
 
@@ -90,9 +91,9 @@ TEST_CASE("S2 with more inertia a chain holds a million times its link's weight 
   }
 }
 
-TEST_CASE("S2 without more inertia that chain is lost") {
+TEST_CASE("S2 without more inertia that chain is slowed down in nearly every step, or is lost") {
   const Heavy heavy(1e6, 0);
-  CHECK((heavy.seen.gap > 1e-2 || heavy.seen.highest > 0.02));
+  CHECK((heavy.halved > 50 || heavy.seen.gap > 1e-2));
 }
 
 TEST_CASE("S2 what more inertia changes of a chain's motion vanishes with the step") {

@@ -101,6 +101,45 @@ TEST_CASE("the Runge-Kutta method refuses in words what takes too much work or f
   if (!is_float) CHECK(words.find("shorter step") != std::string::npos);  // in float it sags
 }
 
+TEST_CASE("the Runge-Kutta method refuses whatever acts on a free coordinate, and says so") {
+  for (unsigned seed = 1; seed <= 10; ++seed)
+    for (const int what : {0, 1, 2, 3}) {
+      CAPTURE(seed, what);
+      Random random(seed);
+      World world;
+      const BodyId wall = world.add(static_body(vec3(0)));
+      const BodyId a = world.add(box(1, vec3(real(0.3)), random.vector(1)));
+      const auto set = [&](auto& free) {
+        const real size = random.uniform(1, 100);
+        if (what == 0) free.set_spring({.stiffness = size});
+        if (what == 1) free.set_spring({.damping = size});
+        if (what == 2) free.set_friction(size);
+        if (what == 3) free.set_limits(-size, size);
+      };
+      if (seed % 2 == 0) set(world.add<HingeJoint>(wall, a, vec3(0), random.vector(1)));
+      else set(world.add<SliderJoint>(wall, a, vec3(0), random.vector(1)));
+      const State before = save(world);
+      RungeKutta kutta;
+      CHECK(refusal([&] { kutta.step(world, h); }).find("spring of a coordinate") !=
+            std::string::npos);
+      CHECK(save(world) == before);
+    }
+}
+
+TEST_CASE("the Runge-Kutta method refuses forces that add or remove bodies or joints") {
+  for (const int what : {0, 1, 2}) {
+    CAPTURE(what);
+    World world = hub(3, 4);
+    RungeKutta kutta;
+    kutta.forces = [&](Bodies&, real) {
+      if (what == 0) world.add(ball(1, 1, vec3(9)));
+      if (what == 1) world.remove(*world.joints().front());
+      if (what == 2) world.remove(world.joints().front()->body2);
+    };
+    CHECK(refusal([&] { kutta.step(world, h); }).find("forces:") == 0);
+  }
+}
+
 TEST_CASE("the Runge-Kutta method refuses a hub of 1,000 arms, and a net of 30 x 30 it moves or "
           "refuses") {
   World large = hub(8, 1000);

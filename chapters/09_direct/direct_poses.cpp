@@ -42,8 +42,8 @@ double largest(std::span<const double> C) {
 // of a linkage. Their impulses still act along the rows of the step, which keeps the energy. If
 // they fail as well, the factors of the new poses are used. They begin with the best velocities of
 // the secants or, if these are no good either, with those that solve the velocity equations,
-// without the correction predicted for the poses. If this does not close the joints, a body turns too
-// far in the step, and the island is slowed down.
+// without the correction predicted for the poses. If this does not close the joints, a body turns
+// too far in the step, and the island is slowed down.
 class DirectSolver::Positions : public Corrector {
  public:
   Positions(DirectSolver& solver, Bodies& bodies, real h, const Append& append)

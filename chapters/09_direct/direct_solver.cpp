@@ -261,9 +261,10 @@ void DirectSolver::change(Bodies& bodies, int from, int end, const std::vector<d
       for (const int lane : {0, 1}) {
         const LaneBlock& block = pair->blocks[n];
         const bool used = pair->islands[lane] >= from && pair->islands[lane] < end;
-        const double* const of = rates.data() + block.row[lane] - islands_.islands()[from].first_row;
+        const int first = block.row[lane] - islands_.islands()[from].first_row;
         for (int i = 0; i < block.rows; ++i)
-          pair->x[pair->A.nodes[n].row + i][lane] = used && i < block.own[lane] ? of[i] : 0;
+          pair->x[pair->A.nodes[n].row + i][lane] =
+              used && i < block.own[lane] ? rates[std::size_t(first + i)] : 0;
       }
     pair->load(bodies);
     pair->change();

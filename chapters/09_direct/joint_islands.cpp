@@ -154,8 +154,8 @@ void JointIslands::pair_islands() {
     std::erase_if(plans_, [](const auto& plan) { return plan.second.use_count() == 1; });
 }
 
-// Lists the blocks of a pair by links in the order of elimination, those of both lanes side by side.
-// The first ones of a link are those of the shape.
+// Lists the blocks of a pair by links in the order of elimination, those of both lanes side by
+// side. The first ones of a link are those of the shape.
 void JointIslands::place_blocks(IslandPair& pair) {
   const auto shape = this->shape(pair.islands[0]);
   pair.bodies.clear();

@@ -14,9 +14,9 @@ namespace joints {
 /// forces are chosen so that J V = 0 at the poses of the next stage; after a step, the poses are
 /// projected onto the constraints. A joint with a frequency acts as the spring and damper that its
 /// soft rows approach for short steps. A step appends the rows six times and factors five times. It
-/// accepts only rows without bounds: no limits, motors, springs of a coordinate, ropes or contacts. Joints report the mean
-/// force of the step. The velocities belong to the time of the poses: set World::last_h to 0 before
-/// a step with leapfrog. Source: Brasey and Hairer, "Half-explicit Runge-Kutta methods for
+/// accepts only rows without bounds: no limits, motors, springs of a coordinate, ropes or contacts.
+/// Joints report the mean force of the step. The velocities belong to the time of the poses: set
+/// World::last_h to 0 before a step with leapfrog. Source: Brasey and Hairer, "Half-explicit Runge-Kutta methods for
 /// differential-algebraic systems of index 2", SIAM Journal on Numerical Analysis 30, 1993.
 class RungeKutta {
  public:

@@ -276,7 +276,7 @@ class DirectSolver::Positions : public Corrector {
   // would have to change its side.
   double move_by_secants(double most) {
     const double kinetic = twice_kinetic();
-    double least = infinite, first = 0;
+    double least = IslandPair::infinite, first = 0;
     bool bounded = false;
     for_bounded([&](BoundedRow&, const LaneBlock&) { bounded = true; });
     if (bounded) return least;
@@ -303,7 +303,7 @@ class DirectSolver::Positions : public Corrector {
   bool project(double most) {
     IslandPair& pair = *islands_.pair_of(from_);
     const int lane = islands_.islands()[from_].lane;
-    double last = infinite, fraction = 1;
+    double last = IslandPair::infinite, fraction = 1;
     bool closed = false;
     keep_best();
     for (int n = 0; n < most_corrections; ++n) {

@@ -92,7 +92,7 @@ class DirectSolver : public Solver {
     // The corrections of an island.
     struct Try {
       double most = 0;  // the largest error that need not be corrected
-      double last = infinite;  // the last error
+      double last = IslandPair::infinite;  // the last error
       bool moving = false;  // its corrections go on
       bool exact = false;   // its errors are at most `most`
     };

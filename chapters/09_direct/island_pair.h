@@ -11,9 +11,6 @@
 /// @{
 namespace joints {
 
-/// Infinity.
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 /// A row with bounds; it is the last one of its block.
 struct BoundedRow {
   int block = 0, lane = 0;        ///< its block in IslandPair::blocks
@@ -26,6 +23,7 @@ struct BoundedRow {
 /// Up to two islands with the same shape. An idle lane contains zeros.
 class IslandPair : public IslandMatrix {
  public:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();  ///< infinity
   std::array<int, 2> islands{-1, -1};      ///< their numbers; -1: the lane is idle
   std::vector<std::array<int, 2>> bodies;  ///< slots of each column; -1: the lane is idle
   bool is_new = true;                      ///< `blocks` has changed in this step

@@ -16,9 +16,9 @@ namespace joints {
 /// soft rows approach for short steps. A step appends the rows six times and factors five times. It
 /// accepts only rows without bounds: no limits, motors, springs of a coordinate, ropes or contacts.
 /// Joints report the mean force of the step. The velocities belong to the time of the poses: set
-/// World::last_h to 0 before a step with leapfrog. Source: Brasey and Hairer, "Half-explicit Runge-
-/// Kutta methods for differential-algebraic systems of index 2", SIAM Journal on Numerical Analysis
-/// 30, 1993.
+/// World::last_h to 0 before a step with leapfrog. Source: Brasey and Hairer, "Half-explicit
+/// Runge-Kutta methods for differential-algebraic systems of index 2", SIAM Journal on Numerical
+/// Analysis 30, 1993.
 class RungeKutta {
  public:
   /// Called in every stage with the bodies at that stage. It must set their `force` and `torque` as

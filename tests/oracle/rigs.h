@@ -1,6 +1,7 @@
 // Small machines that the tests of the joints share: a rotor on a hinge, the cube of scenes S4.
 #pragma once
 
+#include <cstddef>
 #include <cstring>
 #include <numbers>
 
@@ -20,6 +21,11 @@ inline bool all_finite(const World& world) {
 template <class T>
 bool same_bits(const T& one, const T& other) {
   return std::memcmp(&one, &other, sizeof one) == 0;
+}
+
+/// Of a body, its numbers: in float, bytes without a meaning follow them.
+inline bool same_bits(const Body& one, const Body& other) {
+  return std::memcmp(&one, &other, offsetof(Body, torque) + sizeof one.torque) == 0;
 }
 
 /// Angle between two directions [rad].

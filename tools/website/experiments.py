@@ -19,7 +19,8 @@ CODE = {
                    ("engine/sequential_impulses.cpp",
                     "real e[N];  // velocity error of each row: J V + bias", 2)),
     "strength": (("chapters/03_hinge/free_coordinate.h", "if (strength > 0)", 6),),
-    "relaxation": (("engine/block.cpp", "const real mass_scale = relaxation / (1 + softness);", 1),),
+    "relaxation": (("engine/block.cpp",
+                    "const real mass_scale = relaxation / (1 + softness);", 1),),
     "tilt": (("engine/sequential_impulses.cpp",
               "if (N == 1 && block.target.follows != 0) {"
               "  // bounds are -+upper * impulse[follows]", 5),),

@@ -91,9 +91,9 @@ void IslandMatrix::assemble() {
       const HalfRowOf<TwoLanes>* const half = &J[2 * A.nodes[k].row + of * n];
       const auto& [linear, angular] = masses[blocks[k].columns[of]];
       HalfRowOf<TwoLanes> response[6];
-      for (int i = 0; i < n; ++i) response[i] = {linear * half[i].v, angular * half[i].w};
-      for (int i = 0; i < n; ++i)  // with itself: only the lower triangle is needed
-        add_coupling(half + i, 1, response, i + 1, diagonal + i * n);
+      for (int r = 0; r < n; ++r) response[r] = {linear * half[r].v, angular * half[r].w};
+      for (int r = 0; r < n; ++r)  // with itself: only the lower triangle is needed
+        add_coupling(half + r, 1, response, r + 1, diagonal + r * n);
       for (; coupling != couplings_.data() + couplings_end_[2 * k + of]; ++coupling)
         add_coupling(&J[coupling->J], coupling->rows, response, n, &A.numbers[coupling->at]);
     }

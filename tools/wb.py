@@ -68,7 +68,10 @@ def command(shown, words, *arguments, lines=(), **how):
 def overview():
     """Every command in a line or two; blank lines between the groups."""
     said = ["The Joint Workbook"]
+    sealed = any(chapter.sealed for chapter in house.chapters())
     for name, (_, _, lines) in COMMANDS.items():
+        if sealed and name in NEED_SOLUTIONS | {"show", "setup"}:
+            continue
         said += [""] if name in FIRST else []
         for shown, words in lines:
             first, *rest = textwrap.wrap(words.replace("./wb ", "./wb\xa0"), WIDTH - MARGIN)
@@ -102,7 +105,8 @@ def main(words):
     if name not in COMMANDS:
         refuse_unknown(name)
     if name in NEED_SOLUTIONS and any(chapter.sealed for chapter in house.chapters()):
-        raise house.Trouble(f"{name} needs the solutions, and this edition does not have them")
+        raise house.Trouble(f"{name} needs the solutions, and this edition does not have them\n"
+                            "./wb help lists the commands that work in it")
     parser, call, _ = COMMANDS[name]
     if name == "bench":  # what it does not know is the program's
         return call(*parser.parse_known_args(rest))

@@ -43,6 +43,7 @@ def students_can_work_without_solutions(root, build):
         yield from typed(door, "show 1.1 --yes", 2, "are not in this edition")
         yield from typed(door, "hint 1.1 3", 0, "Hint 3 of 3", hidden=["./wb show"])
         yield from typed(door, "tour", 2, "needs the solutions")
+        yield from typed(door, "help", 0, "./wb test 2.1", hidden=["./wb tour", "./wb show"])
         door.write(e1_1=True, e1_2="return 0;")
         yield from typed(door, "test 1.1", 0, "5 tests passed")
         yield from typed(door, "test 1.2", 1, "Exercise 1.2", wide=True)
@@ -67,6 +68,8 @@ def own_numbers(door):
                        capture_output=True, check=True)
         if tables[name] != (door.root / "solved" / "pendulum.csv").read_text():
             yield f"{name}: right code prints another table than the solution"
+    yield from typed(door, "run 1 --iterations 5 --for ada", 0, "numbers of ada: --beta")
+    yield from typed(door, "plot 1", 0, "your run alone, with --beta")
     if tables["ada"] != tables[" ADA"] or tables["ada"] == tables["bob"]:
         yield "ada and bob have the same numbers, or ada has others the second time"
 

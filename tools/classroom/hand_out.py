@@ -13,7 +13,13 @@ from learn import show
 
 # What holds answers, or tests of the whole workbook that compute the same.
 LEFT_OUT = re.compile(r"solutions/|tests/\d\d_\w+/answers/|tests/(?!\d\d_|checker/)\w+/|"
-                      r"tests/topics\.cmake$|\.github/")
+                      r"tests/topics\.cmake$|\.github/|\.gitlab-ci\.yml$|\.ci/")
+# What the README says first in an edition.
+NOTE = """> **An edition for students.** The solutions are not in it, so the commands that need them are
+> refused; `./wb help` lists the others. `./wb run 1` needs all exercises of chapter 1, and `plot`
+> and `see` draw your run over a recorded one. `./wb run 1 --for NAME` gives you numbers of your own:
+> those of the program, and three factors with which you calculate the section Numbers again.
+"""
 
 
 def files():
@@ -37,6 +43,8 @@ def hand_out(folder):
         if not LEFT_OUT.match(name):
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(house.ROOT / name, folder / name)
+    title, rest = exercises.read(folder / "README.md").split("\n", maxsplit=1)
+    exercises.write(folder / "README.md", f"{title}\n\n{NOTE}{rest}")
     for chapter in house.chapters():
         stub = exercises.stub(exercises.read(chapter.solution))
         for path in (chapter.mine, chapter.solution):

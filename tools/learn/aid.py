@@ -39,7 +39,8 @@ def paragraphs(text):
 def solution(word, yes):
     chapter, id_ = house.exercise_of(word)
     if chapter.sealed:
-        raise house.Trouble(f"the solutions of chapter {chapter.number} are not in this edition")
+        raise house.Trouble(f"the solutions of chapter {chapter.number} are not in this edition"
+                            f"\n./wb hint {id_} 3 is nearly the answer")
     if not house.ask(f"Show the solution of {id_}?", yes):
         return 0
     for region in exercises.regions(exercises.read(chapter.solution)):

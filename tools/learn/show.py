@@ -16,7 +16,7 @@ from learn import own_numbers
 from base import house
 from judge import reading
 from pictures import motion
-from base.talk import bad, faint
+from base.talk import bad, faint, folded
 
 SOLUTIONS, MINE = house.OUT / "solutions", house.OUT / "mine"
 
@@ -155,8 +155,8 @@ def run(chapter, options):
         house.tell_options(f"{chapter.folder}_run")
         print("  --for NAME     numbers of your own, drawn from a name")
         return 0
-    if options[:1] == ["--for"]:
-        options = of_name(chapter, options[1:])
+    if "--for" in options:
+        options = of_name(chapter, options)
     if any(option.startswith("--out") for option in options):
         raise house.Trouble("run --out: ./wb chooses the folder itself, under out/")
     written = prepare_mine(chapter)
@@ -189,14 +189,18 @@ def run(chapter, options):
 
 
 def of_name(chapter, words):
-    """The options that are drawn from a name; those that follow it come later and count."""
-    count = next((k for k, word in enumerate(words) if word.startswith("--")), len(words))
-    if not count:
+    """The options that are drawn from the name after --for, and the others; those that are there
+    are not drawn."""
+    at = words.index("--for") + 1
+    end = next((k for k in range(at, len(words)) if words[k].startswith("--")), len(words))
+    if at == end:
         raise house.Trouble("run: --for needs a name, such as --for ada")
-    name = " ".join(words[:count])
+    others, name = words[:at - 1] + words[end:], " ".join(words[at:end])
     options, factors = own_numbers.drawn(name, chapter, house.options_of(f"{chapter.folder}_run"))
+    pairs = zip(options[::2], options[1::2])
+    options = [word for pair in pairs if pair[0] not in others for word in pair]
     own_numbers.tell(name, options, factors)
-    return options + words[count:]
+    return options + others
 
 
 def stale(folder, program):
@@ -234,7 +238,12 @@ def both_runs(chapter):
             return solution, None
     elif stale(mine, house.BUILD / f"{chapter.folder}_run_mine"):
         call_and_blame(chapter, written, f"{chapter.folder}_run_mine", mine, options, True)
-    if options and not chapter.sealed:
+    if options and chapter.sealed:
+        house.progress_done()
+        print(folded(f"your run alone, with {' '.join(options)}: the recorded run of the solution "
+                     f"has no options. For both: ./wb run {chapter.number}"))
+        return mine, None
+    if options:
         solution = house.OUT / "solutions_alike" / chapter.folder
         call_program(f"{chapter.folder}_run", solution, options, True)
         house.progress_done()
@@ -288,7 +297,8 @@ def see(chapter):
         return 0
     solution, mine = both_runs(chapter)
     page = make_page(chapter, solution, mine)
-    print(f"{house.short(page)}" + ("" if mine else "   (the solution; yours is not written yet)"))
+    print(f"{house.short(page)}" + ("" if mine or solution == MINE / chapter.folder else
+                                    "   (the solution; yours is not written yet)"))
     open_page(page)
     return 0
 

@@ -15,10 +15,11 @@ from learn import show
 LEFT_OUT = re.compile(r"solutions/|tests/\d\d_\w+/answers/|tests/(?!\d\d_|checker/)\w+/|"
                       r"tests/topics\.cmake$|\.github/|\.gitlab-ci\.yml$|\.ci/")
 # What the README says first in an edition.
-NOTE = """> **An edition for students.** The solutions are not in it, so the commands that need them are
-> refused; `./wb help` lists the others. `./wb run 1` needs all exercises of chapter 1, and `plot`
-> and `see` draw your run over a recorded one. `./wb run 1 --for NAME` gives you numbers of your own:
-> those of the program, and three factors with which you calculate the section Numbers again.
+NOTE = """\
+> **An edition for students.** The solutions are not in it, so the commands that need them are
+> refused; `./wb help` lists the others. `./wb run 1` needs all exercises of chapter 1; `plot` and
+> `see` draw your run over a recorded one. `./wb run 1 --for NAME` gives you numbers of your own: of
+> the program, and three factors with which you calculate the section Numbers again.
 """
 
 

@@ -89,12 +89,12 @@ class DirectSolver : public Solver {
     std::vector<Body> start;
     std::vector<std::pair<vec3, vec3>> best;  // velocities
     std::vector<bool> moved;         // for each slot
-    // The corrections of an island.
+    /// The corrections of an island.
     struct Try {
-      double most = 0;  // the largest error that need not be corrected
-      double last = IslandPair::infinite;  // the last error
-      bool moving = false;  // its corrections go on
-      bool exact = false;   // its errors are at most `most`
+      double most = 0;  ///< the largest error that need not be corrected
+      double last = IslandPair::infinite;  ///< the last error
+      bool moving = false;  ///< its corrections go on
+      bool exact = false;   ///< its errors are at most `most`
     };
     std::vector<Try> tries;          // of the islands
     Secants secants;

@@ -35,10 +35,12 @@ class TurnedCoordinate : public FreeCoordinate<Coordinate> {
   template <class, class...>
   friend class WithCoordinates;
 
+  /// Chooses the rows of a step that begins. \param h step [s]
   void choose(const Bodies& bodies, real h) {
     end_.clear();
     Free::choose(bodies, h);
   }
+  /// Adds the rows of limits that hold at the end of the step. \param h step [s]
   void late(const Bodies& bodies, real h, Blocks& blocks) {
     Free::late(bodies, h, blocks);
     const auto [lower, upper] = Free::limits();
@@ -48,10 +50,12 @@ class TurnedCoordinate : public FreeCoordinate<Coordinate> {
         end_.append(Free::limit(sign), bodies, joint.body1, joint.body2, h, Free::limit_target(),
                     blocks, sign);
   }
+  /// Sets all impulses to zero: both bodies are static.
   void drop() {
     end_.clear();
     Free::drop();
   }
+  /// Saves or restores what a step hands on to the next.
   void exchange(StateStream& stream) {
     Free::exchange(stream);
     end_.exchange(stream);

@@ -3,20 +3,14 @@ import re
 from html import escape
 
 from base import house
+from keep import values
 from website import gallery, shell
 
 MOVES = {"live.html": "live.html#scene=ragdoll", None: "motion/08_ground.html?scene=ragdoll&play=1"}
 ROW = re.compile(r'<tr class="markdownTableRow\w+">\s*(.*?)</tr>', re.S)
 CELL = re.compile(r"<td\b[^>]*>(.*?)</td>", re.S)
-HOURS = re.compile(r"^\| *(\d+) *\|.*?\| *([\d.]+) *\| *([\d.]+) *\|$", re.M)
 # The picture of a chapter's card, where it is not the first motion of the chapter.
 PICTURES = {1: "bridge", 4: "piston", 5: "ragdoll", 6: "bridge_of_rods", 8: "ragdoll"}
-
-
-def hours():
-    """{1: (exercises, hours)} of the plan in docs/teaching.md."""
-    text = (house.ROOT / "docs" / "teaching.md").read_text(encoding="utf-8")
-    return {int(number): (count, time) for number, count, time in HOURS.findall(text)}
 
 
 def top(live):
@@ -28,18 +22,18 @@ def top(live):
         '<a class="button" href="docs_gallery.html">See all that moves</a></p>')
 
 
-def card(chapter, row, rows, plan):
+def card(chapter, row, rows):
     """A chapter: its picture, what you build, what you see, how long it takes."""
     _, name, build, see = CELL.findall(row)
     own = [one for one in rows if one.folder == chapter.folder]
     shown = next((one for one in own if one.name == PICTURES.get(chapter.number)), own[0])
-    count, time = plan[chapter.number]
+    count, time = len(chapter.ids()), values.hours_of(chapter.number)
     words = re.sub(r"<[^>]+>", "", name).strip()
     return (f'<a class="chapter" href="{shell.text_of(chapter)}">'
             f"{gallery.image(shown)}<h3>{chapter.number} {words}</h3>"
             f"<p>You build {re.sub('</?a[^>]*>', '', build).strip()}.</p>"
             f"<p>You see {re.sub('</?a[^>]*>', '', see).strip()}.</p>"
-            f"<p class=\"plan\">{count} exercises, about {time} hours</p></a>")
+            f"<p class=\"plan\">{count} exercises, about {time:g} hours</p></a>")
 
 
 def finished(text, rows, live):
@@ -48,12 +42,11 @@ def finished(text, rows, live):
     start = text.index("<h2>The chapters</h2>")
     begin = text.index("<table", start)
     end = text.index("</table>", begin) + len("</table>")
-    plan, found = hours(), ROW.findall(text[begin:end])
-    chapters = house.chapters()
-    if len(found) != len(chapters) or set(plan) != {chapter.number for chapter in chapters}:
-        raise gallery.GalleryError("docs/mainpage.md and docs/teaching.md need a row for each of "
-                                   f"the {len(chapters)} chapters")
-    cards = "".join(card(chapter, row, rows, plan) for chapter, row in zip(chapters, found))
+    chapters, found = house.chapters(), ROW.findall(text[begin:end])
+    if len(found) != len(chapters):
+        raise gallery.GalleryError("docs/mainpage.md needs a row for each of the "
+                                   f"{len(chapters)} chapters")
+    cards = "".join(card(chapter, row, rows) for chapter, row in zip(chapters, found))
     text = text[:begin] + f'<div class="cards">{cards}</div>' + text[end:]
     return re.sub(r'(<div class="textblock">)(\s*<p\b.*?</p>)',
                   lambda at: at[1] + moving + at[2] + ways, text, count=1, flags=re.S)

@@ -99,6 +99,10 @@ Wrong wrong_masses(const Rows& J, const Pair& pair) {
       {m2, none});
   add("the rotation of body 2 is counted twice, that of body 1 not", {m1, none},
       {m2, real(2) * I2});
+  const char* const one_moment = "#one-moment one moment stands for all three axes: that is right "
+                                 "for a ball alone";
+  add(one_moment, {m1, mat3(local1[0][0])}, {m2, mat3(local2[0][0])});
+  add(one_moment, {m1, mat3(I1[0][0])}, {m2, mat3(I2[0][0])});
   add("#mass-for-inertia inverse mass where inverse inertia belongs",
       {m1, mat3(m1)}, {m2, mat3(m2)});
   add("the inverse inertia stands twice in a term", {m1, I1 * I1}, {m2, I2 * I2});

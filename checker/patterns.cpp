@@ -79,6 +79,7 @@ std::string seven_digits(const std::vector<Compared>& cases) {
     for (std::size_t i = 0; i < c.right.size(); ++i) {
       size = std::max(size, std::abs(c.right[i]));
       error = std::max(error, std::abs(c.yours[i] - c.right[i]));
+      if (c.yours[i] == 0 && std::abs(c.right[i]) > 1e-12) return "";  // a threshold
     }
   return is_float || !(error <= 1e-6 * size) ? "" : few_digits;
 }

@@ -26,9 +26,8 @@ std::string no_number(const Numbers& numbers);
 /// Are the wrong ones among yours right to five digits? In double alone: a float has no more.
 bool five_digits(const Numbers& yours, const Numbers& right, double tolerance);
 inline const char* const few_digits =
-    "#few-digits right to a few digits only: is a small number added, as against a division by "
-    "zero, is there a float among the reals, such as 0.5f or std::exp2f, or a constant with few "
-    "digits?";
+    "#few-digits right to a few digits only: is something small added or left out, is there a "
+    "float among the reals, such as 0.5f or std::exp2f, or a constant with few digits?";
 /// "v1, w1 and v2"
 std::string joined(const std::vector<std::string>& words);
 /// A diagnosis of a table begins with its id, "#sign-of-row the sign of the row". By it the known

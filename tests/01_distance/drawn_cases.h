@@ -1,11 +1,28 @@
-// Exercises 1.3 to 1.6: cases drawn over sizes, scales and sides.
+// Exercises 1.1 to 1.6: cases drawn over sizes, scales and sides.
 #pragma once
 
 #include "tests/01_distance/step_reference.h"
 #include "tests/checker/drawn.h"
 #include "tests/checker/push_cases.h"
+#include "tests/checker/vector_cases.h"
 
 namespace joints::testing {
+
+/// Centres at any distance; one of its components may be much smaller.
+inline Drawn drawn_centres(Draw& d, bool of_K) {
+  const Draw::Units u = d.units();
+  Pair pair = d.pair(u);
+  vec3 apart = d.vector(d.size("distance", u.m * d.scale(5), "m"));
+  apart[int(2.99 * d.pick())] *= real(std::pow(10, -5 * d.pick()));
+  pair.body2.x = pair.body1.x + apart;
+  const double K = double(pair.body1.inverse_mass + pair.body2.inverse_mass);
+  d.size("K", K, "1/kg");
+  const CentreDistance rod{real(u.m)};
+  if (of_K) return {{"K kg"}, {double(rod.K(pair.body1, pair.body2)) * u.kg}, {K * u.kg}};
+  const vec3 n = direction(pair.body2.x - pair.body1.x);
+  return drawn_rows(to_jacobian(rod.jacobian(pair.body1, pair.body2)),
+                    to_jacobian(Row{-n, vec3(0), n, vec3(0)}), u.m, u.m);
+}
 
 inline Row drawn_row(Draw& d, const Draw::Units& u) {
   return {d.vector(), d.vector(u.m), d.vector(), d.vector(u.m)};
@@ -18,6 +35,9 @@ inline Drawn drawn_row_impulse(Draw& d) {
   const double K = double(dense_K(to_jacobian(J), pair.body1, pair.body2)[0][0]);
   const double JV = double(row_velocity(J, pair.body1, pair.body2)), b = u.m / u.s * d.number();
   d.size("|J V + b|", JV + b, "m/s");
+  d.size("|lambda|", K == 0 ? 0 : (JV + b) / K, "N s");
+  d.side("J V is positive", JV > 0);
+  d.side("lambda is negative", JV + b > 0);
   d.size("K", K, "1/kg");
   return {{"lambda / (kg m/s)"},
           {double(row_impulse(J, real(K), real(b), pair.body1, pair.body2)) * u.s / u.m / u.kg},
@@ -29,6 +49,7 @@ inline Drawn drawn_row_push(Draw& d) {
   PushCase c{"", {}, {}, d.pair(u)};
   c.J = {drawn_row(d, u)};
   c.lambda = {real(d.size("|lambda|", u.kg * u.m / u.s * d.number(), "N s"))};
+  d.side("lambda is negative", c.lambda[0] < 0);
   Pair pair = c.pair;
   apply_impulse(c.J[0], c.lambda[0], pair.body1, pair.body2);
   return drawn_vectors({"v1", "w1", "v2", "w2"}, numbers_of(pair), pushed(c),
@@ -38,9 +59,12 @@ inline Drawn drawn_row_push(Draw& d) {
 /// Bodies in a cloud, links between any two. The reader's other exercises are not asked.
 inline Drawn drawn_step(Draw& d, bool ropes) {
   const Draw::Units u = d.units();
-  std::vector<Body> bodies(std::size_t(d.count("bodies", d.whole(2, 40))));
-  std::vector<Link> links(std::size_t(d.count("links", d.whole(0, 60))));
+  std::vector<Body> bodies(std::size_t(d.count("bodies", d.whole(2, 300))));
+  std::vector<Link> links(std::size_t(d.count("links", d.whole(0, 300))));
+  const int most = std::min(300, 6000 / (1 + int(links.size())));
+  const int iterations = d.count("iterations", d.whole(0, most));
   Random random = d.many();
+  bool backward = false;
   for (Body& body : bodies) {
     const vec3 x = real(u.m) * random.vector(4);
     const bool wall = random.uniform(0, 1) < real(0.2);
@@ -51,12 +75,14 @@ inline Drawn drawn_step(Draw& d, bool ropes) {
   for (Link& link : links) {
     link.body1 = int(random.uniform(0, real(last + 1) - real(1e-3)));
     link.body2 = (link.body1 + 1 + int(random.uniform(0, real(last) - real(1e-3)))) % (last + 1);
+    backward = backward || link.body1 > link.body2;
     link.length = length(bodies[link.body2].x - bodies[link.body1].x) +
                   real(0.01 * u.m) * random.uniform(-1, 1);
     link.rope = ropes && random.uniform(0, 1) < real(0.5);
   }
   const StepSettings settings{real(u.m / u.s / u.s) * random.vector(1), real(0.02 * u.s),
-                              d.count("iterations", d.whole(1, 300)), real(0.2)};
+                              iterations, real(0.2)};
+  d.side("a link has body 1 behind body 2", backward);
   const auto numbers = [&](const auto& advance) {
     std::vector<Body> now = bodies;
     advance(now);
@@ -103,6 +129,9 @@ inline Drawn drawn_clamp(Draw& d) {
   real sum = real(before);
   const double applied = double(clamp_sum(real(dlambda), sum));
   const double right = std::max(before + dlambda, 0.0);
+  d.size("new sum", right, "N s");
+  d.side("dlambda is negative", dlambda < 0);
+  d.side("the rope is released", before + dlambda < 0);
   return {{"returned / dlambda", "new sum / dlambda"},
           {applied / std::abs(dlambda), double(sum) / std::abs(dlambda)},
           {(right - before) / std::abs(dlambda), right / std::abs(dlambda)},
@@ -113,19 +142,19 @@ inline Drawn drawn_clamp(Draw& d) {
 inline Drawn drawn_rod(Draw& d, bool of_K) {
   const Draw::Units u = d.units();
   Pair pair = d.pair(u);
-  const Distance rod{d.vector(u.m), d.vector(u.m), real(u.m)};
+  const auto [anchor1, anchor2] = d.levers(u);
+  const Distance rod{anchor1, anchor2, real(u.m)};
   const vec3 r1 = to_world(pair.body1, rod.anchor1_local);
   const vec3 r2 = to_world(pair.body2, rod.anchor2_local);
-  const double apart = d.size("distance", u.m * std::pow(10, -5 * d.pick()), "m");
+  const double l1 = double(length(r1)), l2 = double(length(r2));
+  const double apart = d.size("distance", (l1 + l2) * std::pow(10, -5 * d.pick()), "m");
   pair.body2.x = pair.body1.x + r1 - r2 + d.vector(apart);
   const vec3 n = direction(pair.body2.x + r2 - pair.body1.x - r1);
   const Row J{-n, -cross(r1, n), n, cross(r2, n)};
   if (of_K)
-    return {{"K kg"}, {double(rod.K(pair.body1, pair.body2)) * u.kg},
-            {double(dense_K(to_jacobian(J), pair.body1, pair.body2)[0][0]) * u.kg}, {20}};
-  return drawn_vectors({"J.v1", "J.w1", "J.v2", "J.w2"},
-                       flat(to_jacobian(rod.jacobian(pair.body1, pair.body2))),
-                       flat(to_jacobian(J)), {1, u.m});
+    return drawn_K(d, to_matrix(rod.K(pair.body1, pair.body2)), to_jacobian(J), pair, u.kg);
+  return drawn_rows(to_jacobian(rod.jacobian(pair.body1, pair.body2)), to_jacobian(J),
+                    l1 + 1e-6 * l2, l2 + 1e-6 * l1);
 }
 
 }  // namespace joints::testing

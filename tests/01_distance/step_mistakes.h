@@ -110,6 +110,9 @@ inline Ways wrong_places() {
           b.x += s.h * b.v;
           if (!b.is_static()) b.x += half * s.h * s.h * s.gravity;
         });
+  add("#parabola-walls h h g / 2 does not belong here: x grows by h times the new v, and a wall "
+      "does not move at all",
+      [](Body& b, S s) { b.x += s.h * b.v + s.h * s.h / 2 * s.gravity; });
   out.push_back({"#nothing-without-links where there are no links the positions do not change: is "
                  "there a return before them?", way_with([](Way& w) { w.needs_links = true; })});
   out.push_back({told_positions_every_iteration, way_with([](Way& w) {

@@ -47,6 +47,10 @@ TEST_CASE("1.1 a rod beside a wall has both its blocks", "[1.1]") {
          {{vec3(0), "#nothing-wall a static body has its block in J, too: only its M^-1 is zero"}});
 }
 
+TEST_CASE("1.1 the row of a rod has a unit vector for every distance", "[1.1]") {
+  check_drawn(CentreDistanceFixture::J, [](Draw& d) { return drawn_centres(d, false); });
+}
+
 TEST_CASE("1.2 the inverse masses of a rod's bodies are added", "[1.2]") {
   check_K<CentreDistanceFixture>({real(1.5)}, {rod_paper1, rod_paper2}, to_matrix(real(5) / 6));
 }
@@ -68,6 +72,10 @@ TEST_CASE("1.2 a static body adds nothing to K", "[1.2]") {
   const Body planet = body_with(real(1e20), vec3(1), vec3(1, 0, 0));
   expect(CentreDistanceFixture::K, "K of heavy bodies, 1e20 kg beside a wall, in 1e-20 / kg",
          1e20 * double(CentreDistance{2}.K(wall, planet)), 1, rounding);
+}
+
+TEST_CASE("1.2 K of a rod is the sum of both inverse masses for every mass", "[1.2]") {
+  check_drawn(CentreDistanceFixture::K, [](Draw& d) { return drawn_centres(d, true); });
 }
 
 // ---- 1.3 ----------------------------------------------------------------------------------------

@@ -1,13 +1,30 @@
-// Exercises 2.3 and 2.4: cases drawn over scales, sides and angles.
+// Exercises 2.1 to 2.4: cases drawn over scales, sides and angles.
 #pragma once
 
 #include "chapters/02_ball/ball.h"
 #include "tests/checker/drawn.h"
 #include "tests/checker/push_cases.h"
+#include "tests/checker/vector_cases.h"
 
 namespace joints::testing {
 
-/// The rows of a ball joint with levers of any length.
+/// A ball joint with levers of any length.
+inline Drawn drawn_point(Draw& d, bool of_K) {
+  const Draw::Units u = d.units();
+  Pair pair = d.pair(u);
+  const auto [anchor1, anchor2] = d.levers(u);
+  Point point{anchor1, anchor2};
+  if (d.chance("the joint is closed")) {
+    pair.body2.x = pair.body1.x, pair.body2.q = pair.body1.q;
+    point.anchor2_local = anchor1;
+  }
+  const vec3 r1 = pair.body1.q * point.anchor1_local, r2 = pair.body2.q * point.anchor2_local;
+  const Jacobian<3> J = jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2));
+  if (of_K) return drawn_K(d, to_matrix(point.K(pair.body1, pair.body2)), J, pair, u.kg);
+  return drawn_rows(point.jacobian(pair.body1, pair.body2), J, double(length(r1)),
+                    double(length(r2)));
+}
+
 inline Jacobian<3> drawn_point_rows(Draw& d, const Draw::Units& u) {
   const vec3 r1 = d.vector(u.m), r2 = d.vector(u.m);
   return jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2));
@@ -24,6 +41,7 @@ inline Drawn drawn_block_impulse(Draw& d) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) as_mat3[j][i] = K[i][j];
   const vec3 bias = d.vector(u.m / u.s);
+  d.side("a bias is negative", std::min({bias.x, bias.y, bias.z}) < 0);
   const vec3 lambda = block_impulse(J, as_mat3, bias, pair.body1, pair.body2);
   const vec3 gone = as_mat3 * lambda;
   Drawn out{{}, {}, {}, {50}};
@@ -40,6 +58,7 @@ inline Drawn drawn_block_push(Draw& d) {
   const Draw::Units u = d.units();
   PushCase c{"", {}, {}, d.pair(u)};
   const vec3 lambda = d.vector(d.size("|lambda|", u.kg * u.m / u.s, "N s"));
+  d.side("a component of lambda is negative", std::min({lambda.x, lambda.y, lambda.z}) < 0);
   const Jacobian<3> J = drawn_point_rows(d, u);
   for (int i = 0; i < 3; ++i) c.J.push_back(J[i]), c.lambda.push_back(lambda[i]);
   Pair pair = c.pair;

@@ -26,6 +26,10 @@ TEST_CASE("2.1 the rows of a ball joint are the slopes of its gap at every pose"
   check_jacobian<PointFixture>();
 }
 
+TEST_CASE("2.1 the rows of a ball joint hold levers of any length", "[2.1]") {
+  check_drawn(PointFixture::J, [](Draw& d) { return drawn_point(d, false); });
+}
+
 TEST_CASE("2.2 K of a ball joint is the change of the anchor's velocity by an impulse", "[2.2]") {
   // world inverse inertia diag(1, 1.2, 4.2), lever (0, 1, 1/2), mass 2 kg
   const mat3 K(5, 0, 0, 0, real(0.75), real(-0.5), 0, real(-0.5), real(1.5));
@@ -41,6 +45,10 @@ TEST_CASE("2.2 K between two static bodies is zero", "[2.2]") {
   expect(PointFixture::K, "K", K, mat3(0), 0,
          {{K, "#unit-matrix-between-walls between two static bodies K is 0: nothing is added to "
               "it"}});
+}
+
+TEST_CASE("2.2 K of a ball joint is right for levers and masses of any size", "[2.2]") {
+  check_drawn(PointFixture::K, [](Draw& d) { return drawn_point(d, true); });
 }
 
 // ---- 2.3 ----------------------------------------------------------------------------------------

@@ -154,6 +154,11 @@ inline CaseTable<RowsCase> coupling_table() {
        with([](const Body& body) {
          return Mass{body.inverse_mass, body.inverse_mass * inverse_inertia(body)};
        })},
+      {"only the diagonal of the inverse inertia is used: it has nine entries",
+       with([](const Body& body) {
+         const mat3 I = inverse_inertia(body);
+         return Mass{body.inverse_mass, mat3(I[0][0], 0, 0, 0, I[1][1], 0, 0, 0, I[2][2])};
+       })},
       {"M^-1 is missing", with([](const Body&) { return Mass{1, mat3(1)}; })},
       {"the inverse masses are missing",
        with([](const Body& body) { return Mass{1, inverse_inertia(body)}; })},

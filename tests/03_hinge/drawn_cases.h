@@ -24,10 +24,14 @@ inline Drawn drawn_axis(Draw& d) {
 }
 
 inline Drawn drawn_coupling(Draw& d) {
-  const Draw::Units u = d.units();
+  const Draw::Units u = d.units(12);
   const Pair pair = d.pair(u);
-  const auto row = [&] { return Row{d.vector(), d.vector(u.m), d.vector(), d.vector(u.m)}; };
-  const Row a = row(), b = row();
+  const auto row = [&](const char* only) {
+    const real push = d.chance(only) ? 0 : 1;
+    return Row{push * d.vector(), d.vector(u.m), push * d.vector(), d.vector(u.m)};
+  };
+  const Row a = row("row a only rotates"), b = row("row b only rotates");
+  d.side("both rows only rotate", a.v1 == vec3(0) && b.v1 == vec3(0));
   const double right = double(pair.body1.inverse_mass * dot(a.v1, b.v1) +
                               pair.body2.inverse_mass * dot(a.v2, b.v2) +
                               dot(a.w1, inverse_inertia(pair.body1) * b.w1) +
@@ -75,6 +79,10 @@ inline Drawn drawn_limit(Draw& d) {
   const double below = x - double(range.lower), above = double(range.upper) - x;
   const bool lower = below + h * rate < above - h * rate;
   const double C = lower ? below : above;
+  d.side("the upper limit is the nearer one now", above < below);
+  d.side("a limit is passed", std::min(below, above) < 0);
+  d.side("it moves away from the limit", rate * (lower ? 1 : -1) > 0);
+  d.side("x is positive", x > 0);
   return {{"C / range", "sign", "live"},
           {double(yours.C) / unit, double(yours.sign), double(yours.live)},
           {C / unit, lower ? 1.0 : -1.0, double(C < h * std::abs(rate) + 0.1 * h)}, {1}};
@@ -84,15 +92,17 @@ inline Drawn drawn_motor(Draw& d) {
   const double speed = d.size("speed", d.scale(), "rad/s"), h = d.size("h", d.scale(4), "s");
   const double K = d.size("K", d.scale(12), "1/(kg m^2)"), unit = speed / K;
   const double lacks = d.size("|rate - speed|", speed * d.any_size(3), "rad/s");
-  const Motor motor{real(speed * d.number()), real(unit / h * std::abs(d.number()))};
+  const Motor motor{real(speed * d.number()), real(d.chance("the strength is 0") ? 0 : unit / h * std::abs(d.number()))};
   const double bound = d.size("h strength", h * double(motor.strength), "N m s");
-  const double before = bound * d.old_sum();
+  const double before = d.old_sum(bound, speed / K);
   d.side("the old sum is above 0 and what is lacking, too", lacks < 0 && before > 0);
+  d.side("the speed is negative", motor.speed < 0);
   real sum = real(before);
   const double change = double(motor_impulse(real(double(motor.speed) + lacks), real(K), motor,
                                              real(h), sum));
   const double right = std::clamp(before - lacks / K, -bound, bound);
-  const double size = std::min(std::abs(lacks) / K, bound);
+  d.size("new sum", right, "N m s");
+  const double size = bound > 0 ? std::min(std::abs(lacks) / K, bound) : std::abs(before);
   return {{"change", "new sum"}, {change / size, double(sum) / size},
           {(right - before) / size, right / size},
           {10 + 1e-6 * (bound + speed / K + std::abs(lacks) / K) / size}};

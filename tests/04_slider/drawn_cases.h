@@ -19,16 +19,25 @@ struct DrawnGap {
 };
 inline DrawnGap drawn_gap(Draw& d) {
   DrawnGap g{d.units(6), {}, {}, {}, {}, {}, {}, 0};
-  g.anchor1 = d.vector(g.u.m), g.anchor2 = d.vector(g.u.m);
+  const auto anchors = d.levers(g.u);
+  g.anchor1 = anchors[0], g.anchor2 = anchors[1];
   g.pair = d.pair(g.u);
   g.r1 = to_world(g.pair.body1, g.anchor1), g.r2 = to_world(g.pair.body2, g.anchor2);
-  g.apart = d.size("distance of the points", g.u.m * d.scale(5), "m");
+  const double levers = double(length(g.r1) + length(g.r2));
+  g.apart = d.size("distance of the points", levers * d.scale(5), "m");
   g.pair.body1.x = vec3(0) - g.r1;
   g.pair.body2.x = d.vector(g.apart) - g.r2;
   g.gap = g.pair.body2.x + g.r2 - g.pair.body1.x - g.r1;
   return g;
 }
-inline Numbers gap_sizes(const DrawnGap& g) { return {10 + 1e-4 * g.u.m / g.apart}; }
+inline Numbers gap_sizes(const DrawnGap& g) {
+  return {10 + 1e-4 * double(length(g.r1) + length(g.r2)) / g.apart};
+}
+
+/// From point 2 to body 2 it has the rounding errors of the distance.
+inline double unit_of_lever2(const DrawnGap& g) {
+  return double(length(g.r2)) + (is_float ? 1e-3 : 1e-6) * double(length(g.r1) + length(g.gap));
+}
 
 inline Drawn drawn_line(Draw& d) {
   const DrawnGap g = drawn_gap(d);
@@ -52,10 +61,8 @@ inline Drawn drawn_line_rows(Draw& d) {
     const vec3 n = g.pair.body1.q * (i == 0 ? line.n1_local : line.n2_local);
     J[i] = {-n, -cross(g.r1 + g.gap, n), n, cross(g.r2, n)};
   }
-  return drawn_vectors({"J[0].v1", "J[0].w1", "J[0].v2", "J[0].w2", "J[1].v1", "J[1].w1",
-                        "J[1].v2", "J[1].w2"},
-                       flat(line.jacobian(g.pair.body1, g.pair.body2)), flat(J),
-                       {1, g.u.m + g.apart});
+  return drawn_rows(line.jacobian(g.pair.body1, g.pair.body2), J,
+                    double(length(g.r1) + length(g.gap)), unit_of_lever2(g));
 }
 
 inline Drawn drawn_slide(Draw& d) {
@@ -66,6 +73,15 @@ inline Drawn drawn_slide(Draw& d) {
   return {{"displacement / distance"},
           {double(slide.error(g.pair.body1, g.pair.body2)) / g.apart}, {right / g.apart},
           gap_sizes(g)};
+}
+
+inline Drawn drawn_slide_row(Draw& d) {
+  const DrawnGap g = drawn_gap(d);
+  const Slide slide{g.anchor1, g.anchor2, normalize(d.vector())};
+  const vec3 a = g.pair.body1.q * slide.a1_local;
+  return drawn_rows(to_jacobian(slide.jacobian(g.pair.body1, g.pair.body2)),
+                    to_jacobian(Row{-a, -cross(g.r1 + g.gap, a), a, cross(g.r2, a)}),
+                    double(length(g.r1) + length(g.gap)), unit_of_lever2(g));
 }
 
 /// At exactly half a turn either sign is right.

@@ -127,6 +127,10 @@ inline Pieces<CrossReference> wrong_shares() {
        inertia([](const CrossCase& c, int k) {
          return c.body(k).is_static() ? mat3(0) : inverse(inverse_inertia(c.body(k)));
        })},
+      {"#one-moment one moment stands for all three axes: that is right for a ball alone",
+       inertia([](const CrossCase& c, int k) {
+         return mat3(c.body(k).inverse_inertia_local.x);
+       })},
       {"the inverse inertia is missing", inertia([](const CrossCase&, int) { return mat3(1); })},
       {"#masses-place-inertias the inverse mass in the place of the inverse inertia: the lock "
        "turns, and pushes no centre",

@@ -10,16 +10,18 @@ namespace joints::testing {
 inline Drawn drawn_cross_K(Draw& d) {
   const Draw::Units u = d.units();
   const Pair pair = d.pair(u);
-  const Point point{d.vector(u.m), d.vector(u.m)};
+  const auto [anchor1, anchor2] = d.levers(u);
+  const Point point{anchor1, anchor2};
   const vec3 r1 = pair.body1.q * point.anchor1_local, r2 = pair.body2.q * point.anchor2_local;
   const mat3 X = cross_K(point, pair.body1, pair.body2);
   const mat3 right = -(skew(r1) * inverse_inertia(pair.body1)) -
                      skew(r2) * inverse_inertia(pair.body2);
+  const double size = double(length(r1) + length(r2));
   Drawn out = drawn_vectors({"column x", "column y", "column z"},
                             flat(std::vector<vec3>{X[0], X[1], X[2]}),
                             flat(std::vector<vec3>{right[0], right[1], right[2]}),
-                            {1 / (u.kg * u.m)});
-  out.sizes = {100};
+                            {size / (u.kg * u.m * u.m)});
+  out.sizes = {20};
   return out;
 }
 
@@ -36,7 +38,9 @@ inline Drawn drawn_about(Draw& d) {
   const Draw::Units u = d.units();
   const double force = d.size("force", u.kg * u.m / u.s / u.s, "N");
   const Reaction load{d.vector(force), d.vector(force * u.m)};
-  const vec3 from = d.vector(u.m), to = d.vector(u.m);
+  const bool plane = d.chance("all lies in a plane z");
+  const vec3 from = d.vector(u.m) * vec3(1, 1, plane ? 0 : 1);
+  const vec3 to = d.vector(u.m) * vec3(1, 1, plane ? 0 : 1);
   const Reaction yours = about(load, from, to);
   return drawn_vectors({"force", "torque"}, flat(std::vector<vec3>{yours.force, yours.torque}),
                        flat(std::vector<vec3>{load.force, load.torque +
@@ -54,8 +58,10 @@ inline Drawn drawn_breaks(Draw& d) {
     const double size = bound * (above ? 1 + beside : 1 - beside);
     return real(size) * normalize(d.vector());
   };
+  const bool unbounded = !too_far && d.chance("the force is not bounded");
   const Reaction load{of(force, too_far), of(torque, turned)};
-  return {{"breaks (1 yes)"}, {double(breaks(load, {real(force), real(torque)}))},
+  const real most = unbounded ? std::numeric_limits<real>::infinity() : real(force);
+  return {{"breaks (1 yes)"}, {double(breaks(load, {most, real(torque)}))},
           {double(too_far || turned)}, {1}};
 }
 

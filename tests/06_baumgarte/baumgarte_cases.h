@@ -254,7 +254,7 @@ inline CaseTable<HalfTimeCase> half_time_table() {
       return formula_of<Case>(cases, [&](const Case& c) { return of(yours(c)[0]); }, arguments);
     };
     if (const auto left = formula([](double b) { return -std::log2(1 - b); }); !left.empty())
-      return "yours is 1 - 2^-(" + left + ")";
+      return left == "h / T" ? "" : "yours is 1 - 2^-(" + left + ")";
     if (const auto left = formula([](double b) { return -std::log2(b); }); !left.empty())
       return "yours is 2^-(" + left + ")";
     if (const auto left = formula([](double b) { return 1 - b; }); !left.empty())

@@ -12,6 +12,8 @@ inline Drawn drawn_bias(Draw& d, bool of_limit) {
   const double C = d.size("|C|", d.any_size(), "m"), h = d.size("h", d.scale(), "s");
   const double beta = d.pick();
   d.side("C is negative", C < 0);
+  d.size("|C| / h", std::abs(C) / h, "m/s");
+  d.size("beta |C| / h", beta * std::abs(C) / h, "m/s");
   const double yours = double((of_limit ? limit_bias : bias)(real(C), real(beta), real(h)));
   return {{"b h / |C|"}, {yours * h / std::abs(C)},
           {(of_limit && C > 0 ? 1 : beta) * (C < 0 ? -1 : 1)}, {1}};
@@ -28,6 +30,7 @@ inline Drawn drawn_warm_start(Draw& d) {
   const Draw::Units u = d.units();
   PushCase c{"", {}, {}, d.pair(u)};
   const vec3 before = d.vector(d.size("|lambda|", u.kg * u.m / u.s, "N s"));
+  d.side("a component of lambda is negative", std::min({before.x, before.y, before.z}) < 0);
   const double ratio = d.size("ratio", d.scale(2), "");
   const vec3 r1 = d.vector(u.m), r2 = d.vector(u.m);
   const Jacobian<3> J = jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2));
@@ -50,7 +53,7 @@ inline Drawn drawn_warm_start(Draw& d) {
 /// Just safe or just not, with up to a thousand iterations.
 inline Drawn drawn_safety(Draw& d) {
   const int iterations = d.count("iterations", d.whole(1, 1000));
-  const double beta = d.pick(), beside = std::pow(10, -7 * d.pick()) / 2;
+  const double beta = d.chance("beta is 0") ? 0 : d.pick(), beside = std::pow(10, -7 * d.pick()) / 2;
   const bool safe = d.chance("it is safe");
   d.size("distance to the bound", beside, "");
   const double product = safe ? 1 - beside : 1 + beside;
@@ -127,13 +130,14 @@ inline Drawn drawn_projection(Draw& d, bool of_rope) {
 /// An iteration of a chain with the reader's own projection.
 inline Drawn drawn_iteration(Draw& d) {
   const int joints = d.count("joints", d.whole(1, 300));
+  const double open = d.chance("a joint is closed already") ? 0.7 : 1;
   Random random = d.many();
   Chain chain{{static_body(vec3(0))}, {}};
   for (int k = 1; k <= joints; ++k) {
     Body body = body_with(1, vec3(real(0.2), real(0.5), real(0.6)), vec3(real(k), 0, 0),
                           random.turn());
     chain.joints.push_back(point_at(chain.bodies.back(), body, vec3(real(k) - real(0.5), 0, 0)));
-    body.x += random.vector(real(0.1));
+    if (random.uniform(0, 1) < real(open)) body.x += random.vector(real(0.1));
     chain.bodies.push_back(body);
   }
   Chain yours = chain, right = chain;

@@ -44,6 +44,10 @@ TEST_CASE("7.1 the biases are a fraction of all five errors over the step", "[7.
   check_numbers(hinge_bias_table());
 }
 
+TEST_CASE("7.1 biases and levers are right for errors of any size", "[7.1]") {
+  if (!is_float) check_drawn({"7.1", "the numbers of a hinge"}, drawn_hoist);
+}
+
 TEST_CASE("7.1 hoist does not change the inverse of K", "[7.1]") {
   HingeNumbers<real> out;
   for (int n = 0; n < 15; ++n) out.inverse_K[n] = real(1) + n;

@@ -74,6 +74,8 @@ inline KPart axis_part() {
         where([](const mat3& A, int, int j, const S&) { return A[j][j]; })},
        {told_axis_dot_product_same,
         where([](const mat3& A, int i, int, const S&) { return A[i][i]; })},
+       {"the first axis row stands on the left in both rows: row i, not row[0],",
+        where([](const mat3& A, int, int j, const S&) { return A[j][0]; })},
        {"the first axis row twice", where([](const mat3& A, int, int, const S&) {
           return A[0][0];
         })},

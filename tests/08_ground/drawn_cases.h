@@ -11,7 +11,9 @@ inline Drawn drawn_friction(Draw& d) {
   const double K = d.size("K", d.scale(12), "1/kg"), stops = std::abs(rate) / K;
   const double mu = d.size("mu", std::abs(d.number()), "");
   const double normal = d.size("normal", stops / mu * d.scale(3), "N s"), bound = mu * normal;
-  const double before = bound * d.old_sum();
+  const double before = d.old_sum(bound);
+  d.side("the rate is negative", rate < 0);
+  d.side("it sticks", std::abs(before - rate / K) < bound);
   real sum = real(before);
   const double change = double(friction_impulse(real(rate), real(K), real(mu), real(normal), sum));
   const double right = std::clamp(before - rate / K, -bound, bound);

@@ -13,10 +13,10 @@
 namespace joints::testing {
 
 /// Edges of a graph: a chain of which each node may be left out, a few more, and a hub.
-inline std::vector<std::pair<int, int>> drawn_edges(Draw& d, int nodes) {
+inline std::vector<std::pair<int, int>> drawn_edges(Draw& d, int nodes, int most_of_hub = 20) {
   std::set<std::pair<int, int>> edges;
   const int more = d.count("edges beside the chain's", d.whole(0, nodes / 2));
-  const int hub = d.count("neighbours of a hub", std::min(nodes - 1, d.whole(0, 20)));
+  const int hub = d.count("neighbours of a hub", std::min(nodes - 1, d.whole(0, most_of_hub)));
   Random random = d.many();
   const auto any = [&] { return int(random.uniform(0, real(nodes) - real(0.01))); };
   for (int k = 0; k + 1 < nodes; ++k)
@@ -143,6 +143,11 @@ inline Drawn drawn_side(Draw& d) {
   const bool above = !contact && d.chance("the impulse is near the upper bound");
   const double impulse = (above ? upper : lower) + (d.number() < 0 ? -beyond : beyond);
   const double rate = d.size("|rate|", d.any_size(15), "m/s");
+  d.side("the row is free and beyond a bound",
+         now == Side::free && (impulse < lower || impulse > upper));
+  d.side("the row is free and within its bounds",
+         now == Side::free && impulse > lower && impulse < upper);
+  d.side("the rate is negative", rate < 0);
   const Side right = now == Side::free ? impulse < lower   ? Side::lower
                                          : impulse > upper ? Side::upper
                                                            : Side::free
@@ -156,9 +161,14 @@ inline Drawn drawn_slowed(Draw& d) {
   const Draw::Units u = d.units();
   SlowedCase c{"", d.body(u), 0, 0, 8, real(0.01 * u.s)};
   const double inertia = d.size("inertia", u.kg * u.m * u.m, "kg m^2");
-  c.kappa = real(8 * d.scale(1));
+  c.kappa = real(8 * d.scale(is_float ? 1 : 5));
   c.force_lever = real(inertia * d.scale(1)) / (c.kappa * c.h * c.h);
   c.before = d.chance("the last step slowed it, too") ? real(inertia * d.scale(1)) : real(0);
+  const vec3 own = real(1) / c.body.inverse_inertia_local;
+  const double pull = double(c.kappa * c.h * c.h * c.force_lever);
+  d.size("needed moment over the own", pull / double(std::max({own.x, own.y, own.z})), "");
+  d.side("no moment grows", pull < double(std::min({own.x, own.y, own.z})));
+  d.size("last moment over the needed one", double(c.before) / pull, "");
   const Slowed out = slowed(c.body, c.force_lever, c.before, c.kappa, c.h);
   return drawn_vectors({"1 / moment", "w"},
                        flat(std::vector<vec3>{out.inverse_inertia_local, out.w}),
@@ -170,12 +180,14 @@ inline Drawn drawn_time(Draw& d) {
   const Draw::Units u = d.units(5);
   const int bodies = d.count("bodies", d.whole(1, 30));
   const int joints = d.count("joints", std::min(bodies, d.whole(0, 30)));
+  const bool moves = d.chance("the body in slot 0 can move");
   const vec3 gravity = d.vector(u.m / u.s / u.s);
   Random random = d.many();
   TimeCase c{"", [&](World& world) {
                Random numbers = random;
                world.gravity = gravity;
-               BodyId last = world.add(static_body(vec3(0)));
+               BodyId last = world.add(moves ? ball(real(u.kg), real(u.m), vec3(0))
+                                             : static_body(vec3(0)));
                for (int k = 1; k <= bodies; ++k) {
                  const double square = 0.1 * u.kg * u.m * u.m;
                  Body body = body_with(real(u.kg), real(square) * vec3(2, 5, 6),
@@ -220,30 +232,32 @@ inline Drawn drawn_time(Draw& d) {
 /// Bodies that slide to their marks along all three axes: of each change a part arrives.
 class Marks : public Corrector {
  public:
-  Marks(Bodies& bodies, std::vector<double> marks, double part)
-      : bodies_(bodies), marks_(std::move(marks)), part_(part) {}
+  Marks(Bodies& bodies, int first, std::vector<double> marks, double part)
+      : bodies_(bodies), first_(first), marks_(std::move(marks)), part_(part) {}
   int asked = 0;
   std::vector<double>& errors() override {
     ++asked;
     C_.clear();
     for (std::size_t k = 0; k < marks_.size(); ++k)
-      C_.push_back(double(bodies_.at(int(k / 3)).x[int(k % 3)]) - marks_[k]);
+      C_.push_back(double(bodies_.at(first_ + int(k / 3)).x[int(k % 3)]) - marks_[k]);
     return C_;
   }
   void change_rates(std::vector<double>& rates) override {
     rates.resize(marks_.size(), 0);
     for (std::size_t k = 0; k < marks_.size(); ++k)
-      bodies_.at(int(k / 3)).v[int(k % 3)] += real(part_ * rates[k]);
+      bodies_.at(first_ + int(k / 3)).v[int(k % 3)] += real(part_ * rates[k]);
   }
 
  private:
   Bodies& bodies_;
+  int first_;  ///< slot
   std::vector<double> marks_, C_;
   double part_;
 };
 
 inline Drawn drawn_newton(Draw& d) {
   const int slots = d.count("bodies", d.whole(1, 40));
+  const int first = d.chance("a body was removed and has left an empty slot");
   const int rows = d.count("rows", std::min(3 * slots, d.whole(1, 120)));
   const int iterations = d.count("iterations", d.whole(0, 40));
   const double h = d.size("h", std::pow(10, -3 * d.pick()), "s"), part = 0.4 + 0.6 * d.pick();
@@ -254,15 +268,17 @@ inline Drawn drawn_newton(Draw& d) {
     marks.push_back(double(random.uniform(1, 2)) * (1 + 0.1 * k) * (k % 2 ? -1 : 1));
   const auto run = [&](const auto& move) {
     Bodies bodies;
+    const BodyId spare = first ? bodies.add(sliding(0, 0)) : BodyId{};
     for (int k = 0; k < slots; ++k) bodies.add(sliding(0, 0));
-    Marks corrector(bodies, marks, part);
+    if (first) bodies.remove(spare);
+    Marks corrector(bodies, first, marks, part);
     std::vector<Body> start;
     const bool arrived = move(bodies, h, iterations, tolerance, corrector, start);
     Numbers out{double(arrived), double(corrector.asked)};
     for (int k = 0; k < slots; ++k)
       for (int i = 0; i < 3; ++i) {
-        out.push_back(double(bodies.at(k).x[i]));
-        out.push_back(double(bodies.at(k).v[i]) * h);
+        out.push_back(double(bodies.at(first + k).x[i]));
+        out.push_back(double(bodies.at(first + k).v[i]) * h);
       }
     return out;
   };

@@ -282,7 +282,7 @@ inline void check_order(const GraphCase& c, bool exactly = false) {
 /// A graph whose nodes are numbered anyhow.
 inline Drawn drawn_order(Draw& d) {
   const int nodes = d.count("nodes", d.whole(1, 300));
-  std::vector<std::pair<int, int>> edges = drawn_edges(d, nodes);
+  std::vector<std::pair<int, int>> edges = drawn_edges(d, nodes, 200);
   std::vector<int> names(static_cast<std::size_t>(nodes));
   std::iota(names.begin(), names.end(), 0);
   Random random = d.many();

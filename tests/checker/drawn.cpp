@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "checker/patterns.h"
 #include "checker/report.h"
 #include "tests/checker/cases.h"
 
@@ -37,6 +38,17 @@ vec3 Draw::vector(double size) {
   const double x = number(), y = number(), z = number();
   return {real(size * x), real(size * y), real(size * z)};
 }
+double Draw::length(const Units& u) {
+  const double decades = is_float ? 4 : 7;
+  return u.m * std::pow(10, pick() < 0.5 ? -3 * pick() : (decades - 3) * pick());
+}
+std::array<vec3, 2> Draw::levers(const Units& u) {
+  const double one = size("lever 1", length(u), "m"), two = size("lever 2", length(u), "m");
+  size("the shorter lever", std::min(one, two), "m");
+  size("the longer lever", std::max(one, two), "m");
+  const vec3 first = vector(one);
+  return {first, vector(two)};
+}
 double Draw::angle() {
   const double choice = pick(), nearest = std::numbers::pi / 2 * std::floor(5 * choice * choice);
   const double sign = pick() < 0.5 ? 1 : -1;
@@ -47,9 +59,10 @@ quat Draw::turn() {
   return rotation(by * normalize(vector()));
 }
 bool Draw::chance(const std::string& words) { return side(words, pick() > 0.7); }
-double Draw::old_sum() {
-  const double size = chance("the old sum is beyond the bound") ? 3 : 0.5;
-  return chance("the old sum is negative") ? -size : size;
+double Draw::old_sum(double bound, double size) {
+  const double sum = (pick() > 0.7 ? 3 : 0.5) * (bound > 0 ? bound : size);
+  side("the old sum is beyond the bound", sum > bound);
+  return chance("the old sum is negative") ? -sum : sum;
 }
 Draw::Units Draw::units(int decades) {
   const Units u{scale(decades), scale(decades), scale(decades)};
@@ -131,73 +144,130 @@ std::string in_words(const Trait& t, double value) {
                                       : t.words + " " + short_size(value) + " " + t.unit;
 }
 
-// Where all trials lie that are wrong: beyond a value of one trait. Few that are right lie there.
+// What the wrong numbers of all wrong trials have in common, beside the right ones.
+std::string seen(const std::vector<Trial>& all, double tolerance) {
+  bool zero = true, small = true, large = true, negative = true;
+  for (const Trial& trial : all)
+    for (std::size_t i = 0; trial.wrong && i < trial.drawn.right.size(); ++i) {
+      if (!is_wrong(trial.drawn, i, tolerance)) continue;
+      const double a = trial.drawn.yours[i], b = trial.drawn.right[i];
+      zero = zero && a == 0;
+      small = small && std::abs(a) < std::abs(b) && a * b >= 0;
+      large = large && std::abs(a) > std::abs(b) && a * b >= 0;
+      negative = negative && a * b < 0;
+    }
+  return zero ? "0" : small ? "too small" : large ? "too large" : negative ? "of the other sign" : "";
+}
+
+// Where all trials lie that are wrong: beyond a value of one trait. Few of the cases that are right
+// lie there.
 struct Side {
   std::string words;
   int right_here = 0, right_elsewhere = 0;
   std::size_t trait = 0;
 };
 
-Side side_of(const std::vector<Trial>& all, const Trait& t, std::size_t k, bool above) {
+Side side_of(const std::vector<Trial>& all, std::size_t cases, const Trait& t, std::size_t k,
+             bool above, const std::string& yours) {
   double nearest = above ? INFINITY : -INFINITY;  // of the wrong ones, to the right ones
   const auto beyond = [&](double a, double b) { return above ? a > b : a < b; };
   for (const Trial& trial : all)
     if (const double a = trial.traits[k].value; trial.wrong && beyond(nearest, a)) nearest = a;
   double next = above ? -INFINITY : INFINITY;  // the right one beside it
+  bool all_wrong = true;
   Side out;
-  for (const Trial& trial : all) {
-    if (trial.wrong) continue;
-    const double a = trial.traits[k].value;
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    if (all[n].wrong) continue;
+    const double a = all[n].traits[k].value;
+    if (!above && t.kind == Trait::Kind::size && a == 0 && nearest > 0) continue;
     const bool here = !beyond(nearest, a);
-    ++(here ? out.right_here : out.right_elsewhere);
+    if (n < cases) ++(here ? out.right_here : out.right_elsewhere);
+    if (here) all_wrong = false;
     if (!here && beyond(a, next)) next = a;
   }
-  const std::string wrong = out.right_here == 0 ? "all are wrong" : "some are wrong";
-  switch (t.kind) {
-    case Trait::Kind::side:
-      out.words = std::string("#drawn-side wrong only where ") + t.words;
-      break;
-    case Trait::Kind::count:
-      out.words = above ? "#drawn-stops right with up to " + in_words(t, next) + ", from " +
-                              short_number(nearest) + " on " + wrong +
-                              ": does a loop stop there, or is an array or a type too small?"
-                        : "right with " + in_words(t, next) + " or more, with fewer " + wrong;
-      break;
-    default:
-      out.words = above ? "#drawn-cut right up to a case with " + in_words(t, next) + ", above " +
-                              wrong + ": is a number cut off, or a constant added?"
-                        : "#drawn-threshold right down to a case with " + in_words(t, next) +
-                              ", below " + wrong +
-                              ": no threshold belongs here, and no added constant";
+  const std::string wrong = all_wrong ? "all are wrong" : "some are wrong";
+  const std::string there = yours.empty() ? "" : ", and yours are " + yours + " there";
+  const bool few = t.kind == Trait::Kind::count && next < 2;
+  if (t.kind == Trait::Kind::side) {
+    out.words = "#drawn-side wrong only where " + t.words;
+  } else if (t.kind == Trait::Kind::count && above) {
+    out.words = next < 1 ? out.right_here ? "" : "#drawn-side wrong only where there are " + t.words
+                : few    ? "#drawn-stops right with " + in_words(t, next) + ", from 2 on " + wrong +
+                            ": is each of them treated like the first?"
+                         : "#drawn-stops right with up to " + in_words(t, next) + ", from " +
+                            short_number(nearest) + " on " + wrong +
+                            ": does a loop stop there, or is an array or a type too small?";
+  } else if (t.kind == Trait::Kind::count) {
+    out.words = "right with " + in_words(t, next) + " or more, with fewer " + wrong;
+  } else if (above && next > 0) {
+    out.words = "#drawn-cut right up to a case with " + in_words(t, next) + ", above " + wrong +
+                there + (yours == "too small"   ? ": is a number cut off, or a small one left out?"
+                         : yours == "too large" ? ": is a constant added?"
+                                                : "");
+  } else if (!above && nearest == 0) {
+    out.words = "#drawn-side wrong only where " + t.words + " is 0" + there;
+  } else if (!above && std::isfinite(next)) {
+    out.words = "#drawn-threshold right down to a case with " + in_words(t, next) + ", below " +
+                wrong + there +
+                (yours == "0"           ? ": no threshold belongs here"
+                 : yours == "too large" ? ": no least value belongs here, and no added constant"
+                                        : "");
   }
   return out;
 }
 
 // What the wrong trials have in common; "" where it is nothing that the others have not.
-Side explained(const std::vector<Trial>& all, bool counts_alone = false) {
+Side explained(const std::vector<Trial>& all, std::size_t cases, const std::string& yours,
+               bool counts_alone = false) {
   Side best;
   for (const bool above : {false, true})
     for (std::size_t k = 0; k < all.front().traits.size(); ++k) {
       const Trait::Kind kind = all.front().traits[k].kind;
       if (!above && kind == Trait::Kind::side) continue;
       if (counts_alone && kind != Trait::Kind::count) continue;
-      const Side side = side_of(all, all.front().traits[k], k, above);
-      if (side.right_elsewhere < std::max(5, counts_alone ? 0 : side.right_here)) continue;
+      const Side side = side_of(all, cases, all.front().traits[k], k, above, yours);
+      if (side.words.empty() ||
+          side.right_elsewhere < std::max(5, counts_alone ? 0 : side.right_here))
+        continue;
       if (best.words.empty() || side.right_here < best.right_here) best = side, best.trait = k;
     }
   return best;
 }
+
+// The entries that are wrong in some trial; "" where there are others in other trials, or all are.
+std::string alone(const std::vector<Trial>& all, double tolerance) {
+  const std::vector<std::string>& entries = all.front().drawn.entries;
+  std::vector<std::string> wrong;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    for (const Trial& trial : all) {
+      if (trial.drawn.entries != entries || trial.drawn.right.size() != entries.size()) return "";
+      if (!is_wrong(trial.drawn, i, tolerance)) continue;
+      wrong.push_back(entries[i]);
+      break;
+    }
+  const bool few = wrong.size() <= 6 && 2 * wrong.size() <= entries.size();
+  return few ? listed(wrong) : "";
+}
+
 // A loop may stop too early where a side is such and such.
-std::string in_common(const std::vector<Trial>& all) {
-  const Side best = explained(all);
-  if (best.right_here == 0) return best.words;
+std::string in_common(const std::vector<Trial>& all, std::size_t cases, double tolerance) {
+  const std::string yours = seen(all, tolerance), where = alone(all, tolerance);
+  const Side best = explained(all, cases, yours);
+  const auto placed = [&](const std::string& words) {
+    return where.empty() ? words : words.empty() ? "#drawn-alone " + where + " alone can be wrong" +
+                                                       (yours.empty() ? "" : ", yours are " + yours)
+                                                 : words + " (in " + where + " alone)";
+  };
+  if (best.words.empty() || best.right_here == 0) return placed(best.words);
   const Trait& t = all.front().traits[best.trait];
-  if (t.kind != Trait::Kind::side) return best.words;
+  if (t.kind != Trait::Kind::side) return placed(best.words);
   std::vector<Trial> there;
-  for (const Trial& trial : all)
-    if (trial.traits[best.trait].value > 0) there.push_back(trial);
-  const Side part = explained(there, true);
-  return part.words.empty() ? best.words : part.words + " (only where " + t.words + ")";
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    if (all[n].traits[best.trait].value > 0) there.push_back(all[n]);
+    if (n + 1 == cases) cases = there.size();
+  }
+  const Side part = explained(there, cases, yours, true);
+  return placed(part.words.empty() ? best.words : part.words + " (only where " + t.words + ")");
 }
 
 unsigned seed_of_run() {
@@ -247,7 +317,7 @@ void check_drawn(const Subject& subject, const Call<Drawn(Draw&)>& draw, double 
 
   Trial simplest = *first;
   for (int round = 0; round < 2; ++round)
-    for (std::size_t i = 0; i < simplest.tape.size() && all.size() < 1500; ++i) {
+    for (std::size_t i = 0; i < simplest.tape.size() && all.size() < 700; ++i) {
       double passes = 0;
       for (int halving = 0; halving < 12 && simplest.tape[i] > 0; ++halving) {
         std::vector<double> tape = simplest.tape;
@@ -273,7 +343,13 @@ void check_drawn(const Subject& subject, const Call<Drawn(Draw&)>& draw, double 
     if (is_wrong(drawn, i, tolerance))
       table.entry(drawn.entries[i % drawn.entries.size()], drawn.yours[i], drawn.right[i], 0);
   std::string words = no_number(drawn.yours);
-  if (words.empty()) words = in_common(all);
+  const bool digits = std::all_of(all.begin(), all.end(), [&](const Trial& trial) {
+    return !trial.wrong || five_digits(trial.drawn.yours, trial.drawn.right,
+                                       tolerance * size_of(trial.drawn, 0));
+  });
+  if (words.empty() && digits && 2 * wrong > cases) words = few_digits;  // a float spoils most
+  if (words.empty()) words = in_common(all, std::size_t(cases), tolerance);
+  if (words.empty() && digits) words = few_digits;
   fail(about, table.words() + (words.empty() ? "" : "\n" + likely(words)));
 }
 

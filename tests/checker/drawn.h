@@ -9,6 +9,8 @@
 // digest of the cases is printed, which a test compares with a kept one.
 #pragma once
 
+#include <array>
+
 #include "tests/checker/call.h"
 #include "tests/checker/check.h"
 
@@ -24,6 +26,9 @@ struct Trait {
 
 class Draw {
  public:
+  struct Units {
+    double kg, m, s;
+  };
   Draw(unsigned seed, std::vector<double> tape = {}) : random_(seed), tape_(std::move(tape)) {}
 
   double pick();                         ///< the next choice, 0 to 1
@@ -31,14 +36,14 @@ class Draw {
   double scale(int decades = 9);         ///< 1, or a power of ten below or above
   double number();                       ///< 0.5 to 2 with a sign: no case is special by chance
   double any_size(int decades = 9);      ///< such a number times a scale
+  double length(const Units& units);     ///< from a thousandth of the unit to ten thousand
   vec3 vector(double size = 1);          ///< three such numbers times a size
+  std::array<vec3, 2> levers(const Units& units);  ///< of any such length. Noted
   double angle();                        ///< any, or near a multiple of pi/2 [rad]
   quat turn();                           ///< about any axis
   bool chance(const std::string& side);  ///< simplest: no. Noted
-  double old_sum();                      ///< of impulses, over their bound. Noted
-  struct Units {
-    double kg, m, s;
-  };
+  /// Of impulses, with the sign they may have; `size` is another bound where it is 0. Noted
+  double old_sum(double bound, double size = 1);
   Units units(int decades = 9);          ///< a case is of order 1 in these. Noted
   Body body(const Units& units);         ///< anywhere, turned and moving
   /// Two of them, one of which or both may be static. Noted

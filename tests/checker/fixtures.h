@@ -51,7 +51,7 @@ struct CentreDistanceFixture {
              K * part.length},
             {"#times-error-k-knows times the error: K is independent of the error",
              K * part.error(pair.body1, pair.body2)},
-            {"#always-one K is 1 always: it comes from the masses", 1}};
+            {"#always-one K is 1 here: it comes from the masses, and nothing bounds it", 1}};
   }
 };
 

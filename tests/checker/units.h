@@ -65,7 +65,9 @@ inline std::string reason(const Unit& has, const Unit& wants, bool sum, const Of
   if (too_many == s.unit && time.too_many) return std::string(": ") + time.too_many;
   for (const Reason& one : reasons) {
     const bool turned = sum && one.missing.unit != s.unit && too_many == one.missing.unit;
-    if (missing == one.missing.unit || turned) return std::string(": ") + one.words;
+    const bool either = sum && one.missing.unit != s.unit;
+    if (missing == one.missing.unit || turned)
+      return std::string(": ") + one.words + (either ? ", or is one too many beside it?" : "");
     if (too_many == one.missing.unit) return std::string(": ") + one.too_many;
   }
   return "";
@@ -96,8 +98,10 @@ template <class Call>
 auto in(const std::string& entry, Call call, const OfTime& time = {}) {
   const auto explain = [&](const UnitError& error) {
     if (!sensible(error.first) || !sensible(error.second)) throw error;  // no sentence
-    FAIL("Units: in " << entry << ", " << error.what()
-                      << reason(error.second, error.first, true, time));
+    const std::string words = error.what();
+    FAIL("Units: in " << entry << ", " << words
+                      << (words.find("whole part") == words.npos
+                              ? reason(error.second, error.first, true, time) : ""));
   };
   using Result = decltype(call());
   if constexpr (std::is_void_v<Result>) {

@@ -54,7 +54,7 @@
   const Row J{-n, -cross(r1, n), n, cross(r2, n)};
   return body1.inverse_mass * dot(J.v1, J.v1) + dot(J.w1, inverse_inertia(body1) * J.w1) +
          body2.inverse_mass * dot(J.v2, J.v2) + dot(J.w2, inverse_inertia(body2) * J.w2);
-// wrong drawn-cut: return ==> return real(1e-9) +
+// wrong drawn-threshold: return ==> return real(1e-9) +
 // wrong body-space-inertia-both (upright, turned, moved, broken): inverse_inertia(body1) ==>
 //         body1.inverse_inertia_local ;; inverse_inertia(body2) ==> body2.inverse_inertia_local
 // wrong without-rotation:

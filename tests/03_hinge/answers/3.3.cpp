@@ -1,5 +1,5 @@
 // wrong drawn-threshold: const real p ==> if (std::abs(q.w) < real(1e-9)) return 0; const real p
-// wrong drawn-threshold: const real p ==> if (q.w == 0) return 0; const real p
+// wrong drawn-side: const real p ==> if (q.w == 0) return 0; const real p
 // wrong drawn-threshold: if (q.w < 0) ==> if (q.w < real(-1e-3))
 // wrong drawn-threshold: if (q.w < 0) ==> if (q.w < real(-1e-6))
 // wrong drawn-threshold: const real p = dot(vec3(q.x, q.y, q.z), a1_local); ==> const real p =

@@ -152,6 +152,10 @@ function(add_chapter chapter name)
   add_exercise_file(${chapter}_mine ${mine} "${given}" engine ${earlier_mine})
   # Only tests run it, for milliseconds, and a reader waits for its compiler.
   target_compile_options(${chapter}_mine PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(arg_GIVEN)  # a chapter with many headers: they are read once
+    target_precompile_headers(${chapter}_mine PRIVATE
+      ${PROJECT_SOURCE_DIR}/chapters/${chapter}/${name}.h <set>)
+  endif()
 
   if(NOT EXISTS ${mixed})
     configure_file(${solution} ${mixed} COPYONLY)

@@ -13,7 +13,8 @@ inline Drawn drawn_centres(Draw& d, bool of_K) {
   const Draw::Units u = d.units();
   Pair pair = d.pair(u);
   vec3 apart = d.vector(d.size("distance", u.m * d.scale(5), "m"));
-  apart[int(2.99 * d.pick())] *= real(std::pow(10, -5 * d.pick()));
+  const int axis = int(2.99 * d.pick());
+  apart[axis] *= real(std::pow(10, -5 * d.pick()));
   pair.body2.x = pair.body1.x + apart;
   const double K = double(pair.body1.inverse_mass + pair.body2.inverse_mass);
   d.size("K", K, "1/kg");

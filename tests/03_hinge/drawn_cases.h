@@ -92,7 +92,8 @@ inline Drawn drawn_motor(Draw& d) {
   const double speed = d.size("speed", d.scale(), "rad/s"), h = d.size("h", d.scale(4), "s");
   const double K = d.size("K", d.scale(12), "1/(kg m^2)"), unit = speed / K;
   const double lacks = d.size("|rate - speed|", speed * d.any_size(3), "rad/s");
-  const Motor motor{real(speed * d.number()), real(d.chance("the strength is 0") ? 0 : unit / h * std::abs(d.number()))};
+  const double strength = d.chance("the strength is 0") ? 0 : unit / h;
+  const Motor motor{real(speed * d.number()), real(strength * std::abs(d.number()))};
   const double bound = d.size("h strength", h * double(motor.strength), "N m s");
   const double before = d.old_sum(bound, speed / K);
   d.side("the old sum is above 0 and what is lacking, too", lacks < 0 && before > 0);

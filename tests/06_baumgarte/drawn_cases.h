@@ -53,7 +53,8 @@ inline Drawn drawn_warm_start(Draw& d) {
 /// Just safe or just not, with up to a thousand iterations.
 inline Drawn drawn_safety(Draw& d) {
   const int iterations = d.count("iterations", d.whole(1, 1000));
-  const double beta = d.chance("beta is 0") ? 0 : d.pick(), beside = std::pow(10, -7 * d.pick()) / 2;
+  const double beta = d.chance("beta is 0") ? 0 : d.pick();
+  const double beside = std::pow(10, -7 * d.pick()) / 2;
   const bool safe = d.chance("it is safe");
   d.size("distance to the bound", beside, "");
   const double product = safe ? 1 - beside : 1 + beside;

@@ -75,7 +75,7 @@ inline Drawn drawn_whole_K(Draw& d) {
 
 /// Joints between any two bodies, and a hub with many.
 inline Drawn drawn_colours(Draw& d) {
-  const int bodies = d.count("bodies", d.whole(2, 300));
+  const int bodies = d.count("bodies", d.whole(2, 600));
   const int joints = d.count("joints", d.whole(0, 100));
   const int hub = d.count("joints of a hub", d.whole(0, 300));
   Random random = d.many();

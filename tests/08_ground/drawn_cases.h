@@ -1,10 +1,36 @@
-// Exercise 8.2: cases drawn over scales and sides.
+// Exercises 8.1 and 8.2: cases drawn over scales and sides.
 #pragma once
 
 #include "chapters/08_ground/ground.h"
 #include "tests/checker/drawn.h"
+#include "tests/checker/vector_cases.h"
 
 namespace joints::testing {
+
+/// A corner or a ball above the top or in it, by little or much.
+inline Drawn drawn_corner(Draw& d, bool of_row) {
+  const Draw::Units u = d.units(6);
+  Pair pair = d.pair(u);
+  const double lever = d.size("lever", d.length(u), "m");
+  const double height = d.size("height", d.length(u), "m");
+  Corner corner{d.vector(lever), 0, real(height)};
+  if (d.chance("it is a ball")) corner.radius = real(0.3 * lever);
+  const double apart = d.size("|C|", (lever + height) * std::pow(10, -5 * d.pick()), "m");
+  const double C = d.chance("C is negative") ? -apart : apart;
+  const vec3 n = pair.body1.q * vec3(0, 1, 0), beside = cross(n, d.vector(lever));
+  const vec3 rho = corner.radius * n, arm = pair.body2.q * corner.corner_local;
+  pair.body1.x = vec3(0);
+  pair.body2.x = real(height + C) * n + beside - arm + rho;
+  if (!of_row)
+    return {{"C / |C|"}, {double(corner.error(pair.body1, pair.body2)) / apart}, {C / apart},
+            {10 + (is_float ? 1e-3 : 1e-5) * (lever + height) / apart}};
+  const vec3 r1 = pair.body2.x + arm - rho, r2 = arm - rho, t = normalize(d.vector());
+  const double l1 = double(length(r1)), l2 = double(length(r2));
+  const double rounding_of = is_float ? 1e-3 : 1e-6;
+  return drawn_rows(to_jacobian(corner.along(t, pair.body1, pair.body2)),
+                    to_jacobian(Row{-t, -cross(r1, t), t, cross(r2, t)}), l1 + rounding_of * l2,
+                    l2 + rounding_of * l1);
+}
 
 inline Drawn drawn_friction(Draw& d) {
   const double rate = d.size("|rate|", d.any_size(), "m/s");

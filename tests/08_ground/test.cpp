@@ -62,6 +62,12 @@ TEST_CASE("8.1 the rate of a row is the corner's velocity relative to body 1",
   check_jacobian<BallSlides>();
 }
 
+TEST_CASE("8.1 gap and rows of a corner are right at any size", "[8.1]") {
+  if (!is_float)
+    check_drawn(gap_table().subject, [](Draw& d) { return drawn_corner(d, false); });
+  check_drawn(CornerFixture::J, [](Draw& d) { return drawn_corner(d, true); });
+}
+
 // ---- 8.2 the tangents ---------------------------------------------------------------------------
 
 TEST_CASE("8.2 the first direction of friction is that of the sliding", "[8.2]") {

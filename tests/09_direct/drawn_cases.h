@@ -162,7 +162,7 @@ inline Drawn drawn_slowed(Draw& d) {
   SlowedCase c{"", d.body(u), 0, 0, 8, real(0.01 * u.s)};
   const double inertia = d.size("inertia", u.kg * u.m * u.m, "kg m^2");
   c.kappa = real(8 * d.scale(is_float ? 1 : 5));
-  c.force_lever = real(inertia * d.scale(1)) / (c.kappa * c.h * c.h);
+  c.force_lever = real(inertia * d.scale(is_float ? 1 : 4)) / (c.kappa * c.h * c.h);
   c.before = d.chance("the last step slowed it, too") ? real(inertia * d.scale(1)) : real(0);
   const vec3 own = real(1) / c.body.inverse_inertia_local;
   const double pull = double(c.kappa * c.h * c.h * c.force_lever);
@@ -205,7 +205,10 @@ inline Drawn drawn_time(Draw& d) {
                  last = id;
                }
              }, {}};
-  for (int n = 0; n < 3; ++n) c.steps.push_back(real(0.02 * u.s * std::abs(d.number())));
+  for (int n = 0; n < 3; ++n) {
+    const double step = 0.02 * u.s * d.scale(1);
+    c.steps.push_back(real(step * std::abs(d.number())));
+  }
   const auto run = [&](const auto& advance) {
     World world;
     c.build(world);
@@ -261,7 +264,7 @@ inline Drawn drawn_newton(Draw& d) {
   const int rows = d.count("rows", std::min(3 * slots, d.whole(1, 120)));
   const int iterations = d.count("iterations", d.whole(0, 40));
   const double h = d.size("h", std::pow(10, -3 * d.pick()), "s"), part = 0.4 + 0.6 * d.pick();
-  const double tolerance = d.size("tolerance", std::pow(10, -1 - 7 * d.pick()), "m");
+  const double tolerance = d.size("tolerance", std::pow(10, -1 - 10 * d.pick()), "m");
   Random random = d.many();
   std::vector<double> marks;
   for (int k = 0; k < rows; ++k)  // the later the row, the farther its mark

@@ -212,8 +212,8 @@ inline void check_originals(const MatrixCase& c) {
              {{yours, n >= seen.size()
                           ? "#inverse-own `inverse` is not called for this pivot: pass it to "
                             "factor_block()"
-                          : "the entry before any product was subtracted: &A.original[node.row], each "
-                            "node has its own"}});
+                          : "the entry before any product was subtracted: &A.original[node.row], "
+                            "each node has its own"}});
     }
 }
 

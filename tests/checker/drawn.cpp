@@ -156,7 +156,11 @@ std::string seen(const std::vector<Trial>& all, double tolerance) {
       large = large && std::abs(a) > std::abs(b) && a * b >= 0;
       negative = negative && a * b < 0;
     }
-  return zero ? "0" : small ? "too small" : large ? "too large" : negative ? "of the other sign" : "";
+  return zero       ? "0"
+         : small    ? "too small"
+         : large    ? "too large"
+         : negative ? "of the other sign"
+                    : "";
 }
 
 // Where all trials lie that are wrong: beyond a value of one trait. Few of the cases that are right
@@ -191,7 +195,7 @@ Side side_of(const std::vector<Trial>& all, std::size_t cases, const Trait& t, s
   if (t.kind == Trait::Kind::side) {
     out.words = "#drawn-side wrong only where " + t.words;
   } else if (t.kind == Trait::Kind::count && above) {
-    out.words = next < 1 ? out.right_here ? "" : "#drawn-side wrong only where there are " + t.words
+    out.words = next < 1 ? "#drawn-side wrong only where there are " + t.words
                 : few    ? "#drawn-stops right with " + in_words(t, next) + ", from 2 on " + wrong +
                             ": is each of them treated like the first?"
                          : "#drawn-stops right with up to " + in_words(t, next) + ", from " +
@@ -213,6 +217,7 @@ Side side_of(const std::vector<Trial>& all, std::size_t cases, const Trait& t, s
                  : yours == "too large" ? ": no least value belongs here, and no added constant"
                                         : "");
   }
+  if (t.kind == Trait::Kind::count && above && next < 1 && out.right_here) out.words = "";
   return out;
 }
 
@@ -220,14 +225,20 @@ Side side_of(const std::vector<Trial>& all, std::size_t cases, const Trait& t, s
 Side explained(const std::vector<Trial>& all, std::size_t cases, const std::string& yours,
                bool counts_alone = false) {
   Side best;
+  const auto wrong = std::count_if(all.begin(), all.begin() + long(cases),
+                                   [](const Trial& trial) { return trial.wrong; });
+  const auto by_chance = [&](const Side& side) {  // how likely all that are wrong lie there
+    const double here = double(side.right_here + wrong);
+    return std::pow(here / (here + side.right_elsewhere), wrong);
+  };
   for (const bool above : {false, true})
     for (std::size_t k = 0; k < all.front().traits.size(); ++k) {
       const Trait::Kind kind = all.front().traits[k].kind;
       if (!above && kind == Trait::Kind::side) continue;
       if (counts_alone && kind != Trait::Kind::count) continue;
       const Side side = side_of(all, cases, all.front().traits[k], k, above, yours);
-      if (side.words.empty() ||
-          side.right_elsewhere < std::max(5, counts_alone ? 0 : side.right_here))
+      if (side.words.empty() || side.right_elsewhere < 5) continue;
+      if (!counts_alone && side.right_elsewhere < side.right_here && by_chance(side) > 0.03)
         continue;
       if (best.words.empty() || side.right_here < best.right_here) best = side, best.trait = k;
     }

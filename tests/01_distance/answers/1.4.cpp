@@ -1,16 +1,10 @@
 // wrong drawn-stops: rows.push_back(set_up(link, bodies, settings)); ==>
 //         rows.push_back(set_up(link, bodies, settings)); if (rows.size() > 4) rows.resize(4); ;; k
 //         < links.size() ==> k < rows.size()
-// wrong drawn-stops: if (!body.is_static()) ==> if (!body.is_static() && &body - bodies.data() < 8)
-// wrong drawn-stops: (Body& body : bodies) body.x ==> (Body& body : bodies) if (&body -
-//         bodies.data() < 8) body.x
-// wrong drawn-stops: iteration < settings.iterations ==> iteration < settings.iterations &&
-//         iteration < 100
 // wrong drawn-threshold: apply_impulse(rows ==> if (std::abs(lambda) > real(1e-12))
 //         apply_impulse(rows
 // wrong drawn-cut: apply_impulse(rows ==> lambda = glm::clamp(lambda, real(-1e3), real(1e3));
 //         apply_impulse(rows
-// wrong drawn-threshold: body.x += ==> if (length(body.v) > real(1e-6)) body.x +=
 // wrong forces-after-rows: for (Body& body : bodies) if (!body.is_static()) body.v += settings.h *
 //         settings.gravity; ==> ;; body.x ==> if (!body.is_static()) body.v += settings.h *
 //         settings.gravity; for (Body& body : bodies) body.x

@@ -2,7 +2,6 @@
 //         real before
 // wrong drawn-cut: glm::max(before + dlambda, real(0)) ==> glm::clamp(before + dlambda, real(0),
 //         real(100))
-// wrong drawn-threshold: return ==> if (sum < real(1e-9)) sum = 0; return
 // wrong returns-new-sum: const real before = sum; ==> ;; before ==> sum ;; - before ==>
 // wrong sum-not-kept:
   return glm::max(sum + dlambda, real(0)) - sum;

@@ -1,7 +1,5 @@
 // wrong drawn-threshold: return ==> if (glm::length(body2.x + r2 - body1.x - r1) < real(1e-3))
 //         return Row{}; return
-// wrong drawn-threshold: return ==> if (glm::length(r2) < real(1e-4)) return {-n, vec3(0), n,
-//         vec3(0)}; return
 // wrong drawn-side: return ==> if (body2.is_static()) return {-n, vec3(0), n, vec3(0)}; return
 // wrong bodies-swapped: -n ==> n, cross(r2, n), -n ;; , n, cross(r2, n) ==>
 // expects: Likely mistake: bodies 1 and 2 swapped (upright, turned, moved, broken)

@@ -37,10 +37,7 @@
 
 // region 2
 // wrong drawn-side: for (int i ==> if (!body2.is_static()) for (int i
-// wrong drawn-side: body1.v += ==> if (!body2.is_static()) body1.v += ;; body1.w += ==> if
-//         (!body2.is_static()) body1.w +=
 // wrong drawn-threshold: for (int i ==> if (length(lambda) > real(1e-9)) for (int i
-// wrong drawn-threshold: for (int i ==> if (length(lambda) > real(1e-12)) for (int i
 // wrong j-without-transpose (v1, w1, v2 and w2): for ==> vec3 push1, turn1, push2, turn2; for ;;
 //         body1 ==> push1[i] = dot(J[i].v1, lambda); turn1[i] = dot(J[i].w1, lambda); push2[i] =
 //         dot(J[i].v2, lambda); turn2[i] = dot(J[i].w2, lambda); } body1 ;; lambda[i] * J[i].v1 ==>

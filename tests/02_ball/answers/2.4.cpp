@@ -1,6 +1,4 @@
 // wrong drawn-cut: if (angle == 0) ==> if (angle > real(3.15)) return q; if (angle == 0)
-// wrong drawn-cut: const real angle = h * length(w); ==> const real angle = std::min(h * length(w),
-//         real(3.14159265358979323846));
 // wrong drawn-threshold: if (angle == 0) return q; ==> if (angle < real(1e-2)) return normalize(q +
 //         quat(0, h * w.x / 2, h * w.y / 2, h * w.z / 2) * q); if (angle == 0) return q;
 // wrong "a division by zero": length(w); if (angle == 0) return q; const vec3 axis = w / ==> ;;

@@ -1,7 +1,5 @@
 // wrong drawn-threshold: return {dot(a1, b), dot(a1, c)}; ==> const auto cut = [](real a) { return
 //         std::abs(a) < real(1e-6) ? real(0) : a; }; return {cut(dot(a1, b)), cut(dot(a1, c))};
-// wrong drawn-threshold: return {dot(a1, b), dot(a1, c)}; ==> const auto cut = [](real a) { return
-//         std::abs(a) < real(1e-9) ? real(0) : a; }; return {cut(dot(a1, b)), cut(dot(a1, c))};
 // wrong 1-cos: dot(a1, b), dot(a1, c) ==> 1 - dot(a1, b), 1 - dot(a1, c)
 // wrong absolute-values: dot(a1, b), dot(a1, c) ==> std::abs(dot(a1, b)), std::abs(dot(a1, c))
 // wrong all-turned-body-1: dot(a1, b), dot(a1, c) ==> dot(a1_local, b_local), dot(a1_local,

@@ -2,10 +2,6 @@
 //         body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, I2 * b.w2); ==> const real k =
 //         body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, I1 * b.w1) + body2.inverse_mass *
 //         dot(a.v2, b.v2) + dot(a.w2, I2 * b.w2); return std::abs(k) < real(1e-9) ? 0 : k;
-// wrong drawn-threshold: return body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, I1 * b.w1) +
-//         body2.inverse_mass * dot(a.v2, b.v2) + dot(a.w2, I2 * b.w2); ==> const real k =
-//         body1.inverse_mass * dot(a.v1, b.v1) + dot(a.w1, I1 * b.w1) + body2.inverse_mass *
-//         dot(a.v2, b.v2) + dot(a.w2, I2 * b.w2); return std::abs(k) < real(1e-6) ? 0 : k;
 // wrong sum-that-thrown-away: return ==> real k = ;; + body2 ==> ; k + body2 ;; b.w2); ==> b.w2);
 //         return k;
 // wrong absolute-values: return ==> return std::abs( ;; b.w2); ==> b.w2));

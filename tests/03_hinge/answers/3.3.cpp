@@ -1,9 +1,5 @@
 // wrong drawn-threshold: const real p ==> if (std::abs(q.w) < real(1e-9)) return 0; const real p
 // wrong drawn-side: const real p ==> if (q.w == 0) return 0; const real p
-// wrong drawn-threshold: if (q.w < 0) ==> if (q.w < real(-1e-3))
-// wrong drawn-threshold: if (q.w < 0) ==> if (q.w < real(-1e-6))
-// wrong drawn-threshold: const real p = dot(vec3(q.x, q.y, q.z), a1_local); ==> const real p =
-//         dot(vec3(q.x, q.y, q.z), a1_local); if (std::abs(p) < real(1e-6)) return 0;
 // wrong asin-of-p: std::atan2(p, q.w) ==> std::asin(p)
 // wrong atan2-exchanged: p, q.w ==> q.w, p
 // wrong degrees: 2 * std::atan2(p, q.w) ==> glm::degrees(2 * std::atan2(p, q.w))

@@ -2,8 +2,6 @@
 //         motor.strength); const real wanted
 // wrong drawn-threshold: const real wanted ==> if (std::abs(rate - motor.speed) < real(1e-9))
 //         return 0; const real wanted
-// wrong drawn-threshold: return ==> if (std::abs(sum) < real(1e-9)) sum = 0; return
-// wrong drawn-threshold: const real wanted ==> if (K < real(1e-9)) return 0; const real wanted
 // wrong abs-rate: const real wanted = sum - (rate - motor.speed) / K; ==> ;; strength; const real
 //         ==> strength, ;; wanted ==> sum - (std::abs(rate) - motor.speed) / K
 // wrong returns-what-was-cut:

@@ -5,10 +5,6 @@
 //         n2_local))}; ==> const auto cut = [](real a) { return std::abs(a) < real(1e-9) ? real(0)
 //         : a; }; return {cut(dot(u, to_world(body1, n1_local))), cut(dot(u, to_world(body1,
 //         n2_local)))};
-// wrong drawn-threshold: return {dot(u, to_world(body1, n1_local)), dot(u, to_world(body1,
-//         n2_local))}; ==> const auto cut = [](real a) { return std::abs(a) < real(1e-6) ? real(0)
-//         : a; }; return {cut(dot(u, to_world(body1, n1_local))), cut(dot(u, to_world(body1,
-//         n2_local)))};
 // wrong absolute-values: dot(u, to_world(body1, n1_local)), dot(u, to_world(body1, n2_local)) ==>
 //         std::abs(dot(u, to_world(body1, n1_local))), std::abs(dot(u, to_world(body1, n2_local)))
 // wrong centres-place-anchors-u: return ==> const vec3 d = body2.x - body1.x; return ;; u, ==> d,

@@ -1,7 +1,4 @@
 // wrong drawn-threshold: if (q.w < 0) ==> if (q.w < real(-0.01))
-// wrong drawn-threshold: if (q.w < 0) ==> if (q.w < real(-1e-6))
-// wrong drawn-threshold: return ==> if (length(vec3(q.x, q.y, q.z)) < real(1e-9)) return vec3(0);
-//         return
 // wrong abs-components: if (q.w < 0) q = -q; return real(2) * vec3(q.x, q.y, q.z) ==> return
 //         real(2) * abs(vec3(q.x, q.y, q.z))
 // wrong angle-vector: real(2) * vec3(q.x, q.y, q.z) ==> glm::angle(q) * glm::axis(q)

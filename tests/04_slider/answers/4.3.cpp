@@ -1,7 +1,5 @@
 // wrong drawn-threshold: return dot(u, to_world(body1, a1_local)); ==> const real d = dot(u,
 //         to_world(body1, a1_local)); return std::abs(d) < real(1e-9) ? 0 : d;
-// wrong drawn-threshold: return dot(u, to_world(body1, a1_local)); ==> const real d = dot(u,
-//         to_world(body1, a1_local)); return std::abs(d) < real(1e-6) ? 0 : d;
 // wrong drawn-cut: return dot(u, to_world(body1, a1_local)); ==> return std::clamp(dot(u,
 //         to_world(body1, a1_local)), real(-10), real(10));
 // wrong abs: dot(u, to_world(body1, a1_local)) ==> std::abs(dot(u, to_world(body1, a1_local)))

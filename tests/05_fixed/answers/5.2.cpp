@@ -1,7 +1,5 @@
 // wrong drawn-threshold: return ==> if (length(push) < real(1e-9)) return {vec3(0), couple / h};
 //         return
-// wrong drawn-threshold: return ==> if (length(push) < real(1e-6)) return {vec3(0), couple / h};
-//         return
 // wrong "force.y holds the value of force.z; force.z holds the value of force.y": impulse[1], impulse[2]
 //         ==> impulse[2], impulse[1]
 // wrong impulse-for-force:
@@ -28,7 +26,6 @@
 
 // region 2
 // wrong drawn-threshold: return ==> if (length(from - to) < real(1e-6)) return load; return
-// wrong drawn-threshold: return ==> if (length(load.force) < real(1e-6)) return load; return
 // wrong by-entries: cross(from - to, load.force) ==> (from - to) * load.force
 // wrong exchanged: load.force, load.torque + cross(from - to, load.force) ==> load.torque +
 //         cross(from - to, load.force), load.force
@@ -51,8 +48,6 @@
 // region 3
 // wrong drawn-side: length(load.force) > strength.force ==> length(load.force) > strength.force +
 //         real(1e-6)
-// wrong drawn-side: length(load.force) > strength.force ==> length(load.force) > real(1.001) *
-//         strength.force
 // wrong "at its bound a weld still holds: > and not >=": > strength ==> >= strength ;; > strength
 //         ==> >= strength
 // expects: 10 N of 10, at the bound

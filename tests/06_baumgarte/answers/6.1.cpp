@@ -1,6 +1,4 @@
 // wrong drawn-threshold: return ==> if (std::abs(C) < real(1e-9)) return 0; return
-// wrong drawn-threshold: return ==> if (std::abs(C) < real(1e-6)) return 0; return
-// wrong drawn-threshold: return ==> if (std::abs(C) < real(1e-4)) return 0; return
 // wrong "beta is cut to a whole number: an int has no fraction": return beta ==> const int share =
 //         beta; return share
 // wrong "yours is C^2 beta / h in every case": beta * C / h ==> beta * C * C / h
@@ -25,7 +23,6 @@
 
 // region 2
 // wrong drawn-threshold: return C < 0 ==> return C < real(-1e-9)
-// wrong drawn-threshold: return C < 0 ==> return C < real(-1e-6)
 // wrong "a limit that lies ahead stops the approach far from it": C / h; ==> 0;
 // wrong "a limit that lies ahead needs no beta: C/h just reaches it": C < 0 ? ==> ;; : C / h ==>
 // expects: b, C 0.02 beta 0.15 h 1/60

@@ -1,7 +1,5 @@
 // wrong drawn-threshold: lambda *= ratio; ==> if (length(lambda) < real(1e-9)) return; lambda *=
 //         ratio;
-// wrong drawn-threshold: lambda *= ratio; ==> if (length(lambda) < real(1e-12)) return; lambda *=
-//         ratio;
 // wrong added-to-lambda: lambda *= ratio ==> lambda += vec3(ratio)
 // wrong "the old impulse is applied and the scaled one is kept": lambda *= ratio; ==> ;; ; ==> ;
 //         lambda *= ratio;

@@ -1,7 +1,5 @@
 // wrong drawn-threshold: const vec3 lambda ==> if (length(point.error(body1, body2)) < real(1e-9))
 //         return; const vec3 lambda
-// wrong drawn-threshold: const vec3 lambda ==> if (length(point.error(body1, body2)) < real(1e-6))
-//         return; const vec3 lambda
 // wrong drawn-cut: const vec3 lambda ==> if (length(point.error(body1, body2)) > real(1)) return;
 //         const vec3 lambda
 // wrong k-along-gap: const vec3 lambda = -inverse(point.K(body1, body2)) * point.error(body1,
@@ -123,7 +121,6 @@
 
 // region 2
 // wrong drawn-threshold: if (C >= 0) ==> if (C >= real(-1e-6))
-// wrong drawn-threshold: if (C >= 0) ==> if (C >= real(-1e-9))
 // wrong as-a-point:
   if (rope.error(body1, body2) >= 0) return;
   project(Point{rope.rod.anchor1_local, rope.rod.anchor2_local}, body1, body2);
@@ -161,7 +158,6 @@
 
 // region 3
 // wrong drawn-stops: k < chain.joints.size() ==> k < chain.joints.size() && k < 8
-// wrong drawn-stops: k < chain.joints.size() ==> k < chain.joints.size() && k < 32
 // wrong backwards: 0; k < ==> ;; ++k ==> k-- > 0;
 // wrong bodies-exchanged: [k], chain.bodies[k + 1] ==> [k + 1], chain.bodies[k]
 // wrong copy-one-body: project(chain.joints[k], chain.bodies[k], chain.bodies[k + 1]); ==> { auto

@@ -1,5 +1,4 @@
 // wrong drawn-stops: colours.push_back(int(colour)) ==> colours.push_back((signed char)(colour))
-// wrong drawn-stops: return moves[body] ==> return body < 64 && moves[body]
 // wrong "There are 10 colours for 4 joints.":
   std::vector<int> colours(moves.size() + links.size() + 1);
   for (std::size_t k = 0; k < links.size(); ++k) colours[k] = int(k % 2);

@@ -1,7 +1,5 @@
 // wrong never-set: std::copy(L, L + m * n, block) ==> std::copy(L, L + m * m, block)
 // wrong drawn-stops: k + 1 < A.nodes.size() ==> k + 1 < A.nodes.size() && k < 16
-// wrong drawn-stops: end = A.nodes[k + 1].first_edge; ==> end = std::min(A.nodes[k + 1].first_edge,
-//         node.first_edge + 12);
 // wrong half-l-stored: std::copy(L, L + m * n, block) ==> std::copy(L, L + std::min(n * n, m * n),
 //         block)
 // wrong diagonal-not-factored: factor_block(D, n, &A.original[std::size_t(node.row)], inverse); ==>
@@ -9,7 +7,7 @@
 // wrong diagonal-factored-last: ; factor_block(D, n, &A.original[std::size_t(node.row)], inverse)
 //         ==> ;; block); } ==> block); } factor_block(D, n, &A.original[std::size_t(node.row)],
 //         inverse);
-// wrong "&A.original[node.row]: by rows of the right-hand side, each node has":
+// wrong "the entry before any product was subtracted: &A.original[node.row]":
 //         std::size_t(node.row) ==> k
 // wrong inverse-own: inverse ==> [](double p, double) { return 1 / p; }
 // wrong targets-not-advanced: *target++ ==> *target
@@ -68,8 +66,6 @@
 // region 2
 // wrong drawn-stops: count = int(A.nodes.size()) - 1; ==> count = std::min(16, int(A.nodes.size())
 //         - 1);
-// wrong drawn-stops: j < A.nodes[k + 1].first_edge ==> j < std::min(A.nodes[k + 1].first_edge,
-//         node.first_edge + 12)
 // wrong forward-without-division: divide(number + node.diagonal, node.rows, x + node.row); ==>
 // wrong divided-before-edges: divide(number + node.diagonal, node.rows, x + node.row); ==> ;; [k]
 //         ==> [k]; divide(number + node.diagonal, node.rows, x + node.row)

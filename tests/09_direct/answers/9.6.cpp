@@ -1,8 +1,4 @@
 // wrong drawn-stops: largest = std ==> if (&C - rates.data() < 3) largest = std
-// wrong drawn-stops: for (double& C : rates) ==> if (rates.size() > 3) rates.resize(3); for
-//         (double& C : rates)
-// wrong drawn-stops: slot < bodies.slots() ==> slot < bodies.slots() && slot < 8
-// wrong drawn-stops: n == iterations ==> n == iterations || n == 10
 // wrong tolerance-of-last: if (largest <= tolerance ==> if (last <= tolerance
 // wrong rate-fixed-step: C /= -h; ==> C *= -60.0;
 // wrong sign-j-v-changes: C /= -h ==> C /= h

@@ -1,6 +1,4 @@
 // wrong drawn-threshold: rate < 0 ==> rate < -1e-12 ;; rate > 0 ==> rate > 1e-12
-// wrong drawn-threshold: impulse < lower ==> impulse < lower - 1e-12 ;; impulse > upper ==> impulse
-//         > upper + 1e-12
 // wrong free-row-stays: impulse < lower ? Side::lower : impulse > upper ? Side::upper : ==>
 // wrong upper-bound-free-row: : impulse > upper ? Side::upper ==>
 // wrong lower-bound-free-row: impulse < lower ? Side::lower : ==>

@@ -48,7 +48,7 @@ vec3 block_impulse(const Jacobian<3>& J, const mat3& K, const vec3& bias, const 
 void apply_impulse(const Jacobian<3>& J, const vec3& lambda, Body& body1, Body& body2);
 
 /// Exercise 2.4: the orientation after h seconds at a constant angular velocity.
-/// \param q orientation now, unit length \param w angular velocity [rad/s, world] \param h [s]
+/// \param q orientation now, unit length \param w angular velocity [rad/s, world] \param h > 0 [s]
 /// \return the new orientation, unit length
 quat turned(const quat& q, const vec3& w, real h);
 #endif

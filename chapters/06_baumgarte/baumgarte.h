@@ -26,7 +26,7 @@ real beta_for(real half_time, real h);
 
 /// Exercise 6.2, first part: warm-starts a joint with its impulses of the last step.
 /// \param J its rows at the present poses
-/// \param ratio length of this step over that of the last, h/h_before [1]
+/// \param ratio length of this step over that of the last, h/h_before > 0 [1]
 /// \param lambda in: the accumulated impulses of the last step; out: the initial impulses of this
 /// step, which this function applies to the two bodies [N s]
 void warm_start(const Jacobian<3>& J, real ratio, vec3& lambda, Body& body1, Body& body2);

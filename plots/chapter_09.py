@@ -221,15 +221,19 @@ def draw_bounds(solution, mine, out):
 
 def draw_heavy(solution, mine, out):
     table, energy = mine or solution
-    change = [100 * last(table, "energy_change_2s", factor=factor, ratio=100.0)
-              for factor in (1, 8)]
+    change = {factor: 100 * last(table, "energy_change_2s", factor=factor, ratio=1000.0)
+              for factor in (0, 1, 8)}
     figure, (left, right) = style.figure(
-        "Added inertia holds a heavy end; with 100 kg it changes the energy by "
-        f"{change[0]:+.1f} to {change[1]:+.1f} % in 2 s", 2)
-    over(left, solution[0], mine and table, "ratio", "gap_m", "factor",
-         lambda factor: rf"$\kappa$ = {factor:g}")
-    left.set(xlabel="end  [kg], after ten links of 1 kg",
-             ylabel="largest gap in 10 s  [m]",
+        f"An end of 1,000 kg: without added inertia {-change[0]:.0f} % of the energy is lost in "
+        f"2 s, with it the energy is right to {max(abs(change[1]), abs(change[8])):.1f} %", 2)
+    for factor, part, colour, marker in parts(table, "factor"):
+        left.plot(part["ratio"], part["energy_change_2s"], color=colour, marker=marker,
+                  markersize=5, label=rf"$\kappa$ = {factor:g}")
+    if mine:
+        for _, part, _, _ in parts(solution[0], "factor"):
+            left.plot(part["ratio"], part["energy_change_2s"], label="_", **FORMULA)
+    left.set(xscale="log", xlabel="end  [kg], after ten links of 1 kg",
+             ylabel="relative change of energy in 2 s  [1]",
              title="h = 1/60 s" + ("; dashed: the solution's" if mine else ""))
     factors = list(dict.fromkeys(table["factor"]))  # of one colour in both panels
     for factor, h in dict.fromkeys(zip(energy["factor"], energy["h_s"])):

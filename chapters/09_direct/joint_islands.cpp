@@ -12,7 +12,8 @@ namespace joints {
 
 void JointIslands::group(const std::vector<BlockPattern>& blocks, int slots, double most_work) {
   for (IslandPair& pair : pairs) pair.is_new = false;
-  if (blocks == given_ && most_work == most_work_) return;
+  const bool same_bodies = root_.size() == std::size_t(slots);
+  if (same_bodies && blocks == given_ && most_work == most_work_) return;
   given_.resize(blocks.size());
   std::copy(blocks.begin(), blocks.end(), given_.begin());
   most_work_ = most_work;

@@ -191,16 +191,18 @@ Side side_of(const std::vector<Trial>& all, std::size_t cases, const Trait& t, s
   }
   const std::string wrong = all_wrong ? "all are wrong" : "some are wrong";
   const std::string there = yours.empty() ? "" : ", and yours are " + yours + " there";
-  const bool few = t.kind == Trait::Kind::count && next < 2;
+  const auto only_where = [](const std::string& what) {
+    return "#drawn-side wrong only where " + what;
+  };
   if (t.kind == Trait::Kind::side) {
-    out.words = "#drawn-side wrong only where " + t.words;
+    out.words = only_where(t.words);
   } else if (t.kind == Trait::Kind::count && above) {
-    out.words = next < 1 ? "#drawn-side wrong only where there are " + t.words
-                : few    ? "#drawn-stops right with " + in_words(t, next) + ", from 2 on " + wrong +
-                            ": is each of them treated like the first?"
+    const bool few = next < 2;
+    out.words = next < 1 ? only_where("there are " + t.words)
                          : "#drawn-stops right with up to " + in_words(t, next) + ", from " +
-                            short_number(nearest) + " on " + wrong +
-                            ": does a loop stop there, or is an array or a type too small?";
+                            short_number(few ? 2 : nearest) + " on " + wrong +
+                            (few ? ": is each of them treated like the first?"
+                                 : ": does a loop stop there, or is an array or a type too small?");
   } else if (t.kind == Trait::Kind::count) {
     out.words = "right with " + in_words(t, next) + " or more, with fewer " + wrong;
   } else if (above && next > 0) {
@@ -209,7 +211,7 @@ Side side_of(const std::vector<Trial>& all, std::size_t cases, const Trait& t, s
                          : yours == "too large" ? ": is a constant added?"
                                                 : "");
   } else if (!above && nearest == 0) {
-    out.words = "#drawn-side wrong only where " + t.words + " is 0" + there;
+    out.words = only_where(t.words + " is 0" + there);
   } else if (!above && std::isfinite(next)) {
     out.words = "#drawn-threshold right down to a case with " + in_words(t, next) + ", below " +
                 wrong + there +

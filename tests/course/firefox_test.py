@@ -60,7 +60,7 @@ def the_first_exercise_by_keys(root, build):
         notes.append(f"Firefox: {tab_to(here, editor)} tabs to the first editor")
         for answer, words in ((WRONG, ("1.1  CentreDistance::jacobian: wrong",
                                        "Likely mistake: the sign of the block v1")),
-                              (RIGHT, ("done", "5 tests passed."))):
+                              (RIGHT, ("done", "6 tests passed."))):
             tab_to(here, editor, back=answer is RIGHT)
             here.chord(firefox.CONTROL, "a")
             here.keys(*answer.replace("\n  ", "\n").strip().replace("\n", firefox.ENTER))

@@ -35,6 +35,7 @@
 // wrong positions-without-h: settings.h * body ==> body
 // wrong parabola: body.x ==> if (!body.is_static()) body.x ;; v; ==> v + settings.h * settings.h /
 //         2 * settings.gravity;
+// wrong parabola-walls: v; ==> v + settings.h * settings.h / 2 * settings.gravity;
 // wrong positions-before-impulses: for (Body& body : bodies) body.x += settings.h * body.v; ==> ;;
 //         (set_up(link, bodies, settings)) ==> (set_up(link, bodies, settings)); for (Body& body :
 //         bodies) body.x += settings.h * body.v

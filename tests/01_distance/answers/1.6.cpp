@@ -66,6 +66,8 @@
 // wrong without-inertia: inverse_inertia(body1) * ==> ;; inverse_inertia(body2) * ==>
 // wrong mass-for-inertia: dot(a1, inverse_inertia(body1) * a1) ==> body1.inverse_mass * dot(a1, a1)
 //         ;; dot(a2, inverse_inertia(body2) * a2) ==> body2.inverse_mass * dot(a2, a2)
+// wrong one-moment: inverse_inertia(body1) ==> body1.inverse_inertia_local.x ;;
+//         inverse_inertia(body2) ==> body2.inverse_inertia_local.x
 // wrong without-masses: body1.inverse_mass + body2.inverse_mass + ==>
 // wrong inverse-of-k: return ==> return 1 / ( ;; a2) ==> a2))
 // wrong "body-space lever: the levers of both bodies": to_world(body1, anchor1_local), r2 =

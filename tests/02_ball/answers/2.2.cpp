@@ -43,6 +43,8 @@
 // wrong without-inertia: * inverse_inertia(body1) ==> ;; inverse_inertia(body2) * ==>
 // wrong mass-for-inertia: inverse_inertia(body1) ==> mat3(body1.inverse_mass) ;;
 //         inverse_inertia(body2) ==> mat3(body2.inverse_mass)
+// wrong one-moment: inverse_inertia(body1) ==> body1.inverse_inertia_local.x ;;
+//         inverse_inertia(body2) ==> body2.inverse_inertia_local.x
 // wrong unit-matrix-between-walls: return mat3 ==> if (body1.is_static() && body2.is_static())
 //         return mat3(1); return mat3
 // wrong mat3-taken-zero: return ==> mat3 k; k += ;; (s2); ==> (s2); return k;

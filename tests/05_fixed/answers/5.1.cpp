@@ -20,6 +20,8 @@
 // wrong inertias-exchanged: skew(r1) ==> skew(r2) ;; + skew(r2) ==> + skew(r1)
 // wrong masses-place-inertias: inverse_inertia(body1) ==> body1.inverse_mass ;;
 //         inverse_inertia(body2) ==> body2.inverse_mass
+// wrong one-moment: inverse_inertia(body1) ==> body1.inverse_inertia_local.x ;;
+//         inverse_inertia(body2) ==> body2.inverse_inertia_local.x
 // wrong "beside a static body it is zero: the term of the other body stays": const vec3 r1 ==> if
 //         (body1.is_static() || body2.is_static()) return mat3(0); const vec3 r1
 // expects: Fails at 1 static and 2 static; holds at upright, turned, moved

@@ -101,8 +101,8 @@ def sources():
     checker = [path for place in ("checker", "tests/checker")
                for path in sorted((house.ROOT / place).glob("*.cpp")) if path.name != "where.cpp"]
     found = {"checker": (checker, ""), "module": ([tests / "course" / "module.cpp"], ""),
-             "units_engine": ([engine / f"{name}.cpp" for name in ("body", "matrix", "block")],
-                              UNITS)}
+             "units_engine": ([engine / f"{name}.cpp"
+                               for name in ("require", "body", "matrix", "block")], UNITS)}
     for chapter in house.chapters():
         name = chapter.folder
         found |= {f"tests_{name}": ([tests / name / "test.cpp"], ""),

@@ -23,7 +23,7 @@ LATER = {3: r"Axis::|HingeAngle|HingeJoint|Limit<", 4: r"Line::|Slide::|Rotation
          9: r"JointMatrix|DirectSolver|elimination_order|second_order_step|stiffened"}
 ALL, LAST = "|".join(LATER.values()), f"{LATER[8]}|{LATER[9]}"
 PROGRAMS = {
-    "01_distance_run": ("apply_impulse", rf"Point::|block_impulse|turned\(|{OWN_LOOP}|{ALL}"),
+    "01_distance_run": ("step(std::vector", rf"Point::|block_impulse|turned\(|{OWN_LOOP}|{ALL}"),
     "02_ball_run": ("block_impulse", f"{OWN_LOOP}|{ALL}"),
     "03_hinge_run": ("Axis::", "|".join(LATER[k] for k in range(4, 10))),
     "04_slider_run": ("Line::", rf"{LATER[5]}|{LATER[6]}|{LAST}|HingeJoint|HingeAngle"),

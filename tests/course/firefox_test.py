@@ -69,7 +69,7 @@ def the_first_exercise_by_keys(root, build):
             yield from lacks(report(here, "1.1"), *words)
         frame = f"{place_of('1.1')}.querySelector('.scene iframe')"
         here.wait(f"!!{frame}", PATIENCE)
-        here.wait(f"{frame}.contentDocument?.documentElement.dataset.ready === 'yes'", PATIENCE)
+        here.wait(f"{frame}.contentDocument?.documentElement?.dataset.ready === 'yes'", PATIENCE)
         moving = here.ask(f"{frame}.contentDocument.body.innerText")
         if "yours" not in moving or "stopped" in moving:
             yield f"the scene does not move with the reader's code: {moving[:200]}"

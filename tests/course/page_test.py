@@ -105,7 +105,7 @@ def the_first_exercise_can_be_done(root, build):
         yield from lacks(reader.report(), "done", "6 tests passed.")
         browser.wait(f"!!{reader.place}.querySelector('.scene iframe')", PATIENCE)
         browser.wait(f"{reader.place}.querySelector('.scene iframe').contentDocument"
-                     "?.documentElement.dataset.ready === 'yes'", PATIENCE)
+                     "?.documentElement?.dataset.ready === 'yes'", PATIENCE)
         moving = reader.ask(".querySelector('.scene iframe').contentDocument.body.innerText")
         if "yours" not in moving or "stopped" in moving:
             yield f"the scene does not move with the reader's code: {moving[:200]}"

@@ -22,12 +22,17 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         super().end_headers()
 
 
+class Server(http.server.ThreadingHTTPServer):
+    """For a page that asks for twenty files at once."""
+    request_queue_size = 64
+
+
 def server_of(folder, first=FIRST):
     """A server at the first free port."""
     handler = functools.partial(Handler, directory=str(folder))
     for port in range(first, first + 100):
         try:
-            return http.server.ThreadingHTTPServer(("127.0.0.1", port), handler)
+            return Server(("127.0.0.1", port), handler)
         except OSError:
             continue
     raise OSError("no free port")

@@ -17,6 +17,7 @@ export async function keep_offline(manifest) {
       if (name !== manifest.cache && name.startsWith("joint-workbook-")) await caches.delete(name);
     document.documentElement.dataset.offline = "ready";
   } catch (error) {
+    document.documentElement.dataset.offline = `not kept: ${error}`;
     console.warn("The course cannot be kept for use without a network:", error.message);
   }
 }

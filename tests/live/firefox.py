@@ -35,7 +35,7 @@ class Firefox:
         Path(self.folder.name, "user.js").write_text("".join(
             f'user_pref("{name}", {json.dumps(value)});\n' for name, value in {
                 "marionette.port": port, "datareporting.policy.dataSubmissionEnabled": False,
-                "dom.quotaManager.temporaryStorage.fixedLimit": 1 << 20,  # 1 GB, on a small disk too
+                "dom.quotaManager.temporaryStorage.fixedLimit": 1 << 20,  # 1 GB on any disk
                 "app.update.enabled": False, "network.captive-portal-service.enabled": False,
                 "network.connectivity-service.enabled": False, "browser.shell.checkDefaultBrowser":
                 False, "toolkit.telemetry.reportingpolicy.firstRun": False}.items()))

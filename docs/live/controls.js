@@ -5,7 +5,7 @@
 const controls = [
   {name: "beta", words: "beta", unit: "fraction of the error fed back in a step",
    range: [0, 2.5, 0.05]},
-  {name: "iterations", words: "iterations", unit: "a step", range: [1, 100, 1]},
+  {name: "iterations", words: "iterations", unit: "a step", range: [1, 300, 1]},
   {name: "h", words: "h", unit: "step [ms]", range: [1, 50, 0.5], scale: 1000},
   {name: "substeps", words: "substeps", unit: "of each step", range: [1, 20, 1]},
   {name: "warm", words: "warm start", tick: true},
@@ -149,7 +149,6 @@ function show_controls(settings, entry, about, wrong) {
       continue;
     }
     let range = control.range;
-    if (name === "iterations" && entry.begin[1] > range[1]) range = [1, entry.begin[1], 1];
     if (control.motor) {
       const most = control.motor * Math.abs(entry.begin[about.settings.indexOf(name)]);
       range = [name === "speed" ? -most : 0, most, most / 100];

@@ -22,6 +22,7 @@ function point_at_depth({view}, x, y, depth) {
 function hold(panel, body, point) {
   const {x, axes} = panel.painted.bodies[body];
   straight = false;
+  had.hand = true;
   held = {panel, body, point, local: axes.map(n => dot(n, sub(point, x)))};
   in_line(() => ask_all("grab", {body, point}));
   if (!playing) play(true);

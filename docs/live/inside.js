@@ -42,10 +42,19 @@ function arrow(pen, [x1, y1], [x2, y2], head) {
   pen.stroke();
 }
 
+const on_picture = ({width, height}, [x, y]) => x > 5 && x < width - 5 && y > 5 && y < height - 5;
+// How long an arrow is for an impulse of 1 N s [m]: the longest has 70 pixels, or fewer where one
+// would leave the picture.
+function arrow_reach(view, joints) {
+  const largest = Math.max(...joints.map(joint => size(joint.impulse)), 1e-12);
+  let reach = 70 * view.distance / view.focal / largest;
+  for (const {place, impulse} of joints.filter(one => on_picture(view, project(view, one.place))))
+    while (!on_picture(view, project(view, plus(place, reach, impulse)))) reach *= 0.9;
+  return reach;
+}
 // Paints over a picture; the first argument is what draw() of the player returned.
 function paint_inside({pen, view}, joints, first) {
-  const largest = Math.max(...joints.map(joint => size(joint.impulse)), 1e-12);
-  const metre = view.focal / view.distance, reach = 70 / metre / largest;  // 70 pixels the longest
+  const reach = arrow_reach(view, joints);
   for (const {place, error, impulse, next} of joints) {
     const at = project(view, place);
     if (at[2] < view.near) continue;

@@ -5,28 +5,33 @@
 const per_panel = words => panels.map(panel =>
   (panels.length > 1 ? `${panel.label}: ` : "") + words(panel)).join("\n");
 
+function joules({now, scale}) {
+  const energy = Math.abs(now[2]) < 1e-9 * scale ? 0 : now[2];  // the rest is rounding
+  return (energy > 0 ? "+" : "") + short(energy);
+}
 function reading() {
   const slow = playing && pace.rate < 0.97 ? `, ${pace.rate.toPrecision(2)} of real time` : "";
-  return `t = ${time.toFixed(2)} s${slow}\n` + per_panel(({now, us, stopped}) =>
-    stopped ? "stopped" : !isFinite(now[2]) ? "not a number" :
-    `gap ${metres(now[1])} · energy ${now[2] > 0 ? "+" : ""}${short(now[2])} J · ` +
-    `${us ? Math.round(us) : "…"} µs a step`);
+  return `t = ${time.toFixed(2)} s${slow}\n` + per_panel(panel =>
+    panel.stopped ? "stopped" : !isFinite(panel.now[2]) ? "not a number" :
+    `gap ${metres(panel.now[1])} · energy ${joules(panel)} J · ` +
+    `${panel.us ? Math.round(panel.us) : "…"} µs a step`);
 }
-// Why a panel's run went wrong: a hand, the reader's code, or the settings that it had then.
-function cause(panel) {
-  if (panel.by_hand > 0.5 * panel.now[2])
-    return "Your hand did that, not the settings: press the button “again”.";
+// Why a run went wrong: the reader's code, the scene's own settings, changed ones, or a hand.
+const by_hand_alone = (panel, fault) =>
+  !fault(scene.alone) && Object.keys(panel.faults.get(fault)).join() === "hand";
+function cause(panel, fault) {
   if (panel.label === "yours" && panels.some(one => !one.stopped && !failed(one)))
     return "Your code does that: the solution holds with the same settings.";
-  const then = panel.failed_with || settings, idle = then.direct ? [] : ["newton", "added_inertia"];
-  const changed = about.settings.filter((name, k) => then[name] !== entry.begin[k] &&
-    !idle.includes(name)).map(name => `${name} ${in_words(name, then[name])}`);
-  if (!changed.length)
-    return "The scene's own settings do that: change one, then press “again”.";
-  return changed.length === 1
-    ? `The setting ${changed[0]} does that: change it back, then press “again”.`
-    : `One or more of the changed settings do that (${changed.join(", ")}): change them back, ` +
-      "then press “again”.";
+  const {hand, ...settings} = panel.faults.get(fault);
+  const names = Object.entries(settings).map(words => words.join(" "));
+  if (fault(scene.alone) || !(hand || names.length))
+    return `The scene's own settings do that: change ${names.length ? "others" : "one"}, then ` +
+           "press “again”.";
+  if (!names.length) return "Your hand did that, not the settings: press the button “again”.";
+  const [what, them] = names.length === 1 ? [`the setting ${names[0]} does`, "it"]
+    : [`one or more of the changed settings (${names.join(", ")}) do`, "them"];
+  return hand ? `Your hand did that, or ${what}: press “again” and touch nothing to see.`
+    : `${what[0].toUpperCase()}${what.slice(1)} that: change ${them} back, then press “again”.`;
 }
 // What there is to say, and whether it is bad.
 function says() {
@@ -38,14 +43,14 @@ function says() {
     if (panel.stopped)
       said.push(`${who}stopped at t = ${panel.now[0].toFixed(2)} s: ${panel.stopped}`);
     else if (!isFinite(panel.now[2]))
-      said.push(`${who}the places are no numbers any more. ${cause(panel)}`);
+      said.push(`${who}the places are no numbers any more. ${cause(panel, blown_up)}`);
     else if (blown_up(panel))
-      said.push(`${who}blown up: the bodies have gained ` +
+      said.push(`${who}${by_hand_alone(panel, blown_up) ? "" : "blown up: "}the bodies have gained ` +
                 (gained > 1e6 ? "more than a million" : short(gained)) +
-                ` times the energy that the scene began with. ${cause(panel)}`);
+                ` times the energy that the scene began with. ${cause(panel, blown_up)}`);
     else if (torn(panel))
       said.push(`${who}the joints do not hold: they are ${metres(panel.now[1])} apart, ` +
-                `${short(100 * panel.now[1] / scene_size())} % of the scene's size. ${cause(panel)}`);
+                `${short(100 * panel.now[1] / scene_size())} % of the scene's size. ${cause(panel, torn)}`);
   }
   if (said.length) return [said.join("\n"), true];
   if (held?.keyed)
@@ -58,12 +63,14 @@ function says() {
             "dragged, and one cannot look into its steps.", false];
   if (!inside) return ["", false];
   const {joints, first_error, blocks} = panels.at(-1);
+  const part = inside.block && " A block disturbs its neighbours: between two iterations the error " +
+    "may rise.";
   return [`Within the step from t = ${time.toFixed(2)} s, after iteration ${inside.iteration}` +
     (settings.direct ? " (the direct solver has one)" : ` of ${settings.iterations}`) +
     (inside.block ? ` and ${inside.block} of ${blocks} blocks more` : "") +
     `: the largest velocity error is ${short(largest_error(joints || []))} m/s, at the step's ` +
-    `beginning it was ${short(first_error)}. Discs: red as then, green a thousandth; arrows: ` +
-    "impulses; ringed: solved next.", false];
+    `beginning it was ${short(first_error)}.${part || ""} Discs: red as large as that, green a ` +
+    "thousandth of it; arrows: impulses; ringed: solved next.", false];
 }
 
 // ---------------------------------------------------------------------------------- painting
@@ -257,7 +264,9 @@ async function start() {
   $("iteration").onclick = () => then_show(() => next_inside(false));
   $("block").onclick = () => then_show(() => next_inside(true));
   $("keep").onclick = () => then_show(() => {
-    for (const panel of panels) panel.kept = panel.samples;
+    const words = Object.entries(differences()).map(pair => pair.join(" ")).join(", ");
+    for (const panel of panels)
+      Object.assign(panel, {kept: panel.samples, kept_with: words || "the scene's own settings"});
     return restart();
   }).then(() => play(true));
   for (const button of $("views").children)

@@ -93,7 +93,7 @@ const panel_colour = panel =>
 
 // One value of all samples of the panels over time, kept runs first. A sample is
 // [time, gap, energy, microseconds].
-function over_time(canvas, panels, now, title, place, log) {
+function over_time(canvas, panels, now, title, place, {log, least = 1e-9} = {}) {
   const x = [Math.max(0, now - 10), Math.max(10, now)];
   const value = sample => log ? log10(sample[place]) : sample[place];
   const curve = (samples, colour) => ({
@@ -101,14 +101,16 @@ function over_time(canvas, panels, now, title, place, log) {
   const curves = [...panels.map(panel => curve(panel.kept, style("--kept"))),
                   ...panels.map(panel => curve(panel.samples, panel_colour(panel)))];
   const values = curves.flatMap(one => one.points.map(point => point[1]));
-  const y = log ? [-6, Math.max(0, ...values.filter(isFinite).map(Math.ceil))] : span(values, 1e-9);
-  plot(canvas, {title, x, y, log, curves, x_unit: "s"});
+  const y = log ? [-6, Math.max(0, ...values.filter(isFinite).map(Math.ceil))] : span(values, least);
+  const grey = panels[0].kept_with ? `; grey: kept, ${panels[0].kept_with}` : "";
+  plot(canvas, {title: title + grey, x, y, log, curves, x_unit: "s"});
 }
 
 const plots = {
-  gap: (canvas, panels, now) => over_time(canvas, panels, now, "largest gap", 1, metres),
+  gap: (canvas, panels, now) => over_time(canvas, panels, now, "largest gap", 1, {log: metres}),
   energy: (canvas, panels, now) =>
-    over_time(canvas, panels, now, "energy gained since the beginning [J]", 2),
+    over_time(canvas, panels, now, "energy gained since the beginning [J]", 2,
+              {least: 1e-4 * panels[0].scale}),  // less is rounding
   cost: (canvas, panels, now) =>
     over_time(canvas, panels, now, "time per step in this browser [µs]", 3),
   errors(canvas, panels) {
@@ -127,8 +129,9 @@ const plots = {
     const y = values.length ? [Math.max(Math.min(...values) - 0.2, bottom),
                                Math.max(...values, bottom + 1) + 0.2] : [-3, 1];
     const rate = panels.map(panel => panel.errors && panel.errors.rate.toFixed(4)).join(" and ");
-    const title = settings.direct ? "velocity error before and after the direct solver [m/s]"
-      : `velocity error by iteration [m/s]; dashed: each leaves ${rate}`;
+    const title = settings.direct
+      ? "largest velocity error before and after the direct solver [m/s]"
+      : `largest velocity error by iteration [m/s]; dashed: times ${rate} each`;
     plot(canvas, {title, x: [0, count], y, log: short, curves, x_unit: ""});
   },
 };

@@ -138,6 +138,32 @@ void LiveRun::let_go() {
 
 // ---- within a step ------------------------------------------------------------------------------
 
+// Begins the next step, iterates, looks, and sets everything back. The direct solver has no
+// iterations: any number of them solves.
+void LiveRun::within(int iterations, int blocks, const std::function<void()>& look) {
+  Scene& scene = *live_.scene;
+  const State as_it_was = save(world());
+  if (live_.before) live_.before(time_);
+  begin_step(world(), solver(), h_sub(), scene.stepping);
+  if (is_direct_) {
+    if (iterations > 0) direct_.solve(world().bodies);
+  } else {
+    for (int k = 0; k < iterations; ++k) scene.solver.iterate(world().bodies);
+    scene.solver.iterate(world().bodies, 0, std::min(blocks, scene.solver.prepared_count()));
+  }
+  look();
+  restore(world(), as_it_was);
+}
+
+int LiveRun::blocks() {
+  int count = 0;
+  within(0, 0, [&] { count = int(world().blocks.list.size()); });
+  return count;
+}
+
+namespace {
+
+// What is left of the velocity error of each row of a block [m/s, rad/s].
 void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, real h,
                double* out) {
   const Row* J = &blocks.J[std::size_t(block.first)];
@@ -165,32 +191,6 @@ void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, r
     out[i] = double(e);
   }
 }
-
-// Begins the next step, iterates, lets `use` look, and sets everything back. The direct solver has
-// no iterations: any number of them solves.
-template <class Use>
-void LiveRun::within(int iterations, int blocks, const Use& use) {
-  Scene& scene = *live_.scene;
-  const State as_it_was = save(world());
-  if (live_.before) live_.before(time_);
-  begin_step(world(), solver(), h_sub(), scene.stepping);
-  if (is_direct_) {
-    if (iterations > 0) direct_.solve(world().bodies);
-  } else {
-    for (int k = 0; k < iterations; ++k) scene.solver.iterate(world().bodies);
-    scene.solver.iterate(world().bodies, 0, std::min(blocks, scene.solver.prepared_count()));
-  }
-  use(world());
-  restore(world(), as_it_was);
-}
-
-int LiveRun::blocks() {
-  int count = 0;
-  within(0, 0, [&](const World& now) { count = int(now.blocks.list.size()); });
-  return count;
-}
-
-namespace {
 
 // The points and the forces of a joint: the blocks [from, to) of a world belong to it.
 JointLook look_of(const World& world, const Scene& scene, std::size_t number, std::size_t from,
@@ -226,38 +226,40 @@ JointLook look_of(const World& world, const Scene& scene, std::size_t number, st
 
 }  // namespace
 
+std::vector<JointLook> LiveRun::joints_now(int blocks) const {
+  std::vector<JointLook> found;
+  const World& now = world();
+  Blocks scratch;
+  std::size_t from = 0;
+  for (std::size_t k = 0; k < now.joints().size(); ++k) {
+    scratch.clear();
+    now.joints()[k]->append(now.bodies, scratch);
+    const std::size_t to = from + scratch.list.size();
+    if (to > from && (!hand_ || !(now.joints()[k]->body1 == *hand_))) {
+      found.push_back(look_of(now, scene(), k, from, to, h_sub()));
+      found.back().next = std::size_t(blocks) >= from && std::size_t(blocks) < to;
+    }
+    from = to;
+  }
+  return found;
+}
+
 std::vector<JointLook> LiveRun::look(int iterations, int blocks) {
   std::vector<JointLook> found;
-  within(iterations, blocks, [&](const World& now) {
-    Blocks scratch;
-    std::size_t from = 0;
-    for (std::size_t k = 0; k < now.joints().size(); ++k) {
-      scratch.clear();
-      now.joints()[k]->append(now.bodies, scratch);
-      const std::size_t to = from + scratch.list.size();
-      if (to > from && (!hand_ || !(now.joints()[k]->body1 == *hand_))) {
-        found.push_back(look_of(now, scene(), k, from, to, h_sub()));
-        found.back().next = std::size_t(blocks) >= from && std::size_t(blocks) < to;
-      }
-      from = to;
-    }
-  });
+  within(iterations, blocks, [&] { found = joints_now(blocks); });
   return found;
 }
 
 std::vector<double> LiveRun::errors(int most) {
   std::vector<double> sizes;
   const int last = is_direct_ ? 1 : most;
-  within(0, 0, [&](World& now) {
+  within(0, 0, [&] {
+    Bodies& bodies = world().bodies;
     for (int k = 0; k <= last; ++k) {
-      double sum = 0, left[6];
-      for (const Block& block : now.blocks.list) {
-        residuals(now.bodies, now.blocks, block, h_sub(), left);
-        for (int i = 0; i < block.rows; ++i) sum += left[i] * left[i];
-      }
-      sizes.push_back(std::sqrt(sum));
-      if (k == last) break;
-      is_direct_ ? direct_.solve(now.bodies) : live_.scene->solver.iterate(now.bodies);
+      if (k > 0) is_direct_ ? direct_.solve(bodies) : live_.scene->solver.iterate(bodies);
+      double largest = 0;
+      for (const JointLook& joint : joints_now(0)) largest = std::max(largest, joint.error);
+      sizes.push_back(largest);
     }
   });
   return sizes;

@@ -48,14 +48,15 @@ class LiveRun {
   /// it was.
   std::vector<JointLook> look(int iterations, int blocks);
   int blocks();  ///< the number of blocks of the next step's beginning
-  /// The remaining velocity error after 0, 1, 2 ... iterations of the next step [m/s, rad/s].
+  /// The largest velocity error of a joint after 0, 1, 2 ... iterations of the next step [m/s,
+  /// rad/s].
   std::vector<double> errors(int most);
   /// The factor by which an iteration multiplies the error in the long run [1].
   double rate(int most);
 
  private:
-  template <class Use>
-  void within(int iterations, int blocks, const Use& use);
+  void within(int iterations, int blocks, const std::function<void()>& look);
+  std::vector<JointLook> joints_now(int blocks) const;
   Solver& solver();
   real h_sub() const { return live_.scene->h / real(live_.scene->stepping.substeps); }
   World& world() const { return live_.scene->world; }
@@ -67,10 +68,6 @@ class LiveRun {
       energy_scale_;
   std::optional<BodyId> hand_;
 };
-
-/// What is left of the velocity error of each row of a block [m/s, rad/s].
-void residuals(const Bodies& bodies, const Blocks& blocks, const Block& block, real h,
-               double* out);
 
 }  // namespace joints::live
 /// @}

@@ -33,18 +33,28 @@ async function ask_all(what, more, use = () => {}, patience) {
 }
 // Whether the bodies have gained more than a scene begins with, and so much that there is nothing to
 // be seen any more.
-const blown_up = panel => panel.now[2] > panel.scale;
+const blown_up = panel => !(panel.now[2] <= panel.scale);
 const gone = panel => !(panel.now[2] < 1000 * panel.scale);
 // Whether joints are so far apart that the picture falls to pieces.
 const scene_size = () => Math.hypot(...scene.high.map((c, k) => c - scene.low[k]));
 const torn = panel => panel.now[1] > 0.05 * scene_size();
 const failed = panel => blown_up(panel) || torn(panel);
 
+// What this run had, by its name, that the scene does not begin with: settings, and a hand.
+let had = {};
+function differences() {
+  const idle = settings.direct ? [] : ["newton", "added_inertia"];
+  return Object.fromEntries(about.settings.filter((name, k) => !idle.includes(name) &&
+    settings[name] !== entry.begin[k]).map(name => [name, in_words(name, settings[name])]));
+}
+
 function take_state(panel, {state, driven}) {
   panel.driven = driven;
   panel.now = Array.from(state.slice(0, 3));
   panel.run.frames = [Array.from(state.slice(3))];
-  if (failed(panel)) panel.failed_with ||= settings;
+  for (const fault of [blown_up, torn])  // what there was when it began
+    if (!fault(panel)) panel.faults.delete(fault);
+    else if (!panel.faults.has(fault)) panel.faults.set(fault, {...had});
 }
 
 async function restart() {
@@ -52,9 +62,11 @@ async function restart() {
   inside = held = null;
   straight = true;
   wrong = refusal = "";
+  had = differences();
   for (const panel of panels)
     Object.assign(panel, {stopped: "", samples: [], errors: null, joints: null, us: 0, used: 0,
-                          counted: 0, now: [0, 0, 0], by_hand: 0, failed_with: null, scale: Infinity, printed: ""});
+                          counted: 0, now: [0, 0, 0], faults: new Map(), scale: Infinity,
+                          printed: ""});
   await ask_all("make", {name: entry.name, settings}, (panel, made) => {
     const known = scene.runs[0];
     panel.run = {label: panel.label, dt: 1, lines: made.lines, marks: made.marks,
@@ -86,9 +98,7 @@ async function steps(count) {
         panel.samples.push([...done.samples.slice(3 * k, 3 * k + 3), panel.us]);
       if (panel.samples.length > 20000) panel.samples.splice(0, 5000);
       panel.errors = panel.joints = null;
-      const before = panel.now[2];
       take_state(panel, done);
-      if (held) panel.by_hand += panel.now[2] - before;
     });
     count -= piece;
     time = Math.max(...panels.map(panel => panel.now[0]));
@@ -137,18 +147,19 @@ async function choose(name, wanted, {t = 0, iteration, block = 0} = {}) {
     settings = own;
   }
   const made = await engine.ask("make", {name: entry.name, settings: own});
-  const every = 6, {frames} = await engine.ask(
+  const every = 6, {frames, state} = await engine.ask(
     "record", {count: Math.round(3 / own.h), every}, 20000);
   scene = {runs: [{label: "the solution", dt: own.h * every, ...made, frames}]};
   measure(scene);
   scene.travel = 0;  // the live picture draws no way
+  scene.alone = {now: state, scale: made.energy_scale};  // with its own settings, at the end
   for (const tab of $("scenes").children) {
     tab.setAttribute("aria-pressed", tab.name === entry.name);
     if (tab.name === entry.name)
       $("scenes").scrollLeft = tab.offsetLeft - $("scenes").offsetLeft - 60;
   }
   $("watch").textContent = [entry.watch, where_they_part()].filter(Boolean).join(" ");
-  for (const panel of panels) panel.kept = [];
+  for (const panel of panels) Object.assign(panel, {kept: [], kept_with: ""});
   look_home();
   await restart();
   refusal = trouble;
@@ -182,6 +193,7 @@ async function change(name, value) {
     return;
   }
   settings = tried;
+  Object.assign(had, differences());
   wrong = refusal = "";
   straight = straight && time === 0;
   for (const panel of panels) panel.errors = null;

@@ -251,7 +251,8 @@ const std::vector<Entry>& entries() {
       {"door", "door", {3}, door,
        "Pushed open, held by a limit at 110 degrees, closed by a motor."},
       {"piston", "piston", {4}, piston,
-       "A motor drives it between two limits, beside its centre."},
+       "A motor, at first of 80 N, moves 5 kg up and down between two limits. It cannot lift a "
+       "weight above its strength."},
       {"ragdoll", "ragdoll", {5}, ragdoll, "Hung by one hand: four balls, one weld, one grip."},
       {"between", "between walls", {}, between,
        "Three blows at a chain that has hardly room to move: a loop of joints."},

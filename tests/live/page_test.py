@@ -50,6 +50,10 @@ def it_opens(root, build):
                     yield f"{name}: asks for {outside}"
                 if here.ask("document.documentElement.scrollWidth") > width:
                     yield f"{name}: pans sideways"
+                if here.ask("""(() => { const row = document.getElementById("scenes");
+                        return row.scrollWidth > row.clientWidth &&
+                          !getComputedStyle(row).maskImage.includes("gradient"); })()"""):
+                    yield f"{name}: the row of scenes ends without a sign"
                 if here.ask("document.documentElement.dataset.theme") != (
                         "dark" if dark else "light"):
                     yield f"{name}: not in its colours"
@@ -143,6 +147,8 @@ def settings_work(root, build):
         here.wait("time > 0.5")
         here.click("#keep")
         here.wait("panels[0].kept.length > 20 && time < 0.5 && playing")
+        if here.ask("panels[0].kept_with") != "the scene's own settings":
+            yield f"the kept curve is called {here.ask('panels[0].kept_with')}"
         here.wait("time > 1")
         here.type("[data-name=iterations] [type=number]", "5")  # beside a kept curve: a new run
         here.wait("settings.iterations === 5 && time < 0.9 && panels[0].kept.length > 20")
@@ -166,6 +172,16 @@ def one_looks_into_a_step(root, build):
             here.wait(f"location.hash.endsWith('&{state}')")
         if "arrows: impulses" not in said(here):
             yield f"says {said(here)}"
+        here.click("[data-view=errors]")
+        here.wait("panels[0].errors")
+        if not here.ask("largest_error(panels[0].joints) === panels[0].errors.errors[1]"):
+            yield "the sentence and the curve say different errors"
+        arrows = """(() => {
+            const {painted: {view}, joints} = panels[0], all = arrow_reach(view, joints);
+            return joints.every(joint => on_picture(view, project(
+              view, plus(joint.place, all, joint.impulse)))); })()"""
+        if not here.ask(arrows):
+            yield "an arrow leaves the picture"
         here.call("Input.dispatchKeyEvent", type="keyDown", key="i")  # the button has let it go
         here.wait("location.hash.endsWith('&iteration=2')")
         here.ask("document.querySelector('canvas').focus()")
@@ -185,6 +201,7 @@ def causes_are_told_apart(root, build):
     with browser.Browser() as here:
         for state, words, not_there in (
                 ("scene=pendulum&ratio=100&beta=1&t=1.2", "", "blown up"),
+                ("scene=piston&ratio=1000&t=2", "", "energy +"),
                 ("scene=chain&beta=2.1&t=3", "The setting beta 2.1 does that", "hand"),
                 ("beta=abc&t=0.1", "beta=abc, which is no number: it is 0.2", "NaN"),
                 ("scene=nowhere&t=0.1", "There is no scene nowhere: this is chain of 12", "NaN"),
@@ -196,8 +213,10 @@ def causes_are_told_apart(root, build):
         for state, words in (("foo=3&t=0.1", "foo, which is no name here"),
                              ("iterations=2.5&t=0.1", "must be a whole number of at most 10000"),
                              ("h=66.7&t=0.1", "must be at most 1000 ms: it is 16.7 ms"),
-                             ("ratio=1000&t=3", "the joints do not hold")):
-            here.open(f"{address}#scene={'heavy' if 'ratio' in state else 'chain'}&{state}")
+                             ("t=3", "apart, 8.49 % of the scene's size. The scene's own settings"),
+                             ("ratio=1000&iterations=60&t=3", "settings do that: change others"),
+                             ("beta=2.1&direct=0&t=3", "The setting beta 2.1 does that")):
+            here.open(f"{address}#scene={'heavy' if 't=3' in state else 'chain'}&{state}")
             if words not in said(here):
                 yield f"#{state}: {said(here)}"
         here.open(f"{address}#scene=chain&beta=2.1&t=3")
@@ -211,9 +230,16 @@ def causes_are_told_apart(root, build):
         here.wait("document.getElementById('said').textContent.includes('must be a number')")
         here.open(f"{address}#scene=chain&beta=2.1")
         here.wait("!playing && panels[0].now[2] > panels[0].scale")  # no run to the moon
-        here.ask("panels[0].by_hand = panels[0].now[2], show()")
-        if "Your hand did that" not in said(here):
-            yield f"the hand's own: {said(here)}"
+        for state, words in (("scene=chain&t=1", "the bodies have gained"),
+                             ("scene=chain&beta=1&t=1", "or the setting beta 1 does: press")):
+            here.open(f"{address}#{state}")
+            here.ask("hold(panels[0], 12, panels[0].painted.bodies[12].x), pull([-60, 40, 0])")
+            here.wait("blown_up(panels[0])")
+            here.ask("show()")
+            if words not in said(here) or "Your hand did that" not in said(here):
+                yield f"#{state}, a body thrown by hand: {said(here)}"
+            if ("blown up" in said(here)) != ("beta" in state):
+                yield f"#{state}, too strong or too weak: {said(here)}"
         here.open(f"{address}#scene=heavy&t=3")
         if not here.ask("""(() => { const {painted, canvas} = panels[0];
                 const [x, y] = project(painted.view, painted.bodies.at(-1).x);

@@ -24,7 +24,7 @@ STANDARD = """algorithm array cassert cmath cstdint cstdio cstdlib cstring deque
     limits list map memory numbers numeric optional queue set span sstream stdexcept string tuple
     type_traits utility vector""".split()
 UNITS = '-O0 -DJOINTS_REAL=joints::Quantity -DJOINTS_REAL_HEADER=\\"tests/checker/quantity.h\\"'
-FLAGS = [flag for flag in live.FLAGS if not flag.startswith("-O")] + ["-O1"]
+FLAGS = [*live.FLAGS, "-O1"]
 
 
 def missing(npm=True):

@@ -12,7 +12,7 @@ from learn import show
 from pictures import pages
 
 TEMPLATE = house.ROOT / "docs" / "live" / "live.html"
-FLAGS = ["--target=wasm32-wasi", "-std=c++20", "-O2", "-fexceptions", "-ffp-contract=off",
+FLAGS = ["--target=wasm32-wasi", "-std=c++20", "-fexceptions", "-ffp-contract=off",
          "-ffunction-sections", "-fdata-sections", "-DGLM_FORCE_CTOR_INIT",
          "-DGLM_FORCE_EXPLICIT_CTOR", "-w"]
 LINK = ["--target=wasm32-wasi", "-mexec-model=reactor", "-Wl,--gc-sections", "-Wl,--strip-all"]
@@ -79,7 +79,7 @@ def write_ninja(folder, swaps):
         link.unlink(missing_ok=True)
         link.symlink_to(glm)
     launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
-    flags = " ".join([*FLAGS, "-isystem include", f"-I{seen(house.ROOT)}"])
+    flags = " ".join([*FLAGS, "-Os", "-isystem include", f"-I{seen(house.ROOT)}"])
     lines = ["rule compile",
              f"  command = {launcher} clang++ {flags} $more -MMD -MF $out.d -c $in -o $out",
              "  deps = gcc", "  depfile = $out.d", "rule link",

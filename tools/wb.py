@@ -18,7 +18,7 @@ COMMANDS = {}  # by name, in the order of the overview
 # What others call a command, where the letters alone do not lead to it.
 MEANT = {"solve": "show", "solution": "show", "answer": "show", "verify": "check", "build": "test",
          "draw": "plot", "view": "see", "play": "see"}
-NEED_SOLUTIONS = {"tour", "check", "live", "course", "bench", "docs", "keep", "grade", "hand-out"}
+NEED_SOLUTIONS = {"tour", "check", "course", "bench", "docs", "keep", "grade", "hand-out"}
 TABLES = {"stability": "stiff, extreme and redundant scenes: which setting holds them",
           "methods": "every method on every kind of scene",
           "families": "scenes drawn by seeds: how many each setting holds",

@@ -85,7 +85,7 @@ inline Tuning tuning(real stiffness, real damping, real K) {
   const real omega = std::sqrt(stiffness * K), least = real(1e-6) * damping * K;
   const real w = std::max(omega, least);
   if (!(w > 0)) return {};
-  return {w / (2 * std::numbers::pi_v<real>), damping * K / (2 * w)};  // Eq. 6-18
+  return {w / 2 / std::numbers::pi_v<real>, damping * K / (2 * w)};  // Eq. 6-18
 }
 
 /// Decides when a step need not measure the coordinate: it skips atan2 while the limits of a hinge

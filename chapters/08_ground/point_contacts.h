@@ -109,7 +109,7 @@ inline void PointContacts::update_tangents(ContactPoint& point, const vec3& n, c
   if (turned_tangents) {
     sliding = point_velocity(body2, p - body2.x) - point_velocity(body1, p - body1.x);
     const real size = length(cached);
-    if (length(sliding - dot(n, sliding) * n) < at_rest)
+    if (length(cross(n, sliding)) < at_rest)
       sliding = size > 0 ? -cached / size : vec3(0);
   }
   point.t = tangents(n, sliding);

@@ -178,7 +178,7 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
   const bool again = !before_.empty();
   if (report_.iterated && !again) instead.warm_start(bodies, 0);
   warm_ = ratio > 0;
-  if (added_inertia > 0 && !again) before_.assign(bodies.data(), bodies.data() + bodies.slots());
+  if (added_inertia > 0 && !again) before_.assign(bodies.begin(), bodies.end());
   for (IslandPair& pair : islands_.pairs)
     if (pair.active)
       for_moving(pair, [&](int slot) {

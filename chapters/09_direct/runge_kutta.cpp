@@ -30,7 +30,7 @@ quat unit(const quat& q) {
 }
 
 void copy(Bodies& bodies, std::vector<Body>& to) {
-  to.assign(bodies.data(), bodies.data() + bodies.slots());
+  to.assign(bodies.begin(), bodies.end());
 }
 
 // Calls f(accumulated impulse) for every row.

@@ -38,7 +38,8 @@ struct Rack {
   }
   /// Keeps the turns of the pinion. \param h step [s]
   void count(const Body& body1, const Body&, real h) {
-    angle1.expected = angle_of(angle1, body1) + h * dot(slope_of(angle1, body1), body1.w);
+    const real rate = dot(body1.w, slope_of(angle1, body1));
+    angle1.expected = angle_of(angle1, body1) + rate * h;
   }
 };
 /// Validates it. \throws std::invalid_argument unless the angle is valid, the direction has length

@@ -22,7 +22,7 @@ inline Drawn drawn_centres(Draw& d, bool of_K) {
   if (of_K) return {{"K kg"}, {double(rod.K(pair.body1, pair.body2)) * u.kg}, {K * u.kg}};
   const vec3 n = direction(pair.body2.x - pair.body1.x);
   return drawn_rows(to_jacobian(rod.jacobian(pair.body1, pair.body2)),
-                    to_jacobian(Row{-n, vec3(0), n, vec3(0)}), u.m, u.m);
+                    to_jacobian(row_by_rates(n, vec3(0), vec3(0))), u.m, u.m);
 }
 
 inline Row drawn_row(Draw& d, const Draw::Units& u) {
@@ -42,7 +42,7 @@ inline Drawn drawn_row_impulse(Draw& d) {
   d.size("K", K, "1/kg");
   return {{"lambda / (kg m/s)"},
           {double(row_impulse(J, real(K), real(b), pair.body1, pair.body2)) * u.s / u.m / u.kg},
-          {K == 0 ? 0 : -(JV + b) / K * u.s / u.m / u.kg}, {10}};
+          {K > 0 ? (-b - JV) * u.s / u.m / u.kg / K : 0}, {10}};
 }
 
 inline Drawn drawn_row_push(Draw& d) {
@@ -94,21 +94,22 @@ inline Drawn drawn_step(Draw& d, bool ropes) {
                       (i < 3 ? u.m / u.s : 0.02 * u.m));
     return out;
   };
+  const Way way;
   const auto reference = [&](int back_in_even, int back_in_odd) {
     return numbers([&](std::vector<Body>& now) {
       for (Body& body : now)
-        if (!body.is_static()) body.v += settings.h * settings.gravity;
-      std::vector<LinkRow> rows;
-      for (const Link& link : links) rows.push_back(reference_row(link, now, settings));
+        body.v += body.is_static() ? vec3(0) : settings.gravity * settings.h;
+      std::vector<LinkRow> set_up_rows;
+      for (const Link& link : links) set_up_rows.push_back(reference_row(link, now, settings));
       for (int n = 0; n < settings.iterations; ++n)
         for (std::size_t place = 0; place < links.size(); ++place) {
           const bool back = n % 2 ? back_in_odd : back_in_even;
           const std::size_t k = back ? links.size() - 1 - place : place;
-          Body &one = now[links[k].body1], &two = now[links[k].body2];
-          const Turn turn{links[k], rows[k], one, two, settings};
-          Way::push(Way{}.gets(Way{}.wants(turn), turn), rows[k].J, one, two);
+          const Link& link = links[k];
+          const Turn turn{link, set_up_rows[k], now[link.body1], now[link.body2], settings};
+          way.gives(way.gets(way.wants(turn), turn), turn);
         }
-      for (Body& body : now) body.x += settings.h * body.v;
+      for (Body& body : now) body.x += body.v * settings.h;
     });
   };
   Drawn out{{}, numbers([&](std::vector<Body>& now) { step(now, links, settings); }),
@@ -151,7 +152,7 @@ inline Drawn drawn_rod(Draw& d, bool of_K) {
   const double apart = d.size("distance", (l1 + l2) * std::pow(10, -5 * d.pick()), "m");
   pair.body2.x = pair.body1.x + r1 - r2 + d.vector(apart);
   const vec3 n = direction(pair.body2.x + r2 - pair.body1.x - r1);
-  const Row J{-n, -cross(r1, n), n, cross(r2, n)};
+  const Row J = row_by_rates(n, r1, r2);
   if (of_K)
     return drawn_K(d, to_matrix(rod.K(pair.body1, pair.body2)), to_jacobian(J), pair, u.kg);
   return drawn_rows(to_jacobian(rod.jacobian(pair.body1, pair.body2)), to_jacobian(J),

@@ -6,6 +6,7 @@
 
 #include "chapters/01_distance/distance.h"
 #include "tests/checker/cases.h"
+#include "tests/checker/unit_rates.h"
 
 namespace joints::testing {
 
@@ -59,7 +60,8 @@ struct Way {
   Call<bool(const Turn&)> skips = [](const Turn&) { return false; };
   bool skip_is_the_last = false;  ///< of its iteration
   Call<real(const Turn&)> wants = [](const Turn& t) {
-    return t.row.K == 0 ? 0 : -(row_velocity(t.row.J, t.body1, t.body2) + t.row.bias) / t.row.K;
+    const real rate = dot(t.row.J.v1, t.body1.v) + dot(t.row.J.v2, t.body2.v);  // nothing turns
+    return t.row.K > 0 ? (-t.row.bias - rate) / t.row.K : 0;
   };
   /// The applied part of it: of a rope, the part that its sum allows.
   Call<real(real, const Turn&)> gets = [](real wanted, const Turn& t) {
@@ -73,13 +75,13 @@ struct Way {
   enum class Sum { each, of_iteration, of_all } sum = Sum::each;  ///< which sum a rope's is
 
   static real allowed(real wanted, real& sum) {
-    const real before = sum;
-    sum = std::max(before + wanted, real(0));
-    return sum - before;
+    const real change = std::max(wanted, -sum);
+    sum += change;
+    return change;
   }
   static void push(real lambda, const Row& J, Body& body1, Body& body2) {
-    body1.v += body1.inverse_mass * lambda * J.v1;
-    body2.v += body2.inverse_mass * lambda * J.v2;
+    for (const auto& [body, along] : {std::pair(&body1, J.v1), std::pair(&body2, J.v2)})
+      body->v += lambda * body->inverse_mass * along;
   }
 };
 
@@ -88,9 +90,8 @@ inline LinkRow reference_row(const Link& link, const std::vector<Body>& bodies,
                              const StepSettings& s) {
   const Body &a = bodies[link.body1], &b = bodies[link.body2];
   const real sign = link.rope ? -1 : 1, C = sign * (length(b.x - a.x) - link.length);
-  const vec3 n = sign * direction(b.x - a.x);
-  return {{-n, vec3(0), n, vec3(0)}, a.inverse_mass + b.inverse_mass,
-          (link.rope && C > 0 ? 1 : s.beta) * C / s.h, 0};
+  return {row_by_rates(sign * direction(b.x - a.x), vec3(0), vec3(0)),
+          a.inverse_mass + b.inverse_mass, (link.rope && C > 0 ? 1 : s.beta) * C / s.h, 0};
 }
 
 /// What became of the bodies: six numbers each. A scene has four at most; 0 for those that it has

@@ -4,6 +4,7 @@
 #include "chapters/02_ball/ball.h"
 #include "tests/checker/drawn.h"
 #include "tests/checker/push_cases.h"
+#include "tests/checker/unit_rates.h"
 #include "tests/checker/vector_cases.h"
 
 namespace joints::testing {
@@ -19,7 +20,7 @@ inline Drawn drawn_point(Draw& d, bool of_K) {
     point.anchor2_local = anchor1;
   }
   const vec3 r1 = pair.body1.q * point.anchor1_local, r2 = pair.body2.q * point.anchor2_local;
-  const Jacobian<3> J = jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2));
+  const Jacobian<3> J = point_by_rates(r1, r2);
   if (of_K) return drawn_K(d, to_matrix(point.K(pair.body1, pair.body2)), J, pair, u.kg);
   return drawn_rows(point.jacobian(pair.body1, pair.body2), J, double(length(r1)),
                     double(length(r2)));
@@ -27,7 +28,7 @@ inline Drawn drawn_point(Draw& d, bool of_K) {
 
 inline Jacobian<3> drawn_point_rows(Draw& d, const Draw::Units& u) {
   const vec3 r1 = d.vector(u.m), r2 = d.vector(u.m);
-  return jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2));
+  return point_by_rates(r1, r2);
 }
 
 /// Instead of lambda: K lambda beside the rates that it must take away.

@@ -125,7 +125,7 @@ inline CaseTable<RowsCase> coupling_table() {
        "takes the rows as they are",
        with([=](const Body& body) {
          const mat3 R = glm::mat3_cast(body.q);
-         return Mass{body.inverse_mass, R * inverse_inertia(body) * transpose(R)};
+         return Mass{body.inverse_mass, R * inverse_inertia(body) * inverse(R)};
        })},
       {"#only-local-side one side is turned into the body's axes and not the other: take "
        "inverse_inertia(body)",

@@ -15,6 +15,11 @@ vec3 gap(const Part& part, const Body& body1, const Body& body2) {
 inline vec3 short_way(const quat& q) {
   return (q.w < 0 ? real(-1) : real(1)) * vec3(q.x, q.y, q.z);
 }
+// 2 sin(angle / 2) times the axis of a rotation, from its matrix.
+inline vec3 twice_half_sine(const mat3& R) {
+  const vec3 twice_sine(R[1].z - R[2].y, R[2].x - R[0].z, R[0].y - R[1].x);
+  return twice_sine / std::sqrt(1 + R[0].x + R[1].y + R[2].z);
+}
 
 struct LineReference : Line {
   Vector<2> error(const Body& body1, const Body& body2) const {
@@ -24,7 +29,7 @@ struct LineReference : Line {
 };
 struct LockReference : RotationLock {
   vec3 error(const Body& body1, const Body& body2) const {
-    return real(2) * short_way(body2.q * conjugate(start) * conjugate(body1.q));
+    return twice_half_sine(glm::mat3_cast(body2.q) * transpose(glm::mat3_cast(body1.q * start)));
   }
 };
 struct SlideReference : Slide {

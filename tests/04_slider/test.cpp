@@ -71,8 +71,10 @@ TEST_CASE("4.2 the initial relative orientation is never an error", "[4.2]") {
 }
 
 TEST_CASE("4.2 the rate of a lock is the angular velocity of body 2 relative to body 1", "[4.2]") {
+  Jacobian<3> by_hand;
+  for (int k = 0; k < 3; ++k) by_hand[k].w1[k] = -1, by_hand[k].w2[k] = 1;
   check_jacobian<Locks>({RotationLock{quarter_z}}, {paper1, static_body(vec3(0), quarter_z)},
-                    jacobian_from_blocks(mat3(0), mat3(-1), mat3(0), mat3(1)));
+                        by_hand);
 }
 
 TEST_CASE("4.2 the rows of a lock are the slopes of its error where it is zero", "[4.2]") {

@@ -44,7 +44,7 @@ inline Drawn drawn_about(Draw& d) {
   const Reaction yours = about(load, from, to);
   return drawn_vectors({"force", "torque"}, flat(std::vector<vec3>{yours.force, yours.torque}),
                        flat(std::vector<vec3>{load.force, load.torque +
-                                                              cross(from - to, load.force)}),
+                                                              skew(load.force) * (to - from)}),
                        {force, force * u.m});
 }
 /// Force and torque a little below their bounds or above.

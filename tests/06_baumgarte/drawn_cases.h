@@ -5,6 +5,7 @@
 #include "tests/06_baumgarte/torn_joints.h"
 #include "tests/checker/drawn.h"
 #include "tests/checker/push_cases.h"
+#include "tests/checker/unit_rates.h"
 
 namespace joints::testing {
 
@@ -33,7 +34,7 @@ inline Drawn drawn_warm_start(Draw& d) {
   d.side("a component of lambda is negative", std::min({before.x, before.y, before.z}) < 0);
   const double ratio = d.size("ratio", d.scale(2), "");
   const vec3 r1 = d.vector(u.m), r2 = d.vector(u.m);
-  const Jacobian<3> J = jacobian_from_blocks(mat3(-1), skew(r1), mat3(1), -skew(r2));
+  const Jacobian<3> J = point_by_rates(r1, r2);
   for (int i = 0; i < 3; ++i) c.J.push_back(J[i]), c.lambda.push_back(real(ratio) * before[i]);
   Pair pair = c.pair;
   vec3 lambda = before;
@@ -143,8 +144,8 @@ inline Drawn drawn_iteration(Draw& d) {
   }
   Chain yours = chain, right = chain;
   projection_iteration(yours);
-  for (std::size_t k = 0; k < right.joints.size(); ++k)
-    project(right.joints[k], right.bodies[k], right.bodies[k + 1]);
+  Body* body = right.bodies.data();
+  for (const Point& joint : right.joints) project(joint, body[0], body[1]), ++body;
   Drawn out{{}, {}, {}, {1}};
   for (std::size_t k = 1; k < chain.bodies.size(); ++k)
     append_move(out, "body " + std::to_string(k), chain.bodies[k], yours.bodies[k],

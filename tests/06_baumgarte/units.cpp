@@ -6,7 +6,7 @@ using namespace joints;
 using namespace joints::testing;
 
 namespace {
-const Jacobian<3> J = jacobian_from_blocks(mat3(-1), skew(lever1), mat3(1), -skew(lever2));
+const Jacobian<3> J = point_by_rates(lever1, lever2);
 
 constexpr const char* moves_are_ways =
     "a velocity has got among the moves: nothing here is multiplied or divided by h";

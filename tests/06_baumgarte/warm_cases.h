@@ -18,14 +18,8 @@ struct Moves {
 };
 template <int N>
 Moves response(const Jacobian<N>& J, const Vector<N>& lambda, const Pair& pair) {
-  Moves out;
-  for (int i = 0; i < N; ++i) {
-    out.way1 += pair.body1.inverse_mass * lambda[i] * J[i].v1;
-    out.turn1 += inverse_inertia(pair.body1) * (lambda[i] * J[i].w1);
-    out.way2 += pair.body2.inverse_mass * lambda[i] * J[i].v2;
-    out.turn2 += inverse_inertia(pair.body2) * (lambda[i] * J[i].w2);
-  }
-  return out;
+  const FourVectors a = ImpulseLines(pair).changes(impulses<N>(J, lambda));
+  return {a[0], a[1], a[2], a[3]};
 }
 inline Moves scaled(real one, real two, const Moves& a) {
   return {one * a.way1, one * a.turn1, two * a.way2, two * a.turn2};

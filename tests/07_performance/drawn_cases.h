@@ -53,11 +53,7 @@ inline Drawn drawn_whole_K(Draw& d) {
   hinge.I1 = symmetric(inverse_inertia(pair.body1));
   hinge.I2 = symmetric(inverse_inertia(pair.body2));
   Jacobian<5> J;
-  for (int i = 0; i < 3; ++i) {
-    vec3 e(0);
-    e[i] = 1;
-    J[i] = {-e, -cross(r1, e), e, cross(r2, e)};
-  }
+  for (int i = 0; i < 3; ++i) J[i] = row_by_rates(unit_vector(i), r1, r2);
   for (int i = 0; i < 2; ++i) J[3 + i] = {vec3(0), -rows[i], vec3(0), rows[i]};
   const Matrix<5> K = whole_K(hinge, pair.body1.inverse_mass, pair.body2.inverse_mass);
   const Matrix<5> right = dense_K(J, pair.body1, pair.body2);

@@ -5,11 +5,11 @@
 
 #include "chapters/07_performance/performance.h"
 #include "tests/checker/pose_cases.h"
+#include "tests/checker/unit_rates.h"
 
 namespace joints::testing {
 
-// ---- the reference of exercise 7.1
-// -------------------------------------------------------------------
+// ---- the reference of exercise 7.1 --------------------------------------------------------------
 
 /// A direction turned by a quaternion: q a q^-1.
 inline vec3 rotated(const quat& q, const vec3& a) {
@@ -130,10 +130,7 @@ inline mat3 reference_inertia(const HingeCase& c, bool second) {
 /// The five rows: a gap moves with both anchors, an axis error with the turns alone.
 inline Jacobian<5> hinge_rows(const vec3& r1, const vec3& r2, const std::array<vec3, 2>& a) {
   Jacobian<5> J;
-  for (int k = 0; k < 3; ++k) {
-    const vec3 n = unit_vector(k);
-    J[k] = {-n, -cross(r1, n), n, cross(r2, n)};
-  }
+  for (int k = 0; k < 3; ++k) J[k] = row_by_rates(unit_vector(k), r1, r2);
   for (int k = 0; k < 2; ++k) J[3 + k] = {vec3(0), -a[k], vec3(0), a[k]};
   return J;
 }

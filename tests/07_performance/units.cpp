@@ -14,8 +14,8 @@ HingeNumbers<real> numbers_with_units() {
   out.r2 = triple(lever2);
   out.axis_row[0] = triple(direction1 * pure);
   out.axis_row[1] = triple(direction2 * pure);
-  out.I1 = symmetric(inverse_inertia(body1));
-  out.I2 = symmetric(inverse_inertia(body2));
+  for (const auto& [I, body] : {std::pair(&out.I1, &body1), std::pair(&out.I2, &body2)})
+    *I = symmetric(inverse_inertia(*body));
   for (int i = 0; i < 5; ++i) {
     out.bias[i] = (i < 3 ? m : pure) / s;
     for (int j = i; j < 5; ++j)

@@ -3,6 +3,7 @@
 
 #include "chapters/08_ground/ground.h"
 #include "tests/checker/drawn.h"
+#include "tests/checker/unit_rates.h"
 #include "tests/checker/vector_cases.h"
 
 namespace joints::testing {
@@ -28,7 +29,7 @@ inline Drawn drawn_corner(Draw& d, bool of_row) {
   const double l1 = double(length(r1)), l2 = double(length(r2));
   const double rounding_of = is_float ? 1e-3 : 1e-6;
   return drawn_rows(to_jacobian(corner.along(t, pair.body1, pair.body2)),
-                    to_jacobian(Row{-t, -cross(r1, t), t, cross(r2, t)}), l1 + rounding_of * l2,
+                    to_jacobian(row_by_rates(t, r1, r2)), l1 + rounding_of * l2,
                     l2 + rounding_of * l1);
 }
 

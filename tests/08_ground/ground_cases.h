@@ -72,7 +72,7 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_corner_rows(
     Jacobian<N> J;
     for (int i = 0; i < N; ++i) {
       const vec3 d = turned(directions[std::size_t(i)]);
-      J[i] = {-d, -cross(arm1, d), d, cross(arm2, d)};
+      J[i] = row_by_rates(d, arm1, arm2);
     }
     out.push_back({words, J});
   };
@@ -133,7 +133,7 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_corner_rows(
     for (int i = 0; i < N; ++i) J[i] = row(directions[std::size_t(i)]);
     out.push_back({words, J});
   };
-  const auto right = [&](const vec3& d) { return Row{-d, -cross(r1, d), d, cross(r2, d)}; };
+  const auto right = [&](const vec3& d) { return row_by_rates(d, r1, r2); };
   const auto turned = [&](const char* words, const auto& turn) {
     built(words, [&](const vec3& d) { return right(turn(d)); });
   };

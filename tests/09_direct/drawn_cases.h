@@ -148,10 +148,9 @@ inline Drawn drawn_side(Draw& d) {
   d.side("the row is free and within its bounds",
          now == Side::free && impulse > lower && impulse < upper);
   d.side("the rate is negative", rate < 0);
-  const Side right = now == Side::free ? impulse < lower   ? Side::lower
-                                         : impulse > upper ? Side::upper
-                                                           : Side::free
-                     : (now == Side::lower ? rate < 0 : rate > 0) ? Side::free : now;
+  const Side beyond_bounds = sides[impulse > upper ? 2 : impulse < lower];
+  const bool leaves = now == Side::lower ? rate < 0 : rate > 0;
+  const Side right = now == Side::free ? beyond_bounds : leaves ? Side::free : now;
   const Side yours = next_side(now, impulse, lower, upper, rate);
   return {{"side (-1 lower, 0 free, 1 upper)"}, {double(static_cast<signed char>(yours))},
           {double(static_cast<signed char>(right))}, {1}};

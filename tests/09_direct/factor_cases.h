@@ -32,7 +32,7 @@ struct FactorReference {
     for (int k = first_node; k < c.count() - skip_nodes; ++k) {
       const Node& node = A.nodes[std::size_t(k)];
       const int n = node.rows, end = A.nodes[std::size_t(k) + 1].first_edge - skip_edges;
-      double* const D = number + node.diagonal;
+      double* const D = &number[node.diagonal];
       const auto factor_diagonal = [&] {
         const std::size_t at = std::size_t(original == Original::own       ? node.row
                                            : original == Original::by_node ? k
@@ -51,7 +51,7 @@ struct FactorReference {
         else if (divides) divide_rows(block, m, D, n, L);
         else std::copy(block, block + m * n, L);
         std::copy(block, block + m * n, kept);
-        if (store == Store::early) std::copy(L, L + m * n, block);
+        if (store == Store::early) std::copy_n(L, m * n, block);
         for (int n_th = from_first ? node.first_edge : j + from; n_th < end - skip_inner; ++n_th) {
           const int i = backwards ? end - 1 - (n_th - j) : n_th;
           const Edge& other = A.edges[std::size_t(i)];

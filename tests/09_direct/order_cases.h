@@ -33,7 +33,7 @@ struct OrderReference {
   std::vector<int> order() const {
     const int n = int(graph.size());
     std::vector<std::multiset<int>> left;
-    for (const auto& of : graph) left.emplace_back(of.begin(), of.end());
+    for (const auto& of : graph) left.push_back({of.begin(), of.end()});
     std::vector<bool> gone(std::size_t(n), false);
     std::vector<int> changed(std::size_t(n), 0);
     std::vector<int> out;
@@ -85,7 +85,7 @@ struct Cost {
 };
 inline Cost cost_of(const Graph& graph, const std::vector<int>& order) {
   std::vector<std::set<int>> left;
-  for (const auto& of : graph) left.emplace_back(of.begin(), of.end());
+  for (const auto& of : graph) left.push_back({of.begin(), of.end()});
   Cost out;
   for (const int node : order) {
     const std::set<int> around = left[std::size_t(node)];

@@ -47,7 +47,7 @@ struct SolveReference {
     };
     const auto divide_own = [&](int k) {
       const Node& node = A.nodes[std::size_t(k)];
-      for (int n = 0; n < divides; ++n) divide(number + node.diagonal, node.rows, at(k));
+      for (int n = 0; n < divides; ++n) divide(&number[node.diagonal], node.rows, at(k));
     };
     const int count = c.count() - skip_nodes;
     for (int n = 0; n < count; ++n) {

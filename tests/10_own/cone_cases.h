@@ -63,7 +63,7 @@ struct ConeFixture {
   struct Part : Cone {
     real error(const Body& one, const Body& two) const {
       const vec3 a1 = one.q * a1_local, a2 = two.q * a2_local;
-      return limit - std::atan2(length(cross(a1, a2)), dot(a1, a2));
+      return limit - 2 * std::atan2(length(a2 - a1), length(a2 + a1));
     }
   };
   static constexpr Subject J{"10.4", "the row J of a cone", 2};

@@ -58,10 +58,13 @@ inline CaseTable<PartCase<Screw>> screw_table() {
         of([](real s, real theta, real lead) { return s - lead / 360 * theta; })}});
 }
 
+/// The travel of a radian.
+inline real per_radian(real lead) { return lead * std::numbers::inv_pi_v<real> / 2; }
+
 struct ScrewFixture {
   struct Part : Screw {
     real error(const Body& one, const Body& two) const {
-      return slide.error(one, two) - lead / (2 * std::numbers::pi_v<real>) * angle.error(one, two);
+      return slide.error(one, two) - per_radian(lead) * angle.error(one, two);
     }
   };
   static constexpr Subject J{"10.3", "the row J of a screw", 2};
@@ -75,18 +78,20 @@ struct ScrewFixture {
     const vec3 a = to_world(pair.body1, part.slide.a1_local);
     const real angle = random.uniform(real(-0.5), real(0.5));
     turn_about(pair.body2, world_point(pair.body2, part.slide.anchor2_local), rotation(angle * a));
-    pair.body2.x += part.lead / (2 * std::numbers::pi_v<real>) * angle * a;
+    pair.body2.x += per_radian(part.lead) * angle * a;
   }
   static std::vector<std::pair<std::string, Jacobian<1>>> mistakes(const Part& part,
                                                                    const Pair& pair) {
     const Row s = part.slide.jacobian(pair.body1, pair.body2);
     const Row t = part.angle.jacobian(pair.body1, pair.body2);
-    const real p = part.lead / (2 * std::numbers::pi_v<real>);
+    const real p = per_radian(part.lead);
     const auto row = [](const std::string& words, const Row& J) {
       return std::pair(words, to_jacobian(J));
     };
     const auto combined = [&](real factor) {
-      return Row{s.v1, s.w1 - factor * t.w1, s.v2, s.w2 - factor * t.w2};
+      Row J = s;
+      J.w1 -= factor * t.w1, J.w2 -= factor * t.w2;
+      return J;
     };
     return {row("the lead is the travel of a whole turn: divide it by 2 pi",
                 combined(part.lead)),

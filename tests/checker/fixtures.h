@@ -73,7 +73,7 @@ struct DistanceFixture {
   }
   static WrongRows mistakes(const Part& part, const Pair& pair) {
     const auto& [one, two] = pair;
-    const vec3 r1 = to_world(one, part.anchor1_local), r2 = to_world(two, part.anchor2_local);
+    const vec3 r1 = one.q * part.anchor1_local, r2 = two.q * part.anchor2_local;
     const RodParts rod{one.x, two.x, r1, r2, part.length, part.error(one, two)};
     WrongRows out = wrong_directions(rod);
     for (const auto& wrong : wrong_levers(rod)) out.push_back(wrong);
@@ -93,11 +93,11 @@ struct DistanceFixture {
   }
   static WrongNumbers K_mistakes(const Part& part, const Pair& pair) {
     const auto& [one, two] = pair;
-    const vec3 r1 = to_world(one, part.anchor1_local), r2 = to_world(two, part.anchor2_local);
+    const vec3 r1 = one.q * part.anchor1_local, r2 = two.q * part.anchor2_local;
+    const Row levers{vec3(1, 0, 0), r1, vec3(1, 0, 0), r2};
     return {{"#levers-for-arms the levers themselves stand beside the inertia: it is r x n, as in "
              "J",
-             one.inverse_mass + two.inverse_mass + dot(r1, inverse_inertia(one) * r1) +
-                 dot(r2, inverse_inertia(two) * r2)}};
+             dense_K(to_jacobian(levers), one, two)[0][0]}};
   }
 };
 
@@ -126,7 +126,7 @@ struct PointFixture {
   static std::vector<std::pair<std::string, Jacobian<3>>> mistakes(const Part& part,
                                                                    const Pair& pair) {
     const auto& [one, two] = pair;
-    const vec3 r1 = to_world(one, part.anchor1_local), r2 = to_world(two, part.anchor2_local);
+    const vec3 r1 = one.q * part.anchor1_local, r2 = two.q * part.anchor2_local;
     const mat3 E(1), ones(1, 1, 1, 1, 1, 1, 1, 1, 1);
     const auto rows = [](const mat3& block, const vec3& arm1, const vec3& arm2) {
       return jacobian_from_blocks(-block, skew(arm1), block, -skew(arm2));

@@ -1,7 +1,7 @@
 // The usual mistakes in the row of a rod: a wrong direction, or wrong levers.
 #pragma once
 
-#include "engine/matrix.h"
+#include "tests/checker/unit_rates.h"
 
 namespace joints::testing {
 
@@ -21,7 +21,7 @@ struct RodParts {
   vec3 u() const { return x2 + r2 - x1 - r1; }
   /// The row with these vectors in the place of the direction and the levers.
   Jacobian<1> row(const vec3& n, const vec3& arm1, const vec3& arm2) const {
-    return to_jacobian(Row{-n, -cross(arm1, n), n, cross(arm2, n)});
+    return to_jacobian(row_by_rates(n, arm1, arm2));
   }
   Jacobian<1> along(const vec3& n) const { return row(n, r1, r2); }
 };

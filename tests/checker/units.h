@@ -6,6 +6,7 @@
 #include "engine/matrix.h"
 #include "tests/checker/catch.h"
 #include "tests/checker/thrown.h"
+#include "tests/checker/unit_rates.h"
 
 namespace joints::testing {
 
@@ -29,8 +30,7 @@ inline const vec3 lever2 = vec3(-1, real(0.6), real(0.2)) * m;
 inline const vec3 direction1(real(0.6), real(0.8), 0), direction2(real(-0.8), real(0.6), 0);
 
 /// A row that feels both velocities and both turns.
-inline const Row row{-direction1, -cross(lever1, direction1), direction1,
-                     cross(lever2, direction1)};
+inline const Row row = row_by_rates(direction1, lever1, lever2);
 
 /// What often explains that `missing` is missing from a unit, or that its inverse is too many.
 struct Reason {

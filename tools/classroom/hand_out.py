@@ -10,9 +10,11 @@ import subprocess
 from base import exercises, house
 from base.talk import folded
 from learn import show
+from website import live
 
-# What holds answers, or tests of the whole workbook that compute the same.
+# What holds answers, or computes the same for tests and benchmarks of the whole workbook.
 LEFT_OUT = re.compile(r"solutions/|tests/\d\d_\w+/answers/|tests/(?!\d\d_|checker/)\w+/|"
+                      r"bench/.*(?<!\.csv)$|docs/library\.md$|"
                       r"tests/topics\.cmake$|\.github/|\.gitlab-ci\.yml$|\.ci/")
 # What the README says first in an edition.
 NOTE = """\
@@ -54,6 +56,15 @@ def hand_out(folder):
                         "The answers are handed out when the chapter is over.\n")
         run = folder / house.short(show.recorded(chapter))
         shutil.copytree(show.SOLUTIONS / chapter.folder, run)
+    if lacking := live.missing():
+        print(folded(f"without ./wb live, which needs {' '.join(lacking)} here when it is handed "
+                     "out"))
+    else:
+        live.build()
+        for name in live.sources():
+            path = folder / house.short(live.SHIPPED) / f"{name}.o"
+            path.parent.mkdir(exist_ok=True)
+            shutil.copy(live.object_of(name), path)
     print(folded(f"{folder}: the workbook without solutions. When a chapter is over, hand out its "
                  "folder too, such as solutions/01_distance: what is missing works then."))
     return 0

@@ -152,8 +152,7 @@ def objects(*names):
 
 def shared_objects():
     """What every chapter's tests may call, each taken only where it is called."""
-    lives = house.BUILD / "live"
-    return {f"/lib/{name}.o": (lives / f"{name}.o").read_bytes()
+    return {f"/lib/{name}.o": live.object_of(name).read_bytes()
             for name in ("engine", "given", *(c.folder for c in house.chapters()))}
 
 
@@ -165,8 +164,7 @@ def units_objects():
 
 def live_objects():
     """What the live page has besides."""
-    lives = house.BUILD / "live"
-    return {f"/lib/{name}.o": (lives / f"{name}.o").read_bytes()
+    return {f"/lib/{name}.o": live.object_of(name).read_bytes()
             for name in ("bench", "exports", "run", "scenes", "thrown")}
 
 

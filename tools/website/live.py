@@ -12,6 +12,7 @@ from learn import show
 from pictures import pages
 
 TEMPLATE = house.ROOT / "docs" / "live" / "live.html"
+SHIPPED = house.ROOT / "solutions" / "wasm"  # the objects, in a student's edition
 FLAGS = ["--target=wasm32-wasi", "-std=c++20", "-fexceptions", "-ffp-contract=off",
          "-ffunction-sections", "-fdata-sections", "-DGLM_FORCE_CTOR_INIT",
          "-DGLM_FORCE_EXPLICIT_CTOR", "-w"]
@@ -47,11 +48,15 @@ def missing():
 
 
 def refuse(chapter):
-    """Without the packages: one line that says which, and names the replacement."""
-    if lacking := missing():
+    """Without the packages, or the objects of an edition: one line that says which, and names the
+    replacement."""
+    lacking = missing()
+    if any(one.sealed for one in house.chapters()) and not SHIPPED.is_dir():
+        lacking = ["objects that this edition was handed out without"]
+    if lacking:
         raise house.Trouble(
-            f"live needs {' '.join(lacking)} (Debian packages). Without them the recorded motion: "
-            f"./wb see{f' {chapter.number}' if chapter else ''}")
+            f"live needs {' '.join(lacking)}{' (Debian packages)' * bool(missing())}. Without "
+            f"them the recorded motion: ./wb see{f' {chapter.number}' if chapter else ''}")
 
 
 # ---- the modules ---------------------------------------------------------------------------------
@@ -64,6 +69,11 @@ def glm_folder():
         if (place / "glm" / "glm.hpp").exists():
             return place / "glm"
     raise house.Trouble("glm is not there (Debian package: libglm-dev)")
+
+
+def object_of(name):
+    """The file of one of the objects."""
+    return (SHIPPED if SHIPPED.is_dir() else house.BUILD / "live") / f"{name}.o"
 
 
 def write_ninja(folder, swaps):
@@ -93,7 +103,8 @@ def write_ninja(folder, swaps):
                 f'#include "{path.relative_to(house.ROOT)}"\n' for path in paths))
         lines.extend([f"build {name}.o: compile {source}", f"  more = {more}"])
         return f"{name}.o"
-    objects = {name: compiled(name, paths) for name, paths in sources().items()}
+    objects = {name: seen(object_of(name)) if SHIPPED.is_dir() else compiled(name, paths)
+               for name, paths in sources().items()}
     for name, swap in {"solution": {}, **swaps}.items():
         mine = {which: compiled(f"{name}.{which}", [path], " ".join(LENIENT))
                 for which, path in swap.items()}
@@ -128,10 +139,14 @@ def write_page(page, title, modules, **more):
 
 
 def prepare_mine(chapter):
-    """Which exercises are the reader's own; their file, the rest from the solution, lies ready."""
+    """Which exercises are the reader's own; their file, the rest from the solution, lies ready.
+    Without the solution they count only if none is missing."""
     look = reading.look(chapter)
     look.refuse()
-    if written := look.written():
+    written = look.written()
+    if chapter.sealed and len(written) < len(chapter.ids()):
+        return []
+    if written:
         show.write_mixed(chapter, written)
     return written
 
@@ -172,7 +187,8 @@ def live(chapter):
         folder = build()
         note, modules = "", [("the solution", folder / "solution.wasm")]
         if chapter:
-            note = "the solution: no exercise of this chapter is written yet"
+            note = "the solution: no exercise of this chapter is written yet" \
+                if not chapter.sealed else "the solution; yours when all exercises are written"
     house.progress_done()
     title = f"Chapter {chapter.number}: {chapter.name}, live" if chapter else "The engine, live"
     write_page(page, title, modules, note=note, chapter=chapter.number if chapter else 0)

@@ -147,7 +147,8 @@ class HingeLoop {
       HingeNumbers<real> one{};
       std::array<real, 15> lower{};
       if (const int k = hinge_in(group, lane); k >= 0) {
-        const Body &body1 = bodies[links[k].body1], &body2 = bodies[links[k].body2];
+        const BodyPair& link = links[std::size_t(k)];
+        const Body &body1 = bodies[link.body1], &body2 = bodies[link.body2];
         hoist(hinges[k], body1, body2, h, one);
         const Matrix<5> all = whole_K(one, body1.inverse_mass, body2.inverse_mass);
         for (int i = 0; i < 5; ++i)

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <numeric>
 #include <random>
-#include <set>
 
 #include "chapters/09_direct/program/program.h"
 
@@ -35,8 +34,10 @@ struct Graph {
 // The joints of a scene, all of the same kind.
 Graph joints_of(const std::string& name, Scene&& scene) {
   World& world = scene.world;
-  for (const auto& joint : world.joints()) joint->begin_step(world.bodies, scene.h);
-  for (const auto& joint : world.joints()) joint->append(world.bodies, world.blocks);
+  for (const auto& joint : world.joints()) {
+    joint->begin_step(world.bodies, scene.h);
+    joint->append(world.bodies, world.blocks);
+  }
   Graph out{name, world.blocks.list[0].rows, {}};
   const auto moving = [&](int slot) { return world.bodies.at(slot).is_static() ? -1 : slot; };
   for (const Block& block : world.blocks.list)
@@ -68,23 +69,27 @@ struct Count {
 // \param pattern receives the places of all blocks below the diagonal, and whether they are fill-in
 Count eliminate(const Graph& graph, const std::vector<int>& order,
                 const std::function<void(int, int, bool)>& pattern) {
+  const std::size_t size = order.size();
+  std::vector<std::string> block(size, std::string(size, ' '));  // of the matrix
   const auto given = graph.neighbours();
-  std::vector<std::set<int>> left;
-  for (const auto& of_one : given) left.emplace_back(of_one.begin(), of_one.end());
-  std::vector<int> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = int(k);
+  for (std::size_t k = 0; k < size; ++k)
+    for (const int other : given[k]) block[k][other] = 'g';
+  std::vector<int> place(size);
+  for (std::size_t k = 0; k < size; ++k) place[order[k]] = int(k);
   Count count;
   const double n = graph.rows;
   for (const int node : order) {
-    const double below = n * double(left[node].size());
+    std::vector<int> later;  // its neighbours that are not eliminated yet
+    for (std::size_t k = 0; k < size; ++k)
+      if (block[node][k] != ' ' && place[k] > place[node]) later.push_back(int(k));
+    const double below = n * double(later.size());
     count.multiplications += n * (n + below) * (n + below) / 2;  // Eq. 9-6
-    for (const int a : left[node]) {
-      const bool filled = !std::count(given[node].begin(), given[node].end(), a);
+    for (const int a : later) {
+      const bool filled = block[node][a] == 'f';
       if (filled) count.fill += n * n;
       pattern(place[a], place[node], filled);
-      left[a].erase(node);
-      for (const int b : left[node])
-        if (b != a) left[a].insert(b);
+      for (const int b : later)
+        if (a != b && block[a][b] == ' ') block[a][b] = 'f';
     }
   }
   return count;

@@ -1,7 +1,8 @@
 // Search in the words of all pages. tools/website/words.py writes search_words.js, which calls
-// search_words({places: [[address, page, heading], ...], words: {word: [place, weight, ...]},
-// common: [...], synonyms: {word: other words}}); it is loaded when somebody begins to type, as a
-// script, so that it works from a disk, too.
+// search_words({pages: [[file, title], ...], places: [[number of the page, anchor, heading], ...],
+// words: {word: [places behind the last one, weight, ...]}, common: [...], synonyms: {word: other
+// words}}); it is loaded when somebody begins to type, as a script, so that it works from a disk,
+// too. An anchor that begins with "-" begins with the name of its page.
 "use strict";
 
 let index = null, asked = false;
@@ -18,8 +19,10 @@ function hits_of(word) {
   for (const known of index.list) {
     const share = known === word ? 1 : known.startsWith(word) ? 0.25 : 0;
     const hits = share ? index.words[known] : [];
-    for (let i = 0; i < hits.length; i += 2)
-      found.set(hits[i], Math.max(found.get(hits[i]) || 0, share * hits[i + 1]));
+    for (let i = 0, place = 0; i < hits.length; i += 2) {
+      place += hits[i];
+      found.set(place, Math.max(found.get(place) || 0, share * hits[i + 1]));
+    }
   }
   return found;
 }
@@ -54,7 +57,12 @@ function places_of(question) {
   }
   const worth = ([, [sum, count]]) => sum * (count / wanted.length) ** 2;
   return [...sums].sort((a, b) => worth(b) - worth(a) || a[0] - b[0]).slice(0, 12)
-                  .map(([place]) => index.places[place]);
+                  .map(([number]) => {
+                    const [page, place, heading] = index.places[number];
+                    const [file, title] = index.pages[page];
+                    const anchor = place.startsWith("-") ? file.slice(0, -5) + place : place;
+                    return [anchor ? `${file}#${anchor}` : file, title, heading];
+                  });
 }
 
 function find() {

@@ -195,7 +195,7 @@ def draw(rows, measure, peers, out):
         + [row[measure] for row in peers if row[measure] > EXACT]
     ours.set(xscale="log", yscale="log", ylabel=words, ylim=limits(seen + floor, 1.5),
              xlim=limits([row["us_per_step"] for row in rows + peers], 1.4),
-             title=explain(rows, "\n" if peers else "; "))
+             title=explain(rows, measure, "\n" if peers else "; "))
     front = sorted((row for row in rows if measure in row["fronts"].split("+")),
                    key=lambda row: row["us_per_step"])
     at_front = np.array([(row["us_per_step"], max(row[measure], EXACT)) for row in front])
@@ -223,12 +223,13 @@ def draw(rows, measure, peers, out):
     style.save(figure, out / (slug(rows[0]) + suffix + "_" + real))
 
 
-def explain(rows, between):
+def explain(rows, measure, between):
     """The meaning of points, markers and grey, above the panel."""
     states = dict.fromkeys(LOOKS[row["status"]][2] for row in rows)
     most = max(row["iterations"] for row in rows if row["substeps"] == 1)
+    more = groups(rows, "solver", "setting", "substeps").keys() - shown(rows, measure)
     return (f"this engine, 10 to {most:g} iterations per step\n"
-            + between.join(["grey: more settings", *filter(None, states)]))
+            + between.join(filter(None, ["grey: more settings" if more else "", *states])))
 
 
 def label(ax, lines, at_front, floor):

@@ -21,8 +21,8 @@ const controls = [
   {name: "ratio", words: "mass ratio", unit: "of one body, for a new run", range: [-2, 4, 0.1],
    log: true},
   {name: "tilt", words: "gravity", unit: "tilted by [degrees]", range: [-90, 90, 1]},
-  {name: "speed", words: "motor speed", unit: "[rad/s or m/s]", motor: 5},
-  {name: "strength", words: "motor strength", unit: "[N m or N]", motor: 3},
+  {name: "speed", words: "motor speed", unit: "[rad/s or m/s]", motor: true},
+  {name: "strength", words: "motor strength", unit: "[N m or N]", motor: true},
 ];
 const own_loop = {name: "own", words: "the chapter's own loop <small>its exercises alone</small>",
                   tick: true};
@@ -150,7 +150,7 @@ function show_controls(settings, entry, about, wrong) {
     }
     let range = control.range;
     if (control.motor) {
-      const most = control.motor * Math.abs(entry.begin[about.settings.indexOf(name)]);
+      const most = 5 * Math.abs(entry.begin[about.settings.indexOf(name)]);
       range = [name === "speed" ? -most : 0, most, most / 100];
     }
     Object.assign(first, {min: range[0], max: range[1], step: range[2]});

@@ -115,7 +115,9 @@ def finish(html, recordings, tags):
             page = shell.text_of(chapter)
             pages[page] = experiments.with_experiments(pages[page])
     else:
-        pages = {page: links.without_live(text) for page, text in pages.items()}
+        pages = {page: links.without("live.html", text) for page, text in pages.items()}
+    everything = "namespacejoints.html"  # in other words: all that the topics list
+    pages = {page: links.without(everything, text) for page, text in pages.items()}
     targets = links.Targets(pages, tags)
     pages = {page: links.linked(text, page, targets) for page, text in pages.items()}
     pages, titles = shell.surround(pages, {path.name for path in html.glob("live.html")})

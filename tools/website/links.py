@@ -99,9 +99,10 @@ def in_words(text, page, targets):
     return text if page == THESIS else SECTION.sub(lambda t: anchor(THESIS, t[0]), text)
 
 
-def without_live(text):
-    """The page without its links into the live page, which was not built: their words stay."""
-    return re.sub(r'<a href="live\.html#[^"]*">(.*?)</a>', r"\1", text, flags=re.S)
+def without(target, text):
+    """A page without its links to another one, which is not built: their words stay."""
+    link = rf'<a\b[^>]*href="{re.escape(target)}[#"][^>]*>(.*?)</a>'
+    return re.sub(link, r"\1", text, flags=re.S)
 
 
 def linked(text, page, targets):

@@ -19,22 +19,24 @@ COMMON = set("""the a an of and or in on is are to it its that this with for by 
 SYNONYMS = {
     "actuator": "motor", "bounce": "restitution", "bouncy": "restitution", "cable": "rope",
     "cfm": "softness", "collision": "contact ground", "coloring": "colours",
-    "compliance": "softness", "download": "install", "erp": "beta", "erratum": "errata",
-    "explode": "grow beta", "explodes": "grow beta", "lcp": "bounds direct solver",
+    "compliance": "softness", "determinism": "bit identical", "deterministic": "bit identical",
+    "download": "install", "erp": "beta", "erratum": "errata", "explode": "grow beta",
+    "explodes": "grow beta", "getting": "before", "lcp": "bounds direct solver",
     "license": "licence", "max": "strength", "maximum": "strength", "pbd": "position projection",
     "pgs": "sequential impulses", "prismatic": "slider", "revolute": "hinge", "servo": "motor",
     "setup": "install", "socket": "ball", "sor": "over relaxation", "spherical": "ball",
-    "spring": "softness", "stiff": "softness", "timestep": "step", "units": "conventions",
-    "unstable": "stability", "vectorized": "simd lanes", "weld": "fixed",
-    "xpbd": "substeps softness"}
+    "spring": "softness", "started": "start", "stiff": "softness", "take": "hours",
+    "timestep": "step", "units": "conventions", "unstable": "stability", "vectorized": "simd lanes",
+    "weld": "fixed", "xpbd": "substeps softness"}
 # What the words of a page weigh, the first name that it has; by this a text and a heading are
 # weighed.
 WEIGHTS = ((r"^docs_library", 4), (r"_README|which_method", 3), (r"chapter\d_1_1", 0.3),
-           (r"errata|thesis|references|gallery|answers|teaching|CONTRIBUTING|^group|^annotated"
-            r"|topics", 1),
+           (r"errata|thesis|references|gallery|teaching|CONTRIBUTING|^group|^annotated"
+            r"|topics|^concept", 1),
            ("", 2))
 LESS = ("Further reading", "A printed formula that is wrong: find it")  # half of that
-TEXT, HEADING = 10, 12
+TEXT, HEADING, TERM = 10, 12, 9
+TEXTS = re.compile("chapters_.*README|docs_")  # which explain their terms where these are bold
 
 
 def words_of(html):
@@ -73,12 +75,15 @@ def weight_of(page):
 
 def index_of(texts, titles):
     """What search_words.js says. `texts` and `titles`: of each page, by its file's name."""
-    places, words = [], {}
+    pages, places, words, last = list(titles), [], {}, {}
 
     def add(page, place, heading, weights):
+        here = len(places)
         for word, weight in weights.items():
-            words.setdefault(word, []).extend((len(places), weight))
-        places.append([f"{page}#{place}" if place else page, titles[page], heading])
+            words.setdefault(word, []).extend((here - last.get(word, 0), weight))
+            last[word] = here
+        places.append([pages.index(page), re.sub(f"^{re.escape(page[:-5])}-", "-", place),
+                       heading])
 
     for page, title in titles.items():
         if page.startswith("namespace"):
@@ -94,13 +99,17 @@ def index_of(texts, titles):
                        for word, times in count.items()}
             if page.endswith("_hints.html") and EXERCISE.match(heading):
                 heading = f"Exercise {heading}"
-            for word in words_of_heading(heading or title):
-                weights[word] = weights.get(word, 0) + max(1, round(HEADING * weight))
+            terms = re.findall(r"<b>([^<.,:]{3,30})</b>", html) if TEXTS.match(page) else []
+            for words_, worth in (words_of_heading(heading or title), HEADING), (
+                    set(words_of(" ".join(terms))), TERM):
+                for word in words_:
+                    weights[word] = weights.get(word, 0) + max(1, round(worth * weight))
             if weights:
                 add(page, place, heading, weights)
         for number in EQUATION.findall(texts[page]):
             add(page, f"eq-{number}", f"Eq. {number}", {number: 50, "eq": 1, "equation": 1})
-    return {"places": places, "words": words, "common": sorted(COMMON), "synonyms": SYNONYMS}
+    return {"pages": [[page, titles[page]] for page in pages], "places": places, "words": words,
+            "common": sorted(COMMON), "synonyms": SYNONYMS}
 
 
 def write(html, texts, titles):

@@ -12,13 +12,17 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from base import house  # noqa: E402
 
-CALLED_FROM = Path.cwd()
 MARGIN, WIDTH = 23, 79  # of the overview, in columns
 COMMANDS = {}  # by name, in the order of the overview
 # What others call a command, where the letters alone do not lead to it.
 MEANT = {"solve": "show", "solution": "show", "answer": "show", "verify": "check", "build": "test",
          "draw": "plot", "view": "see", "play": "see"}
-NEED_SOLUTIONS = {"tour", "check", "course", "bench", "docs", "keep", "grade", "hand-out"}
+# What needs the solutions, and what a student's edition has instead.
+NEED_SOLUTIONS = {"tour": "./wb run 1, ./wb plot 1 and ./wb see 1 show a finished chapter",
+                  "check": "./wb test 1 tests a chapter", "grade": "./wb test 1 tests a chapter",
+                  "docs": "the texts are chapters/*/README.md and docs/*.md",
+                  "course": "./wb leads through the same exercises",
+                  **dict.fromkeys(("bench", "keep", "hand-out"), "./wb help lists what it has")}
 TABLES = {"stability": "stiff, extreme and redundant scenes: which setting holds them",
           "methods": "every method on every kind of scene",
           "families": "scenes drawn by seeds: how many each setting holds",
@@ -70,7 +74,7 @@ def overview():
     said = ["The Joint Workbook"]
     sealed = any(chapter.sealed for chapter in house.chapters())
     for name, (_, _, lines) in COMMANDS.items():
-        if sealed and name in NEED_SOLUTIONS | {"show", "setup"}:
+        if sealed and name in {*NEED_SOLUTIONS, "show", "setup"}:
             continue
         said += [""] if name in FIRST else []
         for shown, words in lines:
@@ -105,8 +109,8 @@ def main(words):
     if name not in COMMANDS:
         refuse_unknown(name)
     if name in NEED_SOLUTIONS and any(chapter.sealed for chapter in house.chapters()):
-        raise house.Trouble(f"{name} needs the solutions, and this edition does not have them\n"
-                            "./wb help lists the commands that work in it")
+        raise house.Trouble(f"{name} needs the solutions, which this edition does not have; "
+                            f"instead:\n{NEED_SOLUTIONS[name]}")
     parser, call, _ = COMMANDS[name]
     if name == "bench":  # what it does not know is the program's
         return call(*parser.parse_known_args(rest))
@@ -241,10 +245,11 @@ def live(args):
          "writes out/course)",
          argument("--no-serve", action="store_true", help="write out/course and end"),
          argument("--one-file", action="store_true", help="also out/joint_workbook.html, which a "
-                  "browser opens from a disk"))
+                  "browser opens from a disk"),
+         argument("--students", action="store_true", help="without the solutions"))
 def course(args):
     from course import packing
-    return packing.command(not args.no_serve, args.one_file)
+    return packing.command(not args.no_serve, args.one_file, args.students)
 
 
 @command("bench [...]", "error against run time; a joint's cost in larger scenes",
@@ -289,14 +294,14 @@ def keep(args):
                        "folder, a zip or a file"))
 def grade(args):
     from classroom import grading
-    return grading.grade(CALLED_FROM / args.folder)
+    return grading.grade(house.CALLED_FROM / args.folder)
 
 
 @command("hand-out DIR", "for a class: the workbook without solutions and known answers",
          argument("folder", metavar="DIR", help="a new folder"))
 def hand_out(args):
     from classroom import hand_out as edition
-    return edition.hand_out(CALLED_FROM / args.folder)
+    return edition.hand_out(house.CALLED_FROM / args.folder)
 
 
 FIRST = {"status", "test", "run", "bench", "grade"}  # of their groups in the overview

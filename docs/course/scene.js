@@ -18,10 +18,11 @@ function mixed(chapter, text) {
 }
 
 /// Builds the module and shows the page in a frame; an exercise that is wrong elsewhere in the file
-/// moves the bodies wrongly, too.
+/// moves the bodies wrongly, too. In a course without solutions it waits until all are written.
 export async function show_live(place, chapter, text) {
   if (!engine.manifest.sizes["live.xz"]) return;
   const {ids, text: whole} = mixed(chapter, text);
+  if (!chapter.solution && ids.length < chapter.ids.length) return;
   const built = await engine.build_live(chapter, whole);
   if (!built.wasm) throw new Error(`The scene cannot be built:\n${built.printed}`);
   const page = await where.text("live.html");

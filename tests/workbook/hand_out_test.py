@@ -11,6 +11,7 @@ import solution_lines
 from proofs import exercises, house, main, notes
 
 from classroom import hand_out
+from course import packing
 from learn import own_numbers as own_numbers_, show
 
 FILE = "distance.cpp"
@@ -41,17 +42,22 @@ def students_can_work_without_solutions(root, build):
         yield from typed(door, "test 1.1", 1, "not written yet")
         yield from typed(door, "show 1.1 --yes", 2, "are not in this edition")
         yield from typed(door, "hint 1.1 3", 0, "Hint 3 of 3", hidden=["./wb show"])
-        yield from typed(door, "tour", 2, "needs the solutions")
+        yield from typed(door, "tour", 2, "needs the solutions", "./wb see 1 show")
         yield from typed(door, "help", 0, "./wb test 2.1", hidden=["./wb tour", "./wb show"])
         door.write(e1_1=True, e1_2="return 0;")
         yield from typed(door, "test 1.1", 0, "6 tests passed")
         yield from typed(door, "test 1.2", 1, "Exercise 1.2", wide=True)
-        yield from typed(door, "run 1", 2, "1.3 1.4 1.5 1.6 are not written yet", wide=True)
-        yield from typed(door, "reset 1.2 --yes", 0, "the stub is back")
+        yield from typed(door, "run 1", 2, "1.3 1.4 1.5 1.6 are not written yet", "./wb test 1.3",
+                         wide=True)
+        yield from typed(door, "reset 1.2 --yes", 0, "the stub is back", "before_reset/distance.cpp")
+        door.write(e1_1=True)
+        yield from typed(door, "reset 1 --yes", 0, "the stub is back", "before_reset/distance1.cpp")
         exercises.write(door.file, door.solution)
         yield from typed(door, "test 1", 0, "tests passed")
-        yield from typed(door, "run 1", 0, "your code: 1.1 1.2 1.3 1.4 1.5 1.6")
+        yield from typed(door, "run 1", 0, "your code: 1.1 1.2 1.3 1.4 1.5 1.6", "rises 0.1 mm")
         yield from own_numbers(door)
+        door.change("sum = glm::max(before + dlambda, real(0));", "sum += glm::max(dlambda, real(0));")
+        yield from typed(door, "run 1", 0, "1.5 is not right yet", "rises 58.6 mm")
 
 
 def own_numbers(door):
@@ -79,6 +85,11 @@ def solutions_in(door):
     answers = solution_lines.known()
     for name, id_, line in solution_lines.found(door.root, answers):
         yield f"{name} has a line of the solution of {id_}: {line}"
+    said = packing.about(house.chapters()[0], students=True)
+    exercises.write(door.root.with_name("browser") / "words.txt", "\n".join(
+        words for words in said.values() if isinstance(words, str)))
+    yield from (f"the course of students has a line of {id_}: {line}" for _, id_, line in
+                solution_lines.found(door.root.with_name("browser"), answers))
     folder = door.root.with_name("planted")
     exercises.write(folder / "cases.h", """const Row mine{-d,
                    -cross(arm, d), d, cross(other, d)};""")

@@ -14,6 +14,7 @@ from base.talk import (TERMINAL, Trouble, ask, bad, bold, faint, good, progress,
                   progress_done, talking)
 
 ROOT = Path(__file__).resolve().parents[2]
+CALLED_FROM = Path.cwd()
 BUILD = ROOT / "build"
 OUT = ROOT / "out"
 
@@ -85,11 +86,13 @@ def chapters():
 
 def chapter_of(word):
     """The chapter named by "2", "02", "02_ball", "ball", by an exercise "2.1" or by a file."""
+    file = next((place / word for place in (CALLED_FROM, ROOT) if (place / word).is_file()), None)
     for chapter in chapters():
         if word.split(".")[0].lstrip("0") == str(chapter.number) or word == chapter.name \
-                or chapter.folder in Path(word).parts:
+                or chapter.folder in Path(file or word).resolve().parts:
             return chapter
-    raise Trouble(f"{word}: no such chapter; there are 1 to {len(chapters())}")
+    raise Trouble(f"{word}: no {'such chapter' if file or '.cpp' not in word else 'such file'}; "
+                  f"there are chapters 1 to {len(chapters())}")
 
 
 def asked(word):
@@ -102,7 +105,7 @@ def asked(word):
         if id_ not in chapter.ids():
             raise Trouble(f"{word}: no such exercise; chapter {chapter.number} has "
                           + " ".join(chapter.ids()))
-    elif line.isdigit() and Path(path).resolve() == chapter.mine:
+    elif line.isdigit() and Path(path).name == chapter.mine.name:
         id_ = next((region.id for region in exercises.scan(chapter.mine_text())[0]
                     if int(line) <= region.end + 2), None)
     return chapter, id_

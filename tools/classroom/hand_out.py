@@ -14,9 +14,10 @@ from website import live
 
 # What holds answers, or computes the same for tests and benchmarks of the whole workbook.
 LEFT_OUT = re.compile(r"solutions/|tests/\d\d_\w+/answers/|tests/(?!\d\d_|checker/)\w+/|"
-                      r"bench/.*(?<!\.csv)$|docs/library\.md$|"
+                      r"bench/.*(?<!\.csv)$|docs/(library|teaching)\.md$|CONTRIBUTING|"
                       r"tests/topics\.cmake$|\.github/|\.gitlab-ci\.yml$|\.ci/")
-# What the README says first in an edition.
+# What stands between these lines of the README is not in an edition, which begins with a note.
+ONLY_HERE = re.compile(r"<!-- not handed out -->\n.*?<!-- end -->\n", re.S)
 NOTE = """\
 > **An edition for students.** The solutions are not in it, so the commands that need them are
 > refused; `./wb help` lists the others. `./wb run 1` needs all exercises of chapter 1; `plot` and
@@ -46,7 +47,7 @@ def hand_out(folder):
         if not LEFT_OUT.match(name):
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(house.ROOT / name, folder / name)
-    title, rest = exercises.read(folder / "README.md").split("\n", maxsplit=1)
+    title, rest = ONLY_HERE.sub("", exercises.read(folder / "README.md")).split("\n", maxsplit=1)
     exercises.write(folder / "README.md", f"{title}\n\n{NOTE}{rest}")
     for chapter in house.chapters():
         stub = exercises.stub(exercises.read(chapter.solution))

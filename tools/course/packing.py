@@ -68,12 +68,13 @@ def hints_of(chapter, html):
     return found
 
 
-def about(chapter, html=None):
-    """What the page has to know of a chapter; its hints are in the site's pages."""
+def about(chapter, html=None, students=False):
+    """What the page has to know of a chapter; its hints are in the site's pages. Students get no
+    solution."""
     solution = exercises.read(chapter.solution)
     return {"number": chapter.number, "folder": chapter.folder, "path": house.short(chapter.mine),
             "version": house.version(), "ids": chapter.ids(), "titles": chapter.titles(),
-            "stub": exercises.stub(solution), "solution": solution,
+            "stub": exercises.stub(solution), "solution": "" if students else solution,
             "hints": hints_of(chapter, html) if html else {},
             "words": {"meanings": [[pattern.pattern, words] for pattern, words in crashes.MEANINGS],
                       "clues": crashes.CLUES, "refused": list(crashes.REFUSED.items())}}
@@ -104,7 +105,7 @@ def with_exercises(text, chapter):
     return re.sub(r"(?=</head>\s*<body)", lambda _: head, text, count=1)
 
 
-def write_pages(folder):
+def write_pages(folder, students):
     """The scripts, the editor, what is known of the chapters, the chapters' pages."""
     for name in [*SCRIPTS, "course.css"]:
         shutil.copyfile(HERE / name, folder / name)
@@ -117,7 +118,7 @@ def write_pages(folder):
     (folder / "licences.txt").write_text(parts.licences(), encoding="utf-8")
     for chapter in house.chapters():
         (folder / f"chapter_{chapter.number}.json").write_text(
-            json.dumps(about(chapter, OUT)), encoding="utf-8")
+            json.dumps(about(chapter, OUT, students)), encoding="utf-8")
         page = OUT / shell.text_of(chapter)
         page.write_text(with_exercises(page.read_text(encoding="utf-8"), chapter),
                         encoding="utf-8")
@@ -168,7 +169,7 @@ def write_manifest(folder):
         "files": names}), encoding="utf-8")
 
 
-def pack():
+def pack(students=False):
     """Writes out/course from the site; returns the folder."""
     site = house.OUT / "docs" / "html"
     if OUT.exists():
@@ -177,7 +178,7 @@ def pack():
     folder = OUT / "course"
     folder.mkdir()
     write_packs(folder)
-    write_pages(folder)
+    write_pages(folder, students)
     write_front()
     write_manifest(folder)
     house.progress_done()
@@ -206,13 +207,13 @@ def write_one_file():
     return target
 
 
-def command(serve=True, one_file=False):
+def command(serve=True, one_file=False, students=False):
     """Packs the course, and serves it to this computer's browser."""
     from course import serving
     refuse()
     if docs.command():
         return 1
-    pack()
+    pack(students)
     size = sum(path.stat().st_size for path in (OUT / "course").glob("*.xz"))
     print(f"course: {house.short(OUT)}, {size / 1e6:.1f} MB of it for the compiler")
     if one_file:

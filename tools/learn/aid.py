@@ -1,5 +1,6 @@
 """./wb hint, ./wb show and ./wb reset: help with an exercise, and a new beginning."""
 import re
+from itertools import count
 
 from base import exercises, house
 from judge import reading
@@ -71,7 +72,8 @@ def reset(word, yes, keep):
     if work and not house.ask(f"Throw away your work in {what}?", yes):
         return 0
     if mine:
-        kept = house.OUT / "before_reset" / chapter.mine.name
+        places = (house.OUT / "before_reset" / f"{chapter.name}{n or ''}.cpp" for n in count())
+        kept = next(one for one in places if not one.exists() or exercises.read(one) == mine)
         exercises.write(kept, mine)
         said += f" (what stood there: {house.short(kept)})"
     exercises.write(chapter.mine, new)

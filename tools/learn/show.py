@@ -41,7 +41,8 @@ def call_program(name, folder, options, quiet):
     if result.returncode < 0:
         raise Crash(crashes.plainly(f"{name} was ended by {signal_name(-result.returncode)}"))
     if result.returncode != 0:
-        words = result.stderr.strip().removeprefix("error: ")
+        words = re.sub(r"exercise (\d+\.\d+) is not written yet", r"\g<0>\nNext: ./wb test \1",
+                       result.stderr.strip().removeprefix("error: "))
         raise house.Trouble(words or f"{name} ended with {result.returncode}")
     for old, written in before.items():
         if old.stat().st_mtime_ns == written:
@@ -125,7 +126,7 @@ def prepare_mine(chapter):
     if left and chapter.sealed:
         raise house.Trouble(f"the program of chapter {chapter.number} needs all of its exercises, "
                             f"and {' '.join(left)} {'are' if len(left) > 1 else 'is'} not written "
-                            "yet")
+                            f"yet\nNext: ./wb test {left[0]}")
     if not written:
         return None
     if grading.build(chapter):
@@ -256,6 +257,9 @@ def both_runs(chapter):
 
 def plot(chapter):
     """The figures of one chapter, or all of them."""
+    if not chapter:
+        print("the figures of all chapters, which takes a minute or more; ./wb plot 1 draws those "
+              "of one", flush=True)
     with house.talking():
         jobs = [figures.of_chapter(one, *both_runs(one))
                 for one in ([chapter] if chapter else house.chapters())]

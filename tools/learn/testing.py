@@ -142,12 +142,16 @@ def tell_broken(chapter, words):
 
 def name_earlier(look, id_):
     """An exercise may call earlier ones of its chapter: says which of them are wrong themselves."""
-    earlier = [other for other in look.written() if number(other) < number(id_)]
+    code = "\n".join(line.split("//")[0] for region in exercises.scan(look.chapter.mine_text())[0]
+                     if region.id == id_ for line in region.lines)
+    earlier = [other for other in look.written() if number(other) < number(id_) and any(
+        re.search(rf"\b{name}\(", code)
+        for name in re.findall(r"(\w+)(?=,|$| \()", look.chapter.titles().get(other, "")))]
     wrong = [one.id for one in grading.grade(look.chapter, earlier, AT_ONCE)
              if one.status == grading.WRONG] if earlier else []
     if wrong:
         print("\n" + folded(f"{', '.join(wrong)} {'is' if len(wrong) == 1 else 'are'} not right "
-                            f"yet, and {id_} may call {'it' if len(wrong) == 1 else 'them'}: "
+                            f"yet, and {id_} calls {'it' if len(wrong) == 1 else 'them'}: "
                             f"./wb test {wrong[0]}", 2))
 
 

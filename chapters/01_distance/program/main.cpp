@@ -1,4 +1,4 @@
-// Chapter 1's program: a pendulum and the suspension bridge, moved by the step of exercise 1.4.
+// Chapter 1's program: pendulum, suspension bridge and lamp, moved by the step of exercise 1.4.
 // It uses the engine's bodies, but not its solver. Read it; there is nothing to edit here.
 #include <algorithm>
 #include <cmath>
@@ -42,6 +42,17 @@ Summary run(LinkScene scene, const StepSettings& settings, double seconds, CsvFi
   return {measures, scene.name, std::to_string(settings.iterations) + " iterations"};
 }
 
+// How far the lamp rises after its ropes have stopped it [m]: 0 if they release what is too much.
+double rise_of(LinkScene scene, const StepSettings& settings) {
+  double lowest = double(scene.bodies[0].x.y), rise = 0;
+  for (long n = 0; n < steps_in(2, settings.h); ++n) {
+    step(scene.bodies, scene.links, settings);
+    lowest = std::min(lowest, double(scene.bodies[0].x.y));
+    rise = std::max(rise, double(scene.bodies[0].x.y) - lowest);
+  }
+  return rise;
+}
+
 void print_plan(const LinkScene& scene) {
   Plan plan;
   plan.bodies = int(scene.bodies.size());
@@ -54,7 +65,7 @@ void print_plan(const LinkScene& scene) {
 
 int main(int argc, char** argv) {
   return run_program([&] {
-    Options options("Chapter 1: a pendulum on a rod and a bridge hung from ropes",
+    Options options("Chapter 1: a pendulum on a rod, a bridge and a lamp on ropes",
                     {{"iterations", "30", "iterations per step, of the recorded motion"},
                      {"beta", "0.2", "fraction of the error fed back per step [1]"},
                      {"seconds", "10", "how long to simulate [s]"}});
@@ -81,5 +92,9 @@ int main(int argc, char** argv) {
       }
     }
     report(lines, out);
+    settings.iterations = chosen;
+    const double rise = rise_of(lamp(), settings);
+    CsvFile(out + "/lamp.csv", {"iterations", "rise_m"}).row({double(chosen), rise});
+    std::printf("lamp: three ropes stop its fall of 1 m; then it rises %.1f mm\n", 1000 * rise);
   });
 }

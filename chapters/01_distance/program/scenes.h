@@ -41,6 +41,18 @@ inline LinkScene bridge() {
   return scene;
 }
 
+/// A lamp of 10 kg falls 1 m into three ropes of 2 m, which are taut at the same time, 20 degrees
+/// off the vertical. Each of them must release a part of its pull when the others have acted.
+inline LinkScene lamp() {
+  LinkScene scene{"lamp", {ball(10, real(0.1), vec3(0, 1, 0))}, {}, {"ball", {0.2, 0.2, 0.2}}, 98};
+  for (int k = 1; k <= 3; ++k) {
+    const vec3 hook = rotation(vec3(0, real(2.0944 * k), 0)) * vec3(real(0.684), real(1.879), 0);
+    scene.bodies.push_back(static_body(hook));
+    scene.links.push_back({0, k, length(hook), true});
+  }
+  return scene;
+}
+
 /// The error of a link [m]: 0 for a slack rope.
 inline double gap(const Link& link, const Body& body1, const Body& body2) {
   const double stretch = CentreDistance{link.length}.error(body1, body2);

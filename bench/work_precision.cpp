@@ -136,14 +136,6 @@ void measure(FILE* file, const Entry& entry, const std::vector<int>& counted, bo
   for (const Point& point : points) write(file, scene, joined(entry.measures), point);
 }
 
-// Only steps, for counting instructions: the difference of two calls is used.
-void only_steps(int iterations, int steps) {
-  BenchScene scene = cubes_on_hinges(1, 100);
-  SequentialImpulses solver;
-  solver.iterations = iterations;
-  for (int n = 0; n < steps; ++n) step(scene.world, solver, real(1) / 60);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -153,12 +145,8 @@ int main(int argc, char** argv) {
                      {"append", "0", "1: add lines to the table that is there"},
                      {"quick", "0", "1: fewer scenes, settings and counts, one repetition"},
                      {"scene", "", "one scene alone, by its key: S1, S1x (20 chains), S2, ..."},
-                     {"repetitions", "5", "how often each run is timed at the most"},
-                     {"only-steps", "0", "do so many steps of one chain and measure nothing"},
-                     {"iterations", "30", "with --only-steps: iterations a step"}});
+                     {"repetitions", "5", "how often each run is timed at the most"}});
     if (!options.read(argc, argv)) return;
-    if (const int steps = options.count("only-steps", 0); steps > 0)
-      return only_steps(options.count("iterations", 1), steps);
     const bool quick = options.flag("quick");
     const std::vector<int> counts = quick ? std::vector<int>{10, 30, 120}
                                           : std::vector<int>{10, 20, 30, 60, 120, 200};

@@ -1,37 +1,15 @@
 """Error against run time, and the cost of a joint as a scene grows: runs, draws, tells the best."""
 import csv
-import re
-import shutil
-import subprocess
-import tempfile
 import time
-from pathlib import Path
 
 from base import house
 from pictures import figures
 from bench.measuring import run_bench
 
 PROGRAM = "bench/work_precision"
-JOINTS, STEPS, FEW, MANY = 99, 20, 10, 30  # of the run whose instructions are counted
 UNITS = {"gap_rms_m": ("gap RMS", 1000, "mm"), "gap_max_m": ("largest gap", 1000, "mm"),
          "tip_error_m": ("tip error", 1000, "mm"), "sideways_m": ("sideways", 1, "m")}
 MOST_OF_A_FRONT = 4  # points that are printed of it
-
-
-def instructions(program):
-    """Instructions of one joint and iteration: two counts of iterations, their difference."""
-    counts = []
-    for iterations in (FEW, MANY):
-        with tempfile.TemporaryDirectory() as folder:
-            result = subprocess.run(
-                ["valgrind", "--tool=callgrind", f"--callgrind-out-file={Path(folder) / 'out'}",
-                 house.BUILD / "bench" / program, "--only-steps", str(STEPS),
-                 "--iterations", str(iterations)], capture_output=True, text=True)
-        match = re.search(r"Collected : (\d+)", result.stderr)
-        if result.returncode != 0 or not match:
-            raise house.Trouble("valgrind could not count: " + result.stderr.strip()[-300:])
-        counts.append(int(match[1]))
-    return (counts[1] - counts[0]) / (JOINTS * STEPS * (MANY - FEW))
 
 
 def read(path):
@@ -111,19 +89,6 @@ def print_scaling():
     print(f"  growth: a joint among {sizes[-1]:,} against one among {sizes[1]:,}")
 
 
-def print_instructions():
-    """What one more iteration costs a hinge of the engine's own loop, where it can be counted."""
-    if not shutil.which("valgrind"):
-        print("\n(no instruction counts: valgrind is not installed)")
-        return
-    print("\none hinge, one iteration of the engine's own loop (S1, one chain):")
-    for real, program in (("double", "work_precision"), ("float", "work_precision_float")):
-        house.progress(f"counting instructions, {real}")
-        count = instructions(program)
-        house.progress_done()
-        print(f"  {real:7} {count:6.1f} instructions")
-
-
 def main(options):
     """With options the program's own table alone."""
     print("error against run time: about six minutes; leave the machine alone meanwhile",
@@ -140,7 +105,6 @@ def main(options):
     print_fronts(scenes)
     if not options:
         print_scaling()
-        print_instructions()
     print()
     house.progress("drawing")
     made = figures.draw("work_precision.py", "--csv", figures.TABLE, "--peers", figures.PEERS)

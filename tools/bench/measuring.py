@@ -1,5 +1,6 @@
 """Runs a benchmark program and prints its tables: what the commands that measure share."""
 import subprocess
+from pathlib import Path
 
 from base import house
 from pictures import figures
@@ -17,6 +18,24 @@ def run_bench(program, options, table=figures.TABLE):
     if process.wait() != 0:
         raise house.Trouble(said.removeprefix("error: "))
     house.progress_done()
+
+
+def prints(name, *programs, words=""):
+    """The main function of programs that print a table themselves, with words before each, and
+    write it one after the other."""
+    def main(options):
+        house.must_build([Path(program).name for program in programs])
+        house.OUT.mkdir(exist_ok=True)
+        table = house.OUT / f"{name}.csv"
+        for program in programs:
+            if words:
+                print(f"\n{Path(program).name}: {words}", flush=True)
+            more = [] if program == programs[0] else ["--append"]
+            if subprocess.run([house.BUILD / program, "--csv", table, *more, *options]).returncode:
+                return 1
+        print(f"the table: {house.short(table)}")
+        return 0
+    return main
 
 
 # What the tables of whole scenes show of a row: title, unit, the table's column, factor, form.

@@ -10,7 +10,9 @@ from pathlib import Path, PurePosixPath
 
 from base import exercises, house
 from base.talk import folded
+from judge import grade as grading
 
+MISSING = "not handed in"
 LARGEST = 1_000_000  # exercise file [bytes]; they have some ten thousand
 LARGEST_ARCHIVE = 50_000_000
 MOST = 20_000        # files that are looked at in a submission
@@ -48,6 +50,12 @@ class Submission:
     notes: list = field(default_factory=list)   # sentences
     grades: dict = field(default_factory=dict)  # exercise: Grade
     alike: str = ""                             # whose file is like it
+
+    def grade(self, id_):
+        return self.grades.get(id_) or grading.Grade(id_, MISSING)
+
+    def done(self, ids):
+        return sum(self.grade(id_).status == grading.DONE for id_ in ids)
 
 
 # ---- files ---------------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ from pathlib import Path
 from base import exercises
 from check import checking
 from classroom import alike, collecting, fence, lend, results
-from classroom.results import MISSING, done
+from classroom.collecting import MISSING
 from judge import grade as grading
 from base import house
 from learn.status import COLOURS
@@ -158,12 +158,12 @@ def tell_chapter(chapter, submissions):
         print(f"{name:{width}}  {''.join(cells)}{last}".rstrip())
     line(title, ids, "done", [bold] * len(ids))
     for one in submissions:
-        states = [MISSING if id_ not in one.grades else one.grades[id_].status for id_ in ids]
+        states = [one.grade(id_).status for id_ in ids]
         line(one.name, [SHORT.get(state, state) for state in states],
-             f"{done(one, ids)} of {len(ids)}" if chapter.folder in one.files else MISSING,
+             f"{one.done(ids)} of {len(ids)}" if chapter.folder in one.files else MISSING,
              [COLOURS.get(state, str) for state in states])
     if len(submissions) > 1:
-        total = [str(sum(done(one, [id_]) for one in submissions)) for id_ in ids]
+        total = [str(sum(one.done([id_]) for one in submissions)) for id_ in ids]
         line("done in all", total,
              f"{sum(map(int, total))} of {len(ids) * len(submissions)}")
     print()
@@ -206,7 +206,7 @@ def grade(place):
           + ", ".join(f"{states[state]} {SUMMED.get(state, state)}"
                       for state in grading.ORDER if states[state]))
     tell_where(place, submissions, is_class, ids, rules)
-    return 0 if all(done(one, ids) == len(ids) for one in submissions) else 1
+    return 0 if all(one.done(ids) == len(ids) for one in submissions) else 1
 
 
 def tell_where(place, submissions, is_class, ids, rules):
@@ -214,11 +214,9 @@ def tell_where(place, submissions, is_class, ids, rules):
     feedback and no table."""
     all_ = place if is_class else place.parent
     folder = house.OUT / "grades" / results.file_name(all_.resolve().name)
-    titles = {id_: words for chapter in house.chapters() for id_, words in chapter.titles().items()}
     for one in submissions:
         path = folder / results.file_name(one.name)
-        results.write_text(Path(f"{path}.md"), one, ids, titles, rules)
-        results.write_forms(path, one, ids, titles, rules)
+        results.write_forms(path, one, ids, rules)
     if is_class:
         table = folder.with_name(f"{folder.name}.csv")
         results.write_table(table, submissions, ids, rules)

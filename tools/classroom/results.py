@@ -10,9 +10,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from base import house
+from classroom.collecting import MISSING
 from judge import grade as grading
 
-MISSING = "not handed in"
 RULES = "points.ini"
 OF_RULES = """[points]  weights of exercises, such as 1.6 = 2 (without: 1)
 [rules]   partial = 0.5: the tests that a wrong exercise passes earn up to half of its points
@@ -66,20 +66,12 @@ def count_tests(chapter):
     return {id_: sum(f"[{id_}]" in tag for tag in tags) for id_ in chapter.ids()}
 
 
-def words_of(one, id_):
-    return one.grades[id_].words() if id_ in one.grades else MISSING
-
-
 def total(lines):
-    return round(sum(points for _, _, _, points, _, _ in lines), 2)
+    return round(sum(line.points for line in lines), 2)
 
 
-def done(one, ids):
-    return sum(words_of(one, id_) == grading.DONE for id_ in ids)
-
-
-def tests(one):
-    return f"{one.passed} of {one.tests}" if one.tests else ""
+def most(lines):
+    return round(sum(line.most for line in lines), 2)
 
 
 def reports(one):
@@ -92,6 +84,34 @@ def reports(one):
     return "\n\n".join(f"{name}\n\n{report}".strip() for name, report in one.failures)
 
 
+@dataclass
+class Line:
+    """An exercise of a submission, as the forms below show it."""
+    id: str
+    title: str
+    grade: grading.Grade
+    points: float
+    most: float
+
+    @property
+    def name(self):
+        return f"{self.id} {self.title}".strip()
+
+    @property
+    def full(self):
+        return self.points == self.most
+
+    @property
+    def words(self):
+        return "\n".join(filter(None, [self.grade.words(), reports(self.grade)]))
+
+
+def lines_of(one, ids, rules):
+    titles = {id_: title for chapter in house.chapters() for id_, title in chapter.titles().items()}
+    return [Line(grade.id, titles.get(grade.id, ""), grade, *rules.points(grade))
+            for grade in map(one.grade, ids)]
+
+
 def write_table(path, submissions, ids, rules):
     """A line for each; the last one says how many have done each exercise."""
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -99,83 +119,70 @@ def write_table(path, submissions, ids, rules):
         table = csv.writer(file)
         table.writerow(["submission", *ids, "done", "points", "alike", "notes"])
         for one in submissions:
-            table.writerow([one.name, *(words_of(one, id_) for id_ in ids), done(one, ids),
-                            total(list(lines_of(one, ids, {}, rules))), one.alike,
-                            " ".join(one.notes)])
-        count = [sum(words_of(one, id_) == grading.DONE for one in submissions) for id_ in ids]
+            table.writerow([one.name, *(one.grade(id_).words() for id_ in ids), one.done(ids),
+                            total(lines_of(one, ids, rules)), one.alike, " ".join(one.notes)])
+        count = [sum(one.done([id_]) for one in submissions) for id_ in ids]
         table.writerow(["done in all", *count, sum(count), "", "", ""])
 
 
-def write_text(path, one, ids, titles, rules):
-    """The feedback of one submission. Nothing of the others is in it."""
-    lines = list(lines_of(one, ids, titles, rules))
-    said = [f"# {one.name}", "", f"{done(one, ids)} of {len(ids)} exercises done, {total(lines):g} "
-            f"of {sum(most for *_, most, _ in lines):g} points", "",
-            "| Exercise | | Tests passed | Points |", "|---|---|---|---|"]
-    for id_, title, grade, points, most, _ in lines:
-        said.append(f"| {id_} {title} | {words_of(one, id_)} | {tests(grade)} | "
-                    f"{points:g} of {most:g} |")
+# ---- the forms: each is made of a submission and its lines ---------------------------------------
+
+def text(one, lines):
+    """The feedback in words. Nothing of the others is in it."""
+    count = sum(line.grade.status == grading.DONE for line in lines)
+    said = [f"# {one.name}", "", f"{count} of {len(lines)} exercises done, {total(lines):g} of "
+            f"{most(lines):g} points", "", "| Exercise | | Tests passed | Points |",
+            "|---|---|---|---|"]
+    for line in lines:
+        tests = f"{line.grade.passed} of {line.grade.tests}" if line.grade.tests else ""
+        said.append(f"| {line.id} {line.title} | {line.grade.words()} | {tests} | "
+                    f"{line.points:g} of {line.most:g} |")
     said += ["", *(f"* {note}" for note in one.notes)]
-    for id_, _, grade, _, _, _ in lines:
-        if words := reports(grade):
-            words = words.replace("```", "'''")
-            said += ["", f"## {id_}: {grade.words()}", "", "```", words, "```"]
-    write(path, "\n".join(said) + "\n")
-
-
-def lines_of(one, ids, titles, rules):
-    """What the forms below are made of: (exercise, title, grade, points, most, words)."""
-    for id_ in ids:
-        grade = one.grades.get(id_) or grading.Grade(id_, MISSING)
-        points, most = rules.points(grade)
-        yield (id_, titles.get(id_, ""), grade, points, most,
-               "\n".join(filter(None, [words_of(one, id_), reports(grade)])))
+    for line in lines:
+        if words := reports(line.grade).replace("```", "'''"):
+            said += ["", f"## {line.id}: {line.grade.words()}", "", "```", words, "```"]
+    return "\n".join(said)
 
 
 def gradescope(one, lines):
     """results.json of Gradescope."""
-    tests = [{"number": id_, "name": title or id_, "score": points, "max_score": most,
-              "status": "passed" if points == most else "failed", "output": words}
-             for id_, title, _, points, most, words in lines]
+    tests = [{"number": line.id, "name": line.title or line.id, "score": line.points,
+              "max_score": line.most, "status": "passed" if line.full else "failed",
+              "output": line.words} for line in lines]
     return json.dumps({"score": total(lines), "output": "\n".join(one.notes), "tests": tests},
                       indent=1)
 
 
-def classroom(one, lines):
+def classroom(_, lines):
     """What a grader of GitHub Classroom hands to the reporter, which reads it in base64."""
-    tests = [{"name": f"{id_} {title}".strip(), "score": points, "message": words,
-              "status": "pass" if points == most else
-              "error" if grade.status == grading.BROKEN else "fail"}
-             for id_, title, grade, points, most, words in lines]
-    status = "pass" if all(test["status"] == "pass" for test in tests) else "fail"
-    return json.dumps({"version": 1, "status": status, "tests": tests,
-                       "max_score": round(sum(most for *_, most, _ in lines), 2)}, indent=1)
+    tests = [{"name": line.name, "score": line.points, "message": line.words,
+              "status": "pass" if line.full else
+              "error" if line.grade.status == grading.BROKEN else "fail"} for line in lines]
+    return json.dumps({"version": 1, "status": "pass" if all(line.full for line in lines) else
+                       "fail", "tests": tests, "max_score": most(lines)}, indent=1)
 
 
-def autolab(one, lines):
+def autolab(_, lines):
     """The last line of what a grader of Autolab prints."""
-    return json.dumps({"scores": {id_: points for id_, _, _, points, _, _ in lines}})
+    return json.dumps({"scores": {line.id: line.points for line in lines}})
 
 
 def junit(one, lines):
     """A suite in JUnit's XML. What is not handed in or not written is skipped."""
-    suite, count = ElementTree.Element("testsuite", name=plain(one.name)), Counter()
-    for id_, title, grade, _, _, words in lines:
-        case = ElementTree.SubElement(suite, "testcase", time="0", name=plain(
-            f"{id_} {title}".strip()), classname=f"chapter {id_.partition('.')[0]}")
-        kind = {grading.WRONG: "failure", grading.BROKEN: "error", grading.OPEN: "skipped",
-                MISSING: "skipped"}.get(grade.status)
-        if kind:
-            count[kind] += 1
-            words = plain(words)
-            ElementTree.SubElement(case, kind, message=words.partition("\n")[0]).text = words
-    for name, kind in (("tests", None), ("failures", "failure"), ("errors", "error"),
-                       ("skipped", "skipped")):
-        suite.set(name, str(count[kind] if kind else len(lines)))
-    suite.set("time", "0")
-    ElementTree.SubElement(suite, "system-out").text = plain("\n".join(one.notes))
+    kinds = {grading.WRONG: "failure", grading.BROKEN: "error", grading.OPEN: "skipped",
+             MISSING: "skipped"}
+    count = Counter(kinds.get(line.grade.status) for line in lines)
     root = ElementTree.Element("testsuites")
-    root.append(suite)
+    suite = ElementTree.SubElement(
+        root, "testsuite", name=plain(one.name), time="0", tests=str(len(lines)),
+        failures=str(count["failure"]), errors=str(count["error"]), skipped=str(count["skipped"]))
+    for line in lines:
+        case = ElementTree.SubElement(suite, "testcase", time="0", name=plain(line.name),
+                                      classname=f"chapter {line.id.partition('.')[0]}")
+        if kind := kinds.get(line.grade.status):
+            words = plain(line.words)
+            ElementTree.SubElement(case, kind, message=words.partition("\n")[0]).text = words
+    ElementTree.SubElement(suite, "system-out").text = plain("\n".join(one.notes))
     return ElementTree.tostring(root, encoding="unicode", xml_declaration=True)
 
 
@@ -184,20 +191,17 @@ def plain(words):
     return re.sub("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "?", words)
 
 
-FORMS = {".json": gradescope, ".classroom.json": classroom, ".autolab.json": autolab,
+FORMS = {".md": text, ".json": gradescope, ".classroom.json": classroom, ".autolab.json": autolab,
          ".xml": junit}
 
 
-def write_forms(path, one, ids, titles, rules):
-    """The result of one submission for the systems that classes use."""
-    lines = list(lines_of(one, ids, titles, rules))
-    for ending, form in FORMS.items():
-        write(Path(f"{path}{ending}"), form(one, lines) + "\n")
-
-
-def write(path, text):
+def write_forms(path, one, ids, rules):
+    """The result of one submission, to be read and for the systems that classes use."""
+    lines = lines_of(one, ids, rules)
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text, encoding="utf-8", errors="replace")
+    for ending, form in FORMS.items():
+        Path(f"{path}{ending}").write_text(form(one, lines) + "\n", encoding="utf-8",
+                                           errors="replace")
 
 
 def file_name(name):

@@ -113,31 +113,15 @@ def sources():
     return found
 
 
-def write_ninja():
-    """build.ninja of the objects."""
-    def seen(path):
-        return os.path.relpath(path, BUILD)
-    launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
-    ours = f"-isystem {seen(house.ROOT / 'tests' / 'course')} -I{seen(house.ROOT)}"
-    flags = " ".join([*FLAGS, ours, "-isystem ../live/include", '-DWORKBOOK_ROOT=\\"/\\"'])
-    lines = ["rule compile", f"  command = {launcher} clang++ {flags} $more -MMD -MF $out.d -c $in "
-             "-o $out", "  deps = gcc", "  depfile = $out.d"]
-    for name, (paths, more) in sources().items():
-        source = seen(paths[0])
-        if len(paths) > 1:
-            source = f"{name}.cpp"
-            exercises.write_if_new(BUILD / source, "".join(
-                f'#include "{path.relative_to(house.ROOT)}"\n' for path in paths))
-        lines += [f"build {name}.o: compile {source}", f"  more = {more}"]
-    exercises.write_if_new(BUILD / "build.ninja", "\n".join(lines) + "\n")
-
-
 def build_objects(names=()):
     """The objects of the tests, or some; those of engine and solutions are the live page's."""
     live.build()
     BUILD.mkdir(parents=True, exist_ok=True)
     with house.alone():
-        write_ninja()
+        tests, root = (os.path.relpath(path, BUILD) for path in
+                       (house.ROOT / "tests" / "course", house.ROOT))
+        live.write_compiling(BUILD, [*FLAGS, "-isystem", tests, f"-I{root}", "-isystem",
+                                     "../live/include", '-DWORKBOOK_ROOT=\\"/\\"'], sources())
         result = subprocess.run(["ninja", "-C", BUILD, *(f"{name}.o" for name in names)],
                                 capture_output=True, text=True)
     if result.returncode:

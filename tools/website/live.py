@@ -88,27 +88,30 @@ def write_ninja(folder, swaps):
     if not link.is_symlink() or link.readlink() != glm:
         link.unlink(missing_ok=True)
         link.symlink_to(glm)
-    launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
-    flags = " ".join([*FLAGS, "-Os", "-isystem include", f"-I{seen(house.ROOT)}"])
-    lines = ["rule compile",
-             f"  command = {launcher} clang++ {flags} $more -MMD -MF $out.d -c $in -o $out",
-             "  deps = gcc", "  depfile = $out.d", "rule link",
-             f"  command = clang++ {' '.join(LINK)} $in -o $out"]
+    made = {} if SHIPPED.is_dir() else {name: (paths, "") for name, paths in sources().items()}
+    objects = {name: f"{name}.o" if made else seen(object_of(name)) for name in sources()}
+    lines = ["rule link", f"  command = clang++ {' '.join(LINK)} $in -o $out"]
+    for name, swap in {"solution": {}, **swaps}.items():
+        mine = {which: f"{name}.{which}.o" for which in swap}
+        lines.append(f"build {name}.wasm: link {' '.join({**objects, **mine}.values())}")
+        made |= {f"{name}.{which}": ([path], " ".join(LENIENT)) for which, path in swap.items()}
+    write_compiling(folder, [*FLAGS, "-Os", "-isystem include", f"-I{seen(house.ROOT)}"], made,
+                    lines)
 
-    def compiled(name, paths, more=""):
-        source = seen(paths[0])
+
+def write_compiling(folder, flags, objects, lines=()):
+    """build.ninja of objects, {name: (sources that are compiled as one, flags of its own)}, and of
+    what more lines say."""
+    launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
+    lines = ["rule compile", f"  command = {launcher} clang++ {' '.join(flags)} $more -MMD -MF "
+             "$out.d -c $in -o $out", "  deps = gcc", "  depfile = $out.d", *lines]
+    for name, (paths, more) in objects.items():
+        source = os.path.relpath(paths[0], folder)
         if len(paths) > 1:
             source = f"{name}.cpp"
             exercises.write_if_new(folder / source, "".join(
                 f'#include "{path.relative_to(house.ROOT)}"\n' for path in paths))
-        lines.extend([f"build {name}.o: compile {source}", f"  more = {more}"])
-        return f"{name}.o"
-    objects = {name: seen(object_of(name)) if SHIPPED.is_dir() else compiled(name, paths)
-               for name, paths in sources().items()}
-    for name, swap in {"solution": {}, **swaps}.items():
-        mine = {which: compiled(f"{name}.{which}", [path], " ".join(LENIENT))
-                for which, path in swap.items()}
-        lines.append(f"build {name}.wasm: link {' '.join({**objects, **mine}.values())}")
+        lines += [f"build {name}.o: compile {source}", f"  more = {more}"]
     exercises.write_if_new(folder / "build.ninja", "\n".join(lines) + "\n")
 
 

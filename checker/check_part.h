@@ -17,12 +17,14 @@ using PosePair = testing::Pair;
 
 /// The answer to one question about a part.
 struct Finding {
-  std::string question;  ///< a word: poses, numbers, J, broken J, form, rank, K, momentum or power
+  std::string question;  ///< a word: poses, numbers, J, broken J, form, rank, K, momentum, power or
+                         ///< turns
   bool holds = true;     ///< false: the part is wrong here
   int right = 0;         ///< poses at which it holds
   int poses = 0;         ///< poses at which it was asked
   double worst = 0;      ///< the largest deviation found, in the units of the compared numbers
   std::string words;     ///< a sentence, or a report of several lines
+  bool note = false;     ///< true: no mistake, but it limits the poses in which the part works
 };
 
 /// All answers about a part.
@@ -85,7 +87,8 @@ PartFunctions functions_of(const P& part) {
 
 /// Checks a part: whether J is the slope of C, whether its rows are independent, whether they have
 /// the form that it promises, whether K = J M^-1 J^T (if it has one), and whether its forces
-/// conserve momentum and do no work on a motion that keeps C.
+/// conserve momentum and do no work on a motion that keeps C. A note says whether C jumps while a
+/// body is turned once.
 /// \param pose makes the poses at which it is checked
 template <Part P>
 PartReport check_part(const P& part, const PoseMaker& pose = any_pose,

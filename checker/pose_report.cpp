@@ -72,7 +72,8 @@ std::string verdict(std::vector<Sample>& samples, double tolerance,
   return "\n" +
          (right.empty()   ? "Fails at all poses.\n"
           : holds.empty() ? "Fails at " + std::to_string(wrong.size()) + " of " +
-                                std::to_string(samples.size()) + " poses, of all kinds.\n"
+                                std::to_string(samples.size()) + " poses" +
+                                (fails.size() > 1 ? ", of all kinds.\n" : ".\n")
                           : "Fails at " + joined(fails) + "; holds at " + joined(holds) + ".\n") +
          likely_mistakes(wrong);
 }

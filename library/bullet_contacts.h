@@ -2,6 +2,7 @@
 // LinearMath. Nothing of the library includes it. docs/contacts.md describes how to use it.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -17,6 +18,9 @@ namespace joints {
 class BulletContacts : private btOverlapFilterCallback {
  public:
   Contacts contacts;  ///< the pairs and their joints; contacts.skip() excludes a pair
+  /// Bullet returns four of the up to eight corners that two faces have in common, and others in the
+  /// next step. A point that it drops stays while it slides and separates by less than this [m].
+  real stay = real(0.001);
 
   /// \param h step [s] \param substeps Stepping::substeps
   BulletContacts(World& world, real h, int substeps = 4)
@@ -99,7 +103,19 @@ class BulletContacts : private btOverlapFilterCallback {
                         to_local(second->ahead, on2 - second->ahead.x),
                         normalize(to_local(first->ahead, n))});
     }
-    if (!places.empty()) contacts.touch(first->id, second->id, places);
+    if (places.empty()) return;
+    if (const ContactJoint* const joint = contacts.find(first->id, second->id))
+      for (const ContactPlace& old : joint->places())
+        if (stays(old, first->ahead, second->ahead) &&
+            std::ranges::none_of(places, [&](const auto& place) { return joint->same(old, place); }))
+          places.push_back(old);
+    contacts.touch(first->id, second->id, places);
+  }
+
+  bool stays(const ContactPlace& old, const Body& a, const Body& b) const {
+    const real gap = old.error(a, b);
+    const vec3 apart = world_point(b, old.place2) - world_point(a, old.place1);
+    return gap < stay && length(apart - gap * to_world(a, old.normal)) < stay;
   }
 
   World& world_;

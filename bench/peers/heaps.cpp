@@ -54,6 +54,24 @@ Heap stack(const std::string& name, int count, double turn) {
   return heap;
 }
 
+// Thirty stacks of 2 to 10 boxes of any size, each turned anyhow and a little off the one below.
+Heap drawn_stacks() {
+  Heap heap = on_ground("thirty drawn stacks", 30);
+  Draw draw(30);
+  const auto number = [&](double from, double to) { return real(draw.number(from, to)); };
+  for (int n = 0; n < 30; ++n) {
+    vec3 top(real(5 * (n % 6 - 3)), 0, real(5 * (n / 6 - 3)));
+    for (int k = draw.whole(2, 10); k > 0; --k) {
+      const vec3 size{number(0.7, 1.4), number(0.4, 1.1), number(0.7, 1.4)};
+      const double mass = draw.number(5, 20);
+      const quat q = rotation(vec3(0, number(0, 6.3), 0));
+      add_box(heap.scene, mass, size, top + vec3(0, size.y / 2, 0), q);
+      top += vec3{number(-0.05, 0.05), size.y, number(-0.05, 0.05)};
+    }
+  }
+  return heap;
+}
+
 // Boxes that are thrown along the ground, so far apart that they do not meet.
 Heap thrown() {
   Heap heap = on_ground("ten thrown boxes", 4);
@@ -128,7 +146,9 @@ struct Shaped {
   std::vector<BodyId> ids;
   BulletContacts contacts;
   // h: how far ahead the points are found [s]
-  Shaped(const PeerScene& scene, int substeps, real h) : contacts(world, h, substeps) {
+  Shaped(const PeerScene& scene, int substeps, real h, bool all = true)
+      : contacts(world, h, substeps) {
+    if (!all) contacts.stay = 0;
     contacts.contacts.configure = [substeps](ContactJoint& joint) {
       joint.frequency = real(15 * substeps);
     };
@@ -149,8 +169,8 @@ struct Shaped {
 
 class Ours : public Peer {
  public:
-  Ours(const PeerScene& scene, int substeps, bool ahead)
-      : shaped_(scene, substeps, ahead ? real(1) / 60 : real(1e-9)), substeps_(substeps) {
+  Ours(const PeerScene& scene, int substeps, bool ahead, bool all)
+      : shaped_(scene, substeps, ahead ? real(1) / 60 : real(1e-9), all), substeps_(substeps) {
     for (const PeerJoint& joint : scene.joints) {
       const BodyId a = shaped_.ids[std::size_t(joint.body1)],
                    b = shaped_.ids[std::size_t(joint.body2)];
@@ -212,15 +232,16 @@ double widest_gap(const PeerScene& scene, const Bodies& bodies) {
 
 std::vector<Heap> heaps() {
   return {stack("ten cubes", 10, 0), stack("ten turned cubes", 10, 0.3),
-          stack("twenty cubes", 20, 0), thrown(), capsules(), dolls(), many()};
+          stack("twenty cubes", 20, 0), drawn_stacks(), thrown(), capsules(), dolls(), many()};
 }
 
-PeerSetting our_contacts(int substeps, bool ahead) {
+PeerSetting our_contacts(int substeps, bool ahead, bool all) {
   return {.engine = "ours", .version = "", .number = "double",
           .name = std::to_string(substeps) + " substeps of 4" +
-                  (ahead ? "" : " with points at the present poses"),
-          .make = [substeps, ahead](const PeerScene& scene) {
-            return std::make_unique<Ours>(scene, substeps, ahead);
+                  (ahead ? "" : " with points at the present poses") +
+                  (all ? "" : " with the points of one step"),
+          .make = [substeps, ahead, all](const PeerScene& scene) {
+            return std::make_unique<Ours>(scene, substeps, ahead, all);
           }};
 }
 
@@ -252,7 +273,8 @@ Heaped run_heap(const Heap& heap, const PeerSetting& who, double seconds) {
   }
   for (int k = 1; k < seen.bodies.slots(); ++k) {
     const vec3 x = seen.bodies.at(k).x, first = heap.scene.bodies[std::size_t(k)].x;
-    const bool stack = heap.name.find("cubes") != std::string::npos;
+    const bool stack = heap.name.find("cubes") != std::string::npos ||
+                       heap.name.find("stacks") != std::string::npos;
     out.fallen += !(x.y > 0) || (stack && !(x.y > first.y - real(0.2)));
     if (!settled.empty())
       out.drift = std::max(out.drift, double(length(x - settled[std::size_t(k - 1)])));

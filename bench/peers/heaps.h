@@ -14,9 +14,9 @@ struct Heap {
   PeerScene scene{};
   double seconds = 60;
 };
-/// Stacks of cubes, one of them with each cube turned against the one below; boxes that are thrown
-/// along the ground; capsules; a ragdoll that falls on another; 200 boxes, balls and capsules that
-/// fall on each other.
+/// Stacks of cubes, one of them with each cube turned against the one below; thirty stacks of drawn
+/// boxes; boxes that are thrown along the ground; capsules; a ragdoll that falls on another; 200
+/// boxes, balls and capsules that fall on each other.
 std::vector<Heap> heaps();
 
 /// What became of it, from the poses alone. Penetrations are those that Bullet's collision part
@@ -29,7 +29,7 @@ struct Heaped {
   double fastest = 0;  ///< largest speed of a centre in the last second [m/s]
   double seconds = 0;  ///< of the processor, without the measurements
   int moving = 0;      ///< bodies faster than 5 cm/s in the last second
-  int fallen = 0;  ///< centres below the ground; cubes more than 0.2 m below their place
+  int fallen = 0;  ///< centres below the ground; boxes of stacks 0.2 m below their place
 };
 /// Runs it with an engine. \param seconds 0: as long as it lasts
 Heaped run_heap(const Heap& heap, const PeerSetting& who, double seconds = 0);
@@ -37,7 +37,8 @@ Heaped run_heap(const Heap& heap, const PeerSetting& who, double seconds = 0);
 /// Ours: ContactJoints at the points of Bullet's collision part with the guide's setting for
 /// stacks. \param substeps of 4 iterations
 /// \param ahead false: the points are those of the present poses instead of one step ahead
-PeerSetting our_contacts(int substeps = 4, bool ahead = true);
+/// \param all false: the points that Bullet returns in one step, without earlier ones that stay
+PeerSetting our_contacts(int substeps = 4, bool ahead = true, bool all = true);
 
 }  // namespace joints::bench
 /// @}

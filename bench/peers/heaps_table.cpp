@@ -16,7 +16,8 @@ int main(int argc, char** argv) {
                      {"scene", "", "one scene alone, by its name in the table"},
                      {"engine", "", "one engine alone, by its name in the table"}});
     if (!options.read(argc, argv)) return;
-    std::vector<PeerSetting> all{our_contacts(), our_contacts(8), our_contacts(4, false)};
+    std::vector<PeerSetting> all{our_contacts(), our_contacts(8), our_contacts(4, false),
+                                 our_contacts(4, true, false)};
     const auto add = [&](const std::vector<PeerSetting>& some) {
       all.insert(all.end(), some.begin(), some.end());
     };

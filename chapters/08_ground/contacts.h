@@ -53,6 +53,11 @@ class ContactJoint : public PointContacts {
   inline void set_places(std::span<const ContactPlace> places);
   /// The points that were supplied.
   const std::vector<ContactPlace>& places() const { return places_; }
+  /// True if two points are the same in different steps, by their ids or by their places on body 1.
+  bool same(const ContactPlace& one, const ContactPlace& other) const {
+    if (one.id >= 0 || other.id >= 0) return one.id == other.id;
+    return length(one.place1 - other.place1) < same_place;
+  }
   bool transient() const override { return true; }
 
   inline void choose_rows(const Bodies& bodies, real h) override;
@@ -145,6 +150,11 @@ class Contacts {
     entry.joint->set_places(places);
     return *entry.joint;
   }
+  /// The joint of a pair, or null.
+  const ContactJoint* find(BodyId a, BodyId b) const {
+    const auto found = joints_.find(key(a, b));
+    return found == joints_.end() ? nullptr : found->second.joint;
+  }
   /// Removes the joints of pairs that touch() has not named since begin().
   void end() {
     std::erase_if(joints_, [&](const auto& entry) {
@@ -196,15 +206,13 @@ class Contacts {
 
 // ---- the joint ----------------------------------------------------------------------------------
 
-// The point of the last step at the same place.
+// The same point of the last step; the nearest, if there are several.
 inline const ContactPoint* ContactJoint::known(const ContactPlace& place) const {
   const ContactPoint* nearest = nullptr;
-  real least = same_place;
+  real least = unbounded;
   for (std::size_t k = 0; k < places_.size(); ++k) {
-    if (place.id >= 0 && places_[k].id == place.id) return &points_[k];
-    if (place.id >= 0 || places_[k].id >= 0) continue;
-    if (const real far = length(places_[k].place1 - place.place1); far < least)
-      least = far, nearest = &points_[k];
+    const real far = length(places_[k].place1 - place.place1);
+    if (same(places_[k], place) && far < least) least = far, nearest = &points_[k];
   }
   return nearest;
 }

@@ -39,6 +39,10 @@ export function offer_file(place, chapter, file, change, homeless) {
   };
   place.append(
     element("h3", {textContent: `Your file: ${name}`}),
+    element("p", {textContent: "Where the text says ./wb test or ./wb hint, press Check or Hint at " +
+                               "the exercise. Where it says ./wb see or ./wb live, look at the " +
+                               "scene below an exercise that is right. ./wb run and ./wb plot " +
+                               "need a terminal."}),
     element("p", {textContent: "What you write is kept in this browser. The file is the one that " +
                                `./wb takes as ${chapter.path}. `},
             element("a", {href: at("course/licences.txt"),

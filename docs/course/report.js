@@ -183,6 +183,17 @@ function told(grade, chapter, file) {
   return out.join("\n");
 }
 
+/// The compiler's errors without mere warnings and notes on other libraries.
+function errors_of(printed) {
+  let before = false, aside = false;
+  return printed.split("\n").filter(line => {
+    if (/^\S+:\d+:\d+: note:/.test(line)) aside = before || line.startsWith("/");
+    else if (/^\S/.test(line))  // else it belongs to the line before
+      before = aside = /^In file included|^\S+:\d+:\d+: warning:/.test(line);
+    return !aside;
+  }).join("\n").trim();
+}
+
 /// What the compiler says of a file, and the line of its first error.
 function refused(printed, chapter, file) {
   const path = chapter.path.replace(/[.]/g, "\\.");
@@ -199,7 +210,7 @@ function refused(printed, chapter, file) {
   if (inside) out.push(`  The first error lies in exercise ${inside.id}, line ${line}.`);
   if (meaning) out.push(folded(`Likely mistake: ${meaning}`, 2));
   if (inside) out.push(`  Next: ./wb hint ${inside.id}\n`);
-  if (!missing.length) out.push(indented(printed.trim()));
+  if (!missing.length) out.push(indented(errors_of(printed)));
   return {text: out.join("\n"), line, words: error ? error[2] : "", id: inside?.id};
 }
 

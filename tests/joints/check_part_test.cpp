@@ -113,3 +113,53 @@ TEST_CASE("the checker finds rows that follow from others, and numbers that are 
   CHECK(!none.good());
   CHECK(says(none, "In J: a division by zero"));
 }
+
+namespace {
+
+// C = the angle.
+struct Angle {
+  HingeAngle angle{vec3(0, 0, 1)};
+  bool far_wrong = false;
+  static constexpr int rows = 1;
+  static constexpr bool one_sided = false;
+  static constexpr Form form = Form::any;
+  real error(const Body& body1, const Body& body2) const {
+    return angle.error(body1, body2);
+  }
+  Row jacobian(const Body& body1, const Body& body2) const {
+    const Row J = angle.jacobian(body1, body2);
+    const real s = far_wrong && body2.x.x > real(0.8) ? -1 : 1;
+    return {J.v1, s * J.w1, J.v2, s * J.w2};
+  }
+};
+PosePair near_the_axis(PoseRandom& random) {
+  PosePair pair = any_pose(random);
+  pair.body2.q = pair.body1.q * rotation(random.vector(real(0.5)));
+  return pair;
+}
+
+}  // namespace
+
+TEST_CASE("the checker notes that an angle jumps by a turn, and that a length and a product do not") {
+  for (const unsigned seed : {1, 2, 3, 4, 5}) {
+    const PartReport angle = check_part(Angle{}, near_the_axis, {.seed = seed});
+    INFO(angle.text());
+    CHECK(angle.good());
+    CHECK(angle["turns"].note);
+    CHECK(angle["turns"].right == 0);
+    CHECK(angle["turns"].worst == Approx(2 * 3.14159265).epsilon(1e-3));
+    CHECK(says(angle, "note   turns: C jumps by 6.28"));
+    CHECK_FALSE(check_part(Crossed{}, any_pose, {.seed = seed})["turns"].note);
+    CHECK_FALSE(check_part(Distance{vec3(1, 0, 0), vec3(0, 2, 0), 1}, any_pose,
+                           {.seed = seed})["turns"].note);
+  }
+}
+
+TEST_CASE("the checker blames no usual mistake for a part that is right at most poses") {
+  const PartReport report = check_part(Angle{.far_wrong = true}, near_the_axis);
+  INFO(report.text());
+  CHECK_FALSE(report["J"].holds);
+  CHECK(4 * report["J"].right >= 3 * report["J"].poses);
+  CHECK(says(report, "It is right at"));
+  CHECK_FALSE(says(report, "Likely mistake"));
+}

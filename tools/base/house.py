@@ -244,16 +244,14 @@ def tell_options(program, *hidden):
 
 
 def compiler_words(log, most=25):
-    """The compiler's errors without the command lines and without mere warnings."""
-    command = r"\[\d+/\d+\]|ninja:|FAILED:|-- |\S.* -o \S"
-    lines, warns = [], False
-    for line in log.split("\n"):
-        if re.match(rf"{command}|In file included|\S+: In |collect2", line) or ": error:" in line \
-                or "fatal error:" in line or "undefined reference" in line:
-            warns = False
-        elif re.match(r"\S+:\d+:\d+: warning:", line):
-            warns = True
-        if line and not warns and not re.match(command, line):
+    """The compiler's errors without command lines, mere warnings and notes on other libraries."""
+    aside = r"\[\d+/\d+\]|ninja:|FAILED:|-- |\S.* -o \S|In file included|\S+:\d+:\d+: warning:"
+    lines, before, aside_now = [], False, False
+    for line in re.sub(rf"{re.escape(str(ROOT))}/|^\.\./", "", log, flags=re.M).split("\n"):
+        if re.match(r"\S+:\d+:\d+: note:", line):
+            aside_now = before or line.startswith("/")
+        elif not line.startswith(" "):  # else it belongs to the line before
+            before = aside_now = bool(re.match(aside, line))
+        if line and not aside_now:
             lines.append(line)
-    lines = [line.replace(str(ROOT) + "/", "") for line in lines]
     return "\n".join(lines[:most] + (["..."] if len(lines) > most else []))

@@ -18,8 +18,8 @@ namespace joints {
 class BulletContacts : private btOverlapFilterCallback {
  public:
   Contacts contacts;  ///< the pairs and their joints; contacts.skip() excludes a pair
-  /// Bullet returns four of the up to eight corners that two faces have in common, and others in the
-  /// next step. A point that it drops stays while it slides and separates by less than this [m].
+  /// Bullet returns four of the up to eight corners that two faces have in common, and others in
+  /// the next step. A point that it drops stays while it slides and separates by less than this [m].
   real stay = real(0.001);
 
   /// \param h step [s] \param substeps Stepping::substeps
@@ -107,7 +107,7 @@ class BulletContacts : private btOverlapFilterCallback {
     if (const ContactJoint* const joint = contacts.find(first->id, second->id))
       for (const ContactPlace& old : joint->places())
         if (stays(old, first->ahead, second->ahead) &&
-            std::ranges::none_of(places, [&](const auto& place) { return joint->same(old, place); }))
+            std::ranges::none_of(places, [&](const auto& one) { return joint->same(old, one); }))
           places.push_back(old);
     contacts.touch(first->id, second->id, places);
   }

@@ -17,7 +17,7 @@ Heaped run(const std::string& name, double seconds = 0, int substeps = 4, bool a
 
 }  // namespace
 
-TEST_CASE("stacks stand still on Bullet's points: ten cubes and twenty; turned cubes; drawn boxes") {
+TEST_CASE("stacks of ten cubes, of turned cubes, of drawn boxes stand still on Bullet's points") {
   for (const auto& [name, seconds, substeps, most] :
        {std::tuple("ten cubes", 20, 4, 1e-4), {"ten turned cubes", 60, 4, 1e-4},
         {"twenty cubes", 20, 8, 1e-3}, {"thirty drawn stacks", 20, 4, 1e-3}}) {

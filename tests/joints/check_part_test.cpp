@@ -140,7 +140,7 @@ PosePair near_the_axis(PoseRandom& random) {
 
 }  // namespace
 
-TEST_CASE("the checker notes that an angle jumps by a turn, and that a length and a product do not") {
+TEST_CASE("the checker notes that an angle jumps by a turn, but no length and no product") {
   for (const unsigned seed : {1, 2, 3, 4, 5}) {
     const PartReport angle = check_part(Angle{}, near_the_axis, {.seed = seed});
     INFO(angle.text());

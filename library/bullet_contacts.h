@@ -19,7 +19,8 @@ class BulletContacts : private btOverlapFilterCallback {
  public:
   Contacts contacts;  ///< the pairs and their joints; contacts.skip() excludes a pair
   /// Bullet returns four of the up to eight corners that two faces have in common, and others in
-  /// the next step. A point that it drops stays while it slides and separates by less than this [m].
+  /// the next step. A point that it drops stays while it slides and separates by less than this
+  /// [m].
   real stay = real(0.001);
 
   /// \param h step [s] \param substeps Stepping::substeps

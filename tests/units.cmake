@@ -14,10 +14,14 @@ add_library(engine_units STATIC
 target_link_libraries(engine_units PUBLIC units_options PRIVATE workbook_lenient)
 target_precompile_headers(engine_units PRIVATE checker/units.h <vector>)
 
+get_property(sealed GLOBAL PROPERTY WORKBOOK_SEALED)
 foreach(chapter ${chapters})
   get_property(name GLOBAL PROPERTY WORKBOOK_NAME_${chapter})
   get_property(uses GLOBAL PROPERTY WORKBOOK_USES_${chapter})
   list(TRANSFORM uses APPEND _units_file)
+  foreach(one ${sealed})  # of a student's edition: the student's own
+    list(TRANSFORM uses REPLACE "^${one}_units_file$" "${one}_units_mine_file")
+  endforeach()
 
   add_library(${chapter}_units_tests OBJECT ${chapter}/units.cpp)
   add_library(${chapter}_units_file STATIC ${PROJECT_SOURCE_DIR}/solutions/${chapter}/${name}.cpp)

@@ -11,7 +11,9 @@ from pathlib import Path
 
 from door import CHAPTER, Door
 from front_door_test import typed
-from proofs import exercises, main
+from proofs import exercises, house, main
+
+from classroom import grading, lend
 
 FILE = "distance.cpp"
 IDS = [f"1.{n}" for n in range(1, 7)]
@@ -288,7 +290,18 @@ def what_is_expected_is_said(root, build):
             yield from typed(door, "grade c", 2, words, wide=True)
 
 
-PROOFS = [every_submission_is_judged, what_is_expected_is_said]
+def chapters_compiled_in_their_own_way_are_graded(root, build):
+    """finished files of chapters 7 and 9, with own instructions and precompiled headers, are done"""
+    for chapter in map(house.chapter_of, ("7", "9")):
+        line = lend.commands(build, f"{chapter.folder}_test_mine", chapter.name)
+        house.must_build(lend.needs(line))
+        grades, _ = grading.grade_text(exercises.read(chapter.solution), chapter, line)
+        yield from (f"{one.id}: {one.words()} {one.detail} {one.failures}" for one in grades
+                    if one.words() != "done")
+
+
+PROOFS = [every_submission_is_judged, what_is_expected_is_said,
+          chapters_compiled_in_their_own_way_are_graded]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

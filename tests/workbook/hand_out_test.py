@@ -1,6 +1,7 @@
 """What students are handed out: hand_out_test.py ROOT BUILD"""
 import contextlib
 import io
+import re
 import shutil
 import subprocess
 import sys
@@ -107,12 +108,12 @@ def targets_of_edition(door):
     handed out; every target of a student's can be made."""
     def links(target):
         said = subprocess.run(["ninja", "-C", build, "-t", "inputs", target], capture_output=True,
-                              text=True).stdout.split()
-        return {name for name in ("lib01_distance.a", "lib01_distance_mine.a") if name in said}
+                              text=True).stdout
+        return set(re.findall(r"\blib01_distance(?:_units|)(?:_mine|)(?:_file|)\.a$", said, re.M))
     build = door.root.with_name("configured")
     names = [f"{chapter.folder}_{kind}_mine" for chapter in house.chapters()
              for kind in ("test", "run", "units")]
-    for released, wanted in ((False, "lib01_distance_mine.a"), (True, "lib01_distance.a")):
+    for released, kind in ((False, "_mine"), (True, "")):
         if released:
             exercises.write(door.root / "solutions" / CHAPTER / FILE, door.solution)
         made = subprocess.run(["cmake", "-S", door.root, "-B", build, "-G", "Ninja"],
@@ -121,9 +122,11 @@ def targets_of_edition(door):
             ["ninja", "-C", build, "-n", *names], capture_output=True, text=True)
         if made.returncode:
             yield f"the edition cannot be built: {(made.stdout + made.stderr)[-600:]}"
-        for target in ("02_ball_test_mine", "02_ball_run_mine"):
-            if links(target) != {wanted}:
-                yield f"{target} is made with {links(target)}, not {wanted}"
+        for target, wanted in (("test", f"{kind}.a"), ("run", f"{kind}.a"),
+                               ("units", f"_units{kind}_file.a")):
+            found = links(f"02_ball_{target}_mine")
+            if found != {f"lib01_distance{wanted}"}:
+                yield f"02_ball_{target}_mine is made with {found}, not {wanted}"
     exercises.write(door.root / "solutions" / CHAPTER / FILE, exercises.stub(door.solution))
 
 

@@ -68,7 +68,8 @@ def fence_of_compiler(folder, line):
     headers, and the linked files; no source that is somebody else's."""
     headers = [house.ROOT / "engine", *(house.ROOT / "chapters").glob("*/*.h")]
     objects = [house.BUILD / path for path in re.findall(
-        r"(?<=\s)\S+(?:\.[oa]|/where\.cpp)(?=\s|$)", line) if path not in lend.made(line)]
+        r"(?<=\s)\S+(?:\.[oa]|/where\.cpp|\.hxx)(?=\s|$)", line) if path not in lend.made(line)]
+    objects += [house.BUILD / path for path in lend.needs(line) if path.endswith(".gch")]
     elsewhere = [path for path in re.findall(r"(?<= )-(?:I|isystem) ?(/\S+)", line)
                  if not house.ROOT.is_relative_to(path)]
     return fence.Fence(str(folder / "build"), [

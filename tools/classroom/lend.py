@@ -21,9 +21,10 @@ def made(line):
 
 
 def needs(line):
-    """The objects and libraries that the lender must have built."""
+    """The objects, libraries and precompiled headers that the lender must have built."""
     return [path for path in re.findall(r"(?<=\s)(?!/)[\w./]+\.[oa](?=\s|$)", line)
-            if path not in made(line)]
+            if path not in made(line)] + [
+        f"{path}.gch" for path in re.findall(r"-include \S*?/(CMakeFiles/\S+)", line)]
 
 
 def lend(lender, build, root, makes):

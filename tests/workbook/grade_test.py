@@ -291,7 +291,7 @@ def what_is_expected_is_said(root, build):
 
 
 def chapters_compiled_in_their_own_way_are_graded(root, build):
-    """finished files of chapters 7 and 9, with own instructions and precompiled headers, are done"""
+    """finished files of chapters 7 and 9, with own instructions and read headers, are done"""
     for chapter in map(house.chapter_of, ("7", "9")):
         line = lend.commands(build, f"{chapter.folder}_test_mine", chapter.name)
         house.must_build(lend.needs(line))

@@ -11,7 +11,7 @@ const controls = [
   {name: "warm", words: "warm start", tick: true},
   {name: "projections", words: "projections", unit: "of the positions after a step",
    range: [0, 20, 1]},
-  {name: "relaxation", words: "relaxation", unit: "factor of every impulse", range: [0.1, 2, 0.05]},
+  {name: "relaxation", words: "relaxation", unit: "factor of every impulse", range: [0.1, 1.95, 0.05]},
   {name: "frequency", words: "soft frequency", unit: "[Hz], 0 is hard", range: [0, 30, 0.5]},
   {name: "damping", words: "soft damping", unit: "ratio", range: [0, 3, 0.1]},
   {name: "direct", words: "direct solver <small>sets beta, newton, leapfrog</small>", tick: true},

@@ -92,7 +92,7 @@ const panel_colour = panel =>
   rgb(colours[panel.label], document.documentElement.dataset.theme === "dark" ? 0.68 : 0.5);
 
 // One value of all samples of the panels over time, kept runs first. A sample is
-// [time, gap, energy, microseconds].
+// [time, gap, energy].
 function over_time(canvas, panels, now, title, place, {log, least = 1e-9} = {}) {
   const x = [Math.max(0, now - 10), Math.max(10, now)];
   const value = sample => log ? log10(sample[place]) : sample[place];
@@ -111,8 +111,6 @@ const plots = {
   energy: (canvas, panels, now) =>
     over_time(canvas, panels, now, "energy gained since the beginning [J]", 2,
               {least: 1e-4 * panels[0].scale}),  // less is rounding
-  cost: (canvas, panels, now) =>
-    over_time(canvas, panels, now, "time per step in this browser [µs]", 3),
   errors(canvas, panels) {
     const bottom = -12;  // where rounding begins, about
     const curves = panels.flatMap(panel => {

@@ -95,7 +95,7 @@ async function steps(count) {
       panel.printed = done.printed;
       time_steps(panel, done.used, piece);
       for (let k = 0; k < piece; ++k)
-        panel.samples.push([...done.samples.slice(3 * k, 3 * k + 3), panel.us]);
+        panel.samples.push(done.samples.slice(3 * k, 3 * k + 3));
       if (panel.samples.length > 20000) panel.samples.splice(0, 5000);
       panel.errors = panel.joints = null;
       take_state(panel, done);

@@ -15,10 +15,10 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / folder) for folder in ("workbook", "live")]
-from browser import Browser, there  # noqa: E402
 from proofs import exercises, house, main, notes, read  # noqa: E402
 
 from course import packing, serving  # noqa: E402
+from website.browser import Browser, there  # noqa: E402
 
 PAGE = "chapters_01_distance_README.html"
 WRONG = "  const vec3 n = direction(body2.x - body1.x);\n  return {n, vec3(0), n, vec3(0)};"

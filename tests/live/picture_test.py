@@ -6,11 +6,11 @@ Skipped, with exit status 77, where Chromium or the packages that make WebAssemb
 import sys
 import time
 
-import browser
 from made import live, page, skip_without
 
 from page_test import PHONE, WIDE, hash_of, said
 from proofs import main
+from website import browser
 
 
 def address_of(build):
@@ -123,7 +123,8 @@ def one_setting_in_a_frame(root, build):
     with browser.Browser() as here:
         for width, setting, state in ((700, "beta", "scene=chain&beta=1&t=1"),
                                       (360, "direct", "scene=heavy&t=1"),
-                                      (360, "strength", "scene=door&strength=20&t=1")):
+                                      (360, "strength", "scene=door&strength=20&t=1"),
+                                      (320, "beta", "scene=chain&t=1")):
             outer = folder / "framed.html"
             outer.write_text(
                 f'<!DOCTYPE html><iframe src="picture.html#{state}&amp;only={setting}" '
@@ -142,6 +143,9 @@ def one_setting_in_a_frame(root, build):
                   return b.height < 20 || b.bottom > 501 || b.right > {width} + 1; }}).join()""")
             if cut:
                 yield f"{state}, {width} pixels: {cut} is not to be seen"
+            if here.ask(f"""[...{inner}.querySelectorAll('[type=range]')].some(one =>
+                    one.checkVisibility() && one.clientWidth < 120)"""):
+                yield f"{state}, {width} pixels: too little of the slider"
             if "gap" not in here.ask(f"{inner}.getElementById('reading').textContent"):
                 yield f"{state}: no gap is told"
 

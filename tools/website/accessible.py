@@ -11,22 +11,20 @@ AXE = {"version": "4.14.1", "take": "axe.min.js", "integrity":
        "sha512-FHfa+lmNjQZfJz1q8wKqIDwC6DExcHt/pkjNQb09a3NPjCKg2rhu5qb2S4r76ASyFNNtuFooJpZe37OgudVG"
        "tQ=="}
 REFERENCE = re.compile("(class|struct|group_|namespace|concept)")
-AT_ONCE = 40  # pages in one start of the browser
 # check_docs.py computes contrasts itself, in light and dark.
 LOOK = """(() => {
-  if (document.readyState !== "complete") return null;
-  if (!page.asked) {
+  if (!window.asked) {
     for (const fold of document.querySelectorAll("details")) fold.open = true;
-    page.asked = document.createElement("script");
-    page.asked.src = "ADDRESS";
-    page.asked.onload = () => page.axe.run({include: [["html"]], exclude: [["iframe"]]},
+    window.asked = document.createElement("script");
+    window.asked.src = "ADDRESS";
+    window.asked.onload = () => axe.run({include: [["html"]], exclude: [["iframe"]]},
       {resultTypes: ["violations"], iframes: false, rules: {"color-contrast": {enabled: false}}})
-      .then(found => { page.found = found.violations; }, error => { page.found = String(error); });
-    document.head.append(page.asked);
+      .then(all => { window.found = all.violations; }, error => { window.found = String(error); });
+    document.head.append(window.asked);
   }
-  if (!page.found) return null;
-  if (typeof page.found === "string") return page.found;
-  return "good" + page.found.filter(one => ["serious", "critical"].includes(one.impact))
+  if (!window.found) return null;
+  if (typeof window.found === "string") return window.found;
+  return "good" + window.found.filter(one => ["serious", "critical"].includes(one.impact))
     .map(one => `; ${one.id} (${one.nodes.length}): ${one.nodes[0].html.slice(0, 120)}`).join("");
 })()"""
 
@@ -46,10 +44,8 @@ def of_today(pages):
 def bad_pages(pages):
     """What is serious on pages of the disk, one line a page."""
     script = parts.package("axe-core", AXE).as_uri()
-    jobs = [browser.job(page.as_uri(), LOOK.replace("ADDRESS", script), wait=20000)
-            for page in pages]
-    answers = [answer for k in range(0, len(jobs), AT_ONCE)
-               for answer in browser.ask(jobs[k:k + AT_ONCE])]
+    look = LOOK.replace("ADDRESS", script)
+    answers = browser.ask([browser.job(page.as_uri(), look, wait=20) for page in pages])
     for page, found in zip(pages, answers):
         if found != "good":
             yield f"{page.name}: axe-core: {str(found).removeprefix('good; ')}"

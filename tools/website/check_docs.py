@@ -57,9 +57,8 @@ SEARCHES = {
 # All that is asked of a page at the width of a telephone: how wide it is, which listings stand
 # outside the text, which words can hardly be read, and which parts paper would leave out.
 LOOK = """(() => {
-  if (document.readyState !== "complete") return null;
   const root = document.documentElement, wide = root.scrollWidth, wrong = [];
-  const style = element => page.getComputedStyle(element);
+  const style = element => getComputedStyle(element);
   for (const fold of document.querySelectorAll("details")) fold.open = true;
   for (const block of document.querySelectorAll("div.textblock .fragment"))
     if (block.getBoundingClientRect().left
@@ -102,7 +101,7 @@ LOOK = """(() => {
   contrast("light");
   root.classList.replace("light-mode", "dark-mode");
   contrast("dark");
-  page.dispatchEvent(new page.Event("beforeprint"));
+  dispatchEvent(new Event("beforeprint"));
   if (text && root.classList.contains("dark-mode")) wrong.push("paper would be dark");
   for (const sheet of document.styleSheets)
     for (const rule of sheet.cssRules)
@@ -311,7 +310,7 @@ def browser_jobs(site, sources, reports):
             f"{page.name}: {seen['wide']} pixels wide in {TELEPHONE}"
             if seen["wide"] > TELEPHONE else
             f"{page.name}: {seen['wrong']}" if seen["wrong"] else None)
-    letters = ("document.readyState === 'complete' && (all => all.length && all.filter("
+    letters = ("(all => all.length && all.filter("
                "one => !(parseInt(one.style.getPropertyValue('--wide')) > 0 && "
                "one.firstChild.offsetWidth >= parseInt(one.style.getPropertyValue('--wide')))"
                ").length + ' of ' + all.length)([...document.querySelectorAll('.drawing')])")

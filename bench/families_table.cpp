@@ -39,6 +39,8 @@ int main(int argc, char** argv) {
                             "family,real,setting,first_seed,held,of,lost,kept,gap_max_m,past_max,"
                             "gain_max,loss_median,loss_max,seconds");
     const int first = options.count("seed", 0), draws = options.count("draws", 0);
+    const double hertz = options.number("hertz", 1);
+    const std::string at = hertz == 60 ? "" : " at " + options.text("hertz") + " Hz";
     std::printf("%-18s %-11s %11s %5s %5s %9s %9s %8s %13s %6s\n", "family", "setting", "held",
                 "lost", "kept", "gap [mm]", "past", "gain [%]", "loss [%]", "t [s]");
     for (const Family& family : list)
@@ -51,8 +53,7 @@ int main(int argc, char** argv) {
         for (int k = 0; k < count; ++k) {
           Drawn scene = family.draw(unsigned(first + k));
           const bool keeps_energy = scene.keeps_energy;
-          const Outcome out = run_drawn(std::move(scene), setting,
-                                        1 / options.number("hertz", 1));
+          const Outcome out = run_drawn(std::move(scene), setting, 1 / hertz);
           held += out.held();
           lost += !out.held(0.02);
           gap = std::max(gap, out.finite ? out.gap : 1 / 0.0);
@@ -74,7 +75,7 @@ int main(int argc, char** argv) {
                     family.name.c_str(), setting.c_str(), held, count, lost, kept, 1000 * gap, past,
                     100 * gain, 100 * middle, 100 * most, seconds);
         std::fflush(stdout);
-        std::fprintf(file, "%s,%s,%s,%d,%d,%d,%d,%d%s%s%s%s%s%s\n", family.name.c_str(),
+        std::fprintf(file, "%s,%s,%s,%d,%d,%d,%d,%d%s%s%s%s%s%s\n", (family.name + at).c_str(),
                      sizeof(real) == 8 ? "double" : "float", setting.c_str(), first, held, count,
                      lost, kept, cell(gap).c_str(), cell(past).c_str(), cell(gain).c_str(),
                      cell(middle).c_str(), cell(most).c_str(), cell(seconds).c_str());

@@ -176,10 +176,12 @@ void Bodies::remove(BodyId id) {
   free_.push_back(id.slot);
 }
 
-HeldMatrices::HeldMatrices(Bodies& bodies) : bodies_(bodies) {
+HeldMatrices::HeldMatrices(Bodies& bodies, const std::vector<bool>* of) : bodies_(bodies) {
   bodies.matrices_.resize(std::size_t(bodies.slots()));
   BodyMatrices* matrices = bodies.matrices_.data();
-  for (Body& body : bodies) {
+  for (int slot = 0; slot < bodies.slots(); ++slot) {
+    Body& body = bodies.at(slot);
+    if (of && !(*of)[slot] && !body.is_static()) continue;
     matrices->R = mat3_cast(body.q);
     if (!body.is_isotropic()) matrices->inverse_inertia = rotated_inverse_inertia(body);
     body.matrices.now = matrices++;

@@ -178,7 +178,9 @@ class Bodies {
 /// while it exists. During that time no body may be rotated, added or removed.
 class HeldMatrices {
  public:
-  explicit HeldMatrices(Bodies& bodies);  ///< Of these bodies, for the present poses.
+  /// For the present poses. \param of for each slot: the matrices of these bodies and of static
+  /// ones; null: of all
+  explicit HeldMatrices(Bodies& bodies, const std::vector<bool>* of = nullptr);
   ~HeldMatrices();                        ///< Ends their use.
   HeldMatrices(const HeldMatrices&) = delete;  ///< not copied
 

@@ -69,16 +69,38 @@ inline void divide_rows(const Number* A, int m, const Number* D, int n, Number* 
   });
 }
 
-/// C -= A B^T, of m x n numbers A and p x n numbers B.
+/// C -= A B^T, of m x n numbers A and p x n numbers B. \param lower true if C is symmetric: only its
+/// lower triangle is computed
 template <class Number>
-inline void subtract_product(const Number* A, int m, const Number* B, int p, int n, Number* C) {
+inline void subtract_product(const Number* A, int m, const Number* B, int p, int n, Number* C,
+                             bool lower = false) {
   with_size(n, [&](auto N) {
     for (int i = 0; i < m; ++i)
-      for (int j = 0; j < p; ++j) {
-        Number sum{};
-        for (int k = 0; k < N; ++k) sum += A[i * N + k] * B[j * N + k];
+      for (int j = 0, end = lower ? i + 1 : p; j < end; ++j) {
+        Number sum = A[i * N] * B[j * N];
+        for (int k = 1; k < N; ++k) sum += A[i * N + k] * B[j * N + k];
         C[i * p + j] -= sum;
       }
+  });
+}
+
+/// A += J response^T of the angular parts alone, for n and m half-rows at the same body.
+template <class Number>
+inline void add_angular(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* response, int m,
+                        Number* A) {
+  with_size(m, [&](auto M) {
+    for (int i = 0; i < n; ++i)
+      unrolled<M>([&](auto j) { A[i * M + j] += dot(J[i].w, response[j].w); });
+  });
+}
+/// The same in the lower triangle of a symmetric n x n block A.
+template <class Number>
+inline void add_angular_square(const HalfRowOf<Number>* J, const HalfRowOf<Number>* response, int n,
+                               Number* A) {
+  with_size(n, [&](auto N) {
+    unrolled<N>([&](auto i) {
+      unrolled<i + 1>([&](auto j) { A[i * N + j] += dot(J[i].w, response[j].w); });
+    });
   });
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <tuple>
 
 #include "chapters/09_direct/direct_solver.h"
 
@@ -22,12 +21,6 @@ constexpr double small_fraction = 0.1;
 constexpr int most_halved = 4;
 // Rounding errors of C are at most about this times epsilon times the largest coordinate.
 constexpr double of_rounding = 8;
-
-// False for a row of zeros, as of points that coincide: no impulse along it corrects anything.
-bool has_direction(const Row& J) {
-  const vec3 none(0);
-  return J.v1 != none || J.w1 != none || J.v2 != none || J.w2 != none;
-}
 
 double largest(std::span<const double> C) {
   double out = 0;
@@ -54,8 +47,6 @@ class DirectSolver::Positions : public Corrector {
   // Moves all bodies. Returns true if all joints are closed.
   bool move() {
     const int count = int(islands_.islands().size());
-    own_.impulses.resize(std::size_t(islands_.rows()));
-    own_.best.resize(std::size_t(bodies_.slots()));
     own_.expected.assign(expected_.begin(), expected_.end());
     own_.moved.assign(std::size_t(bodies_.slots()), false);
     own_.tries.assign(std::size_t(count), {});
@@ -64,6 +55,8 @@ class DirectSolver::Positions : public Corrector {
       begin();
     }
     choose(0, count);
+    zeros(own_.C, std::size_t(islands_.rows()));
+    find_corrected();
     move_onto_constraints(bodies_, double(h_), solver_.newton, 0, *this, own_.start);
     bool closed = true;
     for (int k = 0; k < count; ++k) {
@@ -78,10 +71,12 @@ class DirectSolver::Positions : public Corrector {
   // are.
   std::vector<double>& errors() override {
     evaluate(false);
+    double& met = solver_.errors_met_.emplace_back(0);
     for (std::size_t k = 0; k < own_.tries.size(); ++k) {
       Motion::Try& now = own_.tries[k];
       const std::span C(&own_.C[islands_.islands()[k].first_row], islands_.islands()[k].rows);
       const double error = largest(C);
+      met = std::max(met, error);
       now.exact = now.exact || (now.moving && error <= now.most);
       now.moving = now.moving && !now.exact && error <= poor_contraction * now.last;
       now.last = error;
@@ -124,19 +119,6 @@ class DirectSolver::Positions : public Corrector {
         if (bound.lane == lane) f(bound, pair.blocks[bound.block]);
     });
   }
-  // f(stored impulse, present impulse) for all rows.
-  template <class F>
-  void for_impulses(const F& f) {
-    for_islands([&](IslandPair& pair, int lane) {
-      for (std::size_t k = 0; k < pair.blocks.size(); ++k)
-        for (int i = 0; i < pair.blocks[k].own[lane]; ++i) {
-          TwoLanes& both = pair.impulse[pair.A.nodes[k].row + i];
-          double now = both[lane];
-          f(own_.impulses[pair.blocks[k].row[lane] + i], now);
-          both[lane] = now;
-        }
-    });
-  }
 
   // C of all rows at the present poses, 0 for rows without an error. \param rows also append the
   // rows at these poses, and free limits that are exceeded
@@ -145,32 +127,28 @@ class DirectSolver::Positions : public Corrector {
     if (some) for_bodies([&](Body&, int slot) { own_.moved[slot] = true; });
     own_.poses.clear();
     own_.poses.errors_only = !rows;
-    append_(own_.poses, some ? &own_.moved : nullptr);
+    {
+      const std::vector<bool>* const of = some ? &own_.moved : nullptr;
+      const HeldMatrices matrices(bodies_, of);
+      append_(own_.poses, of);
+    }
     if (some) for_bodies([&](Body&, int slot) { own_.moved[slot] = false; });
-    int count = 0;
-    for (int k = from_; k < end_; ++k) count += islands_.islands()[k].rows;
-    zeros(own_.C, std::size_t(count));
     own_.met.clear();
     std::size_t k = 0;
     for (const Block& now : own_.poses.list) {
-      own_.met.push_back(-1);
       const std::size_t begin = k;  // nearly always the next one
       while (list_[k].impulse != now.impulse)
         if (k = (k + 1) % list_.size(); k == begin) break;
       const auto& [island, number, row] = islands_.at(int(k));
-      if (list_[k].impulse != now.impulse || island < from_ || island >= end_ ||
-          !own_.tries[island].moving)
-        continue;
-      own_.met.back() = int(k);
-      const Block& block = list_[k];
-      if (!block.target.holds_position ||
-          islands_.pair_of(island)->is_spring(number, islands_.islands()[island].lane))
-        continue;
-      double* const C = &own_.C[row - base_];
-      for (int i = 0; i < block.rows; ++i)
-        if (has_direction(solver_.blocks_->J[block.first + i]))
-          C[i] = double(own_.poses.C[now.first + i]);
-      if (block.target.rate != 0) C[block.rows - 1] = 0;  // it rebounds
+      const bool met = list_[k].impulse == now.impulse && island >= from_ && island < end_;
+      if (rows) own_.met.push_back(met ? int(k) : -1);
+      if (met) {
+        const int corrected = own_.tries[island].moving ? own_.corrected[k] : 0;
+        const real* const error = &own_.poses.C[now.first];
+        double* const C = &own_.C[row - base_];
+        for (int i = 0; i < now.rows; ++i) C[i] = corrected >> i & 1 ? double(error[i]) : 0;
+      }
+      if (++k == list_.size()) k = 0;
     }
     for_bounded([&](BoundedRow& bound, const LaneBlock& at) {
       double& C = own_.C[at.row[bound.lane] + at.rows - 1 - base_];
@@ -178,7 +156,6 @@ class DirectSolver::Positions : public Corrector {
       if (rows && C < 0 && target.one_sided()) bound.side = Side::free;  // limit exceeded
       if (bound.side != Side::free) C = 0;
     });
-    solver_.errors_met_.push_back(largest(own_.C));
   }
 
   void to_start() {
@@ -191,17 +168,13 @@ class DirectSolver::Positions : public Corrector {
   }
   // Stores velocities and impulses that may have to be restored.
   void keep_best() {
-    for_bodies([&](Body& body, int slot) { own_.best[slot] = {body.v, body.w}; });
-    for_impulses([](double& stored, const double& now) { stored = now; });
+    for_islands([&](IslandPair& pair, int lane) { pair.keep(bodies_, lane); });
   }
   void back_to_best() {
-    for_bodies([&](Body& body, int slot) { std::tie(body.v, body.w) = own_.best[slot]; });
-    for_impulses([](double& stored, double& now) { now = stored; });
-    for_islands([&](IslandPair& pair, int) {
-      pair.load(bodies_);
-      pair.store(bodies_, *solver_.blocks_);
-    });
+    for_islands([&](IslandPair& pair, int lane) { pair.go_back(bodies_, lane); });
   }
+  // The largest error before an iteration.
+  double next_error() { return solver_.errors_met_.emplace_back(largest(own_.C)); }
   // Twice the kinetic energy [J].
   double twice_kinetic() {
     double sum = 0;
@@ -232,11 +205,29 @@ class DirectSolver::Positions : public Corrector {
     keep_best();
   }
 
+  // Errors are corrected in rows that hold a position, unless they belong to a spring, rebound, or
+  // are zero, as those of points that coincide: no impulse along them corrects anything.
+  void find_corrected() {
+    zeros(own_.corrected, list_.size());
+    for_islands([&](IslandPair& pair, int lane) {
+      for (int k = 0; k < int(pair.blocks.size()); ++k) {
+        const int block = pair.blocks[k].block[lane];
+        if (block < 0 || pair.is_spring(k, lane)) continue;
+        const RowTarget& target = list_[block].target;
+        const int rows = list_[block].rows - (target.rate != 0);
+        const TwoLanes* const original = &pair.A.original[pair.A.nodes[k].row];
+        for (int i = 0; target.holds_position && i < rows; ++i)
+          if (original[i][lane] != 0) own_.corrected[block] |= 1 << i;
+      }
+    });
+  }
+
   bool move_alone() {
     Motion::Try& now = own_.tries[from_];
     const auto expected = expected_.begin() + base_, stored = own_.expected.begin() + base_;
     const int rows = islands_.islands()[from_].rows;
     now.moving = true;
+    zeros(own_.C, std::size_t(rows));
     to_start();
     back_to_best();
     std::copy_n(stored, rows, expected);
@@ -285,7 +276,7 @@ class DirectSolver::Positions : public Corrector {
       const bool gains = twice_kinetic() > (1 + most_gain) * kinetic;
       move_bodies();
       evaluate(false);
-      const double now = largest(own_.C);
+      const double now = next_error();
       if (n == 0) first = now;
       if (!gains && now < least && (now <= most || now < small_fraction * first)) {
         least = now;
@@ -310,7 +301,7 @@ class DirectSolver::Positions : public Corrector {
       to_start();
       move_bodies();
       evaluate(true);
-      const double now = largest(own_.C);
+      const double now = next_error();
       closed = now <= most;
       if (closed || !std::isfinite(now)) break;
       if (now < last) {
@@ -357,6 +348,8 @@ void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   errors_met_.clear();
   if (newton > 0) {
     report_.moved_exactly = Positions(*this, bodies, h, append).move() && !report_.iterated;
+    for (const IslandPair& pair : islands_.pairs)
+      if (!pair.iterated) pair.store_impulses(*blocks_);
     if (!report_.iterated) return;
     for (int slot = 0; slot < bodies.slots(); ++slot)  // `instead` moves all bodies
       bodies.at(slot).x = motion_.start[slot].x, bodies.at(slot).q = motion_.start[slot].q;

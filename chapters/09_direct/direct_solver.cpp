@@ -42,8 +42,7 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
     before_.clear();
     pulls_.assign(std::size_t(bodies.slots()), Pull{});
   }
-  collect_blocks(bodies);
-  islands_.group(pattern_, bodies.slots(), most_work);
+  islands_.group(collect_blocks(bodies), bodies.slots(), most_work);
   leave_to_iterations();
   recall_rates();
   report_.multiplications = report_.fill = 0;
@@ -73,18 +72,25 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   if (report_.iterated) instead.prepare(bodies, iterated_, 0, h);
 }
 
-void DirectSolver::collect_blocks(const Bodies& bodies) {
+// Returns true if the pattern of the blocks has changed.
+bool DirectSolver::collect_blocks(const Bodies& bodies) {
   followed_.clear();
   for (const Block& block : blocks_->list)
     if (block.target.follows != 0) followed_.push_back(block.impulse + block.target.follows);
   std::sort(followed_.begin(), followed_.end());
-  pattern_.clear();
+  bool changed = islands_.given.size() != blocks_->list.size();
+  islands_.given.resize(blocks_->list.size());
+  BlockPattern* known = islands_.given.data();
   for (const Block& block : blocks_->list) {
     const bool bounded = block.target.lower > -unbounded || block.target.upper < unbounded;
-    pattern_.push_back({{block.body1, block.body2},
-                        {!bodies.at(block.body1).is_static(), !bodies.at(block.body2).is_static()},
-                        is_outside(block) ? 0 : block.rows, bounded});
+    const BlockPattern now{
+        {block.body1, block.body2},
+        {!bodies.at(block.body1).is_static(), !bodies.at(block.body2).is_static()},
+        is_outside(block) ? 0 : block.rows, bounded, block.form};
+    changed = changed || now != *known;
+    *known++ = now;
   }
+  return changed;
 }
 
 // True for rows whose bound depends on another impulse, and for the rows of these impulses.
@@ -101,7 +107,7 @@ void DirectSolver::leave_to_iterations() {
   left_.assign(pulls_.size(), false);
   const auto left = [&](int body) { return left_[islands_.root_of(body)]; };
   const auto root = [&](int island) {
-    const BlockPattern& block = pattern_[islands_.order()[islands_.islands()[island].first]];
+    const BlockPattern& block = islands_.given[islands_.order()[islands_.islands()[island].first]];
     return islands_.root_of(block.moves[0] ? block.bodies.body1 : block.bodies.body2);
   };
   report_.iterated = false;
@@ -113,7 +119,7 @@ void DirectSolver::leave_to_iterations() {
     const auto spread = [&](int one, int other) {
       if (left_[one] != left_[other]) left_[one] = left_[other] = more = true;
     };
-    for (const auto& [of, moves, rows, bounded] : pattern_)
+    for (const auto& [of, moves, rows, bounded, form] : islands_.given)
       if (moves[0] && moves[1]) spread(islands_.root_of(of.body1), islands_.root_of(of.body2));
     for (const IslandPair& pair : islands_.pairs)
       if (pair.islands[1] >= 0) spread(root(pair.islands[0]), root(pair.islands[1]));
@@ -124,8 +130,8 @@ void DirectSolver::leave_to_iterations() {
     list->J.clear();
     list->acting = blocks_->acting;
   }
-  for (std::size_t k = 0; k < pattern_.size(); ++k) {
-    const auto& [of, moves, rows, bounded] = pattern_[k];
+  for (std::size_t k = 0; k < islands_.given.size(); ++k) {
+    const auto& [of, moves, rows, bounded, form] = islands_.given[k];
     if (!report_.iterated && rows > 0) continue;
     const bool to_iterate = (moves[0] && left(of.body1)) || (moves[1] && left(of.body2));
     if (!to_iterate && rows > 0) continue;
@@ -180,7 +186,7 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
   warm_ = ratio > 0;
   if (added_inertia > 0 && !again) before_.assign(bodies.begin(), bodies.end());
   for (IslandPair& pair : islands_.pairs)
-    if (pair.active)
+    if (added_inertia > 0 && pair.active)
       for_moving(pair, [&](int slot) {
         if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].slowed.w;
       });
@@ -189,7 +195,7 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
     if (!pair.active) continue;
     if (ratio != 0) pair.load(bodies);
     pair.start(double(ratio));
-    if (ratio != 0) pair.store(bodies, *blocks_);  // else solve() does both
+    if (ratio != 0) pair.store(bodies), pair.store_impulses(*blocks_);  // else solve() does both
   }
 }
 
@@ -220,7 +226,8 @@ void DirectSolver::solve_active(Bodies& bodies) {
       if (!pair.active) continue;
       pair.load(bodies);
       pair.solve(passes, outside_.list.empty());  // the next alternation refines
-      pair.store(bodies, *blocks_);
+      pair.store(bodies);
+      pair.store_impulses(*blocks_);
     }
   }
 }
@@ -250,6 +257,7 @@ void DirectSolver::change_rates(Bodies& bodies, const std::vector<double>& rates
     rates_.insert(rates_.end(), first, first + blocks.list[k].rows);
   }
   change(bodies, 0, int(islands_.islands().size()), rates_);
+  for (const IslandPair& pair : islands_.pairs) pair.store_impulses(blocks);
 }
 
 // Changes J V of the islands from, ..., end - 1. \param rates of their rows
@@ -257,18 +265,19 @@ void DirectSolver::change(Bodies& bodies, int from, int end, const std::vector<d
   for (int k = from; k < end; ++k) {
     IslandPair* const pair = islands_.pair_of(k);
     if (!pair || pair->iterated || (pair->islands[1] == k && pair->islands[0] >= from)) continue;
-    for (std::size_t n = 0; n < pair->blocks.size(); ++n)
-      for (const int lane : {0, 1}) {
+    const double* const given = rates.data() - islands_.islands()[from].first_row;
+    for (const int lane : {0, 1}) {
+      const bool used = pair->islands[lane] >= from && pair->islands[lane] < end;
+      for (std::size_t n = 0; n < pair->blocks.size(); ++n) {
+        TwoLanes* const x = &pair->x[pair->A.nodes[n].row];
         const LaneBlock& block = pair->blocks[n];
-        const bool used = pair->islands[lane] >= from && pair->islands[lane] < end;
-        const int first = block.row[lane] - islands_.islands()[from].first_row;
         for (int i = 0; i < block.rows; ++i)
-          pair->x[pair->A.nodes[n].row + i][lane] =
-              used && i < block.own[lane] ? rates[std::size_t(first + i)] : 0;
+          x[i][lane] = used && i < block.own[lane] ? given[block.row[lane] + i] : 0;
       }
+    }
     pair->load(bodies);
     pair->change();
-    pair->store(bodies, *blocks_);
+    pair->store(bodies);
   }
 }
 
@@ -279,10 +288,13 @@ void DirectSolver::set_masses(IslandPair& pair, const Bodies& bodies, int only_l
     for (const int lane : {0, 1}) {
       const int slot = pair.bodies[column][lane];
       if (slot < 0 || !pair.moves[column] || lane == 1 - only_lane) continue;
-      const Pull& pull = pulls_[slot];
-      Body body = bodies.at(slot);
-      if (pull.force_lever > 0) body.inverse_inertia_local = pull.slowed.inverse_inertia_local;
-      pair.set_mass(column, lane, body);
+      if (pulls_[slot].force_lever > 0) {
+        Body slow = bodies.at(slot);
+        slow.inverse_inertia_local = pulls_[slot].slowed.inverse_inertia_local;
+        pair.set_mass(column, lane, slow);
+      } else {
+        pair.set_mass(column, lane, bodies.at(slot));
+      }
     }
 }
 

@@ -84,10 +84,10 @@ class DirectSolver : public Solver {
   struct Motion {   // the memory that it uses
     Blocks poses;                    // at new poses
     std::vector<int> met;            // number of each of its blocks in *blocks_, or -1
-    std::vector<double> C, last_C, rates, impulses;
+    std::vector<int> corrected;      // of each block: bit i is set if row i is corrected
+    std::vector<double> C, last_C, rates;
     std::vector<real> expected;      // SolverMemory::rates at the beginning
     std::vector<Body> start;
-    std::vector<std::pair<vec3, vec3>> best;  // velocities
     std::vector<bool> moved;         // for each slot
     /// The corrections of an island.
     struct Try {
@@ -108,7 +108,7 @@ class DirectSolver : public Solver {
     }
   };
 
-  void collect_blocks(const Bodies& bodies);
+  bool collect_blocks(const Bodies& bodies);
   bool is_outside(const Block& block) const;
   void leave_to_iterations();
   void recall_rates();
@@ -124,7 +124,6 @@ class DirectSolver : public Solver {
   const Blocks* blocks_ = nullptr;
   real h_ = 0;
   JointIslands islands_;
-  std::vector<BlockPattern> pattern_;   // of all blocks; without rows for blocks outside A
   std::vector<const real*> followed_;   // impulses on which bounds depend
   Blocks outside_;                      // the other blocks
   Blocks iterated_;                     // all blocks of islands that `instead` solves

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "chapters/09_direct/block_kernels.h"
+
 namespace joints {
 
 namespace {
@@ -44,50 +46,49 @@ void IslandPair::prepare(const Blocks& given, const real* rates, real h) {
   factored = springs_ = false;
   passes = wrong = 0;
   const real acting = given.acts(h);
-  for (int k = 0; k < int(blocks.size()); ++k) {
-    const int row = A.nodes[k].row;
-    softness_[k] = TwoLanes{};
+  for (int k = 0; k < int(blocks.size()); ++k)
     for (const int lane : {0, 1}) {
+      softness_[k][lane] = 0;
       if (blocks[k].block[lane] < 0) continue;
       const Block& block = given.list[blocks[k].block[lane]];
       set_rows(k, lane, &given.J[block.first]);
       const StepTarget target = step_target(block.target, h, acting);
-      softness_[k][lane] = double(target.softness);
-      springs_ = springs_ || target.softness > 0;
-      for (int i = 0; i < block.rows; ++i) {
-        const real C = given.C[block.first + i];
-        const double bias = double(joints::bias(block, i, C, target.rate, h));
-        const double expected = rates ? double(rates[blocks[k].row[lane] + i]) : 0;
-        wanted_[row + i][lane] = expected - bias;
-        impulse[row + i][lane] = double(block.impulse[i]);
-        const bool last_row = i + 1 == block.rows;
-        if (!last_row || (block.target.lower == -unbounded && block.target.upper == unbounded))
-          continue;
-        BoundedRow last{k, lane, double(acting * block.target.lower),
-                        double(acting * block.target.upper), bias};
-        const double before = double(block.impulse[i]);  // of the last step
-        last.side = before <= last.lower ? Side::lower
-                    : before >= last.upper ? Side::upper : Side::free;
-        bounded.push_back(last);
+      if (target.softness > 0) softness_[k][lane] = double(target.softness), springs_ = true;
+      const int last = block.rows - 1;
+      const real* const C = &given.C[block.first];
+      static const real none[6]{};
+      const real* const expected = rates ? rates + blocks[k].row[lane] : none;
+      TwoLanes *const wanted = &wanted_[A.nodes[k].row], *const own = &impulse[A.nodes[k].row];
+      for (int i = 0; i <= last; ++i) {
+        wanted[i][lane] = double(expected[i]) - double(bias(block, i, C[i], target.rate, h));
+        own[i][lane] = double(block.impulse[i]);
+      }
+      if (block.target.lower > -unbounded || block.target.upper < unbounded) {
+        BoundedRow row{k, lane, double(acting * block.target.lower),
+                       double(acting * block.target.upper),
+                       double(bias(block, last, C[last], target.rate, h))};
+        const double before = own[last][lane];  // of the last step
+        row.side = before <= row.lower ? Side::lower : before >= row.upper ? Side::upper : Side::free;
+        bounded.push_back(row);
       }
     }
-  }
 }
 
 void IslandPair::set_rows(int block, int lane, const Row* rows) {
-  for (int i = 0; i < blocks[block].own[lane]; ++i) {
-    put(half(block, i, 0).v, lane, rows[i].v1), put(half(block, i, 0).w, lane, rows[i].w1);
-    put(half(block, i, 1).v, lane, rows[i].v2), put(half(block, i, 1).w, lane, rows[i].w2);
-  }
+  HalfRowOf<TwoLanes>*const one = &half(block, 0, 0), *const two = &half(block, 0, 1);
+  const int n = blocks[block].own[lane];
+  for (int i = 0; i < n; ++i) put(one[i].w, lane, rows[i].w1), put(two[i].w, lane, rows[i].w2);
+  if (blocks[block].form != Form::any) return;  // lay_out() has set the unit vectors of a point
+  for (int i = 0; i < n; ++i) put(one[i].v, lane, rows[i].v1), put(two[i].v, lane, rows[i].v2);
 }
 
 void IslandPair::set_mass(int column, int lane, const Body& body) {
-  const mat3 I = inverse_inertia(body);
   auto& [linear, angular] = masses[column];
+  const Symmetric<real> I = symmetric(inverse_inertia(body));
   linear[lane] = double(body.inverse_mass);
-  angular.xx[lane] = double(I[0][0]), angular.yy[lane] = double(I[1][1]);
-  angular.zz[lane] = double(I[2][2]), angular.xy[lane] = double(I[1][0]);
-  angular.xz[lane] = double(I[2][0]), angular.yz[lane] = double(I[2][1]);
+  angular.xx[lane] = double(I.xx), angular.yy[lane] = double(I.yy);
+  angular.zz[lane] = double(I.zz), angular.xy[lane] = double(I.xy);
+  angular.xz[lane] = double(I.xz), angular.yz[lane] = double(I.yz);
 }
 
 void IslandPair::load(const Bodies& all) {
@@ -99,7 +100,7 @@ void IslandPair::load(const Bodies& all) {
       }
 }
 
-void IslandPair::store(Bodies& all, const Blocks& given) const {
+void IslandPair::store(Bodies& all) const {
   for (std::size_t k = 0; k < bodies.size(); ++k)
     for (const int lane : {0, 1}) {
       if (!moves[k] || bodies[k][lane] < 0) continue;
@@ -107,10 +108,37 @@ void IslandPair::store(Bodies& all, const Blocks& given) const {
       body.v = lane_of(velocities_[k].v, lane);
       body.w = lane_of(velocities_[k].w, lane);
     }
+}
+
+void IslandPair::store_impulses(const Blocks& given) const {
   for (std::size_t k = 0; k < blocks.size(); ++k)
-    for (const int lane : {0, 1})
-      for (int i = 0; i < blocks[k].own[lane]; ++i)
-        given.list[blocks[k].block[lane]].impulse[i] = real(impulse[A.nodes[k].row + i][lane]);
+    for (const int lane : {0, 1}) {
+      if (blocks[k].block[lane] < 0) continue;
+      real* const to = given.list[blocks[k].block[lane]].impulse;
+      const TwoLanes* const from = &impulse[A.nodes[k].row];
+      for (int i = 0, end = blocks[k].own[lane]; i < end; ++i) to[i] = real(from[i][lane]);
+    }
+}
+
+void IslandPair::keep(const Bodies& all, int lane) {
+  load(all);
+  kept_velocities_.resize(velocities_.size());
+  kept_impulses_.resize(impulse.size());
+  for (std::size_t k = 0; k < velocities_.size(); ++k) {
+    put(kept_velocities_[k].v, lane, lane_of(velocities_[k].v, lane));
+    put(kept_velocities_[k].w, lane, lane_of(velocities_[k].w, lane));
+  }
+  for (std::size_t r = 0; r < impulse.size(); ++r) kept_impulses_[r][lane] = impulse[r][lane];
+}
+
+void IslandPair::go_back(Bodies& all, int lane) {
+  load(all);
+  for (std::size_t k = 0; k < velocities_.size(); ++k) {
+    put(velocities_[k].v, lane, lane_of(kept_velocities_[k].v, lane));
+    put(velocities_[k].w, lane, lane_of(kept_velocities_[k].w, lane));
+  }
+  for (std::size_t r = 0; r < impulse.size(); ++r) impulse[r][lane] = kept_impulses_[r][lane];
+  store(all);
 }
 
 void IslandPair::start(double ratio) {
@@ -199,34 +227,36 @@ void IslandPair::find_tight_loops() {
 
 // Changes the velocities by impulses of a block.
 void IslandPair::push(int block, const TwoLanes* by) {
-  for (const int of : {0, 1}) {
-    HalfRowOf<TwoLanes> sum{};  // J^T times the impulses
-    for (int i = 0; i < blocks[block].rows; ++i) {
-      sum.v += by[i] * half(block, i, of).v;
-      sum.w += by[i] * half(block, i, of).w;
+  with_size(blocks[block].rows, [&](auto n) {
+    for (const int of : {0, 1}) {
+      const HalfRowOf<TwoLanes>* const rows = &half(block, 0, of);
+      HalfRowOf<TwoLanes> sum{};  // J^T times the impulses
+      for (int i = 0; i < n; ++i) sum.w += by[i] * rows[i].w;
+      for (int i = 0, end = linear_rows(block); i < end; ++i) sum.v += by[i] * rows[i].v;
+      const int column = blocks[block].columns[of];
+      velocities_[column].v += masses[column].linear * sum.v;
+      velocities_[column].w += masses[column].angular * sum.w;
     }
-    const int column = blocks[block].columns[of];
-    velocities_[column].v += masses[column].linear * sum.v;
-    velocities_[column].w += masses[column].angular * sum.w;
-  }
+  });
 }
 
 // J V of a block.
 void IslandPair::rates_of(int block, TwoLanes* out) const {
-  const int n = blocks[block].rows;
   const HalfRowOf<TwoLanes>* const rows = &J[2 * A.nodes[block].row];
-  const auto& [one, other] = blocks[block].columns;
-  for (int i = 0; i < n; ++i)
-    out[i] = dot(rows[i], velocities_[one]) + dot(rows[n + i], velocities_[other]);
+  const HalfRowOf<TwoLanes>& one = velocities_[blocks[block].columns[0]];
+  const HalfRowOf<TwoLanes>& two = velocities_[blocks[block].columns[1]];
+  with_size(blocks[block].rows, [&](auto n) {
+    for (int i = 0; i < n; ++i)
+      out[i] = joints::dot(rows[i].w, one.w) + joints::dot(rows[n + i].w, two.w);
+    for (int i = 0, end = linear_rows(block); i < end; ++i)
+      out[i] += joints::dot(rows[i].v, one.v) + joints::dot(rows[n + i].v, two.v);
+  });
 }
 
 void IslandPair::change() {
   joints::solve(A, x.data());
-  for (int k = 0; k < int(blocks.size()); ++k) {
-    const int row = A.nodes[k].row;
-    for (int i = row; i < row + blocks[k].rows; ++i) impulse[i] += x[i];
-    push(k, &x[row]);
-  }
+  for (std::size_t row = 0; row < x.size(); ++row) impulse[row] += x[row];
+  for (int k = 0; k < int(blocks.size()); ++k) push(k, &x[A.nodes[k].row]);
 }
 
 // Makes the remaining errors of all free rows zero.

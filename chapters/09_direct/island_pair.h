@@ -46,8 +46,11 @@ class IslandPair : public IslandMatrix {
   /// Sets the mass of a body on one lane.
   void set_mass(int column, int lane, const Body& body);
   void load(const Bodies& all);  ///< reads the velocities of its bodies
-  /// Writes velocities and impulses to its bodies and joints.
-  void store(Bodies& all, const Blocks& given) const;
+  void store(Bodies& all) const;  ///< writes the velocities of its bodies
+  void store_impulses(const Blocks& given) const;  ///< writes them to the joints
+  /// Stores the velocities and impulses of one lane, for go_back().
+  void keep(const Bodies& all, int lane);
+  void go_back(Bodies& all, int lane);  ///< restores them
   /// Multiplies the impulses by `ratio` and applies them. \param ratio 0 or above
   void start(double ratio);
   /// Factors A.
@@ -82,13 +85,19 @@ class IslandPair : public IslandMatrix {
   void go_to_bounds();
   int flip_wrong_ones(std::array<Progress, 2>& progress);
   TwoLanes& diagonal_of(const BoundedRow& row);
+  // Only so many rows of a block, the first ones, have linear parts.
+  int linear_rows(int block) const {
+    const Form form = blocks[block].form;
+    return form == Form::any ? blocks[block].rows : form == Form::point ? 3 : 0;
+  }
   HalfRowOf<TwoLanes>& half(int block, int i, int of) {
     return J[2 * A.nodes[block].row + of * blocks[block].rows + i];
   }
 
   std::vector<TwoLanes> wanted_;                 // required J V, by rows
   std::vector<TwoLanes> softness_;               // StepTarget::softness of each block
-  std::vector<HalfRowOf<TwoLanes>> velocities_;  // of each column
+  std::vector<HalfRowOf<TwoLanes>> velocities_, kept_velocities_;  // of each column
+  std::vector<TwoLanes> kept_impulses_;
   bool springs_ = false;                         // there are some
   std::vector<std::array<int, 2>> dependent_;    // rows of each closed loop
 };

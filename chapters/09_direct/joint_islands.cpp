@@ -10,12 +10,9 @@ namespace joints {
 
 // ---- islands ------------------------------------------------------------------------------------
 
-void JointIslands::group(const std::vector<BlockPattern>& blocks, int slots, double most_work) {
+void JointIslands::group(bool changed, int slots, double most_work) {
   for (IslandPair& pair : pairs) pair.is_new = false;
-  const bool same_bodies = root_.size() == std::size_t(slots);
-  if (same_bodies && blocks == given_ && most_work == most_work_) return;
-  given_.resize(blocks.size());
-  std::copy(blocks.begin(), blocks.end(), given_.begin());
+  if (!changed && root_.size() == std::size_t(slots) && most_work == most_work_) return;
   most_work_ = most_work;
   find_islands(slots);
   shape_.swap(last_shape_);
@@ -33,40 +30,40 @@ int JointIslands::root_of(int body) {
 void JointIslands::find_islands(int slots) {
   root_.resize(std::size_t(slots));
   std::iota(root_.begin(), root_.end(), 0);
-  for (const BlockPattern& block : given_)
+  for (const BlockPattern& block : given)
     if (block.rows > 0 && block.moves[0] && block.moves[1])
       root_[root_of(block.bodies.body1)] = root_of(block.bodies.body2);
   first_.assign(std::size_t(slots), -1);  // of each root the first block
   keys_.clear();
-  for (int k = 0; k < int(given_.size()); ++k) {
-    const BlockPattern& block = given_[k];
+  for (int k = 0; k < int(given.size()); ++k) {
+    const BlockPattern& block = given[k];
     if (block.rows == 0) continue;
     int& first = first_[root_of(block.moves[0] ? block.bodies.body1 : block.bodies.body2)];
     if (first < 0) first = k;
     keys_.push_back({first, 0, block.optional(), k});
   }
   const auto bodies = [&](const Key& key) {
-    const BodyPair& pair = given_[key.block].bodies;
+    const BodyPair& pair = given[key.block].bodies;
     return std::tuple(pair.body1, pair.body2, key.block);
   };
   std::sort(keys_.begin(), keys_.end(),
             [&](const Key& a, const Key& b) { return bodies(a) < bodies(b); });
   for (std::size_t n = 0; n < keys_.size(); ++n) {
-    const bool same = n > 0 && given_[keys_[n].block].bodies == given_[keys_[n - 1].block].bodies;
+    const bool same = n > 0 && given[keys_[n].block].bodies == given[keys_[n - 1].block].bodies;
     keys_[n].link = same ? keys_[n - 1].link : keys_[n].block;
   }
   std::sort(keys_.begin(), keys_.end());
 
   islands_.clear();
   order_.clear();
-  zeros(at_, given_.size());
+  zeros(at_, given.size());
   rows_ = 0;
   for (std::size_t n = 0; n < keys_.size(); ++n) {
     const auto& [island, link, optional, block] = keys_[n];
     if (n == 0 || island != keys_[n - 1].island)
       islands_.push_back({.first = int(n), .first_row = rows_, .pattern = int(2166136261u >> 1)});
     Island& now = islands_.back();
-    const auto& [of, moves, rows, bounded] = given_[block];
+    const auto& [of, moves, rows, bounded, form] = given[block];
     for (const int number : {of.body1, of.body2, rows, int(bounded)})
       now.pattern = int((std::uint32_t(now.pattern) ^ std::uint32_t(number)) * 16777619u >> 1);
     at_[block] = {int(islands_.size()) - 1, 0, rows_};
@@ -82,7 +79,7 @@ void JointIslands::find_islands(int slots) {
 bool JointIslands::is_hub(const Island& island, double most_work) const {
   double most = 0;
   for (int n = island.first; n < island.end; ++n)
-    for (const int body : {given_[order_[n]].bodies.body1, given_[order_[n]].bodies.body2})
+    for (const int body : {given[order_[n]].bodies.body1, given[order_[n]].bodies.body2})
       most = std::max(most, double(count_[body]));
   return most * most * most / 6 > most_work * island.rows;
 }
@@ -96,7 +93,7 @@ void JointIslands::find_shapes(double most_work) {
   columns_.clear();
   column_.assign(root_.size(), -1);
   count_.assign(root_.size(), 0);
-  for (const BlockPattern& block : given_) {
+  for (const BlockPattern& block : given) {
     if (block.moves[0]) count_[block.bodies.body1] += block.rows;
     if (block.moves[1]) count_[block.bodies.body2] += block.rows;
   }
@@ -109,7 +106,7 @@ void JointIslands::find_shapes(double most_work) {
       const bool is_first = n == island.first || keys_[n].link != keys_[n - 1].link;
       if (is_first) links_.push_back(n), ++link;
       else if (keys_[n].optional) continue;
-      const auto& [bodies, moves, rows, bounded] = given_[keys_[n].block];
+      const auto& [bodies, moves, rows, bounded, form] = given[keys_[n].block];
       ShapeBlock block{link, {}, moves, rows - bounded};
       for (const int k : {0, 1}) {
         const int body = k == 0 ? bodies.body1 : bodies.body2;
@@ -192,8 +189,10 @@ void JointIslands::place_blocks(IslandPair& pair) {
         if (key >= std::min(links_[island.first_link + link + 1], island.end)) continue;
         block.block[lane] = keys_[key].block;
         block.row[lane] = at_[keys_[key].block].row;
-        block.own[lane] = given_[keys_[key].block].rows;
-        block.bounded = block.bounded || given_[keys_[key].block].bounded;
+        const BlockPattern& pattern = given[keys_[key].block];
+        block.form = block.lanes() == 0 || block.form == pattern.form ? pattern.form : Form::any;
+        block.own[lane] = pattern.rows;
+        block.bounded = block.bounded || pattern.bounded;
       }
       if (block.lanes() == 0) break;
       block.rows = std::max(block.own[0], block.own[1]);

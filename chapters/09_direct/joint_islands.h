@@ -17,6 +17,7 @@ struct BlockPattern {
   std::array<bool, 2> moves{};   ///< whether they can move
   int rows = 0;                  ///< 1 to 6
   bool bounded = false;          ///< its last row has bounds
+  Form form = Form::any;         ///< of its rows
   bool operator==(const BlockPattern&) const = default;  ///< all members are equal
   /// True for a single bounded row, as of a limit or a motor: it may come and go.
   bool optional() const { return rows == 1 && bounded; }
@@ -43,10 +44,12 @@ class JointIslands {
     int row = 0;      ///< its first row, counted island after island
   };
 
-  /// Updates islands and pairs. \param blocks all blocks; those without rows are in no island
+  std::vector<BlockPattern> given;  ///< all blocks; those without rows are in no island
+
+  /// Updates islands and pairs. \param changed false if `given` is that of the last call
   /// \param slots number of bodies \param most_work an island that takes more multiplications per
   /// row because of a single body is a hub, and is not analysed
-  void group(const std::vector<BlockPattern>& blocks, int slots, double most_work);
+  void group(bool changed, int slots, double most_work);
   const std::vector<Island>& islands() const { return islands_; }  ///< by their first blocks
   const std::vector<int>& order() const { return order_; }  ///< block numbers, island by island
   const Place& at(int block) const { return at_[block]; }   ///< of a block
@@ -73,7 +76,6 @@ class JointIslands {
     return std::span(shape_).subspan(begins_[island], begins_[island + 1] - begins_[island]);
   }
 
-  std::vector<BlockPattern> given_;
   double most_work_ = 0;
   std::vector<Key> keys_;
   std::vector<Island> islands_;

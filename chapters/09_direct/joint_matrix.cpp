@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "chapters/09_direct/block_kernels.h"
+
 namespace joints {
 
 // Places nodes and edges, including the edges of fill-in.
@@ -46,6 +48,13 @@ void IslandMatrix::lay_out() {
   zeros(A.numbers, std::size_t(numbers));
   zeros(A.original, std::size_t(row));
   zeros(J, std::size_t(2 * row));
+  for (int k = 0; k < count; ++k)
+    for (const int of : {0, 1}) {
+      if (blocks[k].form != Form::point) continue;
+      HalfRowOf<TwoLanes>* const half = &J[2 * A.nodes[k].row + of * blocks[k].rows];
+      const TwoLanes one = TwoLanes{} + (of == 0 ? -1.0 : 1.0);
+      half[0].v.x = half[1].v.y = half[2].v.z = one;
+    }
   zeros(masses, moves.size());
   A.targets.clear();
   for (int k = 0; k < count; ++k)
@@ -68,34 +77,52 @@ int IslandMatrix::at(int later, int earlier) const {
 void IslandMatrix::place_couplings() {
   couplings_.clear();
   couplings_end_.clear();
+  any_.clear();
   for (int k = 0; k < int(blocks.size()); ++k)
-    for (const int column : blocks[k].columns) {
-      for (int j = A.nodes[k].first_edge; moves[column] && j < A.nodes[k + 1].first_edge; ++j) {
-        const auto& [to, at] = A.edges[j];
-        for (const int of : {0, 1})
-          if (blocks[to].columns[of] == column)
-            couplings_.push_back({2 * A.nodes[to].row + of * blocks[to].rows, blocks[to].rows, at});
-      }
+    for (const int of : {0, 1}) {
+      const int column = blocks[k].columns[of];
+      bool any = false;
+      const auto add = [&](int other, int half, int at) {
+        const LaneBlock &one = blocks[k], &two = blocks[other];
+        const bool points = one.form == Form::point && two.form == Form::point;
+        couplings_.push_back({2 * A.nodes[other].row + half * two.rows, two.rows, at,
+                              one.form == Form::any || two.form == Form::any,
+                              !points ? 0.0 : half == of ? 1.0 : -1.0});
+        any = any || couplings_.back().any;
+      };
+      if (moves[column]) add(k, of, A.nodes[k].diagonal);
+      for (int j = A.nodes[k].first_edge; moves[column] && j < A.nodes[k + 1].first_edge; ++j)
+        for (const int half : {0, 1})
+          if (blocks[A.edges[j].to].columns[half] == column) add(A.edges[j].to, half, A.edges[j].at);
       couplings_end_.push_back(int(couplings_.size()));
+      any_.push_back(any);
     }
 }
 
 void IslandMatrix::assemble() {
   const Coupling* coupling = couplings_.data();
   for (int k = 0; k < int(blocks.size()); ++k) {
-    TwoLanes* const diagonal = &A.numbers[A.nodes[k].diagonal];
-    std::fill(diagonal, A.numbers.data() + A.nodes[k + 1].diagonal, TwoLanes{});
+    std::fill(&A.numbers[A.nodes[k].diagonal], A.numbers.data() + A.nodes[k + 1].diagonal,
+              TwoLanes{});
     const int n = blocks[k].rows;
     for (const int of : {0, 1}) {
-      if (!moves[blocks[k].columns[of]]) continue;
       const HalfRowOf<TwoLanes>* const half = &J[2 * A.nodes[k].row + of * n];
       const auto& [linear, angular] = masses[blocks[k].columns[of]];
+      const Coupling* const end = couplings_.data() + couplings_end_[2 * k + of];
       HalfRowOf<TwoLanes> response[6];
-      for (int r = 0; r < n; ++r) response[r] = {linear * half[r].v, angular * half[r].w};
-      for (int r = 0; r < n; ++r)  // with itself: only the lower triangle is needed
-        add_coupling(half + r, 1, response, r + 1, diagonal + r * n);
-      for (; coupling != couplings_.data() + couplings_end_[2 * k + of]; ++coupling)
-        add_coupling(&J[coupling->J], coupling->rows, response, n, &A.numbers[coupling->at]);
+      for (int r = 0; coupling != end && r < n; ++r) response[r].w = angular * half[r].w;
+      for (int r = 0; any_[2 * k + of] && r < n; ++r) response[r].v = linear * half[r].v;
+      for (; coupling != end; ++coupling) {
+        const auto& [other, m, at, any, units] = *coupling;
+        TwoLanes* const to = &A.numbers[at];
+        const bool itself = at == A.nodes[k].diagonal;  // only the lower triangle is needed
+        if (any) add_coupling(&J[other], m, response, n, to);
+        else if (itself) add_angular_square(half, response, n, to);
+        else add_angular(&J[other], m, response, n, to);
+        if (units == 0) continue;
+        const TwoLanes of_points = units * linear;
+        for (const int i : {0, 1, 2}) to[i * (n + 1)] += of_points;
+      }
     }
   }
 }

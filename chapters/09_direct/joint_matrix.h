@@ -19,6 +19,7 @@ struct LaneBlock {
   std::array<int, 2> columns{};   ///< of its bodies
   int rows = 0;                   ///< 1 to 6, the larger number of both lanes
   bool bounded = false;           ///< the last row has bounds on a lane
+  Form form = Form::any;          ///< of its rows on both lanes
   std::array<int, 2> block{-1, -1};  ///< numbers of its two blocks; -1: the lane is idle
   std::array<int, 2> own{};       ///< their numbers of rows; 0 if the lane is idle
   std::array<int, 2> row{};       ///< their first rows, counted island after island
@@ -26,7 +27,7 @@ struct LaneBlock {
   /// True if the matrix has the same pattern with the other block in its place.
   bool like(const LaneBlock& other) const {
     return place == other.place && loop == other.loop && columns == other.columns &&
-           own == other.own && bounded == other.bounded;
+           own == other.own && bounded == other.bounded && form == other.form;
   }
 };
 
@@ -48,7 +49,8 @@ class IslandMatrix {
   /// The half-rows of block k, from 2 * A.nodes[k].row on: those of body 1, then those of body 2.
   std::vector<HalfRowOf<TwoLanes>> J;
 
-  /// Computes nodes, edges, targets and couplings from plan, blocks and moves. All J become zero.
+  /// Computes nodes, edges, targets and couplings from plan, blocks and moves. All J become zero, or
+  /// the unit vectors of a point.
   void lay_out();
   /// Computes the numbers of A from J and masses.
   void assemble();
@@ -59,17 +61,20 @@ class IslandMatrix {
   int fill() const { return fill_; }
 
  private:
-  // Another half at the same body as a half of a block, which is eliminated earlier.
+  // A half of a block and another one at the same body, which is eliminated later.
   struct Coupling {
-    int J, rows;  // where its half-rows begin, and their number
-    int at;       // where the block of the two begins in A
+    int J, rows;   // where the half-rows of the other one begin, and their number
+    int at;        // where the block of the two begins in A
+    bool any;      // the linear parts of a half have any form
+    double units;  // 1 or -1, the product of their unit vectors if both are those of points; else 0
   };
   void place_couplings();
   int at(int later, int earlier) const;
 
   std::vector<int> first_;  // block of each link, in the order of elimination
-  std::vector<Coupling> couplings_;  // of both halves of all blocks
+  std::vector<Coupling> couplings_;  // of all halves; the first one of a half is with itself
   std::vector<int> couplings_end_;   // of each half, two for each block
+  std::vector<char> any_;            // one of them has linear parts of any form
   double multiplications_ = 0;
   int fill_ = 0, rows_ = 0;
 };

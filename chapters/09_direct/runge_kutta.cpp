@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -63,6 +64,7 @@ const real times[] = {0, real(0.3), (4 - root) / 10, (4 + root) / 10, 1};
 }  // namespace
 
 void RungeKutta::step(World& world, real h) {
+  std::optional<HeldMatrices> matrices(std::in_place, world.bodies);  // of the present poses
   begin(world, h);
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
   copy(world.bodies, given_);
@@ -82,7 +84,9 @@ void RungeKutta::step(World& world, real h) {
     }
     std::vector<Slope>& slope = slopes_[stage];
     find_free_slope(world, times[stage] * h, slope);
+    matrices.reset();
     write(world.bodies, stage + 1);
+    matrices.emplace(world.bodies);
     copy(world.bodies, free_);
     collect(world, next_, &next_springs_);
     const real acted = h * weights[stage + 1][stage];
@@ -104,6 +108,7 @@ void RungeKutta::step(World& world, real h) {
     });
   }
   enough_ = 0;
+  matrices.reset();
   project(world);
   auto sum = impulses.begin();
   for_impulses(world.blocks, springs_, [&](real& impulse) { impulse = real(*sum++); });

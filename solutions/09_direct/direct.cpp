@@ -45,7 +45,7 @@ void factor(JointMatrixOf<Number>& A, PivotInverse inverse) {
       divide_rows(block, m, D, n, L);
       for (int i = j; i < end; ++i)
         subtract_product(number + A.edges[i].at, A.nodes[A.edges[i].to].rows, L, m, n,
-                         number + *target++);  // Eq. 9-4
+                         number + *target++, i == j);  // Eq. 9-4
       std::copy(L, L + m * n, block);
     }
   }
@@ -116,7 +116,8 @@ std::vector<int> elimination_order(std::vector<std::vector<int>> neighbours) {
 double inverse_pivot(double pivot, double original) {
   // begin [exercise 9.4]
   // Return 1 / pivot, or 0 if the pivot is only a rounding error. The rule that decides is yours.
-  return pivot > dependent_share * original ? 1 / pivot : 0;  // Eq. 9-8
+  const double fraction = sizeof(real) == 4 ? 1e-7 : 1e-11;
+  return pivot > fraction * original ? 1 / pivot : 0;  // Eq. 9-8
   // end [exercise 9.4]
 }
 
@@ -152,13 +153,11 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, double tole
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
     double largest = 0;
-    for (double& C : rates) {
-      largest = std::max(largest, std::abs(C));
-      C /= -h;  // Eq. 9-10
-    }
+    for (const double C : rates) largest = std::max(largest, std::abs(C));
     if (largest <= tolerance) return true;
     if (n == iterations || !(largest <= poor_contraction * last)) return false;
     last = largest;
+    for (double& C : rates) C /= -h;  // Eq. 9-10
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;

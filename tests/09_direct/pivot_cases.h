@@ -57,7 +57,7 @@ inline CaseTable<PivotCase> pivot_table() {
       return Numbers{scale * inverse(c)};
     };
   };
-  const double share = dependent_share;
+  const double share = is_float ? 1e-7 : 1e-11;
   const char* const least = "#least-one-bound a bound that does not become smaller with the entry: "
                             "it is a fraction of the entry, however small";
   const auto unless = [=](auto dropped) {
@@ -144,7 +144,7 @@ inline CaseTable<PivotCase> pivot_table() {
        unless([](const Case& c) { return !(c.pivot > c.original); })},
       {"#pivot-entry-exchanged pivot and entry are exchanged in the comparison",
        unless([=](const Case& c) { return !(c.original > share * c.pivot); })},
-      {"the entry is divided by the fraction: it is dependent_share times the entry",
+      {"the entry is divided by the fraction: they are multiplied",
        unless([=](const Case& c) { return !(c.pivot > c.original / share); })},
       {"#inverse-int 1 / pivot is cut to a whole number: an int has no fraction",
        scaled([=](const Case& c) {

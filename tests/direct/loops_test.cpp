@@ -40,13 +40,13 @@ struct Assembled {
   IslandPair pair;
 
   explicit Assembled(const World& world) {
-    std::vector<BlockPattern> pattern;
+    JointIslands islands;
     const auto moves = [&](int slot) { return !world.bodies.at(slot).is_static(); };
     for (const Block& block : world.blocks.list)
-      pattern.push_back({{block.body1, block.body2}, {moves(block.body1), moves(block.body2)},
-                         block.rows});
-    JointIslands islands;
-    islands.group(pattern, world.bodies.slots(), 1e9);
+      islands.given.push_back({{block.body1, block.body2},
+                               {moves(block.body1), moves(block.body2)},
+                               block.rows, false, block.form});
+    islands.group(true, world.bodies.slots(), 1e9);
     pair = islands.pairs.at(0);
     pair.prepare(world.blocks, nullptr, sixtieth);
     for (int column = 0; column < int(pair.bodies.size()); ++column)

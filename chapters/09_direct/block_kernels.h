@@ -69,8 +69,8 @@ inline void divide_rows(const Number* A, int m, const Number* D, int n, Number* 
   });
 }
 
-/// C -= A B^T, of m x n numbers A and p x n numbers B. \param lower true if C is symmetric: only its
-/// lower triangle is computed
+/// C -= A B^T, of m x n numbers A and p x n numbers B. \param lower true if C is symmetric: then
+/// only its lower triangle is computed
 template <class Number>
 inline void subtract_product(const Number* A, int m, const Number* B, int p, int n, Number* C,
                              bool lower = false) {

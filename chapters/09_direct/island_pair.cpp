@@ -68,7 +68,9 @@ void IslandPair::prepare(const Blocks& given, const real* rates, real h) {
                        double(acting * block.target.upper),
                        double(bias(block, last, C[last], target.rate, h))};
         const double before = own[last][lane];  // of the last step
-        row.side = before <= row.lower ? Side::lower : before >= row.upper ? Side::upper : Side::free;
+        row.side = before <= row.lower   ? Side::lower
+                   : before >= row.upper ? Side::upper
+                                         : Side::free;
         bounded.push_back(row);
       }
     }

@@ -92,8 +92,10 @@ void IslandMatrix::place_couplings() {
       };
       if (moves[column]) add(k, of, A.nodes[k].diagonal);
       for (int j = A.nodes[k].first_edge; moves[column] && j < A.nodes[k + 1].first_edge; ++j)
-        for (const int half : {0, 1})
-          if (blocks[A.edges[j].to].columns[half] == column) add(A.edges[j].to, half, A.edges[j].at);
+        for (const int half : {0, 1}) {
+          const auto& [to, at] = A.edges[j];
+          if (blocks[to].columns[half] == column) add(to, half, at);
+        }
       couplings_end_.push_back(int(couplings_.size()));
       any_.push_back(any);
     }
@@ -115,13 +117,11 @@ void IslandMatrix::assemble() {
       for (; coupling != end; ++coupling) {
         const auto& [other, m, at, any, units] = *coupling;
         TwoLanes* const to = &A.numbers[at];
-        const bool itself = at == A.nodes[k].diagonal;  // only the lower triangle is needed
         if (any) add_coupling(&J[other], m, response, n, to);
-        else if (itself) add_angular_square(half, response, n, to);
+        else if (&J[other] == half) add_angular_square(half, response, n, to);
         else add_angular(&J[other], m, response, n, to);
-        if (units == 0) continue;
         const TwoLanes of_points = units * linear;
-        for (const int i : {0, 1, 2}) to[i * (n + 1)] += of_points;
+        for (int i = 0; i < 3 && units != 0; ++i) to[i * (n + 1)] += of_points;
       }
     }
   }

@@ -49,8 +49,8 @@ class IslandMatrix {
   /// The half-rows of block k, from 2 * A.nodes[k].row on: those of body 1, then those of body 2.
   std::vector<HalfRowOf<TwoLanes>> J;
 
-  /// Computes nodes, edges, targets and couplings from plan, blocks and moves. All J become zero, or
-  /// the unit vectors of a point.
+  /// Computes nodes, edges, targets and couplings from plan, blocks and moves. All J become zero,
+  /// or the unit vectors of a point.
   void lay_out();
   /// Computes the numbers of A from J and masses.
   void assemble();

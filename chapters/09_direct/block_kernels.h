@@ -69,14 +69,12 @@ inline void divide_rows(const Number* A, int m, const Number* D, int n, Number* 
   });
 }
 
-/// C -= A B^T, of m x n numbers A and p x n numbers B. \param lower true if C is symmetric: then
-/// only its lower triangle is computed
+/// C -= A B^T, of m x n numbers A and p x n numbers B.
 template <class Number>
-inline void subtract_product(const Number* A, int m, const Number* B, int p, int n, Number* C,
-                             bool lower = false) {
+inline void subtract_product(const Number* A, int m, const Number* B, int p, int n, Number* C) {
   with_size(n, [&](auto N) {
     for (int i = 0; i < m; ++i)
-      for (int j = 0, end = lower ? i + 1 : p; j < end; ++j) {
+      for (int j = 0; j < p; ++j) {
         Number sum = A[i * N] * B[j * N];
         for (int k = 1; k < N; ++k) sum += A[i * N + k] * B[j * N + k];
         C[i * p + j] -= sum;

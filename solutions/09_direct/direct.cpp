@@ -45,7 +45,7 @@ void factor(JointMatrixOf<Number>& A, PivotInverse inverse) {
       divide_rows(block, m, D, n, L);
       for (int i = j; i < end; ++i)
         subtract_product(number + A.edges[i].at, A.nodes[A.edges[i].to].rows, L, m, n,
-                         number + *target++, i == j);  // Eq. 9-4
+                         number + *target++);  // Eq. 9-4
       std::copy(L, L + m * n, block);
     }
   }
@@ -153,11 +153,13 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, double tole
     integrate_poses(bodies, real(h));
     std::vector<double>& rates = corrector.errors();
     double largest = 0;
-    for (const double C : rates) largest = std::max(largest, std::abs(C));
+    for (double& C : rates) {
+      largest = std::max(largest, std::abs(C));
+      C /= -h;  // Eq. 9-10
+    }
     if (largest <= tolerance) return true;
     if (n == iterations || !(largest <= poor_contraction * last)) return false;
     last = largest;
-    for (double& C : rates) C /= -h;  // Eq. 9-10
     corrector.change_rates(rates);
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).x = start[slot].x, bodies.at(slot).q = start[slot].q;

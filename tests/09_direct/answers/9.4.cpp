@@ -31,7 +31,7 @@
 //         fraction * original)
 // wrong greater-both: pivot > fraction * original ? 1 / pivot : 0 ==> 1 / std::max(pivot,
 //         fraction * original)
-// wrong least-one-bound: ? 1 ==> && pivot > 1e-8 ? 1
+// wrong least-one-bound: original ? 1 ==> original && pivot > 1e-8 ? 1
 // wrong least-one-bound: fraction * original ==> fraction * std::max(original, 1.0)
 // right as large a fraction as can be: fraction * original ==> 0.99e-8 * original
 // right as small a fraction as can be: fraction * original ==> 1.01e-12 * original

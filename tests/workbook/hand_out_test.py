@@ -9,6 +9,7 @@ import sys
 from door import CHAPTER, Door
 from front_door_test import typed
 import solution_lines
+import texts_test
 from proofs import exercises, house, main, notes
 
 from classroom import hand_out
@@ -37,6 +38,7 @@ def students_can_work_without_solutions(root, build):
         with contextlib.redirect_stdout(io.StringIO()):
             hand_out.hand_out(door.root)
         yield from solutions_in(door)
+        yield from texts_test.links_lead_somewhere(door.root, build)
         yield from targets_of_edition(door)
         door.lend_build()
         yield from typed(door, "", 0, "Next: exercise 1.1", wide=True)

@@ -3,6 +3,7 @@
 A stub stands in the place of every solution; what the solution's program has recorded lies beside
 it, for the figures. A chapter that is over is completed with its folder of solutions/.
 """
+import os
 import re
 import shutil
 import subprocess
@@ -36,6 +37,14 @@ def files():
     return [name for name in said.stdout.split("\0") if name and (house.ROOT / name).is_file()]
 
 
+def linked(text, place, there):
+    """A text without its links to what is not in the edition."""
+    def kept(match):
+        path = os.path.normpath(os.path.join(os.path.dirname(place), match[2]))
+        return match[0] if path in there or (house.ROOT / path).is_dir() else match[1]
+    return re.sub(r"(?<!!)\[([^\]]+)\]\(([\w.-]*[./][\w./-]*)[^)\s]*\)", kept, text)
+
+
 def hand_out(folder):
     if folder.exists():
         raise house.Trouble(f"hand-out: {folder} is there already; name a new folder")
@@ -43,10 +52,14 @@ def hand_out(folder):
     for chapter in house.chapters():
         show.run_solution(chapter)
     house.progress_done()
-    for name in names:
-        if not LEFT_OUT.match(name):
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(house.ROOT / name, folder / name)
+    there = {name for name in names if not LEFT_OUT.match(name)}
+    answers = {house.short(chapter.solution.with_name("answers.md")) for chapter in house.chapters()}
+    for name in there:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(house.ROOT / name, folder / name)
+        if name.endswith(".md"):
+            exercises.write(folder / name, linked(exercises.read(folder / name), name,
+                                                  there | answers))
     title, rest = ONLY_HERE.sub("", exercises.read(folder / "README.md")).split("\n", maxsplit=1)
     exercises.write(folder / "README.md", f"{title}\n\n{NOTE}{rest}")
     for chapter in house.chapters():

@@ -79,7 +79,7 @@ function number_from(address, name, other, told, least = -Infinity, most = Infin
   return other;
 }
 // The settings for another scene: those that were changed go along, but for what belongs to one.
-const of_one_scene = ["ratio", "stiffness", "speed", "strength"];
+const of_one_scene = ["ratio", "speed", "strength"];
 function settings_kept(settings, about, from, to) {
   const kept = own_settings(about, to);
   about.settings.forEach((name, k) => {

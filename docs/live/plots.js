@@ -35,13 +35,14 @@ function plot(canvas, {title, x, y, log, curves, x_unit}) {
   canvas.width = Math.round(width * devicePixelRatio);
   canvas.height = Math.round(height * devicePixelRatio);
   pen.scale(devicePixelRatio, devicePixelRatio);
-  const [left, right, top, bottom] = [64, width - 12, 32, height - 20];
+  pen.font = "12px system-ui, sans-serif";
+  const titles = pen.measureText(title).width > width - 24 ? title.split("; ") : [title];
+  const [left, right, top, bottom] = [64, width - 12, 20 + 12 * titles.length, height - 20];
   const at = ([px, py]) => [left + (px - x[0]) / (x[1] - x[0]) * (right - left),
                             bottom - (py - y[0]) / (y[1] - y[0]) * (bottom - top)];
-  pen.font = "12px system-ui, sans-serif";
   pen.fillStyle = style("--ink");
   pen.textBaseline = "middle";
-  pen.fillText(title, 12, 12);
+  titles.forEach((words, k) => pen.fillText(words, 12, 12 + 14 * k, width - 24));
   pen.fillStyle = style("--quiet");
   pen.strokeStyle = style("--rule");
   pen.textAlign = "right";

@@ -151,8 +151,7 @@ def dead_links(site, sources):
     dead = {}
     places = {page: set(re.findall(r'\b(?:id|name)="([^"]+)"', html))
               for page, html in sources.items()}
-    glyphs = site / "glyphs.js"
-    letters = set(re.findall(r'id=\\"(g\d+)', glyphs.read_text() if glyphs.exists() else ""))
+    letters = set(re.findall(r'id=\\"(g\d+)', (site / "glyphs.js").read_text()))
     for page, html in sources.items():
         html = re.sub(r'<div class="summary">.*?</div>', "", html, flags=re.S)  # Doxygen's own bar
         for url in set(re.findall(r'\b(?:href|src|data-src)="([^"]+)"', html)):
@@ -347,10 +346,8 @@ def main():
                if page.name != "live.html"}
     bad = [*dead_links(site, sources), *bad_chapters(sources), *bad_types(sources),
            *bad_reading(sources), *bad_gallery(site, sources), *too_large(site),
-           *bad_members(sources),
+           *bad_members(sources), *bad_formulas(sources),
            *(line for page in reports for line in bad_report(page))]
-    if (site / "glyphs.js").exists():
-        bad += bad_formulas(sources)
     if browser.there():
         jobs = list(browser_jobs(site, sources, reports))
         answers = browser.ask([job for job, _ in jobs])

@@ -31,12 +31,9 @@ def stop(message, status=2):
 
 
 def copy(source, target):
-    """A file or a folder; links become the files they point at."""
+    """A file, into a folder that is made."""
     target.parent.mkdir(parents=True, exist_ok=True)
-    if source.is_dir():
-        shutil.copytree(source, target, dirs_exist_ok=True)
-    else:
-        shutil.copyfile(source, target)
+    shutil.copyfile(source, target)
 
 
 def name_of_topics():
@@ -107,9 +104,6 @@ def finish(html, recordings, tags):
     pages["annotated.html"] = classes.list_of_types(pages["annotated.html"])
     pages = raw = classes.with_formulas(classes.with_uses(pages))
     pages = formulas.draw(pages, html)
-    if not formulas.node():
-        for part in formulas.PARTS:
-            copy(formulas.MATHJAX / part, html / "mathjax" / part)
     if (html / "live.html").exists():
         for chapter in house.chapters():
             page = shell.text_of(chapter)
@@ -191,11 +185,12 @@ def main(arguments):
     missing = [package for package, there in (("doxygen", shutil.which("doxygen")),
                                               ("doxygen-awesome-css", THEME.exists()),
                                               ("libjs-mathjax",
-                                               (formulas.MATHJAX / "MathJax.js").exists()))
+                                               (formulas.MATHJAX / "MathJax.js").exists()),
+                                              ("nodejs", shutil.which("node")))
                if not there]
     if missing:
         stop("missing: " + " ".join(missing)
-             + "  (Debian packages: doxygen doxygen-awesome-css libjs-mathjax)")
+             + "  (Debian packages: doxygen doxygen-awesome-css libjs-mathjax nodejs)")
     try:
         recordings = Path(arguments[1]) if len(arguments) > 1 else ROOT / "out" / "solutions"
         print(f"site: {build(Path(arguments[0]).resolve(), recordings)}")

@@ -1,19 +1,14 @@
 """Formulas of the site's pages as drawings, made when the site is built: nothing moves when a page
-is opened. docs/tex.js draws them with the MathJax of the system, in node; where there is none, the
-pages take MathJax along and draw them when they are opened.
+is opened. docs/tex.js draws them with the MathJax of the system, in node.
 """
 import json
 import re
-import shutil
 import subprocess
 from html import escape, unescape
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 MATHJAX = Path("/usr/share/javascript/mathjax")
-# As much of MathJax 2 as turns TeX into SVG; the whole is ten times as large.
-PARTS = ["MathJax.js", "extensions", "jax/input/TeX", "jax/element", "jax/output/SVG/autoload",
-         "jax/output/SVG/fonts/TeX", "jax/output/SVG/config.js", "jax/output/SVG/jax.js"]
 PIECES = re.compile(
     r"(?P<code><code\b.*?</code>|<pre\b.*?</pre>|<script\b.*?</script>|<title>.*?</title>"
     r'|<div class="line">.*?</div>)'
@@ -31,10 +26,6 @@ class FormulaError(Exception):
     """A formula that cannot be drawn, in words."""
 
 
-def node():
-    return shutil.which("node") or shutil.which("nodejs")
-
-
 def read(text):
     """All formulas of a page, as (TeX without its number, display?)."""
     for piece in PIECES.finditer(text):
@@ -48,7 +39,7 @@ def plain(tex):
 
 def drawn(formulas):
     """(drawings, glyphs): an <svg> for each, and the letters that they refer to by name."""
-    result = subprocess.run([node(), ROOT / "docs" / "tex.js", MATHJAX], text=True,
+    result = subprocess.run(["node", ROOT / "docs" / "tex.js", MATHJAX], text=True,
                             input=json.dumps(formulas), capture_output=True)
     if result.returncode or not result.stdout:
         raise FormulaError(result.stderr.strip()[-600:] or "docs/tex.js said nothing")
@@ -84,10 +75,7 @@ def element(piece, drawings):
 
 
 def draw(texts, html):
-    """Draws the formulas of these pages, {page: text}, in the folder `html`; without node MathJax
-    will, when they are read."""
-    if not node():
-        return {page: numbered(text) for page, text in texts.items()}
+    """Draws the formulas of these pages, {page: text}, in the folder `html`."""
     formulas = sorted({one for text in texts.values() for one in read(text)})
     drawings, glyphs = drawn(formulas)
     short = {name: f"g{k}" for k, name in enumerate(glyphs)}
@@ -108,11 +96,3 @@ def write_glyphs(file, glyphs):
     store = f'<svg class="glyphs" aria-hidden="true"><defs>{"".join(glyphs.values())}</defs></svg>'
     file.write_text(f"document.body.insertAdjacentHTML('afterbegin', {json.dumps(store)});\n",
                     encoding="utf-8")
-
-
-def numbered(text):
-    """Where MathJax draws: a place to link to before each equation that has a number."""
-    def place(piece):
-        number = TAG.search(piece["display"] or "")
-        return (f'<a class="anchor" id="eq-{number[1]}"></a>' if number else "") + piece[0]
-    return PIECES.sub(place, text)

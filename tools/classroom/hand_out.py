@@ -22,8 +22,9 @@ ONLY_HERE = re.compile(r"<!-- not handed out -->\n.*?<!-- end -->\n", re.S)
 NOTE = """\
 > **An edition for students.** The solutions are not in it, so the commands that need them are
 > refused; `./wb help` lists the others. `./wb run 1` needs all exercises of chapter 1; `plot` and
-> `see` draw your run over a recorded one. `./wb run 1 --for NAME` gives you numbers of your own: of
-> the program, and three factors with which you calculate the section Numbers again.
+> `see` draw your run over a recorded one, and `live` runs both. `./wb run 1 --for NAME` gives you
+> numbers of your own: of the program, and three factors with which you calculate the section
+> Numbers again.
 """
 
 
@@ -53,13 +54,12 @@ def hand_out(folder):
         show.run_solution(chapter)
     house.progress_done()
     there = {name for name in names if not LEFT_OUT.match(name)}
-    answers = {house.short(chapter.solution.with_name("answers.md")) for chapter in house.chapters()}
+    links = there | {f"solutions/{chapter.folder}/answers.md" for chapter in house.chapters()}
     for name in there:
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(house.ROOT / name, folder / name)
         if name.endswith(".md"):
-            exercises.write(folder / name, linked(exercises.read(folder / name), name,
-                                                  there | answers))
+            exercises.write(folder / name, linked(exercises.read(folder / name), name, links))
     title, rest = ONLY_HERE.sub("", exercises.read(folder / "README.md")).split("\n", maxsplit=1)
     exercises.write(folder / "README.md", f"{title}\n\n{NOTE}{rest}")
     for chapter in house.chapters():
@@ -67,7 +67,7 @@ def hand_out(folder):
         for path in (chapter.mine, chapter.solution):
             exercises.write(folder / house.short(path), stub)
         exercises.write(folder / house.short(chapter.solution.with_name("answers.md")),
-                        "The answers are handed out when the chapter is over.\n")
+                        "Your teacher hands out the answers when the chapter is over.\n")
         run = folder / house.short(show.recorded(chapter))
         shutil.copytree(show.SOLUTIONS / chapter.folder, run)
     if lacking := live.missing():

@@ -233,6 +233,7 @@ class DirectSolver::Positions : public Corrector {
     std::copy_n(stored, rows, expected);
     const double least = move_by_secants(now.most);
     if (least <= now.most) return true;
+    ++solver_.report_.projected;
     to_start();
     back_to_best();
     if (std::isinf(least)) {
@@ -343,7 +344,7 @@ class DirectSolver::Positions : public Corrector {
 
 void DirectSolver::advance(Bodies& bodies, real h, const Append& append) {
   blocks_of(bodies);  // rejects other bodies
-  report_.corrections = report_.halved = 0;
+  report_.corrections = report_.projected = report_.halved = 0;
   report_.moved_exactly = false;
   errors_met_.clear();
   if (newton > 0) {

@@ -50,6 +50,7 @@ class DirectSolver : public Solver {
     int fill = 0;                ///< entries that elimination filled in
     int corrections = 0;         ///< of the positions: of all, and then of single islands
     bool moved_exactly = false;  ///< the errors of the positions are at most `tolerance` times h^2
+    int projected = 0;           ///< islands whose poses needed the factors of new poses
     /// How often the velocities of an island were halved to reach this: a body turns too far in a
     /// step. Take a shorter step if its energy matters.
     int halved = 0;

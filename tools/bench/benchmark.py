@@ -1,20 +1,14 @@
 """Error against run time, and the cost of a joint as a scene grows: runs, draws, tells the best."""
-import csv
 import time
 
 from base import house
 from pictures import figures
-from bench.measuring import run_bench
+from bench.measuring import read, run_bench, tell
 
 PROGRAM = "bench/work_precision"
 UNITS = {"gap_rms_m": ("gap RMS", 1000, "mm"), "gap_max_m": ("largest gap", 1000, "mm"),
          "tip_error_m": ("tip error", 1000, "mm"), "sideways_m": ("sideways", 1, "m")}
 MOST_OF_A_FRONT = 4  # points that are printed of it
-
-
-def read(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def scenes_of(rows):
@@ -110,9 +104,5 @@ def main(options):
     made = figures.draw("work_precision.py", "--csv", figures.TABLE, "--peers", figures.PEERS)
     made += [] if options else figures.draw("scaling.py", "--csv", figures.SCALING)
     house.progress_done()
-    for path in made:
-        print(house.short(path))
-    tables = [figures.TABLE] if options else [figures.TABLE, figures.SCALING]
-    print(f"the table{'s' * (not options)}: {', '.join(map(house.short, tables))}; "
-          f"measuring took {took / 60:.1f} minutes")
-    return 0
+    print(f"measuring took {took / 60:.1f} minutes")
+    return tell(made, *([figures.TABLE] if options else [figures.TABLE, figures.SCALING]))

@@ -4,20 +4,15 @@ import csv
 from base import house
 from bench import instructions
 from pictures import figures
-from bench.measuring import run_bench
+from bench.measuring import read, run_bench, tell
 
 PROGRAM = "bench/loop"
 PER_ITERATION, PER_STEP = "instructions_per_joint_iteration", "instructions_per_joint_step"
 
 
-def read():
-    with open(figures.LOOP, newline="") as file:
-        return list(csv.DictReader(file))
-
-
 def add_instructions():
     """Fills in the counts: of a joint and iteration, of a joint and step where it is known."""
-    rows = read()
+    rows = read(figures.LOOP)
     counts = {(row["variant"], row["chains"]): row for row in instructions.table(
         house.BUILD / "bench" / "loop_float", "--count", "1")}
     for row in rows:
@@ -36,7 +31,7 @@ def add_instructions():
 
 def print_table():
     """A line a variant; the ratio is against the textbook's in the same run."""
-    rows = [row for row in read() if row["iterations"] == "30"]
+    rows = [row for row in read(figures.LOOP) if row["iterations"] == "30"]
     print(f"{'':35}{'30 iterations':>13} {'one joint, one iteration':^34}")
     print(f"{'variant':22} {'real':7} {'chains':>6} {'a step [us]':>11} {'[ns]':>7} "
           f"{'textbook / this':>16} {'instructions':>13} {'gap RMS [mm]':>12}")
@@ -64,7 +59,4 @@ def main(options):
     if not instructions.there():
         print(f"\n{instructions.MISSING}")
     print()
-    for path in figures.draw_loop():
-        print(house.short(path))
-    print(f"the table: {house.short(figures.LOOP)}")
-    return 0
+    return tell(figures.draw_loop(), figures.LOOP)

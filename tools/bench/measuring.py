@@ -1,4 +1,5 @@
 """Runs a benchmark program and prints its tables: what the commands that measure share."""
+import csv
 import subprocess
 from pathlib import Path
 
@@ -20,6 +21,20 @@ def run_bench(program, options, table=figures.TABLE):
     house.progress_done()
 
 
+def read(path):
+    """The rows of a table."""
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def tell(drawn, *tables):
+    """The figures that were drawn, and the tables."""
+    for path in drawn:
+        print(house.short(path))
+    print(f"the table{'s' * (len(tables) > 1)}: {', '.join(map(house.short, tables))}")
+    return 0
+
+
 def prints(name, *programs, words=""):
     """The main function of programs that print a table themselves, with words before each, and
     write it one after the other."""
@@ -33,8 +48,7 @@ def prints(name, *programs, words=""):
             more = [] if program == programs[0] else ["--append"]
             if subprocess.run([house.BUILD / program, "--csv", table, *more, *options]).returncode:
                 return 1
-        print(f"the table: {house.short(table)}")
-        return 0
+        return tell([], table)
     return main
 
 

@@ -1,9 +1,7 @@
 """Every method on every kind of scene, all in one run."""
-import csv
-
 from base import house
 from pictures import figures
-from bench.measuring import MEASURED, cells, heading, run_bench
+from bench.measuring import MEASURED, cells, heading, read, run_bench, tell
 
 PROGRAM = "bench/methods"
 WORDS = {
@@ -35,8 +33,7 @@ COLUMNS = [*MEASURED[:2], ("by si30", "", "ratio_to_si30", 1, "9.2f"), *MEASURED
 
 def print_table():
     """A line per scene and method; times are told against thirty iterations in the same run."""
-    with open(figures.METHODS, newline="") as file:
-        rows = list(csv.DictReader(file))
+    rows = read(figures.METHODS)
     for scene, real in dict.fromkeys((row["scene"], row["real"]) for row in rows):
         mine = [row for row in rows if (row["scene"], row["real"]) == (scene, real)]
         name, titles, units = heading(mine, COLUMNS)
@@ -61,7 +58,4 @@ def main(options):
     run_bench("methods_float", ["--scene", "S1", "--append", *options], figures.METHODS)
     print_table()
     print()
-    for path in figures.draw_methods():
-        print(house.short(path))
-    print(f"the table: {house.short(figures.METHODS)}")
-    return 0
+    return tell(figures.draw_methods(), figures.METHODS)

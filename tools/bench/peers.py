@@ -1,12 +1,11 @@
 """Ours beside the published engines that Debian packages: the same scenes and measures, one run."""
-import csv
 import os
 import platform
 from pathlib import Path
 
 from base import house
 from pictures import figures
-from bench.measuring import MEASURED, cells, heading, run_bench
+from bench.measuring import MEASURED, cells, heading, read, run_bench, tell
 
 PROGRAM = "bench/peers/peers"
 PACKAGES = {"libbullet-dev": "bullet/btBulletDynamicsCommon.h", "libode-dev": "ode/ode.h",
@@ -85,11 +84,6 @@ def called(row):
     return f"{row['engine']}{version}, {row['real']}, {row['setting']}"
 
 
-def read():
-    with open(figures.OUT_OF_PEERS, newline="") as file:
-        return list(csv.DictReader(file))
-
-
 COLUMNS = [*MEASURED, ("memory", "[kB]", "bytes", 1e-3, "8.0f")]
 
 
@@ -151,7 +145,7 @@ def main(options):
     words = machine()
     for name, more in zip(targets, ([], ["--append"])):
         run_bench(f"peers/{name}", ["--machine", words, *more, *options], figures.OUT_OF_PEERS)
-    rows = read()
+    rows = read(figures.OUT_OF_PEERS)
     scaled = [row for row in rows if row["scene"].endswith(" hinges")]
     for scene in dict.fromkeys(row["scene"] for row in rows):
         mine = [row for row in rows if row["scene"] == scene]
@@ -169,7 +163,4 @@ def main(options):
     print("gap: the largest of all joints in the last two thirds of a run; energy: gained or lost, "
           "by the\nscene's own scale, with velocities by differences of the poses; spread: between "
           "the quartiles of\nthe times, by the median; found: what the scene is for.\n")
-    for path in figures.draw_peers():
-        print(house.short(path))
-    print(f"the table: {house.short(figures.OUT_OF_PEERS)}")
-    return 0
+    return tell(figures.draw_peers(), figures.OUT_OF_PEERS)

@@ -1,10 +1,9 @@
 """The stability suite: runs it in double and float, draws the maps, and counts what came out."""
-import csv
 import subprocess
 
 from base import house
 from pictures import figures
-from bench.measuring import run_bench
+from bench.measuring import read, run_bench, tell
 
 PROGRAM = "bench/stability"
 WORDS = ["ok", "soft", "torn", "energy+", "exploded", "nan", "off"]
@@ -24,8 +23,7 @@ def what_cases_are():
 
 def print_table():
     """A line a case: how many runs came to which word, in double and in float."""
-    with open(figures.STABILITY, newline="") as file:
-        rows = [row for row in csv.DictReader(file) if BESIDE not in row["method"]]
+    rows = [row for row in read(figures.STABILITY) if BESIDE not in row["method"]]
     print(f"{'case':5} {'real':7} " + " ".join(f"{word:>8}" for word in WORDS) + "  what")
     for id_, words in what_cases_are().items():
         for real in ("double", "float"):
@@ -51,7 +49,4 @@ def main(options):
     run_bench("stability_float", ["--append", *options], figures.STABILITY)
     print_table()
     print()
-    for path in figures.draw("stability.py", "--csv", figures.STABILITY):
-        print(house.short(path))
-    print(f"the table: {house.short(figures.STABILITY)}")
-    return 0
+    return tell(figures.draw("stability.py", "--csv", figures.STABILITY), figures.STABILITY)

@@ -1,11 +1,11 @@
 """The page that ./wb tour ends with: out/index.html, all that was computed, drawn and recorded."""
-import csv
 import re
 import time
 from html import escape
 from pathlib import Path
 
 from base import house
+from bench.measuring import read
 from learn import show
 from pictures import figures, pages, poster
 from website import gallery
@@ -25,8 +25,7 @@ HEADINGS = ("scene", "setting", "time per step [µs]", "gap, root mean square [m
 
 def summary(chapter):
     """The rows of the table that a chapter's program has written."""
-    with open(show.SOLUTIONS / chapter.folder / "summary.csv", newline="") as file:
-        return list(csv.DictReader(file))
+    return read(show.SOLUTIONS / chapter.folder / "summary.csv")
 
 
 def figure_grid(paths):
@@ -88,10 +87,9 @@ def bench_parts():
 
 def measured(scene, solver, setting):
     """The rows of a method in the table of error against run time, by their iterations."""
-    with open(figures.TABLE, newline="", encoding="utf-8") as file:
-        return sorted((row for row in csv.DictReader(file) if row["real"] == "double" and (
-            row["scene"], row["solver"], row["setting"]) == (scene, solver, setting)),
-            key=lambda row: int(row["iterations"]))
+    return sorted((row for row in read(figures.TABLE) if row["real"] == "double" and (
+        row["scene"], row["solver"], row["setting"]) == (scene, solver, setting)),
+        key=lambda row: int(row["iterations"]))
 
 
 def length(metres):

@@ -31,6 +31,7 @@ inline Drawn drawn_coupling(Draw& d) {
     return Row{push * d.vector(), d.vector(u.m), push * d.vector(), d.vector(u.m)};
   };
   const Row a = row("row a only rotates"), b = row("row b only rotates");
+  d.side("one of the rows only rotates", (a.v1 == vec3(0)) != (b.v1 == vec3(0)));
   d.side("both rows only rotate", a.v1 == vec3(0) && b.v1 == vec3(0));
   const double right = double(pair.body1.inverse_mass * dot(a.v1, b.v1) +
                               pair.body2.inverse_mass * dot(a.v2, b.v2) +
@@ -47,6 +48,7 @@ inline Drawn drawn_twist(Draw& d) {
   const double twist = half ? pi : d.angle();
   d.size("angle beside none", std::remainder(twist, 2 * pi), "rad");
   d.size("angle beside half a turn", std::remainder(twist - pi, 2 * pi), "rad");
+  d.side("the angle is negative", std::remainder(twist, 2 * pi) < 0);
   const vec3 a = half ? vec3(0, 0, 1) : normalize(d.vector());
   const quat none(1, 0, 0, 0), q1 = half ? none : d.turn(), start = half ? none : d.turn();
   const quat q2 = half ? quat(0, 0, 0, 1) : q1 * rotation(real(twist) * a) * start;

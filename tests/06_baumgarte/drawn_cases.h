@@ -51,9 +51,9 @@ inline Drawn drawn_warm_start(Draw& d) {
   return out;
 }
 
-/// Just safe or just not, with up to a thousand iterations.
+/// Just safe or just not, with up to a million iterations.
 inline Drawn drawn_safety(Draw& d) {
-  const int iterations = d.count("iterations", d.whole(1, 1000));
+  const int iterations = d.count("iterations", d.whole(1, is_float ? 1000 : 1000000));
   const double beta = d.chance("beta is 0") ? 0 : d.pick();
   const double beside = std::pow(10, -7 * d.pick()) / 2;
   const bool safe = d.chance("it is safe");

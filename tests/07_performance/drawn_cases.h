@@ -9,7 +9,7 @@
 
 namespace joints::testing {
 
-/// A hinge whose axes and points are apart by little or much: all numbers of the hoist.
+/// A hinge whose axes and points are apart by little or much: numbers of the hoist.
 inline Drawn drawn_hoist(Draw& d) {
   const Draw::Units u = d.units(4);
   HingeCase c{"", {}, d.pair(u), real(u.s)};
@@ -38,7 +38,15 @@ inline Drawn drawn_hoist(Draw& d) {
     out.yours.push_back(double(yours.bias[i]) / unit);
     out.right.push_back(double(c.hinge.beta / c.h * right[i]) / unit);
   }
-  out.sizes = {10 + (is_float ? 100 : 1e-4 * (l1 + l2) / gap + 1e-5 / tilt)};
+  const double size = 10 + (is_float ? 100 : 1e-4 * (l1 + l2) / gap + 1e-5 / tilt);
+  for (const bool second : {false, true})
+    for (int k = 0; k < 6; ++k) {
+      const double unit = 1 / (u.kg * u.m * u.m);
+      out.entries.push_back(std::string(second ? "I2." : "I1.") + inertia_entries[k]);
+      out.yours.push_back(six_numbers(second ? yours.I2 : yours.I1)[std::size_t(k)] / unit);
+      out.right.push_back(six_numbers(reference_inertia(c, second))[std::size_t(k)] / unit);
+    }
+  out.sizes = {size};
   return out;
 }
 

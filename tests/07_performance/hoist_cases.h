@@ -213,9 +213,13 @@ inline CaseTable<HingeCase> axis_row_table() {
 
 // ---- inverse inertias ---------------------------------------------------------------------------
 
+inline constexpr const char* inertia_entries[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
 inline Numbers six_numbers(const mat3& I) {
   return {double(I[0][0]), double(I[1][1]), double(I[2][2]),
           double(I[0][1]), double(I[0][2]), double(I[1][2])};
+}
+inline Numbers six_numbers(const Symmetric<real>& m) {
+  return {double(m.xx), double(m.yy), double(m.zz), double(m.xy), double(m.xz), double(m.yz)};
 }
 
 inline CaseTable<HingeCase> inertia_table() {
@@ -223,10 +227,6 @@ inline CaseTable<HingeCase> inertia_table() {
   const auto both = [](Numbers one, const Numbers& two) {
     one.insert(one.end(), two.begin(), two.end());
     return one;
-  };
-  const auto six = [](const Symmetric<real>& m) {
-    return Numbers{double(m.xx), double(m.yy), double(m.zz), double(m.xy), double(m.xz),
-                   double(m.yz)};
   };
   const auto with_body = [](auto of) {
     return [=](const Case& c, bool second) { return six_numbers(of(c.body(second))); };
@@ -244,13 +244,13 @@ inline CaseTable<HingeCase> inertia_table() {
   };
   std::vector<std::string> names;
   for (const char* body : {"I1.", "I2."})
-    for (const char* entry : {"xx", "yy", "zz", "xy", "xz", "yz"})
+    for (const char* entry : inertia_entries)
       names.push_back(std::string(body) + entry);
   CaseTable<Case> table{{"7.1", "the inverse inertias of a hinge's bodies"}, names, {}, {}, {},
                         hinge_cases()};
   table.yours = [=](const Case& c) {
     const HingeNumbers<real> yours = hoisted(c);
-    return both(six(yours.I1), six(yours.I2));
+    return both(six_numbers(yours.I1), six_numbers(yours.I2));
   };
   table.right = [=](const Case& c) { return both(right(c, false), right(c, true)); };
   add_body_rules<Numbers>(

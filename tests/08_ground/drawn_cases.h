@@ -33,6 +33,22 @@ inline Drawn drawn_corner(Draw& d, bool of_row) {
                     l2 + rounding_of * l1);
 }
 
+/// Bodies that slide at any speed or hardly, where t1 is any direction across n, or nearly.
+inline Drawn drawn_tangents(Draw& d) {
+  const vec3 n = d.turn() * vec3(0, 1, 0);
+  const bool near_limit = d.chance("the sliding is near 1e-4 m/s");
+  const bool slower = d.chance("it is slower");
+  const double beside = std::pow(10, -(is_float ? 2 : 6) * d.pick()) / 2;
+  const double from = near_limit ? 1 + beside : std::pow(10, 8 * d.pick());
+  const double speed = d.size("sliding across n", 1e-4 * (slower ? 1 / from : from), "m/s");
+  const double along = d.size("speed along n", (is_float ? 1 : 100) * d.pick() * speed, "m/s");
+  const vec3 across = normalize(cross(n, d.vector()));
+  const auto [t1, t2] = tangents(n, real(speed) * across + real(along) * n);
+  const vec3 right = slower ? normalize(t1 - dot(n, t1) * n) : across;
+  return drawn_vectors({"t1", "t2"}, flat(std::vector<vec3>{t1, t2}),
+                       flat(std::vector<vec3>{right, cross(n, right)}), {1});
+}
+
 inline Drawn drawn_friction(Draw& d) {
   const double rate = d.size("|rate|", d.any_size(), "m/s");
   const double K = d.size("K", d.scale(12), "1/kg"), stops = std::abs(rate) / K;

@@ -115,6 +115,11 @@ TEST_CASE("8.2 at rest there are two directions in the ground, too",
   }
 }
 
+TEST_CASE("8.2 a tenth of a millimetre per second is slow enough and hardly more is not",
+          "[8.2]") {
+  check_drawn(tangent_table().subject, drawn_tangents, is_float ? 1e-3 : 1e-7);
+}
+
 // ---- 8.2 the impulse ----------------------------------------------------------------------------
 
 TEST_CASE("8.2 the box of the text goes on sliding and friction is at its bound", "[8.2]") {

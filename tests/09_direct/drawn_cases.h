@@ -13,9 +13,11 @@
 namespace joints::testing {
 
 /// Edges of a graph: a chain of which each node may be left out, a few more, and a hub.
-inline std::vector<std::pair<int, int>> drawn_edges(Draw& d, int nodes, int most_of_hub = 20) {
+inline std::vector<std::pair<int, int>> drawn_edges(Draw& d, int nodes, int most_of_hub = 20,
+                                                    int most_more = 120) {
   std::set<std::pair<int, int>> edges;
-  const int more = d.count("edges beside the chain's", d.whole(0, nodes / 2));
+  const int more = d.whole(0, std::min(nodes, most_more));
+  d.side("there are edges beside a chain's", more > 0);
   const int hub = d.count("neighbours of a hub", std::min(nodes - 1, d.whole(0, most_of_hub)));
   Random random = d.many();
   const auto any = [&] { return int(random.uniform(0, real(nodes) - real(0.01))); };
@@ -35,11 +37,15 @@ inline std::vector<std::pair<int, int>> drawn_edges(Draw& d, int nodes, int most
 inline MatrixCase drawn_matrix(Draw& d) {
   MatrixCase c;
   const double unit = d.size("K", d.scale(), "1/kg");
-  c.rows.resize(std::size_t(d.count("nodes", d.whole(1, 120))));
-  const int most = d.count("rows of a node, at most", d.whole(1, 6));
-  c.coupled = drawn_edges(d, c.count());
+  const bool full = d.chance("all nodes are neighbours, of six rows");
+  c.rows.resize(std::size_t(d.count("nodes", d.whole(1, full ? 60 : 120))));
+  const int most = d.count("rows of a node, at most", full ? 6 : d.whole(1, 6));
+  if (!full) c.coupled = drawn_edges(d, c.count());
+  for (int a = 0; full && a < c.count(); ++a)
+    for (int b = a + 1; b < c.count(); ++b) c.coupled.push_back({a, b});
   Random random = d.many();
-  for (int& rows : c.rows) rows = 1 + int(random.uniform(0, real(most) - real(0.01)));
+  for (int& rows : c.rows)
+    rows = full ? 6 : 1 + int(random.uniform(0, real(most) - real(0.01)));
   c = filled(c, unsigned(random.uniform(1, 1000)));
   for (double& a : c.A.a) a *= unit;
   const std::vector<Node> nodes = joint_matrix(c).nodes;
@@ -47,6 +53,7 @@ inline MatrixCase drawn_matrix(Draw& d) {
   for (std::size_t k = 1; k < nodes.size(); ++k)
     edges = std::max(edges, nodes[k].first_edge - nodes[k - 1].first_edge);
   d.count("edges of a node, with fill", edges);
+  d.count("numbers in L", nodes.back().diagonal);
   return c;
 }
 
@@ -163,8 +170,11 @@ inline Drawn drawn_slowed(Draw& d) {
   c.kappa = real(8 * d.scale(is_float ? 1 : 5));
   c.force_lever = real(inertia * d.scale(is_float ? 1 : 4)) / (c.kappa * c.h * c.h);
   c.before = d.chance("the last step slowed it, too") ? real(inertia * d.scale(1)) : real(0);
+  d.size("force_lever", double(c.force_lever), "N m");
+  d.size("before", double(c.before), "kg m^2");
   const vec3 own = real(1) / c.body.inverse_inertia_local;
   const double pull = double(c.kappa * c.h * c.h * c.force_lever);
+  d.size("needed moment", pull, "kg m^2");
   d.size("needed moment over the own", pull / double(std::max({own.x, own.y, own.z})), "");
   d.side("no moment grows", pull < double(std::min({own.x, own.y, own.z})));
   d.size("last moment over the needed one", double(c.before) / pull, "");
@@ -237,6 +247,7 @@ class Marks : public Corrector {
   Marks(Bodies& bodies, int first, std::vector<double> marks, double part)
       : bodies_(bodies), first_(first), marks_(std::move(marks)), part_(part) {}
   int asked = 0;
+  double last = 0;  ///< largest error of the last change [m]
   std::vector<double>& errors() override {
     ++asked;
     C_.clear();
@@ -246,8 +257,12 @@ class Marks : public Corrector {
   }
   void change_rates(std::vector<double>& rates) override {
     rates.resize(marks_.size(), 0);
-    for (std::size_t k = 0; k < marks_.size(); ++k)
-      bodies_.at(first_ + int(k / 3)).v[int(k % 3)] += real(part_ * rates[k]);
+    last = 0;
+    for (std::size_t k = 0; k < marks_.size(); ++k) {
+      Body& body = bodies_.at(first_ + int(k / 3));
+      last = std::max(last, std::abs(double(body.x[int(k % 3)]) - marks_[k]));
+      body.v[int(k % 3)] += real(part_ * rates[k]);
+    }
   }
 
  private:
@@ -262,12 +277,29 @@ inline Drawn drawn_newton(Draw& d) {
   const int first = d.chance("a body was removed and has left an empty slot");
   const int rows = d.count("rows", std::min(3 * slots, d.whole(1, 120)));
   const int iterations = d.count("iterations", d.whole(0, 40));
-  const double h = d.size("h", std::pow(10, -3 * d.pick()), "s"), part = 0.4 + 0.6 * d.pick();
-  const double tolerance = d.size("tolerance", std::pow(10, -1 - 10 * d.pick()), "m");
+  const double unit = d.scale();
+  const double h = d.size("h", std::pow(10, -3 * d.pick()), "s");
+  const bool hardly = d.chance("the error becomes less by nearly the poorest allowed factor");
+  double beside = std::pow(10, -1 - 8 * d.pick());
+  const double factor = 1 + (d.number() < 0 ? -beside : beside);
+  const double part = hardly ? 0.3 * factor : 0.2 + 0.79 * d.pick();
+  double tolerance = std::pow(10, -1 - 10 * d.pick());
   Random random = d.many();
   std::vector<double> marks;
-  for (int k = 0; k < rows; ++k)  // the later the row, the farther its mark
-    marks.push_back(double(random.uniform(1, 2)) * (1 + 0.1 * k) * (k % 2 ? -1 : 1));
+  double largest = 0;
+  for (int k = 0; k < rows; ++k) {  // the later the row, the farther its mark
+    marks.push_back(unit * double(random.uniform(1, 2)) * (1 + 0.1 * k) * (k % 2 ? -1 : 1));
+    largest = std::max(largest, std::abs(marks.back()));
+  }
+  if (d.chance("an error is nearly the tolerance"))
+    tolerance = std::pow(1 - part, d.whole(0, 3)) * factor;
+  else if (!hardly) beside = 1;
+  d.size("distance to a bound / bound", beside, "");
+  d.size("tolerance over the first error", tolerance, "");
+  d.size("tolerance", tolerance *= largest, "m");
+  d.size("first error", largest, "m");
+  d.size("first change of the rates", largest / h, "m/s");
+  double last = 0;
   const auto run = [&](const auto& move) {
     Bodies bodies;
     const BodyId spare = first ? bodies.add(sliding(0, 0)) : BodyId{};
@@ -276,22 +308,23 @@ inline Drawn drawn_newton(Draw& d) {
     Marks corrector(bodies, first, marks, part);
     std::vector<Body> start;
     const bool arrived = move(bodies, h, iterations, tolerance, corrector, start);
+    last = corrector.last;
     Numbers out{double(arrived), double(corrector.asked)};
     for (int k = 0; k < slots; ++k)
       for (int i = 0; i < 3; ++i) {
-        out.push_back(double(bodies.at(first + k).x[i]));
-        out.push_back(double(bodies.at(first + k).v[i]) * h);
+        out.push_back(double(bodies.at(first + k).x[i]) / unit);
+        out.push_back(double(bodies.at(first + k).v[i]) * h / unit);
       }
     return out;
   };
   const NewtonReference reference{newton_cases()[0]};
   Drawn out{{"result (0 false, 1 true)", "calls of errors()"},
-            run(move_onto_constraints),
-            run([&](Bodies& bodies, double step, int most, double enough, Corrector& corrector,
-                    std::vector<Body>& start) {
-              return reference.move(bodies, step, most, enough, corrector, start);
-            }),
-            {20}};
+            run(move_onto_constraints), {}, {20}};
+  out.right = run([&](Bodies& all, double step, int most, double enough, Corrector& corrector,
+                      std::vector<Body>& start) {
+    return reference.move(all, step, most, enough, corrector, start);
+  });
+  d.size("error of the last correction", last, "m");
   for (int k = 0; k < slots; ++k)
     for (const char* of : {"x.x", "h v.x", "x.y", "h v.y", "x.z", "h v.z"})
       out.entries.push_back(of + (" of body " + std::to_string(k)));

@@ -33,6 +33,12 @@ inline Pieces<NewtonReference> wrong_newtons() {
       {"#half-rate half of it: J V changes by -C/h",
        rate([](double C, double h) { return -C / (2 * h); })},
       {"twice: J V changes by -C/h", rate([](double C, double h) { return -2 * C / h; })},
+      {"errors below the tolerance are not corrected: one row above it corrects all of them",
+       [](T& t) {
+         t.rate = [enough = t.c.tolerance](double C, double h) {
+           return std::abs(C) <= enough ? 0 : -C / h;
+         };
+       }},
       {"the sizes of the errors: J V changes by -C/h",
        rate([](double C, double h) { return -std::abs(C) / h; })},
       {"#not-put-back the bodies are not put back: they move from their first places each time",

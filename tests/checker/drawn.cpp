@@ -65,7 +65,8 @@ double Draw::old_sum(double bound, double size) {
   return chance("the old sum is negative") ? -sum : sum;
 }
 Draw::Units Draw::units(int decades) {
-  const Units u{scale(decades), scale(decades), scale(decades)};
+  const double kg = scale(), m = scale(decades);  // any mass: it may come alone
+  const Units u{kg, m, scale(decades)};
   size("mass", u.kg, "kg");
   size("length", u.m, "m");
   size("time", u.s, "s");
@@ -141,7 +142,8 @@ std::string short_size(double a) {
 std::string in_words(const Trait& t, double value) {
   if (t.kind == Trait::Kind::side) return t.words;
   return t.kind == Trait::Kind::count ? short_number(value) + " " + t.words
-                                      : t.words + " " + short_size(value) + " " + t.unit;
+                                      : t.words + " " + short_size(value) +
+                                            (t.unit.empty() ? "" : " " + t.unit);
 }
 
 // What the wrong numbers of all wrong trials have in common, beside the right ones.
@@ -168,28 +170,39 @@ std::string seen(const std::vector<Trial>& all, double tolerance) {
 struct Side {
   std::string words;
   int right_here = 0, right_elsewhere = 0;
+  bool all_wrong = true;
+  bool sharp = false;  ///< right and wrong ones are neighbours
+  bool round = false;  ///< and a number of one digit lies between them
   std::size_t trait = 0;
 };
 
 Side side_of(const std::vector<Trial>& all, std::size_t cases, const Trait& t, std::size_t k,
              bool above, const std::string& yours) {
   double nearest = above ? INFINITY : -INFINITY;  // of the wrong ones, to the right ones
+  bool zero_is_right = true;
   const auto beyond = [&](double a, double b) { return above ? a > b : a < b; };
   for (const Trial& trial : all)
-    if (const double a = trial.traits[k].value; trial.wrong && beyond(nearest, a)) nearest = a;
+    if (const double a = trial.traits[k].value; trial.wrong) {
+      if (beyond(nearest, a)) nearest = a;
+      zero_is_right = zero_is_right && a != 0;
+    }
   double next = above ? -INFINITY : INFINITY;  // the right one beside it
-  bool all_wrong = true;
   Side out;
   for (std::size_t n = 0; n < all.size(); ++n) {
     if (all[n].wrong) continue;
     const double a = all[n].traits[k].value;
-    if (!above && t.kind == Trait::Kind::size && a == 0 && nearest > 0) continue;
+    if (!above && t.kind == Trait::Kind::size && a == 0 && zero_is_right) continue;
     const bool here = !beyond(nearest, a);
     if (n < cases) ++(here ? out.right_here : out.right_elsewhere);
-    if (here) all_wrong = false;
+    if (here) out.all_wrong = false;
     if (!here && beyond(a, next)) next = a;
   }
-  const std::string wrong = all_wrong ? "all are wrong" : "some are wrong";
+  const double least = std::min(nearest, next), most = std::max(nearest, next);
+  const double digit = std::pow(10, std::floor(std::log10(std::max(1.001 * most, 1e-300))));
+  out.round = 0.999 * least <= digit * std::floor(1.001 * most / digit);
+  out.sharp = t.kind == Trait::Kind::count ? above && most > 8 && most - least <= 2 + 0.02 * least
+                                           : most <= 1.03 * least;
+  const std::string wrong = out.all_wrong ? "all are wrong" : "some are wrong";
   const std::string there = yours.empty() ? "" : ", and yours are " + yours + " there";
   const auto only_where = [](const std::string& what) {
     return "#drawn-side wrong only where " + what;
@@ -201,15 +214,14 @@ Side side_of(const std::vector<Trial>& all, std::size_t cases, const Trait& t, s
     out.words = next < 1 ? only_where("there are " + t.words)
                          : "#drawn-stops right with up to " + in_words(t, next) + ", from " +
                             short_number(few ? 2 : nearest) + " on " + wrong +
-                            (few ? ": is each of them treated like the first?"
+                            (few ? ": is their order another one, or each treated like the first?"
                                  : ": does a loop stop there, or is an array or a type too small?");
   } else if (t.kind == Trait::Kind::count) {
     out.words = "right with " + in_words(t, next) + " or more, with fewer " + wrong;
   } else if (above && next > 0) {
     out.words = "#drawn-cut right up to a case with " + in_words(t, next) + ", above " + wrong +
-                there + (yours == "too small"   ? ": is a number cut off, or a small one left out?"
-                         : yours == "too large" ? ": is a constant added?"
-                                                : "");
+                there + (yours == "too small" ? ": is a number cut off, or a small one left out?"
+                                              : "");
   } else if (!above && nearest == 0) {
     out.words = only_where(t.words + " is 0" + there);
   } else if (!above && std::isfinite(next)) {
@@ -229,9 +241,13 @@ Side explained(const std::vector<Trial>& all, std::size_t cases, const std::stri
   Side best;
   const auto wrong = std::count_if(all.begin(), all.begin() + long(cases),
                                    [](const Trial& trial) { return trial.wrong; });
-  const auto by_chance = [&](const Side& side) {  // how likely all that are wrong lie there
-    const double here = double(side.right_here + wrong);
-    return std::pow(here / (here + side.right_elsewhere), wrong);
+  const auto is_plain = [&](const Side& side, Trait::Kind kind) {
+    const double here = double(side.right_here + wrong);  // all that are wrong lie there by chance?
+    const double chance = std::pow(here / (here + side.right_elsewhere), wrong);
+    if (kind == Trait::Kind::side) return chance < 0.03;
+    if (side.sharp && (kind == Trait::Kind::count || side.round)) return true;
+    return side.sharp ? chance < 0.01 && side.right_here <= 3 * wrong
+                      : chance < 0.003 && 2 * side.right_here <= wrong;
   };
   for (const bool above : {false, true})
     for (std::size_t k = 0; k < all.front().traits.size(); ++k) {
@@ -240,9 +256,10 @@ Side explained(const std::vector<Trial>& all, std::size_t cases, const std::stri
       if (counts_alone && kind != Trait::Kind::count) continue;
       const Side side = side_of(all, cases, all.front().traits[k], k, above, yours);
       if (side.words.empty() || side.right_elsewhere < 5) continue;
-      if (!counts_alone && side.right_elsewhere < side.right_here && by_chance(side) > 0.03)
-        continue;
-      if (best.words.empty() || side.right_here < best.right_here) best = side, best.trait = k;
+      if (!is_plain(side, kind)) continue;
+      const bool plainer = side.right_here < best.right_here ||
+                           (side.right_here == best.right_here && side.all_wrong > best.all_wrong);
+      if (best.words.empty() || plainer) best = side, best.trait = k;
     }
   return best;
 }

@@ -122,6 +122,8 @@ def ending(status, limit):
         return ("it asked the system for something that no exercise needs, and was ended: a "
                 "process, a thread, the network, a signal to a process, or the name or mode "
                 "of a file")
+    if status in (-signal.SIGSEGV, -signal.SIGBUS, -signal.SIGABRT):  # Catch2 crashed of it, too
+        return crashes.plainly("corrupted size")
     if status == 97:
         return "no such answer"
     return "the program ended in the middle of a test: does the code call exit()?"

@@ -17,8 +17,8 @@ template <class Number>
 void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* response, int m,
                   Number* A) {
   // begin [exercise 9.1]
-  // Eq. 9-2: entry (i, j) grows by dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w). Entry
-  // (i, j) stands at A[i * m + j].
+  // Add the contribution of one common body to the coupling of two blocks: by how much does the
+  // rate of each row of the first block change if one unit impulse acts along a row of the second?
   todo("9.1");
   // end [exercise 9.1]
 }
@@ -74,8 +74,9 @@ double inverse_pivot(double pivot, double original) {
 
 void second_order_step(World& world, Solver& solver, real h) {
   // begin [exercise 9.5]
-  // Advance the world by one step of second order, Eq. 9-9, with all its joints. The solver starts
-  // cold. world.last_h is the length of the last step, and 0 before the first one.
+  // Advance the world by one step of second order with all its joints: Eq. 9-9, then all that the
+  // poses need, symmetric in time. The solver starts cold. world.last_h is the length of the last
+  // step, and 0 before the first one.
   todo("9.5");
   // end [exercise 9.5]
 }
@@ -94,8 +95,8 @@ bool move_onto_constraints(Bodies& bodies, double h, int iterations, double tole
 
 Side next_side(Side now, double impulse, double lower, double upper, double rate) {
   // begin [exercise 9.7]
-  // A free impulse must be between its bounds. At the lower bound the rate must not be negative, or
-  // a larger impulse would help; at the upper bound it must not be positive. Eq. 9-12.
+  // Return the side of the row in the next pass. A row that satisfies Eq. 9-12 on its side stays
+  // there. Which of its two numbers shows that it does not, and where does it go then?
   todo("9.7");
   // end [exercise 9.7]
 }

@@ -1,6 +1,9 @@
 // Chapter 1: one row. Replace each todo(...) with your own code. README.md has the text.
 #include "chapters/01_distance/distance.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace joints {
 
 // ---- a rod from centre to centre ---------------------------------------------------------

@@ -81,6 +81,7 @@ inline Drawn drawn_limit(Draw& d) {
   const double below = x - double(range.lower), above = double(range.upper) - x;
   const bool lower = below + h * rate < above - h * rate;
   const double C = lower ? below : above;
+  d.size("|C|", C, "rad");
   d.side("the upper limit is the nearer one now", above < below);
   d.side("a limit is passed", std::min(below, above) < 0);
   d.side("it moves away from the limit", rate * (lower ? 1 : -1) > 0);

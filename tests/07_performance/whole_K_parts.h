@@ -120,6 +120,13 @@ inline KPart point_part() {
         entries([](int i, int) { return i == 0; })},
        {"the inverse masses are added to the first column: they stand on the diagonal",
         entries([](int, int j) { return j == 0; })},
+       {"the entries below the diagonal are missing: the 3x3 is symmetric, both halves are needed",
+        [](const mat3& t, const S& s) {
+          Matrix<5> K;
+          for (int i = 0; i < 3; ++i)
+            for (int j = i; j < 3; ++j) K[i][j] = t[j][i] + (i == j ? s.masses() : real(0));
+          return K;
+        }},
        {"the inverse masses stand in two places of the diagonal: there are three",
         entries([](int i, int j) { return i == j && i < 2; })},
        {"#masses-place-turns the inverse masses replace the entries on the diagonal: += and not =",

@@ -11,7 +11,7 @@ namespace joints::testing {
 struct Endless {};  ///< thrown out of a loop without an end
 
 inline long allocations_left = -1;  ///< so many pieces of memory are allowed; -1: any number
-inline constexpr std::size_t largest_piece = 1 << 23;  ///< while they are counted [bytes]
+inline constexpr std::size_t largest_piece = 1 << 21;  ///< while they are counted [bytes]
 
 }  // namespace joints::testing
 

@@ -185,13 +185,14 @@ inline std::vector<NewtonCase> newton_cases() {
   for (const double e : {1e-6, 0.01}) {  // tolerances
     const std::string of = ", tolerance " + short_number(e);
     add("an error that is exactly the tolerance" + of, {{e}, {1}});
+    add("an error just below the tolerance" + of, {{0.9 * e}, {1}});
     add("an error just above the tolerance" + of, {{1.01 * e}, {0}});
     add("an accepted error that has hardly become less" + of, {{1.2 * e}, {0.95 * e}});
     add("an error that the last correction has removed" + of,
         {{1}, {0.5}, {0.3}, {0.15}, {0.9 * e}});
     add("an error that the last correction has left" + of,
         {{1}, {0.5}, {0.3}, {0.15}, {1.1 * e}, {0}});
-    for (std::size_t k = out.size() - 5; k < out.size(); ++k) out[k].tolerance = e;
+    for (std::size_t k = out.size() - 6; k < out.size(); ++k) out[k].tolerance = e;
   }
   add("errors of 1 m, 0.5 m, then of 0.65 m", {{1}, {0.5}, {0.65}});
   add("errors of 1 m, 0.2 m, then of 0.25 m", {{1}, {0.2}, {0.25}});

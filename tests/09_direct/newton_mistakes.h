@@ -50,6 +50,8 @@ inline Pieces<NewtonReference> wrong_newtons() {
       {"#all-put-back the velocities are put back, too: their change is lost, only x and q are "
        "put back",
        [](T& t) { t.back = T::Back::all; }},
+      {"the velocities are put back before each correction: the corrections add up",
+       [](T& t) { t.only_last = true; }},
       {"`start` is written again in each iteration: once, before the first",
        [](T& t) { t.start_each_time = true, t.back = T::Back::none; }},
       {"`start` does not hold the bodies as they were: the caller restores "

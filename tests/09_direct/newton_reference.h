@@ -31,7 +31,7 @@ struct NewtonReference {
   double first_last = std::numeric_limits<double>::infinity();
   bool asks_before = false, poor_breaks = false, poor_late = false, changes_twice = false;
   bool zero_does_nothing = false, keeps_largest = false, w_back = false, start_moved = false;
-  bool adds_to_start = false, near_of_last = false;
+  bool adds_to_start = false, near_of_last = false, only_last = false;
   int last_back = 0;  ///< so many at the end are not put back
 
   bool move(Bodies& bodies, double h, int iterations, double tolerance, Corrector& corrector,
@@ -77,6 +77,8 @@ struct NewtonReference {
         return near(norm(corrector.errors()));
       }
       if (!(last_by_first && n > 0)) last = largest;
+      for (int k = 0; only_last && k < bodies.slots(); ++k)
+        bodies.at(k).v = own[std::size_t(k)].v, bodies.at(k).w = own[std::size_t(k)].w;
       if (changes) corrector.change_rates(rates);
       if (changes_twice) corrector.change_rates(rates);
       for (int k = first_back; k < bodies.slots() - last_back; ++k) {

@@ -26,7 +26,7 @@ struct SolveReference {
   enum class Divide { after, before, at_last } divide_when = Divide::after;
   bool by_node = false;  ///< x is asked by node's number
   bool forward_from_last = false, back_exchanged = false, first_edge = false, by_edge = false;
-  bool all_edges = false, forward_by_node = false, rows_exchanged = false;
+  bool all_edges = false, forward_by_node = false, rows_exchanged = false, last_edge_back = false;
   int back_to = 0;
 
   explicit SolveReference(const MatrixCase& c) : c(c) {}
@@ -70,9 +70,10 @@ struct SolveReference {
     }
     for (int n = 0; n < count; ++n) {
       const int k = back_in_order ? n : count - 1 - n;
+      int left = A.nodes[std::size_t(k) + 1].first_edge - A.nodes[std::size_t(k)].first_edge;
       each_edge(k, false, [&](const Node& node, const Node& to, const double* L, double* other,
                               int) {
-        if (!back || k < back_to) return;
+        if (!back || k < back_to || (last_edge_back && --left > 0)) return;
         if (back_exchanged) subtract_transposed_times(L, to.rows, node.rows, at(k), other);
         else if (back_plain) subtract_times(L, to.rows, node.rows, at(k), other);
         else subtract_transposed_times(L, to.rows, node.rows, other, at(k));
@@ -121,6 +122,8 @@ inline Pieces<SolveReference> wrong_solves() {
        [](T& t) { t.back_to = 1; }},
       {"#only-first-edge-forward only the first edge of each node on the way forward: all of them",
        [](T& t) { t.first_edge = true; }},
+      {"only the last edge of each node on the way back: all of them",
+       [](T& t) { t.last_edge_back = true; }},
       {"#divided-once-each-edge divided once for each edge: once for each node, after its edges",
        [](T& t) { t.by_edge = true; }},
       {"#edges-all-nodes the edges of other nodes, too: from the node's first_edge on",

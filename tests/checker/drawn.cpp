@@ -65,7 +65,7 @@ double Draw::old_sum(double bound, double size) {
   return chance("the old sum is negative") ? -sum : sum;
 }
 Draw::Units Draw::units(int decades) {
-  const double kg = scale(), m = scale(decades);  // any mass: it may come alone
+  const double kg = scale(std::max(9, decades)), m = scale(decades);  // a mass may come alone
   const Units u{kg, m, scale(decades)};
   size("mass", u.kg, "kg");
   size("length", u.m, "m");
@@ -171,6 +171,7 @@ struct Side {
   std::string words;
   int right_here = 0, right_elsewhere = 0;
   bool all_wrong = true;
+  bool several = false;  ///< of a count: two are right, too
   bool sharp = false;  ///< right and wrong ones are neighbours
   bool round = false;  ///< and a number of one digit lies between them
   std::size_t trait = 0;
@@ -198,6 +199,7 @@ Side side_of(const std::vector<Trial>& all, std::size_t cases, const Trait& t, s
     if (!here && beyond(a, next)) next = a;
   }
   const double least = std::min(nearest, next), most = std::max(nearest, next);
+  out.several = above && next >= 2;
   const double digit = std::pow(10, std::floor(std::log10(std::max(1.001 * most, 1e-300))));
   out.round = 0.999 * least <= digit * std::floor(1.001 * most / digit);
   out.sharp = t.kind == Trait::Kind::count ? above && most > 8 && most - least <= 2 + 0.02 * least
@@ -246,8 +248,9 @@ Side explained(const std::vector<Trial>& all, std::size_t cases, const std::stri
     const double chance = std::pow(here / (here + side.right_elsewhere), wrong);
     if (kind == Trait::Kind::side) return chance < 0.03;
     if (side.sharp && (kind == Trait::Kind::count || side.round)) return true;
-    return side.sharp ? chance < 0.01 && side.right_here <= 3 * wrong
-                      : chance < 0.003 && 2 * side.right_here <= wrong;
+    const bool few = kind == Trait::Kind::count ? !side.several : yours == "of the other sign";
+    return side.sharp || !few ? chance < 0.003 && side.right_here <= 3 * wrong
+                              : chance < 0.003 && 2 * side.right_here <= wrong;
   };
   for (const bool above : {false, true})
     for (std::size_t k = 0; k < all.front().traits.size(); ++k) {
@@ -256,6 +259,8 @@ Side explained(const std::vector<Trial>& all, std::size_t cases, const std::stri
       if (counts_alone && kind != Trait::Kind::count) continue;
       const Side side = side_of(all, cases, all.front().traits[k], k, above, yours);
       if (side.words.empty() || side.right_elsewhere < 5) continue;
+      const int trials = side.right_here + side.right_elsewhere + int(wrong);
+      if (kind == Trait::Kind::size && 100 * side.right_elsewhere < 15 * trials) continue;
       if (!is_plain(side, kind)) continue;
       const bool plainer = side.right_here < best.right_here ||
                            (side.right_here == best.right_here && side.all_wrong > best.all_wrong);

@@ -54,6 +54,9 @@ REFUSED = {  # of the compiler's words
         "brackets, also one without arguments: world.joints().",
     r"todo.{1,3} was not declared": "todo is written todo(\"1.1\"); with the exercise's number.",
     r"operator\*.*(‘int’|'int')": "a whole number times a vector: write real(2) * v, not 2 * v.",
+    r"cannot be used as a function|called object type .* is not a function": "a name that "
+        "is called like a function is a number here: within a rod `length` is the rod's own, the "
+        "length of a vector is glm::length(u).",
     r"no matching function for call to .(max|min|clamp)\(": "both numbers must be of one kind: "
         "real(0), not 0.",
     r"initializer list.*joints::Row": "a Row is four vectors: {v1, w1, v2, w2}, and nothing is "

@@ -37,8 +37,9 @@ struct OrderReference {
     std::set<std::pair<int, int>> queue;
     for (int a = 0; a < n; ++a) queue.insert(place(a));
     while (!queue.empty()) {
-      const int best = std::abs(queue.begin()->second);
-      queue.erase(queue.begin());
+      const auto first = *queue.begin();
+      const int best = std::abs(first.second);
+      queue.erase(first);
       out.push_back(best);
       const std::multiset<int> around = left[std::size_t(best)];
       for (const int a : around) {

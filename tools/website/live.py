@@ -17,6 +17,7 @@ FLAGS = ["--target=wasm32-wasi", "-std=c++20", "-fexceptions", "-ffp-contract=of
          "-ffunction-sections", "-fdata-sections", "-DGLM_FORCE_CTOR_INIT",
          "-DGLM_FORCE_EXPLICIT_CTOR", "-w"]
 LINK = ["--target=wasm32-wasi", "-mexec-model=reactor", "-Wl,--gc-sections", "-Wl,--strip-all"]
+SCENES = ("live", "bench")  # folders of code that no iteration calls: for size alone
 # A reader's file is looked at more closely: an index outside a vector stops the module, and a loop
 # without end stays one.
 LENIENT = ["-D_LIBCPP_DEBUG=0", "-ftrivial-auto-var-init=pattern", "-fno-finite-loops"]
@@ -88,7 +89,9 @@ def write_ninja(folder, swaps):
     if not link.is_symlink() or link.readlink() != glm:
         link.unlink(missing_ok=True)
         link.symlink_to(glm)
-    made = {} if SHIPPED.is_dir() else {name: (paths, "") for name, paths in sources().items()}
+    made = {} if SHIPPED.is_dir() else {
+        name: (paths, "-Oz" if paths[0].parent.name in SCENES else "")
+        for name, paths in sources().items()}
     objects = {name: f"{name}.o" if made else seen(object_of(name)) for name in sources()}
     lines = ["rule link", f"  command = clang++ {' '.join(LINK)} $in -o $out"]
     for name, swap in {"solution": {}, **swaps}.items():

@@ -122,24 +122,28 @@ void IslandPair::store_impulses(const Blocks& given) const {
     }
 }
 
+// Copies the velocities and impulses of one lane.
+static void copy_lane(const std::vector<HalfRowOf<TwoLanes>>& velocities,
+                      const std::vector<TwoLanes>& impulses, int lane,
+                      std::vector<HalfRowOf<TwoLanes>>& to_velocities,
+                      std::vector<TwoLanes>& to_impulses) {
+  for (std::size_t k = 0; k < velocities.size(); ++k) {
+    put(to_velocities[k].v, lane, lane_of(velocities[k].v, lane));
+    put(to_velocities[k].w, lane, lane_of(velocities[k].w, lane));
+  }
+  for (std::size_t r = 0; r < impulses.size(); ++r) to_impulses[r][lane] = impulses[r][lane];
+}
+
 void IslandPair::keep(const Bodies& all, int lane) {
   load(all);
   kept_velocities_.resize(velocities_.size());
   kept_impulses_.resize(impulse.size());
-  for (std::size_t k = 0; k < velocities_.size(); ++k) {
-    put(kept_velocities_[k].v, lane, lane_of(velocities_[k].v, lane));
-    put(kept_velocities_[k].w, lane, lane_of(velocities_[k].w, lane));
-  }
-  for (std::size_t r = 0; r < impulse.size(); ++r) kept_impulses_[r][lane] = impulse[r][lane];
+  copy_lane(velocities_, impulse, lane, kept_velocities_, kept_impulses_);
 }
 
 void IslandPair::go_back(Bodies& all, int lane) {
   load(all);
-  for (std::size_t k = 0; k < velocities_.size(); ++k) {
-    put(velocities_[k].v, lane, lane_of(kept_velocities_[k].v, lane));
-    put(velocities_[k].w, lane, lane_of(kept_velocities_[k].w, lane));
-  }
-  for (std::size_t r = 0; r < impulse.size(); ++r) impulse[r][lane] = kept_impulses_[r][lane];
+  copy_lane(kept_velocities_, kept_impulses_, lane, velocities_, impulse);
   store(all);
 }
 

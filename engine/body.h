@@ -71,6 +71,13 @@ inline mat3 inverse_inertia(const Body& body) {
   if (body.is_isotropic()) return mat3(body.inverse_inertia_local.x);
   return body.matrices.now ? body.matrices.now->inverse_inertia : rotated_inverse_inertia(body);
 }
+/// inverse_inertia(body) * L without a copy of the matrix: the change of the angular velocity
+/// caused by an angular impulse `L` [N m s, world].
+inline vec3 angular_response(const Body& body, const vec3& L) {
+  if (body.is_isotropic()) return body.inverse_inertia_local.x * L;
+  return body.matrices.now ? body.matrices.now->inverse_inertia * L
+                           : rotated_inverse_inertia(body) * L;
+}
 
 /// A body that never moves. \param x its centre [m] \param q its orientation (normalised here)
 /// \throws std::invalid_argument unless x and q are finite and q is not zero

@@ -6,16 +6,15 @@
 
 namespace joints {
 
-int followed_row(const Blocks& blocks, int k) {
+RowOfBlock followed_row(const Blocks& blocks, int k) {
   const Block& block = blocks.list[std::size_t(k)];
   const int follows = block.target.follows, row = block.first + follows;
-  if (follows == 0) return -1;
   require(block.rows == 1, "follows: only a block of one row can follow another impulse");
   const int count = int(blocks.list.size()), direction = follows > 0 ? 1 : -1;
   for (int other = k + direction; other >= 0 && other < count; other += direction) {
     const Block& owner = blocks.list[std::size_t(other)];
     if (const int i = row - owner.first; i >= 0 && i < owner.rows)
-      if (owner.impulse + i == block.impulse + follows) return row;
+      if (owner.impulse + i == block.impulse + follows) return {other, i};
   }
   refuse("follows: the impulse that bounds a row must have a row of its own");
 }

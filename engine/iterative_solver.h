@@ -7,10 +7,14 @@
 /// @{
 namespace joints {
 
-/// The row whose impulse bounds block number k (RowTarget::follows), as an index into Blocks::J, or
-/// -1 if there is none.
+/// A row of a block.
+struct RowOfBlock {
+  int block = 0;  ///< index in Blocks::list
+  int row = 0;    ///< from 0, within the block
+};
+/// The row whose impulse bounds block number k, which must follow one (RowTarget::follows).
 /// \throws std::invalid_argument if that impulse has no row, or if the block has several rows
-int followed_row(const Blocks& blocks, int k);
+RowOfBlock followed_row(const Blocks& blocks, int k);
 
 /// @}
 /// \addtogroup world

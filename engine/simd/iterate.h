@@ -88,11 +88,11 @@ inline void solve_record(Record<Rows, N, hard, Number>& record, Velocities<Numbe
 template <int ends, class Number>
 inline void move_bounds(FollowingRecord<ends, Number>& record, const real* numbers,
                         const int* followed) {
-  for (int lane = 0; lane < width_of<Number>; ++lane) {
-    const real bound = gather<real>(record.factor, lane) * numbers[followed[lane]];
-    scatter(-bound, record.bounds.lower, lane);
-    scatter(bound, record.bounds.upper, lane);
-  }
+  Number impulse;
+  for (int lane = 0; lane < width_of<Number>; ++lane)
+    scatter(numbers[followed[lane]], impulse, lane);
+  record.bounds.upper = record.factor * impulse;
+  record.bounds.lower = -record.bounds.upper;
 }
 
 // ---- a pass over all groups ---------------------------------------------------------------------

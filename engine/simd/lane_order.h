@@ -14,7 +14,7 @@ namespace joints {
 struct Member {
   BodyPair bodies;  ///< slots; -1: a body that does not move
   int kind = 0;     ///< only blocks of one kind are solved side by side
-  int follows = -1;  ///< the row that bounds it (followed_row()), or -1
+  int follows = 0;  ///< RowTarget::follows
   bool operator==(const Member&) const = default;  ///< the same in all of these
 };
 

@@ -2,6 +2,7 @@
 #include "engine/simd/packed.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace joints {
@@ -15,14 +16,14 @@ BlockKind kind_of(const Block& block, const Body& body1, const Body& body2) {
                     target.upper == unbounded;
   const bool isotropic = point && body1.is_isotropic() && body2.is_isotropic();
   const bool lone = block.rows == 1 && (body1.is_static() || body2.is_static());
-  return {static_cast<signed char>(block.rows), point, hard, isotropic, follows, lone};
+  return {static_cast<unsigned char>(block.rows), point, hard, isotropic, follows, lone};
 }
 
 Member member_of(const Block& block, const Body& body1, const Body& body2) {
   const BlockKind kind = kind_of(block, body1, body2);
   const int none1 = kind.lone ? block.body2 : -1, none2 = kind.lone ? block.body1 : -1;
   return {{body1.is_static() ? none1 : block.body1, body2.is_static() ? none2 : block.body2},
-          kind.number()};
+          std::bit_cast<unsigned char>(kind), block.target.follows};
 }
 
 // ---- the numbers of a block ---------------------------------------------------------------------
@@ -64,9 +65,8 @@ void each_half(Rows& rows, const Source& from, const F& f) {
       const Body& body = second ? from.body2 : from.body1;
       const vec3& v = second ? from.J[i].v2 : from.J[i].v1;
       const vec3& w = second ? from.J[i].w2 : from.J[i].w1;
-      const vec3 response_w = body.is_isotropic() ? body.inverse_inertia_local.x * w
-                                                  : inverse_inertia(body) * w;
-      f(rows.row[i][end], triple(v), triple(w), triple(response_w), body.inverse_mass);
+      f(rows.row[i][end], triple(v), triple(w), triple(angular_response(body, w)),
+        body.inverse_mass);
     }
 }
 
@@ -135,8 +135,7 @@ bool PackedBlocks::sign(const Bodies& bodies, const Blocks& list, int first) {
   members_.resize(count);
   for (std::size_t k = std::size_t(first); k < count; ++k) {
     const Block& block = list.list[k];
-    Member now = member_of(block, bodies.at(block.body1), bodies.at(block.body2));
-    if (block.target.follows != 0) now.follows = followed_row(list, int(k));
+    const Member now = member_of(block, bodies.at(block.body1), bodies.at(block.body2));
     if (members_[k] == now) continue;
     members_[k] = now;
     same = false;
@@ -179,44 +178,42 @@ void PackedBlocks::append(const Bodies& bodies, int first) {
   append_in_turn(order_, members_, first);
 }
 
-// Allocates the records of new groups. \param first 0 if all groups are new
-void PackedBlocks::add_groups(const Bodies& bodies, const Blocks& list, int first) {
-  if (first == 0) {
-    groups_.clear();
-    numbers_.clear();
-  }
-  const int before = int(groups_.size()), end = order_.groups();
-  LaneNumber any;  // never read: only the size of a record is used
+// Makes the records of new groups. \param first 0 if all groups are new
+void PackedBlocks::add_groups(const Blocks& list, int first) {
+  if (first == 0) groups_.clear(), size_ = 0;
+  const int before = int(groups_.size()), end = order_.groups(), width = order_.width;
   first_lambda_.resize(list.list.size());
+  followed_.resize(order_.blocks.size());
+  std::size_t size = 0, lambda = 0;  // of a record; from its first number to its first impulse
   for (int k = before; k < end; ++k) {
-    const int* const lanes = &order_.blocks[std::size_t(k * order_.width)];
-    const int* const one =
-        std::find_if(lanes, lanes + order_.width, [](int block) { return block >= 0; });
-    const Block& block = list.list[std::size_t(*one)];
-    LaneGroup group{kind_of(block, bodies.at(block.body1), bodies.at(block.body2))};
-    group.first = int(numbers_.size()) * lane_count;
-    int lambda = group.first;
-    in_record(group, any.lane, [&](auto& record) {
-      lambda += int(sizeof record.rows / sizeof(real));
-      numbers_.resize(numbers_.size() + (sizeof record + sizeof any - 1) / sizeof any, {});
-    });
-    groups_.push_back(group);
+    const int* const lanes = &order_.blocks[std::size_t(k * width)];
+    const int* const one = std::find_if(lanes, lanes + width, [](int block) { return block >= 0; });
+    const auto kind =
+        std::bit_cast<BlockKind>(static_cast<unsigned char>(members_[std::size_t(*one)].kind));
+    if (k == before || kind != groups_.back()) {
+      LaneNumber any;  // never read: only the size of a record is used
+      in_record(kind, any.lane, [&](auto& record) {
+        size = (sizeof record + sizeof any - 1) / sizeof any;
+        lambda = sizeof record.rows / sizeof(real);
+      });
+    }
+    const std::size_t begin = size_ * lane_count;
+    size_ += size;
+    if (numbers_.size() < size_) numbers_.resize(size_);
+    if (std::find(lanes, lanes + width, -1) != lanes + width)  // an unused lane has zeros
+      std::fill_n(numbers() + begin, size * lane_count, real(0));
+    groups_.push_back({kind, int(begin)});
     each_block(k, [&](int number, int lane) {
-      first_lambda_[std::size_t(number)] = lambda + lane;
+      first_lambda_[std::size_t(number)] = int(begin + lambda) + lane;
     });
   }
-  followed_.resize(order_.blocks.size());
   for (int k = before; k < end; ++k) {
-    int* const followed = &followed_[std::size_t(k * order_.width)];
-    std::iota(followed, followed + order_.width, groups_[k].first);  // zeros of an unused lane
+    if (!groups_[k].follows) continue;
+    int* const followed = &followed_[std::size_t(k * width)];
+    std::iota(followed, followed + width, groups_[k].first);  // zeros of an unused lane
     each_block(k, [&](int number, int lane) {
-      const int row = members_[std::size_t(number)].follows;
-      if (row < 0) return;
-      const Block* owner = &list.list[std::size_t(number)];
-      while (row < owner->first) --owner;
-      while (row >= owner->first + owner->rows) ++owner;
-      followed[lane] = first_lambda_[std::size_t(owner - list.list.data())] +
-                       (row - owner->first) * order_.width;
+      const auto [block, row] = followed_row(list, number);
+      followed[lane] = first_lambda_[std::size_t(block)] + row * width;
     });
   }
   for (int k = end - 2; k >= before; --k)
@@ -240,7 +237,7 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, rea
     if (place(bodies)) begin = 0, first = 0;
     late_ = first > 0;
     append(bodies, first);
-    add_groups(bodies, list, first);
+    add_groups(list, first);
   }
   const bool driven = std::any_of(bodies.begin(), bodies.end(), drives);
   for (std::size_t k = begin; k < groups_.size(); ++k)

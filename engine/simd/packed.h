@@ -47,15 +47,15 @@ class PackedBlocks {
   bool sign(const Bodies& bodies, const Blocks& list, int first);
   bool place(const Bodies& bodies);
   void append(const Bodies& bodies, int first);
-  void add_groups(const Bodies& bodies, const Blocks& list, int first);
+  void add_groups(const Blocks& list, int first);
   void run(Pass pass, real parameter, int first);
-  // Calls f with the record of a group, of one block or of lane_count.
+  // Calls f with the record of a kind, of one block or of lane_count.
   template <class F>
-  void in_record(const LaneGroup& group, real* numbers, const F& f) const {
+  void in_record(const BlockKind& kind, real* numbers, const F& f) const {
     if (order_.width == 1)
-      use_record<real>(group, numbers, f);
+      use_record<real>(kind, numbers, f);
     else
-      use_record<LaneNumber>(group, numbers, f);
+      use_record<LaneNumber>(kind, numbers, f);
   }
   // Calls f(block, lane) for each block of a group.
   template <class F>
@@ -79,7 +79,8 @@ class PackedBlocks {
 
   LaneOrder order_;
   std::vector<LaneGroup> groups_;
-  std::vector<LaneNumber> numbers_;  // the records of all groups
+  std::vector<LaneNumber> numbers_;  // the records of all groups; those of former steps follow
+  std::size_t size_ = 0;             // numbers in use
   std::vector<int> first_lambda_;    // of each block: the index of its first accumulated impulse
   std::vector<int> followed_;        // LaneWork::followed
   BodyRecords records_;

@@ -28,17 +28,13 @@ namespace joints {
 
 /// The kind of a block chooses its record. Only blocks of one kind are solved side by side.
 struct BlockKind {
-  signed char rows = 0;  ///< 1 to 6
-  bool point = false;    ///< the first three rows hold two points together, the others are angular
-  bool hard = false;     ///< neither soft nor bounded: no scales, no bounds
-  bool isotropic = false;  ///< only for `point`: both inertias are isotropic, one number each
-  bool follows = false;  ///< one row whose bounds are -+factor times another row's impulse
-  bool lone = false;     ///< one row of one body: the other does not move
-  auto operator<=>(const BlockKind&) const = default;  ///< that of number()
-  /// Every kind has another number.
-  int number() const {
-    return ((((2 * rows + point) * 2 + hard) * 2 + isotropic) * 2 + follows) * 2 + lone;
-  }
+  unsigned char rows : 3 = 0;  ///< 1 to 6
+  bool point : 1 = false;  ///< the first three rows hold two points together, the others are angular
+  bool hard : 1 = false;   ///< neither soft nor bounded: no scales, no bounds
+  bool isotropic : 1 = false;  ///< only for `point`: both inertias are isotropic, one number each
+  bool follows : 1 = false;  ///< one row whose bounds are -+factor times another row's impulse
+  bool lone : 1 = false;   ///< one row of one body: the other does not move
+  auto operator<=>(const BlockKind&) const = default;  ///< by the members in turn
 };
 
 // ---- records of blocks -------------------------------------------------------------------------

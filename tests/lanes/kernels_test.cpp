@@ -21,7 +21,7 @@ const BlockKind& kind_of(const LaneGroup& group) { return group; }
 // All that the switch can tell apart, but those that follow and those that are lone.
 std::vector<BlockKind> all_kinds() {
   std::vector<BlockKind> kinds;
-  for (const signed char rows : {1, 2, 3, 4, 5, 6})
+  for (const unsigned char rows : {1, 2, 3, 4, 5, 6})
     for (const bool hard : {true, false}) {
       kinds.push_back({rows, false, hard, false});
       for (const bool isotropic : {true, false})

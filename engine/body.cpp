@@ -40,10 +40,14 @@ void check(const Body& body) {
 
 // ---- construction -------------------------------------------------------------------------------
 
+// M times a diagonal matrix.
+static mat3 scaled(const mat3& M, const vec3& diagonal) {
+  return mat3(M[0] * diagonal.x, M[1] * diagonal.y, M[2] * diagonal.z);
+}
+
 mat3 rotated_inverse_inertia(const Body& body) {
-  const vec3& inverse = body.inverse_inertia_local;
   const mat3 R = mat3_cast(body.q);
-  return mat3(R[0] * inverse.x, R[1] * inverse.y, R[2] * inverse.z) * transpose(R);
+  return scaled(R, body.inverse_inertia_local) * transpose(R);
 }
 
 Body static_body(const vec3& x, const quat& q) {
@@ -95,13 +99,13 @@ quat rotation(const vec3& phi) {
 vec3 gyroscopic_midpoint(const vec3& moments, const vec3& w, real h) {
   // Only the ratios count; scaled to order 1, the determinant neither overflows nor vanishes.
   const vec3 inertia = moments / glm::max(moments.x, glm::max(moments.y, moments.z));
-  const mat3 I(inertia.x, 0, 0, 0, inertia.y, 0, 0, 0, inertia.z);
+  const mat3 I = scaled(mat3(1), inertia);
   vec3 next = w;
   for (int newton = 0; newton < 3; ++newton) {
     const vec3 middle = (w + next) / real(2);
     const vec3 momentum = inertia * middle;
     const vec3 f = inertia * (next - w) + h * cross(middle, momentum);
-    const mat3 slope = I + (h / 2) * (skew(middle) * I - skew(momentum));
+    const mat3 slope = I + (h / 2) * (scaled(skew(middle), inertia) - skew(momentum));
     next -= inverse(slope) * f;
   }
   return next;
@@ -110,7 +114,7 @@ vec3 gyroscopic_midpoint(const vec3& moments, const vec3& w, real h) {
 void kick(Body& body, const vec3& gravity, real h) {
   if (body.is_static()) return;
   body.v += h * (gravity + body.inverse_mass * body.force);
-  if (body.torque != vec3(0)) body.w += h * (inverse_inertia(body) * body.torque);
+  if (body.torque != vec3(0)) body.w += h * angular_response(body, body.torque);
 }
 
 void turn(Body& body, real h) {

@@ -165,6 +165,7 @@ class Bodies {
   Body& at(int slot) { return bodies_[slot]; }       ///< by slot; an empty slot is a static body
   const Body& at(int slot) const { return bodies_[slot]; }  ///< the same, read-only
   Body* data() { return bodies_.data(); }  ///< the array itself, for solvers
+  const Body* data() const { return bodies_.data(); }  ///< the same, read-only
   auto begin() { return bodies_.begin(); }  ///< the first slot: all slots in order, empty ones too
   auto begin() const { return bodies_.begin(); }  ///< the same, read-only
   auto end() { return bodies_.end(); }            ///< behind the last slot

@@ -23,16 +23,6 @@ inline real number(const Register& r, int k) { return r[k]; }
 constexpr int register_size = int(sizeof(Register) / sizeof(real));
 /// \endcond
 
-/// Four numbers side by side.
-struct Four {
-  Register part[4 / register_size];  ///< the numbers
-  real operator[](int k) const {     ///< number k
-    return number(part[k / register_size], k % register_size);
-  }
-};
-/// The sum of all four.
-inline real sum(const Four& a) { return (a[0] + a[2]) + (a[1] + a[3]); }
-
 /// The twelve numbers of a row.
 struct Twelve {
   Register part[12 / register_size];  ///< the numbers of v1, w1, v2 and w2, in this order
@@ -42,11 +32,12 @@ inline const Twelve& twelve(const Row& row) { return reinterpret_cast<const Twel
 /// J V of a row. \param V v and w of both bodies
 inline real dot(const Twelve& J, const Twelve& V) {
   constexpr int parts = 4 / register_size;
-  Four out;
+  Register sums[parts];  // four, each of three products
   for (int k = 0; k < parts; ++k)
-    out.part[k] = J.part[k] * V.part[k] + J.part[k + parts] * V.part[k + parts] +
-                  J.part[k + 2 * parts] * V.part[k + 2 * parts];
-  return sum(out);
+    sums[k] = J.part[k] * V.part[k] + J.part[k + parts] * V.part[k + parts] +
+              J.part[k + 2 * parts] * V.part[k + 2 * parts];
+  const auto at = [&](int k) { return number(sums[k / register_size], k % register_size); };
+  return (at(0) + at(2)) + (at(1) + at(3));
 }
 
 /// 1 / a if a > least, else 0.

@@ -5,31 +5,6 @@
 
 namespace joints {
 
-namespace {
-
-template <int N>
-void form(const Row* J, const Row* response, real* K) {
-  unrolled<N>([&](auto i) {
-    unrolled<i + 1>([&](auto j) {
-      K[i * N + j] = K[j * N + i] = dot(twelve(J[i]), twelve(response[j]));
-    });
-  });
-}
-
-template <int N>
-void invert(real* K) {
-  real lower[N * (N + 1) / 2];
-  unrolled<N>([&](auto i) {
-    unrolled<i + 1>([&](auto j) { lower[lower_index(i, j)] = K[i * N + j]; });
-  });
-  invert_lower<N>(lower);
-  unrolled<N>([&](auto i) {
-    unrolled<i + 1>([&](auto j) { K[i * N + j] = K[j * N + i] = lower[lower_index(i, j)]; });
-  });
-}
-
-}  // namespace
-
 void form_responses(const Row* J, int n, const Body& body1, const Body& body2, Row* response) {
   const real m1 = body1.inverse_mass, m2 = body2.inverse_mass;
   if (body1.is_isotropic() && body2.is_isotropic()) {
@@ -44,11 +19,27 @@ void form_responses(const Row* J, int n, const Body& body1, const Body& body2, R
 }
 
 void form_K(const Row* J, const Row* response, int n, real* K) {
-  with_size(n, [&](auto size) { form<size>(J, response, K); });
+  with_size(n, [&](auto N) {
+    unrolled<N>([&](auto i) {
+      unrolled<i + 1>([&](auto j) {
+        K[i * N + j] = K[j * N + i] = dot(twelve(J[i]), twelve(response[j]));
+      });
+    });
+  });
 }
 
 void invert_symmetric(real* K, int n) {
-  with_size(n, [&](auto size) { invert<size>(K); });
+  with_size(n, [&](auto N) {
+    real lower[N * (N + 1) / 2];
+    const auto each = [&](const auto& f) {
+      unrolled<N>([&](auto i) {
+        unrolled<i + 1>([&](auto j) { f(lower[lower_index(i, j)], K[i * N + j], K[j * N + i]); });
+      });
+    };
+    each([](real& entry, real& below, real&) { entry = below; });
+    invert_lower<N>(lower);
+    each([](real& entry, real& below, real& above) { below = above = entry; });
+  });
 }
 
 }  // namespace joints

@@ -14,14 +14,12 @@ void project(World& world, const Block& block, int rows) {
   const Blocks& blocks = world.blocks;
   Body &body1 = bodies.at(block.body1), &body2 = bodies.at(block.body2);
   Row response[6];
-  real K[36], lambda[6];
+  real K[36], lambda[6] = {};
   form_responses(&blocks.J[block.first], rows, body1, body2, response);
   form_K(&blocks.J[block.first], response, rows, K);
   invert_symmetric(K, rows);
-  for (int i = 0; i < rows; ++i) {
-    lambda[i] = 0;
+  for (int i = 0; i < rows; ++i)
     for (int j = 0; j < rows; ++j) lambda[i] -= K[i * rows + j] * blocks.C[block.first + j];
-  }
   // lambda < 0: all rows together would need the limit to pull. Solve again without its row.
   const bool may_pull = rows < block.rows || !block.target.one_sided();
   if (!may_pull && lambda[rows - 1] < 0) return project(world, block, rows - 1);

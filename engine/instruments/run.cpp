@@ -1,4 +1,4 @@
-// Running, timing and measuring.
+// Running, timing, measuring, and the table of the measures.
 #include "engine/instruments/run.h"
 
 #include <time.h>
@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -36,7 +37,6 @@ double StepClock::quantile_us(double share) const {
   std::nth_element(sorted.begin(), there, sorted.end());
   return *there;
 }
-
 
 // ---- the run ------------------------------------------------------------------------------------
 
@@ -105,6 +105,23 @@ Measures run(const Experiment& experiment, const std::function<void(int)>& look)
     look(n);
   }
   return run.measures();
+}
+
+// ---- the summary --------------------------------------------------------------------------------
+
+void report(const std::vector<Summary>& lines, const std::string& folder) {
+  CsvFile file(folder + "/summary.csv", {"scene", "setting", "us_per_step", "gap_rms_m",
+                                         "gap_max_m", "energy_drift"});
+  std::printf("%-12s %-25s %8s %9s %9s %9s\n%46s %9s %9s %9s\n", "scene", "setting", "a step",
+              "gap RMS", "gap max", "drift", "[us]", "[mm]", "[mm]", "[1]");
+  for (const Summary& line : lines) {
+    std::printf("%-12s %-25s %8.2f %9.4g %9.4g %9.3g\n", line.scene.c_str(),
+                line.setting.c_str(), line.us_per_step, 1000 * line.gap_rms, 1000 * line.gap_max,
+                line.energy_drift);
+    file.row({line.scene, line.setting},
+             {line.us_per_step, line.gap_rms, line.gap_max, line.energy_drift});
+  }
+  std::puts("drift: energy at the end less that at the start, by the scene's own scale");
 }
 
 }  // namespace joints

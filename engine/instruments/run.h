@@ -93,5 +93,13 @@ class Run {
 /// \param look called before the first step with 0, and after step n with n
 Measures run(const Experiment& experiment, const std::function<void(int)>& look = [](int) {});
 
+/// The entry of a scene in `./wb tour`: the measures of a run, its scene and its setting.
+struct Summary : Measures {
+  std::string scene{}, setting{};  ///< names of the scene and of the setting
+};
+
+/// Prints the lines as a table and writes them to `folder`/summary.csv.
+void report(const std::vector<Summary>& lines, const std::string& folder);
+
 }  // namespace joints
 /// @}

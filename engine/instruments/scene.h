@@ -5,7 +5,7 @@
 #include "engine/instruments/record.h"
 #include "engine/sequential_impulses.h"
 #include "engine/step.h"
-#include "engine/instruments/summary.h"
+#include "engine/instruments/run.h"
 
 /// \addtogroup measuring
 /// @{

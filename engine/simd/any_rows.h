@@ -56,23 +56,19 @@ inline void apply(const AnyRows<N, ends, Number>& rows, const Number* lambda,
 
 // ---- any rows of a single block -----------------------------------------------------------------
 
-// Eight numbers of a body in one register (float) or two (double).
+// The eight numbers of a body as one register (float) or two (double).
+typedef VectorOf<real, false>::type Wide;
+constexpr int parts = 8 / lane_count;
 template <class Number>
-struct Eight {
-  typedef typename VectorOf<real, false>::type Wide;
-  static constexpr int parts = 8 / lane_count;
-  Wide part[parts];
-};
-template <class Number>
-inline const Eight<Number>& eight(const Velocities<Number>& of) {
-  return reinterpret_cast<const Eight<Number>&>(of);
+inline const Wide* wide(const Velocities<Number>& of) {
+  return reinterpret_cast<const Wide*>(&of);
 }
 // The sum over both bodies, or over the one, of f(end, part of eight numbers).
 template <int ends, class Number, class F>
 inline Number sum_of_products(const F& f) {
-  typename Eight<Number>::Wide sum;
-  for (int part = 0; part < Eight<Number>::parts; ++part) {
-    auto all = f(0, part);
+  Wide sum;
+  for (int part = 0; part < parts; ++part) {
+    Wide all = f(0, part);
     if (ends == 2) all += f(1, part);
     sum = part == 0 ? all : sum + all;
   }
@@ -87,7 +83,7 @@ inline void form_K(const SingleRows<N, ends, Number>& rows, const Velocities<Num
   for (int i = 0; i < N; ++i)
     for (int j = 0; j <= i; ++j)
       K[lower_index(i, j)] = sum_of_products<ends, Number>([&](int end, int part) {
-        return eight(rows.row[i][end].J).part[part] * eight(rows.row[j][end].response).part[part];
+        return wide(rows.row[i][end].J)[part] * wide(rows.row[j][end].response)[part];
       });
 }
 
@@ -96,8 +92,8 @@ inline void errors(const SingleRows<N, ends, Number>& rows, const Velocities<Num
                    const Velocities<Number>& body2, Number* e) {
   for (int i = 0; i < N; ++i)
     e[i] = rows.bias[i] + sum_of_products<ends, Number>([&](int end, int part) {
-             return eight(rows.row[i][end].J).part[part] *
-                    eight(body_of<ends>(end, body1, body2)).part[part];
+             return wide(rows.row[i][end].J)[part] *
+                    wide(body_of<ends>(end, body1, body2))[part];
            });
 }
 
@@ -105,13 +101,10 @@ template <int N, int ends, class Number>
 inline void apply(const SingleRows<N, ends, Number>& rows, const Number* lambda,
                   Velocities<Number>& body1, Velocities<Number>& body2) {
   for (int end = 0; end < ends; ++end) {
-    auto& body = reinterpret_cast<Eight<Number>&>(body_of<ends>(end, body1, body2));
-    for (int part = 0; part < Eight<Number>::parts; ++part) {
-      auto sum = body.part[part];
+    Wide* const body = reinterpret_cast<Wide*>(&body_of<ends>(end, body1, body2));
+    for (int part = 0; part < parts; ++part)
       for (int i = 0; i < N; ++i)
-        sum += lambda[i].all * eight(rows.row[i][end].response).part[part];
-      body.part[part] = sum;
-    }
+        body[part] += lambda[i].all * wide(rows.row[i][end].response)[part];
   }
 }
 

@@ -12,23 +12,21 @@ namespace joints {
 /// The velocities that the iterations change, at the places that an order of the blocks defines.
 class BodyRecords {
  public:
-  /// Copies the bodies' velocities into the records. \param body function from slot to body
-  template <class F>
-  void gather(const LaneOrder& order, const F& body) {
+  /// Copies the bodies' velocities into the records. \param bodies by slot
+  void gather(const LaneOrder& order, const Body* bodies) {
     records_.resize(order.bodies.size());
     each(order, [&](int slot, auto& all, int lane) {
       if (slot < 0) return joints::scatter(Velocities<real>{}, all, lane);
-      const Body& from = body(slot);
+      const Body& from = bodies[slot];
       joints::scatter(Velocities<real>{triple(from.v), from.inverse_mass, triple(from.w), 0}, all,
                       lane);
     });
   }
   /// Copies the velocities back to the bodies that are not static.
-  template <class F>
-  void scatter(const LaneOrder& order, const F& body) {
+  void scatter(const LaneOrder& order, Body* bodies) {
     each(order, [&](int slot, const auto& all, int lane) {
       if (slot < 0) return;
-      Body& to = body(slot);
+      Body& to = bodies[slot];
       if (to.is_static()) return;
       const auto one = joints::gather<Velocities<real>>(all, lane);
       to.v = vec3(one.v.x, one.v.y, one.v.z);

@@ -50,10 +50,12 @@ inline void warm_record(Record<Rows, N, hard, Number>& record, Velocities<Number
 
 // ---- in every iteration -------------------------------------------------------------------------
 
-// From the velocity errors e of a block to the changes of its impulses, clamping included: the same
-// formulas as in SequentialImpulses::solve_block.
+// One solve of a block, by the same formulas as in SequentialImpulses::solve_block.
 template <class Rows, int N, bool hard, class Number>
-inline void impulses(Record<Rows, N, hard, Number>& record, const Number* e, Number* dlambda) {
+inline void solve_record(Record<Rows, N, hard, Number>& record, Velocities<Number>& body1,
+                         Velocities<Number>& body2) {
+  Number e[N], dlambda[N];  // the errors of the velocities, and the changes of the impulses
+  errors(record.rows, body1, body2, e);
   Number* const lambda = record.lambda;
   const Number* const inverse_K = record.inverse_K;
   for (int i = 0; i < N; ++i) {
@@ -68,18 +70,8 @@ inline void impulses(Record<Rows, N, hard, Number>& record, const Number* e, Num
     for (int i = 0; i < N - 1; ++i) dlambda[i] = dlambda[i] + bounds.clamp_response[i] * cut;
     dlambda[N - 1] = kept - lambda[N - 1];
     lambda[N - 1] = kept;  // exactly at the bound
-    for (int i = 0; i < N - 1; ++i) lambda[i] = lambda[i] + dlambda[i];
-    return;
   }
-  for (int i = 0; i < N; ++i) lambda[i] = lambda[i] + dlambda[i];
-}
-
-template <class Rows, int N, bool hard, class Number>
-inline void solve_record(Record<Rows, N, hard, Number>& record, Velocities<Number>& body1,
-                         Velocities<Number>& body2) {
-  Number e[N], dlambda[N];
-  errors(record.rows, body1, body2, e);
-  impulses(record, e, dlambda);
+  for (int i = 0; i < N - !hard; ++i) lambda[i] = lambda[i] + dlambda[i];
   apply(record.rows, dlambda, body1, body2);
 }
 

@@ -255,14 +255,6 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, rea
   run(Pass::prepare, relaxation, int(begin));
 }
 
-void PackedBlocks::gather(const Bodies& bodies) {
-  records_.gather(order_, [&](int slot) -> const Body& { return bodies.at(slot); });
-}
-
-void PackedBlocks::scatter(Bodies& bodies) {
-  records_.scatter(order_, [&](int slot) -> Body& { return bodies.at(slot); });
-}
-
 // Over the groups from number `first` on.
 void PackedBlocks::run(Pass pass, real parameter, int first) {
   run_pass({groups_.data() + first, int(groups_.size()) - first, order_.width, numbers(),

@@ -30,8 +30,10 @@ class PackedBlocks {
   /// \param lanes false: every group is one block
   void pack(const Bodies& bodies, const Blocks& list, int first, real h, real relaxation,
             Packing packing, bool lanes);
-  void gather(const Bodies& bodies);  ///< copies the bodies' velocities into the records
-  void scatter(Bodies& bodies);   ///< copies them back to the bodies that can move
+  /// Copies the bodies' velocities into the records.
+  void gather(const Bodies& bodies) { records_.gather(order_, bodies.data()); }
+  /// Copies them back to the bodies that can move.
+  void scatter(Bodies& bodies) { records_.scatter(order_, bodies.data()); }
   /// A pass over all groups, with the best instruction set of this processor.
   void run(Pass pass, real parameter = 0) { run(pass, parameter, 0); }
   /// Copies the accumulated impulses back into the joints. \param list as given to pack()

@@ -109,38 +109,29 @@ struct FollowingRecord : AnyRecord<1, ends, false, Number> {
   Number factor;  ///< its bounds are -+factor times that impulse [1]
 };
 
-/// \cond
-template <class Record, class F>
-JOINTS_INLINED inline void use(real* numbers, const F& f) {
-  f(*reinterpret_cast<Record*>(numbers));
-}
-template <int N, int ends, class Number, class F>
-JOINTS_INLINED inline void use_any(const BlockKind& kind, real* numbers, const F& f) {
-  if constexpr (N == 1)
-    if (kind.follows) return use<FollowingRecord<ends, Number>>(numbers, f);
-  if (kind.hard) return use<AnyRecord<N, ends, true, Number>>(numbers, f);
-  return use<AnyRecord<N, ends, false, Number>>(numbers, f);
-}
-template <int N, class Number, class F>
-JOINTS_INLINED inline void use_rows(const BlockKind& kind, real* numbers, const F& f) {
-  if constexpr (N >= 3)
-    if (kind.point) {
-      if (kind.hard && kind.isotropic) return use<PointRecord<N, true, true, Number>>(numbers, f);
-      if (kind.hard) return use<PointRecord<N, true, false, Number>>(numbers, f);
-      if (kind.isotropic) return use<PointRecord<N, false, true, Number>>(numbers, f);
-      return use<PointRecord<N, false, false, Number>>(numbers, f);
-    }
-  if constexpr (N == 1)
-    if (kind.lone) return use_any<1, 1, Number>(kind, numbers, f);
-  use_any<N, 2, Number>(kind, numbers, f);
-}
-/// \endcond
-
 /// Calls f with the record of this kind that begins at `numbers`: one switch per group, and its
 /// type tells the compiler the number of rows.
 template <class Number, class F>
 JOINTS_INLINED inline void use_record(const BlockKind& kind, real* numbers, const F& f) {
-  with_size(kind.rows, [&](auto n) JOINTS_INLINED { use_rows<n, Number>(kind, numbers, f); });
+  const auto use = [&]<class Record>(std::type_identity<Record>) JOINTS_INLINED {
+    f(*reinterpret_cast<Record*>(numbers));
+  };
+  const auto use_rows = [&](auto N, auto hard) JOINTS_INLINED {
+    if constexpr (N >= 3)
+      if (kind.point)
+        return kind.isotropic ? use(std::type_identity<PointRecord<N, hard, true, Number>>{})
+                              : use(std::type_identity<PointRecord<N, hard, false, Number>>{});
+    if constexpr (N == 1 && !hard)
+      if (kind.follows)
+        return kind.lone ? use(std::type_identity<FollowingRecord<1, Number>>{})
+                         : use(std::type_identity<FollowingRecord<2, Number>>{});
+    if constexpr (N == 1)
+      if (kind.lone) return use(std::type_identity<AnyRecord<1, 1, hard, Number>>{});
+    use(std::type_identity<AnyRecord<N, 2, hard, Number>>{});
+  };
+  with_size(kind.rows, [&](auto N) JOINTS_INLINED {
+    kind.hard ? use_rows(N, std::true_type{}) : use_rows(N, std::false_type{});
+  });
 }
 
 // ---- records and lanes -------------------------------------------------------------------------

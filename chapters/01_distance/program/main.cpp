@@ -7,7 +7,7 @@
 #include "chapters/01_distance/program/scenes.h"
 #include "engine/instruments/plan.h"
 #include "engine/instruments/options.h"
-#include "engine/instruments/summary.h"
+#include "engine/instruments/run.h"
 
 using namespace joints;
 using namespace joints::chapter1;

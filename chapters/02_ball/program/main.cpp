@@ -9,7 +9,7 @@
 #include "engine/instruments/plan.h"
 #include "engine/instruments/options.h"
 #include "engine/instruments/record.h"
-#include "engine/instruments/summary.h"
+#include "engine/instruments/run.h"
 
 using namespace joints;
 

@@ -84,8 +84,7 @@ class HingeLoop {
   /// Forces, preparation, iterations, positions. \param h the step [s]
   void step(real h) {
     for (Body& body : bodies) integrate_forces(body, gravity, h);
-    const auto body = [&](int k) -> Body& { return bodies[std::size_t(k)]; };
-    records_.gather(order_, body);
+    records_.gather(order_, bodies.data());
     const BodyView view = records_.view(order_);
     prepare(h);
     for (int iteration = 0; iteration < iterations; ++iteration)
@@ -95,7 +94,7 @@ class HingeLoop {
           solve(numbers_[std::size_t(k)], body1, body2);
         });
       }
-    records_.scatter(order_, body);
+    records_.scatter(order_, bodies.data());
     for (Body& one : bodies)
       if (!one.is_static()) integrate_pose(one, h);
   }

@@ -6,7 +6,7 @@
 
 #include "engine/real.h"
 #include "engine/instruments/record.h"
-#include "engine/instruments/summary.h"
+#include "engine/instruments/run.h"
 
 /// \addtogroup chapter7
 /// @{

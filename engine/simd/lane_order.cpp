@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 
 namespace joints {
 
@@ -36,7 +35,6 @@ void append_in_turn(LaneOrder& order, const std::vector<Member>& members, int fi
 void GreedyColours::append(LaneOrder& order, const std::vector<Member>& members, int first) {
   const std::size_t bodies = order.bodies.size();
   for (auto& taken : taken_) taken.assign(bodies, false);
-  colours_.resize(members.size());
   sorted_.clear();
   for (int k = first; k < int(members.size()); ++k) {
     const BodyPair& pair = members[std::size_t(k)].bodies;
@@ -46,20 +44,16 @@ void GreedyColours::append(LaneOrder& order, const std::vector<Member>& members,
     if (colour == taken_.size()) taken_.emplace_back(bodies);
     for (const int body : {pair.body1, pair.body2})
       if (body >= 0) taken_[colour][body] = true;
-    colours_[k] = int(colour);
-    sorted_.push_back(k);
+    sorted_.push_back({int(colour), members[std::size_t(k)].kind, k});
   }
-  const auto key = [&](int k) { return std::tuple(colours_[k], members[k].kind, k); };
-  std::sort(sorted_.begin(), sorted_.end(), [&](int a, int b) { return key(a) < key(b); });
-  const auto together = [&](int a, int b) {
-    return colours_[a] == colours_[b] && members[a].kind == members[b].kind;
-  };
+  std::sort(sorted_.begin(), sorted_.end());
   lanes_.resize(std::size_t(order.width));
   for (std::size_t k = 0; k < sorted_.size();) {
-    const int begin = sorted_[k];
+    const std::array<int, 3> begin = sorted_[k];
     std::fill(lanes_.begin(), lanes_.end(), -1);
     for (int& lane : lanes_)
-      if (k < sorted_.size() && together(begin, sorted_[k])) lane = sorted_[k++];
+      if (k < sorted_.size() && sorted_[k][0] == begin[0] && sorted_[k][1] == begin[1])
+        lane = sorted_[k++][2];
     order.append(lanes_.data(), members);
   }
 }

@@ -2,6 +2,7 @@
 // velocities of their bodies are stored meanwhile. Only numbers of bodies, no joints and no blocks.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/simd/body_pair.h"
@@ -51,8 +52,7 @@ class GreedyColours {
 
  private:
   std::vector<std::vector<bool>> taken_;  // for each colour, the bodies that have it
-  std::vector<int> colours_;              // for each block
-  std::vector<int> sorted_;               // blocks by colour and kind
+  std::vector<std::array<int, 3>> sorted_;  // colour, kind and number of each block
   std::vector<int> lanes_;                // of one group
 };
 

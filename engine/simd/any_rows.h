@@ -102,9 +102,11 @@ inline void apply(const SingleRows<N, ends, Number>& rows, const Number* lambda,
                   Velocities<Number>& body1, Velocities<Number>& body2) {
   for (int end = 0; end < ends; ++end) {
     Wide* const body = reinterpret_cast<Wide*>(&body_of<ends>(end, body1, body2));
-    for (int part = 0; part < parts; ++part)
-      for (int i = 0; i < N; ++i)
-        body[part] += lambda[i].all * wide(rows.row[i][end].response)[part];
+    for (int part = 0; part < parts; ++part) {
+      Wide sum = body[part];
+      for (int i = 0; i < N; ++i) sum += lambda[i].all * wide(rows.row[i][end].response)[part];
+      body[part] = sum;
+    }
   }
 }
 

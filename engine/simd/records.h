@@ -29,7 +29,7 @@ namespace joints {
 /// The kind of a block chooses its record. Only blocks of one kind are solved side by side.
 struct BlockKind {
   unsigned char rows : 3 = 0;  ///< 1 to 6
-  bool point : 1 = false;  ///< the first three rows hold two points together, the others are angular
+  bool point : 1 = false;  ///< three rows hold two points together, the others are angular
   bool hard : 1 = false;   ///< neither soft nor bounded: no scales, no bounds
   bool isotropic : 1 = false;  ///< only for `point`: both inertias are isotropic, one number each
   bool follows : 1 = false;  ///< one row whose bounds are -+factor times another row's impulse

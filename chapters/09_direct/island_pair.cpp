@@ -86,7 +86,8 @@ void IslandPair::set_rows(int block, int lane, const Row* rows) {
 
 void IslandPair::set_mass(int column, int lane, const Body& body) {
   auto& [linear, angular] = masses[column];
-  const Symmetric<real> I = symmetric(inverse_inertia(body));
+  const mat3 in_world = inverse_inertia(body);
+  const Symmetric<real> I = symmetric(in_world);
   linear[lane] = double(body.inverse_mass);
   angular.xx[lane] = double(I.xx), angular.yy[lane] = double(I.yy);
   angular.zz[lane] = double(I.zz), angular.xy[lane] = double(I.xy);

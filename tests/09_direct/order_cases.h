@@ -175,7 +175,7 @@ inline std::vector<OrderMistake> order_mistakes() {
          std::reverse(order.begin(), order.end());
          return order;
        }},
-      {"#breadth-first the farthest node from the first one comes first: that makes a band, which "
+      {"the farthest node from the first one comes first: that makes a band, which "
        "fills a net in more than the rule does",
        breadth_first_backwards},
       {"#places-returned the place of each node in the order is returned: return the nodes in that "

@@ -108,6 +108,8 @@ inline CaseTable<SlowedCase> slowed_table() {
       {"#last-step-replaced the last step is forgotten, and its moments, too: each was at least "
        "`before`",
        ratio([](const T& t) { return min(vec3(1), vec3(t.follows) / t.now()); })},
+      {"#ratio-inverted the new moment over the old one: the old one over the new one",
+       ratio([](const T& t) { return min(vec3(1), t.now() / t.last()); })},
       {"#ratio-at-least-one the greater of 1 and the ratio: the lesser",
        ratio([](const T& t) { return max(vec3(1), t.last() / t.now()); })},
       {"#momentum-kept the angular momentum is kept: it is the energy that stays, with a square "

@@ -10,6 +10,10 @@ namespace joints::testing {
 inline const char* const told_poses_before_solve =
     "#poses-before-solve the bodies move before solve(): by the new velocities, behind it";
 
+inline const char* const told_poses_around =
+    "the bodies move half before the turns and half after: it is the turns that are halves, "
+    "around integrate_poses()";
+
 /// The parts of a step, each of which a mistake may change.
 struct TimeReference {
   TimeCase c;
@@ -175,9 +179,9 @@ inline Pieces<TimeReference> wrong_times() {
       {"the bodies move twice: integrate_poses() once", [](T& t) { t.poses = 2; }},
       {"#poses-half-h the bodies move for half of h: only the turns are halves",
        [](T& t) { t.pose_h = real(0.5); }},
-      {"the bodies move half before the turns and half after: it is the turns that are halves, "
-       "around integrate_poses()",
-       [](T& t) { t.poses_around = true; }},
+      {told_poses_around, [](T& t) { t.poses_around = true; }},
+      {told_poses_around,
+       [](T& t) { t.poses_around = true, t.before = 1, t.after = 0; }},
       {told_poses_before_solve,
        [](T& t) { t.poses_before_solve = true; }},
       {"#poses-at-first the bodies move at first: by the new velocities, behind solve()",

@@ -53,7 +53,7 @@
 //         integrate_poses(world.bodies, h); kick
 // wrong poses-half-h: integrate_poses(world.bodies, h) ==> integrate_poses(world.bodies, h / 2)
 // wrong poses-missing: integrate_poses(world.bodies, h); ==>
-// wrong "turn() for all of h before the bodies move: turn() half of h before": turn ==>
+// wrong "the bodies move half before the turns and half after: it is the turns": turn ==>
 //         integrate_poses ;; integrate_poses(world.bodies, h); turn ==> turn(world.bodies, h);
 //         integrate_poses
 // wrong kick-behind-solve: kick(world.bodies, world.gravity, (world.last_h + h) / 2) ==> const real

@@ -34,6 +34,7 @@
 // wrong last-moments-lost: max(moments, vec3(before)) / now ==> vec3(before) / now
 // wrong ratio-unbounded: min(vec3(1), max(moments, vec3(before)) / now) ==> max(moments,
 //         vec3(before)) / now
+// wrong ratio-inverted: max(moments, vec3(before)) / now ==> now / max(moments, vec3(before))
 // wrong ratio-at-least-one: min ==> max
 // wrong momentum-kept: sqrt(ratio) ==> ratio
 // wrong ratio-squared: sqrt(ratio) ==> ratio * ratio

@@ -167,7 +167,7 @@ inline Ways wrong_iterations() {
   const auto order = [&](const char* words, auto which) {
     out.push_back({words, way_with([&](Way& w) { w.order = which; })});
   };
-  count("#one-iteration-only only one iteration was done. The loop over the iterations is "
+  count("#one-iteration-only as if there were only one iteration: the loop over the iterations is "
         "outside, the loop over the links inside", [](const Scene&) { return 1; });
   count("#one-iteration-too-few one iteration too few",
         [](const Scene& s) { return s.settings.iterations - 1; });

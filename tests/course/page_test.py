@@ -74,6 +74,13 @@ def served():
     return f"http://127.0.0.1:{server.server_port}/", server
 
 
+def file_with(answer):
+    """The stub of chapter 1 with an answer of 1.1."""
+    stub = exercises.stub(read(house.chapter_of("1").solution))
+    return exercises.replace(stub, lambda region, place:
+                             answer.split("\n") if region.id == "1.1" else None)
+
+
 def lacks(report, *words):
     for one in words:
         if one not in report:
@@ -129,8 +136,10 @@ def what_goes_wrong_is_told(root, build, kind=Browser):
                 '  std::cout << "hello";\n  return {};': "| hello"}.items():
             reader.write(code)
             yield from lacks(reader.check(), words)
-        reader.write(RIGHT.replace(");\n", ")\n"))
-        yield from lacks(reader.check(), "does not compile", "exercise 1.1, line 10",
+        broken = RIGHT.replace(");\n", ")\n")
+        reader.write(broken)
+        line = file_with(broken).split("\n").index(broken.strip("\n").split("\n")[0]) + 1
+        yield from lacks(reader.check(), "does not compile", f"exercise 1.1, line {line}",
                          "expected ';'")
         if not reader.ask(".querySelectorAll('.cm-lintRange-error').length"):
             yield "the line of the error is not marked"
@@ -144,10 +153,7 @@ def what_goes_wrong_is_told(root, build, kind=Browser):
 def nothing_is_lost(root, build, kind=Browser):
     """what is written is there after a reload and without a network; the file goes out and in"""
     address, server = served()
-    chapter = house.chapter_of("1")
-    stub = exercises.stub(read(chapter.solution))
-    wanted = exercises.replace(stub, lambda region, place:
-                               RIGHT.split("\n") if region.id == "1.1" else None)
+    wanted = file_with(RIGHT)
     caught = """(() => { const made = URL.createObjectURL; URL.createObjectURL = blob => {
       blob.text().then(text => { window.exported = text; }); return made.call(URL, blob); }; })()"""
     with kind() as browser:

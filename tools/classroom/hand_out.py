@@ -23,8 +23,8 @@ NOTE = """\
 > **An edition for students.** The solutions are not in it, so the commands that need them are
 > refused; `./wb help` lists the others. `./wb run 1` needs all exercises of chapter 1; `plot` and
 > `see` draw your run over a recorded one, and `live` runs both once all exercises are written.
-> `./wb run 1 --for NAME` gives you numbers of your own: of the program, and three factors with which
-> you calculate the section Numbers again.
+> `./wb run 1 --for NAME` gives you numbers of your own: of the program, and three factors with
+> which you calculate the section Numbers again.
 """
 
 

@@ -48,6 +48,7 @@ int add_capsule(PeerScene& scene, double mass, double radius, double length, con
 
 Heap stack(const std::string& name, int count, double turn) {
   Heap heap = on_ground(name, 60);
+  heap.stacked = true;
   for (int k = 0; k < count; ++k)
     add_box(heap.scene, 10, vec3(1), vec3(0, real(k + 0.5), 0),
             rotation(vec3(0, real(k * turn), 0)));
@@ -57,6 +58,7 @@ Heap stack(const std::string& name, int count, double turn) {
 // Thirty stacks of 2 to 10 boxes of any size, each turned anyhow and a little off the one below.
 Heap drawn_stacks() {
   Heap heap = on_ground("thirty drawn stacks", 30);
+  heap.stacked = true;
   Draw draw(30);
   const auto number = [&](double from, double to) { return real(draw.number(from, to)); };
   for (int n = 0; n < 30; ++n) {
@@ -273,9 +275,7 @@ Heaped run_heap(const Heap& heap, const PeerSetting& who, double seconds) {
   }
   for (int k = 1; k < seen.bodies.slots(); ++k) {
     const vec3 x = seen.bodies.at(k).x, first = heap.scene.bodies[std::size_t(k)].x;
-    const bool stack = heap.name.find("cubes") != std::string::npos ||
-                       heap.name.find("stacks") != std::string::npos;
-    out.fallen += !(x.y > 0) || (stack && !(x.y > first.y - real(0.2)));
+    out.fallen += !(x.y > 0) || (heap.stacked && !(x.y > first.y - real(0.2)));
     if (!settled.empty())
       out.drift = std::max(out.drift, double(length(x - settled[std::size_t(k - 1)])));
   }

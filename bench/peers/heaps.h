@@ -13,6 +13,7 @@ struct Heap {
   std::string name{};
   PeerScene scene{};
   double seconds = 60;
+  bool stacked = false;  ///< every body begins on the ground or on another one
 };
 /// Stacks of cubes, one of them with each cube turned against the one below; thirty stacks of drawn
 /// boxes; boxes that are thrown along the ground; capsules; a ragdoll that falls on another; 200

@@ -69,8 +69,11 @@ std::string verdict(std::vector<Sample>& samples, double tolerance,
   std::erase_if(holds, [&](const std::string& pose) {
     return std::find(fails.begin(), fails.end(), pose) != fails.end();
   });
+  // the pose of the text stands in a report of its own where it holds
+  const bool by_hand = samples.front().pose == pencil_and_paper;
   return "\n" +
-         (right.empty()   ? "Fails at all poses.\n"
+         (right.empty() && (by_hand || fails.size() == 1) ? "Fails at all poses.\n"
+          : right.empty() ? "Fails at " + joined(fails) + ".\n"
           : holds.empty() ? "Fails at " + std::to_string(wrong.size()) + " of " +
                                 std::to_string(samples.size()) + " poses" +
                                 (fails.size() > 1 ? ", of all kinds.\n" : ".\n")

@@ -32,14 +32,16 @@ const indented = (words, margin = 4) =>
 
 // ---- crashes ------------------------------------------------------------------------------------
 
-/// What was thrown, or said by a crash, in plain words. `words`: those of tools/judge/crashes.py.
-function plainly(text, words) {
-  for (const [pattern, meaning] of words.meanings) {
-    const match = new RegExp(pattern, "m").exec(text);
-    if (match) return meaning.replace(/\\(\d)/g, (_, k) => match[k]);
+/// What the first pattern that fits makes of a text; `words`: those of tools/judge/crashes.py.
+function meant(text, words, flags = "") {
+  for (const [pattern, meaning] of words) {
+    const match = new RegExp(pattern, flags).exec(text);
+    if (match) return meaning.replace(/\\(\d)/g, (_, k) => match[k] || "");
   }
-  return text;
+  return "";
 }
+/// What was thrown, or said by a crash, in plain words.
+const plainly = (text, words) => meant(text, words.meanings, "m") || text;
 // How a module stops, by the signal that stops a program; libc++ says what is wrong with an index.
 const STOPS = [[/call stack|recursion/i, "stack is full"], [/out of bounds/, "SIGSEGV"],
                [/by zero/, "SIGFPE"], [/unreachable/, "SIGILL"]];
@@ -201,7 +203,7 @@ function refused(printed, chapter, file) {
   const line = error ? Number(error[1]) : 0;
   const inside = regions(file).find(region => region.begin <= line && line <= region.end + 2);
   const first = printed.split(/^(?=\S+:\d+:\d+: error: )/m).slice(0, 2).join("");
-  const meaning = chapter.words.refused.find(([pattern]) => new RegExp(pattern).test(first))?.[1];
+  const meaning = meant(first, chapter.words.refused);
   const missing = [...new Set([...printed.matchAll(/undefined symbol: (.+)/g)].map(at => at[1]))];
   const out = [`${chapter.path}: does not compile\n`];
   if (missing.length)

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "chapters/01_distance/distance.h"
+#include "engine/todo.h"
 #include "tests/checker/cases.h"
+#include "tests/checker/thrown.h"
 
 namespace joints::testing {
 
@@ -114,6 +116,11 @@ inline CaseTable<ClampCase> clamp_table() {
   table.whole = true;
   table.tolerance = is_float ? rounding : 1e-13;
   return table;
+}
+/// Is clamp_sum written, and right by itself?
+inline bool clamp_is_right() {
+  bool right = false;
+  return !thrown_by<NotDone>([&] { right = clamp_table().holds(); }) && right;
 }
 
 }  // namespace joints::testing

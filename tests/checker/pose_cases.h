@@ -30,7 +30,7 @@ std::string where_it_holds(const CaseTable<Case>& table) {
     return std::find(fails.begin(), fails.end(), pose) != fails.end();
   });
   return fails.empty()   ? "Holds at all other poses.\n"
-         : holds.empty() ? "Fails at all poses.\n"
+         : holds.empty() ? "Fails at " + joined(fails) + ".\n"
                          : "Fails at " + joined(fails) + "; holds at " + joined(holds) + ".\n";
 }
 

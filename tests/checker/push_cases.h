@@ -153,6 +153,11 @@ inline std::vector<Mistake<NewVelocity>> velocity_mistakes(std::size_t rows, boo
   }
   for (const auto& [words, sum] : sum_mistakes(rows))
     out.push_back({words, [=, sum = sum](P p) { return old(p) + answer(p, sum(p, mine)); }});
+  for (const real sign : {real(1), real(-1)})
+    if (rows == 1)
+      more("#j-missing J is missing: lambda acts along J.v1, J.w1, J.v2 and J.w2. A number added "
+           "to a vector is added to each of its components",
+           [=](P p) { return old(p) + sign * answer(p, vec3(p.c.lambda[0])); });
   for (const real sign : {real(-1), real(1)})
     if (rows == 3)
       more(turns ? "lambda is added without J.w1 and J.w2"

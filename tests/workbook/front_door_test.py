@@ -198,6 +198,16 @@ def refusals_of_the_compiler_are_told(root, build):
                          "a variable is read before it is set", "./wb hint 1.1",
                          hidden=["-std=", "warning:"], wide=True)
         yield from typed(door, "run 1", 2, "does not compile")
+        for id_, code, said in (
+                ("1.1", "return {vec3(0), vec3(0), vec3(0), vec3(0)}", "ends with a semicolon"),
+                ("1.2", "return 1 / body1.mass;", "a Body has no mass. It has x, q, v, w, inv"),
+                ("1.4", "body1.v = vec3(0);", "Body& body1 = bodies[link.body1];"),
+                ("1.5", "return before;", "no line above declares before"),
+                ("1.6", "return inverse_inertia(body1, body2);", "with other arguments than"),
+                ("1.3", "return J.v1;", "stands where another of them is meant")):
+            door.write(**{"e" + id_.replace(".", "_"): code})
+            yield from typed(door, f"test {id_}", 1, f"lies in exercise {id_}, line", said,
+                             wide=True)
 
 
 def a_debugger_gets_one_exercise(root, build):

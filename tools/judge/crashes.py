@@ -61,7 +61,29 @@ REFUSED = {  # of the compiler's words
         "real(0), not 0.",
     r"initializer list.*joints::Row": "a Row is four vectors: {v1, w1, v2, w2}, and nothing is "
         "vec3(0), not 0.",
-    r"-W(error=)?infinite-recursion": "the function calls itself without end."}
+    r"-W(error=)?infinite-recursion": "the function calls itself without end.",
+    r"expected .,. or .;. before .(\w+)": "a semicolon is missing before \\1, often at the end of "
+        "the line above.",
+    r"expected .;": "a statement ends with a semicolon: it is missing in this line, or a bracket "
+        "in it is one too many.",
+    r"expected .([]})]).": "a closing \\1 is missing in this line, or something before it.",
+    r"Body. has no member named .(\w+)|no member named .(\w+). in .joints::Body": "a Body has no "
+        "\\1\\2. It has x, q, v, w, inverse_mass, inverse_inertia_local, force and torque.",
+    r"has no member named .(\w+)|no member named .(\w+). in ": "what stands before the point has "
+        "no \\1\\2. Its members are in the table under Code in the chapter's text, and in its "
+        "header.",
+    r".(body[12]). was not declared|undeclared identifier .(body[12])": "no line above declares "
+        "\\1\\2. A link or a block has the number of the body: Body& \\1\\2 = "
+        "bodies[link.\\1\\2];",
+    r".(\w+). (?:was not|has not been) declared|undeclared identifier .(\w+)": "no line above "
+        "declares \\1\\2. A function knows its arguments, what it declares itself, and what the "
+        "table under Code in the chapter's text lists.",
+    r"arguments to function .*?(\w+)\(|no matching function for call to .(\w+)": "\\1\\2 is called "
+        "with other arguments than it takes: compare them with the table under Code in the "
+        "chapter's text.",
+    r"no match for .operator|no viable |invalid operands|cannot convert|invalid .static_cast": "a "
+        "number, a vec3, a mat3 or a Row stands where another of them is meant: is a factor "
+        "missing? dot(a, b) makes a number of two vectors, a mat3 times a vec3 is a vec3."}
 
 
 def plainly(words):
@@ -82,5 +104,5 @@ def refused(words):
     place = re.search(r"^\S+:\d+:", words, re.M)
     words = words[place.start():] if place else words
     first = re.split(r"^(?=\S+:\d+:\d+: error: )", words, flags=re.M)[:2]
-    return next((meaning for pattern, meaning in REFUSED.items()
-                 if re.search(pattern, "".join(first))), "")
+    found = ((re.search(pattern, "".join(first)), meaning) for pattern, meaning in REFUSED.items())
+    return next((match.expand(meaning) for match, meaning in found if match), "")

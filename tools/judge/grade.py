@@ -118,9 +118,11 @@ def read(run, grades, chapter):
     """Fills the grades of a chapter's exercises from a run. Returns those in which it ended badly:
     of the others it says nothing then."""
     for case in run.cases:
-        for tag in re.findall(r"\[(\d+\.\d+)\]", case.get("tags", "")):
-            if tag in grades:
-                read_case(grades[tag], case, chapter)
+        asked = [tag for tag in re.findall(r"\[(\d+\.\d+)\]", case.get("tags", ""))
+                 if tag in grades]
+        about = re.search(r"^\s*Exercise (\d+\.\d+): ", "".join(case.itertext()), re.M)
+        for tag in [about[1]] if about and about[1] in asked else asked:  # of several: which it is
+            read_case(grades[tag], case, chapter)
     if not run.fault:
         return []
     blamed = [id_ for id_ in re.findall(r"\[(\d+\.\d+)\]", run.tags) if id_ in grades]

@@ -42,6 +42,10 @@
 // right times the effective mass: / K ==> * (1 / K)
 
 // region 2
+// wrong j-missing (v1 and v2): lambda * J.v1 ==> lambda ;; lambda * J.v2 ==> lambda
+// wrong j-missing (v1, w1, v2 and w2): += body1.inverse_mass * lambda * J.v1 ==> -=
+//         body1.inverse_mass * lambda ;; lambda * J.w1 ==> vec3(lambda) ;; lambda * J.v2 ==> lambda
+//         ;; lambda * J.w2 ==> vec3(lambda)
 // wrong drawn-side: body1.v += ==> if (!body2.is_static()) body1.v += ;; body1.w += ==> if
 //         (!body2.is_static()) body1.w +=
 // wrong drawn-threshold: body1.v += ==> if (std::abs(lambda) < real(1e-9)) return; body1.v +=

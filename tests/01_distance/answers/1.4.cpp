@@ -75,24 +75,15 @@
 //         = normalize(rotation(settings.h * body.w) * body.q); }
 // wrong rods-clamped-like-ropes: if (links[k].rope) ==>
 // wrong each-impulse-rope-clamped: clamp_sum ==> glm::max ;; rows[k].sum ==> real(0)
-// tests: 1.5
 // wrong result-clamp-sum-dropped: lambda = clamp_sum ==> clamp_sum
-// tests: 1.5
 // wrong one-sum-all-ropes: for (int ==> real sum = 0; for (int ;; rows[k].sum ==> sum
-// tests: 1.5
 // wrong sum-rope-applied: apply_impulse ==> if (links[k].rope) lambda = rows[k].sum; apply_impulse
-// tests: 1.5
 // wrong sum-overwritten: clamp_sum ==> rows[k].sum = clamp_sum
-// tests: 1.5
 // wrong clamped-twice: apply_impulse ==> if (links[k].rope) lambda = clamp_sum(lambda,
 //         rows[k].sum); apply_impulse
-// tests: 1.5
 // wrong sign-rope: clamp_sum ==> -clamp_sum ;; lambda, ==> -lambda,
-// tests: 1.5
 // wrong slack-ropes-left-out: real ==> if (links[k].rope && rows[k].bias > 0) continue; real
-// tests: 1.5
 // wrong ropes-left-out: real lambda ==> if (links[k].rope) continue; real lambda
-// tests: 1.5
 // wrong only-walls-fall: !body ==> body
 // wrong rows-behind-empty-ones: rows; ==> rows(links.size());
 // wrong only-y-gravity: += settings.h * settings.gravity ==> .y += settings.h * settings.gravity.y
@@ -102,7 +93,6 @@
 // wrong impulse-whole-number: real ==> int
 // wrong few-digits: real ==> float
 // right in one loop:
-// tests: 1.5
   // The rows do not read the velocities: they may be prepared before gravity acts.
   std::vector<LinkRow> rows(links.size());
   for (std::size_t k = 0; k < links.size(); ++k) rows[k] = set_up(links[k], bodies, settings);
@@ -120,18 +110,14 @@
   for (Body& body : bodies)
     if (!body.is_static()) body.x += settings.h * body.v;
 // right from the last link to the first: 0; k < links.size(); ++k ==> links.size(); k-- > 0;
-// tests: 1.5
 // right to and fro: for (std::size_t k = 0; k < links.size(); ++k) { ==> for (std::size_t n = 0; n
 //         < links.size(); ++n) { const std::size_t k = iteration % 2 ? links.size() - 1 - n : n;
-// tests: 1.5
 // right a reference to the row: real lambda = row_impulse(rows[k].J, rows[k].K, rows[k].bias,
 //         body1, body2); ==> LinkRow& row = rows[k]; real lambda = row_impulse(row.J, row.K,
 //         row.bias, body1, body2); if (links[k].rope) lambda = clamp_sum(lambda, row.sum); ;; if
 //         (links[k].rope) lambda = clamp_sum(lambda, rows[k].sum); ==>
-// tests: 1.5
 // right impulses of 0 left out: apply_impulse(rows ==> if (lambda == 0) continue;
 //         apply_impulse(rows
-// tests: 1.5
 // wrong units "in the step, adding m/s^2 to m/s: h is missing":
   for (Body& body : bodies)
     if (!body.is_static()) body.v += settings.gravity;

@@ -30,7 +30,7 @@
 //         [](const Body& body) { const vec3 i = body.inverse_inertia_local; return
 //         Symmetric<real>{i.x, i.y, i.z, 0, 0, 0}; }; out ;; symmetric(inverse_inertia(body1));
 //         out.I2 = symmetric(inverse_inertia(body2)) ==> local(body1); out.I2 = local(body2)
-// expects: Fails at all poses.
+// expects: Fails at upright, turned, moved, broken, 1 static, 2 static and no levers.
 // wrong "r1 and r2: not turned into the world": to_world(body1, hinge.point.anchor1_local) ==>
 //         hinge.point.anchor1_local ;; to_world(body2, hinge.point.anchor2_local) ==>
 //         hinge.point.anchor2_local

@@ -46,14 +46,17 @@ Jacobian<Part::rows> numeric_jacobian(const Part& part, const Body& body1, const
   return J;
 }
 
-/// J M^-1 J^T with any 3x3 matrix in place of each inverse inertia and any factor for 1/m.
+/// J M^-1 J^T with any 3x3 matrix in place of each inverse inertia and any factor for 1/m. A column
+/// is what the rows see of the velocities after an impulse of 1 along one of them.
 template <int N>
 Matrix<N> product_K(const Jacobian<N>& J, real m1, const mat3& I1, real m2, const mat3& I2) {
   Matrix<N> K;
-  for (int i = 0; i < N; ++i)
-    for (int j = 0; j < N; ++j)
-      K[i][j] = m1 * dot(J[i].v1, J[j].v1) + dot(J[i].w1, I1 * J[j].w1) +
-                m2 * dot(J[i].v2, J[j].v2) + dot(J[i].w2, I2 * J[j].w2);
+  for (int j = 0; j < N; ++j) {
+    Body one, two;
+    one.v = m1 * J[j].v1, one.w = I1 * J[j].w1;
+    two.v = m2 * J[j].v2, two.w = I2 * J[j].w2;
+    for (int i = 0; i < N; ++i) K[i][j] = row_velocity(J[i], one, two);
+  }
   return K;
 }
 

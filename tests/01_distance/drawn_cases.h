@@ -3,10 +3,18 @@
 
 #include "tests/01_distance/step_reference.h"
 #include "tests/checker/drawn.h"
+#include "tests/checker/impulse_cases.h"
 #include "tests/checker/push_cases.h"
+#include "tests/checker/rod_mistakes.h"
 #include "tests/checker/vector_cases.h"
 
 namespace joints::testing {
+
+/// \param r1, r2 levers of its ends
+inline Jacobian<1> row_of_rod(const Pair& pair, const vec3& r1, const vec3& r2) {
+  const RodParts rod{pair.body1.x, pair.body2.x, r1, r2, 0, 0};
+  return rod.along(direction(rod.u()));
+}
 
 /// Centres at any distance; one of its components may be much smaller.
 inline Drawn drawn_centres(Draw& d, bool of_K) {
@@ -16,13 +24,12 @@ inline Drawn drawn_centres(Draw& d, bool of_K) {
   const int axis = int(2.99 * d.pick());
   apart[axis] *= real(std::pow(10, -5 * d.pick()));
   pair.body2.x = pair.body1.x + apart;
-  const double K = double(pair.body1.inverse_mass + pair.body2.inverse_mass);
+  const Jacobian<1> J = row_of_rod(pair, vec3(0), vec3(0));
+  const double K = double(dense_K(J, pair.body1, pair.body2)[0][0]);
   d.size("K", K, "1/kg");
   const CentreDistance rod{real(u.m)};
   if (of_K) return {{"K kg"}, {double(rod.K(pair.body1, pair.body2)) * u.kg}, {K * u.kg}};
-  const vec3 n = direction(pair.body2.x - pair.body1.x);
-  return drawn_rows(to_jacobian(rod.jacobian(pair.body1, pair.body2)),
-                    to_jacobian(row_by_rates(n, vec3(0), vec3(0))), u.m, u.m);
+  return drawn_rows(to_jacobian(rod.jacobian(pair.body1, pair.body2)), J, u.m, u.m);
 }
 
 inline Row drawn_row(Draw& d, const Draw::Units& u) {
@@ -34,15 +41,17 @@ inline Drawn drawn_row_impulse(Draw& d) {
   const Pair pair = d.pair(u);
   const Row J = drawn_row(d, u);
   const double K = double(dense_K(to_jacobian(J), pair.body1, pair.body2)[0][0]);
-  const double JV = double(row_velocity(J, pair.body1, pair.body2)), b = u.m / u.s * d.number();
-  d.size("|J V + b|", JV + b, "m/s");
-  d.size("|lambda|", K == 0 ? 0 : (JV + b) / K, "N s");
-  d.side("J V is positive", JV > 0);
-  d.side("lambda is negative", JV + b > 0);
+  const double b = u.m / u.s * d.number();
+  const Lack lack(LackCase{"", {J}, {real(K)}, {b}, pair});
+  const double right = lack.lambda()[0];
+  d.size("|J V + b|", lack.JV[0] + b, "m/s");
+  d.size("|lambda|", right, "N s");
+  d.side("J V is positive", lack.JV[0] > 0);
+  d.side("lambda is negative", right < 0);
   d.size("K", K, "1/kg");
   return {{"lambda / (kg m/s)"},
           {double(row_impulse(J, real(K), real(b), pair.body1, pair.body2)) * u.s / u.m / u.kg},
-          {K > 0 ? (-b - JV) * u.s / u.m / u.kg / K : 0}, {10}};
+          {right * u.s / u.m / u.kg}, {10}};
 }
 
 inline Drawn drawn_row_push(Draw& d) {
@@ -84,9 +93,7 @@ inline Drawn drawn_step(Draw& d, bool ropes) {
   const StepSettings settings{real(u.m / u.s / u.s) * random.vector(1), real(0.02 * u.s),
                               iterations, real(0.2)};
   d.side("a link has body 1 behind body 2", backward);
-  const auto numbers = [&](const auto& advance) {
-    std::vector<Body> now = bodies;
-    advance(now);
+  const auto numbers = [&](const std::vector<Body>& now) {
     Numbers out;
     for (std::size_t k = 0; k < now.size(); ++k)
       for (int i = 0; i < 6; ++i)
@@ -94,32 +101,18 @@ inline Drawn drawn_step(Draw& d, bool ropes) {
                       (i < 3 ? u.m / u.s : 0.02 * u.m));
     return out;
   };
-  const Way way;
-  const auto reference = [&](int back_in_even, int back_in_odd) {
-    return numbers([&](std::vector<Body>& now) {
-      for (Body& body : now)
-        body.v += body.is_static() ? vec3(0) : settings.gravity * settings.h;
-      std::vector<LinkRow> set_up_rows;
-      for (const Link& link : links) set_up_rows.push_back(reference_row(link, now, settings));
-      for (int n = 0; n < settings.iterations; ++n)
-        for (std::size_t place = 0; place < links.size(); ++place) {
-          const bool back = n % 2 ? back_in_odd : back_in_even;
-          const std::size_t k = back ? links.size() - 1 - place : place;
-          const Link& link = links[k];
-          const Turn turn{link, set_up_rows[k], now[link.body1], now[link.body2], settings};
-          way.gives(way.gets(way.wants(turn), turn), turn);
-        }
-      for (Body& body : now) body.x += body.v * settings.h;
-    });
-  };
-  Drawn out{{}, numbers([&](std::vector<Body>& now) { step(now, links, settings); }),
-            reference(0, 0), {20}};
+  std::vector<Body> yours = bodies;
+  step(yours, links, settings);
+  Drawn out{{}, numbers(yours), {}, {20}};
   for (std::size_t k = 0; k < bodies.size(); ++k)
     for (const char* entry : {"v.x", "v.y", "v.z", "h v.x", "h v.y", "h v.z"})
       out.entries.push_back(entry + (" of body " + std::to_string(k)));
-  for (int order = 1; order < 4 && !same_numbers(out.yours, out.right, 1e-8); ++order)
-    if (Numbers other = reference(order % 2, order / 2); same_numbers(out.yours, other, 1e-8))
-      out.right = other;  // the links may be solved in any of these orders
+  for (const Way& way : right_ways()) {
+    const Numbers right = numbers(Walk({"", bodies, links, settings}, way).bodies());
+    const bool same = same_numbers(out.yours, right, 1e-8);
+    if (same || out.right.empty()) out.right = right;
+    if (same) break;
+  }
   return out;
 }
 
@@ -130,10 +123,10 @@ inline Drawn drawn_clamp(Draw& d) {
   d.size("old sum", before, "N s");
   real sum = real(before);
   const double applied = double(clamp_sum(real(dlambda), sum));
-  const double right = std::max(before + dlambda, 0.0);
+  const double whole = before + dlambda, right = (whole + std::abs(whole)) / 2;
   d.size("new sum", right, "N s");
   d.side("dlambda is negative", dlambda < 0);
-  d.side("the rope is released", before + dlambda < 0);
+  d.side("the rope is released", whole < 0);
   return {{"returned / dlambda", "new sum / dlambda"},
           {applied / std::abs(dlambda), double(sum) / std::abs(dlambda)},
           {(right - before) / std::abs(dlambda), right / std::abs(dlambda)},
@@ -151,11 +144,9 @@ inline Drawn drawn_rod(Draw& d, bool of_K) {
   const double l1 = double(length(r1)), l2 = double(length(r2));
   const double apart = d.size("distance", (l1 + l2) * std::pow(10, -5 * d.pick()), "m");
   pair.body2.x = pair.body1.x + r1 - r2 + d.vector(apart);
-  const vec3 n = direction(pair.body2.x + r2 - pair.body1.x - r1);
-  const Row J = row_by_rates(n, r1, r2);
-  if (of_K)
-    return drawn_K(d, to_matrix(rod.K(pair.body1, pair.body2)), to_jacobian(J), pair, u.kg);
-  return drawn_rows(to_jacobian(rod.jacobian(pair.body1, pair.body2)), to_jacobian(J),
+  const Jacobian<1> J = row_of_rod(pair, r1, r2);
+  if (of_K) return drawn_K(d, to_matrix(rod.K(pair.body1, pair.body2)), J, pair, u.kg);
+  return drawn_rows(to_jacobian(rod.jacobian(pair.body1, pair.body2)), J,
                     l1 + 1e-6 * l2, l2 + 1e-6 * l1);
 }
 

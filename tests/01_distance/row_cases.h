@@ -37,6 +37,9 @@ inline Pair moving_pair() {
 inline real turning_K(const Pair& pair) {
   return dense_K(to_jacobian(turning_J), pair.body1, pair.body2)[0][0];
 }
+inline real rod_K(const Pair& pair) {
+  return dense_K(to_jacobian(rod_paper_J), pair.body1, pair.body2)[0][0];
+}
 
 inline CaseTable<LackCase> row_impulse_table() {
   const Pair paper{rod_paper1, rod_paper2}, moving = moving_pair();
@@ -58,8 +61,8 @@ inline CaseTable<LackCase> row_impulse_table() {
         [](const Lack& l) { return l.c.K[0] == 0 ? l.b : l.lambda(); }},
        {"#k-rod K is an argument: it is 1/m1 + 1/m2 only for a rod from centre to centre",
         [](const Lack& l) -> PerRow {
-          const double masses = l.c.pair.body1.inverse_mass + l.c.pair.body2.inverse_mass;
-          return l.c.K[0] == 0 ? l.none : -(l.JV + l.b) / masses;
+          const double of_rod = double(rod_K(l.c.pair));
+          return l.c.K[0] == 0 ? l.none : l.lambda() * double(l.c.K[0]) / of_rod;
         }}});
   table.cases = {
       {"Numbers, in the text", {rod_paper_J}, {real(5) / 6}, {6}, paper},

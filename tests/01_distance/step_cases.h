@@ -115,20 +115,9 @@ inline Numbers stepped(const Scene& scene) {
   return numbers_of(bodies);
 }
 
-/// A step may solve the links in any order: the one in which yours is right, or else from first to
-/// last.
+/// The order in which yours is right, or else from first to last.
 inline Way order_of_yours() {
-  const auto forward = Way{}.order;
-  const auto turned = [=](int links, int n, bool back) {
-    std::vector<int> out = forward(links, n);
-    if (back) std::reverse(out.begin(), out.end());
-    return out;
-  };
-  std::vector<Way> ways(4);
-  ways[1].order = [=](int links, int n) { return turned(links, n, true); };
-  ways[2].order = [=](int links, int n) { return turned(links, n, n % 2 == 1); };
-  ways[3].order = [=](int links, int n) { return turned(links, n, n % 2 == 0); };
-  for (const Way& way : ways) {
+  for (const Way& way : right_ways()) {
     bool fits = true;
     for (const Scene& s : rod_scenes())
       fits = fits && close(stepped(s), walked(s, way), 10 * rounding);

@@ -40,11 +40,13 @@ inline Ways wrong_bodies() {
 /// What is asked for, and when.
 inline Ways wrong_impulses() {
   Ways out;
+  // what is right for another row
   const auto wants = [&](const char* words, auto change) {
     out.push_back({words, way_with([&](Way& w) {
-                     w.wants = [change](const Turn& t) {
-                       const real JV = row_velocity(t.row.J, t.body1, t.body2);
-                       return t.row.K == 0 ? 0 : real(change(JV, t.row.bias, t.row.K, t.settings));
+                     w.wants = [change, right = w.wants](const Turn& t) {
+                       LinkRow row = t.row;
+                       change(row, t.settings);
+                       return right({t.link, row, t.body1, t.body2, t.settings});
                      };
                    })});
   };
@@ -56,23 +58,23 @@ inline Ways wrong_impulses() {
   };
   using S = const StepSettings&;
   wants("#bias-not-used the bias of the row is not used",
-        [](real JV, real, real K, S) { return -JV / K; });
+        [](LinkRow& row, S) { row.bias = 0; });
   wants("#bodies-exchanged-both the sign of the bias, or bodies 1 and 2 are exchanged in "
         "row_impulse and apply_impulse",
-        [](real JV, real b, real K, S) { return -(JV - b) / K; });
+        [](LinkRow& row, S) { row.bias *= -1; });
   wants("#bias-times-h the bias is multiplied by h: it is a velocity already",
-        [](real JV, real b, real K, S s) { return -(JV + s.h * b) / K; });
+        [](LinkRow& row, S s) { row.bias *= s.h; });
   wants("the bias is multiplied by beta: set_up has done so",
-        [](real JV, real b, real K, S s) { return -(JV + s.beta * b) / K; });
+        [](LinkRow& row, S s) { row.bias *= s.beta; });
   wants("#k-not-used K is not used: row_impulse takes the K of the row",
-        [](real JV, real b, real, S) { return -(JV + b); });
+        [](LinkRow& row, S) { row.K = 1; });
   wants("times K: row_impulse takes K and divides by it",
-        [](real JV, real b, real K, S) { return -(JV + b) * K; });
+        [](LinkRow& row, S) { row.K = 1 / row.K; });
   const char* const impulse = "#lambda-taken-force lambda is an impulse, not a force: it is not "
                               "multiplied by h";
-  wants(impulse, [](real JV, real b, real K, S s) { return -s.h * (JV + b) / K; });
+  wants(impulse, [](LinkRow& row, S s) { row.K /= s.h; });
   wants("lambda is an impulse, not a force: it is not divided by h",
-        [](real JV, real b, real K, S s) { return -(JV + b) / K / s.h; });
+        [](LinkRow& row, S s) { row.K *= s.h; });
   skips("#rows-behind-empty-ones no impulse was applied. Are the bodies copies (write Body& "
         "body1) or both the same one, or is the row an empty one?",
         [](const Turn&) { return true; });

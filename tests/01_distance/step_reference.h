@@ -60,8 +60,9 @@ struct Way {
   Call<bool(const Turn&)> skips = [](const Turn&) { return false; };
   bool skip_is_the_last = false;  ///< of its iteration
   Call<real(const Turn&)> wants = [](const Turn& t) {
-    const real rate = dot(t.row.J.v1, t.body1.v) + dot(t.row.J.v2, t.body2.v);  // nothing turns
-    return t.row.K > 0 ? (-t.row.bias - rate) / t.row.K : 0;
+    real inverse = t.row.K;
+    invert_symmetric(&inverse, 1);  // of 0 it is 0
+    return -inverse * (t.row.bias + row_velocity(t.row.J, t.body1, t.body2));
   };
   /// The applied part of it: of a rope, the part that its sum allows.
   Call<real(real, const Turn&)> gets = [](real wanted, const Turn& t) {
@@ -74,28 +75,43 @@ struct Way {
   bool asked_once = false;  ///< and is not asked for again in later iterations
   enum class Sum { each, of_iteration, of_all } sum = Sum::each;  ///< which sum a rope's is
 
+  /// What would push is refused.
   static real allowed(real wanted, real& sum) {
-    const real change = std::max(wanted, -sum);
-    sum += change;
-    return change;
+    const real whole = sum + wanted, refused = (std::abs(whole) - whole) / 2;
+    sum = whole + refused;
+    return wanted + refused;
   }
   static void push(real lambda, const Row& J, Body& body1, Body& body2) {
-    for (const auto& [body, along] : {std::pair(&body1, J.v1), std::pair(&body2, J.v2)})
-      body->v += lambda * body->inverse_mass * along;
+    Row response;
+    form_responses(&J, 1, body1, body2, &response);
+    body1.v += lambda * response.v1;  // nothing turns
+    body2.v += lambda * response.v2;
   }
 };
+
+/// A step may solve the links in any of these orders.
+inline std::vector<Way> right_ways() {
+  std::vector<Way> ways(4);
+  for (int k = 1; k < 4; ++k)
+    ways[k].order = [=, forward = Way{}.order](int links, int n) {
+      std::vector<int> out = forward(links, n);
+      if (n % 2 ? k / 2 : k % 2) std::reverse(out.begin(), out.end());
+      return out;
+    };
+  return ways;
+}
 
 /// Eq. 1-4, 1-5, 1-7 and 1-11, without the reader's exercises.
 inline LinkRow reference_row(const Link& link, const std::vector<Body>& bodies,
                              const StepSettings& s) {
   const Body &a = bodies[link.body1], &b = bodies[link.body2];
   const real sign = link.rope ? -1 : 1, C = sign * (length(b.x - a.x) - link.length);
-  return {row_by_rates(sign * direction(b.x - a.x), vec3(0), vec3(0)),
-          a.inverse_mass + b.inverse_mass, (link.rope && C > 0 ? 1 : s.beta) * C / s.h, 0};
+  const Row J = row_by_rates(sign * direction(b.x - a.x), vec3(0), vec3(0));
+  return {J, dense_K(to_jacobian(J), a, b)[0][0], (link.rope && C > 0 ? 1 : s.beta) * C / s.h, 0};
 }
 
 /// What became of the bodies: six numbers each. A scene has four at most; 0 for those that it has
-/// not.
+/// not. Where a step explodes, rounding errors do, too: numbers beyond 1e4 are as good.
 constexpr int most_bodies = 4;
 inline Numbers filled_up(Numbers numbers) {
   numbers.resize(6 * most_bodies);
@@ -105,7 +121,7 @@ inline Numbers numbers_of(const std::vector<Body>& bodies) {
   Numbers out;
   for (const Body& body : bodies)
     for (const vec3& a : {body.v, body.x})
-      for (int i = 0; i < 3; ++i) out.push_back(double(a[i]));
+      for (int i = 0; i < 3; ++i) out.push_back(std::clamp(double(a[i]), -1e4, 1e4));
   return filled_up(out);
 }
 inline std::vector<std::string> step_entries() {
@@ -121,7 +137,7 @@ class Walk {
  public:
   Walk(const Scene& scene, const Way& way) : scene_(scene), way_(way), bodies_(scene.bodies) {}
 
-  Numbers numbers() {
+  std::vector<Body> bodies() {
     for (int n = 0; n < scene_.steps; ++n) {
       rows_.assign(scene_.links.size(), LinkRow{});  // where the pieces forget to set them up
       once_.assign(scene_.links.size(), 0);
@@ -131,7 +147,7 @@ class Walk {
         else do_piece(piece);
       }
     }
-    return numbers_of(bodies_);
+    return bodies_;
   }
 
  private:
@@ -182,7 +198,7 @@ class Walk {
 };
 
 inline Numbers walked(const Scene& scene, const Way& way = {}) {
-  return Walk(scene, way).numbers();
+  return numbers_of(Walk(scene, way).bodies());
 }
 
 }  // namespace joints::testing

@@ -41,8 +41,8 @@ inline CaseTable<RowsCase> coupling_table() {
     mat3 angular;
   };
   const auto product = [](const Row& a, const Mass& m1, const Mass& m2, const Row& b) {
-    return Numbers{double(dot(a.v1, m1.linear * b.v1) + dot(a.w1, m1.angular * b.w1) +
-                          dot(a.v2, m2.linear * b.v2) + dot(a.w2, m2.angular * b.w2))};
+    return Numbers{double(product_K(Jacobian<2>{{a, b}}, m1.linear, m1.angular, m2.linear,
+                                    m2.angular)[0][1])};
   };
   const auto inverse_of = [](const Body& body) {
     return Mass{body.inverse_mass, inverse_inertia(body)};
@@ -77,11 +77,11 @@ inline CaseTable<RowsCase> coupling_table() {
     return body.is_static() ? mat3(0) : mat3(inverse(inverse_inertia(body)));
   };
   // the same where nobody has thought of a static body
-  const auto divided = [](const Case& c, auto turns) {
-    return Numbers{double(dot(c.a.v1, c.b.v1) / c.pair.body1.inverse_mass +
-                          dot(c.a.w1, turns(c.pair.body1) * c.b.w1) +
-                          dot(c.a.v2, c.b.v2) / c.pair.body2.inverse_mass +
-                          dot(c.a.w2, turns(c.pair.body2) * c.b.w2))};
+  const auto divided = [=](const Case& c, auto turns) {
+    const Body &one = c.pair.body1, &two = c.pair.body2;
+    const real linear = dot(c.a.v1, c.b.v1) / one.inverse_mass +
+                        dot(c.a.v2, c.b.v2) / two.inverse_mass;
+    return Numbers{double(linear) + product(c.a, {0, turns(one)}, {0, turns(two)}, c.b)[0]};
   };
   const auto turned = [](Body body, const quat& q) {
     body.q = q;

@@ -33,10 +33,7 @@ inline Drawn drawn_coupling(Draw& d) {
   const Row a = row("row a only rotates"), b = row("row b only rotates");
   d.side("one of the rows only rotates", (a.v1 == vec3(0)) != (b.v1 == vec3(0)));
   d.side("both rows only rotate", a.v1 == vec3(0) && b.v1 == vec3(0));
-  const double right = double(pair.body1.inverse_mass * dot(a.v1, b.v1) +
-                              pair.body2.inverse_mass * dot(a.v2, b.v2) +
-                              dot(a.w1, inverse_inertia(pair.body1) * b.w1) +
-                              dot(a.w2, inverse_inertia(pair.body2) * b.w2));
+  const double right = double(dense_K(Jacobian<2>{{a, b}}, pair.body1, pair.body2)[0][1]);
   return {{"coupling kg"}, {u.kg * double(coupling(a, b, pair.body1, pair.body2))},
           {u.kg * d.size("coupling", right, "1/kg")}, {50}};
 }

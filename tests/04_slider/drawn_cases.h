@@ -5,6 +5,7 @@
 
 #include "chapters/04_slider/slider.h"
 #include "tests/checker/drawn.h"
+#include "tests/checker/unit_rates.h"
 #include "tests/checker/vector_cases.h"
 
 namespace joints::testing {
@@ -39,6 +40,14 @@ inline double unit_of_lever2(const DrawnGap& g) {
   return double(length(g.r2)) + (is_float ? 1e-3 : 1e-6) * double(length(g.r1) + length(g.gap));
 }
 
+/// The row of the gap along a direction of body 1, which turns with it.
+inline Row row_along(const DrawnGap& g, const vec3& local) {
+  const vec3 n = g.pair.body1.q * local;
+  return row_of([&](const Row& V) {
+    return dot(relative_velocity(V, g.r1, g.r2), n) + dot(g.gap, cross(V.w1, n));
+  });
+}
+
 inline Drawn drawn_line(Draw& d) {
   const DrawnGap g = drawn_gap(d);
   const quat frame = d.turn();
@@ -56,12 +65,8 @@ inline Drawn drawn_line_rows(Draw& d) {
   const DrawnGap g = drawn_gap(d);
   const quat frame = d.turn();
   const Line line{g.anchor1, g.anchor2, frame * vec3(1, 0, 0), frame * vec3(0, 1, 0)};
-  Jacobian<2> J;
-  for (int i = 0; i < 2; ++i) {
-    const vec3 n = g.pair.body1.q * (i == 0 ? line.n1_local : line.n2_local);
-    J[i] = {-n, -cross(g.r1 + g.gap, n), n, cross(g.r2, n)};
-  }
-  return drawn_rows(line.jacobian(g.pair.body1, g.pair.body2), J,
+  return drawn_rows(line.jacobian(g.pair.body1, g.pair.body2),
+                    Jacobian<2>{{row_along(g, line.n1_local), row_along(g, line.n2_local)}},
                     double(length(g.r1) + length(g.gap)), unit_of_lever2(g));
 }
 
@@ -78,9 +83,8 @@ inline Drawn drawn_slide(Draw& d) {
 inline Drawn drawn_slide_row(Draw& d) {
   const DrawnGap g = drawn_gap(d);
   const Slide slide{g.anchor1, g.anchor2, normalize(d.vector())};
-  const vec3 a = g.pair.body1.q * slide.a1_local;
   return drawn_rows(to_jacobian(slide.jacobian(g.pair.body1, g.pair.body2)),
-                    to_jacobian(Row{-a, -cross(g.r1 + g.gap, a), a, cross(g.r2, a)}),
+                    to_jacobian(row_along(g, slide.a1_local)),
                     double(length(g.r1) + length(g.gap)), unit_of_lever2(g));
 }
 

@@ -126,7 +126,7 @@ inline CaseTable<TangentCase> tangent_table() {
   const auto numbers = [](const vec3& t1, const vec3& t2) {
     return flat(std::vector<vec3>{t1, t2});
   };
-  const auto across = [](const Case& c) { return c.sliding - dot(c.n, c.sliding) * c.n; };
+  const auto across = [](const Case& c) { return cross(c.n, cross(c.sliding, c.n)); };
   const auto t1 = [=](const Case& c) { return normalize(across(c)); };
   // another t1, with t2 = n x t1
   const auto with = [=](auto other) {
@@ -144,7 +144,9 @@ inline CaseTable<TangentCase> tangent_table() {
   };
   // what stands in for the sliding at rest
   const auto stand_in = [](const Case& c) {
-    return std::abs(c.n.x) < real(0.6) ? vec3(1, 0, 0) : vec3(0, 1, 0);
+    vec3 axis(0);
+    axis[std::abs(c.n.x) < real(0.6) ? 0 : 1] = 1;
+    return axis;
   };
   const char* const ignored = "#velocity-forgotten the velocity is ignored, or replaced by a "
                               "variable that was never set: t1 is the direction of sliding";

@@ -45,7 +45,8 @@ struct CentreDistanceFixture {
     return out;
   }
   static WrongNumbers K_mistakes(const Part& part, const Pair& pair) {
-    const real K = pair.body1.inverse_mass + pair.body2.inverse_mass;
+    const RodParts rod{pair.body1.x, pair.body2.x, vec3(0), vec3(0), part.length, 0};
+    const real K = dense_K(rod.along(direction(rod.u())), pair.body1, pair.body2)[0][0];
     return {{"#times-length-rod-n times the length of the rod: n is a unit vector, so K is "
              "independent of it",
              K * part.length},

@@ -101,7 +101,7 @@ inline Line line_along(const Pair& pair, const vec3& anchor, const vec3& along) 
           axis.b_local, axis.c_local};
 }
 
-// What may go wrong with rows (-n, -(r1 + u) x n, n, r2 x n), where n rides on body 1.
+// What may go wrong with the rows of points that slide along n, which rides on body 1.
 template <int N>
 std::vector<std::pair<std::string, Jacobian<N>>> wrong_levers(
     const Pair& pair, const vec3& anchor1_local, const vec3& anchor2_local,
@@ -118,8 +118,7 @@ std::vector<std::pair<std::string, Jacobian<N>>> wrong_levers(
   const auto add = [&](const std::string& words, const std::array<vec3, N>& along, const vec3& arm1,
                        const vec3& arm2, real sign = 1) {
     Jacobian<N> J;
-    for (int i = 0; i < N; ++i)
-      J[i] = {-sign * along[i], -cross(arm1, along[i]), sign * along[i], cross(arm2, along[i])};
+    for (int i = 0; i < N; ++i) J[i] = row_by_rates(sign * along[i], arm1, arm2);
     out.push_back({words, J});
   };
   const std::string rides = name + " rides on body 1", is = "the lever of body 1 is r1 + u";

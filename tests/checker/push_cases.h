@@ -172,11 +172,13 @@ inline std::vector<Mistake<NewVelocity>> velocity_mistakes(std::size_t rows, boo
 
 inline Numbers pushed(const PushCase& c) {
   Pair pair = c.pair;
-  for (const bool second : {false, true}) {
-    const Pushed p{c, second};
-    Body& body = second ? pair.body2 : pair.body1;
-    body.v = p.self.v + p.self.inverse_mass * right_sum(p, &Pushed::v);
-    body.w = p.self.w + p.I * right_sum(p, &Pushed::w);
+  auto& [one, two] = pair;
+  std::vector<Row> responses(c.J.size());
+  form_responses(c.J.data(), int(c.J.size()), one, two, responses.data());
+  for (std::size_t i = 0; i < c.J.size(); ++i) {
+    const auto& [v1, w1, v2, w2] = responses[i];
+    one.v += c.lambda[i] * v1, one.w += c.lambda[i] * w1;
+    two.v += c.lambda[i] * v2, two.w += c.lambda[i] * w2;
   }
   return numbers_of(pair);
 }

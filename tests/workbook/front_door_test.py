@@ -124,7 +124,9 @@ def a_damaged_file_is_told(root, build):
                 (end, end + begin + end, "exercise 1.2 begins in line"),
                 ('todo("1.2");', "if (true) {", "exercise 1.2: the { of this line"),
                 ('todo("1.2");', "return 1; }", "exercise 1.2: the } of this line"),
-                ('todo("1.2");', "/* return 1;", "exercise 1.2: the comment")):
+                ('todo("1.2");', "/* return 1;", "exercise 1.2: the comment"),
+                ('#include "', '#include "tests/checker/cases.h"\n#include "',
+                 "includes tests/checker/cases.h, which is no part of an exercise")):
             door.write(e1_1=True)
             door.change(old, new)
             yield from typed(door, "test 1.1", 1, "cannot be built", said, "Next: ")

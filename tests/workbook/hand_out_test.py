@@ -96,11 +96,12 @@ def solutions_in(door):
     folder = door.root.with_name("planted")
     exercises.write(folder / "cases.h", """const Row mine{-d,
                    -cross(arm, d), d, cross(other, d)};""")
+    exercises.write(folder / "pair.h", "vec3 a = direction(pair.body2.x - pair.body1.x);")
     for chapter in house.chapters():
         shutil.copy(chapter.solution, folder)
     seen = solution_lines.found(folder, answers)
-    if "cases.h" not in {name for name, _, _ in seen}:
-        yield "the row of a rod is not found where its vectors have other names"
+    if not {"cases.h", "pair.h"} <= {name for name, _, _ in seen}:
+        yield "the row of a rod is not found where its vectors or bodies have other names"
     if lost := set(answers.values()) - {one[1:] for one in seen}:
         yield f"of a solution these lines are not found: {lost}"
 

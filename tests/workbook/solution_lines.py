@@ -1,10 +1,10 @@
 """Lines of the solutions, and the files of a folder in which they stand.
 
 A line of an answer is compared without its comment, blanks and `const`, without what it is assigned
-to, and without `return`: once as it is, if 16 characters remain, and once with every variable
-called `_`, if 24 remain. It must be more than the head of a loop, a declaration, or one call with
-names as arguments. What the engine or the given part of an exercise file says, too, does not count:
-every student reads it.
+to, without `return`, and with `body.x` for `pair.body.x`: once as it is, if 16 characters remain,
+and once with every variable called `_`, if 24 remain. It must be more than the head of a loop, a
+declaration, or one call with names as arguments. What the engine or the given part of an exercise
+file says, too, does not count: every student reads it.
 """
 import re
 
@@ -21,7 +21,9 @@ PLAIN = re.compile(rf"{LOOP}|{CALL}|[\w:<>, ]+ \w+|\[.?\]\([^()]*\)")
 
 def forms(code):
     """(without comments and blanks, the same with _ for variables) of code."""
-    words = re.findall(r"\w+|::|->|\S", re.sub(r"//.*|\bconst\b", "", code))
+    code = re.sub(r"//.*|\bconst\b", "", code)
+    code = re.sub(r"\b(?:\w+(?:\.|->))+(?=\w+(?:\.|->))", "", code)
+    words = re.findall(r"\w+|::|->|\S", code)
     bare = ["_" if VARIABLE.match(word) and before not in (".", "->", "::")
             and after not in ("(", "::", "<", "{") else word
             for before, word, after in zip(["", *words], words, [*words[1:], ""])]

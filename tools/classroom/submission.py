@@ -19,10 +19,10 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from base import exercises  # noqa: E402
-from classroom import fence, includes, symbols  # noqa: E402
+from classroom import fence, symbols  # noqa: E402
 from judge import grade as grading  # noqa: E402
 from base import house  # noqa: E402
-from judge import reading  # noqa: E402
+from judge import includes, reading  # noqa: E402
 
 # Of every process: processor time [s], a file, memory [bytes]. Tests have less, see runs.py.
 LIMITS = {resource.RLIMIT_CPU: 60, resource.RLIMIT_FSIZE: 64 << 20, resource.RLIMIT_AS: 4 << 30,

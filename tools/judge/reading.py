@@ -5,6 +5,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 from base import exercises, house
+from judge import includes
 
 UNTOUCHED, BEGUN, WRITTEN = "untouched", "begun", "written"
 
@@ -45,6 +46,8 @@ def look(chapter):
         if open_:
             seen.left[id_] = line_of_todo(open_[0])
     seen.faults = list(faults(chapter, broken, mine, wanted))
+    if words := includes.refused(text):
+        seen.faults.append(("", f"{house.short(chapter.mine)}: {words}", "Next: remove that line."))
     if not seen.faults and (lines := changed_outside(exercises.stub(solution), text)):
         seen.note = (f"Note: {house.short(chapter.mine)} has changed outside the exercises, in "
                      f"line{lines}. If that was not meant: ./wb reset {chapter.number} --keep puts "

@@ -18,16 +18,21 @@ COMMON = set("""the a an of and or in on is are to it its that this with for by 
 # What other engines and readers call it, and the words of the site.
 SYNONYMS = {
     "actuator": "motor", "bounce": "restitution", "bouncy": "restitution", "cable": "rope",
-    "cfm": "softness", "collision": "contact ground", "coloring": "colours",
-    "compliance": "softness", "determinism": "bit identical", "deterministic": "bit identical",
-    "download": "install", "erp": "beta", "erratum": "errata", "explode": "grow beta",
-    "explodes": "grow beta", "getting": "before", "lcp": "bounds direct solver",
-    "license": "licence", "max": "strength", "maximum": "strength", "pbd": "position projection",
-    "pgs": "sequential impulses", "prismatic": "slider", "revolute": "hinge", "servo": "motor",
-    "setup": "install", "socket": "ball", "sor": "over relaxation", "spherical": "ball",
-    "spring": "softness", "started": "start", "stiff": "softness", "take": "hours",
-    "timestep": "step", "units": "conventions", "unstable": "stability", "vectorized": "simd lanes",
-    "weld": "fixed", "xpbd": "substeps softness"}
+    "cfm": "softness", "changelog": "upgrading", "collision": "contact ground",
+    "collisions": "contact ground", "coloring": "colours", "compare": "beside",
+    "comparison": "beside", "compliance": "softness", "constraint": "row joint",
+    "constraints": "rows joints", "determinism": "bit identical", "deterministic": "bit identical",
+    "docker": "container", "download": "install", "erp": "beta", "erratum": "errata",
+    "explode": "grow beta", "explodes": "grow beta", "getting": "before",
+    "lcp": "bounds direct solver", "license": "licence", "mac": "macos", "max": "strength",
+    "maximum": "strength", "multithreading": "threads", "nullspace": "dependent rows",
+    "offline": "browser network", "pbd": "position projection", "pgs": "sequential impulses",
+    "prismatic": "slider", "revolute": "hinge", "schur": "elimination", "servo": "motor",
+    "setup": "install", "socket": "ball", "soft": "softness", "sor": "over relaxation",
+    "spherical": "ball", "spring": "softness", "started": "start", "stiff": "softness",
+    "take": "hours", "thread": "threads", "timestep": "step", "units": "conventions",
+    "unstable": "stability", "vectorized": "simd lanes", "weld": "fixed", "wsl": "windows",
+    "xpbd": "substeps softness"}
 # What the words of a page weigh, the first name that it has; by this a text and a heading are
 # weighed.
 WEIGHTS = ((r"^docs_library", 4), (r"_README|which_method", 3), (r"chapter\d_1_1", 0.3),

@@ -5,6 +5,16 @@
 #include "chapters/09_direct/direct.h"
 #include "engine/kernels.h"
 
+/// \cond
+// A reader waits for the compiler: the kernels of the reader's file are compiled once, beside the
+// given part of the chapter.
+#ifdef JOINTS_OF_READER
+#define JOINTS_KERNEL
+#else
+#define JOINTS_KERNEL inline
+#endif
+/// \endcond
+
 /// \addtogroup chapter9
 /// @{
 namespace joints {
@@ -24,7 +34,7 @@ inline TwoLanes inverse_of(const TwoLanes& pivot, const TwoLanes& original, Pivo
 /// Factors a symmetric n x n block as D = L d L^T (Eq. 9-7), in place in its lower triangle. After
 /// it, L is below the diagonal (the diagonal of L is 1), and inverse(d, original) is on it.
 template <class Number, class PivotInverse>
-inline void factor_block(Number* D, int n, const Number* original, PivotInverse inverse) {
+JOINTS_KERNEL void factor_block(Number* D, int n, const Number* original, PivotInverse inverse) {
   with_size(n, [&](auto N) {
     for (int j = 0; j < N; ++j) {
       const Number over = inverse_of(D[j * N + j], original[j], inverse);
@@ -57,13 +67,13 @@ inline void divide_by(const Number* D, const Number* from, Number* x) {
 
 /// x = D^-1 x, with the factor of the n x n block D.
 template <class Number>
-inline void divide(const Number* D, int n, Number* x) {
+JOINTS_KERNEL void divide(const Number* D, int n, Number* x) {
   with_size(n, [&](auto N) { divide_by<N>(D, x, x); });
 }
 
 /// B = A D^-1 for m x n numbers A, with the factor of the n x n block D.
 template <class Number>
-inline void divide_rows(const Number* A, int m, const Number* D, int n, Number* B) {
+JOINTS_KERNEL void divide_rows(const Number* A, int m, const Number* D, int n, Number* B) {
   with_size(n, [&](auto N) {
     for (int i = 0; i < m; ++i) divide_by<N>(D, A + i * N, B + i * N);
   });
@@ -71,7 +81,8 @@ inline void divide_rows(const Number* A, int m, const Number* D, int n, Number* 
 
 /// C -= A B^T, of m x n numbers A and p x n numbers B.
 template <class Number>
-inline void subtract_product(const Number* A, int m, const Number* B, int p, int n, Number* C) {
+JOINTS_KERNEL void subtract_product(const Number* A, int m, const Number* B, int p, int n,
+                                    Number* C) {
   with_size(n, [&](auto N) {
     for (int i = 0; i < m; ++i)
       for (int j = 0; j < p; ++j) {
@@ -82,29 +93,9 @@ inline void subtract_product(const Number* A, int m, const Number* B, int p, int
   });
 }
 
-/// A += J response^T of the angular parts alone, for n and m half-rows at the same body.
-template <class Number>
-inline void add_angular(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* response, int m,
-                        Number* A) {
-  with_size(m, [&](auto M) {
-    for (int i = 0; i < n; ++i)
-      unrolled<M>([&](auto j) { A[i * M + j] += dot(J[i].w, response[j].w); });
-  });
-}
-/// The same in the lower triangle of a symmetric n x n block A.
-template <class Number>
-inline void add_angular_square(const HalfRowOf<Number>* J, const HalfRowOf<Number>* response, int n,
-                               Number* A) {
-  with_size(n, [&](auto N) {
-    unrolled<N>([&](auto i) {
-      unrolled<i + 1>([&](auto j) { A[i * N + j] += dot(J[i].w, response[j].w); });
-    });
-  });
-}
-
 /// y -= A x, of m x n numbers A.
 template <class Number>
-inline void subtract_times(const Number* A, int m, int n, const Number* x, Number* y) {
+JOINTS_KERNEL void subtract_times(const Number* A, int m, int n, const Number* x, Number* y) {
   with_size(n, [&](auto N) {
     for (int i = 0; i < m; ++i)
       for (int k = 0; k < N; ++k) y[i] -= A[i * N + k] * x[k];
@@ -113,12 +104,27 @@ inline void subtract_times(const Number* A, int m, int n, const Number* x, Numbe
 
 /// y -= A^T x, of m x n numbers A.
 template <class Number>
-inline void subtract_transposed_times(const Number* A, int m, int n, const Number* x, Number* y) {
+JOINTS_KERNEL void subtract_transposed_times(const Number* A, int m, int n, const Number* x,
+                                             Number* y) {
   with_size(n, [&](auto N) {
     for (int i = 0; i < m; ++i)
       for (int k = 0; k < N; ++k) y[k] -= A[i * N + k] * x[i];
   });
 }
+
+/// \cond
+#ifdef JOINTS_OF_READER
+#define JOINTS_KERNELS(Extern, Number)                                                          \
+  Extern template void factor_block(Number*, int, const Number*, PivotInverse);                 \
+  Extern template void divide(const Number*, int, Number*);                                     \
+  Extern template void divide_rows(const Number*, int, const Number*, int, Number*);            \
+  Extern template void subtract_product(const Number*, int, const Number*, int, int, Number*);  \
+  Extern template void subtract_times(const Number*, int, int, const Number*, Number*);         \
+  Extern template void subtract_transposed_times(const Number*, int, int, const Number*, Number*);
+JOINTS_KERNELS(extern, double)
+JOINTS_KERNELS(extern, TwoLanes)
+#endif
+/// \endcond
 
 }  // namespace joints
 /// @}

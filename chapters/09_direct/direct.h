@@ -19,9 +19,8 @@ namespace joints {
 /// Two numbers on two SIMD lanes, each from a different island: + - * act lane by lane.
 typedef double TwoLanes __attribute__((vector_size(2 * sizeof(double))));
 
-/// The half of a row that belongs to one body. In J it contains the factors of the body's
-/// velocities; in M^-1 J^T it contains the changes of the velocities per unit impulse. Number is
-/// double or TwoLanes.
+/// The half of a row that belongs to one body: the factors of its velocities. Number is double or
+/// TwoLanes.
 template <class Number>
 struct HalfRowOf {
   Triple<Number> v;  ///< linear
@@ -30,15 +29,22 @@ struct HalfRowOf {
 /// A half-row of type double.
 using HalfRow = HalfRowOf<double>;
 
+/// What a body opposes to impulses; zeros for a static body.
+template <class Number>
+struct InverseMassOf {
+  Number linear{};              ///< inverse mass [1/kg]
+  Symmetric<Number> angular{};  ///< inverse inertia [1/(kg m^2)], world axes
+};
+
 #ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
 /// Exercise 9.1: the coupling of two blocks through a common body, Eq. 9-2. Adds to A[i][j] the
 /// rate of row i of the first block per unit impulse along row j of the second one.
 /// \param J the half-rows of the first block at the common body, n of them
-/// \param response the half-rows of M^-1 J^T of the second block at that body, m of them
-/// \param A n x m numbers, row by row
+/// \param other the half-rows of the second block at that body, m of them
+/// \param mass of that body \param A n x m numbers, row by row
 template <class Number>
-void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* response, int m,
-                  Number* A);
+void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* other, int m,
+                  const InverseMassOf<Number>& mass, Number* A);
 #endif
 
 /// A block of rows as a node of the joint graph, in the order of elimination.
@@ -158,11 +164,12 @@ struct Slowed {
 };
 
 #ifndef JOINTS_LIBRARY  // exercises, which programs that link the library do not see
-/// Exercise 9.8: enough inertia for the step to follow the motion of a body, Eq. 9-14: no principal
-/// moment is less than kappa h^2 |F||r|. Where a moment is larger than in the last step, the energy
-/// of the rotation is kept; where it is smaller, the angular velocity. \param body a moving body
+/// Exercise 9.8: enough inertia for the step to follow the zigzag of a body: about each principal
+/// axis h nu is at most 1 / sqrt(kappa), Eq. 9-13. Where a moment is larger than in the last step,
+/// the energy of the rotation is kept; where it is smaller, the angular velocity.
+/// \param body a moving body; it has its own moments, however often they were raised
 /// \param force_lever the sum of |F||r| over the joints that pull at it [N m]
-/// \param before the lower limit of the moments in the last step [kg m^2]; 0 if there was none
+/// \param before the least moment that the last step could follow [kg m^2]; 0 if there was none
 /// \param kappa about 8 [1]
 Slowed slowed(const Body& body, real force_lever, real before, real kappa, real h);
 #endif

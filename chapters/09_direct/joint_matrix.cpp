@@ -7,6 +7,33 @@
 
 namespace joints {
 
+#ifdef JOINTS_OF_READER
+JOINTS_KERNELS(, double)
+JOINTS_KERNELS(, TwoLanes)
+#endif
+
+namespace {
+
+// A += J response^T of the angular parts alone, for n and m half-rows at the same body.
+void add_angular(const HalfRowOf<TwoLanes>* J, int n, const HalfRowOf<TwoLanes>* response, int m,
+                 TwoLanes* A) {
+  with_size(m, [&](auto M) {
+    for (int i = 0; i < n; ++i)
+      unrolled<M>([&](auto j) { A[i * M + j] += dot(J[i].w, response[j].w); });
+  });
+}
+// The same in the lower triangle of a symmetric n x n block A.
+void add_angular_square(const HalfRowOf<TwoLanes>* J, const HalfRowOf<TwoLanes>* response, int n,
+                        TwoLanes* A) {
+  with_size(n, [&](auto N) {
+    unrolled<N>([&](auto i) {
+      unrolled<i + 1>([&](auto j) { A[i * N + j] += dot(J[i].w, response[j].w); });
+    });
+  });
+}
+
+}  // namespace
+
 // Places nodes and edges, including the edges of fill-in.
 void IslandMatrix::lay_out() {
   const int count = int(blocks.size());
@@ -77,18 +104,15 @@ int IslandMatrix::at(int later, int earlier) const {
 void IslandMatrix::place_couplings() {
   couplings_.clear();
   couplings_end_.clear();
-  any_.clear();
   for (int k = 0; k < int(blocks.size()); ++k)
     for (const int of : {0, 1}) {
       const int column = blocks[k].columns[of];
-      bool any = false;
       const auto add = [&](int other, int half, int at) {
         const LaneBlock &one = blocks[k], &two = blocks[other];
         const bool points = one.form == Form::point && two.form == Form::point;
         couplings_.push_back({2 * A.nodes[other].row + half * two.rows, two.rows, at,
                               one.form == Form::any || two.form == Form::any,
                               !points ? 0.0 : half == of ? 1.0 : -1.0});
-        any = any || couplings_.back().any;
       };
       if (moves[column]) add(k, of, A.nodes[k].diagonal);
       for (int j = A.nodes[k].first_edge; moves[column] && j < A.nodes[k + 1].first_edge; ++j)
@@ -97,7 +121,6 @@ void IslandMatrix::place_couplings() {
           if (blocks[to].columns[half] == column) add(to, half, at);
         }
       couplings_end_.push_back(int(couplings_.size()));
-      any_.push_back(any);
     }
 }
 
@@ -109,18 +132,17 @@ void IslandMatrix::assemble() {
     const int n = blocks[k].rows;
     for (const int of : {0, 1}) {
       const HalfRowOf<TwoLanes>* const half = &J[2 * A.nodes[k].row + of * n];
-      const auto& [linear, angular] = masses[blocks[k].columns[of]];
+      const InverseMassOf<TwoLanes>& mass = masses[blocks[k].columns[of]];
       const Coupling* const end = couplings_.data() + couplings_end_[2 * k + of];
       HalfRowOf<TwoLanes> response[6];
-      for (int r = 0; coupling != end && r < n; ++r) response[r].w = angular * half[r].w;
-      for (int r = 0; any_[2 * k + of] && r < n; ++r) response[r].v = linear * half[r].v;
+      for (int r = 0; coupling != end && r < n; ++r) response[r].w = mass.angular * half[r].w;
       for (; coupling != end; ++coupling) {
         const auto& [other, m, at, any, units] = *coupling;
         TwoLanes* const to = &A.numbers[at];
-        if (any) add_coupling(&J[other], m, response, n, to);
+        if (any) add_coupling(&J[other], m, half, n, mass, to);
         else if (&J[other] == half) add_angular_square(half, response, n, to);
         else add_angular(&J[other], m, response, n, to);
-        const TwoLanes of_points = units * linear;
+        const TwoLanes of_points = units * mass.linear;
         for (int i = 0; i < 3 && units != 0; ++i) to[i * (n + 1)] += of_points;
       }
     }

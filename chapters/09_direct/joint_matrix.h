@@ -31,13 +31,6 @@ struct LaneBlock {
   }
 };
 
-/// Inverse mass and inverse inertia (world axes) of the bodies of both lanes; zeros for a static
-/// body.
-struct LaneMass {
-  TwoLanes linear{};              ///< inverse masses [1/kg]
-  Symmetric<TwoLanes> angular{};  ///< inverse inertias [1/(kg m^2)]
-};
-
 /// The matrix of the joints of two islands with the same shape, one on each lane.
 class IslandMatrix {
  public:
@@ -45,7 +38,7 @@ class IslandMatrix {
   std::shared_ptr<const EliminationPlan> plan;  ///< of both islands
   std::vector<LaneBlock> blocks;                ///< of both islands, in the order of elimination
   std::vector<bool> moves;        ///< for each column whether its bodies move
-  std::vector<LaneMass> masses;   ///< for each column
+  std::vector<InverseMassOf<TwoLanes>> masses;  ///< for each column
   /// The half-rows of block k, from 2 * A.nodes[k].row on: those of body 1, then those of body 2.
   std::vector<HalfRowOf<TwoLanes>> J;
 
@@ -74,7 +67,6 @@ class IslandMatrix {
   std::vector<int> first_;  // block of each link, in the order of elimination
   std::vector<Coupling> couplings_;  // of all halves; the first one of a half is with itself
   std::vector<int> couplings_end_;   // of each half, two for each block
-  std::vector<char> any_;            // one of them has linear parts of any form
   double multiplications_ = 0;
   int fill_ = 0, rows_ = 0;
 };

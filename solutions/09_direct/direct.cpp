@@ -14,14 +14,16 @@ namespace joints {
 // ---- the matrix of the joints -------------------------------------------------------------------
 
 template <class Number>
-void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* response, int m,
-                  Number* A) {
+void add_coupling(const HalfRowOf<Number>* J, int n, const HalfRowOf<Number>* other, int m,
+                  const InverseMassOf<Number>& mass, Number* A) {
   // begin [exercise 9.1]
   // Add the contribution of one common body to the coupling of two blocks: by how much does the
   // rate of each row of the first block change if one unit impulse acts along a row of the second?
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < m; ++j)
-      A[i * m + j] += dot(J[i].v, response[j].v) + dot(J[i].w, response[j].w);  // Eq. 9-2
+  for (int j = 0; j < m; ++j) {
+    const HalfRowOf<Number> response{mass.linear * other[j].v, mass.angular * other[j].w};
+    for (int i = 0; i < n; ++i)
+      A[i * m + j] += dot(J[i].v, response.v) + dot(J[i].w, response.w);  // Eq. 9-2
+  }
   // end [exercise 9.1]
 }
 
@@ -78,9 +80,10 @@ void solve(const JointMatrixOf<Number>& A, Number* x) {
 }
 
 // For both kinds of numbers.
-template void add_coupling(const HalfRow*, int, const HalfRow*, int, double*);
+template void add_coupling(const HalfRow*, int, const HalfRow*, int, const InverseMassOf<double>&,
+                           double*);
 template void add_coupling(const HalfRowOf<TwoLanes>*, int, const HalfRowOf<TwoLanes>*, int,
-                           TwoLanes*);
+                           const InverseMassOf<TwoLanes>&, TwoLanes*);
 template void factor(JointMatrix&, PivotInverse);
 template void factor(JointMatrixOf<TwoLanes>&, PivotInverse);
 template void solve(const JointMatrix&, double*);
@@ -186,10 +189,9 @@ Side next_side(Side now, double impulse, double lower, double upper, double rate
 Slowed slowed(const Body& body, real force_lever, real before, real kappa, real h) {
   Slowed out;
   // begin [exercise 9.8]
-  // Return the inverses of the moments that the step can follow, and the angular velocity: the
-  // energy is kept where a moment grows, Eq. 9-14. In the last step each moment was at least
-  // `before`. to_local() and to_world() rotate a vector; min(), max(), sqrt(), products and
-  // quotients of two vec3 act component by component.
+  // Raise the moments that this step cannot follow, Eq. 9-13, by as little as possible, and return
+  // the inverses of all three and the angular velocity. `before` is what the last step could
+  // follow. min(), max(), sqrt(), products and quotients of two vec3 act component by component.
   const vec3 moments = real(1) / body.inverse_inertia_local;
   const vec3 now = max(moments, vec3(kappa * h * h * force_lever));
   const vec3 ratio = min(vec3(1), max(moments, vec3(before)) / now);

@@ -10,8 +10,14 @@ namespace joints::testing {
 struct CouplingCase {
   std::string words;
   int n, m;
-  std::vector<HalfRow> J, response;  ///< seven each: behind the block's own stand another's
-  Numbers before;                    ///< n x m
+  std::vector<HalfRow> J, other;  ///< seven each: behind the block's own stand another's
+  InverseMassOf<double> mass;
+  Numbers before;                 ///< n x m
+  /// M^-1 J^T of one row of the second block.
+  HalfRow response(int j) const {
+    const HalfRow& row = other[std::size_t(j)];
+    return {mass.linear * row.v, mass.angular * row.w};
+  }
 };
 
 inline HalfRow half_row(const vec3& v, const vec3& w) {
@@ -27,10 +33,11 @@ inline std::vector<HalfRow> with_next(std::vector<HalfRow> own) {
 inline std::vector<CouplingCase> coupling_cases() {
   const vec3 x(1, 0, 0), none(0);
   std::vector<CouplingCase> out;
+  InverseMassOf<double> mass{1, {1, 1, 1, 0, 0, 0}};
   const auto add = [&](const std::string& words, std::vector<HalfRow> J,
-                       std::vector<HalfRow> response, Numbers before) {
-    const int n = int(J.size()), m = int(response.size());
-    out.push_back({words, n, m, with_next(J), with_next(response), before});
+                       std::vector<HalfRow> other, Numbers before) {
+    const int n = int(J.size()), m = int(other.size());
+    out.push_back({words, n, m, with_next(J), with_next(other), mass, before});
   };
   add("two rods that pull at a mass of 1 kg from both sides", {half_row(x, none)},
       {half_row(-x, none)}, {0});
@@ -38,12 +45,15 @@ inline std::vector<CouplingCase> coupling_cases() {
   add("two rows that only turn", {half_row(none, {1, 2, -1})}, {half_row(none, {3, 1, 2})}, {0});
   Random random(91);
   for (const auto& [n, m] : {std::pair{1, 3}, {3, 1}, {2, 5}, {5, 2}, {3, 3}, {6, 4}, {4, 6}}) {
-    std::vector<HalfRow> J, response;
+    std::vector<HalfRow> J, other;
     for (int i = 0; i < n; ++i) J.push_back(half_row(random.vector(2), random.vector(1)));
-    for (int j = 0; j < m; ++j) response.push_back(half_row(random.vector(1), random.vector(3)));
+    for (int j = 0; j < m; ++j) other.push_back(half_row(random.vector(1), random.vector(3)));
+    const auto number = [&](real from, real to) { return double(random.uniform(from, to)); };
+    mass = {number(real(0.2), 3), {number(1, 2), number(2, 3), number(3, 4), number(-1, 1),
+                                   number(-1, 1), number(-1, 1)}};
     Numbers before;
     for (int k = 0; k < n * m; ++k) before.push_back(double(random.uniform(-2, 2)));
-    add("blocks of " + std::to_string(n) + " and " + std::to_string(m) + " rows", J, response,
+    add("blocks of " + std::to_string(n) + " and " + std::to_string(m) + " rows", J, other,
         before);
   }
   return out;
@@ -63,11 +73,11 @@ Numbers coupled(const CouplingCase& c, const Add& add) {
 /// One of the two products has other half-rows.
 inline CaseTable<CouplingCase>::Mistakes other_halves() {
   CaseTable<CouplingCase>::Mistakes out;
-  const char* const names[] = {"J[i]", "J[j]", "J[0]", "response[i]", "response[j]",
-                               "response[0]"};
+  const char* const names[] = {"J[i]", "J[j]", "J[0]", "M^-1 other[i]", "M^-1 other[j]",
+                               "M^-1 other[0]"};
   const auto half_of = [](const CouplingCase& c, int which, int i, int j) {
     const int at = which % 3 == 0 ? i : which % 3 == 1 ? j : 0;
-    return (which < 3 ? c.J : c.response)[std::size_t(at)];
+    return which < 3 ? c.J[std::size_t(at)] : c.response(at);
   };
   for (const bool linear : {true, false})
     for (int one = 0; one < 6; ++one)
@@ -79,7 +89,7 @@ inline CaseTable<CouplingCase>::Mistakes other_halves() {
         };
         out.push_back({std::string(linear ? "the linear" : "the angular") + " product is of " +
                            names[one] + v + " and " + names[other] + v + ": of J[i]" + v +
-                           " and response[j]" + v,
+                           " and M^-1 other[j]" + v,
                        [=](const CouplingCase& c) {
                          return coupled(c, [&](double* A) {
                            for (int i = 0; i < c.n; ++i)
@@ -107,7 +117,7 @@ inline CaseTable<CouplingCase> coupling_table() {
   });
   table.yours = [](const Case& c) {
     return coupled(c, [&](double* A) {
-      add_coupling(c.J.data(), c.n, c.response.data(), c.m, A);
+      add_coupling(c.J.data(), c.n, c.other.data(), c.m, c.mass, A);
     });
   };
   using Entry = Call<double(const HalfRow&, const HalfRow&)>;
@@ -120,7 +130,7 @@ inline CaseTable<CouplingCase> coupling_table() {
       return coupled(c, [&](double* A) {
         for (int i = 0; i < c.n; ++i)
           for (int j = 0; j < c.m; ++j)
-            A[i * c.m + j] += entry(c.J[std::size_t(i)], c.response[std::size_t(j)]);
+            A[i * c.m + j] += entry(c.J[std::size_t(i)], c.response(j));
       });
     };
   };
@@ -130,7 +140,7 @@ inline CaseTable<CouplingCase> coupling_table() {
       return coupled(c, [&](double* A) {
         for (int i = 0; i < c.n; ++i)
           for (int j = 0; j < c.m; ++j)
-            change(c, A, i, j, both(c.J[std::size_t(i)], c.response[std::size_t(j)]));
+            change(c, A, i, j, both(c.J[std::size_t(i)], c.response(j)));
       });
     };
   };
@@ -140,7 +150,7 @@ inline CaseTable<CouplingCase> coupling_table() {
       return coupled(c, [&](double* A) {
         for (int i = 0; i < rows(c); ++i)
           for (int j = 0; j < columns(c, i); ++j)
-            A[i * c.m + j] += both(c.J[std::size_t(i)], c.response[std::size_t(j)]);
+            A[i * c.m + j] += both(c.J[std::size_t(i)], c.response(j));
       });
     };
   };
@@ -150,13 +160,45 @@ inline CaseTable<CouplingCase> coupling_table() {
                           "share both their bodies, and each of these adds its part";
   const char* const place_of = "entry (i, j) stands at A[i * m + j]: A is n x m, row by row";
   table.right = product(both);
+  // another mass, or none
+  const auto masses = [=](auto change) {
+    return [=, right = product(both)](Case c) {
+      change(c.mass);
+      return right(c);
+    };
+  };
+  using Mass = InverseMassOf<double>;
+  const Symmetric<double> one{1, 1, 1, 0, 0, 0};
   table.mistakes = {
+      {"#masses-missing J with J: an impulse is no velocity. How much do v and w of a body of this "
+       "mass and inertia change?",
+       masses([=](Mass& mass) { mass = {1, one}; })},
+      {"#mass-missing the inverse mass is missing: how much does v of the body change?",
+       masses([](Mass& mass) { mass.linear = 1; })},
+      {"#inertia-missing the inverse inertia is missing: how much does w of the body change?",
+       masses([=](Mass& mass) { mass.angular = one; })},
+      {"#mass-inverted divided by the inverse mass: a heavy body changes its velocity less",
+       masses([](Mass& mass) { mass.linear = 1 / mass.linear; })},
+      {"#mass-squared the inverse mass is there twice: J M^-1 J^T has it once",
+       masses([](Mass& mass) { mass.linear *= mass.linear; })},
+      {"#mass-turns the inverse mass in the place of the inverse inertia: turning is opposed "
+       "by the inertia",
+       masses([](Mass& m) { m.angular = {m.linear, m.linear, m.linear, 0, 0, 0}; })},
+      {"#mass-at-both the inverse mass multiplies the angular part as well: it belongs to v alone",
+       masses([](Mass& mass) {
+         for (double* a : {&mass.angular.xx, &mass.angular.yy, &mass.angular.zz, &mass.angular.xy,
+                           &mass.angular.xz, &mass.angular.yz})
+           *a *= mass.linear;
+       })},
+      {"#inertia-diagonal only the diagonal of the inverse inertia: mass.angular * other[j].w has "
+       "all of it",
+       masses([](Mass& m) { m.angular.xy = m.angular.xz = m.angular.yz = 0; })},
       {set, place([](const Case& c, double* A, int i, int j, double a) { A[i * c.m + j] = a; })},
       {"#minus-the-product the sign: the product is added",
        product([=](const HalfRow& a, const HalfRow& b) { return -both(a, b); })},
-      {"#linear-part-alone only the linear halves: add dot(J[i].w, response[j].w)",
+      {"#linear-part-alone only the linear halves: an impulse turns the body, too",
        product([](const HalfRow& a, const HalfRow& b) { return dot(a.v, b.v); })},
-      {"#angular-part-alone only the angular halves: add dot(J[i].v, response[j].v)",
+      {"#angular-part-alone only the angular halves: an impulse moves the centre, too",
        product([](const HalfRow& a, const HalfRow& b) { return dot(a.w, b.w); })},
       {"#angular-part-subtracted the sign of the angular part: both are added",
        product([](const HalfRow& a, const HalfRow& b) { return dot(a.v, b.v) - dot(a.w, b.w); })},
@@ -170,26 +212,26 @@ inline CaseTable<CouplingCase> coupling_table() {
        product([](const HalfRow& a, const HalfRow& b) { return dot(a.v, b.v) * dot(a.w, b.w); })},
       {"the sums of both halves are multiplied: v with v and w with w, then add",
        product([](const HalfRow& a, const HalfRow& b) { return dot(a.v + a.w, b.v + b.w); })},
-      {"#j-with-j J with J: the response has the masses in it",
+      {"#j-with-j J with itself: the impulse acts along a row of the other block",
        place([=](const Case& c, double* A, int i, int j, double) {
          A[i * c.m + j] += both(c.J[std::size_t(i)], c.J[std::size_t(j)]);
        })},
-      {"the response with itself: one factor is J",
+      {"the response with itself: the rate is that of a row of J",
        place([=](const Case& c, double* A, int i, int j, double) {
-         A[i * c.m + j] += both(c.response[std::size_t(i)], c.response[std::size_t(j)]);
+         A[i * c.m + j] += both(c.response(i), c.response(j));
        })},
       {"#rows-columns-blocks-exchanged i and j are exchanged at J and the response: row i is of "
-       "J, column j of the response",
+       "J, column j of the other block's response",
        place([=](const Case& c, double* A, int i, int j, double) {
-         A[i * c.m + j] += both(c.J[std::size_t(j)], c.response[std::size_t(i)]);
+         A[i * c.m + j] += both(c.J[std::size_t(j)], c.response(i));
        })},
       {"#first-row-j-always always the first half-row of J: row i has J[i]",
        place([=](const Case& c, double* A, int i, int j, double) {
-         A[i * c.m + j] += both(c.J[0], c.response[std::size_t(j)]);
+         A[i * c.m + j] += both(c.J[0], c.response(j));
        })},
-      {"always the first half-row of the response: column j has response[j]",
+      {"always the first half-row of the response: column j belongs to other[j]",
        place([=](const Case& c, double* A, int i, int j, double) {
-         A[i * c.m + j] += both(c.J[std::size_t(i)], c.response[0]);
+         A[i * c.m + j] += both(c.J[std::size_t(i)], c.response(0));
        })},
       {std::string("column by column: ") + place_of,
        place([](const Case& c, double* A, int i, int j, double a) { A[j * c.n + i] += a; })},
@@ -270,7 +312,7 @@ inline CaseTable<CouplingCase> coupling_table() {
          return coupled(c, [&](double* A) {
            for (int i = 0; i < c.n; ++i)
              for (int j = 0; j < c.m; ++j)
-               A[i * c.m + j] += sum += both(c.J[std::size_t(i)], c.response[std::size_t(j)]);
+               A[i * c.m + j] += sum += both(c.J[std::size_t(i)], c.response(j));
          });
        }}};
   for (int most = 3; most < 6; ++most) {

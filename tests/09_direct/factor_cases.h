@@ -19,6 +19,7 @@ struct FactorReference {
   bool plain_times_plain = false, divides_exchanged = false, rows_of_j = false, block_of_j = false;
   bool only_own = false, only_first = false, advances_before = false;
   enum class Stored { all, row, square } stored = Stored::all;  ///< how much of L
+  enum class Turned { none, divided, factor, stored } turned = Turned::none;  ///< transposed
   int skip_inner = 0, first_node = 0;
   bool backwards = false;  ///< the inner loop
 
@@ -47,10 +48,20 @@ struct FactorReference {
         const Edge& edge = A.edges[std::size_t(j)];
         const int m = A.nodes[std::size_t(edge.to)].rows;
         double* const block = number + edge.at;
-        if (divides_exchanged) divide_rows(block, n, D, m, L);
+        const auto transposed = [m, n](const double* from, double* to) {
+          for (int a = 0; a < m; ++a)
+            for (int b = 0; b < n; ++b) to[b * m + a] = from[a * n + b];
+        };
+        double across[36];
+        if (turned == Turned::divided) {
+          transposed(block, across);
+          divide_rows(across, m, D, n, L);
+        } else if (divides_exchanged) divide_rows(block, n, D, m, L);
         else if (divides) divide_rows(block, m, D, n, L);
         else std::copy(block, block + m * n, L);
         std::copy(block, block + m * n, kept);
+        transposed(L, across);
+        const double* const second = turned == Turned::factor ? across : L;
         if (store == Store::early) std::copy_n(L, m * n, block);
         for (int n_th = from_first ? node.first_edge : j + from; n_th < end - skip_inner; ++n_th) {
           const int i = backwards ? end - 1 - (n_th - j) : n_th;
@@ -68,10 +79,12 @@ struct FactorReference {
             subtract_product(L, m, number + other.at, rows, n, number + place);
           else
             subtract_product(number + (block_of_j ? edge : other).at, rows,
-                             plain_times_plain ? kept : L, m, n, number + place);
+                             plain_times_plain ? kept : second, m, n, number + place);
         }
         const int all = m * n, part = stored == Stored::row ? n : std::min(n * n, all);
-        if (store == Store::right) std::copy(L, L + (stored == Stored::all ? all : part), block);
+        if (turned == Turned::stored) std::copy(across, across + all, block);
+        else if (store == Store::right)
+          std::copy(L, L + (stored == Stored::all ? all : part), block);
       }
       if (store == Store::edge_once && end > node.first_edge) {
         const Edge& edge = A.edges[std::size_t(end) - 1];
@@ -89,7 +102,12 @@ inline Pieces<FactorReference> wrong_factors() {
                             "subtracted: A_ik is needed there, so store L at last";
   const char* const half = "#half-l-stored not all of L is stored, or more than that: m * n "
                            "numbers";
+  const char* const turned = "#block-transposed a block is transposed: each has the rows of edge "
+                             "j's node and the columns of node k, and the kernels do the rest";
   return {
+      {turned, [](T& t) { t.turned = T::Turned::divided; }},
+      {turned, [](T& t) { t.turned = T::Turned::factor; }},
+      {turned, [](T& t) { t.turned = T::Turned::stored; }},
       {"#diagonal-not-factored the diagonal block is not factored: factor_block() it first",
        [](T& t) { t.diagonal = T::When::never; }},
       {"#diagonal-factored-last the diagonal block is factored at last: the division needs its "

@@ -123,6 +123,9 @@ inline Pieces<NewtonReference> wrong_newtons() {
       {"#one-iteration-too-many one iteration too many: n < iterations", [](T& t) { t.more = 1; }},
       {"#one-iteration-too-few one iteration too few: from 0 while n < iterations",
        [](T& t) { t.more = -1; }},
+      {"#last-iteration-missing one iteration too few: the velocities are changed `iterations` "
+       "times, and the errors are evaluated once more than that, also where `iterations` is 0",
+       [](T& t) { t.more = -1, t.least = -1; }},
       {"#tolerance-not-used the tolerance is the argument, not a number of your own",
        [](T& t) { t.own_tolerance = 1e-7; }},
       {"#tolerance-of-last the error of the iteration before is compared with the tolerance: the "

@@ -27,6 +27,7 @@ struct NewtonReference {
   enum class Result { right, poor_is_true, end_is_true, near_is_false, always_false } result =
       Result::right;
   int more = 0, asks = 1, first_back = 0;
+  int least = 0;  ///< -1: without iterations it goes on without an end
   double move_h = 1, last_h = 1;  ///< of the moves before corrections, and of the last one
   double first_last = std::numeric_limits<double>::infinity();
   bool asks_before = false, poor_breaks = false, poor_late = false, changes_twice = false;
@@ -49,8 +50,8 @@ struct NewtonReference {
     const auto near = [&](double largest) {
       return strictly_near ? largest < enough : largest <= enough;
     };
-    const int most = std::max(0, iterations + more);
-    for (int n = 0;; ++n) {
+    const int most = std::max(least, iterations + more);
+    for (int n = 0; n < 99; ++n) {
       if (start_each_time && n > 0) keep(), own = start;
       if (n == most && end == End::stay) return true;
       if (moves_first) integrate_poses(bodies, real((n < most ? move_h : last_h) * h));
@@ -89,6 +90,7 @@ struct NewtonReference {
         if (w_back) body.w = own[std::size_t(k)].w;
       }
     }
+    return false;
   }
 };
 

@@ -35,9 +35,7 @@ inline std::vector<PivotCase> pivot_cases() {
                              {"both are zero", 0, 0},
                              {"nothing remains", 0, 3},
                              {"rounding error below zero", -largest_error, 1},
-                             {"a large pivot below zero", -2, 3},
-                             {"the pivot is not a number", nan, 1},
-                             {"the entry is not a number", 1, nan}};
+                             {"a large pivot below zero", -2, 3}};
   for (const double mass : {1e-9, 1e-4, 1e4, 1e9}) {
     const std::string words = ", entry " + short_number(mass);
     out.push_back({"whole" + words, mass, mass});
@@ -45,6 +43,8 @@ inline std::vector<PivotCase> pivot_cases() {
     out.push_back({"rounding error" + words, largest_error * mass, mass});
     out.push_back({"the least of a row that is needed" + words, 1.01 * least_pivot * mass, mass});
   }
+  out.push_back({"the pivot is not a number", nan, 1});  // the last to be told
+  out.push_back({"the entry is not a number", 1, nan});
   return out;
 }
 
@@ -116,8 +116,6 @@ inline CaseTable<PivotCase> pivot_table() {
        scaled([=](const Case& c) {
          return std::abs(c.pivot) > share * c.original ? 1 / std::abs(c.pivot) : 0;
        })},
-      {told_bound_own,
-       unless([=](const Case& c) { return c.pivot < share; })},
       {"#original-inverted the original entry is inverted: it serves only for the comparison",
        scaled([=](const Case& c) {
          return c.pivot > share * c.original ? 1 / c.original : 0;
@@ -155,6 +153,12 @@ inline CaseTable<PivotCase> pivot_table() {
                              1e-16, 2.220446049250313e-16, 1e-20}) {
     table.mistakes.push_back({told_bound_own,
                               unless([=](const Case& c) { return !(c.pivot > bound); })});
+    table.mistakes.push_back({told_bound_own,
+                              unless([=](const Case& c) { return c.pivot < bound; })});
+    table.mistakes.push_back({told_bound_own,
+                              unless([=](const Case& c) { return std::abs(c.pivot) < bound; })});
+    table.mistakes.push_back({told_bound_own,
+                              unless([=](const Case& c) { return !(std::abs(c.pivot) > bound); })});
     table.mistakes.push_back({least,
                               unless([=](const Case& c) {
                                 return !(c.pivot > std::max(share * c.original, bound));

@@ -14,6 +14,10 @@ inline const char* const told_bounded_rows_are_free =
     "impulse";
 inline const char* const told_rate_decides_everywhere =
     "#rate-decides-everywhere the rate decides on every side: for a free row the impulse decides";
+inline const char* const told_now_ignored =
+    "#now-ignored `now` does not choose the number that decides: Eq. 9-12 says which rows are "
+    "right, not where a wrong one goes. A free row has no right or wrong rate, and the impulse of "
+    "a row at a bound is at that bound but for rounding";
 inline const char* const told_sizes_compared =
     "#sizes-compared the sizes are compared: impulse and bounds have signs";
 
@@ -48,8 +52,9 @@ inline std::vector<SideCase> side_cases() {
     for (const Side side : {Side::lower, Side::upper}) {
       const double impulse = side == Side::lower ? lower : upper;
       if (!std::isfinite(impulse)) continue;
-      for (const double rate : {-2.0, -small, 0.0, small, 2.0})
-        out.push_back({"", side, impulse, lower, upper, rate});
+      for (const double off : {0.0, -small, small})
+        for (const double rate : {-2.0, -small, 0.0, small, 2.0})
+          out.push_back({"", side, impulse + off, lower, upper, rate});
     }
   }
   return out;
@@ -242,11 +247,50 @@ inline CaseTable<SideCase> side_table() {
          return sum < c.lower ? Side::lower : sum > c.upper ? Side::upper : Side::free;
        })},
       {"#now-returned nothing ever flips: `now` is returned", whole(stays)},
+      {told_bounded_rows_are_free,
+       [](R& r) { r.at_lower = r.at_upper = [](const C&) { return Side::free; }; }},
       {"always free: beyond its bounds an impulse must not be", whole([](const C&) {
          return Side::free;
        })},
       {"always the lower bound", whole([](const C&) { return Side::lower; })},
       {"always the upper bound", whole([](const C&) { return Side::upper; })}};
+  // Eq. 9-12 as it stands there, and other ways to leave `now` out
+  const auto right_at = [](const C& c, bool low, bool strict) {
+    return low ? (strict ? c.rate > 0 : c.rate >= 0) : strict ? c.rate < 0 : c.rate <= 0;
+  };
+  for (const int near : {0, 1, 2})
+    for (const bool strict : {false, true}) {
+      const auto at = [=](const C& c, bool low) {
+        const double beyond = low ? c.lower - c.impulse : c.impulse - c.upper;
+        return near == 0 ? beyond == 0 : near == 1 ? beyond >= 0 : beyond > 0;
+      };
+      pieces.push_back({told_now_ignored, whole([=](const C& c) {
+                          return at(c, true) && right_at(c, true, strict)     ? Side::lower
+                                 : at(c, false) && right_at(c, false, strict) ? Side::upper
+                                                                              : Side::free;
+                        })});
+      pieces.push_back({told_now_ignored, whole([=](const C& c) {
+                          for (const bool low : {true, false})
+                            if (at(c, low))
+                              return !right_at(c, low, strict) ? Side::free
+                                     : low                     ? Side::lower : Side::upper;
+                          return Side::free;
+                        })});
+      pieces.push_back({told_now_ignored, whole([=](const C& c) {
+                          const bool beyond = c.impulse < c.lower || c.impulse > c.upper;
+                          if (beyond && near != 1)
+                            return c.impulse < c.lower ? Side::lower : Side::upper;
+                          return at(c, true) && right_at(c, true, strict)     ? Side::lower
+                                 : at(c, false) && right_at(c, false, strict) ? Side::upper
+                                                                              : Side::free;
+                        })});
+    }
+  pieces.push_back({told_now_ignored, whole([=](const C& c) {
+                      const bool low = c.now == Side::lower;
+                      if (c.now != Side::free && right_at(c, low, false)) return c.now;
+                      return c.impulse < c.lower ? Side::lower
+                             : c.impulse > c.upper ? Side::upper : Side::free;
+                    })});
   add_pieces(table, [](const C& c) { return R{c}; },
              [=](const R& r) { return number(r.next()); }, pieces);
   table.given = [copy = table](const C& c) { return side_given(c) + " " + copy.holds_in(); };

@@ -60,7 +60,7 @@ inline std::vector<SlowedCase> slowed_cases() {
   another(4, "kappa 4", [](SlowedCase& c) { c.kappa = 4; });
   another(5, "at rest", [](SlowedCase& c) { c.body.w = vec3(0); });
   another(1, "enough inertia", [](SlowedCase& c) { c.force_lever = 1; });
-  another(2, "as in the last step", [](SlowedCase& c) { c.before = followed(c); });
+  another(2, "the moments of the last step", [](SlowedCase& c) { c.before = followed(c); });
   another(4, "a long step", [](SlowedCase& c) {
     c.h = 1;
     c.force_lever = real(1.5) / c.kappa;

@@ -138,7 +138,7 @@ def answers(c):
         "untouched": (stub, "------", ""),
         "begun": (c.open("1.3", "1.4", "1.5", "1.6"), "DD----", ""),
         "hole": (c.open("1.1"), "-DD11D", "Right with the workbook's version of 1.1"),
-        "sign": (wrong, "WDD11D", "Likely mistake"),
+        "sign": (wrong, "WDD1DD", "Likely mistake"),
         "two_wrong": (c.answer("1.5", "return 0;", wrong), "WDD1WD", ""),
         "last": (c.answer("1.6", "return {};"), "DDDDDW", f"chapters/{CHAPTER}/{FILE}:"),
         "semicolon": (c.answer("1.2", "return body1.inverse_mass"), "DBDDDD", "expected"),
@@ -202,7 +202,7 @@ def every_submission_is_judged(root, build):
                 "own_code", "renamed_code"]:
             yield f"alike: {[(name, row['alike']) for name, row in table.items() if row['alike']]}"
         written = (door.root / "out" / "grades" / "class.csv").read_bytes()
-        yield from c.grade("/sign", 1, "1 submission: 3 done", "Exercise 1.1",
+        yield from c.grade("/sign", 1, "1 submission: 4 done", "Exercise 1.1",
                            "the feedback: out/grades/class/sign.md")
         yield from c.grade("/zip.zip", 0, "1 submission: 6 done")
         if (door.root / "out" / "grades" / "class.csv").read_bytes() != written:

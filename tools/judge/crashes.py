@@ -33,6 +33,9 @@ MEANINGS = [(re.compile(pattern, re.M), words) for pattern, words in {
     r"SIGABRT": "the program was ended by abort()",
     r"SIGILL": "the program ran into an instruction that no processor has: a function whose end is "
                "reached without a return?",
+    r"solver: was prepared for|blocks have come or gone": "Likely mistake: the solver did not get "
+        "the blocks of this step: solver.prepare(world.bodies, world.blocks, 0, h) is missing, has "
+        "another number than 0, or does not stand between append() and warm_start().",
     r"^Unknown exception": "an exception was thrown that is not a std::exception"}.items()]
 # Lines that the library prints before it ends a program: no words of the reader's.
 LIBRARY = re.compile(rf".*Assertion ['`].*failed\.?$|terminate called |\*\*\* stack smashing |"

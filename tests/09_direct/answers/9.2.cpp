@@ -1,3 +1,10 @@
+// wrong block-transposed: std::copy(L, L + m * n, block); ==> for (int a = 0; a < m; ++a) for (int
+//         b = 0; b < n; ++b) block[b * m + a] = L[a * n + b];
+// wrong block-transposed: for (int i = j; i < end; ++i) ==> Number T[36]; for (int a = 0; a < m;
+//         ++a) for (int b = 0; b < n; ++b) T[b * m + a] = L[a * n + b]; for (int i = j; i < end;
+//         ++i) ;; rows, L, ==> rows, T,
+// wrong block-transposed: divide_rows(block, ==> Number T[36]; for (int a = 0; a < m; ++a) for (int
+//         b = 0; b < n; ++b) T[b * m + a] = block[a * n + b]; divide_rows(T,
 // wrong never-set: std::copy(L, L + m * n, block) ==> std::copy(L, L + m * m, block)
 // wrong drawn-stops: k + 1 < A.nodes.size() ==> k + 1 < A.nodes.size() && k < 16
 // wrong half-l-stored: std::copy(L, L + m * n, block) ==> std::copy(L, L + std::min(n * n, m * n),
@@ -7,8 +14,8 @@
 // wrong diagonal-factored-last: ; factor_block(D, n, &A.original[std::size_t(node.row)], inverse)
 //         ==> ;; block); } ==> block); } factor_block(D, n, &A.original[std::size_t(node.row)],
 //         inverse);
-// wrong "the entry before any product was subtracted: &A.original[node.row]":
-//         std::size_t(node.row) ==> k
+// wrong "the entry before any product was subtracted: &A.original[node.row]": std::size_t(node.row)
+//         ==> k
 // wrong inverse-own: inverse ==> [](double p, double) { return 1 / p; }
 // wrong targets-not-advanced: *target++ ==> *target
 // wrong targets-advanced-before: *target++ ==> *++target

@@ -25,9 +25,9 @@
 //         world.blocks); ==>
 // wrong begin-append-half-h: begin_step(world.bodies, h) ==> begin_step(world.bodies, h / 2)
 // wrong prepare-half-h: 0, h ==> 0, h / 2
-// wrong "it threw an exception: solver: blocks have come or gone since they wer": 0 ==>
+// wrong "the solver did not get the blocks of this step: solver.prepare(": 0 ==>
 //         int(world.blocks.list.size())
-// wrong "it threw an exception: solver: was prepared for the blocks of another":
+// wrong "the solver did not get the blocks of this step: solver.prepare(":
 //         solver.prepare(world.bodies, world.blocks, 0, h); ==>
 // wrong warm-start: warm_start(world.bodies, 0) ==> warm_start(world.bodies, 1)
 // wrong warm-start-missing: solver.warm_start(world.bodies, 0); ==>

@@ -1,3 +1,5 @@
+// wrong last-iteration-missing: n == iterations ==> n == iterations - 1
+// wrong last-iteration-missing: int n = 0;; ==> int n = 1;;
 // wrong drawn-stops: largest = std ==> if (&C - rates.data() < 3) largest = std
 // wrong tolerance-of-last: if (largest <= tolerance ==> if (last <= tolerance
 // wrong rate-fixed-step: C /= -h; ==> C *= -60.0;

@@ -1,3 +1,24 @@
+// wrong now-ignored:
+  (void)now;
+  return impulse <= lower && rate >= 0   ? Side::lower
+         : impulse >= upper && rate <= 0 ? Side::upper : Side::free;
+// wrong now-ignored:
+  if (impulse == lower && rate >= 0) return Side::lower;
+  if (impulse == upper && rate <= 0) return Side::upper;
+  return now == Side::free ? now : Side::free;
+// wrong now-ignored:
+  if (impulse <= lower) return rate < 0 ? Side::free : Side::lower;
+  if (impulse >= upper) return rate > 0 ? Side::free : Side::upper;
+  return now == Side::free ? now : Side::free;
+// wrong now-ignored:
+  (void)now;
+  if (impulse < lower || (impulse == lower && rate >= 0)) return Side::lower;
+  if (impulse > upper || (impulse == upper && rate <= 0)) return Side::upper;
+  return Side::free;
+// wrong now-ignored:
+  if (now == Side::lower && rate >= 0) return now;
+  if (now == Side::upper && rate <= 0) return now;
+  return impulse < lower ? Side::lower : impulse > upper ? Side::upper : Side::free;
 // wrong drawn-threshold: rate < 0 ==> rate < -1e-12 ;; rate > 0 ==> rate > 1e-12
 // wrong free-row-stays: impulse < lower ? Side::lower : impulse > upper ? Side::upper : ==>
 // wrong upper-bound-free-row: : impulse > upper ? Side::upper ==>

@@ -22,7 +22,9 @@ NEED_SOLUTIONS = {"tour": "./wb run 1, ./wb plot 1 and ./wb see 1 show a finishe
                   "check": "./wb test 1 tests a chapter", "grade": "./wb test 1 tests a chapter",
                   "docs": "the texts are chapters/*/README.md and docs/*.md",
                   "course": "./wb leads through the same exercises",
-                  **dict.fromkeys(("bench", "keep", "hand-out"), "./wb help lists what it has")}
+                  "bench": "docs/which_method.md shows what it measured",
+                  "keep": "nothing has to be kept here: it renews texts after changes of solutions",
+                  "hand-out": "copy this folder: it is an edition without solutions"}
 TABLES = {"stability": "stiff, extreme and redundant scenes: which setting holds them",
           "methods": "every method on every kind of scene",
           "families": "scenes drawn by seeds: how many each setting holds",
@@ -74,7 +76,7 @@ def overview():
     said = ["The Joint Workbook"]
     sealed = any(chapter.sealed for chapter in house.chapters())
     for name, (_, _, lines) in COMMANDS.items():
-        if sealed and name in {*NEED_SOLUTIONS, "show", "setup"}:
+        if sealed and name in {*NEED_SOLUTIONS, "show"}:
             continue
         said += [""] if name in FIRST else []
         for shown, words in lines:
@@ -147,7 +149,7 @@ def list_(_):
     return learn.status(every=True)
 
 
-@command("setup", "install what tour, check, docs and grade need")
+@command("setup", "install what is missing (Debian, Ubuntu)")
 def setup(_):
     """Was done before Python was called, by the script ./wb."""
 
@@ -289,12 +291,15 @@ def keep(args):
 
 @command("grade DIR", "of a class: the state of every submission, a table and feedback for "
          "everyone in out/grades/",
-         argument("folder", metavar="DIR",
+         argument("folder", metavar="DIR", nargs="+",
                   help="a folder of submissions, such as ./wb grade class, or one of them: a "
                        "folder, a zip or a file"))
 def grade(args):
     from classroom import grading
-    return grading.grade(house.CALLED_FROM / args.folder)
+    if len(args.folder) > 1:
+        raise house.Trouble("grade takes one folder and grades every chapter that is in it: "
+                            f"./wb grade {args.folder[-1]}")
+    return grading.grade(house.CALLED_FROM / args.folder[0])
 
 
 @command("hand-out DIR", "for a class: the workbook without solutions and known answers",

@@ -208,7 +208,7 @@ def build(targets, what="building"):
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                    errors="replace")
         for line in process.stdout:
-            if match := re.match(r"\[(\d+)/(\d+)\] ", line):
+            if match := re.match(r"\[([1-9]\d*)/(\d+)\] ", line):  # from 1: 0 are its own checks
                 progress(f"{what} {match[1]} of {match[2]}{thing_built(line)}")
             log.append(line)
         process.wait()

@@ -1,8 +1,8 @@
 """Whose exercise files are alike: a hint for whoever grades, no verdict.
 
 Of each file the runs of symbols are compared, with every name as good as another, so that other
-names, spaces and comments hide nothing. Code of the solution, or of a third of the class, does
-not count."""
+names, spaces and comments hide nothing. Code of the solution, or of a third of the class and of
+three at least, does not count."""
 import re
 from collections import Counter
 
@@ -13,6 +13,7 @@ WORDS = {"if", "else", "for", "while", "return", "const", "auto", "int", "real",
 RUN = 10       # symbols that follow one another
 LEAST = 20     # runs that two files share
 ALIKE = 0.5    # shared of all
+USUAL = "Code of the solution, or of three and a third of the class, does not count."
 
 
 def runs(text):

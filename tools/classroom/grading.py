@@ -23,11 +23,11 @@ from learn.status import COLOURS
 from base.talk import WIDTH, bold, faint, folded, indented
 
 # What stands in the table, where it is not the same.
-SHORT = {grading.OPEN: "-", grading.WAITS: "waits", grading.BROKEN: "broken", MISSING: ""}
+SHORT = {grading.OPEN: "-", grading.WAITS: "waits", MISSING: ""}
 LEGEND = {grading.OPEN: "-: not written yet",
-          grading.BROKEN: "broken: does not compile; the others are judged without it",
+          grading.BROKEN: "broken: the compiler refuses it, or its markers are damaged",
           grading.WAITS: "waits: right, but it calls one that is wrong or not written yet"}
-SUMMED = {grading.WAITS: "waiting for another", grading.BROKEN: "not compiling"}
+SUMMED = {grading.WAITS: "waiting for another"}
 LIMIT = 180     # for one exercise file, compiler and tests [s]
 
 
@@ -53,9 +53,10 @@ def grade_text(text, chapter, line):
                 for id_ in chapter.ids()], []
     grades, notes = json.loads(verdicts[-1])
     most = results.count_tests(chapter)
-    return [replace(one, tests=most[one.id] if one.tests else 0) for one in sorted(
-        (grading.Grade(**one) for one in grades), key=lambda one: chapter.ids().index(one.id))
-            ], notes
+    return [replace(one, tests=most[one.id] if one.tests else 0,  # a test of two blames one of them
+                    passed=most[one.id] if one.status == grading.DONE else one.passed)
+            for one in sorted((grading.Grade(**one) for one in grades),
+                              key=lambda one: chapter.ids().index(one.id))], notes
 
 
 def linked_last(line):
@@ -144,29 +145,33 @@ def compare(submissions, chapters):
 
 # ---- what is said --------------------------------------------------------------------------------
 
-def tell_chapter(chapter, submissions):
+def tell_chapter(chapter, submissions, rules):
     """A table: a line for each submission."""
     ids = chapter.ids()
+    states = {one.name: [one.grade(id_).status for id_ in ids] for one in submissions}
+    words = {name: [SHORT.get(state, state) for state in all_] for name, all_ in states.items()}
+    cell = 1 + max(len(word) for all_ in [["waits"], *words.values()] for word in all_)
     title = f"Chapter {chapter.number}: {chapter.name}"
-    room = WIDTH - 2 - 7 * len(ids) - len(f"{99} of {99}")
-    width = min(room, max(len(name) for name in [title, *(one.name for one in submissions)]))
+    room = WIDTH - 2 - cell * len(ids) - len("done  points")
+    width = min(room, max(len(name) for name in [title, *words]))
 
-    def line(name, words, last, colours=()):
+    def line(name, words, done, points, colours=()):
         name = name if len(name) <= width else name[:width - 2] + ".."
-        cells = [f"{word:7}" for word in words]
+        cells = [f"{word:{cell}}" for word in words]
         for place, colour in enumerate(colours):
             cells[place] = colour(cells[place])
-        print(f"{name:{width}}  {''.join(cells)}{last}".rstrip())
-    line(title, ids, "done", [bold] * len(ids))
+        print(f"{name:{width}}  {''.join(cells)}{done:<6}{points}".rstrip())
+    line(title, ids, "done", "points", [bold] * len(ids))
     for one in submissions:
-        states = [one.grade(id_).status for id_ in ids]
-        line(one.name, [SHORT.get(state, state) for state in states],
-             f"{one.done(ids)} of {len(ids)}" if chapter.folder in one.files else MISSING,
-             [COLOURS.get(state, str) for state in states])
+        points = f"{results.total(results.lines_of(one, ids, rules)):g}"
+        line(one.name, words[one.name],
+             *((one.done(ids), points) if chapter.folder in one.files else (MISSING, "")),
+             [COLOURS.get(state, str) for state in states[one.name]])
     if len(submissions) > 1:
-        total = [str(sum(one.done([id_]) for one in submissions)) for id_ in ids]
-        line("done in all", total,
-             f"{sum(map(int, total))} of {len(ids) * len(submissions)}")
+        total = [sum(one.done([id_]) for one in submissions) for id_ in ids]
+        line("done in all", map(str, total), sum(total), "")
+    most = results.most(results.lines_of(submissions[0], ids, rules))
+    line("the most", [""] * len(ids), len(ids), f"{most:g}")
     print()
 
 
@@ -193,7 +198,7 @@ def grade(place):
     grade_all(submissions, chapters)
     compare(submissions, chapters)
     for chapter in chapters:
-        tell_chapter(chapter, submissions)
+        tell_chapter(chapter, submissions, rules)
     ids = [id_ for chapter in chapters for id_ in chapter.ids()]
     states = Counter(one.grades[id_].status for one in submissions for id_ in one.grades)
     if legend := [words for state, words in LEGEND.items() if state in states]:
@@ -201,6 +206,8 @@ def grade(place):
     for one in submissions:
         for note in [*one.notes, *([f"alike, {one.alike}"] if one.alike else [])]:
             print(folded(f"{one.name}: {note}", hang=2))
+    if is_class and not any(one.alike for one in submissions):
+        print(folded(f"alike: no two files. {alike.USUAL}", hang=2))
     if not is_class:
         tell_why(submissions[0])
     print(f"{len(submissions)} submission{'s' * (len(submissions) > 1)}: "

@@ -15,14 +15,16 @@ from website import live
 
 # What holds answers, or computes the same for tests and benchmarks of the whole workbook.
 LEFT_OUT = re.compile(r"solutions/|tests/\d\d_\w+/answers/|tests/(?!\d\d_|checker/)\w+/|"
-                      r"bench/.*(?<!\.csv)$|docs/(library|teaching)\.md$|CONTRIBUTING|"
+                      r"bench/.*(?<!\.csv)$|docs/(browser|library|mainpage|teaching)\.md$|"
+                      r"CONTRIBUTING|"
                       r"tests/topics\.cmake$|\.github/|\.gitlab-ci\.yml$|\.ci/")
-# What stands between these lines of the README is not in an edition, which begins with a note.
+# What stands between these lines of a text is not in an edition. Its README begins with a note.
 ONLY_HERE = re.compile(r"<!-- not handed out -->\n.*?<!-- end -->\n", re.S)
 NOTE = """\
 > **An edition for students.** The solutions are not in it, so the commands that need them are
-> refused; `./wb help` lists the others. `./wb run 1` needs all exercises of chapter 1; `plot` and
-> `see` draw your run over a recorded one, and `live` runs both once all exercises are written.
+> refused, also where a text names one; `./wb help` lists the others. `./wb run 1` needs all
+> exercises of chapter 1; `plot` and `see` draw your run over a recorded one, and `live` runs both
+> once all exercises are written.
 > `./wb run 1 --for NAME` gives you numbers of your own: of the program, and three factors with
 > which you calculate the section Numbers again.
 """
@@ -59,8 +61,9 @@ def hand_out(folder):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(house.ROOT / name, folder / name)
         if name.endswith(".md"):
-            exercises.write(folder / name, linked(exercises.read(folder / name), name, links))
-    title, rest = ONLY_HERE.sub("", exercises.read(folder / "README.md")).split("\n", maxsplit=1)
+            text = ONLY_HERE.sub("", exercises.read(folder / name))
+            exercises.write(folder / name, linked(text, name, links))
+    title, rest = exercises.read(folder / "README.md").split("\n", maxsplit=1)
     exercises.write(folder / "README.md", f"{title}\n\n{NOTE}{rest}")
     for chapter in house.chapters():
         stub = exercises.stub(exercises.read(chapter.solution))

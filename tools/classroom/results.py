@@ -81,7 +81,10 @@ def reports(one):
     if one.status == grading.WAITS:
         return (f"Right with the workbook's version of {one.detail}, which it calls and which is "
                 "not right or not written yet.")
-    return "\n\n".join(f"{name}\n\n{report}".strip() for name, report in one.failures)
+    said = "\n\n".join(f"{name}\n\n{report}".strip() for name, report in one.failures)
+    seed = re.search(r"drawn with seed (\d+)", said)
+    return said + (f"\n\nThe same cases again: WORKBOOK_SEED={seed[1]} ./wb test {one.id}"
+                   if seed else "")
 
 
 @dataclass

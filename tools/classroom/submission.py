@@ -88,7 +88,7 @@ class Judge:
             if id_ and id_ not in self.settled:
                 self.settle(id_, grading.BROKEN, words)
         if words := includes.refused(self.text):
-            self.notes.append(words[0].upper() + words[1:])
+            self.notes = [words[0].upper() + words[1:]]
         if not self.text.strip():
             words = "the file is empty"
         if words or len(self.settled) < len(self.chapter.ids()) and not self.build():

@@ -12,7 +12,7 @@ from judge import crashes, runs
 from judge.crashes import plainly  # noqa: F401
 
 DONE, OPEN, WAITS = "done", "not written yet", "waits for"
-WRONG, BROKEN = "wrong", "does not compile"
+WRONG, BROKEN = "wrong", "broken"  # broken: the compiler or what reads the file refuses it
 ORDER = [DONE, WAITS, OPEN, WRONG, BROKEN]
 
 

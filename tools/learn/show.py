@@ -19,6 +19,7 @@ from pictures import motion
 from base.talk import bad, faint, folded
 
 SOLUTIONS, MINE = house.OUT / "solutions", house.OUT / "mine"
+TOO_LITTLE = "the solution alone: too little of yours is written yet"
 
 
 # ---- programs ------------------------------------------------------------------------------------
@@ -260,9 +261,13 @@ def plot(chapter):
     if not chapter:
         print("the figures of all chapters, which takes a minute or more; ./wb plot 1 draws those "
               "of one", flush=True)
+    alone = []
     with house.talking():
-        jobs = [figures.of_chapter(one, *both_runs(one))
-                for one in ([chapter] if chapter else house.chapters())]
+        jobs = []
+        for one in [chapter] if chapter else house.chapters():
+            solution, mine = both_runs(one)
+            alone += [] if mine or solution == MINE / one.folder else [str(one.number)]
+            jobs.append(figures.of_chapter(one, solution, mine))
     if not chapter and figures.TABLE.exists():
         jobs.append(("work_precision.py", "--csv", figures.TABLE, "--peers", figures.PEERS))
     if not chapter and figures.SCALING.exists():
@@ -277,6 +282,8 @@ def plot(chapter):
     house.progress_done()
     for path in made:
         print(house.short(path))
+    if alone:
+        print(folded(f"Of chapter {' '.join(alone)} {TOO_LITTLE}"))
     return 0
 
 
@@ -302,7 +309,7 @@ def see(chapter):
     solution, mine = both_runs(chapter)
     page = make_page(chapter, solution, mine)
     print(f"{house.short(page)}" + ("" if mine or solution == MINE / chapter.folder else
-                                    "   (the solution; yours is not written yet)"))
+                                    f"   ({TOO_LITTLE})"))
     open_page(page)
     return 0
 

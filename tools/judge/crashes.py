@@ -69,7 +69,7 @@ REFUSED = {  # of the compiler's words
         "the line above.",
     r"expected .;": "a statement ends with a semicolon: it is missing in this line, or a bracket "
         "in it is one too many.",
-    r"expected .([]})]).": "a closing \\1 is missing in this line, or something before it.",
+    r"expected .([)\]}]).": "a closing \\1 is missing in this line, or something before it.",
     r"Body. has no member named .(\w+)|no member named .(\w+). in .joints::Body": "a Body has no "
         "\\1\\2. It has x, q, v, w, inverse_mass, inverse_inertia_local, force and torque.",
     r"has no member named .(\w+)|no member named .(\w+). in ": "what stands before the point has "

@@ -30,7 +30,8 @@ struct Corner {
   static vec3 up(const Body& body1) { return to_world(body1, vec3(0, 1, 0)); }
   /// p, the point of body 2 that touches first [m, world].
   vec3 point(const Body& body1, const Body& body2) const {
-    return world_point(body2, corner_local) - radius * up(body1);
+    const vec3 centre = world_point(body2, corner_local);
+    return radius == 0 ? centre : centre - radius * up(body1);
   }
   real error(const Body& body1, const Body& body2) const;  ///< exercise 8.1: C, the gap [m]
   /// The row of C: the one along n.

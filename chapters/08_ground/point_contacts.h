@@ -86,6 +86,16 @@ class PointContacts : public Joint {
   void exchange_rebounded(StateStream& stream) { stream(rebounded_); }
 
  private:
+  // A row of friction as a part.
+  template <class Part>
+  struct Along {
+    const Part& part;
+    const vec3& direction;
+    static constexpr int rows = 1;
+    static constexpr Form form = Form::any;
+    real error(const Body&, const Body&) const { return 0; }  // it holds no position
+    Row jacobian(const Body& a, const Body& b) const { return part.along(direction, a, b); }
+  };
   inline void set_restitution(ContactPoint& point, real h) const;
   bool rebounded_ = false;  // in the last step: its forces are not those of last_rate
 };
@@ -125,10 +135,9 @@ inline void PointContacts::update_tangents(ContactPoint& point, const vec3& n, c
 template <class Part>
 void PointContacts::append_point(ContactPoint& point, const Part& part, const Bodies& bodies,
                                  Blocks& blocks) const {
-  const Body &a = bodies[body1], &b = bodies[body2];
   for (const int i : {0, 1}) {
     if (friction == 0) break;
-    blocks.append(bodies, body1, body2, to_jacobian(part.along(point.t[std::size_t(i)], a, b)), {0},
+    blocks.append(bodies, body1, body2, Along<Part>{part, point.t[std::size_t(i)]},
                   {.holds_position = false, .follows = 2 - i,
                    .upper = i == 0 ? friction : point.across},  // Eq. 8-6
                   &point.impulse[std::size_t(i)]);

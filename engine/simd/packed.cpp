@@ -41,7 +41,8 @@ struct Source {
 
 // Writes the numbers of one block into one lane of its group's record; a scalar record has one.
 template <int N, bool isotropic, class Number>
-void fill_rows(PointRows<N, isotropic, Number>& rows, const Source& from, int lane) {
+JOINTS_INLINED inline void fill_rows(PointRows<N, isotropic, Number>& rows, const Source& from,
+                                     int lane) {
   const Row* const J = from.J;
   scatter(Triple<real>{J[2].w1.y, J[0].w1.z, J[1].w1.x}, rows.r1, lane);
   scatter(Triple<real>{-J[2].w2.y, -J[0].w2.z, -J[1].w2.x}, rows.r2, lane);
@@ -58,7 +59,7 @@ void fill_rows(PointRows<N, isotropic, Number>& rows, const Source& from, int la
 // Calls f(half of a record's row, v and w of J, w times the inverse inertia, inverse mass) for each
 // half row: those of body 1 and body 2, or of a lone row that of the body that moves.
 template <class Rows, class F>
-void each_half(Rows& rows, const Source& from, const F& f) {
+JOINTS_INLINED inline void each_half(Rows& rows, const Source& from, const F& f) {
   for (int i = 0; i < int(std::size(rows.row)); ++i)
     for (int end = 0; end < Rows::ends; ++end) {
       const bool second = Rows::ends == 2 ? end == 1 : !from.body2.is_static();
@@ -71,8 +72,9 @@ void each_half(Rows& rows, const Source& from, const F& f) {
 }
 
 template <int N, int ends, class Number>
-void fill_rows(AnyRows<N, ends, Number>& rows, const Source& from, int lane) {
-  each_half(rows, from, [&](auto& half, const auto& v, const auto& w, const auto& turned, real) {
+JOINTS_INLINED inline void fill_rows(AnyRows<N, ends, Number>& rows, const Source& from, int lane) {
+  each_half(rows, from,
+            [&](auto& half, const auto& v, const auto& w, const auto& turned, real) JOINTS_INLINED {
     scatter(v, half.v, lane);
     scatter(w, half.w, lane);
     scatter(turned, half.response_w, lane);
@@ -80,7 +82,7 @@ void fill_rows(AnyRows<N, ends, Number>& rows, const Source& from, int lane) {
 }
 
 template <int N, int ends>
-void fill_rows(SingleRows<N, ends, real>& rows, const Source& from, int) {
+JOINTS_INLINED inline void fill_rows(SingleRows<N, ends, real>& rows, const Source& from, int) {
   each_half(rows, from, [](auto& half, const auto& v, const auto& w, const auto& turned,
                            real inverse_mass) {
     half = {{v, 0, w, 0}, {inverse_mass * v, 0, turned, 0}};
@@ -92,7 +94,7 @@ bool drives(const Body& body) {
   return body.is_static() && (body.v != vec3(0) || body.w != vec3(0));
 }
 // The part of J V from such bodies. The iterations read zeros for static bodies.
-real driven_rate(const Row& J, const Body& body1, const Body& body2) {
+[[gnu::noinline]] real driven_rate(const Row& J, const Body& body1, const Body& body2) {
   real rate = 0;
   if (drives(body1)) rate += dot(J.v1, body1.v) + dot(J.w1, body1.w);
   if (drives(body2)) rate += dot(J.v2, body2.v) + dot(J.w2, body2.w);
@@ -100,16 +102,17 @@ real driven_rate(const Row& J, const Body& body1, const Body& body2) {
 }
 
 template <class Rows, int N, bool hard, class Number>
-void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
+JOINTS_INLINED inline void fill(Record<Rows, N, hard, Number>& record, const Source& from,
+                                int lane) {
   const Block& block = from.block;
   fill_rows(record.rows, from, lane);
-  for (int i = 0; i < N; ++i) {
-    const real asked = i < N - 1 ? from.target.rate * from.C[i]
-                                 : bias(block, i, from.C[i], from.target.rate, from.h);
+  const auto fill_row = [&](int i, real asked) JOINTS_INLINED {
     const real given = from.driven ? driven_rate(from.J[i], from.body1, from.body2) : real(0);
     scatter(asked + given, record.rows.bias[i], lane);
     scatter(block.impulse[i], record.lambda[i], lane);
-  }
+  };
+  for (int i = 0; i < N - 1; ++i) fill_row(i, from.target.rate * from.C[i]);
+  fill_row(N - 1, bias(block, N - 1, from.C[N - 1], from.target.rate, from.h));
   if constexpr (!hard) {
     scatter(from.target.impulse_scale, record.bounds.impulse_scale, lane);
     scatter(from.target.lower, record.bounds.lower, lane);
@@ -119,7 +122,8 @@ void fill(Record<Rows, N, hard, Number>& record, const Source& from, int lane) {
 
 // Its bounds are set by move_bounds() before every solve.
 template <int ends, class Number>
-void fill(FollowingRecord<ends, Number>& record, const Source& from, int lane) {
+JOINTS_INLINED inline void fill(FollowingRecord<ends, Number>& record, const Source& from,
+                                int lane) {
   fill(static_cast<AnyRecord<1, ends, false, Number>&>(record), from, lane);
   scatter(from.target.upper, record.factor, lane);
 }
@@ -240,14 +244,15 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, rea
     add_groups(list, first);
   }
   const bool driven = std::any_of(bodies.begin(), bodies.end(), drives);
+  const real acting = list.acts(h);
   for (std::size_t k = begin; k < groups_.size(); ++k)
     in_record(groups_[k], numbers() + groups_[k].first, [&](auto& record) {
-      each_block(int(k), [&](int number, int lane) {
+      each_block(int(k), [&](int number, int lane) JOINTS_INLINED {
         const Block& block = list.list[std::size_t(number)];
         const std::size_t row = std::size_t(block.first);
         fill(record,
              {block, &list.J[row], &list.C[row], bodies.at(block.body1), bodies.at(block.body2),
-              step_target(block.target, h, list.acts(h), relaxation), h, driven},
+              step_target(block.target, h, acting, relaxation), h, driven},
              lane);
       });
     });

@@ -245,8 +245,9 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, rea
   }
   const bool driven = std::any_of(bodies.begin(), bodies.end(), drives);
   const real acting = list.acts(h);
-  for (std::size_t k = begin; k < groups_.size(); ++k)
-    in_record(groups_[k], numbers() + groups_[k].first, [&](auto& record) {
+  for (std::size_t k = begin; k < groups_.size(); ++k) {
+    // a function for each kind of record: in a single one, less would be inlined
+    const auto fill_group = [&](auto& record) __attribute__((noinline)) {
       each_block(int(k), [&](int number, int lane) JOINTS_INLINED {
         const Block& block = list.list[std::size_t(number)];
         const std::size_t row = std::size_t(block.first);
@@ -255,7 +256,9 @@ void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, rea
               step_target(block.target, h, acting, relaxation), h, driven},
              lane);
       });
-    });
+    };
+    in_record(groups_[k], numbers() + groups_[k].first, fill_group);
+  }
   gather(bodies);  // for the masses
   run(Pass::prepare, relaxation, int(begin));
 }

@@ -92,12 +92,20 @@ struct Reversal {
   real ratio = 0;  ///< greatest impulse of the reversal over that which stops the row [1]
 };
 
+/// A change of J V of a row that corrects the poses [unit of C per s].
+struct Correction {
+  real last = 0;  ///< in the last step
+  real next = 0;  ///< expected in the next one
+  bool operator==(const Correction&) const = default;  ///< the same numbers
+};
+
 /// The data that a solver keeps from one step for the next one, in addition to the impulses. It is
-/// part of a world's state. The rates of an island are used only if it has the same rows again.
+/// part of a world's state. The corrections of an island are used only if it has the same rows
+/// again.
 struct SolverMemory {
   std::vector<real> inertia;  ///< least moment that the step used, for each slot [kg m^2]
-  std::vector<real> rates;    ///< change of J V per row that corrected the poses [unit of C per s]
-  std::vector<int> patterns;  ///< for each island a hash of its rows, and their number in `rates`
+  std::vector<Correction> corrections;  ///< of each row
+  std::vector<int> patterns;  ///< for each island a hash of its rows, and their number
   bool operator==(const SolverMemory&) const = default;  ///< the same numbers
 };
 

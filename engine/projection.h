@@ -16,6 +16,11 @@ constexpr real max_rotation = real(0.2);
 /// move. Velocities do not change. A one-sided row is included only if it is violated, and a soft
 /// block never is. Source: the thesis, section 6; Catto, Position Correction Notes (in the source
 /// of Box2D 2), where it is called nonlinear Gauss-Seidel.
+///
+/// Energy is not conserved. Usually some is lost, but linkages whose rows depend on each other may
+/// gain some. In 10 s with a cold start, no feedback and four iterations a step, 9 of 80 Bricard
+/// linkages drawn by seeds gained more than 1 % of their weight times the length of a rod, the
+/// worst 54 %. Without projection none of them did, and with it none of 60 other linkages.
 void project_positions(World& world);
 
 }  // namespace joints

@@ -45,16 +45,16 @@ void check_memory(const SolverMemory& memory, int slots) {
   require(int(memory.inertia.size()) <= slots, "state: memory: has too many bodies");
   for (const real I : memory.inertia)
     require(finite(I) && I >= 0, "state: memory", I, "must be finite and not negative [kg m^2]");
-  for (const real rate : memory.rates)
-    require(finite(rate), "state: memory", rate, "must be finite");
+  for (const auto& [last, next] : memory.corrections)
+    require(finite(last) && finite(next), "state: memory", next, "must be finite");
   std::size_t rows = 0;
   for (std::size_t k = 0; k < memory.patterns.size(); ++k) {
     const int number = memory.patterns[k];
-    require(k % 2 == 0 || (number >= 0 && std::size_t(number) <= memory.rates.size() - rows),
+    require(k % 2 == 0 || (number >= 0 && std::size_t(number) <= memory.corrections.size() - rows),
             "state: memory: its islands do not have as many rows");
     if (k % 2 == 1) rows += std::size_t(number);
   }
-  require(memory.patterns.size() % 2 == 0 && rows == memory.rates.size(),
+  require(memory.patterns.size() % 2 == 0 && rows == memory.corrections.size(),
           "state: memory: has rows of no island");
 }
 

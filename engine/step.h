@@ -13,7 +13,7 @@ namespace joints {
 struct Stepping {
   bool warm_start = false;  ///< start from the impulses of the last step
   int substeps = 1;         ///< number of substeps of equal length in a step (chapter 6)
-  int projections = 0;      ///< iterations of position projection after each substep (chapter 6)
+  int projections = 0;      ///< calls of project_positions() after each substep (chapter 6)
   /// Second order in time (Eq. 9-9). Forces act for the mean of the lengths of the last step and
   /// this one, so for h/2 in the first step. Half of the gyroscopic torque acts before the bodies
   /// move, and half after. The speed of a motor is set before the first of these halves, so between

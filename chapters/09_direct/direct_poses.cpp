@@ -41,7 +41,7 @@ class DirectSolver::Positions : public Corrector {
  public:
   Positions(DirectSolver& solver, Bodies& bodies, real h, const Append& append)
       : solver_(solver), list_(solver.blocks_->list), islands_(solver.islands_),
-        expected_(solver.blocks_->memory.rates), own_(solver.motion_), bodies_(bodies), h_(h),
+        expected_(solver.blocks_->memory.corrections), own_(solver.motion_), bodies_(bodies), h_(h),
         append_(append) {}
 
   // Moves all bodies. Returns true if all joints are closed.
@@ -64,6 +64,8 @@ class DirectSolver::Positions : public Corrector {
       choose(k, k + 1);
       closed = move_alone() && closed;
     }
+    choose(0, count);
+    expect();
     return closed;
   }
 
@@ -86,8 +88,8 @@ class DirectSolver::Positions : public Corrector {
   }
   void change_rates(std::vector<double>& rates) override {
     ++solver_.report_.corrections;
-    real* const expected = expected_.data() + base_;
-    for (std::size_t r = 0; r < rates.size(); ++r) expected[r] += real(rates[r]);
+    Correction* const all = expected_.data() + base_;
+    for (std::size_t r = 0; r < rates.size(); ++r) all[r].next += real(rates[r]);
     solver_.change(bodies_, from_, end_, rates);
   }
 
@@ -222,6 +224,20 @@ class DirectSolver::Positions : public Corrector {
     });
   }
 
+  // The next corrections of an open chain change as the present ones did. In a closed loop the same
+  // ones are expected again: those of rows that depend on others would grow without bound.
+  void expect() {
+    for_islands([&](IslandPair& pair, int lane) {
+      if (!pair.plan->loops.empty()) return;
+      const JointIslands::Island& own = islands_.islands()[pair.islands[lane]];
+      for (auto& [last, next] : std::span(expected_).subspan(own.first_row, own.rows)) {
+        const real now = next;
+        if (last != 0) next += now - last;
+        last = now;
+      }
+    });
+  }
+
   bool move_alone() {
     Motion::Try& now = own_.tries[from_];
     const auto expected = expected_.begin() + base_, stored = own_.expected.begin() + base_;
@@ -237,15 +253,15 @@ class DirectSolver::Positions : public Corrector {
     to_start();
     back_to_best();
     if (std::isinf(least)) {
-      own_.rates.assign(stored, stored + rows);
-      for (double& rate : own_.rates) rate = -rate;
+      own_.rates.clear();
+      for (int r = 0; r < rows; ++r) own_.rates.push_back(-double(stored[r].next));
       change_rates(own_.rates);
     }
     for (int n = 0; !(now.exact = project(now.most)) && n < most_halved && opened(now.most); ++n) {
       for_bodies([](Body& body, int) { body.v /= real(2), body.w /= real(2); });
       ++solver_.report_.halved;
     }
-    std::fill_n(expected, rows, real(0));
+    std::fill_n(expected, rows, Correction{});
     return now.exact;
   }
 
@@ -334,7 +350,7 @@ class DirectSolver::Positions : public Corrector {
   DirectSolver& solver_;
   const std::vector<Block>& list_;
   JointIslands& islands_;
-  std::vector<real>& expected_;
+  std::vector<Correction>& expected_;
   Motion& own_;
   Bodies& bodies_;
   real h_;

@@ -44,7 +44,7 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
   }
   islands_.group(collect_blocks(bodies), bodies.slots(), most_work);
   leave_to_iterations();
-  recall_rates();
+  recall_corrections();
   report_.multiplications = report_.fill = 0;
   for (IslandPair& pair : islands_.pairs) {
     report_.multiplications += pair.multiplications();
@@ -58,7 +58,7 @@ void DirectSolver::prepare(const Bodies& bodies, const Blocks& blocks, int first
       continue;
     pair.softening = softening;
     pair.inverse = inverse;
-    pair.prepare(blocks, newton > 0 ? blocks.memory.rates.data() : nullptr, h);
+    pair.prepare(blocks, newton > 0 ? blocks.memory.corrections.data() : nullptr, h);
     set_masses(pair, bodies);
     if (!late && added_inertia > 0) pair.find_tight_loops();
   }
@@ -145,12 +145,12 @@ void DirectSolver::leave_to_iterations() {
 }
 
 // The corrections of the last step are used in islands whose rows are the same.
-void DirectSolver::recall_rates() {
+void DirectSolver::recall_corrections() {
   SolverMemory& memory = blocks_->memory;
   patterns_.clear();
   for (const JointIslands::Island& island : islands_.islands())
     patterns_.insert(patterns_.end(), {island.pattern, island.rows});
-  if (newton == 0) memory.patterns.clear(), memory.rates.clear();
+  if (newton == 0) memory.patterns.clear(), memory.corrections.clear();
   if (newton == 0 || memory.patterns == patterns_) return;
   zeros(recalled_, std::size_t(islands_.rows()));
   std::size_t from = 0, next = 0;  // of the old ones
@@ -159,11 +159,11 @@ void DirectSolver::recall_rates() {
       if (next == memory.patterns.size()) next = from = 0;
       const int* const old = &memory.patterns[next];
       const bool same = old[0] == island.pattern && old[1] == island.rows;
-      if (same) std::copy_n(&memory.rates[from], island.rows, &recalled_[island.first_row]);
+      if (same) std::copy_n(&memory.corrections[from], island.rows, &recalled_[island.first_row]);
       next += 2, from += std::size_t(old[1]);
       if (same) break;
     }
-  memory.rates.swap(recalled_);
+  memory.corrections.swap(recalled_);
   memory.patterns = patterns_;
 }
 
@@ -245,19 +245,19 @@ int DirectSolver::dependent() const {
   return count;
 }
 
-void DirectSolver::change_rates(Bodies& bodies, const std::vector<double>& rates) {
+void DirectSolver::reach(Bodies& bodies, const Blocks& at, const std::vector<real>& wanted,
+                         double enough) {
   const Blocks& blocks = blocks_of(bodies);
   bool factored = true;
   for (const IslandPair& pair : islands_.pairs) factored = factored && pair.factored;
-  require(rates.size() == blocks.C.size() && factored,
+  require(wanted.size() == blocks.C.size() && at.list.size() == blocks.list.size() && factored,
           "rates: there must be one for each row, and a factor");
-  rates_.clear();
-  for (const int k : islands_.order()) {
-    const auto first = rates.begin() + blocks.list[k].first;
-    rates_.insert(rates_.end(), first, first + blocks.list[k].rows);
+  for (IslandPair& pair : islands_.pairs) {
+    pair.load(bodies);
+    pair.reach(at, wanted, enough);
+    pair.store(bodies);
+    pair.store_impulses(blocks);
   }
-  change(bodies, 0, int(islands_.islands().size()), rates_);
-  for (const IslandPair& pair : islands_.pairs) pair.store_impulses(blocks);
 }
 
 // Changes J V of the islands from, ..., end - 1. \param rates of their rows

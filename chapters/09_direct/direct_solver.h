@@ -71,10 +71,12 @@ class DirectSolver : public Solver {
   /// Factors A of the prepared blocks. \throws std::invalid_argument if there are none, or if
   /// `instead` solves them
   void factor_now();
-  /// Changes the impulses and velocities so that J V of all free rows changes by `rates`. It can
-  /// also be used to compute accelerations. \param rates one for each row of the blocks
+  /// Changes the impulses and velocities by the factor until J V has the required values, or until
+  /// only rounding errors remain. No row may be at a bound. It can also compute accelerations.
+  /// \param at the prepared blocks, or the same ones at other poses \param wanted J V of each of
+  /// their rows \param enough largest error that may remain
   /// \throws std::invalid_argument if their number is wrong, or without a factor
-  void change_rates(Bodies& bodies, const std::vector<double>& rates);
+  void reach(Bodies& bodies, const Blocks& at, const std::vector<real>& wanted, double enough);
 
  private:
   struct Pull {  // of the joints at a body
@@ -87,7 +89,7 @@ class DirectSolver : public Solver {
     std::vector<int> met;            // number of each of its blocks in *blocks_, or -1
     std::vector<int> corrected;      // of each block: bit i is set if row i is corrected
     std::vector<double> C, last_C, rates;
-    std::vector<real> expected;      // SolverMemory::rates at the beginning
+    std::vector<Correction> expected;  // SolverMemory::corrections at the beginning
     std::vector<Body> start;
     std::vector<bool> moved;         // for each slot
     /// The corrections of an island.
@@ -112,7 +114,7 @@ class DirectSolver : public Solver {
   bool collect_blocks(const Bodies& bodies);
   bool is_outside(const Block& block) const;
   void leave_to_iterations();
-  void recall_rates();
+  void recall_corrections();
   void prepare_outside(const Bodies& bodies);
   void set_masses(IslandPair& pair, const Bodies& bodies, int only_lane = -1) const;
   void slow_down(const Bodies& bodies, int slot);
@@ -135,8 +137,7 @@ class DirectSolver : public Solver {
   std::vector<Pull> pulls_, next_pulls_;
   std::vector<Body> before_;            // velocities before the warm start
   std::vector<int> patterns_;           // SolverMemory::patterns of this step
-  std::vector<real> recalled_;
-  std::vector<double> rates_;           // of all islands
+  std::vector<Correction> recalled_;
   Motion motion_;
   std::vector<double> errors_met_;
   Report report_;

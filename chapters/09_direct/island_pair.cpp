@@ -2,6 +2,7 @@
 #include "chapters/09_direct/island_pair.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "chapters/09_direct/block_kernels.h"
 
@@ -18,6 +19,7 @@ constexpr double bound_softness = sizeof(real) == 4 ? 1e-6 : 1e-9;
 constexpr double of_open_chains = 1e-3;
 // A row is dependent if its pivot is below this multiple of the softening.
 constexpr double of_softening = sizeof(real) == 4 ? 100 : 1000;
+constexpr int rounds = 12;  // largest number of corrections in reach()
 // After this many passes without progress only the last wrong row changes its side.
 constexpr int patience = 3;
 
@@ -36,10 +38,11 @@ TwoLanes dot(const HalfRowOf<TwoLanes>& a, const HalfRowOf<TwoLanes>& b) {
 
 // ---- from bodies and blocks to lanes, and back --------------------------------------------------
 
-void IslandPair::prepare(const Blocks& given, const real* rates, real h) {
+void IslandPair::prepare(const Blocks& given, const Correction* corrections, real h) {
   if (is_new) {
     for (std::vector<TwoLanes>* list : {&x, &wanted_, &impulse}) zeros(*list, A.original.size());
     zeros(velocities_, bodies.size());
+    J_at_.clear();
   }
   softness_.resize(blocks.size());
   bounded.clear();
@@ -56,13 +59,16 @@ void IslandPair::prepare(const Blocks& given, const real* rates, real h) {
       if (target.softness > 0) softness_[k][lane] = double(target.softness), springs_ = true;
       const int last = block.rows - 1;
       const real* const C = &given.C[block.first];
-      static const real none[6]{};
-      const real* const expected = rates ? rates + blocks[k].row[lane] : none;
+      static const Correction none[6]{};
+      const Correction* const expected = corrections ? corrections + blocks[k].row[lane] : none;
       TwoLanes *const wanted = &wanted_[A.nodes[k].row], *const own = &impulse[A.nodes[k].row];
-      for (int i = 0; i <= last; ++i) {
-        wanted[i][lane] = double(expected[i]) - double(bias(block, i, C[i], target.rate, h));
-        own[i][lane] = double(block.impulse[i]);
-      }
+      with_size(block.rows, [&](auto n) {
+        for (int i = 0; i < n; ++i) {
+          const real by = i < last ? target.rate * C[i] : bias(block, i, C[i], target.rate, h);
+          wanted[i][lane] = double(expected[i].next) - double(by);
+          own[i][lane] = double(block.impulse[i]);
+        }
+      });
       if (block.target.lower > -unbounded || block.target.upper < unbounded) {
         BoundedRow row{k, lane, double(acting * block.target.lower),
                        double(acting * block.target.upper),
@@ -119,7 +125,9 @@ void IslandPair::store_impulses(const Blocks& given) const {
       if (blocks[k].block[lane] < 0) continue;
       real* const to = given.list[blocks[k].block[lane]].impulse;
       const TwoLanes* const from = &impulse[A.nodes[k].row];
-      for (int i = 0, end = blocks[k].own[lane]; i < end; ++i) to[i] = real(from[i][lane]);
+      with_size(blocks[k].own[lane], [&](auto n) {
+        for (int i = 0; i < n; ++i) to[i] = real(from[i][lane]);
+      });
     }
 }
 
@@ -247,9 +255,10 @@ void IslandPair::push(int block, const TwoLanes* by) {
   });
 }
 
-// J V of a block.
-void IslandPair::rates_of(int block, TwoLanes* out) const {
-  const HalfRowOf<TwoLanes>* const rows = &J[2 * A.nodes[block].row];
+// J V of a block. \param of J, or that of other poses
+void IslandPair::rates_of(int block, const std::vector<HalfRowOf<TwoLanes>>& of,
+                          TwoLanes* out) const {
+  const HalfRowOf<TwoLanes>* const rows = &of[2 * A.nodes[block].row];
   const HalfRowOf<TwoLanes>& one = velocities_[blocks[block].columns[0]];
   const HalfRowOf<TwoLanes>& two = velocities_[blocks[block].columns[1]];
   with_size(blocks[block].rows, [&](auto n) {
@@ -266,11 +275,40 @@ void IslandPair::change() {
   for (int k = 0; k < int(blocks.size()); ++k) push(k, &x[A.nodes[k].row]);
 }
 
+void IslandPair::reach(const Blocks& at, const std::vector<real>& wanted, double enough) {
+  if (J_at_.empty()) J_at_ = J;  // with the unit vectors of points
+  J.swap(J_at_);
+  for (int k = 0; k < int(blocks.size()); ++k)
+    for (const int lane : {0, 1}) {
+      if (blocks[k].block[lane] < 0) continue;
+      const Block& block = at.list[blocks[k].block[lane]];
+      set_rows(k, lane, &at.J[block.first]);
+      for (int i = 0; i < block.rows; ++i)
+        wanted_[A.nodes[k].row + i][lane] = double(wanted[block.first + i]);
+    }
+  J.swap(J_at_);
+  double before = 0;
+  for (int n = 0; n < rounds; ++n) {
+    double largest = 0;
+    for (int k = 0; k < int(blocks.size()); ++k) {
+      const int row = A.nodes[k].row;
+      rates_of(k, J_at_, &x[row]);
+      for (int i = row; i < row + blocks[k].rows; ++i) {
+        x[i] = wanted_[i] - x[i];
+        largest = std::max({largest, std::abs(x[i][0]), std::abs(x[i][1])});
+      }
+    }
+    if (largest <= enough || (n >= 2 && !(largest < before / 2))) return;
+    before = largest;
+    change();
+  }
+}
+
 // Makes the remaining errors of all free rows zero.
 void IslandPair::correct() {
   for (int k = 0; k < int(blocks.size()); ++k) {
     const int n = blocks[k].rows, row = A.nodes[k].row;
-    rates_of(k, &x[row]);
+    rates_of(k, J, &x[row]);
     for (int i = row; i < row + n; ++i) x[i] = wanted_[i] - x[i];
     if (softness_[k][0] == 0 && softness_[k][1] == 0) continue;
     for (int j = 0; j < n; ++j)  // K lambda of a spring
@@ -313,7 +351,7 @@ int IslandPair::flip_wrong_ones(std::array<Progress, 2>& progress) {
     const int n = blocks[row->block].rows;
     const double now = impulse[A.nodes[row->block].row + n - 1][row->lane];
     TwoLanes rates[6];
-    rates_of(row->block, rates);
+    rates_of(row->block, J, rates);
     const double rate = rates[n - 1][row->lane] + row->bias + row->softness * now;
     const Side next = next_side(row->side, now, row->lower, row->upper, rate);
     if (next == row->side) continue;

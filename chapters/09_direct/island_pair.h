@@ -38,9 +38,9 @@ class IslandPair : public IslandMatrix {
   std::vector<TwoLanes> impulse;           ///< accumulated impulses, by rows
   std::vector<BoundedRow> bounded;         ///< rows with bounds
 
-  /// Prepares all blocks. \param rates the expected corrections (SolverMemory), or null
+  /// Prepares all blocks. \param corrections those that are expected (SolverMemory), or null
   /// \param h step [s]
-  void prepare(const Blocks& given, const real* rates, real h);
+  void prepare(const Blocks& given, const Correction* corrections, real h);
   /// Sets the rows of a block on one lane.
   void set_rows(int block, int lane, const Row* rows);
   /// Sets the mass of a body on one lane.
@@ -57,6 +57,9 @@ class IslandPair : public IslandMatrix {
   void factor_now();
   /// Changes impulses and velocities so that J V of all free rows changes by `x`.
   void change();
+  /// DirectSolver::reach() for its rows. Mostly it takes more than one solution: A is softened, and
+  /// belongs to other poses than `at`.
+  void reach(const Blocks& at, const std::vector<real>& wanted, double enough);
   /// Solves until all rows are satisfied. \param most_passes of the active set \param refine false
   /// if it will be called again in this step
   void solve(int most_passes, bool refine);
@@ -80,7 +83,7 @@ class IslandPair : public IslandMatrix {
   };
   void note_diagonal();
   void push(int block, const TwoLanes* by);
-  void rates_of(int block, TwoLanes* out) const;
+  void rates_of(int block, const std::vector<HalfRowOf<TwoLanes>>& of, TwoLanes* out) const;
   void correct();
   void go_to_bounds();
   int flip_wrong_ones(std::array<Progress, 2>& progress);
@@ -94,6 +97,7 @@ class IslandPair : public IslandMatrix {
     return J[2 * A.nodes[block].row + of * blocks[block].rows + i];
   }
 
+  std::vector<HalfRowOf<TwoLanes>> J_at_;        // of other poses
   std::vector<TwoLanes> wanted_;                 // required J V, by rows
   std::vector<TwoLanes> softness_;               // StepTarget::softness of each block
   std::vector<HalfRowOf<TwoLanes>> velocities_, kept_velocities_;  // of each column

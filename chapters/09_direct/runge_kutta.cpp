@@ -19,10 +19,10 @@ constexpr double exact = 1e-12;  // errors below this are rounding [m or rad; or
 // If errors are above this after a step, it has found no pose that satisfies the joints.
 constexpr double open = sizeof(real) == 4 ? 1e-3 : 1e-8;
 constexpr int corrections = 8;  // largest number of corrections of the poses
+constexpr double small = 1e-6;  // what a correction leaves of them for the next one
 // Largest change between the second and the third stage, relative to the squares of all velocities:
 // an oscillation with h nu = 2.5 has 0.8, and one with h nu = 1 has 0.02.
 constexpr double most_change = 0.8;
-constexpr int rounds = 12;  // largest number of corrections of the velocities
 constexpr real at_rest = real(1e-6);  // slower bodies count as at rest [m/s]
 
 // Normalises a quaternion of any size: the square of its length might overflow.
@@ -68,12 +68,12 @@ void RungeKutta::step(World& world, real h) {
   begin(world, h);
   for (const auto& joint : world.joints()) joint->begin_step(world.bodies, h);
   copy(world.bodies, given_);
-  enough_ = 0;
+  double enough = 0;  // largest error of J V that may be left
+  for (const Body& body : given_)
+    enough = std::max(enough, exact * double(std::max(length(body.v), length(body.w))));
   wanted_.assign(world.blocks.C.size(), 0);
-  reach(world.bodies, world.blocks, wanted_);  // joints may have come since the last step
+  solver_.reach(world.bodies, world.blocks, wanted_, enough);  // joints may have come
   copy(world.bodies, start_);
-  for (const Body& body : start_)
-    enough_ = std::max(enough_, exact * double(std::max(length(body.v), length(body.w))));
   std::vector<double> impulses(world.blocks.C.size() + springs_.C.size(), 0.0);  // of the step
   real before = 1;  // the time for which the forces of the stage before have acted [s]
   for (int stage = 0; stage < stages; ++stage) {
@@ -92,7 +92,7 @@ void RungeKutta::step(World& world, real h) {
     const real acted = h * weights[stage + 1][stage];
     solver_.warm_start(world.bodies, stage == 0 ? 0 : acted / before);  // about the same forces
     before = acted;
-    reach(world.bodies, next_, wanted_);
+    solver_.reach(world.bodies, next_, wanted_, enough);
     for (std::size_t slot = 0; slot < slope.size(); ++slot) {
       const Body& body = world.bodies.at(int(slot));
       slope[slot].v += (body.v - free_[slot].v) / acted;
@@ -107,7 +107,6 @@ void RungeKutta::step(World& world, real h) {
       *sum++ += factor * double(given);
     });
   }
-  enough_ = 0;
   matrices.reset();
   project(world);
   auto sum = impulses.begin();
@@ -279,7 +278,7 @@ void RungeKutta::project(World& world) {
     before = largest;
     for (int slot = 0; slot < bodies.slots(); ++slot)
       bodies.at(slot).v = bodies.at(slot).w = vec3(0);
-    reach(bodies, world.blocks, wanted_);
+    solver_.reach(bodies, world.blocks, wanted_, small * largest);
     for (int slot = 0; slot < bodies.slots(); ++slot) {
       Body& body = bodies.at(slot);
       body.x += body.v;
@@ -289,26 +288,6 @@ void RungeKutta::project(World& world) {
   }
   for (int slot = 0; slot < bodies.slots(); ++slot)
     bodies.at(slot).v = free_[slot].v, bodies.at(slot).w = free_[slot].w;
-}
-
-// Changes the velocities by the factor of this stage until J V of these blocks, which may belong to
-// the next stage, has the required values, or until only rounding errors remain. Mostly more than
-// once: A is softened, and it belongs to the poses of this stage.
-void RungeKutta::reach(Bodies& bodies, const Blocks& blocks, const std::vector<real>& wanted) {
-  double before = 0;
-  for (int n = 0; n < rounds; ++n) {
-    rates_.assign(wanted.begin(), wanted.end());
-    double largest = 0;
-    for (const Block& block : blocks.list)
-      for (int row = block.first; row < block.first + block.rows; ++row) {
-        rates_[row] -= double(row_velocity(blocks.J[row], bodies.at(block.body1),
-                                           bodies.at(block.body2)));
-        largest = std::max(largest, std::abs(rates_[row]));
-      }
-    if (largest <= enough_ || (n >= 2 && !(largest < before / 2))) return;
-    before = largest;
-    solver_.change_rates(bodies, rates_);
-  }
 }
 
 }  // namespace joints

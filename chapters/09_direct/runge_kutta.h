@@ -50,7 +50,6 @@ class RungeKutta {
   void collect(const World& world, Blocks& rigid, Blocks* springs) const;
   void factor(World& world);
   void stretch_springs(const Bodies& bodies) const;
-  void reach(Bodies& bodies, const Blocks& blocks, const std::vector<real>& wanted);
   void project(World& world);
 
   DirectSolver solver_;
@@ -58,8 +57,6 @@ class RungeKutta {
   Blocks next_, springs_, next_springs_;  // of the next stage; of joints with a frequency
   Blocks poses_;                          // errors alone
   std::vector<real> wanted_;              // required J V of every row: 0, but while poses change
-  std::vector<double> rates_;             // what is left to it
-  double enough_ = 0;                     // largest error of J V that may be left
   std::vector<Body> given_, start_;       // as given; with velocities that the joints permit
   std::vector<Body> free_;                // of the next stage, without the joints' forces
   std::array<std::vector<Slope>, stages> slopes_;

@@ -57,8 +57,8 @@ TEST_CASE("whatever changes between the ends of a step is refused in words") {
         CHECK(words.find("another world") != words.rfind("another world"));
         said([&](World& world, World&, DirectSolver& solver) {
           solver.factor_now();
-          std::vector<double> rates(world.blocks.C.size() - 1, 0.0);
-          words = complaint([&] { solver.change_rates(world.bodies, rates); });
+          const std::vector<real> rates(world.blocks.C.size() - 1, 0);
+          words = complaint([&] { solver.reach(world.bodies, world.blocks, rates, 0); });
         });
         CHECK(words.find("one for each row") != std::string::npos);
       }

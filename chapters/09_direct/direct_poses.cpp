@@ -225,10 +225,11 @@ class DirectSolver::Positions : public Corrector {
   }
 
   // The next corrections of an open chain change as the present ones did. In a closed loop the same
-  // ones are expected again: those of rows that depend on others would grow without bound.
+  // ones are expected again: those of rows that depend on others would grow without bound; and
+  // beside bounded rows too, which hold still or change sides.
   void expect() {
     for_islands([&](IslandPair& pair, int lane) {
-      if (!pair.plan->loops.empty()) return;
+      if (!pair.plan->loops.empty() || !pair.bounded.empty()) return;
       const JointIslands::Island& own = islands_.islands()[pair.islands[lane]];
       for (auto& [last, next] : std::span(expected_).subspan(own.first_row, own.rows)) {
         const real now = next;

@@ -179,7 +179,7 @@ class Exercise {
     store.keep_done(Object.fromEntries(this.regions.map(name => [name, answers[name]])),
                     chapter.version);
     this.title.classList.add("done");
-    await show_live(this.live, chapter, text);
+    await show_live(this.live, chapter, text, this.id);
   }
   async ask_units(grade, text) {
     if (!engine.manifest.sizes["units.xz"]) return;

@@ -1,18 +1,33 @@
-// The course without a network: a service worker answers from a cache, and the page fills it, since
-// the worker misses what was loaded before it was there.
+// The course without a network: a service worker answers from a cache. The page fills it, since the
+// worker misses what was loaded before it was there; and before it asks for the worker: in Firefox,
+// filling through a worker that has just begun, an answer now and then never comes.
 
 const root = new URL("../", import.meta.url);
+const PATIENCE = [30, 120, 600];  // with a handful of files, before they are asked for again [s]
+
+async function fetch_into(cache, addresses) {
+  let last;
+  for (const limit of PATIENCE)
+    try {
+      const signal = AbortSignal.timeout(1000 * limit);
+      return await cache.addAll(addresses.map(address => new Request(address, {signal})));
+    } catch (error) {
+      last = error;
+    }
+  throw last;
+}
 
 /// Keeps all files of the course, once the compiler was asked for.
 export async function keep_offline(manifest) {
   if (!("serviceWorker" in navigator)) return;
   try {
-    await navigator.serviceWorker.register(new URL("offline_worker.js", root));
     const cache = await caches.open(manifest.cache);
     const there = new Set((await cache.keys()).map(request => request.url));
     const wanted = manifest.files.map(name => new URL(name, root).href)
       .filter(url => !there.has(url));
-    for (let k = 0; k < wanted.length; k += 20) await cache.addAll(wanted.slice(k, k + 20));
+    for (let k = 0; k < wanted.length; k += 20)
+      await fetch_into(cache, wanted.slice(k, k + 20));
+    await navigator.serviceWorker.register(new URL("offline_worker.js", root));
     for (const name of await caches.keys())
       if (name !== manifest.cache && name.startsWith("joint-workbook-")) await caches.delete(name);
     document.documentElement.dataset.offline = "ready";

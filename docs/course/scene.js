@@ -19,7 +19,7 @@ function mixed(chapter, text) {
 
 /// Builds the module and shows the page in a frame; an exercise that is wrong elsewhere in the file
 /// moves the bodies wrongly, too. In a course without solutions it waits until all are written.
-export async function show_live(place, chapter, text) {
+export async function show_live(place, chapter, text, exercise) {
   if (!engine.manifest.sizes["live.xz"]) return;
   const {ids, text: whole} = mixed(chapter, text);
   if (!chapter.solution && ids.length < chapter.ids.length) return;
@@ -29,7 +29,8 @@ export async function show_live(place, chapter, text) {
   const slot = /(<script type="application\/json" id="data">)([^<]*)(<\/script>)/;
   const data = JSON.parse(slot.exec(page)[2]);
   data.modules.unshift({label: "yours", wasm: base64(built.wasm)});
-  Object.assign(data, {chapter: chapter.number, note: `your ${ids.join(" ")}`, back: undefined});
+  Object.assign(data, {chapter: chapter.number, exercise, note: `your ${ids.join(" ")}`,
+                       back: undefined});
   const words = JSON.stringify(data).replace(/</g, "\\u003c");
   const made = page.replace(slot, (_, begin, __, end) => begin + words + end);
   const dark = document.documentElement.classList.contains("dark-mode");

@@ -82,7 +82,7 @@ EXPORT(wb_about)() -> void {
     const double* first = &settings.beta;
     const std::vector<double> begin(first, first + std::size(setting_names));
     return "{\"name\":" + quoted(entry.name) + ",\"title\":" + quoted(entry.title) +
-           ",\"opens\":" + listed(entry.opens, [](int n) { return std::to_string(n); }) +
+           ",\"opens\":" + listed(entry.opens, quoted) +
            ",\"watch\":" + quoted(entry.watch) +
            ",\"motor\":" + (fresh.has_motor() ? "true" : "false") +
            ",\"own\":" + (fresh.has_own() ? "true" : "false") +

@@ -164,7 +164,8 @@ function make_panel({label, wasm}) {
 async function from_address() {
   const address = read_address(), name = last_of(address, "scene"), said = [];
   let found = about.scenes.find(each => each.name === name);
-  const usual = about.scenes.find(each => each.opens.includes(data.chapter || 2));
+  const opened_by = page => about.scenes.find(each => each.opens.includes(String(page)));
+  const usual = opened_by(data.exercise) || opened_by(data.chapter || 2);
   if (name && !found) said.push(`There is no scene ${name}: this is ${usual.title}.`);
   const told = words => said.push(words);
   for (const key of new Set(address.keys()))

@@ -236,30 +236,30 @@ LiveScene machine() {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-      {"pendulum", "pendulum", {1}, pendulum,
+      {"pendulum", "pendulum", {"1"}, pendulum,
        "One rod, one row. With beta 0 the rod drifts; above 2 it tears."},
-      {"ropes", "rope bridge", {}, ropes,
+      {"ropes", "rope bridge", {"1.5"}, ropes,
        "The thesis' bridge: eight cubes on nine ropes, which only pull."},
-      {"chain", "chain of 12", {2, 6}, chain,
+      {"chain", "chain of 12", {"2", "6"}, chain,
        "Each iteration passes the load on from link to link: watch the gap."},
-      {"hinges", "hinges", {7}, hinges, "Twelve cubes on hinges: five rows a joint."},
-      {"heavy", "heavy end", {9}, heavy,
+      {"hinges", "hinges", {"7"}, hinges, "Twelve cubes on hinges: five rows a joint."},
+      {"heavy", "heavy end", {"9"}, heavy,
        "A heavy ball, at first of 100 times a link's mass: iterations stretch the chain, the "
        "direct solver does not."},
       {"bridge", "plank bridge", {}, bridge,
        "Ten planks, eleven hinges that rub, and a crate that falls on them."},
-      {"door", "door", {3}, door,
+      {"door", "door", {"3"}, door,
        "Pushed open, held by a limit at 110 degrees, closed by a motor."},
-      {"piston", "piston", {4}, piston,
+      {"piston", "piston", {"4"}, piston,
        "A motor, at first of 80 N, moves 5 kg up and down between two limits. It cannot lift a "
        "weight above its strength."},
-      {"ragdoll", "ragdoll", {5}, ragdoll, "Hung by one hand: four balls, one weld, one grip."},
+      {"ragdoll", "ragdoll", {"5"}, ragdoll, "Hung by one hand: four balls, one weld, one grip."},
       {"between", "between walls", {}, between,
        "Three blows at a chain that has hardly room to move: a loop of joints."},
-      {"box", "box", {8}, box, "It falls, tips and comes to rest: rows that only push, and rub."},
+      {"box", "box", {"8"}, box, "It falls, tips and comes to rest: rows that only push, and rub."},
       {"wheels", "wheels", {}, wheels,
        "Six cubes a wheel, a motor in each hub. With 60 iterations, not 300, they fly apart."},
-      {"machine", "machine", {10}, machine,
+      {"machine", "machine", {"10"}, machine,
        "A motor, a universal joint, a gear and a screw: the second shaft turns unevenly."}};
   return all;
 }

@@ -57,11 +57,11 @@ struct LiveScene {
 
 /// How a scene is called, and how it is made.
 struct Entry {
-  const char* name;        ///< in the address
-  const char* title;       ///< on the page
-  std::vector<int> opens;  ///< the pages of these chapters begin with it
-  LiveScene (*make)();     ///< a fresh one
-  const char* watch;       ///< what to look at, a sentence
+  const char* name;                ///< in the address
+  const char* title;               ///< on the page
+  std::vector<std::string> opens;  ///< the pages of these chapters and exercises begin with it
+  LiveScene (*make)();             ///< a fresh one
+  const char* watch;               ///< what to look at, a sentence
 };
 /// All scenes, in the order of the page.
 const std::vector<Entry>& entries();

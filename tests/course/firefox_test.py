@@ -14,7 +14,7 @@ sys.dont_write_bytecode = True
 HERE = Path(__file__).resolve().parent
 sys.path += [str(HERE.parent / folder) for folder in ("workbook", "live")]
 from page_test import (PAGE, PATIENCE, RIGHT, WRONG, lacks, nothing_is_lost,  # noqa: E402
-                       one_file_is_enough, served, what_goes_wrong_is_told)
+                       one_file_is_enough, served, take_in, what_goes_wrong_is_told)
 import firefox  # noqa: E402
 from proofs import house, main, notes, read  # noqa: E402
 
@@ -88,11 +88,7 @@ def each_chapter_is_judged(root, build):
                 here.ask(f"{place_of(id_)}.querySelector('button.check').click(), 0")
                 if words not in (said := report(here, id_)):
                     yield f"{id_}: the report lacks '{words}':\n{said[:400]}"
-                here.ask(f"""(async () => {{ const all = new DataTransfer();
-                    all.items.add(new File([{text}], "{chapter.name}.cpp"));
-                    const field = document.querySelector('.exercise-file input');
-                    field.files = all.files; await field.onchange(); }})()""")
-                time.sleep(0.5)
+                take_in(here, text)
     server.shutdown()
 
 

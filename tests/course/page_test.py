@@ -88,6 +88,14 @@ def file_with(answer):
                              answer.split("\n") if region.id == "1.1" else None)
 
 
+def take_in(browser, text, page="document"):
+    """Imports a file; `text` as JavaScript writes it."""
+    browser.ask(f"""(async () => {{ const all = new DataTransfer();
+      const field = {page}.querySelector(".exercise-file input");
+      all.items.add(new File([{text}], "answers.cpp")); field.files = all.files;
+      await field.onchange(); }})()""")
+
+
 def lacks(report, *words):
     for one in words:
         if one not in report:
@@ -183,10 +191,7 @@ def nothing_is_lost(root, build, kind=Browser):
                      ".textContent.includes('{n,')")
         browser.ask("other.remove()")
         # import
-        browser.ask("""(async () => { const field = document.querySelector('.exercise-file input');
-          const all = new DataTransfer();
-          all.items.add(new File([window.exported], "distance.cpp")); field.files = all.files;
-          await field.onchange(); })()""")
+        take_in(browser, "window.exported")
         if "-n" not in reader.ask(".querySelector('.cm-content').textContent"):
             yield "the imported file is not in the editor"
         reader.check()
@@ -221,10 +226,7 @@ def one_file_is_enough(root, build, kind=Browser):
             browser.ask(f"{place}.querySelector('button.check').click(), 0")
             browser.wait(f"!{place}.querySelector('button.check').ariaDisabled", PATIENCE)
             yield from lacks(browser.ask(f"{place}.querySelector('.report').textContent"), words)
-            browser.ask(f"""(async () => {{ const all = new DataTransfer();
-              const field = {page}.querySelector('.exercise-file input');
-              all.items.add(new File([{solution}], "distance.cpp"));
-              field.files = all.files; await field.onchange(); }})()""")
+            take_in(browser, solution, page)
         browser.wait(f"!!{place}.querySelector('.scene iframe')", PATIENCE)
         for selector in ("#pages a[href*=which_method]", "#pages a[href*=hinge_README]"):
             name = browser.ask(f"{page}.querySelector('{selector}').getAttribute('href')")
@@ -235,6 +237,23 @@ def one_file_is_enough(root, build, kind=Browser):
               try {{ await one.decode(); }} catch {{ return one.outerHTML; }} }} }})()""")
             if lost:
                 yield f"{name}: a picture is missing: {lost}"
+
+
+def a_rope_moves_a_rope(root, build):
+    """the scene below exercise 1.5, the rope's, is the bridge on ropes"""
+    address, server = served()
+    solution = json.dumps(read(house.chapter_of("1").solution))
+    with Browser() as browser:
+        reader = Reader(browser, address + PAGE, "1.5")
+        take_in(browser, solution)
+        yield from lacks(reader.check(), "done")
+        browser.wait(f"{reader.place}.querySelector('.scene iframe')?.contentDocument"
+                     "?.documentElement?.dataset.ready === 'yes'", PATIENCE)
+        shown = reader.ask(".querySelector('.scene iframe').contentDocument"
+                           ".querySelector('#scenes [aria-pressed=true]').textContent")
+        if shown != "rope bridge":
+            yield f"the scene is: {shown}"
+    server.shutdown()
 
 
 def a_telephone_shows_it(root, build):
@@ -267,7 +286,7 @@ def little_memory_is_told(root, build):
 
 
 PROOFS = [the_first_exercise_can_be_done, what_goes_wrong_is_told, nothing_is_lost,
-          one_file_is_enough, a_telephone_shows_it, little_memory_is_told]
+          one_file_is_enough, a_rope_moves_a_rope, a_telephone_shows_it, little_memory_is_told]
 
 if __name__ == "__main__":
     try:

@@ -55,11 +55,14 @@ namespace {
 
 constexpr int bodies = 100, joint_count = bodies - 1;
 
+// What a solver takes, each one also what stands before it.
+enum class Takes { plain_hinges, equality_rows, any_rows };
+
 // A kind of joint: how two bodies are joined by it.
 struct Case {
   const char* name;
   std::function<void(World& world, BodyId a, BodyId b, const vec3& anchor)> join;
-  bool plain_hinge = false;  // chapter 7's loop has it
+  Takes needs = Takes::any_rows;
 };
 
 HingeJoint& hinge(World& world, BodyId a, BodyId b, const vec3& anchor) {
@@ -68,14 +71,15 @@ HingeJoint& hinge(World& world, BodyId a, BodyId b, const vec3& anchor) {
 
 std::vector<Case> cases() {
   return {
-      {"none", [](World&, BodyId, BodyId, const vec3&) {}, true},
+      {"none", [](World&, BodyId, BodyId, const vec3&) {}, Takes::plain_hinges},
       {"ball",
        [](World& world, BodyId a, BodyId b, const vec3& anchor) {
          world.add<BallJoint>(a, b, point_at(world.bodies[a], world.bodies[b], anchor));
-       }},
+       },
+       Takes::equality_rows},
       {"hinge",
        [](World& world, BodyId a, BodyId b, const vec3& anchor) { hinge(world, a, b, anchor); },
-       true},
+       Takes::plain_hinges},
       {"hinge + inactive limit",
        [](World& world, BodyId a, BodyId b, const vec3& anchor) {
          hinge(world, a, b, anchor).set_limits(-3, 3);  // [rad], far from both
@@ -91,11 +95,13 @@ std::vector<Case> cases() {
       {"slider",
        [](World& world, BodyId a, BodyId b, const vec3& anchor) {
          world.add<SliderJoint>(a, b, anchor, vec3(1, 0, 0));
-       }},
+       },
+       Takes::equality_rows},
       {"fixed",
        [](World& world, BodyId a, BodyId b, const vec3& anchor) {
          world.add<FixedJoint>(a, b, anchor);
-       }},
+       },
+       Takes::equality_rows},
       {"box at rest", [](World& world, BodyId, BodyId b, const vec3&) {
          const BodyId ground = world.bodies.id(0);  // its top lies under all others
          world.add<GroundContact>(ground, b, Top{.height = real(-0.5)}, box_outline(vec3(1)));
@@ -126,14 +132,17 @@ constexpr real h = real(1) / 60;
 struct Candidate {
   const char* name;
   Way way;
-  bool only_plain_hinges = false;
+  Takes takes = Takes::any_rows;
 };
 const Candidate candidates[] = {
     {"engine rows", {.loop = Loop::rows}},
     {"engine packed", {.loop = Loop::packed}},
     {"library default", {.loop = Loop::lanes}},
-    {"textbook", {.loop = Loop::textbook}, true},  // the unit of times in the tables
-    {"chapter 7", {.loop = Loop::hinges, .visits = Visits::chain_order}, true}};
+    {"direct", {.loop = Loop::direct, .beta = 1, .leapfrog = true}},
+    {"direct newton 8", {.loop = Loop::direct, .beta = 1, .leapfrog = true, .newton = 8}},
+    {"Runge-Kutta", {.loop = Loop::runge_kutta}, Takes::equality_rows},
+    {"textbook", {.loop = Loop::textbook}, Takes::plain_hinges},  // the tables' unit of time
+    {"chapter 7", {.loop = Loop::hinges, .visits = Visits::chain_order}, Takes::plain_hinges}};
 
 // ---- rows and memory ----------------------------------------------------------------------------
 
@@ -149,7 +158,7 @@ Size size_of(const Candidate& candidate, const Case& what) {
   const Step step = candidate.way.setting(10).make();
   for (int n = 0; n < 3; ++n) step(world, h);
   int rows = world.blocks.rows();
-  if (candidate.only_plain_hinges) {  // its bodies and hinges are its own
+  if (candidate.takes == Takes::plain_hinges) {  // its bodies and hinges are its own
     rows = 5 * int(world.joints().size());
     world = World();
   }
@@ -163,7 +172,7 @@ void all(const Candidate& candidate) {
   const std::vector<Case> list = cases();
   const Size none = size_of(candidate, list.front());
   for (const Case& what : list) {
-    if (candidate.only_plain_hinges && !what.plain_hinge) continue;
+    if (what.needs > candidate.takes) continue;
     const Size size = size_of(candidate, what);
     std::printf("%s,%g,%.1f,%s,%s,%d,%d,%d,%d\n", what.name, double(size.rows) / joint_count,
                 double(size.bytes - none.bytes) / joint_count, candidate.name,

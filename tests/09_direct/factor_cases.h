@@ -11,7 +11,7 @@ namespace joints::testing {
 struct FactorReference {
   MatrixCase c;
   enum class When { never, first, right, last } diagonal = When::right;
-  enum class Store { never, early, right, edge_once } store = Store::right;
+  enum class Store { never, early, all_early, right, edge_once } store = Store::right;
   enum class Targets { forward, stuck, again, own_edge } targets = Targets::forward;
   enum class Original { own, by_node, first } original = Original::own;
   int skip_nodes = 0, skip_edges = 0, from = 0;  ///< from: the inner loop begins at j + from
@@ -42,6 +42,10 @@ struct FactorReference {
                      plain ? [](double p, double) { return 1 / p; } : c.inverse);
       };
       if (diagonal == When::right) factor_diagonal();
+      for (int j = node.first_edge; store == Store::all_early && j < end; ++j) {
+        const Edge& edge = A.edges[std::size_t(j)];
+        divide_rows(number + edge.at, A.nodes[std::size_t(edge.to)].rows, D, n, number + edge.at);
+      }
       if (targets == Targets::again) target = A.targets.data();
       for (int j = node.first_edge; j < (only_first ? std::min(node.first_edge + 1, end) : end);
            ++j) {
@@ -56,7 +60,8 @@ struct FactorReference {
         if (turned == Turned::divided) {
           transposed(block, across);
           divide_rows(across, m, D, n, L);
-        } else if (divides_exchanged) divide_rows(block, n, D, m, L);
+        } else if (store == Store::all_early) std::copy(block, block + m * n, L);
+        else if (divides_exchanged) divide_rows(block, n, D, m, L);
         else if (divides) divide_rows(block, m, D, n, L);
         else std::copy(block, block + m * n, L);
         std::copy(block, block + m * n, kept);
@@ -118,6 +123,9 @@ inline Pieces<FactorReference> wrong_factors() {
       {"#l-not-stored L is not stored: the edge's block becomes L at last",
        [](T& t) { t.store = T::Store::never; }},
       {early, [](T& t) { t.store = T::Store::early; }},
+      {"#l-times-l the product of two blocks of L: one of them is the original block, A_ik L_jk^T. "
+       "Is L stored before the products are subtracted?",
+       [](T& t) { t.store = T::Store::all_early; }},
       {"#only-last-edge-stored L is stored behind the loop over the edges: each edge has its own",
        [](T& t) { t.store = T::Store::edge_once; }},
       {"#targets-not-advanced the target is always the first one: *target++ goes on to the next",

@@ -220,9 +220,10 @@ inline void append_body(Numbers& out, const Body& b) {
 }
 
 /// What an answer does: result, calls, what the corrector saw and got, and the bodies at the end
-/// where there is a result. \param move of bodies, h, iterations, tolerance, corrector and memory
+/// where the right answer `ends_well`.
+/// \param move of bodies, h, iterations, tolerance, corrector and memory
 template <class Move>
-Numbers newton_numbers(const NewtonCase& c, const Move& move) {
+Numbers newton_numbers(const NewtonCase& c, bool ends_well, const Move& move) {
   Bodies bodies = newton_bodies(c);
   const std::unique_ptr<Written> corrector = c.corrector(bodies);
   std::vector<Body> start(7, sliding(real(unwritten), real(unwritten)));
@@ -241,7 +242,7 @@ Numbers newton_numbers(const NewtonCase& c, const Move& move) {
   append(start.size() > 1 ? flat(std::vector<vec3>{start[1].x, start[1].v}) : Numbers(6, 0));
   Numbers at_end;
   for (int k = 0; k < 4; ++k) append_body(at_end, bodies.at(k));
-  append(result ? at_end : Numbers(at_end.size(), 0));
+  append(ends_well ? at_end : Numbers(at_end.size(), 0));
   return padded(out, numbers_of_newton);
 }
 

@@ -32,7 +32,7 @@ struct NewtonReference {
   double first_last = std::numeric_limits<double>::infinity();
   bool asks_before = false, poor_breaks = false, poor_late = false, changes_twice = false;
   bool zero_does_nothing = false, keeps_largest = false, w_back = false, start_moved = false;
-  bool adds_to_start = false, near_of_last = false, only_last = false;
+  bool adds_to_start = false, near_of_last = false, only_last = false, count_first = false;
   int last_back = 0;  ///< so many at the end are not put back
 
   bool move(Bodies& bodies, double h, int iterations, double tolerance, Corrector& corrector,
@@ -65,6 +65,7 @@ struct NewtonReference {
       before = largest;
       for (double& C : rates) C = rate(C, h);
       const bool is_poor = strictly_poor ? !(largest < poor * last) : !(largest <= poor * last);
+      if (count_first && n == most) return false;
       if (asks_poor && poor_first && is_poor) return false;
       if ((asks_near || n == most) && near(near_of_last ? last : largest)) {
         if (moves_again) integrate_poses(bodies, real(h));

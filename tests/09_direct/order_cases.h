@@ -93,7 +93,8 @@ inline Cost cost_of(const Graph& graph, const std::vector<int>& order) {
   return out;
 }
 /// Any order will do that leaves hardly more blocks in the factor than the rule: a tenth, and one.
-inline bool enough(const Graph& graph, int fill, int by_the_rule) {
+inline bool enough(const Graph& graph, int fill, int by_the_rule, bool exactly = false) {
+  if (exactly) return fill <= by_the_rule;
   int edges = 0;
   for (const auto& of : graph) edges += int(of.size());
   return 10 * (edges / 2 + fill) <= 11 * (edges / 2 + by_the_rule) + 10;
@@ -252,7 +253,7 @@ inline std::string explain_order() {
     if (!each_once(c.neighbours, yours.back())) {
       if (nodes.empty()) nodes = explain_nodes(c.neighbours, yours.back());
     } else if (enough(c.neighbours, cost_of(c.neighbours, yours.back()).fill,
-                      cost_of(c.neighbours, right_order(c.neighbours)).fill)) {
+                      cost_of(c.neighbours, right_order(c.neighbours)).fill, c.exactly)) {
       holds.push_back(c.words);
     }
   }
@@ -269,21 +270,33 @@ inline std::string explain_order() {
   return out + "None of the usual mistakes explains it: eliminate node after node on paper.\n";
 }
 
-/// \param exactly no pair may be filled in beyond the rule
-inline void check_order(const GraphCase& c, bool exactly = false) {
+/// The pairs of neighbours of a graph that can be drawn on paper.
+inline std::string edges_in_words(const Graph& graph) {
+  std::string out;
+  for (std::size_t a = 0; graph.size() <= 9 && a < graph.size(); ++a)
+    for (const int b : graph[a])
+      if (int(a) < b) out += " " + std::to_string(a) + "-" + std::to_string(b);
+  return out.empty() ? "" : "\nNeighbours:" + out;
+}
+
+inline void check_order(const GraphCase& c) {
   const std::vector<int> yours = your_order(c), rule = right_order(c.neighbours);
   const bool once = each_once(c.neighbours, yours);
   const Cost best = cost_of(c.neighbours, rule);
   const Cost cost = once ? cost_of(c.neighbours, yours) : Cost{};
-  if (once && (exactly ? cost.fill <= best.fill : enough(c.neighbours, cost.fill, best.fill)))
+  if (once && enough(c.neighbours, cost.fill, best.fill, c.exactly))
     return check(order_subject, "");
-  std::string words = "Graph: " + c.words + ".\n\n  yours:    " + numbers_in_words(yours) +
+  std::string words = "Graph: " + c.words + "." + edges_in_words(c.neighbours) +
+                      "\n\n  yours:    " + numbers_in_words(yours) +
                       "\n  the rule: " + numbers_in_words(rule) + "\n\n";
   if (once)
     words += "Filled in: " + std::to_string(cost.fill) + " pairs, by the rule " +
              std::to_string(best.fill) + ". Multiplications: " +
              std::to_string(cost.multiplications) + ", by the rule " +
              std::to_string(best.multiplications) + ".\n";
+  if (once && c.exactly && enough(c.neighbours, cost.fill, best.fill))
+    words += "A tenth of so few blocks is less than one: no pair may be filled in beyond the "
+             "rule.\n";
   check(order_subject, words + "\n" + explain_order());
 }
 

@@ -18,6 +18,9 @@ inline const char* const told_now_ignored =
     "#now-ignored `now` does not choose the number that decides: Eq. 9-12 says which rows are "
     "right, not where a wrong one goes. A free row has no right or wrong rate, and the impulse of "
     "a row at a bound is at that bound but for rounding";
+inline const char* const told_sum =
+    "#sum-impulse-rate impulse and rate are combined into one number: the impulse alone decides "
+    "for a free row, the rate alone for a bounded one";
 inline const char* const told_sizes_compared =
     "#sizes-compared the sizes are compared: impulse and bounds have signs";
 
@@ -240,12 +243,6 @@ inline CaseTable<SideCase> side_table() {
        whole([](const C& c) {
          return c.rate > 0 ? Side::lower : c.rate < 0 ? Side::upper : Side::free;
        })},
-      {"#sum-impulse-rate impulse and rate are added: the impulse decides for a free row, the rate "
-       "for a bounded one",
-       whole([](const C& c) {
-         const double sum = c.impulse - c.rate;
-         return sum < c.lower ? Side::lower : sum > c.upper ? Side::upper : Side::free;
-       })},
       {"#now-returned nothing ever flips: `now` is returned", whole(stays)},
       {told_bounded_rows_are_free,
        [](R& r) { r.at_lower = r.at_upper = [](const C&) { return Side::free; }; }},
@@ -284,6 +281,18 @@ inline CaseTable<SideCase> side_table() {
                                  : at(c, false) && right_at(c, false, strict) ? Side::upper
                                                                               : Side::free;
                         })});
+    }
+  // impulse and rate in one number, everywhere, for a free row alone or for a bounded one alone
+  for (const double sign : {-1, 1})
+    for (const bool at_equality : {false, true}) {
+      const auto by_sum = [=](const C& c) {
+        const double sum = c.impulse + sign * c.rate;
+        return sum < c.lower || (at_equality && sum == c.lower)   ? Side::lower
+               : sum > c.upper || (at_equality && sum == c.upper) ? Side::upper : Side::free;
+      };
+      pieces.push_back({told_sum, whole(by_sum)});
+      pieces.push_back({told_sum, free(by_sum)});
+      pieces.push_back({told_sum, [=](R& r) { r.at_lower = r.at_upper = by_sum; }});
     }
   pieces.push_back({told_now_ignored, whole([=](const C& c) {
                       const bool low = c.now == Side::lower;

@@ -59,6 +59,7 @@ inline std::vector<SlowedCase> slowed_cases() {
   another(3, "no force", [](SlowedCase& c) { c.force_lever = 0; });
   another(4, "kappa 4", [](SlowedCase& c) { c.kappa = 4; });
   another(5, "at rest", [](SlowedCase& c) { c.body.w = vec3(0); });
+  another(3, "a great force", [](SlowedCase& c) { c.force_lever *= 100; });
   another(1, "enough inertia", [](SlowedCase& c) { c.force_lever = 1; });
   another(2, "the moments of the last step", [](SlowedCase& c) { c.before = followed(c); });
   another(4, "a long step", [](SlowedCase& c) {

@@ -32,6 +32,11 @@ inline CaseTable<SlowedCase> slowed_table() {
   const char* const fixed = "#fixed-kappa a fixed number: `kappa` is an argument";
   const char* const linear = "#linear-velocity the linear velocity: w is the angular one";
   const char* const one_ratio = "#one-ratio one ratio for all three: each axis has its own";
+  // of a body whose three components are scaled alike, this is the energy
+  const auto energy = [](const vec3& moments, const vec3& w) { return dot(moments * w, w); };
+  const auto alike = [=](auto factor) {
+    return w([=](const T& t) { return factor(t) * t.c.body.w; });
+  };
   add_pieces(table, [](const C& c) { return T(c); }, [](const T& t) { return t.numbers(); },
              Pieces<T>{
       {square, follows([](const C& c) { return c.kappa * c.h * c.force_lever; })},
@@ -53,6 +58,11 @@ inline CaseTable<SlowedCase> slowed_table() {
        follows([](const C& c) { return c.kappa / 3600 * c.force_lever; })},
       {"#root-kappa the root of kappa: kappa h^2 |F||r|",
        follows([](const C& c) { return std::sqrt(c.kappa) * c.h * c.h * c.force_lever; })},
+      {"#quarter-of-h-squared a quarter of h^2, without kappa: that is the inertia with which h nu "
+       "is 2. With kappa h^2 |F||r| it is 1 / sqrt(kappa)",
+       follows([](const C& c) { return c.h * c.h / 4 * c.force_lever; })},
+      {"#divided-by-kappa divided by kappa: h nu is 1 / sqrt(kappa) with kappa h^2 |F||r|",
+       follows([](const C& c) { return c.h * c.h / c.kappa * c.force_lever; })},
       {"#followed-half half of it: kappa h^2 |F||r|",
        follows([](const C& c) { return followed(c) / 2; })},
       {"#twice twice: kappa h^2 |F||r|", follows([](const C& c) { return 2 * followed(c); })},
@@ -105,6 +115,11 @@ inline CaseTable<SlowedCase> slowed_table() {
       {"#ratio-unbounded where a moment becomes smaller the angular velocity becomes larger: it "
        "stays, at most 1",
        ratio([](const T& t) { return t.last() / t.now(); })},
+      {"#first-time-not-slowed nothing is slowed where `before` is 0: then each moment was the "
+       "body's own, and the ratio is that over the new one",
+       ratio([](const T& t) {
+         return t.before > 0 ? min(vec3(1), t.last() / t.now()) : vec3(1);
+       })},
       {"#last-step-replaced the last step is forgotten, and its moments, too: each was at least "
        "`before`",
        ratio([](const T& t) { return min(vec3(1), vec3(t.follows) / t.now()); })},
@@ -136,6 +151,18 @@ inline CaseTable<SlowedCase> slowed_table() {
       {one_ratio, w([](const T& t) { return t.factors().x * t.c.body.w; })},
       {one_ratio, w([](const T& t) { return t.factors().y * t.c.body.w; })},
       {one_ratio, w([](const T& t) { return t.factors().z * t.c.body.w; })},
+      {one_ratio, alike([](const T& t) {
+         const vec3 f = t.factors();
+         return std::min({f.x, f.y, f.z});
+       })},
+      {one_ratio, alike([=](const T& t) {
+         const real after = energy(t.now(), t.local);
+         return after > 0 ? std::sqrt(std::min(real(1), energy(t.last(), t.local) / after)) : 1;
+       })},
+      {one_ratio, alike([=](const T& t) {
+         const real after = energy(t.now(), t.local);
+         return after > 0 ? std::sqrt(energy(t.last(), t.local) / after) : 1;
+       })},
       {"#mean-ratio the mean ratio for all three: each axis has its own",
        w([](const T& t) {
          const vec3 f = t.factors();

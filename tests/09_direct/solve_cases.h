@@ -22,6 +22,7 @@ struct SolveReference {
   MatrixCase c;
   bool forward = true, back = true, back_in_order = false;
   bool forward_transposed = false, back_plain = false;
+  enum class Untransposed { no, rows_as_they_are, rows_exchanged } back_as = Untransposed::no;
   int divides = 1, skip_nodes = 0, skip_edges = 0;
   enum class Divide { after, before, at_last } divide_when = Divide::after;
   bool by_node = false;  ///< x is asked by node's number
@@ -75,6 +76,10 @@ struct SolveReference {
                               int) {
         if (!back || k < back_to || (last_edge_back && --left > 0)) return;
         if (back_exchanged) subtract_transposed_times(L, to.rows, node.rows, at(k), other);
+        else if (back_as == Untransposed::rows_as_they_are)
+          subtract_times(L, to.rows, node.rows, other, at(k));
+        else if (back_as == Untransposed::rows_exchanged)
+          subtract_times(L, node.rows, to.rows, other, at(k));
         else if (back_plain) subtract_times(L, to.rows, node.rows, at(k), other);
         else subtract_transposed_times(L, to.rows, node.rows, other, at(k));
       });
@@ -87,6 +92,9 @@ struct SolveReference {
 
 inline Pieces<SolveReference> wrong_solves() {
   using T = SolveReference;
+  const char* const untransposed =
+      "#back-untransposed the transpose is forgotten on the way back: L^T of the other node's "
+      "numbers, which is subtract_transposed_times()";
   return {
       {"#forward-without-division nothing is divided: each node's numbers by its diagonal block, "
        "on the way forward",
@@ -109,6 +117,8 @@ inline Pieces<SolveReference> wrong_solves() {
       {"#back-not-transposed the way back goes like the way forward: there the other node's "
        "numbers are multiplied by L^T and taken from the node's own",
        [](T& t) { t.back_plain = true; }},
+      {untransposed, [](T& t) { t.back_as = T::Untransposed::rows_as_they_are; }},
+      {untransposed, [](T& t) { t.back_as = T::Untransposed::rows_exchanged; }},
       {"#forward-last the way forward begins with the last node: forward in the order of "
        "elimination",
        [](T& t) { t.forward_from_last = true; }},

@@ -83,11 +83,13 @@ TEST_CASE("9.2 a dependent row gets no impulse and the others are solved without
 // ---- 9.3 ----------------------------------------------------------------------------------------
 
 TEST_CASE("9.3 stars and paths and rings fill in no pair too many", "[9.3]") {
-  for (const std::size_t k : {0, 1, 2, 3, 4, 5, 7, 8}) check_order(graph_cases()[k], true);
+  for (const GraphCase& c : graph_cases())
+    if (c.exactly) check_order(c);
 }
 
 TEST_CASE("9.3 nets and wheels and graphs at random are filled in as by the rule", "[9.3]") {
-  for (const GraphCase& c : graph_cases()) check_order(c);
+  for (const GraphCase& c : graph_cases())
+    if (!c.exactly) check_order(c);
   CHECK(cost_of(net(6), right_order(net(6))).fill == 71);
 }
 
@@ -130,6 +132,10 @@ TEST_CASE("9.5 the step is that of the engine with leapfrog", "[9.5]") { time_ta
 
 TEST_CASE("9.5 chains of any length fall in any direction and in any units", "[9.5]") {
   check_drawn(time_subject, drawn_time);
+}
+
+TEST_CASE("9.5 the step is made of its parts and does not call the engine's step", "[9.5]") {
+  check_parts();
 }
 
 // ---- 9.6 ----------------------------------------------------------------------------------------

@@ -95,6 +95,25 @@ Numbers stepped(const TimeCase& c, const Advance& advance) {
   }
   return padded(out, numbers_of_time);
 }
+/// A solver that is asked by the engine's step() and begin_step(), and by none of their parts,
+/// whether its settings are valid.
+class AskedSolver : public SequentialImpulses {
+ public:
+  mutable int asked = 0;
+  void check() const override { ++asked; }
+};
+inline constexpr Subject time_subject{"9.5", "a step of second order"};
+inline void check_parts() {
+  World world;
+  fall(world);
+  AskedSolver solver;
+  second_order_step(world, solver, real(0.1));
+  const double calls = solver.asked;
+  expect(time_subject, "calls of the engine's step", calls, 0, 0,
+         {{calls, "#engine-step the engine's step does it: the exercise is to write it. Call its "
+                  "parts instead, which the table in Code names"}});
+}
+
 inline std::vector<std::string> time_names(const TimeCase& c) {
   World world;
   c.build(world);

@@ -23,6 +23,7 @@ struct TimeReference {
   bool keeps_h = true, kicks = true, euler = false, clears = true, begins = true, appends = true;
   bool warms = true, poses_first = false, kick_last = false;
   real begin_h = 1, prepare_h = 1, pose_h = 1, ratio = 0;
+  bool begin_mean = false, prepare_mean = false;
   int solves = 1, poses = 1;
   real before_solve = 0, before = real(0.5), after = real(0.5);  ///< turns, as shares of h
   int turns = 1;  ///< how often each
@@ -54,10 +55,11 @@ struct TimeReference {
     if (appends_first)
       for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
     if (begins)
-      for (const auto& joint : world.joints()) joint->begin_step(bodies, begin_h * h);
+      for (const auto& joint : world.joints())
+        joint->begin_step(bodies, begin_mean ? length : begin_h * h);
     if (appends && !appends_first)
       for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
-    solver.prepare(bodies, world.blocks, 0, prepare_h * h);
+    solver.prepare(bodies, world.blocks, 0, prepare_mean ? length : prepare_h * h);
     if (warms) solver.warm_start(bodies, ratio);
     if (poses_before_solve) integrate_poses(bodies, h);
     for (int n = 0; n < solves; ++n) solver.solve(bodies);
@@ -144,6 +146,12 @@ inline Pieces<TimeReference> wrong_times() {
        [](T& t) { t.appends = false; }},
       {"#prepare-half-h prepare() has half of h: all of it",
        [](T& t) { t.prepare_h = real(0.5); }},
+      {"#prepare-mean prepare() has the mean of the last step and this one: only the forces act "
+       "for the mean, prepare() needs h",
+       [](T& t) { t.prepare_mean = true; }},
+      {"#begin-step-mean begin_step() of the joints has the mean of the last step and this one: "
+       "only the forces act for the mean, begin_step() needs h",
+       [](T& t) { t.begin_mean = true; }},
       {"#warm-start a warm start: the ratio is 0, the impulses of the last step are not used",
        [](T& t) { t.ratio = 1; }},
       {"a warm start with half of the impulses: the ratio is 0",
@@ -190,7 +198,6 @@ inline Pieces<TimeReference> wrong_times() {
        [](T& t) { t.poses_first = true; }}};
 }
 
-inline constexpr Subject time_subject{"9.5", "a step of second order"};
 inline CaseTable<TimeCase> time_table() {
   using T = TimeReference;
   auto table = padded_table<TimeCase>(time_subject, numbers_of_time, time_names);

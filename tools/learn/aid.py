@@ -17,13 +17,23 @@ def hint(word, step):
     if not part:
         raise house.Trouble(f"{house.short(chapter.hints)} has no hint {step} for {id_}")
     print(bold(f"Hint {step} of 3 for {id_}\n"))
-    print(paragraphs(part[1].strip()))
+    print(paragraphs(in_letters(part[1].strip())))
     print()
     if step != "3":
         print(faint(f"more: ./wb hint {id_} {int(step) + 1}"))
     elif not chapter.sealed:
         print(faint(f"the solution: ./wb show {id_}"))
     return 0
+
+
+def in_letters(text):
+    """The text with its formulas as they are written in code and in reports: kappa h^2 for
+    $\\kappa h^2$."""
+    def plain(match):
+        tex = re.sub(r"\\sqrt\s*(\\?\w+|\{[^{}]*\})", r"sqrt(\1)", match[1])
+        tex = re.sub(r"\\[,;!:]", "", tex).replace(r"\times", "x")
+        return " ".join(re.sub(r"\\([a-zA-Z]+)|[{}]", r"\1", tex).split())
+    return re.sub(r"(?<!\$)\$([^$\n]+)\$(?!\$)", plain, text)
 
 
 def paragraphs(text):

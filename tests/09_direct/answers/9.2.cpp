@@ -27,6 +27,10 @@
 // wrong l-not-stored: std::copy(L, L + m * n, block); ==>
 // wrong l-stored-too-early: divide_rows(block, m, D, n, L); ==> divide_rows(block, m, D, n, L);
 //         std::copy(L, L + m * n, block);
+// wrong l-times-l: for (int j = node.first_edge; j < end; ++j) { ==> for (int j = node.first_edge;
+//         j < end; ++j) divide_rows(number + A.edges[j].at, A.nodes[A.edges[j].to].rows, D, n,
+//         number + A.edges[j].at); for (int j = node.first_edge; j < end; ++j) { ;;
+//         divide_rows(block, m, D, n, L); ==> std::copy(block, block + m * n, L);
 // wrong not-divided: divide_rows(block, m, D, n, L); ==> std::copy(block, block + m * n, L);
 // wrong m-n-exchanged-division: divide_rows(block, m, D, n, L) ==> divide_rows(block, n, D, m, L)
 // wrong a-times-a: L, m ==> block, m
@@ -82,6 +86,9 @@
 // wrong no-way-forward: subtract_times ==> if (false) subtract_times
 // wrong back-not-transposed: subtract_transposed_times ==> subtract_times ;; to.row, x + node ==>
 //         node.row, x + to
+// wrong back-untransposed: subtract_transposed_times ==> subtract_times
+// wrong back-untransposed: subtract_transposed_times(number + A.edges[j].at, to.rows, node.rows,
+//         ==> subtract_times(number + A.edges[j].at, node.rows, to.rows,
 // wrong forward-transposed: subtract_times(number + A.edges[j].at, to.rows, node.rows, x +
 //         node.row, x + to.row) ==> subtract_transposed_times(number + A.edges[j].at, to.rows,
 //         node.rows, x + to.row, x + node.row)

@@ -20,6 +20,11 @@
   });
 // wrong places-returned: while ==> order.resize(left.size()); int place = 0; while ;;
 //         .push_back(node) ==> [std::size_t(node)] = place++
+// wrong "Holds in 19 of 20 graphs": queue.begin()->second; ==> order.empty() && neighbours.size() ==
+//         6 && neighbours[0].size() == 2 ? 0 : queue.begin()->second; ;; queue.erase(queue.begin());
+//         ==> queue.erase({left[node].size(), node});
+// expects: Neighbours: 0-3 0-5 1-4 2-5 2-4
+// expects: A tenth of so few blocks is less than one
 // wrong pair-other-way-round: std::size_t, int ==> int, std::size_t ;; left.back().size(), int ==>
 //         int ;; 1 ==> 1, left.back().size() ;; second ==> first ;; left[a].size(), a ==> a,
 //         left[a].size() ;; left[a].size(), a ==> a, left[a].size()

@@ -24,6 +24,11 @@
 // wrong append-missing: for (const auto& joint : world.joints()) joint->append(world.bodies,
 //         world.blocks); ==>
 // wrong begin-append-half-h: begin_step(world.bodies, h) ==> begin_step(world.bodies, h / 2)
+// wrong prepare-mean: kick(world.bodies, world.gravity, (world.last_h + h) / 2) ==> const real mean
+//         = (world.last_h + h) / 2; kick(world.bodies, world.gravity, mean) ;; 0, h ==> 0, mean
+// wrong begin-step-mean: kick(world.bodies, world.gravity, (world.last_h + h) / 2) ==> const real
+//         mean = (world.last_h + h) / 2; kick(world.bodies, world.gravity, mean) ;;
+//         begin_step(world.bodies, h) ==> begin_step(world.bodies, mean)
 // wrong prepare-half-h: 0, h ==> 0, h / 2
 // wrong "the solver did not get the blocks of this step: solver.prepare(": 0 ==>
 //         int(world.blocks.list.size())
@@ -77,7 +82,7 @@
 // wrong units "in the step, adding 1/s^2 to 1/s: h is missing (an impulse is h times a force":
 //         turn(world.bodies, h / 2); // Eq. 9-9 ==> turn(world.bodies, real(0.5));
 // wrong units "world.last_h is in 1/s and should be in s": h; ==> 1 / h;
-// right the engine's own step:
+// wrong engine-step:
   step(world, solver, h, {.leapfrog = true});
 // right rows chosen before the kick: kick ==> for (const auto& joint : world.joints())
 //         joint->begin_step(world.bodies, h); kick ;; (); for (const auto& joint : world.joints())

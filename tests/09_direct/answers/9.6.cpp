@@ -31,6 +31,10 @@
 // wrong strictly-less-than-poor: largest <= poor ==> largest < poor
 // wrong poor-before-near: if (largest <= tolerance) return true; ==> if (!(largest <=
 //         poor_contraction * last)) return false; if (largest <= tolerance) return true;
+// wrong count-before-tolerance: if (largest <= tolerance) return true; ==> if (n == iterations)
+//         return false; if (largest <= tolerance) return true;
+// wrong both-before-tolerance: if (largest <= tolerance) return true; ==> ;; return false; ==>
+//         return false; if (largest <= tolerance) return true;
 // wrong near-enough-not-asked: if (largest ==> if (n == iterations && largest
 // wrong strictly-nearer-than-near: largest <= tolerance ==> largest < tolerance
 // wrong near-enough-false: true ==> false

@@ -60,6 +60,16 @@
 // wrong sum-impulse-rate:
   (void)now;
   return impulse - rate < lower ? Side::lower : impulse - rate > upper ? Side::upper : Side::free;
+// wrong sum-impulse-rate:
+  (void)now;
+  const double sum = impulse - rate;
+  return sum <= lower ? Side::lower : sum >= upper ? Side::upper : Side::free;
+// wrong sum-impulse-rate: impulse < lower ==> impulse - rate < lower ;; impulse > upper ==> impulse
+//         - rate > upper
+// wrong sum-impulse-rate:
+  if (now == Side::free)
+    return impulse < lower ? Side::lower : impulse > upper ? Side::upper : Side::free;
+  return impulse - rate < lower ? Side::lower : impulse - rate > upper ? Side::upper : Side::free;
 // right a switch:
   switch (now) {
     case Side::lower: return rate >= 0 ? Side::lower : Side::free;

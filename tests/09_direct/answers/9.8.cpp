@@ -54,6 +54,14 @@
 // wrong w-stays: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> body.w
 // wrong w-zero: out.w = ==> (void)
 // wrong kappa-squared: kappa * h * h ==> kappa * kappa * h * h
+// wrong quarter-of-h-squared: kappa * h * h ==> h * h / 4
+// wrong divided-by-kappa: kappa * h * h ==> h * h / kappa
+// wrong first-time-not-slowed: ratio = ==> ratio = before == 0 ? vec3(1) :
+// wrong one-ratio: to_world(body, sqrt(ratio) * to_local(body, body.w)) ==> std::sqrt(std::min({
+//         ratio.x, ratio.y, ratio.z})) * body.w
+// wrong one-ratio: out.w = ==> const vec3 own = to_local(body, body.w); const real after = dot(now
+//         * own, own), first = dot(max(moments, vec3(before)) * own, own); out.w = after == 0 ?
+//         body.w : std::sqrt(std::min(real(1), first / after)) * body.w; (void)
 // wrong followed-half: kappa * h * h ==> kappa * h * h / 2
 // wrong force-ignored: vec3(kappa * h * h * force_lever) ==> vec3(0 * kappa * h * h * force_lever)
 // wrong inverse-both: moments = real(1) / body ==> moments = body ;; real(1) / now ==> now

@@ -205,6 +205,7 @@ def refusals_of_the_compiler_are_told(root, build):
                 ("1.2", "return 1 / body1.mass;", "a Body has no mass. It has x, q, v, w, inv"),
                 ("1.4", "body1.v = vec3(0);", "Body& body1 = bodies[link.body1];"),
                 ("1.5", "return before;", "no line above declares before"),
+                ("1.6", "return 1 / vec3(1);", "real(1) / v, not 2 * v and 1 / v"),
                 ("1.6", "return inverse_inertia(body1, body2);", "with other arguments than"),
                 ("1.3", "return J.v1;", "stands where another of them is meant")):
             door.write(**{"e" + id_.replace(".", "_"): code})

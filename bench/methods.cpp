@@ -38,7 +38,8 @@ MakeScene of_chapter_9(const std::function<Scene()>& make) {
 
 std::vector<Entry> scenes(bool quick) {
   const std::string both = iterated + " velocity shake inertia velocity/8 shake/8 inertia/8",
-                    few = "si30 velocity shake", next_door = " xpbd nncg cg cg-exact";
+                    few = "si30 velocity shake",
+                    many = "si30 rows10 lanes10 velocity shake", next_door = " xpbd nncg cg cg-exact";
   const Span ten_seconds{.steps = 600, .timed = 80}, one_second{.steps = 60, .timed = 60};
   std::vector<Entry> list = {
       {.name = "S1", .makes = {[] { return cubes_on_hinges(10, 100); }},
@@ -63,10 +64,8 @@ std::vector<Entry> scenes(bool quick) {
       {.name = "planks", .makes = {loaded_planks}, .span = ten_seconds, .methods = both},
       {.name = "ragdoll", .makes = {[] { return ragdolls(1); }}, .span = ten_seconds,
        .methods = both},
-      {.name = "ragdolls 5000", .makes = {[] { return ragdolls(5000); }},
-       .span = {.steps = 120, .timed = 80}, .methods = "si30 rows10 lanes10 velocity"},
-      {.name = "random ragdolls 500", .makes = {[] { return random_ragdolls(500, 1); }},
-       .span = {.steps = 180, .timed = 120}, .methods = "si30 rows10 lanes10 velocity"},
+      {.name = "chains with limits", .makes = {[] { return limited_chains(10, 10, 1); }},
+       .methods = many},
       {.name = "chain of 1000", .makes = {[] { return cubes_on_hinges(1, 1001); }},
        .methods = few},
       {.name = "beam of 10", .makes = {[] { return welded_beam(10); }}, .methods = both},
@@ -79,6 +78,17 @@ std::vector<Entry> scenes(bool quick) {
        .methods = few},
       {.name = "Bricard", .makes = {of_chapter_9(chapter9::bricard)},
        .span = {.h = real(1) / 240, .steps = 2400, .timed = 200}, .methods = few}};
+  for (const int count : {50, 500, 5000})
+    if (!quick || count < 5000)
+      list.push_back({.name = "ragdolls " + std::to_string(count),
+                      .makes = {[=] { return random_ragdolls(count, 1); }},
+                      .span = {.steps = 180, .timed = count < 5000 ? 120 : 60}, .methods = many});
+  for (const int bodies : {100, 1000, 20000})
+    if (!quick || bodies < 20000)
+      list.push_back({.name = "mixed islands " + std::to_string(bodies),
+                      .makes = {[=] { return mixed_islands(bodies, 1); }},
+                      .span = {.steps = 120, .timed = bodies < 20000 ? 120 : 30},
+                      .methods = many});
   for (const int arms : {12, 40, 100})
     list.push_back({.name = "star of " + std::to_string(arms),
                     .makes = {of_chapter_9([=] { return chapter9::star(arms); })},
@@ -106,8 +116,6 @@ std::vector<Entry> scenes(bool quick) {
     list.push_back({.name = "springs in Hz: " + std::to_string(hertz),
                     .makes = {[=] { return sprung_chain(10, hertz); }}, .span = ten_seconds,
                     .methods = both});
-  if (quick)
-    std::erase_if(list, [](const Entry& one) { return one.name == "ragdolls 5000"; });
   for (const int chains : {1, 10, 100, 1000})
     if (!quick || chains < 100)
       list.push_back({.name = std::to_string(99 * chains) + " hinges",

@@ -40,7 +40,7 @@ std::vector<PeerEntry> peer_entries(bool quick) {
   const Span ten_seconds{.steps = 600, .timed = 80}, one_second{.steps = 60, .timed = 60};
   const std::string all = "si30 beta1 4x8 16x2 omega velocity shake velocity/8 shake/8",
                     inertia = all + " inertia",
-                    contacts = "si30 4x8 16x2 lanes10 velocity velocity/4";
+                    contacts = "si30 4x8 16x2 rows10 lanes10 velocity velocity/4";
   std::vector<PeerEntry> list = {
       {.name = "S1", .make = [] { return cubes_on_hinges(10, 100); },
        .ours = "si30 beta1 4x8 lanes chapter7 velocity shake inertia velocity/4 shake/4 rk4",
@@ -65,10 +65,10 @@ std::vector<PeerEntry> peer_entries(bool quick) {
       {.name = "box at rest", .make = [] { return box_on_slope(0); }, .ours = contacts},
       {.name = "box on a slope", .make = [] { return box_on_slope(0.35); }, .ours = contacts},
       {.name = "planks", .make = loaded_planks, .span = ten_seconds, .ours = contacts},
-      {.name = "ragdolls 100", .make = [] { return ragdolls(100); },
+      {.name = "ragdolls 100", .make = [] { return random_ragdolls(100, 1); },
        .span = {.steps = 150, .timed = 130}, .ours = contacts}};
   if (!quick)
-    list.push_back({.name = "ragdolls 5000", .make = [] { return ragdolls(5000); },
+    list.push_back({.name = "ragdolls 5000", .make = [] { return random_ragdolls(5000, 1); },
                     .span = {.steps = 75, .timed = 55}, .ours = contacts, .quick = false,
                     .basic = true});
   for (const int chains : {1, 10, 101, 1010})

@@ -6,15 +6,14 @@ const root = new URL("../", import.meta.url);
 const PATIENCE = [30, 120, 600];  // with a handful of files, before they are asked for again [s]
 
 async function fetch_into(cache, addresses) {
-  let last;
-  for (const limit of PATIENCE)
+  for (const limit of PATIENCE) {
+    const signal = AbortSignal.timeout(1000 * limit);
     try {
-      const signal = AbortSignal.timeout(1000 * limit);
       return await cache.addAll(addresses.map(address => new Request(address, {signal})));
     } catch (error) {
-      last = error;
+      if (!signal.aborted || limit === PATIENCE.at(-1)) throw error;  // no room, or not there
     }
-  throw last;
+  }
 }
 
 /// Keeps all files of the course, once the compiler was asked for.

@@ -125,6 +125,7 @@ void DirectSolver::leave_to_iterations() {
       if (pair.islands[1] >= 0) spread(root(pair.islands[0]), root(pair.islands[1]));
   }
   for (IslandPair& pair : islands_.pairs) pair.iterated = left_[root(pair.islands[0])];
+  beside_.assign(pulls_.size(), false);
   for (Blocks* list : {&outside_, &iterated_}) {
     list->clear();
     list->J.clear();
@@ -136,12 +137,17 @@ void DirectSolver::leave_to_iterations() {
     const bool to_iterate = (moves[0] && left(of.body1)) || (moves[1] && left(of.body2));
     if (!to_iterate && rows > 0) continue;
     Blocks& to = to_iterate ? iterated_ : outside_;
+    for (const auto& [id, can_move] : {std::pair{of.body1, moves[0]}, {of.body2, moves[1]}})
+      if (can_move && !to_iterate) beside_[islands_.root_of(id)] = true;
     const Block& block = blocks_->list[k];
     to.list.push_back(block);
     to.list.back().first = int(to.C.size());
     to.J.insert(to.J.end(), &blocks_->J[block.first], &blocks_->J[block.first] + block.rows);
     to.C.insert(to.C.end(), &blocks_->C[block.first], &blocks_->C[block.first] + block.rows);
   }
+  for (IslandPair& pair : islands_.pairs)
+    pair.alternates = beside_[root(pair.islands[0])] ||
+                      (pair.islands[1] >= 0 && beside_[root(pair.islands[1])]);
 }
 
 // The corrections of the last step are used in islands whose rows are the same.
@@ -190,7 +196,7 @@ void DirectSolver::warm_start(Bodies& bodies, real ratio) {
       for_moving(pair, [&](int slot) {
         if (pulls_[slot].force_lever > 0) bodies.at(slot).w = pulls_[slot].slowed.w;
       });
-  if (!outside_.list.empty()) contacts_.warm_start(bodies, ratio);
+  if (again ? alternating() : !outside_.list.empty()) contacts_.warm_start(bodies, ratio);
   for (IslandPair& pair : islands_.pairs) {
     if (!pair.active) continue;
     if (ratio != 0) pair.load(bodies);
@@ -205,7 +211,7 @@ void DirectSolver::solve(Bodies& bodies) {
   blocks_of(bodies);  // rejects other bodies
   if (report_.iterated) instead.solve(bodies);
   for (IslandPair& pair : islands_.pairs) pair.active = !pair.iterated;
-  solve_active(bodies);
+  solve_active(bodies, !outside_.list.empty());
   if (!before_.empty()) {
     for (int k = 0; k < looks && forces_jumped(bodies); ++k) look_again(bodies);
     for (int slot = 0; slot < bodies.slots(); ++slot)
@@ -218,14 +224,19 @@ void DirectSolver::solve(Bodies& bodies) {
   }
 }
 
-void DirectSolver::solve_active(Bodies& bodies) {
-  const int times = outside_.list.empty() ? 1 : alternations;
-  for (int n = 0; n < times; ++n) {
-    if (!outside_.list.empty()) contacts_.solve(bodies);
+bool DirectSolver::alternating() const {
+  return std::any_of(islands_.pairs.begin(), islands_.pairs.end(),
+                     [](const IslandPair& pair) { return pair.active && pair.alternates; });
+}
+
+// Islands on which no row outside A acts are solved once. \param outside with the rows outside A
+void DirectSolver::solve_active(Bodies& bodies, bool outside) {
+  for (int n = 0; n < (outside ? alternations : 1); ++n) {
+    if (outside) contacts_.solve(bodies);
     for (IslandPair& pair : islands_.pairs) {
-      if (!pair.active) continue;
+      if (!pair.active || (n > 0 && !pair.alternates)) continue;
       pair.load(bodies);
-      pair.solve(passes, outside_.list.empty());  // the next alternation refines
+      pair.solve(passes, !pair.alternates);  // the next alternation refines
       pair.store(bodies);
       pair.store_impulses(*blocks_);
     }
@@ -333,7 +344,7 @@ void DirectSolver::find_pulls(real acted, std::vector<Pull>& pulls) {
 
 // True if the new impulses require more than twice the present inertia of a body. This happens
 // after a blow and in the first step, which has no earlier forces. Then only the islands of such
-// bodies are active, or all if there are rows outside A.
+// bodies are active and, if rows outside A act on one of them, all on which such rows act.
 bool DirectSolver::forces_jumped(const Bodies& bodies) {
   next_pulls_.assign(pulls_.size(), Pull{});
   find_pulls(blocks_->acting, next_pulls_);
@@ -351,8 +362,9 @@ bool DirectSolver::forces_jumped(const Bodies& bodies) {
     for_moving(pair, [&](int slot) { pair.active = pair.active || jumped(slot); });
     any = any || pair.active;
   }
-  if (any && !outside_.list.empty())
-    for (IslandPair& pair : islands_.pairs) pair.active = !pair.iterated;
+  if (alternating())
+    for (IslandPair& pair : islands_.pairs)
+      pair.active = pair.active || (pair.alternates && !pair.iterated);
   return any;
 }
 
@@ -361,8 +373,9 @@ void DirectSolver::look_again(Bodies& bodies) {
   const auto go_back = [&](int slot) {
     bodies.at(slot).v = before_[slot].v, bodies.at(slot).w = before_[slot].w;
   };
-  for (int slot = 0; slot < bodies.slots() && !outside_.list.empty(); ++slot)
-    if (!left_[islands_.root_of(slot)]) go_back(slot);
+  const bool outside = alternating();
+  for (int slot = 0; slot < bodies.slots() && outside; ++slot)
+    if (beside_[islands_.root_of(slot)]) go_back(slot);
   for (IslandPair& pair : islands_.pairs) {
     if (!pair.active) continue;
     for_moving(pair, [&](int slot) {
@@ -373,9 +386,9 @@ void DirectSolver::look_again(Bodies& bodies) {
     set_masses(pair, bodies);
     pair.factored = false;
   }
-  prepare_outside(bodies);
+  if (outside) prepare_outside(bodies);
   warm_start(bodies, warm_ ? real(1) : real(0));
-  solve_active(bodies);
+  solve_active(bodies, outside);
 }
 
 }  // namespace joints

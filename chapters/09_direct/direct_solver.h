@@ -121,7 +121,8 @@ class DirectSolver : public Solver {
   void find_pulls(real acted, std::vector<Pull>& pulls);
   bool forces_jumped(const Bodies& bodies);
   void look_again(Bodies& bodies);
-  void solve_active(Bodies& bodies);
+  bool alternating() const;  // rows outside A act on an active island
+  void solve_active(Bodies& bodies, bool outside);
   void change(Bodies& bodies, int from, int end, const std::vector<double>& rates);
 
   const Blocks* blocks_ = nullptr;
@@ -131,6 +132,7 @@ class DirectSolver : public Solver {
   Blocks outside_;                      // the other blocks
   Blocks iterated_;                     // all blocks of islands that `instead` solves
   std::vector<bool> left_;              // for the root of each island: it is such an island
+  std::vector<bool> beside_;            // for the root: rows outside A act on the island
   Outside contacts_;                    // solves the blocks outside
   Bodies slow_bodies_;                  // with added inertia, for the blocks outside
   bool warm_ = false;                   // the impulses of the last step were applied

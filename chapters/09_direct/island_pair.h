@@ -29,6 +29,7 @@ class IslandPair : public IslandMatrix {
   bool is_new = true;                      ///< `blocks` has changed in this step
   bool iterated = false;                   ///< other iterations solve it: it is too expensive
   bool active = false;                     ///< it is solved now
+  bool alternates = false;                 ///< rows outside A act on it: it is solved repeatedly
   bool factored = false;                   ///< A contains the factor of the present rows
   double softening = 0;                    ///< DirectSolver::softening
   PivotInverse inverse = inverse_pivot;    ///< DirectSolver::inverse

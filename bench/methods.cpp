@@ -39,7 +39,8 @@ MakeScene of_chapter_9(const std::function<Scene()>& make) {
 std::vector<Entry> scenes(bool quick) {
   const std::string both = iterated + " velocity shake inertia velocity/8 shake/8 inertia/8",
                     few = "si30 velocity shake",
-                    many = "si30 rows10 lanes10 velocity shake inertia", next_door = " xpbd nncg cg cg-exact";
+                    many = "si30 rows10 lanes10 velocity shake inertia",
+                    next_door = " xpbd nncg cg cg-exact";
   const Span ten_seconds{.steps = 600, .timed = 80}, one_second{.steps = 60, .timed = 60};
   std::vector<Entry> list = {
       {.name = "S1", .makes = {[] { return cubes_on_hinges(10, 100); }},

@@ -16,8 +16,8 @@ BenchScene random_tree(unsigned seed, double ratio);
 /// chain's hinges have limits, between 0.1 and 0.6 rad either way, which come and go as it swings.
 BenchScene limited_chains(int chains, int links, unsigned seed);
 /// At least `bodies` that can move, in islands side by side: ragdolls in any pose above the ground,
-/// boxes that fall on it, chains with limits of 2 to 20 links, random_chain() and random_tree() with
-/// masses up to 10 kg, and cubes on a hinge with a motor.
+/// boxes that fall on it, chains with limits of 2 to 20 links, random_chain() and random_tree()
+/// with masses up to 10 kg, and cubes on a hinge with a motor.
 BenchScene mixed_islands(int bodies, unsigned seed);
 
 }  // namespace joints::bench

@@ -55,7 +55,7 @@ std::vector<PeerEntry> peer_entries(bool quick) {
       {.name = "S5", .make = [] { return cubes_on_hinges(1, 4); }, .ours = all + " rk4"},
       {.name = "S6", .make = loaded_axes, .ours = all + " rk4"},
       {.name = "S7", .make = sideways_gravity,
-       .ours = "si30 beta1 4x8 lanes velocity shake inertia velocity/4 shake/4"},
+       .ours = "si30 beta1 4x8 lanes velocity shake inertia velocity/4 shake/4 rk4"},
       {.name = "hung chain with 1 t", .make = [] { return hung_chain(10, 1000); },
        .span = ten_seconds, .ours = inertia},
       {.name = "hung ragdoll", .make = hung_ragdoll, .span = ten_seconds,

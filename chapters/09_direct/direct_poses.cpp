@@ -122,11 +122,23 @@ class DirectSolver::Positions : public Corrector {
     });
   }
 
-  // C of all rows at the present poses, 0 for rows without an error. \param rows also append the
-  // rows at these poses, and free limits that are exceeded
+  bool moving(int island) const {
+    return island >= from_ && island < end_ && own_.tries[island].moving;
+  }
+  void mark_moving(bool mark) {
+    for_islands([&](IslandPair& pair, int lane) {
+      if (!moving(pair.islands[lane])) return;
+      for (std::size_t k = 0; k < pair.bodies.size(); ++k)
+        if (pair.moves[k]) own_.moved[pair.bodies[k][lane]] = mark;
+    });
+  }
+
+  // C of all rows of moving islands at the present poses, 0 for rows without an error. \param rows
+  // also append the rows at these poses, and free limits that are exceeded
   void evaluate(bool rows) {
-    const bool some = end_ - from_ < int(own_.tries.size());
-    if (some) for_bodies([&](Body&, int slot) { own_.moved[slot] = true; });
+    bool some = false;  // not all
+    for (int k = 0; k < int(own_.tries.size()); ++k) some = some || !moving(k);
+    if (some) mark_moving(true);
     own_.poses.clear();
     own_.poses.errors_only = !rows;
     {
@@ -134,7 +146,7 @@ class DirectSolver::Positions : public Corrector {
       const HeldMatrices matrices(bodies_, of);
       append_(own_.poses, of);
     }
-    if (some) for_bodies([&](Body&, int slot) { own_.moved[slot] = false; });
+    if (some) mark_moving(false);
     own_.met.clear();
     std::size_t k = 0;
     for (const Block& now : own_.poses.list) {
@@ -142,10 +154,10 @@ class DirectSolver::Positions : public Corrector {
       while (list_[k].impulse != now.impulse)
         if (k = (k + 1) % list_.size(); k == begin) break;
       const auto& [island, number, row] = islands_.at(int(k));
-      const bool met = list_[k].impulse == now.impulse && island >= from_ && island < end_;
+      const bool met = list_[k].impulse == now.impulse && moving(island);
       if (rows) own_.met.push_back(met ? int(k) : -1);
       if (met) {
-        const int corrected = own_.tries[island].moving ? own_.corrected[k] : 0;
+        const int corrected = own_.corrected[k];
         const real* const error = &own_.poses.C[now.first];
         double* const C = &own_.C[row - base_];
         for (int i = 0; i < now.rows; ++i) C[i] = corrected >> i & 1 ? double(error[i]) : 0;

@@ -277,15 +277,17 @@ void DirectSolver::change(Bodies& bodies, int from, int end, const std::vector<d
     IslandPair* const pair = islands_.pair_of(k);
     if (!pair || pair->iterated || (pair->islands[1] == k && pair->islands[0] >= from)) continue;
     const double* const given = rates.data() - islands_.islands()[from].first_row;
+    bool any = false;
     for (const int lane : {0, 1}) {
       const bool used = pair->islands[lane] >= from && pair->islands[lane] < end;
       for (std::size_t n = 0; n < pair->blocks.size(); ++n) {
         TwoLanes* const x = &pair->x[pair->A.nodes[n].row];
         const LaneBlock& block = pair->blocks[n];
         for (int i = 0; i < block.rows; ++i)
-          x[i][lane] = used && i < block.own[lane] ? given[block.row[lane] + i] : 0;
+          any |= (x[i][lane] = used && i < block.own[lane] ? given[block.row[lane] + i] : 0) != 0;
       }
     }
+    if (!any) continue;
     pair->load(bodies);
     pair->change();
     pair->store(bodies);

@@ -80,7 +80,7 @@ PartFunctions functions_of(const P& part) {
   };
   if constexpr (requires(const Body& body) { part.K(body, body); })
     out.K = [part](const PosePair& at) {
-      return testing::flat(to_matrix(part.K(at.body1, at.body2)));
+      return testing::flat(testing::to_matrix(part.K(at.body1, at.body2)));
     };
   return out;
 }

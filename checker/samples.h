@@ -54,6 +54,15 @@ Numbers flat(const Jacobian<N>& J) {
       for (int c = 0; c < 3; ++c) out.push_back(double(block[c]));
   return out;
 }
+/// K of a part may be a scalar or a GLM type, too.
+inline Matrix<1> to_matrix(real a) { return {{{{a}}}}; }
+inline Matrix<3> to_matrix(const mat3& a) {
+  const mat3 t = transpose(a);  // GLM's columns become rows
+  return {{{{t[0].x, t[0].y, t[0].z}, {t[1].x, t[1].y, t[1].z}, {t[2].x, t[2].y, t[2].z}}}};
+}
+template <int N>
+const Matrix<N>& to_matrix(const Matrix<N>& a) { return a; }
+
 template <int N>
 Numbers flat(const Matrix<N>& K) {
   Numbers out;

@@ -37,12 +37,26 @@ bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form fo
     std::fill_n(impulse, rows, real(0));
     return false;
   }
-  list.push_back({slot1, slot2, rows, form, false, int(C.size()), target, impulse});
+  const bool corrects = target.holds_position && target.follows == 0 && target.frequency == 0;
+  list.push_back({slot1, slot2, rows, form, corrects, int(C.size()), target, impulse});
   for (int i = 0; i < rows; ++i) C.push_back(0);
   if (errors_only || J.size() >= C.size()) return true;
   if (J.capacity() < C.size()) J.reserve(C.size() + C.size() / 4);  // the largest of all vectors
   J.resize(C.size());
   return true;
+}
+
+std::pair<int, int> followed_row(const Blocks& blocks, int k) {
+  const Block& block = blocks.list[std::size_t(k)];
+  const int follows = block.target.follows, row = block.first + follows;
+  require(block.rows == 1, "follows: only a block of one row can follow another impulse");
+  const int count = int(blocks.list.size()), direction = follows > 0 ? 1 : -1;
+  for (int other = k + direction; other >= 0 && other < count; other += direction) {
+    const Block& owner = blocks.list[std::size_t(other)];
+    if (const int i = row - owner.first; i >= 0 && i < owner.rows)
+      if (owner.impulse + i == block.impulse + follows) return {other, i};
+  }
+  refuse("follows: the impulse that bounds a row must have a row of its own");
 }
 
 }  // namespace joints

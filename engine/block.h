@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "engine/matrix.h"
@@ -57,16 +58,12 @@ struct Block {
   int body1 = 0, body2 = 0;         ///< slots of the two bodies
   int rows = 0;                     ///< 1 to 6
   Form form = Form::any;            ///< the form of its rows
-  bool softened = false;            ///< true if frequency and damping come from Stepping
+  /// True if its C is an error of the joint to be removed, and not the deflection of a spring that
+  /// the joint itself has set.
+  bool corrects = false;
   int first = 0;                    ///< where its rows begin in Blocks::J and Blocks::C
   RowTarget target;                 ///< feedback, target rate and bounds
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint
-
-  /// True if its C is an error of the joint to be removed, and not the deflection of a spring that
-  /// the joint itself has set.
-  bool corrects() const {
-    return target.holds_position && target.follows == 0 && (target.frequency == 0 || softened);
-  }
 };
 
 /// The bias of row `i` of a block, minus the required J V, from its error C.
@@ -162,6 +159,11 @@ class Blocks {
   bool add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form form,
            const RowTarget& target, real* impulse);
 };
+
+/// The row whose impulse bounds block number k, which must follow one (RowTarget::follows).
+/// \return the index of its block in Blocks::list, and its number in that block, from 0
+/// \throws std::invalid_argument if that impulse has no row, or if block k has several rows
+std::pair<int, int> followed_row(const Blocks& blocks, int k);
 
 }  // namespace joints
 /// @}

@@ -44,29 +44,18 @@ struct Jacobian {
 inline Jacobian<3> jacobian_from_blocks(const mat3& v1, const mat3& w1, const mat3& v2,
                                         const mat3& w2) {
   const mat3 a = transpose(v1), b = transpose(w1), c = transpose(v2), d = transpose(w2);
-  Jacobian<3> J;
-  for (int i = 0; i < 3; ++i) J[i] = {a[i], b[i], c[i], d[i]};  // a column of a^T is a row of a
-  return J;
+  const auto row = [&](int i) { return Row{a[i], b[i], c[i], d[i]}; };  // column i of a^T
+  return {{row(0), row(1), row(2)}};
 }
 
-/// A part may return a scalar, a GLM type or an array; to_vector, to_matrix and to_jacobian convert
-/// them all to arrays.
+/// A part may return a scalar, a GLM type or an array; to_vector and to_jacobian convert them all
+/// to arrays.
 inline Vector<1> to_vector(real a) { return {a}; }
 /// From a 3-vector.
 inline Vector<3> to_vector(const vec3& a) { return {a.x, a.y, a.z}; }
 /// Already of that kind.
 template <std::size_t N>
 const std::array<real, N>& to_vector(const std::array<real, N>& a) { return a; }
-/// See to_vector(): one number.
-inline Matrix<1> to_matrix(real a) { return {{{{a}}}}; }
-/// See to_vector(): from GLM's columns to rows.
-inline Matrix<3> to_matrix(const mat3& a) {
-  const mat3 t = transpose(a);
-  return {{{{t[0].x, t[0].y, t[0].z}, {t[1].x, t[1].y, t[1].z}, {t[2].x, t[2].y, t[2].z}}}};
-}
-/// Already of that kind.
-template <int N>
-const Matrix<N>& to_matrix(const Matrix<N>& a) { return a; }
 /// See to_vector(): one row.
 inline Jacobian<1> to_jacobian(const Row& row) { return {{row}}; }
 /// Already of that kind.

@@ -59,7 +59,7 @@ void project_positions(World& world) {
     joint->append(world.bodies, blocks);
     for (int k = known; k < int(blocks.list.size()); ++k) {
       const Block& block = blocks.list[k];
-      if (!block.target.holds_position || block.target.frequency > 0) continue;
+      if (!block.corrects) continue;
       const real C = blocks.C[block.first + block.rows - 1];
       const bool leave_out_last = block.target.one_sided() && C > 0;
       project(world, block, leave_out_last ? block.rows - 1 : block.rows);

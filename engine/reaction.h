@@ -17,7 +17,18 @@ struct Reaction {
 /// mean forces (Joint::mean_force) of the live rows, with J at the present poses. Body 1 gets the
 /// opposite force along the same line. Zero before the first step. The function allocates memory,
 /// so do not call it in an inner loop.
-Reaction reaction(const Joint& joint, const Bodies& bodies);
+inline Reaction reaction(const Joint& joint, const Bodies& bodies) {
+  Blocks blocks;
+  joint.append(bodies, blocks);
+  Reaction out;
+  for (const Block& block : blocks.list)
+    for (int i = 0; i < block.rows; ++i) {
+      const real force = joint.mean_force(block.impulse[i]);
+      out.force += force * blocks.J[block.first + i].v2;
+      out.torque += force * blocks.J[block.first + i].w2;
+    }
+  return out;
+}
 
 }  // namespace joints
 /// @}

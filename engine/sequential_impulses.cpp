@@ -67,7 +67,7 @@ void SequentialImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int
 void SequentialImpulses::add(const Bodies& bodies, const Blocks& blocks, const Block& block,
                              real h) {
   auto& [prepared, rows, inverse_K] = prepared_;
-  const bool split = split_iterations > 0 && block.corrects();
+  const bool split = split_iterations > 0 && block.corrects;
   const PreparedBlock out{block, int(inverse_K.size()),
                           step_target(split ? without_feedback(block.target) : block.target, h,
                                       blocks.acts(h), relaxation)};
@@ -135,7 +135,7 @@ void SequentialImpulses::retarget(PreparedBlock& block, const Blocks& blocks,
 void SequentialImpulses::relax(Bodies& bodies, real h) {
   const Blocks& blocks = blocks_of(bodies);
   for (PreparedBlock& block : prepared_.blocks)
-    if (block.corrects()) retarget(block, blocks, without_feedback(block.target), h);
+    if (block.corrects) retarget(block, blocks, without_feedback(block.target), h);
   for (int i = 0; i < relax_iterations; ++i) iterate(bodies);  // Eq. 6-15
 }
 
@@ -144,7 +144,7 @@ void SequentialImpulses::advance_split(Bodies& bodies, real h) {
   split_impulses_.assign(blocks.C.size(), real(0));
   split_blocks_.clear();
   for (PreparedBlock& block : prepared_.blocks) {
-    if (!block.corrects()) continue;
+    if (!block.corrects) continue;
     retarget(block, blocks, block.target, h);
     split_blocks_.push_back(block);
     split_blocks_.back().impulse = &split_impulses_[std::size_t(block.first)];

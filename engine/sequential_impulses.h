@@ -1,7 +1,7 @@
 // Sequential Impulses (Catto 2006; Algorithm 1 of the thesis): the engine's own solver.
 #pragma once
 
-#include "engine/iterative_solver.h"
+#include "engine/solver.h"
 
 /// \addtogroup rows
 /// @{

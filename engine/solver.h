@@ -55,5 +55,18 @@ class Solver {
   std::size_t rows_ = 0;  // of all blocks that were prepared
 };
 
+/// A solver that solves one block after the other, in several iterations. For every block it adds
+/// dlambda of StepTarget to the accumulated impulses and clamps the last one to its bounds (-+upper
+/// times the other impulse, if it follows one). It changes the impulses of the other rows by
+/// Kinv[i][last] / Kinv[last][last] times the change that the clamp made, and then changes the
+/// velocities. SequentialImpulses::solve_block is the reference.
+class IterativeSolver : public Solver {
+ public:
+  int iterations = 30;  ///< iterations over all blocks per solve()
+  real relaxation = 1;  ///< over-relaxation: factor of every impulse change [1]; stable below 2
+
+  void check() const override;
+};
+
 }  // namespace joints
 /// @}

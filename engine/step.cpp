@@ -11,15 +11,12 @@ namespace joints {
 
 namespace {
 
-// Constraint softness for the blocks that hold a position and have none.
+// Constraint softness for the blocks that have none of their own.
 void soften(Blocks& blocks, const Stepping& how) {
   if (how.frequency == 0) return;
   for (Block& block : blocks.list)
-    if (block.target.holds_position && block.target.frequency == 0) {
-      block.target.frequency = how.frequency;
-      block.target.damping = how.damping;
-      block.softened = true;
-    }
+    if (block.corrects)
+      block.target.frequency = how.frequency, block.target.damping = how.damping;
 }
 
 // Shortens the errors of one-sided rows by their slop, and to the length that the largest speed can
@@ -61,6 +58,13 @@ void reverse(World& world, Solver& solver, real h) {
   solver.solve(world.bodies);
 }
 
+// Prepares the blocks from number `first` on, which have just been appended.
+void prepare(World& world, Solver& solver, int first, real h, const Stepping& how) {
+  soften(world.blocks, how);
+  ease(world.blocks, h);
+  solver.prepare(world.bodies, world.blocks, first, h);
+}
+
 // begin_step() without the validation.
 void begin(World& world, Solver& solver, real h, const Stepping& how) {
   Bodies& bodies = world.bodies;
@@ -76,9 +80,7 @@ void begin(World& world, Solver& solver, real h, const Stepping& how) {
   world.blocks.clear();
   for (const auto& joint : world.joints()) joint->begin_step(bodies, h, acting);
   for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
-  soften(world.blocks, how);
-  ease(world.blocks, h);
-  solver.prepare(bodies, world.blocks, 0, h);
+  prepare(world, solver, 0, h, how);
   solver.warm_start(bodies, ratio);
 }
 
@@ -96,9 +98,7 @@ void step(World& world, Solver& solver, real h, const Stepping& how) {
       for (const auto& joint : world.joints())
         if (joint->can_move()) joint->late_limits(world.bodies, h_sub, world.blocks);
       if (int(world.blocks.list.size()) == known) break;
-      soften(world.blocks, how);
-      ease(world.blocks, h_sub);
-      solver.prepare(world.bodies, world.blocks, known, h_sub);
+      prepare(world, solver, known, h_sub, how);
       solver.solve(world.bodies);
     }
     end_step(world, solver, h_sub, how);
@@ -114,7 +114,7 @@ Bodies synchronised(World& world, Solver& solver, const Stepping& how) {
   blocks.clear();
   for (const auto& joint : world.joints()) joint->append(world.bodies, blocks);
   for (Block& block : blocks.list)
-    if (block.corrects()) block.target = without_feedback(block.target);
+    if (block.corrects) block.target = without_feedback(block.target);
   const real acted = std::exchange(blocks.acting, half);
   solver.prepare(world.bodies, blocks, 0, half);
   solver.warm_start(world.bodies, how.warm_start ? half / acted : real(0));

@@ -2,7 +2,7 @@
 // that share no moving body are solved side by side, one per lane.
 #pragma once
 
-#include "engine/iterative_solver.h"
+#include "engine/solver.h"
 #include "engine/simd/body_records.h"
 #include "engine/simd/places.h"
 

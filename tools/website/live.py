@@ -27,8 +27,8 @@ def sources():
     """What the module is made of: {name of an object: the sources that are compiled as one}."""
     root, chapters = house.ROOT, house.chapters()
     mine = {chapter.mine for chapter in chapters}
-    engine = ("require", "body", "matrix", "block", "world", "iterative_solver",
-              "sequential_impulses", "projection", "step", "state", "input", "reaction",
+    engine = ("require", "body", "matrix", "block", "world", "solver",
+              "sequential_impulses", "projection", "step", "state", "input",
               "simd/lane_order", "simd/places",
               "instruments/measure", "instruments/rate", "instruments/scene")
     return {"engine": [root / "engine" / f"{name}.cpp" for name in engine],

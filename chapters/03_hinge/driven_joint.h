@@ -13,16 +13,21 @@ namespace joints {
 /// order drives, limit, rigid rows, because the block that is solved last is satisfied best. With
 /// `whole` the rigid rows are one block, and the limit is its last row.
 template <class First, class Second, class Coordinate>
-class DrivenJoint : public Joint, public FreeCoordinate<Coordinate> {
+class DrivenJoint : public Joint,
+                    public FreeCoordinate<Coordinate>,
+                    private Composite<First, Second> {
+  using Free = FreeCoordinate<Coordinate>;
+  using Rigid = Composite<First, Second>;
+
  public:
-  First first;        ///< a rigid part
-  Second second;      ///< the other rigid part
+  using Rigid::first;   ///< a rigid part
+  using Rigid::second;  ///< the other rigid part
   bool whole = true;  ///< one block for all rigid rows and the limit; false: one for each part
 
   /// The forces of the rigid rows in the last step [N or N m], first part, then second.
-  Vector<First::rows + Second::rows> forces() const {
-    Vector<First::rows + Second::rows> out;
-    for (int i = 0; i < limit_place; ++i) out[i] = mean_force(impulse_[i]);
+  Vector<Rigid::rows> forces() const {
+    Vector<Rigid::rows> out;
+    for (int i = 0; i < Rigid::rows; ++i) out[i] = mean_force(impulse_[i]);
     return out;
   }
 
@@ -39,24 +44,21 @@ class DrivenJoint : public Joint, public FreeCoordinate<Coordinate> {
     const auto add = [&](const auto& part, const RowTarget& target, int place) {
       blocks.append(bodies, body1, body2, part, target, &impulse_[place]);
     };
-    const bool used = Free::in_use();
-    if (used) Free::append_drives(bodies, blocks);
-    const bool limited = used && Free::limited_now();
+    Free::append_drives(bodies, blocks);
     if (!whole) {
       Free::append_limit(bodies, blocks);
       add(first, hold(), 0);
       add(second, hold(), First::rows);
-    } else if (limited) {
-      add(Composite<Composite<First, Second>, Limit<Coordinate>>{{first, second}, Free::limit()},
-          Free::limit_target(), 0);
+    } else if (Free::limited_now()) {
+      add(Composite<Rigid, Limit<Coordinate>>{*this, Free::limit()}, Free::limit_target(), 0);
     } else {
-      add(Composite<First, Second>{first, second}, hold(), 0);
+      add(static_cast<const Rigid&>(*this), hold(), 0);
     }
-    if (used) Free::append_late(bodies, blocks);
+    Free::append_late(bodies, blocks);
   }
   /// Appends a limit that the new velocities would pass within this step.
   void late_limits(const Bodies& bodies, real h, Blocks& blocks) override {
-    if (Free::in_use()) Free::late(bodies, h, blocks);
+    Free::late(bodies, h, blocks);
   }
   /// Reports a limit if one is set, and a motor if anything drives or brakes the coordinate.
   Extras extras() const override {
@@ -68,7 +70,7 @@ class DrivenJoint : public Joint, public FreeCoordinate<Coordinate> {
  protected:
   /// Chooses the rows of a step. \param h step [s]
   void choose_rows(const Bodies& bodies, real h) override {
-    if (Free::in_use()) Free::choose(bodies, h);
+    Free::choose(bodies, h);
   }
   /// Between two static bodies: no row is live.
   void drop_rows() override {
@@ -83,14 +85,13 @@ class DrivenJoint : public Joint, public FreeCoordinate<Coordinate> {
   /// Makes the joint from its parts.
   DrivenJoint(BodyId body1, BodyId body2, const First& first, const Second& second,
               const Coordinate& coordinate)
-      : Joint(body1, body2), Free(*this, coordinate), first(first), second(second) {
-    Free::keep_limit_impulse(impulse_[limit_place]);
+      : Joint(body1, body2), Free(*this, coordinate), Rigid{first, second} {
+    Free::keep_limit_impulse(impulse_[Rigid::rows]);
   }
 
  private:
-  using Free = FreeCoordinate<Coordinate>;
-  static constexpr int limit_place = First::rows + Second::rows;  // after the rigid rows
-  mutable Vector<limit_place + 1> impulse_{};  // written by the solver through the blocks
+  // Of the rigid rows, then of the limit; written by the solver through the blocks.
+  mutable Vector<Rigid::rows + 1> impulse_{};
 };
 
 }  // namespace joints

@@ -132,10 +132,8 @@ class FreeCoordinate {
   void keep_limit_impulse(real& impulse) { limit_impulse_ = &impulse; }
   /// The joint that it belongs to.
   const Joint& joint() const { return joint_; }
-  /// False until something is set; then there is nothing to do.
-  bool in_use() const { return data_ != nullptr; }
   /// Chooses the rows of a step that begins. \param h step [s]
-  [[gnu::noinline]] void choose(const Bodies& bodies, real h) {
+  void choose(const Bodies& bodies, real h) {
     if (!data_ || data_->known == Known::idle) return;
     const Body &a = at(bodies, joint_.body1), &b = at(bodies, joint_.body2);
     const bool away = data_->leeway.is_slow(a, b, h) && data_->leeway.still_near(a, b);
@@ -169,7 +167,7 @@ class FreeCoordinate {
   }
   /// Expects the coordinate at the end of the step, and appends a limit that the new velocities
   /// would pass until then: a neighbour's impulse may do so. \param h step [s]
-  [[gnu::noinline]] void late(const Bodies& bodies, real h, Blocks& blocks) {
+  void late(const Bodies& bodies, real h, Blocks& blocks) {
     if (!data_ || data_->known == Known::idle) return;
     if (!data_->leeway.is_slow(at(bodies, joint_.body1), at(bodies, joint_.body2), h))
       find_late(bodies, h, blocks);

@@ -1,6 +1,6 @@
 // The cost of a joint: rows, memory and instructions, for every kind of joint and a box at rest,
-// also with a limit out of reach and an idle motor. `./wb bench --cost` calls it under valgrind,
-// which counts.
+// also with a limit out of reach and an idle motor, and in two scenes of several islands.
+// `./wb bench --cost` calls it under valgrind, which counts.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +8,7 @@
 
 #include "bench/counted.h"
 #include "bench/settings.h"
+#include "bench/tasks.h"
 #include "chapters/08_ground/ground_contact.h"
 #include "chapters/05_fixed/fixed_joint.h"
 #include "chapters/04_slider/slider_joint.h"
@@ -53,16 +54,18 @@ namespace {
 
 // ---- the cases ----------------------------------------------------------------------------------
 
-constexpr int bodies = 100, joint_count = bodies - 1;
+constexpr int bodies = 100;  // of a chain
 
 // What a solver takes, each one also what stands before it.
 enum class Takes { plain_hinges, equality_rows, any_rows };
 
-// A kind of joint: how two bodies are joined by it.
+// A kind of joint: how two bodies of a chain are joined by it. Or a whole scene.
 struct Case {
   const char* name;
   std::function<void(World& world, BodyId a, BodyId b, const vec3& anchor)> join;
   Takes needs = Takes::any_rows;
+  std::function<BenchScene()> scene{};
+  int before = 2;  // steps before the counted ones
 };
 
 HingeJoint& hinge(World& world, BodyId a, BodyId b, const vec3& anchor) {
@@ -109,11 +112,15 @@ std::vector<Case> cases() {
       {"box out of reach", [](World& world, BodyId, BodyId b, const vec3&) {
          const BodyId ground = world.bodies.id(0);
          world.add<GroundContact>(ground, b, Top{.height = real(-30)}, box_outline(vec3(1)));
-       }}};
+       }},
+      {"hinge in ten chains", {}, Takes::plain_hinges, [] { return cubes_on_hinges(10, 10); }},
+      {"random ragdolls that land", {}, Takes::any_rows,
+       [] { return random_ragdolls(16, 1); }, 40}};
 }
 
 // The thesis' chain: cubes of edge 1 m and 100 kg, 1.5 m apart, held out level by the first.
-World chain(const Case& what) {
+World world_of(const Case& what) {
+  if (what.scene) return std::move(what.scene().world);
   World world;
   BodyId before;
   for (int i = 0; i < bodies; ++i) {
@@ -146,41 +153,42 @@ const Candidate candidates[] = {
 
 // ---- rows and memory ----------------------------------------------------------------------------
 
-// Rows and bytes of a run that stands in its third step.
+// Joints, rows and bytes of a run that is in its first counted step.
 struct Size {
-  int rows = 0;
+  int joints = 0, rows = 0;
   long long bytes = 0;
 };
 
 Size size_of(const Candidate& candidate, const Case& what) {
   const long long before = held;
-  World world = chain(what);
+  World world = world_of(what);
   const Step step = candidate.way.setting(10).make();
-  for (int n = 0; n < 3; ++n) step(world, h);
+  for (int n = 0; n <= what.before; ++n) step(world, h);
+  const int joints = what.join ? bodies - 1 : int(world.joints().size());
   int rows = world.blocks.rows();
   if (candidate.takes == Takes::plain_hinges) {  // its bodies and hinges are its own
     rows = 5 * int(world.joints().size());
     world = World();
   }
-  return {rows, held - before};
+  return {joints, rows, held - before};
 }
 
-// One line and two counts for each case. The memory of a joint: what the heap holds more with the
-// joints than without, through as many.
+// One line and two counts for each case. The memory of a joint: the bytes that the heap holds more
+// with the joints of a chain than without them, or all bytes of a scene, divided by their number.
 void all(const Candidate& candidate) {
-  const Counted counted;
   const std::vector<Case> list = cases();
   const Size none = size_of(candidate, list.front());
   for (const Case& what : list) {
     if (what.needs > candidate.takes) continue;
-    const Size size = size_of(candidate, what);
-    std::printf("%s,%g,%.1f,%s,%s,%d,%d,%d,%d\n", what.name, double(size.rows) / joint_count,
-                double(size.bytes - none.bytes) / joint_count, candidate.name,
-                sizeof(real) == 8 ? "double" : "float", joint_count, counted.steps, counted.few,
-                counted.many);
+    const Counted counted{.before = what.before};
+    const auto [joints, rows, all_bytes] = size_of(candidate, what);
+    const long long bytes = all_bytes - (what.scene ? 0 : none.bytes);
+    std::printf("%s,%g,%.1f,%s,%s,%d,%d,%d,%d\n", what.name, double(rows) / joints,
+                double(bytes) / joints, candidate.name, sizeof(real) == 8 ? "double" : "float",
+                joints, counted.steps, counted.few, counted.many);
     count(
         [&](int iterations) -> std::function<void()> {
-          const auto world = std::make_shared<World>(chain(what));
+          const auto world = std::make_shared<World>(world_of(what));
           return [world, step = candidate.way.setting(iterations).make()] { step(*world, h); };
         },
         counted);

@@ -150,8 +150,8 @@ Step of_the_engine(const Way& way, int iterations) {
     return step_with(solver, way, iterations);
   }
   PackedImpulses solver;
-  solver.packing = way.packing;
-  solver.lanes = way.loop == Loop::lanes;
+  const bool islands = way.packing == Packing::automatic;
+  solver.packing = islands && way.loop == Loop::packed ? Packing::interleaved : way.packing;
   return step_with(solver, way, iterations);
 }
 

@@ -15,8 +15,8 @@ inline V& body_of(int end, V& body1, V& body2) {
   return end + 1 < ends ? body1 : body2;
 }
 
-template <int N, int ends, class Number>
-inline void form_K(const AnyRows<N, ends, Number>& rows, const Velocities<Number>& body1,
+template <BlockKind kind, class Number, int N = kind.rows, int ends = kind.ends()>
+inline void form_K(const AnyRows<kind, Number>& rows, const Velocities<Number>& body1,
                    const Velocities<Number>& body2, Number* K) {
   for (int i = 0; i < N; ++i)
     for (int j = 0; j <= i; ++j)
@@ -29,8 +29,8 @@ inline void form_K(const AnyRows<N, ends, Number>& rows, const Velocities<Number
       }
 }
 
-template <int N, int ends, class Number>
-inline void errors(const AnyRows<N, ends, Number>& rows, const Velocities<Number>& body1,
+template <BlockKind kind, class Number, int N = kind.rows, int ends = kind.ends()>
+inline void errors(const AnyRows<kind, Number>& rows, const Velocities<Number>& body1,
                    const Velocities<Number>& body2, Number* e) {
   for (int i = 0; i < N; ++i) {
     e[i] = rows.bias[i];
@@ -42,8 +42,8 @@ inline void errors(const AnyRows<N, ends, Number>& rows, const Velocities<Number
   }
 }
 
-template <int N, int ends, class Number>
-inline void apply(const AnyRows<N, ends, Number>& rows, const Number* lambda,
+template <BlockKind kind, class Number, int N = kind.rows, int ends = kind.ends()>
+inline void apply(const AnyRows<kind, Number>& rows, const Number* lambda,
                   Velocities<Number>& body1, Velocities<Number>& body2) {
   for (int i = 0; i < N; ++i)
     for (int end = 0; end < ends; ++end) {
@@ -77,8 +77,8 @@ inline Number sum_of_products(const F& f) {
   return {sum[0]};
 }
 
-template <int N, int ends, class Number>
-inline void form_K(const SingleRows<N, ends, Number>& rows, const Velocities<Number>&,
+template <BlockKind kind, class Number, int N = kind.rows, int ends = kind.ends()>
+inline void form_K(const SingleRows<kind, Number>& rows, const Velocities<Number>&,
                    const Velocities<Number>&, Number* K) {
   for (int i = 0; i < N; ++i)
     for (int j = 0; j <= i; ++j)
@@ -87,8 +87,8 @@ inline void form_K(const SingleRows<N, ends, Number>& rows, const Velocities<Num
       });
 }
 
-template <int N, int ends, class Number>
-inline void errors(const SingleRows<N, ends, Number>& rows, const Velocities<Number>& body1,
+template <BlockKind kind, class Number, int N = kind.rows, int ends = kind.ends()>
+inline void errors(const SingleRows<kind, Number>& rows, const Velocities<Number>& body1,
                    const Velocities<Number>& body2, Number* e) {
   for (int i = 0; i < N; ++i)
     e[i] = rows.bias[i] + sum_of_products<ends, Number>([&](int end, int part) {
@@ -97,8 +97,8 @@ inline void errors(const SingleRows<N, ends, Number>& rows, const Velocities<Num
            });
 }
 
-template <int N, int ends, class Number>
-inline void apply(const SingleRows<N, ends, Number>& rows, const Number* lambda,
+template <BlockKind kind, class Number, int N = kind.rows, int ends = kind.ends()>
+inline void apply(const SingleRows<kind, Number>& rows, const Number* lambda,
                   Velocities<Number>& body1, Velocities<Number>& body2) {
   for (int end = 0; end < ends; ++end) {
     Wide* const body = reinterpret_cast<Wide*>(&body_of<ends>(end, body1, body2));

@@ -15,18 +15,17 @@ namespace joints {
 // ---- once per step ------------------------------------------------------------------------------
 
 // K^-1 and the clamp responses.
-template <class Rows, int N, bool hard, class Number>
-inline void prepare_record(Record<Rows, N, hard, Number>& record, const Velocities<Number>& body1,
+template <BlockKind kind, class Number, int N = kind.rows>
+inline void prepare_record(Record<kind, Number>& record, const Velocities<Number>& body1,
                            const Velocities<Number>& body2, real relaxation) {
   Number* const inverse_K = record.inverse_K;
   form_K(record.rows, body1, body2, inverse_K);
   invert_lower<N>(inverse_K);
-  if constexpr (hard) {
+  if constexpr (kind.hard) {
     for (int k = 0; k < N * (N + 1) / 2; ++k) inverse_K[k] = relaxation * inverse_K[k];
   } else {
-    Bounds<N, Number>& bounds = record.bounds;
-    const Number over_last =
-        inverse_above(inverse_K[lower_index(N - 1, N - 1)], Number::of(0));
+    Bounds<kind, Number>& bounds = record.bounds;
+    const Number over_last = inverse_above(inverse_K[lower_index(N - 1, N - 1)], Number::of(0));
     for (int i = 0; i < N; ++i)
       bounds.clamp_response[i] = inverse_K[lower_index(N - 1, i)] * over_last;
     const Number mass_scale = Number::of(relaxation) - bounds.impulse_scale;
@@ -36,8 +35,8 @@ inline void prepare_record(Record<Rows, N, hard, Number>& record, const Velociti
 
 // Applies `ratio` times the accumulated impulses; a row that depends on others gets none. With 0
 // they are set to zero, even if they are not finite.
-template <class Rows, int N, bool hard, class Number>
-inline void warm_record(Record<Rows, N, hard, Number>& record, Velocities<Number>& body1,
+template <BlockKind kind, class Number, int N = kind.rows>
+inline void warm_record(Record<kind, Number>& record, Velocities<Number>& body1,
                         Velocities<Number>& body2, real ratio) {
   Number* const lambda = record.lambda;
   for (int i = 0; i < N; ++i) {
@@ -51,9 +50,10 @@ inline void warm_record(Record<Rows, N, hard, Number>& record, Velocities<Number
 // ---- in every iteration -------------------------------------------------------------------------
 
 // One solve of a block, by the same formulas as in SequentialImpulses::solve_block.
-template <class Rows, int N, bool hard, class Number>
-inline void solve_record(Record<Rows, N, hard, Number>& record, Velocities<Number>& body1,
-                         Velocities<Number>& body2) {
+// \param followed for each lane, the index in `numbers` of the impulse that its bounds follow
+template <BlockKind kind, class Number, int N = kind.rows>
+inline void solve_record(Record<kind, Number>& record, Velocities<Number>& body1,
+                         Velocities<Number>& body2, const real* numbers, const int* followed) {
   Number e[N], dlambda[N];  // the errors of the velocities, and the changes of the impulses
   errors(record.rows, body1, body2, e);
   Number* const lambda = record.lambda;
@@ -62,50 +62,46 @@ inline void solve_record(Record<Rows, N, hard, Number>& record, Velocities<Numbe
     dlambda[i] = -(inverse_K[lower_index(i, 0)] * e[0]);
     for (int j = 1; j < N; ++j) dlambda[i] = dlambda[i] - inverse_K[lower_index(i, j)] * e[j];
   }
-  if constexpr (!hard) {
-    const Bounds<N, Number>& bounds = record.bounds;
+  if constexpr (!kind.hard) {
+    const Bounds<kind, Number>& bounds = record.bounds;
+    Number lower = bounds.lower, upper = bounds.upper;
+    if constexpr (kind.follows) {  // the bounds are -+upper times the followed impulse
+      Number impulse;
+      for (int lane = 0; lane < width_of<Number>; ++lane)
+        scatter(numbers[followed[lane]], impulse, lane);
+      upper = upper * impulse;
+      lower = -upper;
+    }
     for (int i = 0; i < N; ++i) dlambda[i] = dlambda[i] - bounds.impulse_scale * lambda[i];
     const Number wanted = lambda[N - 1] + dlambda[N - 1];
-    const Number kept = lesser(greater(wanted, bounds.lower), bounds.upper), cut = kept - wanted;
+    const Number kept = lesser(greater(wanted, lower), upper), cut = kept - wanted;
     for (int i = 0; i < N - 1; ++i) dlambda[i] = dlambda[i] + bounds.clamp_response[i] * cut;
     dlambda[N - 1] = kept - lambda[N - 1];
     lambda[N - 1] = kept;  // exactly at the bound
   }
-  for (int i = 0; i < N - !hard; ++i) lambda[i] = lambda[i] + dlambda[i];
+  for (int i = 0; i < N - !kind.hard; ++i) lambda[i] = lambda[i] + dlambda[i];
   apply(record.rows, dlambda, body1, body2);
-}
-
-// Sets the bounds of a following row to -+factor times the impulse that it follows.
-// \param followed for each lane, the index of that impulse in `numbers`
-template <int ends, class Number>
-inline void move_bounds(FollowingRecord<ends, Number>& record, const real* numbers,
-                        const int* followed) {
-  Number impulse;
-  for (int lane = 0; lane < width_of<Number>; ++lane)
-    scatter(numbers[followed[lane]], impulse, lane);
-  record.bounds.upper = record.factor * impulse;
-  record.bounds.lower = -record.bounds.upper;
 }
 
 // ---- a pass over all groups ---------------------------------------------------------------------
 
-// Calls f(record, body1, body2, number) for every group: one switch for groups of the same kind.
+// Calls f(record, body1, body2, k) for every group k: one switch for groups of the same kind.
 template <class Number, class F>
 inline void each_group(const LaneWork& work, const F& f) {
-  for (int k = 0; k < work.count;) {
-    const LaneGroup& group = work.groups[k];
-    use_record<Number>(group, work.numbers + group.first, [&](auto& first) JOINTS_INLINED {
-      auto* record = &first;
-      for (const int end = k + group.alike; k < end; ++k) {
-        record = reinterpret_cast<decltype(record)>(work.numbers + work.groups[k].first);
-        with_bodies<Number, std::decay_t<decltype(first)>::ends>(
-            work.bodies, k,
-            [&](auto& body1, auto& body2) JOINTS_INLINED { f(*record, body1, body2, k); });
-      }
+  const auto record_of = [&](int k) { return work.numbers + work.groups[k].first; };
+  for (int begin = 0, end; begin < work.count; begin = end) {
+    end = begin + work.groups[begin].alike;
+    use_record<Number>(work.groups[begin], record_of(begin), [&]<class One>(One&) JOINTS_INLINED {
+      for (int k = begin; k < end; ++k)
+        with_bodies<Number, One::ends>(
+            work.bodies, k, [&](auto& body1, auto& body2) JOINTS_INLINED {
+              f(*reinterpret_cast<One*>(record_of(k)), body1, body2, k);
+            });
     });
   }
 }
 
+// A pass over all groups, compiled for the including file's instruction set.
 template <class Number>
 inline void run(const LaneWork& work, Pass pass, real parameter) {
   switch (pass) {
@@ -119,9 +115,7 @@ inline void run(const LaneWork& work, Pass pass, real parameter) {
       });
     case Pass::iterate:
       return each_group<Number>(work, [&](auto& record, auto& body1, auto& body2, int k) {
-        if constexpr (requires { record.factor; })
-          move_bounds(record, work.numbers, work.followed + k * width_of<Number>);
-        solve_record(record, body1, body2);
+        solve_record(record, body1, body2, work.numbers, work.followed + k * width_of<Number>);
       });
   }
 }

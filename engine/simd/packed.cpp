@@ -40,29 +40,28 @@ struct Source {
 };
 
 // Writes the numbers of one block into one lane of its group's record; a scalar record has one.
-template <int N, bool isotropic, class Number>
-JOINTS_INLINED inline void fill_rows(PointRows<N, isotropic, Number>& rows, const Source& from,
-                                     int lane) {
+template <BlockKind kind, class Number>
+JOINTS_INLINED inline void fill_rows(PointRows<kind, Number>& rows, const Source& from, int lane) {
   const Row* const J = from.J;
   scatter(Triple<real>{J[2].w1.y, J[0].w1.z, J[1].w1.x}, rows.r1, lane);
   scatter(Triple<real>{-J[2].w2.y, -J[0].w2.z, -J[1].w2.x}, rows.r2, lane);
-  if constexpr (isotropic) {
+  if constexpr (kind.isotropic) {
     scatter(from.body1.inverse_inertia_local.x, rows.I1, lane);
     scatter(from.body2.inverse_inertia_local.x, rows.I2, lane);
   } else {
     scatter(symmetric(inverse_inertia(from.body1)), rows.I1, lane);
     scatter(symmetric(inverse_inertia(from.body2)), rows.I2, lane);
   }
-  for (int i = 3; i < N; ++i) scatter(triple(J[i].w2), rows.axis[i - 3], lane);
+  for (int i = 3; i < kind.rows; ++i) scatter(triple(J[i].w2), rows.axis[i - 3], lane);
 }
 
 // Calls f(half of a record's row, v and w of J, w times the inverse inertia, inverse mass) for each
 // half row: those of body 1 and body 2, or of a lone row that of the body that moves.
-template <class Rows, class F>
+template <BlockKind kind, class Rows, class F>
 JOINTS_INLINED inline void each_half(Rows& rows, const Source& from, const F& f) {
-  for (int i = 0; i < int(std::size(rows.row)); ++i)
-    for (int end = 0; end < Rows::ends; ++end) {
-      const bool second = Rows::ends == 2 ? end == 1 : !from.body2.is_static();
+  for (int i = 0; i < kind.rows; ++i)
+    for (int end = 0; end < kind.ends(); ++end) {
+      const bool second = kind.ends() == 2 ? end == 1 : !from.body2.is_static();
       const Body& body = second ? from.body2 : from.body1;
       const vec3& v = second ? from.J[i].v2 : from.J[i].v1;
       const vec3& w = second ? from.J[i].w2 : from.J[i].w1;
@@ -71,9 +70,9 @@ JOINTS_INLINED inline void each_half(Rows& rows, const Source& from, const F& f)
     }
 }
 
-template <int N, int ends, class Number>
-JOINTS_INLINED inline void fill_rows(AnyRows<N, ends, Number>& rows, const Source& from, int lane) {
-  each_half(rows, from,
+template <BlockKind kind, class Number>
+JOINTS_INLINED inline void fill_rows(AnyRows<kind, Number>& rows, const Source& from, int lane) {
+  each_half<kind>(rows, from,
             [&](auto& half, const auto& v, const auto& w, const auto& turned, real) JOINTS_INLINED {
     scatter(v, half.v, lane);
     scatter(w, half.w, lane);
@@ -81,9 +80,9 @@ JOINTS_INLINED inline void fill_rows(AnyRows<N, ends, Number>& rows, const Sourc
   });
 }
 
-template <int N, int ends>
-JOINTS_INLINED inline void fill_rows(SingleRows<N, ends, real>& rows, const Source& from, int) {
-  each_half(rows, from, [](auto& half, const auto& v, const auto& w, const auto& turned,
+template <BlockKind kind>
+JOINTS_INLINED inline void fill_rows(SingleRows<kind, real>& rows, const Source& from, int) {
+  each_half<kind>(rows, from, [](auto& half, const auto& v, const auto& w, const auto& turned,
                            real inverse_mass) {
     half = {{v, 0, w, 0}, {inverse_mass * v, 0, turned, 0}};
   });
@@ -101,9 +100,8 @@ bool drives(const Body& body) {
   return rate;
 }
 
-template <class Rows, int N, bool hard, class Number>
-JOINTS_INLINED inline void fill(Record<Rows, N, hard, Number>& record, const Source& from,
-                                int lane) {
+template <BlockKind kind, class Number, int N = kind.rows>
+JOINTS_INLINED inline void fill(Record<kind, Number>& record, const Source& from, int lane) {
   const Block& block = from.block;
   fill_rows(record.rows, from, lane);
   const auto fill_row = [&](int i, real asked) JOINTS_INLINED {
@@ -113,19 +111,11 @@ JOINTS_INLINED inline void fill(Record<Rows, N, hard, Number>& record, const Sou
   };
   for (int i = 0; i < N - 1; ++i) fill_row(i, from.target.rate * from.C[i]);
   fill_row(N - 1, bias(block, N - 1, from.C[N - 1], from.target.rate, from.h));
-  if constexpr (!hard) {
+  if constexpr (!kind.hard) {
     scatter(from.target.impulse_scale, record.bounds.impulse_scale, lane);
     scatter(from.target.lower, record.bounds.lower, lane);
     scatter(from.target.upper, record.bounds.upper, lane);
   }
-}
-
-// Its bounds are set by move_bounds() before every solve.
-template <int ends, class Number>
-JOINTS_INLINED inline void fill(FollowingRecord<ends, Number>& record, const Source& from,
-                                int lane) {
-  fill(static_cast<AnyRecord<1, ends, false, Number>&>(record), from, lane);
-  scatter(from.target.upper, record.factor, lane);
 }
 
 }  // namespace
@@ -149,10 +139,11 @@ bool PackedBlocks::sign(const Bodies& bodies, const Blocks& list, int first) {
 
 // Gives the bodies places, new ones if necessary. \return true if they are new
 bool PackedBlocks::place(const Bodies& bodies) {
-  if (wanted_ != Packing::automatic) return false;
+  if (wanted_ != Packing::automatic && wanted_ != Packing::interleaved) return false;
   moves_.clear();
   for (const Body& body : bodies) moves_.push_back(!body.is_static());
-  if (!places_.place(members_, moves_, lanes_ ? lane_count : 1)) return false;
+  const int width = wanted_ == Packing::automatic ? lane_count : 1;
+  if (!places_.place(members_, moves_, width)) return false;
   ++placings_;
   // Lanes in use: one for each body, for each link, and for each island one of static bodies. An
   // island has one link less than bodies, so these are two per body.
@@ -169,9 +160,8 @@ void PackedBlocks::append(const Bodies& bodies, int first) {
   if (first == 0) {
     chosen_ = wanted_;
     if (wanted_ == Packing::automatic && !fits_lanes_) chosen_ = Packing::colours;
-    order_.clear(lanes_ && wanted_ != Packing::list ? lane_count : 1, bodies.slots());
+    order_.clear(wanted_ == Packing::list ? 1 : lane_count, bodies.slots());
   }
-  if (chosen_ == Packing::automatic) return places_.append(order_, members_, first);
   if (chosen_ == Packing::colours) {
     colours_.append(order_, members_, first);
     const bool too_empty = 2 * members_.size() < order_.blocks.size();
@@ -179,7 +169,8 @@ void PackedBlocks::append(const Bodies& bodies, int first) {
     chosen_ = Packing::list;
     order_.clear(1, bodies.slots());
   }
-  append_in_turn(order_, members_, first);
+  if (chosen_ == Packing::list) return append_in_turn(order_, members_, first);
+  places_.append(order_, members_, first);
 }
 
 // Makes the records of new groups. \param first 0 if all groups are new
@@ -229,10 +220,9 @@ void PackedBlocks::add_groups(const Blocks& list, int first) {
 // ---- a step -------------------------------------------------------------------------------------
 
 void PackedBlocks::pack(const Bodies& bodies, const Blocks& list, int first, real h,
-                        real relaxation, Packing packing, bool lanes) {
-  const bool anew = groupings_ == 0 || packing != wanted_ || lanes != lanes_;
+                        real relaxation, Packing packing) {
+  const bool anew = groupings_ == 0 || packing != wanted_;
   wanted_ = packing;
-  lanes_ = lanes;
   if (anew || first != int(members_.size())) first = 0;
   std::size_t begin = first == 0 ? 0 : groups_.size();  // the first group to be filled
   const bool same = sign(bodies, list, first);
@@ -286,14 +276,14 @@ std::string PackedBlocks::description() const {
 
 std::string PackedImpulses::description(const Bodies& bodies, const Blocks& blocks) const {
   PackedBlocks packed;
-  packed.pack(bodies, blocks, 0, 1, relaxation, packing, lanes);
+  packed.pack(bodies, blocks, 0, 1, relaxation, packing);
   return packed.description();
 }
 
 void PackedImpulses::prepare(const Bodies& bodies, const Blocks& blocks, int first,
                              real h) {
   prepared_for(bodies, blocks, first);
-  packed_.pack(bodies, blocks, first, h, relaxation, packing, lanes);
+  packed_.pack(bodies, blocks, first, h, relaxation, packing);
 }
 
 void PackedImpulses::warm_start(Bodies& bodies, real ratio) {

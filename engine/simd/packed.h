@@ -12,11 +12,11 @@ namespace joints {
 
 /// How blocks are grouped and ordered.
 enum class Packing {
-  automatic,  ///< the first of these that uses at least half of the lanes: islands side by side,
-              ///< one per lane (Places), colours, and if neither does, list. Without lanes: islands
-              ///< by turns
-  colours,    ///< graph colouring, one colour after the other
-  list        ///< the order of the list, without lanes
+  automatic,   ///< the first of these that uses at least half of the lanes: islands side by side,
+               ///< one per lane (Places), colours, and if neither does, list
+  colours,     ///< graph colouring, one colour after the other
+  list,        ///< one block at a time, in the order of the list
+  interleaved  ///< one block at a time: the first of every island, then the second of every one
 };
 
 /// The blocks of a step in groups that are solved side by side. The places of the bodies are kept
@@ -27,9 +27,8 @@ class PackedBlocks {
   /// Fills the records from the blocks of a step and prepares them for its iterations.
   /// \param first only blocks from this number on are new since the last call in this step: they
   /// become groups behind the others \param h step [s] \param relaxation of the solver [1]
-  /// \param lanes false: every group is one block
   void pack(const Bodies& bodies, const Blocks& list, int first, real h, real relaxation,
-            Packing packing, bool lanes);
+            Packing packing);
   /// Copies the bodies' velocities into the records.
   void gather(const Bodies& bodies) { records_.gather(order_, bodies.data()); }
   /// Copies them back to the bodies that can move.
@@ -74,7 +73,6 @@ class PackedBlocks {
   GreedyColours colours_;
   std::vector<bool> moves_;  // of each body
   Packing wanted_ = Packing::automatic, chosen_ = Packing::automatic;
-  bool lanes_ = true;        // as given
   bool fits_lanes_ = true;   // islands one per lane use at least half of the lanes
   bool late_ = false;        // the last groups were appended in the middle of a step
   int placings_ = 0, groupings_ = 0;
@@ -94,7 +92,6 @@ class PackedBlocks {
 class PackedImpulses : public IterativeSolver {
  public:
   Packing packing = Packing::automatic;  ///< how blocks are grouped and ordered
-  bool lanes = true;                   ///< false: one block at a time
 
   /// Once per step. \throws std::invalid_argument if a bound follows an impulse that no row has
   void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;

@@ -49,8 +49,8 @@ inline Number used_mass(const Number& mass, const Symmetric<Number>& I1,
   return used_mass(mass, I1.xx, I2.xx);
 }
 
-template <int N, bool isotropic, class Number>
-inline void form_K(const PointRows<N, isotropic, Number>& rows, const Velocities<Number>& body1,
+template <BlockKind kind, class Number, int N = kind.rows>
+inline void form_K(const PointRows<kind, Number>& rows, const Velocities<Number>& body1,
                    const Velocities<Number>& body2, Number* K) {
   K[0] = K[2] = K[5] = used_mass(body1.inverse_mass + body2.inverse_mass, rows.I1, rows.I2);
   K[1] = K[3] = K[4] = Number::of(0);
@@ -65,8 +65,8 @@ inline void form_K(const PointRows<N, isotropic, Number>& rows, const Velocities
   }
 }
 
-template <int N, bool isotropic, class Number>
-inline void errors(const PointRows<N, isotropic, Number>& rows, const Velocities<Number>& body1,
+template <BlockKind kind, class Number, int N = kind.rows>
+inline void errors(const PointRows<kind, Number>& rows, const Velocities<Number>& body1,
                    const Velocities<Number>& body2, Number* e) {
   const Triple<Number> v =
       body2.v + cross(body2.w, rows.r2) - body1.v - cross(body1.w, rows.r1);
@@ -75,8 +75,8 @@ inline void errors(const PointRows<N, isotropic, Number>& rows, const Velocities
   for (int i = 3; i < N; ++i) e[i] = rows.bias[i] + dot(rows.axis[i - 3], w);
 }
 
-template <int N, bool isotropic, class Number>
-inline void apply(const PointRows<N, isotropic, Number>& rows, const Number* lambda,
+template <BlockKind kind, class Number, int N = kind.rows>
+inline void apply(const PointRows<kind, Number>& rows, const Number* lambda,
                   Velocities<Number>& body1, Velocities<Number>& body2) {
   const Triple<Number> P{lambda[0], lambda[1], lambda[2]};
   Triple<Number> L1 = cross(rows.r1, P), L2 = cross(rows.r2, P);  // angular impulses

@@ -1,18 +1,21 @@
 // The memory layout of packed blocks. A record has the numbers of one block: rows, accumulated
-// impulses, K^-1, bounds. A group is lane_count blocks of one kind; its record has the same
-// members, each with the numbers of all lanes side by side. A group of four hinges in double:
+// impulses, K^-1, bounds. A group is up to lane_count blocks of one kind, one per lane; its record
+// has the same members, each with the numbers of all lanes side by side. Four hinges in double:
 //
 //                  lane 0    lane 1    lane 2    lane 3
 //   rows.r1.x      block 0   block 5   block 9   0        32 bytes, one register
 //   rows.r1.y      block 0   block 5   block 9   0
-//   ...                                                   the lane without a block holds zeros
+//   ...                                                   a lane without a block has zeros
 //   lambda[0]      block 0   block 5   block 9   0        the accumulated impulses
 //   ...
 //
-// One instruction reads or changes a line, so the formulas are written as for one block. scatter()
-// writes the record of one block into the column of its lane, and gather() reads it. Bodies have
-// the same layout if they keep their lanes (BodyView::columns); otherwise each has a record of its
-// own, and load() and store() transpose those of a group to lines and back (lanes.h).
+// One instruction reads or changes a line, so the formulas are written as for one block. A pass
+// reads the records from the first group to the last, each from its first line to its last one:
+//
+//   numbers     | group 0: rows lambda inverse_K bounds | group 1: rows lambda ... | ...
+//
+// Bodies have the same layout if they keep their lanes (BodyView::columns). Otherwise each body has
+// a record of its own, and load() and store() transpose those of a group (lanes.h).
 #pragma once
 
 #include <array>
@@ -35,99 +38,94 @@ struct BlockKind {
   bool follows : 1 = false;  ///< one row whose bounds are -+factor times another row's impulse
   bool lone : 1 = false;   ///< one row of one body: the other does not move
   auto operator<=>(const BlockKind&) const = default;  ///< by the members in turn
+  constexpr int ends() const { return lone ? 1 : 2; }  ///< bodies of a row
 };
 
 // ---- records of blocks -------------------------------------------------------------------------
 
 /// Three rows that hold two points together, and N - 3 angular rows.
-template <int N, bool isotropic, class Number>
+template <BlockKind kind, class Number>
 struct PointRows {
-  static constexpr int ends = 2;  ///< bodies of a row
+  static constexpr int N = kind.rows;  ///< rows
   /// One number for an isotropic body.
-  using Inertia = std::conditional_t<isotropic, Number, Symmetric<Number>>;
+  using Inertia = std::conditional_t<kind.isotropic, Number, Symmetric<Number>>;
   Triple<Number> r1, r2;  ///< levers [m], world
   Inertia I1, I2;         ///< inverse inertia [1/(kg m^2)], world
   Number bias[N];         ///< minus the required J V [unit of C per s]
   [[no_unique_address]] std::array<Triple<Number>, N - 3> axis;  ///< w2 of J, equal to -w1 [1]
 };
 
-/// Rows of any kind. \tparam bodies that have a half of each row: 2, or 1 for a lone row
-template <int N, int bodies, class Number>
+/// Rows of any kind.
+template <BlockKind kind, class Number>
 struct AnyRows {
-  static constexpr int ends = bodies;  ///< bodies of a row
+  static constexpr int N = kind.rows;  ///< rows
   /// The numbers of one body: its half of J, and the angular part of its half of M^-1 J^T.
   struct Half {
     Triple<Number> v, w, response_w;  ///< factors of the velocities
   };
-  Number bias[N];     ///< minus the required J V [unit of C per s]
-  Half row[N][ends];  ///< the rows, from the first
+  Number bias[N];            ///< minus the required J V [unit of C per s]
+  Half row[N][kind.ends()];  ///< the rows, from the first
 };
 
 /// Rows of any kind of a single block. The numbers of a body have the layout of its velocities.
-template <int N, int bodies, class Number>
+template <BlockKind kind, class Number>
 struct SingleRows {
-  static constexpr int ends = bodies;  ///< bodies of a row
+  static constexpr int N = kind.rows;  ///< rows
   /// The halves of J and of M^-1 J^T. The numbers beside v and w are 0.
   struct Half {
     Velocities<Number> J, response;  ///< factors of the velocities, and their change
   };
-  Number bias[N];     ///< minus the required J V [unit of C per s]
-  Half row[N][ends];  ///< the rows, from the first
+  Number bias[N];            ///< minus the required J V [unit of C per s]
+  Half row[N][kind.ends()];  ///< the rows, from the first
 };
 
 /// Only for a block that is soft or bounded.
-template <int N, class Number>
+template <BlockKind kind, class Number>
 struct Bounds {
   Number impulse_scale, lower, upper;  ///< as in StepTarget
   /// Kinv[i][last] / Kinv[last][last]: the change of an impulse per unit cut off the last one.
-  Number clamp_response[N];
+  Number clamp_response[kind.rows];
 };
 /// For a hard block.
 struct Unbounded {};
 
-/// All numbers of a block.
-template <class Rows, int N, bool hard, class Number>
+/// All numbers of a block. \tparam Number one number, or one per lane
+template <BlockKind kind, class Number>
 struct Record {
-  static constexpr int ends = Rows::ends;  ///< bodies of a row
-  Rows rows;                          ///< geometry and bias
+  static constexpr int N = kind.rows, ends = kind.ends();  ///< rows, and bodies of each
+  /// Rows that are not those of a point.
+  using Other = std::conditional_t<sizeof(Number) == sizeof(real), SingleRows<kind, Number>,
+                                   AnyRows<kind, Number>>;
+  std::conditional_t<kind.point, PointRows<kind, Number>, Other> rows;  ///< geometry and bias
   Number lambda[N];                   ///< accumulated impulses [N s or N m s]
   Number inverse_K[N * (N + 1) / 2];  ///< lower triangle of mass_scale K^-1, by lower_index()
   /// Scales and bounds, if there are any.
-  [[no_unique_address]] std::conditional_t<hard, Unbounded, Bounds<N, Number>> bounds;
-};
-/// The record of a block whose first three rows hold two points together.
-template <int N, bool hard, bool isotropic, class Number>
-using PointRecord = Record<PointRows<N, isotropic, Number>, N, hard, Number>;
-/// The record of any other block.
-template <int N, int ends, bool hard, class Number>
-using AnyRecord =
-    Record<std::conditional_t<sizeof(Number) == sizeof(real), SingleRows<N, ends, Number>,
-                              AnyRows<N, ends, Number>>, N, hard, Number>;
-/// One row whose bounds follow another row's impulse.
-template <int ends, class Number>
-struct FollowingRecord : AnyRecord<1, ends, false, Number> {
-  Number factor;  ///< its bounds are -+factor times that impulse [1]
+  [[no_unique_address]] std::conditional_t<kind.hard, Unbounded, Bounds<kind, Number>> bounds;
 };
 
+/// A kind as a compile-time constant.
+template <BlockKind kind>
+using ConstantKind = std::integral_constant<BlockKind, kind>;
 /// Calls f with the record of this kind that begins at `numbers`: one switch per group, and its
 /// type tells the compiler the number of rows.
 template <class Number, class F>
 JOINTS_INLINED inline void use_record(const BlockKind& kind, real* numbers, const F& f) {
-  const auto use = [&]<class Record>(std::type_identity<Record>) JOINTS_INLINED {
-    f(*reinterpret_cast<Record*>(numbers));
+  const auto use = [&]<BlockKind known>(ConstantKind<known>) JOINTS_INLINED {
+    f(*reinterpret_cast<Record<known, Number>*>(numbers));
   };
   const auto use_rows = [&](auto N, auto hard) JOINTS_INLINED {
+    constexpr unsigned char rows = N;
     if constexpr (N >= 3)
       if (kind.point)
-        return kind.isotropic ? use(std::type_identity<PointRecord<N, hard, true, Number>>{})
-                              : use(std::type_identity<PointRecord<N, hard, false, Number>>{});
+        return kind.isotropic ? use(ConstantKind<{rows, true, hard, true}>{})
+                              : use(ConstantKind<{rows, true, hard}>{});
     if constexpr (N == 1 && !hard)
       if (kind.follows)
-        return kind.lone ? use(std::type_identity<FollowingRecord<1, Number>>{})
-                         : use(std::type_identity<FollowingRecord<2, Number>>{});
+        return kind.lone ? use(ConstantKind<{.rows = 1, .follows = true, .lone = true}>{})
+                         : use(ConstantKind<{.rows = 1, .follows = true}>{});
     if constexpr (N == 1)
-      if (kind.lone) return use(std::type_identity<AnyRecord<1, 1, hard, Number>>{});
-    use(std::type_identity<AnyRecord<N, 2, hard, Number>>{});
+      if (kind.lone) return use(ConstantKind<{.rows = 1, .hard = hard, .lone = true}>{});
+    use(ConstantKind<{.rows = rows, .hard = hard}>{});
   };
   with_size(kind.rows, [&](auto N) JOINTS_INLINED {
     kind.hard ? use_rows(N, std::true_type{}) : use_rows(N, std::false_type{});

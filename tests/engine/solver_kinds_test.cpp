@@ -43,7 +43,7 @@ std::vector<std::pair<std::string, std::unique_ptr<IterativeSolver>>> kinds() {
   bench::OrderedImpulses backward;
   backward.order = bench::Order::backward;
   PackedImpulses scalar, colours;
-  scalar.lanes = false;
+  scalar.packing = Packing::interleaved;
   colours.packing = Packing::colours;
   add("blocks", SequentialImpulses());
   add("row by row", rows);

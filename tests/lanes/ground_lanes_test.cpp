@@ -1,8 +1,8 @@
 // Contacts and joints on lanes: the same rows, the same numbers, and bounds that follow a sum in
 // another group.
-#include "engine/simd/packed.h"
 #include "tests/ground/rigs.h"
 #include "tests/oracle/allocations.h"
+#include "tests/oracle/packings.h"
 #include "tests/oracle/test.h"
 
 namespace {
@@ -107,15 +107,14 @@ TEST_CASE("on lanes figures fall on the ground and slide as with the scalar solv
   // Rounding grows where bodies tumble on joints, and warm by a factor of ten in five steps: 25 of
   // them are compared, which is the fall and some of the sliding; boxes alone for a second.
   for (const bool limbs : {false, true})
-    for (const bool lanes : {true, false})
+    for (const Packing packing : {Packing::automatic, Packing::list})
       for (const bool warm : {false, true}) {
-        CAPTURE(limbs, lanes, warm);
+        CAPTURE(limbs, int(packing), warm);
         World one = field(9, limbs, true), other = field(9, limbs, true);
         SequentialImpulses scalar;
         Stepping stepping;
         PackedImpulses wide;
-        wide.packing = lanes ? Packing::automatic : Packing::list;
-        wide.lanes = lanes;
+        wide.packing = packing;
         stepping.warm_start = warm;
         double most = 0;
         for (int n = 0; n < (limbs ? 25 : 60); ++n) {
@@ -129,44 +128,40 @@ TEST_CASE("on lanes figures fall on the ground and slide as with the scalar solv
 }
 
 TEST_CASE("in colours contacts and joints give the scalar solver's numbers in that order") {
-  for (const bool lanes : {true, false})
-    for (const Packing packing : {Packing::automatic, Packing::colours, Packing::list}) {
-      CAPTURE(lanes, int(packing));
-      World one = field(7, true, false, 0), other = field(7, true, false, 0);
-      SequentialImpulses scalar;
-      Stepping stepping;
-      PackedImpulses wide;
-      wide.packing = packing;
-      wide.lanes = lanes;
-      stepping.warm_start = true;
-      for (int n = 0; n < 20; ++n) {
-        step(other, wide, h, stepping);
-        step_in_order(scalar, one, wide.packed(), stepping);
-        CHECK(difference(one, other) < tolerance(1e-9, 1e-2));
-      }
+  for (const Packing packing : packings) {
+    CAPTURE(int(packing));
+    World one = field(7, true, false, 0), other = field(7, true, false, 0);
+    SequentialImpulses scalar;
+    Stepping stepping;
+    PackedImpulses wide;
+    wide.packing = packing;
+    stepping.warm_start = true;
+    for (int n = 0; n < 20; ++n) {
+      step(other, wide, h, stepping);
+      step_in_order(scalar, one, wide.packed(), stepping);
+      CHECK(difference(one, other) < tolerance(1e-9, 1e-2));
     }
+  }
 }
 
 TEST_CASE("on lanes a bound that follows is mu times the followed impulse to the last bit") {
-  for (const bool lanes : {true, false})
-    for (const Packing packing : {Packing::automatic, Packing::colours, Packing::list}) {
-      Random random(86);
-      World world = followings(random, 21);
-      PackedImpulses wide;
-      wide.iterations = 7;
-      wide.packing = packing;
-      wide.lanes = lanes;
-      step(world, wide, h);
-      int at_bound = 0, inside = 0, off = 0;
-      for (int k = 0; k < 21; ++k) {  // the follower was solved last
-        const real* const sum = following(world, k).impulse;
-        CHECK(sum[0] >= 0);
-        CHECK(std::abs(sum[1]) <= real(0.4) * sum[0]);
-        ++(sum[0] == 0 ? off : std::abs(sum[1]) == real(0.4) * sum[0] ? at_bound : inside);
-      }
-      CAPTURE(lanes, int(packing), at_bound, inside, off);
-      CHECK(std::min({at_bound, inside, off}) > 0);
+  for (const Packing packing : packings) {
+    Random random(86);
+    World world = followings(random, 21);
+    PackedImpulses wide;
+    wide.iterations = 7;
+    wide.packing = packing;
+    step(world, wide, h);
+    int at_bound = 0, inside = 0, off = 0;
+    for (int k = 0; k < 21; ++k) {  // the follower was solved last
+      const real* const sum = following(world, k).impulse;
+      CHECK(sum[0] >= 0);
+      CHECK(std::abs(sum[1]) <= real(0.4) * sum[0]);
+      ++(sum[0] == 0 ? off : std::abs(sum[1]) == real(0.4) * sum[0] ? at_bound : inside);
     }
+    CAPTURE(int(packing), at_bound, inside, off);
+    CHECK(std::min({at_bound, inside, off}) > 0);
+  }
 }
 
 TEST_CASE("a row that follows an impulse without a row is refused by every solver") {
@@ -182,9 +177,9 @@ TEST_CASE("a row that follows an impulse without a row is refused by every solve
       scalar.row_by_row = row_by_row;
       CHECK(refused(scalar) == (alive ? "accepted" : words));
     }
-    for (const bool lanes : {true, false}) {
+    for (const Packing packing : packings) {
       PackedImpulses wide;
-      wide.lanes = lanes;
+      wide.packing = packing;
       CHECK(refused(wide) == (alive ? "accepted" : words));
     }
   }
@@ -234,9 +229,9 @@ TEST_CASE("a followed impulse is found whichever neighbour in the list has it") 
     CHECK(row == 1);
   }
 
-  for (const bool lanes : {true, false}) {
+  for (const Packing packing : packings) {
     PackedImpulses wide;
-    wide.lanes = lanes;
+    wide.packing = packing;
     step(world, wide, h);
     for (const auto& joint : world.joints()) {
       const real* const sum = static_cast<const Four&>(*joint).impulse;

@@ -4,12 +4,12 @@
 #include "chapters/02_ball/ball_joint.h"
 #include "chapters/03_hinge/hinge_joint.h"
 #include "chapters/08_ground/ground_contact.h"
-#include "engine/simd/packed.h"
 #include "engine/state.h"
 #include "engine/step.h"
 #include "tests/checker/catch.h"
 #include "tests/oracle/allocations.h"
 #include "tests/oracle/oracle.h"
+#include "tests/oracle/packings.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -20,7 +20,7 @@ const real h = real(1) / 60;
 const Stepping warm{.warm_start = true};
 
 // Two worlds made alike. A step of both: one by a solver that has gone all the way, with lanes or
-// without, the other from the same state in the list's order.
+// interleaved, the other from the same state in the list's order.
 template <class Make>
 struct Beside {
   World by_islands, by_list;
@@ -29,8 +29,9 @@ struct Beside {
   double most = 0;  // the largest difference of a velocity after a step [m/s or rad/s]
   int changes = 0;  // steps in which blocks came or went
 
-  Beside(const Make& make, bool lanes) : by_islands(make()), by_list(make()) {
-    islands.lanes = lanes;
+  explicit Beside(const Make& make, Packing packing = Packing::automatic)
+      : by_islands(make()), by_list(make()) {
+    islands.packing = packing;
     islands.iterations = list.iterations = 10;
   }
   void steps(int count) {
@@ -75,22 +76,23 @@ World limited_chains(unsigned seed) {
 
 TEST_CASE("ragdolls in random poses land on lanes as in the list's order") {
   for (const unsigned seed : {1u, 2u, 3u})
-    for (const bool lanes : {true, false}) {
-      CAPTURE(seed, lanes);
-      Beside beside([&] { return bench::random_ragdolls(2 * lane_count + 1, seed).world; }, lanes);
+    for (const Packing packing : {Packing::automatic, Packing::interleaved}) {
+      CAPTURE(seed, int(packing));
+      Beside beside([&] { return bench::random_ragdolls(2 * lane_count + 1, seed).world; },
+                    packing);
       beside.steps(120);
       CHECK(beside.most < tolerance(1e-11, 2e-3));
       CHECK(beside.changes > 60);
       CHECK(beside.islands.packed().placings() == 1);
-      CHECK(beside.islands.packed().order().width == (lanes ? lane_count : 1));
+      CHECK(beside.islands.packed().order().width == (on_lanes(packing) ? lane_count : 1));
     }
 }
 
 TEST_CASE("chains whose limits come and go move on lanes as in the list's order") {
   for (const unsigned seed : {4u, 5u, 6u})
-    for (const bool lanes : {true, false}) {
-      CAPTURE(seed, lanes);
-      Beside beside([&] { return limited_chains(seed); }, lanes);
+    for (const Packing packing : {Packing::automatic, Packing::interleaved}) {
+      CAPTURE(seed, int(packing));
+      Beside beside([&] { return limited_chains(seed); }, packing);
       beside.steps(150);
       CHECK(beside.most < tolerance(1e-11, 2e-3));
       CHECK(beside.changes > 60);
@@ -100,7 +102,7 @@ TEST_CASE("chains whose limits come and go move on lanes as in the list's order"
 
 TEST_CASE("islands that are joined, cut or set back still move as in the list's order") {
   for (const unsigned seed : {7u, 8u}) {
-    Beside beside([&] { return limited_chains(seed); }, true);
+    Beside beside([&] { return limited_chains(seed); });
     const PackedBlocks& packed = beside.islands.packed();
     const State before = (beside.steps(20), save(beside.by_islands));
     beside.steps(20);

@@ -4,7 +4,7 @@
 #include <map>
 #include <numeric>
 
-#include "engine/simd/packed.h"
+#include "tests/oracle/packings.h"
 #include "tests/oracle/test.h"
 
 namespace {
@@ -109,8 +109,8 @@ World chains(const BlockKind& kind, const RowTarget& target, const std::vector<i
 struct Outcome {
   Column V, lambda;
 };
-template <class BlockKind>
-Outcome outcome(World world, BlockKind& solver, const std::vector<int>& order) {
+template <class Solver>
+Outcome outcome(World world, Solver& solver, const std::vector<int>& order) {
   solver.iterations = 10;
   Random random(92);
   for (int n = 0; n < 2; ++n) {  // each begins with another push
@@ -149,31 +149,29 @@ TEST_CASE("every kernel of the packed iteration finds what the scalar solver fin
   std::map<BlockKind, std::map<int, int>> met;  // kind -> numbers at a time -> groups
   for (const BlockKind& kind : all_kinds())
     for (const RowTarget& target : targets(kind.hard))
-      for (const Packing packing : {Packing::automatic, Packing::colours, Packing::list})
-        for (const bool lanes : {true, false}) {
-          INFO(words(kind) << ", packing " << int(packing) << ", lanes " << lanes);
-          PackedImpulses wide;
-          wide.packing = packing;
-          wide.lanes = lanes;
-          const Outcome packed = outcome(chains(kind, target, in_list), wide, in_list);
-          // the scalar solver in the order in which the groups stand
-          std::vector<int> order;
-          for (const int block : wide.packed().order().blocks)
-            if (block >= 0) order.push_back(block);
-          REQUIRE(order.size() == 33);
-          for (const LaneGroup& group : wide.packed().groups()) {
-            BlockKind found = kind_of(group);
-            found.lone = false;  // the first joint of a chain, if it has one row
-            CHECK(found == kind);
-            ++met[kind_of(group)][wide.packed().order().width];
-          }
-          SequentialImpulses one;
-          const Outcome scalar = outcome(chains(kind, target, order), one, order);
-          const double near = tolerance(1e-12, 1e-4);
-          CHECK(scalar.lambda.norm() > 1000 * near);  // there was something to find
-          CHECK(difference(packed.V, scalar.V) < near);
-          CHECK(difference(packed.lambda, scalar.lambda) < near);
+      for (const Packing packing : packings) {
+        INFO(words(kind) << ", packing " << int(packing));
+        PackedImpulses wide;
+        wide.packing = packing;
+        const Outcome packed = outcome(chains(kind, target, in_list), wide, in_list);
+        // the scalar solver in the order in which the groups stand
+        std::vector<int> order;
+        for (const int block : wide.packed().order().blocks)
+          if (block >= 0) order.push_back(block);
+        REQUIRE(order.size() == 33);
+        for (const LaneGroup& group : wide.packed().groups()) {
+          BlockKind found = kind_of(group);
+          found.lone = false;  // the first joint of a chain, if it has one row
+          CHECK(found == kind);
+          ++met[kind_of(group)][wide.packed().order().width];
         }
+        SequentialImpulses one;
+        const Outcome scalar = outcome(chains(kind, target, order), one, order);
+        const double near = tolerance(1e-12, 1e-4);
+        CHECK(scalar.lambda.norm() > 1000 * near);  // there was something to find
+        CHECK(difference(packed.V, scalar.V) < near);
+        CHECK(difference(packed.lambda, scalar.lambda) < near);
+      }
   std::vector<BlockKind> kinds = all_kinds();
   REQUIRE(kinds.size() == 28);  // 12 of any rows, 16 of a point
   for (const bool hard : {true, false}) kinds.push_back({.rows = 1, .hard = hard, .lone = true});
@@ -192,7 +190,7 @@ TEST_CASE("a body that does not move may be body 1 or body 2, and have a velocit
   for (const BlockKind& kind : all_kinds())
     for (const RowTarget& target : targets(kind.hard))
       for (const bool second : {true, false})
-        for (const Packing packing : {Packing::automatic, Packing::colours, Packing::list}) {
+        for (const Packing packing : packings) {
           INFO(words(kind) << ", packing " << int(packing) << ", still body second: " << second);
           const auto world = [&] {
             World out;
@@ -283,20 +281,18 @@ TEST_CASE("the kernel for isotropic inertia finds what the one for any inertia f
   const BlockKind isotropic{5, true, true, true}, general{5, true, true, false};
   std::vector<int> order(33);
   std::iota(order.begin(), order.end(), 0);
-  for (const Packing packing : {Packing::automatic, Packing::colours})
-    for (const bool lanes : {true, false}) {
-      World by_one = chains(isotropic, {.beta = real(0.2)}, order);
-      World by_six = chains(isotropic, {.beta = real(0.2)}, order);
-      for (int slot = 0; slot < by_six.bodies.slots(); ++slot)  // the last digit of one moment
-        by_six.bodies.at(slot).inverse_inertia_local.x *= 1 + epsilon;
-      CHECK(kinds_of(by_one).begin()->first == isotropic);
-      CHECK(kinds_of(by_six).begin()->first == general);
-      PackedImpulses first, second;
-      first.packing = second.packing = packing;
-      first.lanes = second.lanes = lanes;
-      const Outcome one = outcome(std::move(by_one), first, order);
-      const Outcome six = outcome(std::move(by_six), second, order);
-      CHECK(difference(six.V, one.V) < tolerance(1e-12, 1e-4));
-      CHECK(difference(six.lambda, one.lambda) < tolerance(1e-12, 1e-4));
-    }
+  for (const Packing packing : packings) {
+    World by_one = chains(isotropic, {.beta = real(0.2)}, order);
+    World by_six = chains(isotropic, {.beta = real(0.2)}, order);
+    for (int slot = 0; slot < by_six.bodies.slots(); ++slot)  // the last digit of one moment
+      by_six.bodies.at(slot).inverse_inertia_local.x *= 1 + epsilon;
+    CHECK(kinds_of(by_one).begin()->first == isotropic);
+    CHECK(kinds_of(by_six).begin()->first == general);
+    PackedImpulses first, second;
+    first.packing = second.packing = packing;
+    const Outcome one = outcome(std::move(by_one), first, order);
+    const Outcome six = outcome(std::move(by_six), second, order);
+    CHECK(difference(six.V, one.V) < tolerance(1e-12, 1e-4));
+    CHECK(difference(six.lambda, one.lambda) < tolerance(1e-12, 1e-4));
+  }
 }

@@ -1,14 +1,13 @@
 // How the solver packs a step's blocks: every packing has an order of its own and keeps all else,
 // the groups are computed once, and a step then takes no memory from the heap.
-#include "engine/simd/packed.h"
 #include "engine/state.h"
 #include "tests/oracle/allocations.h"
+#include "tests/oracle/packings.h"
 #include "tests/oracle/test.h"
 
 namespace {
 
 const real h = real(1) / 60;
-constexpr Packing packings[] = {Packing::automatic, Packing::colours, Packing::list};
 
 // Joints of every kind in chains that share one static body: driven, limited, in one block or in
 // several, soft, one-sided. The chains are alike but for their masses and places.
@@ -85,10 +84,9 @@ bool same(const World& a, const World& b) {
 double apart(const World& a, const World& b) {
   return difference(velocities(snapshot(a.bodies)), velocities(snapshot(b.bodies)));
 }
-PackedImpulses solver_of(Packing packing, bool lanes) {
+PackedImpulses solver_of(Packing packing) {
   PackedImpulses solver;
   solver.packing = packing;
-  solver.lanes = lanes;
   return solver;
 }
 
@@ -114,7 +112,7 @@ TEST_CASE("packed in the order of the list every joint moves as with the scalar 
   for (const bool warm : {false, true}) {
     Zoo scalar(2), packed(2);
     SequentialImpulses one;
-    PackedImpulses other = solver_of(Packing::list, false);
+    PackedImpulses other = solver_of(Packing::list);
     Stepping stepping{.warm_start = warm};
     stepping.projections = 1;
     for (int n = 0; n < 20; ++n) {
@@ -130,8 +128,7 @@ TEST_CASE("packed in the order of the list every joint moves as with the scalar 
 
 TEST_CASE("islands interleaved one block at a time change nothing to the last bit") {
   Zoo in_list(3), in_turns(3);
-  PackedImpulses list = solver_of(Packing::list, false),
-                 islands = solver_of(Packing::automatic, false);
+  PackedImpulses list = solver_of(Packing::list), islands = solver_of(Packing::interleaved);
   for (int n = 0; n < 20; ++n) {
     step(in_list.world, list, h);
     step(in_turns.world, islands, h);
@@ -148,7 +145,7 @@ TEST_CASE("islands interleaved one block at a time change nothing to the last bi
 TEST_CASE("a static body that ten islands in columns share stays to the last bit") {
   World world = whips(), in_list = whips();
   const Body before = world.bodies.at(0);
-  PackedImpulses columns, list = solver_of(Packing::list, false);
+  PackedImpulses columns, list = solver_of(Packing::list);
   for (int n = 0; n < 60; ++n) {
     step(world, columns, h);
     step(in_list, list, h);
@@ -164,130 +161,127 @@ TEST_CASE("a static body that ten islands in columns share stays to the last bit
 
 TEST_CASE("blocks are put into groups again when one comes, goes or changes its kind") {
   for (const Packing packing : packings)
-    for (const bool lanes : {true, false})
-      for (const bool warm : {false, true}) {
-        CAPTURE(int(packing), lanes, warm);
-        World kept = whips(), fresh = whips();
-        PackedImpulses solver = solver_of(packing, lanes);
-        const auto steps = [&](int count) {  // beside it, a solver that is new
-          for (int n = 0; n < count; ++n) {
-            PackedImpulses another = solver_of(packing, lanes);
-            step(fresh, another, h, {.warm_start = warm});
-            step(kept, solver, h, {.warm_start = warm});
-            CHECK(same(kept, fresh));
-          }
-          return solver.packed().groupings();
-        };
-        const auto both = [&](auto change) { change(kept), change(fresh); };
-        const auto hinge = [](World& world) -> HingeJoint& {
-          return static_cast<HingeJoint&>(*world.joints()[7]);
-        };
-        const int places = packing == Packing::automatic;
-        CHECK(steps(20) == 1);
-        both([](World& world) { world.gravity = vec3(1, 2, 3); });
-        CHECK(steps(5) == 1);  // other numbers, the same structure
-        both([&](World& world) {
-          hinge(world).set_limits(hinge(world).position(world.bodies) + 1, unbounded);
-        });
-        CHECK(steps(5) == 2);  // a limit is live: its block has a sixth row
-        both([&](World& world) { hinge(world).clear_limits(); });
-        CHECK(steps(5) == 3);
-        CHECK(solver.packed().placings() == places);
-        both([](World& world) { world.remove(*world.joints()[4]); });
-        CHECK(steps(5) == 4);
-        both([](World& world) {
-          Body& body = world.bodies.at(14);
-          body.inverse_mass = 0;
-          body.inverse_inertia_local = body.v = body.w = vec3(0);
-        });
-        CHECK(steps(5) == 5);
-        both([](World& world) {
-          for (int slot = 1; slot < world.bodies.slots(); ++slot)
-            if (!world.bodies.at(slot).is_static())
-              world.bodies.at(slot).inverse_inertia_local = vec3(20);
-        });
-        CHECK(steps(5) == 6);  // round: one number says an inertia
-        both([&](World& world) { hinge(world).set_motor(1, 1); });
-        CHECK(steps(5) == 7);
-        both([](World& world) { world.add(ball(1, 1, vec3(0, 50, 0))); });
-        CHECK(steps(5) == 7);  // nothing holds it
-        CHECK(solver.packed().placings() == 3 * places);  // when an island was cut, and anchored
-        both([](World& world) {
-          const BodyId a = world.bodies.id(18), b = world.bodies.id(24);
-          const vec3 anchor = (world.bodies[a].x + world.bodies[b].x) / real(2);
-          world.add<BallJoint>(a, b, point_at(world.bodies[a], world.bodies[b], anchor));
-        });
-        CHECK(steps(5) == 8);
-        CHECK(solver.packed().placings() == 4 * places);  // it connects two chains
-        both([](World& world) {
-          Body& body = world.bodies.at(14);
-          body.inverse_mass = 1;
-          body.inverse_inertia_local = vec3(10);
-        });
-        CHECK(steps(5) == 9);
-        CHECK(solver.packed().placings() == 5 * places);  // it had no place
-      }
+    for (const bool warm : {false, true}) {
+      CAPTURE(int(packing), warm);
+      World kept = whips(), fresh = whips();
+      PackedImpulses solver = solver_of(packing);
+      const auto steps = [&](int count) {  // beside it, a solver that is new
+        for (int n = 0; n < count; ++n) {
+          PackedImpulses another = solver_of(packing);
+          step(fresh, another, h, {.warm_start = warm});
+          step(kept, solver, h, {.warm_start = warm});
+          CHECK(same(kept, fresh));
+        }
+        return solver.packed().groupings();
+      };
+      const auto both = [&](auto change) { change(kept), change(fresh); };
+      const auto hinge = [](World& world) -> HingeJoint& {
+        return static_cast<HingeJoint&>(*world.joints()[7]);
+      };
+      const int places = packing == Packing::automatic || packing == Packing::interleaved;
+      CHECK(steps(20) == 1);
+      both([](World& world) { world.gravity = vec3(1, 2, 3); });
+      CHECK(steps(5) == 1);  // other numbers, the same structure
+      both([&](World& world) {
+        hinge(world).set_limits(hinge(world).position(world.bodies) + 1, unbounded);
+      });
+      CHECK(steps(5) == 2);  // a limit is live: its block has a sixth row
+      both([&](World& world) { hinge(world).clear_limits(); });
+      CHECK(steps(5) == 3);
+      CHECK(solver.packed().placings() == places);
+      both([](World& world) { world.remove(*world.joints()[4]); });
+      CHECK(steps(5) == 4);
+      both([](World& world) {
+        Body& body = world.bodies.at(14);
+        body.inverse_mass = 0;
+        body.inverse_inertia_local = body.v = body.w = vec3(0);
+      });
+      CHECK(steps(5) == 5);
+      both([](World& world) {
+        for (int slot = 1; slot < world.bodies.slots(); ++slot)
+          if (!world.bodies.at(slot).is_static())
+            world.bodies.at(slot).inverse_inertia_local = vec3(20);
+      });
+      CHECK(steps(5) == 6);  // round: one number says an inertia
+      both([&](World& world) { hinge(world).set_motor(1, 1); });
+      CHECK(steps(5) == 7);
+      both([](World& world) { world.add(ball(1, 1, vec3(0, 50, 0))); });
+      CHECK(steps(5) == 7);  // nothing holds it
+      CHECK(solver.packed().placings() == 3 * places);  // when an island was cut, and anchored
+      both([](World& world) {
+        const BodyId a = world.bodies.id(18), b = world.bodies.id(24);
+        const vec3 anchor = (world.bodies[a].x + world.bodies[b].x) / real(2);
+        world.add<BallJoint>(a, b, point_at(world.bodies[a], world.bodies[b], anchor));
+      });
+      CHECK(steps(5) == 8);
+      CHECK(solver.packed().placings() == 4 * places);  // it connects two chains
+      both([](World& world) {
+        Body& body = world.bodies.at(14);
+        body.inverse_mass = 1;
+        body.inverse_inertia_local = vec3(10);
+      });
+      CHECK(steps(5) == 9);
+      CHECK(solver.packed().placings() == 5 * places);  // it had no place
+    }
 }
 
 TEST_CASE("once its vectors have grown no step allocates in any packing") {
   for (const Packing packing : packings)
-    for (const bool lanes : {true, false})
-      for (const bool warm : {false, true}) {
-        CAPTURE(int(packing), lanes, warm);
-        World few = whips();
-        Zoo zoo(2);
-        auto& swinging = static_cast<HingeJoint&>(*few.joints()[7]);
-        swinging.set_limits(real(-0.2), real(0.2));  // a limit that comes and goes
-        int arranged = 0;
-        for (World* world : {&few, &zoo.world}) {
-          PackedImpulses solver = solver_of(packing, lanes);
-          Stepping stepping{.warm_start = warm};
-          stepping.projections = 1;
-          const State begin = save(*world);
-          for (int n = 0; n < 120; ++n) step(*world, solver, h, stepping);
-          const int before = solver.packed().groupings();
-          restore(*world, begin);  // once more through all that comes and goes
-          CHECK(allocations_of([&] {
-                  for (int n = 0; n < 120; ++n) step(*world, solver, h, stepping);
-                }) == 0);
-          arranged += solver.packed().groupings() - before;
-        }
-        CHECK(arranged > 0);
+    for (const bool warm : {false, true}) {
+      CAPTURE(int(packing), warm);
+      World few = whips();
+      Zoo zoo(2);
+      auto& swinging = static_cast<HingeJoint&>(*few.joints()[7]);
+      swinging.set_limits(real(-0.2), real(0.2));  // a limit that comes and goes
+      int arranged = 0;
+      for (World* world : {&few, &zoo.world}) {
+        PackedImpulses solver = solver_of(packing);
+        Stepping stepping{.warm_start = warm};
+        stepping.projections = 1;
+        const State begin = save(*world);
+        for (int n = 0; n < 120; ++n) step(*world, solver, h, stepping);
+        const int before = solver.packed().groupings();
+        restore(*world, begin);  // once more through all that comes and goes
+        CHECK(allocations_of([&] {
+                for (int n = 0; n < 120; ++n) step(*world, solver, h, stepping);
+              }) == 0);
+        arranged += solver.packed().groupings() - before;
       }
+      CHECK(arranged > 0);
+    }
 }
 
 TEST_CASE("momentum is kept in every packing") {
   for (const Packing packing : packings)
-    for (const bool lanes : {true, false})
-      for (const double relaxation : {1.0, 1.7}) {
-        Zoo zoo(3);
-        World& world = zoo.world;
-        world.gravity = vec3(0);
-        for (std::size_t k = 0; k < 3; ++k) world.remove(*zoo.joints[k * (zoo.joints.size() / 3)]);
-        const std::vector<Body> before = snapshot(world.bodies);
-        const auto momentum = [&](const std::vector<Body>& bodies) {  // where they stood before
-          std::array<dvec3, 2> sum{dvec3(0), dvec3(0)};
-          for (std::size_t k = 1; k < bodies.size(); ++k) {
-            const dmat3 R = rotation_matrix(before[k]);
-            const dvec3 p = dvec3(bodies[k].v) / double(bodies[k].inverse_mass);
-            const dvec3 local = transpose(R) * dvec3(bodies[k].w);
-            sum[0] += p;
-            sum[1] += cross(dvec3(before[k].x), p) +
-                      R * (local / dvec3(bodies[k].inverse_inertia_local));
-          }
-          return sum;
-        };
-        std::vector<Body> forced = before;  // the gyroscopic torque keeps its own measure
-        for (Body& body : forced) integrate_forces(body, vec3(0), h);
-        PackedImpulses solver = solver_of(packing, lanes);
-        solver.relaxation = real(relaxation);
-        step(world, solver, h);
-        const auto after = momentum(snapshot(world.bodies)), expected = momentum(forced);
-        CHECK(length(after[0] - expected[0]) < tolerance(1e-10, 1e-2));
-        CHECK(length(after[1] - expected[1]) < tolerance(1e-10, 1e-2));
-        CHECK(difference(velocities(snapshot(world.bodies)), velocities(before)) > 0.1);
-        CHECK(world.bodies.at(0).x == vec3(0));
-      }
+    for (const double relaxation : {1.0, 1.7}) {
+      Zoo zoo(3);
+      World& world = zoo.world;
+      world.gravity = vec3(0);
+      for (std::size_t k = 0; k < 3; ++k) world.remove(*zoo.joints[k * (zoo.joints.size() / 3)]);
+      const std::vector<Body> before = snapshot(world.bodies);
+      const auto momentum = [&](const std::vector<Body>& bodies) {  // where they stood before
+        std::array<dvec3, 2> sum{dvec3(0), dvec3(0)};
+        for (std::size_t k = 1; k < bodies.size(); ++k) {
+          const dmat3 R = rotation_matrix(before[k]);
+          const dvec3 p = dvec3(bodies[k].v) / double(bodies[k].inverse_mass);
+          const dvec3 local = transpose(R) * dvec3(bodies[k].w);
+          sum[0] += p;
+          sum[1] += cross(dvec3(before[k].x), p) +
+                    R * (local / dvec3(bodies[k].inverse_inertia_local));
+        }
+        return sum;
+      };
+      std::vector<Body> forced = before;  // the gyroscopic torque keeps its own measure
+      for (Body& body : forced) integrate_forces(body, vec3(0), h);
+      PackedImpulses solver = solver_of(packing);
+      solver.relaxation = real(relaxation);
+      step(world, solver, h);
+      const auto after = momentum(snapshot(world.bodies)), expected = momentum(forced);
+      CHECK(length(after[0] - expected[0]) < tolerance(1e-10, 1e-2));
+      CHECK(length(after[1] - expected[1]) < tolerance(1e-10, 1e-2));
+      CHECK(difference(velocities(snapshot(world.bodies)), velocities(before)) > 0.1);
+      CHECK(world.bodies.at(0).x == vec3(0));
+    }
 }
 
 TEST_CASE("a refused setting is named and nothing has moved") {

@@ -37,7 +37,8 @@ bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form fo
     std::fill_n(impulse, rows, real(0));
     return false;
   }
-  const bool corrects = target.holds_position && target.follows == 0 && target.frequency == 0;
+  const bool corrects =  // without branches
+      target.holds_position & (target.follows == 0) & !(target.frequency > 0);
   list.push_back({slot1, slot2, rows, form, corrects, int(C.size()), target, impulse});
   for (int i = 0; i < rows; ++i) C.push_back(0);
   if (errors_only || J.size() >= C.size()) return true;

@@ -117,15 +117,15 @@ JOINTS_INLINED inline void use_record(const BlockKind& kind, real* numbers, cons
     constexpr unsigned char rows = N;
     if constexpr (N >= 3)
       if (kind.point)
-        return kind.isotropic ? use(ConstantKind<{rows, true, hard, true}>{})
-                              : use(ConstantKind<{rows, true, hard}>{});
+        return kind.isotropic ? use(ConstantKind<BlockKind{rows, true, hard, true}>{})
+                              : use(ConstantKind<BlockKind{rows, true, hard}>{});
     if constexpr (N == 1 && !hard)
       if (kind.follows)
-        return kind.lone ? use(ConstantKind<{.rows = 1, .follows = true, .lone = true}>{})
-                         : use(ConstantKind<{.rows = 1, .follows = true}>{});
+        return kind.lone ? use(ConstantKind<BlockKind{.rows = 1, .follows = true, .lone = true}>{})
+                         : use(ConstantKind<BlockKind{.rows = 1, .follows = true}>{});
     if constexpr (N == 1)
-      if (kind.lone) return use(ConstantKind<{.rows = 1, .hard = hard, .lone = true}>{});
-    use(ConstantKind<{.rows = rows, .hard = hard}>{});
+      if (kind.lone) return use(ConstantKind<BlockKind{.rows = 1, .hard = hard, .lone = true}>{});
+    use(ConstantKind<BlockKind{.rows = rows, .hard = hard}>{});
   };
   with_size(kind.rows, [&](auto N) JOINTS_INLINED {
     kind.hard ? use_rows(N, std::true_type{}) : use_rows(N, std::false_type{});

@@ -229,7 +229,7 @@ class DirectSolver::Positions : public Corrector {
         if (block < 0 || pair.is_spring(k, lane)) continue;
         const RowTarget& target = list_[block].target;
         const int rows = list_[block].rows - (target.rate != 0);
-        const TwoLanes* const original = &pair.A.original[pair.A.nodes[k].row];
+        const TwoLanes* const original = &pair.A.original[pair.row_of(pair.blocks[k])];
         for (int i = 0; target.holds_position && i < rows; ++i)
           if (original[i][lane] != 0) own_.corrected[block] |= 1 << i;
       }

@@ -281,8 +281,8 @@ void DirectSolver::change(Bodies& bodies, int from, int end, const std::vector<d
     for (const int lane : {0, 1}) {
       const bool used = pair->islands[lane] >= from && pair->islands[lane] < end;
       for (std::size_t n = 0; n < pair->blocks.size(); ++n) {
-        TwoLanes* const x = &pair->x[pair->A.nodes[n].row];
         const LaneBlock& block = pair->blocks[n];
+        TwoLanes* const x = &pair->x[pair->row_of(block)];
         for (int i = 0; i < block.rows; ++i)
           any |= (x[i][lane] = used && i < block.own[lane] ? given[block.row[lane] + i] : 0) != 0;
       }

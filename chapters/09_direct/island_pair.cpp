@@ -14,6 +14,8 @@ namespace {
 // proportional to it. With float velocities 1e-9 would make them so large that the velocities are
 // lost.
 constexpr double bound_softness = sizeof(real) == 4 ? 1e-6 : 1e-9;
+// A bounded row nearly depends on others if its pivot is below this fraction of K.
+constexpr double of_bounds = sizeof(real) == 4 ? 1e-3 : 1e-4;
 // In an open chain only the masses make a pivot small, so there its threshold is multiplied by
 // this.
 constexpr double of_open_chains = 1e-3;
@@ -57,11 +59,11 @@ void IslandPair::prepare(const Blocks& given, const Correction* corrections, rea
       set_rows(k, lane, &given.J[block.first]);
       const StepTarget target = step_target(block.target, h, acting);
       if (target.softness > 0) softness_[k][lane] = double(target.softness), springs_ = true;
-      const int last = block.rows - 1;
+      const int last = block.rows - 1, row = row_of(blocks[k]);
       const real* const C = &given.C[block.first];
       static const Correction none[6]{};
       const Correction* const expected = corrections ? corrections + blocks[k].row[lane] : none;
-      TwoLanes *const wanted = &wanted_[A.nodes[k].row], *const own = &impulse[A.nodes[k].row];
+      TwoLanes *const wanted = &wanted_[row], *const own = &impulse[row];
       with_size(block.rows, [&](auto n) {
         for (int i = 0; i < n; ++i) {
           const real by = i < last ? target.rate * C[i] : bias(block, i, C[i], target.rate, h);
@@ -70,23 +72,23 @@ void IslandPair::prepare(const Blocks& given, const Correction* corrections, rea
         }
       });
       if (block.target.lower > -unbounded || block.target.upper < unbounded) {
-        BoundedRow row{k, lane, double(acting * block.target.lower),
-                       double(acting * block.target.upper),
-                       double(bias(block, last, C[last], target.rate, h))};
+        BoundedRow bound{k, lane, double(acting * block.target.lower),
+                         double(acting * block.target.upper),
+                         double(bias(block, last, C[last], target.rate, h))};
         const double before = own[last][lane];  // of the last step
-        row.side = before <= row.lower   ? Side::lower
-                   : before >= row.upper ? Side::upper
-                                         : Side::free;
-        bounded.push_back(row);
+        bound.side = before <= bound.lower   ? Side::lower
+                     : before >= bound.upper ? Side::upper
+                                             : Side::free;
+        bounded.push_back(bound);
       }
     }
 }
 
 void IslandPair::set_rows(int block, int lane, const Row* rows) {
-  HalfRowOf<TwoLanes>*const one = &half(block, 0, 0), *const two = &half(block, 0, 1);
+  HalfRowOf<TwoLanes>*const one = half(blocks[block], 0), *const two = half(blocks[block], 1);
   const int n = blocks[block].own[lane];
   for (int i = 0; i < n; ++i) put(one[i].w, lane, rows[i].w1), put(two[i].w, lane, rows[i].w2);
-  if (blocks[block].form != Form::any) return;  // lay_out() has set the unit vectors of a point
+  if (nodes[blocks[block].node].form != Form::any) return;  // lay_out() has set unit vectors
   for (int i = 0; i < n; ++i) put(one[i].v, lane, rows[i].v1), put(two[i].v, lane, rows[i].v2);
 }
 
@@ -124,7 +126,7 @@ void IslandPair::store_impulses(const Blocks& given) const {
     for (const int lane : {0, 1}) {
       if (blocks[k].block[lane] < 0) continue;
       real* const to = given.list[blocks[k].block[lane]].impulse;
-      const TwoLanes* const from = &impulse[A.nodes[k].row];
+      const TwoLanes* const from = &impulse[row_of(blocks[k])];
       with_size(blocks[k].own[lane], [&](auto n) {
         for (int i = 0; i < n; ++i) to[i] = real(from[i][lane]);
       });
@@ -158,15 +160,14 @@ void IslandPair::go_back(Bodies& all, int lane) {
 
 void IslandPair::start(double ratio) {
   for (TwoLanes& one : impulse) one *= ratio;
-  for (int k = 0; k < int(blocks.size()) && ratio != 0; ++k) push(k, &impulse[A.nodes[k].row]);
+  for (int k = 0; k < int(nodes.size()) && ratio != 0; ++k) push(k, &impulse[A.nodes[k].row]);
 }
 
 // ---- the factor ---------------------------------------------------------------------------------
 
 // The diagonal entries of a bounded row, and of that beside it on the other lane.
 TwoLanes& IslandPair::diagonal_of(const BoundedRow& row) {
-  const int n = blocks[row.block].rows;
-  return A.numbers[A.nodes[row.block].diagonal + n * n - 1];
+  return A.numbers[diagonal(blocks[row.block], blocks[row.block].rows - 1)];
 }
 
 // A row at its bound gets no impulse from the factor, since its diagonal entry is infinite.
@@ -178,11 +179,11 @@ void IslandPair::factor_now() {
     diagonal_of(row)[row.lane] += free ? row.softness : infinite;
   }
   for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const int n = blocks[k].rows;
-    TwoLanes* const block = &A.numbers[A.nodes[k].diagonal];
-    for (int i = 0; springs_ && i < n * n; ++i) block[i] *= 1 + softness_[k];
-    if (blocks[k].loop < 0) continue;
-    for (int i = 0; i < n - blocks[k].bounded; ++i) block[i * (n + 1)] *= 1 + softening;
+    const LaneBlock& block = blocks[k];
+    for (int i = 0; springs_ && i < block.rows; ++i)
+      for (int j = 0; j < block.rows; ++j) A.numbers[diagonal(block, i) - i + j] *= 1 + softness_[k];
+    for (int i = 0; block.loop >= 0 && i < block.rows - block.bounded; ++i)
+      A.numbers[diagonal(block, i)] *= 1 + softening;
   }
   note_diagonal();
   factor(A, inverse);
@@ -191,21 +192,22 @@ void IslandPair::factor_now() {
 
 // Stores the diagonal before any elimination.
 void IslandPair::note_diagonal() {
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const int n = blocks[k].rows;
-    const double fraction = blocks[k].loop < 0 ? of_open_chains : 1;
-    for (int i = 0; i < n; ++i)
-      A.original[A.nodes[k].row + i] = fraction * A.numbers[A.nodes[k].diagonal + i * (n + 1)];
+  for (const LaneBlock& block : blocks) {
+    const double fraction = block.loop < 0 ? of_open_chains : 1;
+    for (int i = 0; i < block.rows; ++i)
+      A.original[row_of(block) + i] = fraction * A.numbers[diagonal(block, i)];
   }
 }
 
+bool IslandPair::is_below(double fraction, const LaneBlock& block, int i, int lane) const {
+  const double pivot = A.numbers[diagonal(block, i)][lane];  // its inverse
+  return pivot == 0 || pivot * A.original[row_of(block) + i][lane] * fraction > 1;
+}
+
 int IslandPair::rows_below(double fraction, int block, int lane) const {
-  const int n = blocks[block].rows;
   int count = 0;
-  for (int i = 0; i < blocks[block].own[lane]; ++i) {
-    const double pivot = A.numbers[A.nodes[block].diagonal + i * (n + 1)][lane];
-    count += pivot == 0 || pivot * A.original[A.nodes[block].row + i][lane] * fraction > 1;
-  }
+  for (int i = 0; i < blocks[block].own[lane]; ++i)
+    count += is_below(fraction, blocks[block], i, lane);
   return count;
 }
 
@@ -240,31 +242,31 @@ void IslandPair::find_tight_loops() {
 
 // ---- corrections --------------------------------------------------------------------------------
 
-// Changes the velocities by impulses of a block.
-void IslandPair::push(int block, const TwoLanes* by) {
-  with_size(blocks[block].rows, [&](auto n) {
-    for (const int of : {0, 1}) {
-      const HalfRowOf<TwoLanes>* const rows = &half(block, 0, of);
+// Changes the velocities by impulses of a node.
+void IslandPair::push(int node, const TwoLanes* by) {
+  const HalfRowOf<TwoLanes>* rows = &J[2 * A.nodes[node].row];
+  with_size(A.nodes[node].rows, [&](auto n) {
+    for (const int column : nodes[node].columns) {
       HalfRowOf<TwoLanes> sum{};  // J^T times the impulses
       for (int i = 0; i < n; ++i) sum.w += by[i] * rows[i].w;
-      for (int i = 0, end = linear_rows(block); i < end; ++i) sum.v += by[i] * rows[i].v;
-      const int column = blocks[block].columns[of];
+      for (int i = 0, end = linear_rows(node); i < end; ++i) sum.v += by[i] * rows[i].v;
+      rows += n;
       velocities_[column].v += masses[column].linear * sum.v;
       velocities_[column].w += masses[column].angular * sum.w;
     }
   });
 }
 
-// J V of a block. \param of J, or that of other poses
-void IslandPair::rates_of(int block, const std::vector<HalfRowOf<TwoLanes>>& of,
+// J V of a node. \param of J, or that of other poses
+void IslandPair::rates_of(int node, const std::vector<HalfRowOf<TwoLanes>>& of,
                           TwoLanes* out) const {
-  const HalfRowOf<TwoLanes>* const rows = &of[2 * A.nodes[block].row];
-  const HalfRowOf<TwoLanes>& one = velocities_[blocks[block].columns[0]];
-  const HalfRowOf<TwoLanes>& two = velocities_[blocks[block].columns[1]];
-  with_size(blocks[block].rows, [&](auto n) {
+  const HalfRowOf<TwoLanes>* const rows = &of[2 * A.nodes[node].row];
+  const HalfRowOf<TwoLanes>& one = velocities_[nodes[node].columns[0]];
+  const HalfRowOf<TwoLanes>& two = velocities_[nodes[node].columns[1]];
+  with_size(A.nodes[node].rows, [&](auto n) {
     for (int i = 0; i < n; ++i)
       out[i] = joints::dot(rows[i].w, one.w) + joints::dot(rows[n + i].w, two.w);
-    for (int i = 0, end = linear_rows(block); i < end; ++i)
+    for (int i = 0, end = linear_rows(node); i < end; ++i)
       out[i] += joints::dot(rows[i].v, one.v) + joints::dot(rows[n + i].v, two.v);
   });
 }
@@ -272,7 +274,7 @@ void IslandPair::rates_of(int block, const std::vector<HalfRowOf<TwoLanes>>& of,
 void IslandPair::change() {
   joints::solve(A, x.data());
   for (std::size_t row = 0; row < x.size(); ++row) impulse[row] += x[row];
-  for (int k = 0; k < int(blocks.size()); ++k) push(k, &x[A.nodes[k].row]);
+  for (int k = 0; k < int(nodes.size()); ++k) push(k, &x[A.nodes[k].row]);
 }
 
 void IslandPair::reach(const Blocks& at, const std::vector<real>& wanted, double enough) {
@@ -284,19 +286,16 @@ void IslandPair::reach(const Blocks& at, const std::vector<real>& wanted, double
       const Block& block = at.list[blocks[k].block[lane]];
       set_rows(k, lane, &at.J[block.first]);
       for (int i = 0; i < block.rows; ++i)
-        wanted_[A.nodes[k].row + i][lane] = double(wanted[block.first + i]);
+        wanted_[row_of(blocks[k]) + i][lane] = double(wanted[block.first + i]);
     }
   J.swap(J_at_);
   double before = 0;
   for (int n = 0; n < rounds; ++n) {
     double largest = 0;
-    for (int k = 0; k < int(blocks.size()); ++k) {
-      const int row = A.nodes[k].row;
-      rates_of(k, J_at_, &x[row]);
-      for (int i = row; i < row + blocks[k].rows; ++i) {
-        x[i] = wanted_[i] - x[i];
-        largest = std::max({largest, std::abs(x[i][0]), std::abs(x[i][1])});
-      }
+    for (int k = 0; k < int(nodes.size()); ++k) rates_of(k, J_at_, &x[A.nodes[k].row]);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      x[i] = wanted_[i] - x[i];
+      largest = std::max({largest, std::abs(x[i][0]), std::abs(x[i][1])});
     }
     if (largest <= enough || (n >= 2 && !(largest < before / 2))) return;
     before = largest;
@@ -306,22 +305,22 @@ void IslandPair::reach(const Blocks& at, const std::vector<real>& wanted, double
 
 // Makes the remaining errors of all free rows zero.
 void IslandPair::correct() {
-  for (int k = 0; k < int(blocks.size()); ++k) {
-    const int n = blocks[k].rows, row = A.nodes[k].row;
-    rates_of(k, J, &x[row]);
-    for (int i = row; i < row + n; ++i) x[i] = wanted_[i] - x[i];
+  for (int k = 0; k < int(nodes.size()); ++k) rates_of(k, J, &x[A.nodes[k].row]);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = wanted_[i] - x[i];
+  for (int k = 0; springs_ && k < int(blocks.size()); ++k) {
     if (softness_[k][0] == 0 && softness_[k][1] == 0) continue;
+    const int n = blocks[k].rows, row = row_of(blocks[k]);
     for (int j = 0; j < n; ++j)  // K lambda of a spring
       for (const int of : {0, 1}) {
         const auto& [linear, angular] = masses[blocks[k].columns[of]];
-        const HalfRowOf<TwoLanes>& one = half(k, j, of);
-        const HalfRowOf<TwoLanes> response{linear * one.v, angular * one.w};
+        const HalfRowOf<TwoLanes>* const rows = half(blocks[k], of);
+        const HalfRowOf<TwoLanes> response{linear * rows[j].v, angular * rows[j].w};
         for (int i = 0; i < n; ++i)
-          x[row + i] -= softness_[k] * impulse[row + j] * dot(half(k, i, of), response);
+          x[row + i] -= softness_[k] * impulse[row + j] * dot(rows[i], response);
       }
   }
   for (const BoundedRow& bound : bounded) {
-    const int last = A.nodes[bound.block].row + blocks[bound.block].rows - 1;
+    const int last = last_row(bound);
     const double soft = bound.softness * impulse[last][bound.lane];
     x[last][bound.lane] = bound.side == Side::free ? x[last][bound.lane] - soft : 0;
   }
@@ -334,13 +333,22 @@ void IslandPair::correct() {
 void IslandPair::go_to_bounds() {
   for (const BoundedRow& row : bounded) {
     if (row.side == Side::free) continue;
-    const int n = blocks[row.block].rows, last = A.nodes[row.block].row + n - 1;
+    const int node = blocks[row.block].node, last = last_row(row);
     const double bound = row.side == Side::lower ? row.lower : row.upper;
+    const double change = bound - impulse[last][row.lane];
     TwoLanes by[6]{};
-    by[n - 1][row.lane] = bound - impulse[last][row.lane];
-    if (by[n - 1][row.lane] != 0) push(row.block, by);
+    by[last - A.nodes[node].row][row.lane] = change;
+    if (change != 0) push(node, by);
     impulse[last][row.lane] = bound;
   }
+}
+
+// True if a free bounded row nearly depends on others, as those of a motor and a limit do.
+bool IslandPair::bounds_depend() const {
+  return std::any_of(bounded.begin(), bounded.end(), [&](const BoundedRow& row) {
+    const LaneBlock& block = blocks[row.block];
+    return row.side == Side::free && is_below(of_bounds, block, block.rows - 1, row.lane);
+  });
 }
 
 // Changes the sides of all wrong rows of each island or, if it makes no progress, of the last one
@@ -348,11 +356,14 @@ void IslandPair::go_to_bounds() {
 int IslandPair::flip_wrong_ones(std::array<Progress, 2>& progress) {
   std::array<int, 2> count{};
   for (auto row = bounded.rbegin(); row != bounded.rend(); ++row) {
-    const int n = blocks[row->block].rows;
-    const double now = impulse[A.nodes[row->block].row + n - 1][row->lane];
-    TwoLanes rates[6];
-    rates_of(row->block, J, rates);
-    const double rate = rates[n - 1][row->lane] + row->bias + row->softness * now;
+    const double now = impulse[last_row(*row)][row->lane];
+    double rate = 0;  // of a free row, whose equation holds
+    if (row->side != Side::free) {
+      const LaneBlock& block = blocks[row->block];
+      for (const int of : {0, 1})
+        rate += dot(half(block, of)[block.rows - 1], velocities_[block.columns[of]])[row->lane];
+      rate += row->bias;
+    }
     const Side next = next_side(row->side, now, row->lower, row->upper, rate);
     if (next == row->side) continue;
     if (++count[row->lane] > 1 && progress[row->lane].in_vain >= patience) continue;
@@ -377,9 +388,8 @@ void IslandPair::solve(int most_passes, bool refine) {
     }
     go_to_bounds();
     correct();
-    // Refines softened rows and bounded rows that nearly depend on others.
-    if (bounded.empty() && (plan->loops.empty() || !refine)) return;
-    correct();
+    const bool softened = !plan->loops.empty() && (refine || !bounded.empty());
+    if (softened || bounds_depend()) correct();
     if (bounded.empty()) return;
     wrong = flip_wrong_ones(progress);
     if (wrong == 0) return;

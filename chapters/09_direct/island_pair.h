@@ -83,19 +83,21 @@ class IslandPair : public IslandMatrix {
     int fewest, in_vain;  // wrong rows; passes without fewer of them
   };
   void note_diagonal();
-  void push(int block, const TwoLanes* by);
-  void rates_of(int block, const std::vector<HalfRowOf<TwoLanes>>& of, TwoLanes* out) const;
+  void push(int node, const TwoLanes* by);
+  void rates_of(int node, const std::vector<HalfRowOf<TwoLanes>>& of, TwoLanes* out) const;
   void correct();
   void go_to_bounds();
+  bool bounds_depend() const;
   int flip_wrong_ones(std::array<Progress, 2>& progress);
+  bool is_below(double fraction, const LaneBlock& block, int i, int lane) const;
   TwoLanes& diagonal_of(const BoundedRow& row);
-  // Only so many rows of a block, the first ones, have linear parts.
-  int linear_rows(int block) const {
-    const Form form = blocks[block].form;
-    return form == Form::any ? blocks[block].rows : form == Form::point ? 3 : 0;
+  int last_row(const BoundedRow& row) const {
+    return row_of(blocks[row.block]) + blocks[row.block].rows - 1;
   }
-  HalfRowOf<TwoLanes>& half(int block, int i, int of) {
-    return J[2 * A.nodes[block].row + of * blocks[block].rows + i];
+  // Only so many rows of a node, the first ones, have linear parts.
+  int linear_rows(int node) const {
+    const Form form = nodes[node].form;
+    return form == Form::any ? A.nodes[node].rows : form == Form::point ? 3 : 0;
   }
 
   std::vector<HalfRowOf<TwoLanes>> J_at_;        // of other poses

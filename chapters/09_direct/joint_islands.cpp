@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace joints {
 
@@ -173,11 +174,13 @@ void JointIslands::place_blocks(IslandPair& pair) {
       pair.bodies[k][lane] = columns_[std::size_t(island.first_column) + k];
   }
   blocks_.clear();
+  int node = -1;
   for (int place = 0; place < int(pair.plan->links.size()); ++place) {
     const int link = pair.plan->links[place];
     auto like = std::lower_bound(shape.begin(), shape.end(), link,
                                  [](const ShapeBlock& a, int b) { return a.link < b; });
     LaneBlock block{.place = place, .columns = like->columns};
+    int rows = most_rows;  // of the last node
     for (int n = 0;; ++n) {
       block.own = {};
       block.block = {-1, -1};
@@ -196,6 +199,9 @@ void JointIslands::place_blocks(IslandPair& pair) {
       }
       if (block.lanes() == 0) break;
       block.rows = std::max(block.own[0], block.own[1]);
+      if (rows + block.rows > most_rows) ++node, rows = 0;
+      block.node = node;
+      block.first = std::exchange(rows, rows + block.rows);
       block.loop = -1;
       if (like != shape.end() && like->link == link)
         block.loop = pair.plan->loop[like++ - shape.begin()];

@@ -34,51 +34,71 @@ void add_angular_square(const HalfRowOf<TwoLanes>* J, const HalfRowOf<TwoLanes>*
 
 }  // namespace
 
+// Finds the nodes of the blocks, and their rows.
+void IslandMatrix::make_nodes() {
+  A.nodes.clear();
+  nodes.clear();
+  first_.clear();
+  int row = 0;
+  rows_ = 0;
+  for (const LaneBlock& block : blocks) {
+    if (block.place == int(first_.size())) first_.push_back(block.node);
+    if (block.first == 0) {
+      A.nodes.push_back({0, row, 0, 0});
+      nodes.push_back({block.columns, block.form, block.lanes()});
+    } else if (block.form != Form::angular) {
+      nodes.back().form = Form::any;
+    }
+    A.nodes.back().rows += block.rows;
+    row += block.rows;
+    rows_ += block.own[0] + block.own[1];
+  }
+  first_.push_back(int(nodes.size()));
+}
+
 // Places nodes and edges, including the edges of fill-in.
 void IslandMatrix::lay_out() {
-  const int count = int(blocks.size());
-  first_.assign(plan->links.size() + 1, count);
-  for (int k = count - 1; k >= 0; --k) first_[blocks[k].place] = k;
-  const auto coupled = [&](const LaneBlock& a, const LaneBlock& b) {
+  make_nodes();
+  const int count = int(nodes.size());
+  const auto coupled = [&](const LaneNode& a, const LaneNode& b) {
     for (const int one : a.columns)
       for (const int other : b.columns)
         if (one == other && moves[one]) return true;
     return false;
   };
-  A.nodes.clear();
   A.edges.clear();
-  int row = 0, numbers = 0;
+  int numbers = 0;
   multiplications_ = 0;
-  fill_ = rows_ = 0;
-  for (int k = 0; k < count; ++k) {
-    const int n = blocks[k].rows, lanes = blocks[k].lanes();
-    A.nodes.push_back({n, row, numbers, int(A.edges.size())});
-    row += n;
-    rows_ += blocks[k].own[0] + blocks[k].own[1];
-    numbers += n * n;
-    int below = 0;
-    const auto add_edges = [&](int from, int end) {
-      for (int to = from; to < end; ++to) {
-        const int m = blocks[to].rows;
-        A.edges.push_back({to, numbers});
-        numbers += m * n;
-        below += m;
-        if (!coupled(blocks[k], blocks[to])) fill_ += lanes * m * n;
-      }
-    };
-    const int place = blocks[k].place;
-    add_edges(k + 1, first_[place + 1]);
-    for (const int later : plan->later[place]) add_edges(first_[later], first_[later + 1]);
-    multiplications_ += lanes * n * (n + below) * (n + below) / 2.0;
-  }
+  fill_ = 0;
+  for (int place = 0, k = 0; place + 1 < int(first_.size()); ++place)
+    for (; k < first_[place + 1]; ++k) {
+      Node& node = A.nodes[k];
+      const int n = node.rows;
+      node.diagonal = numbers, node.first_edge = int(A.edges.size());
+      numbers += n * n;
+      int below = 0;
+      const auto add_edges = [&](int from, int end) {
+        for (int to = from; to < end; ++to) {
+          const int m = A.nodes[to].rows;
+          A.edges.push_back({to, numbers});
+          numbers += m * n;
+          below += m;
+          if (!coupled(nodes[k], nodes[to])) fill_ += nodes[k].lanes * m * n;
+        }
+      };
+      add_edges(k + 1, first_[place + 1]);
+      for (const int later : plan->later[place]) add_edges(first_[later], first_[later + 1]);
+      multiplications_ += nodes[k].lanes * n * (n + below) * (n + below) / 2.0;
+    }
+  const int row = A.nodes.back().row + A.nodes.back().rows;
   A.nodes.push_back({0, row, numbers, int(A.edges.size())});
   zeros(A.numbers, std::size_t(numbers));
   zeros(A.original, std::size_t(row));
   zeros(J, std::size_t(2 * row));
   for (int k = 0; k < count; ++k)
     for (const int of : {0, 1}) {
-      if (blocks[k].form != Form::point) continue;
-      HalfRowOf<TwoLanes>* const half = &J[2 * A.nodes[k].row + of * blocks[k].rows];
+      if (nodes[k].form != Form::point) continue;
+      HalfRowOf<TwoLanes>* const half = &J[2 * A.nodes[k].row + of * A.nodes[k].rows];
       const TwoLanes one = TwoLanes{} + (of == 0 ? -1.0 : 1.0);
       half[0].v.x = half[1].v.y = half[2].v.z = one;
     }
@@ -104,21 +124,22 @@ int IslandMatrix::at(int later, int earlier) const {
 void IslandMatrix::place_couplings() {
   couplings_.clear();
   couplings_end_.clear();
-  for (int k = 0; k < int(blocks.size()); ++k)
+  for (int k = 0; k < int(nodes.size()); ++k)
     for (const int of : {0, 1}) {
-      const int column = blocks[k].columns[of];
+      const int column = nodes[k].columns[of];
       const auto add = [&](int other, int half, int at) {
-        const LaneBlock &one = blocks[k], &two = blocks[other];
-        const bool points = one.form == Form::point && two.form == Form::point;
-        couplings_.push_back({2 * A.nodes[other].row + half * two.rows, two.rows, at,
-                              one.form == Form::any || two.form == Form::any,
+        const Form one = nodes[k].form, two = nodes[other].form;
+        const auto& [rows, row, diagonal, edge] = A.nodes[other];
+        const bool points = one == Form::point && two == Form::point;
+        couplings_.push_back({2 * row + half * rows, rows, at,
+                              one == Form::any || two == Form::any,
                               !points ? 0.0 : half == of ? 1.0 : -1.0});
       };
       if (moves[column]) add(k, of, A.nodes[k].diagonal);
       for (int j = A.nodes[k].first_edge; moves[column] && j < A.nodes[k + 1].first_edge; ++j)
         for (const int half : {0, 1}) {
           const auto& [to, at] = A.edges[j];
-          if (blocks[to].columns[half] == column) add(to, half, at);
+          if (nodes[to].columns[half] == column) add(to, half, at);
         }
       couplings_end_.push_back(int(couplings_.size()));
     }
@@ -126,13 +147,13 @@ void IslandMatrix::place_couplings() {
 
 void IslandMatrix::assemble() {
   const Coupling* coupling = couplings_.data();
-  for (int k = 0; k < int(blocks.size()); ++k) {
+  for (int k = 0; k < int(nodes.size()); ++k) {
     std::fill(&A.numbers[A.nodes[k].diagonal], A.numbers.data() + A.nodes[k + 1].diagonal,
               TwoLanes{});
-    const int n = blocks[k].rows;
+    const int n = A.nodes[k].rows;
     for (const int of : {0, 1}) {
       const HalfRowOf<TwoLanes>* const half = &J[2 * A.nodes[k].row + of * n];
-      const InverseMassOf<TwoLanes>& mass = masses[blocks[k].columns[of]];
+      const InverseMassOf<TwoLanes>& mass = masses[nodes[k].columns[of]];
       const Coupling* const end = couplings_.data() + couplings_end_[2 * k + of];
       HalfRowOf<TwoLanes> response[6];
       for (int r = 0; coupling != end && r < n; ++r) response[r].w = mass.angular * half[r].w;

@@ -23,6 +23,8 @@ struct LaneBlock {
   std::array<int, 2> block{-1, -1};  ///< numbers of its two blocks; -1: the lane is idle
   std::array<int, 2> own{};       ///< their numbers of rows; 0 if the lane is idle
   std::array<int, 2> row{};       ///< their first rows, counted island after island
+  int node = 0;                   ///< its node in the matrix
+  int first = 0;                  ///< its first row in that node
   int lanes() const { return (own[0] > 0) + (own[1] > 0); }  ///< that are not idle
   /// True if the matrix has the same pattern with the other block in its place.
   bool like(const LaneBlock& other) const {
@@ -31,42 +33,69 @@ struct LaneBlock {
   }
 };
 
+/// Largest number of rows of a node. While they are not more, the blocks of a link share a node, as
+/// those of a hinge and its motor do.
+constexpr int most_rows = 6;
+
+/// The bodies and the form of a node.
+struct LaneNode {
+  std::array<int, 2> columns{};   ///< of its bodies
+  Form form = Form::any;          ///< of its rows on both lanes
+  int lanes = 0;                  ///< that are not idle
+};
+
 /// The matrix of the joints of two islands with the same shape, one on each lane.
 class IslandMatrix {
  public:
-  JointMatrixOf<TwoLanes> A;  ///< the matrix; its nodes are the blocks
+  JointMatrixOf<TwoLanes> A;  ///< the matrix
+  std::vector<LaneNode> nodes;  ///< of A
   std::shared_ptr<const EliminationPlan> plan;  ///< of both islands
   std::vector<LaneBlock> blocks;                ///< of both islands, in the order of elimination
   std::vector<bool> moves;        ///< for each column whether its bodies move
   std::vector<InverseMassOf<TwoLanes>> masses;  ///< for each column
-  /// The half-rows of block k, from 2 * A.nodes[k].row on: those of body 1, then those of body 2.
+  /// The half-rows of node k, from 2 * A.nodes[k].row on: those of body 1, then those of body 2.
   std::vector<HalfRowOf<TwoLanes>> J;
 
-  /// Computes nodes, edges, targets and couplings from plan, blocks and moves. All J become zero,
-  /// or the unit vectors of a point.
+  /// Puts the blocks into nodes, and computes edges, targets and couplings from plan and moves. All
+  /// J become zero, or the unit vectors of a point.
   void lay_out();
   /// Computes the numbers of A from J and masses.
   void assemble();
   /// Number of multiplications of a factorisation, about (Eq. 9-6).
   double multiplications() const { return multiplications_; }
   int rows() const { return rows_; }  ///< of both islands
+  /// Where the numbers of a block begin in the right-hand side.
+  int row_of(const LaneBlock& block) const { return A.nodes[block.node].row + block.first; }
   /// Number of entries that elimination fills in.
   int fill() const { return fill_; }
 
+ protected:
+  // The half-rows of a block at body 1, or at body 2.
+  HalfRowOf<TwoLanes>* half(const LaneBlock& block, int of) {
+    const Node& node = A.nodes[block.node];
+    return &J[2 * node.row + of * node.rows + block.first];
+  }
+  // Where the diagonal entry of row i of a block is in A.numbers.
+  int diagonal(const LaneBlock& block, int i) const {
+    const Node& node = A.nodes[block.node];
+    return node.diagonal + (block.first + i) * (node.rows + 1);
+  }
+
  private:
-  // A half of a block and another one at the same body, which is eliminated later.
+  // A half of a node and another one at the same body, which is eliminated later.
   struct Coupling {
     int J, rows;   // where the half-rows of the other one begin, and their number
     int at;        // where the block of the two begins in A
     bool any;      // the linear parts of a half have any form
     double units;  // 1 or -1, the product of their unit vectors if both are those of points; else 0
   };
+  void make_nodes();
   void place_couplings();
   int at(int later, int earlier) const;
 
-  std::vector<int> first_;  // block of each link, in the order of elimination
+  std::vector<int> first_;  // node of each link, in the order of elimination
   std::vector<Coupling> couplings_;  // of all halves; the first one of a half is with itself
-  std::vector<int> couplings_end_;   // of each half, two for each block
+  std::vector<int> couplings_end_;   // of each half, two for each node
   double multiplications_ = 0;
   int fill_ = 0, rows_ = 0;
 };

@@ -52,9 +52,8 @@ struct Assembled {
     for (int column = 0; column < int(pair.bodies.size()); ++column)
       pair.set_mass(column, 0, world.bodies.at(pair.bodies[std::size_t(column)][0]));
     pair.assemble();
-    for (std::size_t k = 0; k < pair.blocks.size(); ++k)
-      for (int i = 0; i < pair.blocks[k].rows; ++i) {
-        const Node& node = pair.A.nodes[k];
+    for (const Node& node : pair.A.nodes)
+      for (int i = 0; i < node.rows; ++i) {
         pair.A.original[std::size_t(node.row + i)] =
             pair.A.numbers[std::size_t(node.diagonal + i * (node.rows + 1))];
       }

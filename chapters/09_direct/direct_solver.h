@@ -15,7 +15,8 @@ namespace joints {
 /// outside A: iterations over them alternate with a solve of all others. The solver always
 /// calculates in double. It solves each island by itself, and two islands with the same shape side
 /// by side on lanes (JointIslands). Give every joint beta = 1. Source: Baraff 1996 for the idea;
-/// Davis 2006 for sparse factors; Judice and Pires 1994 for the passes of the active set.
+/// Davis 2006 for sparse factors; Judice and Pires 1994, and Stark and Parker 1995, for the passes
+/// of the active set.
 class DirectSolver : public Solver {
  public:
   /// Largest number of iterations on the positions (SHAKE) before secants take over, and after them

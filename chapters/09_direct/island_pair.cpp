@@ -1,4 +1,4 @@
-// A pair of islands: its rows, corrections of its velocities, and the active set.
+// A pair of islands: its rows, its factor, and corrections of its velocities.
 #include "chapters/09_direct/island_pair.h"
 
 #include <algorithm>
@@ -14,16 +14,12 @@ namespace {
 // proportional to it. With float velocities 1e-9 would make them so large that the velocities are
 // lost.
 constexpr double bound_softness = sizeof(real) == 4 ? 1e-6 : 1e-9;
-// A bounded row nearly depends on others if its pivot is below this fraction of K.
-constexpr double of_bounds = sizeof(real) == 4 ? 1e-3 : 1e-4;
 // In an open chain only the masses make a pivot small, so there its threshold is multiplied by
 // this.
 constexpr double of_open_chains = 1e-3;
 // A row is dependent if its pivot is below this multiple of the softening.
 constexpr double of_softening = sizeof(real) == 4 ? 100 : 1000;
 constexpr int rounds = 12;  // largest number of corrections in reach()
-// After this many passes without progress only the last wrong row changes its side.
-constexpr int patience = 3;
 
 // Sets one lane.
 void put(Triple<TwoLanes>& to, int lane, const vec3& a) {
@@ -31,9 +27,6 @@ void put(Triple<TwoLanes>& to, int lane, const vec3& a) {
 }
 vec3 lane_of(const Triple<TwoLanes>& a, int lane) {
   return {real(a.x[lane]), real(a.y[lane]), real(a.z[lane])};
-}
-TwoLanes dot(const HalfRowOf<TwoLanes>& a, const HalfRowOf<TwoLanes>& b) {
-  return joints::dot(a.v, b.v) + joints::dot(a.w, b.w);
 }
 
 }  // namespace
@@ -181,7 +174,7 @@ void IslandPair::factor_now() {
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     const LaneBlock& block = blocks[k];
     for (int i = 0; springs_ && i < block.rows; ++i)
-      for (int j = 0; j < block.rows; ++j) A.numbers[diagonal(block, i) - i + j] *= 1 + softness_[k];
+      for (int j = 0; j <= i; ++j) A.numbers[diagonal(block, i) - j] *= 1 + softness_[k];
     for (int i = 0; block.loop >= 0 && i < block.rows - block.bounded; ++i)
       A.numbers[diagonal(block, i)] *= 1 + softening;
   }
@@ -273,6 +266,7 @@ void IslandPair::rates_of(int node, const std::vector<HalfRowOf<TwoLanes>>& of,
 
 void IslandPair::change() {
   joints::solve(A, x.data());
+  if (inside_[0] || inside_[1]) stay_inside();
   for (std::size_t row = 0; row < x.size(); ++row) impulse[row] += x[row];
   for (int k = 0; k < int(nodes.size()); ++k) push(k, &x[A.nodes[k].row]);
 }
@@ -291,12 +285,13 @@ void IslandPair::reach(const Blocks& at, const std::vector<real>& wanted, double
   J.swap(J_at_);
   double before = 0;
   for (int n = 0; n < rounds; ++n) {
-    double largest = 0;
     for (int k = 0; k < int(nodes.size()); ++k) rates_of(k, J_at_, &x[A.nodes[k].row]);
+    TwoLanes most{}, least{};
     for (std::size_t i = 0; i < x.size(); ++i) {
       x[i] = wanted_[i] - x[i];
-      largest = std::max({largest, std::abs(x[i][0]), std::abs(x[i][1])});
+      most = x[i] > most ? x[i] : most, least = x[i] < least ? x[i] : least;
     }
+    const double largest = std::max({most[0], most[1], -least[0], -least[1]});
     if (largest <= enough || (n >= 2 && !(largest < before / 2))) return;
     before = largest;
     change();
@@ -325,75 +320,6 @@ void IslandPair::correct() {
     x[last][bound.lane] = bound.side == Side::free ? x[last][bound.lane] - soft : 0;
   }
   change();
-}
-
-// ---- bounds -------------------------------------------------------------------------------------
-
-// An impulse that is not free is exactly at its bound.
-void IslandPair::go_to_bounds() {
-  for (const BoundedRow& row : bounded) {
-    if (row.side == Side::free) continue;
-    const int node = blocks[row.block].node, last = last_row(row);
-    const double bound = row.side == Side::lower ? row.lower : row.upper;
-    const double change = bound - impulse[last][row.lane];
-    TwoLanes by[6]{};
-    by[last - A.nodes[node].row][row.lane] = change;
-    if (change != 0) push(node, by);
-    impulse[last][row.lane] = bound;
-  }
-}
-
-// True if a free bounded row nearly depends on others, as those of a motor and a limit do.
-bool IslandPair::bounds_depend() const {
-  return std::any_of(bounded.begin(), bounded.end(), [&](const BoundedRow& row) {
-    const LaneBlock& block = blocks[row.block];
-    return row.side == Side::free && is_below(of_bounds, block, block.rows - 1, row.lane);
-  });
-}
-
-// Changes the sides of all wrong rows of each island or, if it makes no progress, of the last one
-// only. Returns how many were wrong.
-int IslandPair::flip_wrong_ones(std::array<Progress, 2>& progress) {
-  std::array<int, 2> count{};
-  for (auto row = bounded.rbegin(); row != bounded.rend(); ++row) {
-    const double now = impulse[last_row(*row)][row->lane];
-    double rate = 0;  // of a free row, whose equation holds
-    if (row->side != Side::free) {
-      const LaneBlock& block = blocks[row->block];
-      for (const int of : {0, 1})
-        rate += dot(half(block, of)[block.rows - 1], velocities_[block.columns[of]])[row->lane];
-      rate += row->bias;
-    }
-    const Side next = next_side(row->side, now, row->lower, row->upper, rate);
-    if (next == row->side) continue;
-    if (++count[row->lane] > 1 && progress[row->lane].in_vain >= patience) continue;
-    row->side = next;
-    factored = false;
-  }
-  for (const int lane : {0, 1}) {
-    auto& [fewest, in_vain] = progress[lane];
-    in_vain = count[lane] < fewest ? 0 : in_vain + 1;
-    fewest = std::min(fewest, count[lane]);
-  }
-  return count[0] + count[1];
-}
-
-void IslandPair::solve(int most_passes, bool refine) {
-  std::array<Progress, 2> progress;
-  progress.fill({int(bounded.size()) + 1, 0});
-  for (int pass = 0; pass < most_passes; ++pass) {
-    if (!factored) {
-      factor_now();
-      ++passes;
-    }
-    go_to_bounds();
-    correct();
-    const bool softened = !plan->loops.empty() && (refine || !bounded.empty());
-    if (softened || bounds_depend()) correct();
-    if (bounded.empty()) return;
-    wrong = flip_wrong_ones(progress);
-    if (wrong == 0) return;
-  }
 }
 
 }  // namespace joints

@@ -18,7 +18,13 @@ struct BoundedRow {
   double bias = 0;                ///< minus the required J V
   double softness = 0;            ///< in the present factor; J V + bias + softness lambda = 0
   Side side = Side::free;         ///< its side
+  double bound(Side of) const { return of == Side::lower ? lower : upper; }  ///< on a side
 };
+
+/// J V of a row, of its half at one body.
+inline TwoLanes dot(const HalfRowOf<TwoLanes>& a, const HalfRowOf<TwoLanes>& b) {
+  return dot(a.v, b.v) + dot(a.w, b.w);
+}
 
 /// Up to two islands with the same shape. An idle lane contains zeros.
 class IslandPair : public IslandMatrix {
@@ -87,6 +93,7 @@ class IslandPair : public IslandMatrix {
   void rates_of(int node, const std::vector<HalfRowOf<TwoLanes>>& of, TwoLanes* out) const;
   void correct();
   void go_to_bounds();
+  void stay_inside();
   bool bounds_depend() const;
   int flip_wrong_ones(std::array<Progress, 2>& progress);
   bool is_below(double fraction, const LaneBlock& block, int i, int lane) const;
@@ -106,6 +113,8 @@ class IslandPair : public IslandMatrix {
   std::vector<HalfRowOf<TwoLanes>> velocities_, kept_velocities_;  // of each column
   std::vector<TwoLanes> kept_impulses_;
   bool springs_ = false;                         // there are some
+  std::array<bool, 2> inside_{};                 // the impulses of a lane stay in their bounds
+  std::array<int, 2> left_{};                    // rows that have come to a bound in this pass
   std::vector<std::array<int, 2>> dependent_;    // rows of each closed loop
 };
 

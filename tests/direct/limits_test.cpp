@@ -187,3 +187,45 @@ TEST_CASE("forty limits hit at once take more passes than a few, and are all rig
     CHECK(last < 1e-4);
   }
 }
+
+TEST_CASE("in drawn arms every motor stays within its torque, and every limit pushes back") {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    World world;
+    std::vector<std::pair<HingeJoint*, real>> motors;  // with their torques
+    BodyId before = world.add(static_body(vec3(0)));
+    vec3 end(0);
+    for (int k = 0; k < 24; ++k) {
+      const vec3 place = end + vec3(0, 0, 1) + random.vector(real(0.3));
+      const real mass = std::exp(random.uniform(0, 3));
+      const BodyId id = world.add(box(mass, vec3(real(0.4), real(0.4), real(0.8)), place));
+      auto& hinge = world.add<HingeJoint>(before, id, (place + end) / real(2),
+                                          normalize(random.vector(1)));
+      const real torque = std::exp(random.uniform(0, 8)), speed = random.uniform(-1, 1);
+      hinge.set_motor(speed, torque);
+      hinge.set_limits(random.uniform(real(-0.4), real(-0.05)),
+                       random.uniform(real(0.05), real(0.4)));
+      motors.push_back({&hinge, torque});
+      before = id, end = place;
+    }
+    feed_back_all(world);
+    DirectSolver solver;
+    int wrong = 0, passes = 0;
+    double most = 0, pulled = 0;  // torque of a motor over its greatest one; of a limit outwards
+    for (int n = 0; n < 100; ++n) {
+      step(world, solver, h, second_order);
+      wrong += solver.report().wrong;
+      passes = std::max(passes, solver.report().passes);
+      for (const auto& [hinge, torque] : motors) {
+        most = std::max(most, std::abs(double(hinge->motor_force() / torque)));
+        const real outward = hinge->position(world.bodies) > 0 ? 1 : -1;
+        pulled = std::max(pulled, double(outward * hinge->limit_force()));
+      }
+    }
+    CHECK(most < 1 + 1e-5);
+    CHECK(pulled <= 0);
+    CHECK(wrong == 0);
+    CHECK(passes < 100);
+  }
+}

@@ -28,7 +28,7 @@ CODE = {
                      "for (int i = 0; i < how.projections; ++i) project_positions(world);", 1),
                     ("engine/projection.cpp", "for (const auto& joint : world.joints()) {", 4)),
     "substeps": (("engine/step.cpp", "const real h_sub = h / real(how.substeps);", 5),),
-    "direct": (("chapters/09_direct/island_pair.cpp", "if (!factored) {", 6),),
+    "direct": (("chapters/09_direct/active_set.cpp", "if (!factored) {", 6),),
     "newton": (("chapters/09_direct/direct_poses.cpp", "move_onto_constraints(bodies_, "
                 "double(h_), solver_.newton, 0, *this, own_.start);", 1),)}
 

@@ -68,7 +68,7 @@ std::vector<PeerEntry> peer_entries(bool quick) {
       {.name = "ragdolls 100", .make = [] { return random_ragdolls(100, 1); },
        .span = {.steps = 150, .timed = 130}, .ours = contacts}};
   if (!quick)
-    list.push_back({.name = "ragdolls 5000", .make = [] { return random_ragdolls(5000, 1); },
+    list.push_back({.name = "ragdolls 5000", .make = [] { return ragdolls(5000); },
                     .span = {.steps = 75, .timed = 55}, .ours = contacts, .quick = false,
                     .basic = true});
   for (const int chains : {1, 10, 101, 1010})

@@ -70,12 +70,12 @@ class IslandMatrix {
   int fill() const { return fill_; }
 
  protected:
-  // The half-rows of a block at body 1, or at body 2.
+  /// The half-rows of a block at body 1, or at body 2. \param of 0 or 1
   HalfRowOf<TwoLanes>* half(const LaneBlock& block, int of) {
     const Node& node = A.nodes[block.node];
     return &J[2 * node.row + of * node.rows + block.first];
   }
-  // Where the diagonal entry of row i of a block is in A.numbers.
+  /// Index in A.numbers of the diagonal entry of row i of a block.
   int diagonal(const LaneBlock& block, int i) const {
     const Node& node = A.nodes[block.node];
     return node.diagonal + (block.first + i) * (node.rows + 1);

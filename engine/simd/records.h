@@ -92,7 +92,8 @@ struct Unbounded {};
 /// All numbers of a block. \tparam Number one number, or one per lane
 template <BlockKind kind, class Number>
 struct Record {
-  static constexpr int N = kind.rows, ends = kind.ends();  ///< rows, and bodies of each
+  static constexpr int N = kind.rows;       ///< rows
+  static constexpr int ends = kind.ends();  ///< bodies of each row
   /// Rows that are not those of a point.
   using Other = std::conditional_t<sizeof(Number) == sizeof(real), SingleRows<kind, Number>,
                                    AnyRows<kind, Number>>;

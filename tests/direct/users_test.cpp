@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "bench/draw.h"
+#include "bench/random_chains.h"
 #include "bench/tasks.h"
 #include "engine/simd/packed.h"
 #include "tests/checker/catch.h"
@@ -174,6 +175,22 @@ TEST_CASE("a crowd of ragdolls comes to rest with closed joints") {
     CHECK(widest_gap(scene) < 0.002);
     CHECK(scene.finding.value(scene) < 1);  // the deepest corner [mm]
   }
+}
+
+TEST_CASE("newton holds ragdolls, boxes, chains with limits, trees and motors side by side") {
+  for (unsigned seed = 1; seed <= 12; ++seed)
+    for (const real added : {real(0), real(8)}) {
+      CAPTURE(seed, added);
+      BenchScene scene = mixed_islands(40, seed);
+      feed_back_all(scene.world);
+      DirectSolver solver = with(8, added);
+      double widest = 0;
+      for (int n = 0; n < 180; ++n) {
+        step(scene.world, solver, sixtieth, second_order);
+        widest = std::max(widest, widest_gap(scene));
+      }
+      CHECK(widest < (sizeof(real) == 8 ? 1e-6 : 1e-3));
+    }
 }
 
 TEST_CASE("an arm with six drives has its tool within a tenth of a millimetre") {

@@ -183,9 +183,9 @@ BenchScene ragdolls(int count) {
   });
 }
 
-BenchScene random_ragdolls(int count, unsigned seed) {
-  return dolls(count, [draw = Draw(seed)](const vec3& place) mutable {
-    const vec3 up(0, real(draw.number(1.3, 2.5)), 0);
+BenchScene random_ragdolls(int count, unsigned seed, double lowest) {
+  return dolls(count, [draw = Draw(seed), lowest](const vec3& place) mutable {
+    const vec3 up(0, real(draw.number(lowest, lowest + 1.2)), 0);
     return std::pair(place + up, draw.rotation());
   });
 }

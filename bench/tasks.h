@@ -35,8 +35,9 @@ BenchScene loaded_planks();
 /// Chapter 8's ragdolls, 4 m apart on one ground, released just above it. Finding: the penetration
 /// depth of the deepest corner at the end.
 BenchScene ragdolls(int count);
-/// The same in poses that a seed draws, the torso from heights of 1.3 to 2.5 m.
-BenchScene random_ragdolls(int count, unsigned seed);
+/// The same in poses that a seed draws. \param lowest height of a torso's centre; the highest is
+/// 1.2 m above it [m]. Below 1.6 some limbs start inside the ground.
+BenchScene random_ragdolls(int count, unsigned seed, double lowest = 1.3);
 
 }  // namespace joints::bench
 /// @}

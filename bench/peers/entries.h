@@ -15,6 +15,7 @@ struct PeerEntry {
   std::string ours{};   ///< words of setting_named(), with blanks between
   bool quick = true;    ///< also in the short form
   bool basic = false;   ///< only the basic settings of the engines
+  bool falls = false;   ///< its steps are not alike: all are timed, in one round
   bool slow = false;    ///< also solvers of which a step takes a tenth of a second here
 };
 /// All of them. \param quick those of the short form alone

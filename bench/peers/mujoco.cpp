@@ -4,6 +4,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <cstring>
 #include <sstream>
 
@@ -208,6 +209,7 @@ class MujocoWorld : public Peer {
     model_->opt.integrator = choice.integrator;
     if (choice.integrator == mjINT_IMPLICIT)  // its own guess is too little for a chain of 100
       model_->nstack += 30 * model_->nv * model_->nv;
+    make_room(scene);
     for (int k = 0; k < model_->neq; ++k)
       model_->eq_solref[k * mjNREF] = choice.time_constant;
     data_ = mj_makeData(model_);
@@ -229,6 +231,8 @@ class MujocoWorld : public Peer {
       started_ = true;
     }
     for (int n = 0; n < choice_.substeps; ++n) mj_step(model_, data_);
+    for (const int what : {mjWARN_CONTACTFULL, mjWARN_CNSTRFULL})
+      if (data_->warning[what].number > 0) refuse("MuJoCo: it dropped a contact or a row");
   }
   void show(Bodies& bodies) override {
     mj_kinematics(model_, data_);
@@ -254,6 +258,16 @@ class MujocoWorld : public Peer {
 
  private:
   static vec3 vector(const mjtNum* a) { return vec3(real(a[0]), real(a[1]), real(a[2])); }
+  // Its own guess is a hundred contacts in all, and it drops what is more. A box has up to four on
+  // a plane, a contact four rows.
+  void make_room(const PeerScene& scene) {
+    const auto stands = [](const PeerShape& one) {
+      return one.kind != PeerShape::Kind::none && !one.is_ground;
+    };
+    const int contacts = 4 * int(std::count_if(scene.shapes.begin(), scene.shapes.end(), stands));
+    model_->njmax += 4 * std::max(0, contacts - model_->nconmax);
+    model_->nconmax = std::max(model_->nconmax, contacts);
+  }
   void set_gains(double h) {
     for (int k = 0; k < model_->nu; ++k) {
       const int dof = model_->jnt_dofadr[model_->actuator_trnid[2 * k]];

@@ -62,8 +62,9 @@ void time_round(const PeerEntry& entry, std::vector<Contender>& all) {
   for (Contender& one : all) {
     const double us = std::max(1.0, one.result.us_per_step);
     Span span = entry.span;
-    span.steps = std::min(span.steps, untimed + std::clamp(int(most_us / us) - untimed, 5,
-                                                           span.timed));
+    if (!entry.falls)
+      span.steps = std::min(span.steps, untimed + std::clamp(int(most_us / us) - untimed, 5,
+                                                             span.timed));
     time_steps(one.clock, entry.make, one.setting, span);
   }
 }
@@ -93,7 +94,7 @@ void measure(FILE* file, const PeerEntry& entry, const Options& options) {
     one.bytes = bytes_of(entry, one);
   }
   const bool large = all.front().result.us_per_step > most_us / 10;
-  const int rounds = large ? 1 : options.count("rounds", 1);
+  const int rounds = large || entry.falls ? 1 : options.count("rounds", 1);
   for (int n = 1; n <= rounds; ++n) {
     std::fprintf(stderr, "%s, round %d of %d\n", entry.name.c_str(), n, rounds);
     time_round(entry, all);

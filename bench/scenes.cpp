@@ -63,6 +63,8 @@ BenchScene cubes_on_hinges(int chains, int length) {
 BenchScene loaded_axes() {
   BenchScene scene = cubes_on_hinges(1, 11);
   scene.name = "S6";
+  scene.tip_mask = glm::dvec3(1);
+  scene.tip_reference = {0, -4.8793420933, 13.0903044791};
   scene.world.gravity = vec3(1, real(-9.7587), 0);
   return scene;
 }

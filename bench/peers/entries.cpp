@@ -69,7 +69,7 @@ std::vector<PeerEntry> peer_entries(bool quick) {
       {.name = "ragdolls 100", .make = [] { return random_ragdolls(100, 1, clear); },
        .span = {.steps = 150}, .ours = contacts, .falls = true},
       {.name = "ragdolls 5000", .make = [] { return random_ragdolls(5000, 1, clear); },
-       .span = {.steps = 75}, .ours = "si30 rows10 lanes10 velocity", .quick = false,
+       .span = {.steps = 60}, .ours = "rows10 lanes10 velocity", .quick = false,
        .basic = true, .falls = true}};
   for (const int chains : {1, 10, 101, 1010})
     list.push_back({.name = std::to_string(99 * chains) + " hinges",

@@ -141,6 +141,7 @@ TEST_CASE("the benchmark's references are where the Runge-Kutta method ends") {
     CHECK(glm::length(scene.tip_mask) > 0);
   };
   check(bench::cubes_on_hinges(1, 4), 240, 1e-8);
+  check(bench::loaded_axes(), 240, 1e-8);
   check(bench::cubes_on_hinges(1, 100), 240, 1e-6);
   for (const double ratio : {1.0, 100.0}) check(bench::heavy_end(ratio), 480, 1e-5);
 }

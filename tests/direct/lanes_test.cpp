@@ -2,6 +2,7 @@
 #include "bench/families.h"
 #include "tests/direct/rigs.h"
 #include "tests/oracle/allocations.h"
+#include "tests/oracle/beside.h"
 #include "tests/oracle/test.h"
 
 namespace {
@@ -43,13 +44,8 @@ void add(World& world, const Arm& arm) {
 
 // How far the bodies from `slot` on are from those of a world that has nothing else.
 double difference(const World& together, int slot, const World& alone) {
-  double most = 0;
-  for (int k = 0; k < alone.bodies.slots(); ++k) {
-    const Body &a = together.bodies.at(slot + k), &b = alone.bodies.at(k);
-    const vec3 v = a.v - b.v, w = a.w - b.w, x = a.x - b.x;
-    most = std::max({most, double(length(v)), double(length(w)), double(length(x))});
-  }
-  return most;
+  const std::span<const Body> these = bodies_of(together).subspan(std::size_t(slot));
+  return std::max(apart(these, alone), speeds_apart(these, alone));
 }
 
 // A world of arms after 60 steps.

@@ -2,6 +2,7 @@
 // length.
 #include "tests/direct/rigs.h"
 #include "tests/oracle/allocations.h"
+#include "tests/oracle/beside.h"
 #include "tests/oracle/test.h"
 
 using namespace joints::chapter9;
@@ -20,22 +21,6 @@ World machine() {
   hinge.set_motor(2, 3);
   hinge.set_limits(-1, real(0.3));
   return std::move(scene.world);
-}
-
-bool same_bodies(const World& one, const World& other) {
-  bool same = one.bodies.slots() == other.bodies.slots();
-  for (int slot = 0; same && slot < one.bodies.slots(); ++slot) {
-    const Body &a = one.bodies.at(slot), &b = other.bodies.at(slot);
-    same = same_bits(a.x, b.x) && same_bits(a.q, b.q) && same_bits(a.v, b.v) && same_bits(a.w, b.w);
-  }
-  return same;
-}
-
-double apart(const World& one, const World& other) {
-  double most = 0;
-  for (int slot = 0; slot < one.bodies.slots(); ++slot)
-    most = std::max(most, double(length(one.bodies.at(slot).x - other.bodies.at(slot).x)));
-  return most;
 }
 
 void run(World& world, Solver& solver, int steps, real length = h) {

@@ -3,6 +3,7 @@
 #include "bench/orders.h"
 #include "engine/simd/packed.h"
 #include "tests/library/consumer/symmetric_impulses.h"
+#include "tests/oracle/beside.h"
 #include "tests/oracle/test.h"
 
 namespace {
@@ -55,10 +56,6 @@ std::vector<std::pair<std::string, std::unique_ptr<IterativeSolver>>> kinds() {
   return out;
 }
 
-double apart(const World& one, const World& other) {
-  return difference(velocities(snapshot(one.bodies)), velocities(snapshot(other.bodies)));
-}
-
 }  // namespace
 
 TEST_CASE("every kind of solver finds the same impulses in the same world") {
@@ -86,7 +83,7 @@ TEST_CASE("a world may be handed from solver to solver between its steps") {
     step(world, *solvers[n].second, h, {.warm_start = true});
     step(alone, one, h, {.warm_start = true});
   }
-  CHECK(apart(world, alone) < tolerance(1e-7, 1e-2));
+  CHECK(speeds_apart(world, alone) < tolerance(1e-7, 1e-2));
 }
 
 TEST_CASE("a solver that was prepared for one world refuses the bodies of another") {
@@ -137,7 +134,7 @@ TEST_CASE("substeps are shorter steps, and leapfrog begins with half a kick") {
   step(in_one, one, h, {.substeps = 4, .leapfrog = true});
   step(in_one, one, h, {.substeps = 4, .leapfrog = true});
   for (int n = 0; n < 8; ++n) step(by_hand, other, h / 4, {.leapfrog = true});
-  CHECK(apart(in_one, by_hand) == 0);
+  CHECK(speeds_apart(in_one, by_hand) == 0);
 
   World free_fall;
   const BodyId id = free_fall.add(box(1, vec3(1), vec3(0)));
@@ -161,8 +158,8 @@ TEST_CASE("a soft step is the step of blocks that are soft themselves, motors le
   other.solve(by_hand.bodies);
   end_step(by_hand, other, h);
   CHECK(soft == int(by_hand.blocks.list.size()) - 1);
-  CHECK(apart(by_step, by_hand) == 0);
+  CHECK(speeds_apart(by_step, by_hand) == 0);
   World hard = machine();
   step_once(hard, h);
-  CHECK(apart(by_step, hard) > 1e-4);
+  CHECK(speeds_apart(by_step, hard) > 1e-4);
 }

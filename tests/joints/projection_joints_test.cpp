@@ -3,6 +3,7 @@
 #include "engine/projection.h"
 #include "tests/checker/joint_fixtures.h"
 #include "tests/oracle/allocations.h"
+#include "tests/oracle/beside.h"
 #include "tests/oracle/test.h"
 
 namespace {
@@ -76,12 +77,6 @@ struct Bars {
     for (int n = 0; n < steps; ++n) step(world, solver, h, stepping);
   }
 };
-
-bool same_bodies(const World& a, const World& b) {
-  for (int slot = 0; slot < a.bodies.slots(); ++slot)
-    if (!same_bits(a.bodies.at(slot), b.bodies.at(slot))) return false;
-  return true;
-}
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 // another group.
 #include "tests/ground/rigs.h"
 #include "tests/oracle/allocations.h"
+#include "tests/oracle/beside.h"
 #include "tests/oracle/packings.h"
 #include "tests/oracle/test.h"
 
@@ -34,17 +35,6 @@ World field(int figures, bool limbs, bool alike, real drop = 1) {
     stand(body);
   }
   return world;
-}
-
-// The largest difference of places and velocities.
-double difference(const World& a, const World& b) {
-  double most = 0;
-  for (int slot = 0; slot < a.bodies.slots(); ++slot) {
-    const Body &one = a.bodies.at(slot), &other = b.bodies.at(slot);
-    most = std::max({most, double(length(one.x - other.x)), double(length(one.v - other.v)),
-                     double(length(one.w - other.w))});
-  }
-  return most;
 }
 
 // A step of the scalar solver whose iterations solve the blocks in the order of the packed ones.
@@ -120,7 +110,7 @@ TEST_CASE("on lanes figures fall on the ground and slide as with the scalar solv
         for (int n = 0; n < (limbs ? 25 : 60); ++n) {
           step(one, scalar, h, stepping);
           step(other, wide, h, stepping);
-          most = std::max(most, difference(one, other));
+          most = std::max({most, apart(one, other), speeds_apart(one, other)});
         }
         CHECK(most < tolerance(1e-10, 2e-2));
         CHECK(double(one.bodies.at(1).v.z) < 0.9);  // it was rubbed
@@ -139,7 +129,8 @@ TEST_CASE("in colours contacts and joints give the scalar solver's numbers in th
     for (int n = 0; n < 20; ++n) {
       step(other, wide, h, stepping);
       step_in_order(scalar, one, wide.packed(), stepping);
-      CHECK(difference(one, other) < tolerance(1e-9, 1e-2));
+      CHECK(apart(one, other) < tolerance(1e-9, 1e-2));
+      CHECK(speeds_apart(one, other) < tolerance(1e-9, 1e-2));
     }
   }
 }

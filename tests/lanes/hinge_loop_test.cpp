@@ -4,6 +4,7 @@
 
 #include "bench/scenes.h"
 #include "chapters/07_performance/program/hinge_loop.h"
+#include "tests/oracle/beside.h"
 #include "tests/oracle/test.h"
 
 namespace {
@@ -47,20 +48,6 @@ World uneven_chains(int count, int links, bool held = true) {
   return world;
 }
 World cubes() { return bench::cubes_on_hinges(chains, hinges + 1).world; }
-
-double distance(const std::vector<Body>& a, const std::vector<Body>& b) {
-  REQUIRE(a.size() == b.size());
-  double most = 0;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    most = std::max(most, double(length(a[k].x - b[k].x)));
-  return most;
-}
-bool same(const std::vector<Body>& a, const std::vector<Body>& b) {
-  bool all = a.size() == b.size();
-  for (std::size_t k = 0; all && k < a.size(); ++k)
-    all = a[k].x == b[k].x && a[k].q == b[k].q && a[k].v == b[k].v && a[k].w == b[k].w;
-  return all;
-}
 
 template <class Loop>
 Loop after(Loop loop, int steps) {
@@ -130,7 +117,7 @@ TEST_CASE("the hinges' loop in chain order moves the cubes as the engine's solve
       step(world, solver, h);
       loop.step(h);
     }
-    CHECK(distance(loop.bodies, snapshot(world.bodies)) < tolerance(1e-11, 1e-3));
+    CHECK(apart(loop.bodies, world) < tolerance(1e-11, 1e-3));
     CHECK(double(loop.bodies.back().x.y) < -4);  // it did fall
   }
 }
@@ -143,9 +130,8 @@ TEST_CASE("turned boxes on skew hinges move in the hinges' loop as with the engi
     step(world, solver, h);
     loop.step(h);
   }
-  CHECK(distance(loop.bodies, snapshot(world.bodies)) < tolerance(1e-11, 1e-3));
-  CHECK(difference(velocities(loop.bodies), velocities(snapshot(world.bodies))) <
-        tolerance(1e-10, 1e-2));
+  CHECK(apart(loop.bodies, world) < tolerance(1e-11, 1e-3));
+  CHECK(speeds_apart(loop.bodies, world) < tolerance(1e-10, 1e-2));
 }
 
 TEST_CASE("one chain per lane is one hinge at a time to the last bit") {
@@ -156,11 +142,11 @@ TEST_CASE("one chain per lane is one hinge at a time to the last bit") {
         loop_of<real>(world, one_by_one(int(world.joints().size()))), 60);
     const auto interleaved = after(loop_of<real>(world, by_islands), 60);
     const auto lanes = after(loop_of<Lanes>(world, by_islands), 60);
-    CHECK(same(interleaved.bodies, one.bodies));  // chains share no body that moves
-    CHECK(same(lanes.bodies, one.bodies));        // and a lane adds and multiplies as one number
+    CHECK(same_bodies(interleaved.bodies, one.bodies));  // chains share no body that moves
+    CHECK(same_bodies(lanes.bodies, one.bodies));        // and a lane adds and multiplies as one number
     CHECK(lanes.order().groups() == hinges);        // 3 of 4 or 8 lanes
     CHECK(lanes.order().columns);
-    CHECK(distance(one.bodies, snapshot(world.bodies)) > 1);
+    CHECK(apart(one.bodies, world) > 1);
   }
 }
 
@@ -178,8 +164,8 @@ TEST_CASE("colours on lanes are one hinge at a time in that order to the last bi
   const auto in_chain_order =
       after(loop_of<real>(world, one_by_one(int(order.size()))), 60);
   lanes = after(lanes, 60);
-  CHECK(same(lanes.bodies, one.bodies));
-  CHECK_FALSE(same(lanes.bodies, in_chain_order.bodies));  // another order, another motion
+  CHECK(same_bodies(lanes.bodies, one.bodies));
+  CHECK_FALSE(same_bodies(lanes.bodies, in_chain_order.bodies));  // another order, another motion
 }
 
 TEST_CASE("preparing in every solve changes no bit because no pose changes within a step") {
@@ -188,7 +174,7 @@ TEST_CASE("preparing in every solve changes no bit because no pose changes withi
   always.once_a_step = false;
   once = after(once, 30);
   always = after(always, 30);
-  CHECK(same(once.bodies, always.bodies));
+  CHECK(same_bodies(once.bodies, always.bodies));
 
   // What was prepared belongs to the poses of this step: one step later a lever has turned on.
   const auto next = after(once, 1);

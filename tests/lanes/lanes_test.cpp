@@ -4,18 +4,12 @@
 
 #include "bench/scenes.h"
 #include "engine/simd/packed.h"
+#include "tests/oracle/beside.h"
 #include "tests/oracle/test.h"
 
 namespace {
 
 const real h = real(1) / 60;
-
-double distance(const World& a, const World& b) {
-  double most = 0;
-  for (int slot = 0; slot < a.bodies.slots(); ++slot)
-    most = std::max(most, double(length(a.bodies.at(slot).x - b.bodies.at(slot).x)));
-  return most;
-}
 
 // Joints of every kind between bodies that are thrown about, in the order that is given.
 World zoo(const std::vector<int>& order) {
@@ -62,7 +56,7 @@ TEST_CASE("one island per lane keeps its own order: chains move as with the scal
       step(scalar.world, one, h, stepping);
       step(wide.world, other, h, stepping);
     }
-    CHECK(distance(scalar.world, wide.world) < tolerance(1e-11, 1e-3));
+    CHECK(apart(scalar.world, wide.world) < tolerance(1e-11, 1e-3));
     CHECK(other.packed().order().groups() == 11 * ((10 + lane_count - 1) / lane_count));
   }
 }
@@ -87,7 +81,7 @@ TEST_CASE("on lanes in colours the numbers are those of the scalar solver in tha
     step(on_lanes, lanes, h);
     step(in_order, scalar, h);
   }
-  CHECK(distance(on_lanes, in_order) < tolerance(1e-11, 1e-3));
+  CHECK(apart(on_lanes, in_order) < tolerance(1e-11, 1e-3));
 }
 
 TEST_CASE("in a group of lanes no two blocks share a body that moves") {

@@ -2,6 +2,7 @@
 // the groups are computed once, and a step then takes no memory from the heap.
 #include "engine/state.h"
 #include "tests/oracle/allocations.h"
+#include "tests/oracle/beside.h"
 #include "tests/oracle/packings.h"
 #include "tests/oracle/test.h"
 
@@ -74,16 +75,6 @@ struct Zoo {
   void keep(Joint& joint) { joints.push_back(&joint); }
 };
 
-bool same(const World& a, const World& b) {
-  for (int slot = 0; slot < a.bodies.slots(); ++slot) {
-    const Body &one = a.bodies.at(slot), &other = b.bodies.at(slot);
-    if (one.x != other.x || one.q != other.q || one.v != other.v || one.w != other.w) return false;
-  }
-  return true;
-}
-double apart(const World& a, const World& b) {
-  return difference(velocities(snapshot(a.bodies)), velocities(snapshot(b.bodies)));
-}
 PackedImpulses solver_of(Packing packing) {
   PackedImpulses solver;
   solver.packing = packing;
@@ -118,7 +109,7 @@ TEST_CASE("packed in the order of the list every joint moves as with the scalar 
     for (int n = 0; n < 20; ++n) {
       step(scalar.world, one, h, stepping);
       step(packed.world, other, h, stepping);
-      CHECK(apart(packed.world, scalar.world) < tolerance(1e-9, 2e-2));
+      CHECK(speeds_apart(packed.world, scalar.world) < tolerance(1e-9, 2e-2));
     }
     const std::vector<int>& blocks = other.packed().order().blocks;
     CHECK(std::is_sorted(blocks.begin(), blocks.end()));
@@ -132,7 +123,7 @@ TEST_CASE("islands interleaved one block at a time change nothing to the last bi
   for (int n = 0; n < 20; ++n) {
     step(in_list.world, list, h);
     step(in_turns.world, islands, h);
-    CHECK(same(in_list.world, in_turns.world));
+    CHECK(same_bodies(in_list.world, in_turns.world));
   }
   const std::vector<int>& turns = islands.packed().order().blocks;
   const int each = int(turns.size()) / 3;
@@ -156,7 +147,7 @@ TEST_CASE("a static body that ten islands in columns share stays to the last bit
   CHECK(order.groups() == 3 * ((10 + lane_count - 1) / lane_count));
   const Body& after = world.bodies.at(0);
   CHECK((after.x == before.x && after.q == before.q && after.v == vec3(0) && after.w == vec3(0)));
-  CHECK(same(world, in_list));
+  CHECK(same_bodies(world, in_list));
 }
 
 TEST_CASE("blocks are put into groups again when one comes, goes or changes its kind") {
@@ -170,7 +161,7 @@ TEST_CASE("blocks are put into groups again when one comes, goes or changes its 
           PackedImpulses another = solver_of(packing);
           step(fresh, another, h, {.warm_start = warm});
           step(kept, solver, h, {.warm_start = warm});
-          CHECK(same(kept, fresh));
+          CHECK(same_bodies(kept, fresh));
         }
         return solver.packed().groupings();
       };
@@ -279,7 +270,7 @@ TEST_CASE("momentum is kept in every packing") {
       const auto after = momentum(snapshot(world.bodies)), expected = momentum(forced);
       CHECK(length(after[0] - expected[0]) < tolerance(1e-10, 1e-2));
       CHECK(length(after[1] - expected[1]) < tolerance(1e-10, 1e-2));
-      CHECK(difference(velocities(snapshot(world.bodies)), velocities(before)) > 0.1);
+      CHECK(speeds_apart(world, before) > 0.1);
       CHECK(world.bodies.at(0).x == vec3(0));
     }
 }
@@ -291,7 +282,7 @@ TEST_CASE("a refused setting is named and nothing has moved") {
     set(solver);
     const std::string words = refusal([&] { step(zoo.world, solver, h); });
     CHECK((words.starts_with(name + ": ") || words.starts_with(name + " is ")));
-    CHECK(same(zoo.world, as_before.world));
+    CHECK(same_bodies(zoo.world, as_before.world));
   };
   const auto check_all = [&](auto solver) {
     for (const real bad : {real(0), real(-1), nan, inf, -inf})
@@ -307,11 +298,11 @@ TEST_CASE("a refused setting is named and nothing has moved") {
             }).starts_with("frequency is "));
     for (const real bad : {real(0), real(-0.1), nan, inf})
       CHECK(refusal([&] { step(zoo.world, solver, bad); }).starts_with("h is "));
-    CHECK(same(zoo.world, as_before.world));
+    CHECK(same_bodies(zoo.world, as_before.world));
     Zoo another(1);
     solver.relaxation = real(1.9);
     CHECK(refusal([&] { step(another.world, solver, h); }) == "accepted");
-    CHECK_FALSE(same(another.world, as_before.world));
+    CHECK_FALSE(same_bodies(another.world, as_before.world));
   };
   check_all(SequentialImpulses());
   check_all(PackedImpulses());

@@ -6,7 +6,7 @@
 #include "chapters/08_ground/ground_contact.h"
 #include "chapters/09_direct/direct_solver.h"
 #include "tests/checker/catch.h"
-#include "tests/oracle/oracle.h"
+#include "tests/oracle/beside.h"
 
 using namespace joints;
 using namespace joints::testing;
@@ -27,15 +27,6 @@ bench::BenchScene after(const bench::PeerSetting& peer, const bench::MakeScene& 
   for (int n = 0; n < steps; ++n) world->step(h);
   world->show(scene.world.bodies);
   return scene;
-}
-
-// The largest difference of two worlds' velocities, of turns [rad/s] as well [m/s].
-double difference(const World& a, const World& b) {
-  double most = 0;
-  for (int k = 0; k < a.bodies.slots(); ++k)
-    most = std::max({most, double(length(a.bodies.at(k).v - b.bodies.at(k).v)),
-                     double(length(a.bodies.at(k).w - b.bodies.at(k).w))});
-  return most;
 }
 
 bench::BenchScene slide() {
@@ -82,8 +73,8 @@ TEST_CASE("the first step of every peer that does not iterate has the exact acce
       step(exact.world, solver, real(h));
       const bench::BenchScene there = after(peer, entry.make, h, 1);
       // A drive has its speed at once: of that, rounding and the way to the new poses.
-      const double fastest = difference(exact.world, entry.make().world);
-      CHECK(difference(there.world, exact.world) <
+      const double fastest = speeds_apart(exact.world, entry.make().world);
+      CHECK(speeds_apart(there.world, exact.world) <
             share * 9.81 * h + tolerance(1e-7, 4e-4) * fastest);
       ++compared;
     }

@@ -142,9 +142,10 @@ TEST_CASE("one chain per lane is one hinge at a time to the last bit") {
         loop_of<real>(world, one_by_one(int(world.joints().size()))), 60);
     const auto interleaved = after(loop_of<real>(world, by_islands), 60);
     const auto lanes = after(loop_of<Lanes>(world, by_islands), 60);
-    CHECK(same_bodies(interleaved.bodies, one.bodies));  // chains share no body that moves
-    CHECK(same_bodies(lanes.bodies, one.bodies));        // and a lane adds and multiplies as one number
-    CHECK(lanes.order().groups() == hinges);        // 3 of 4 or 8 lanes
+    // Chains share no body that moves, and a lane adds and multiplies as one number.
+    CHECK(same_bodies(interleaved.bodies, one.bodies));
+    CHECK(same_bodies(lanes.bodies, one.bodies));
+    CHECK(lanes.order().groups() == hinges);  // 3 of 4 or 8 lanes
     CHECK(lanes.order().columns);
     CHECK(apart(one.bodies, world) > 1);
   }

@@ -3,128 +3,39 @@
 #pragma once
 
 #include "chapters/09_direct/direct.h"
-#include "engine/kernels.h"
-
-/// \cond
-// A reader waits for the compiler: the kernels of the reader's file are compiled once, beside the
-// given part of the chapter.
-#ifdef JOINTS_OF_READER
-#define JOINTS_KERNEL
-#else
-#define JOINTS_KERNEL inline
-#endif
-/// \endcond
 
 /// \addtogroup chapter9
 /// @{
 namespace joints {
 
-/// \cond
-// inverse(pivot, original); for two lanes, lane by lane.
-template <class PivotInverse>
-inline double inverse_of(double pivot, double original, PivotInverse inverse) {
-  return inverse(pivot, original);
-}
-template <class PivotInverse>
-inline TwoLanes inverse_of(const TwoLanes& pivot, const TwoLanes& original, PivotInverse inverse) {
-  return TwoLanes{inverse(pivot[0], original[0]), inverse(pivot[1], original[1])};
-}
-/// \endcond
-
 /// Factors a symmetric n x n block as D = L d L^T (Eq. 9-7), in place in its lower triangle. After
 /// it, L is below the diagonal (the diagonal of L is 1), and inverse(d, original) is on it.
 template <class Number, class PivotInverse>
-JOINTS_KERNEL void factor_block(Number* D, int n, const Number* original, PivotInverse inverse) {
-  with_size(n, [&](auto N) {
-    for (int j = 0; j < N; ++j) {
-      const Number over = inverse_of(D[j * N + j], original[j], inverse);
-      for (int i = j + 1; i < N; ++i) {
-        const Number l = D[i * N + j] * over;
-        for (int k = i; k < N; ++k) D[k * N + i] -= l * D[k * N + j];
-      }
-      for (int i = j + 1; i < N; ++i) D[i * N + j] *= over;
-      D[j * N + j] = over;
-    }
-  });
-}
-
-/// \cond
-// x = D^-1 from, for a size known at compile time; the copy y can stay in registers.
-template <int N, class Number>
-inline void divide_by(const Number* D, const Number* from, Number* x) {
-  Number y[N];
-  for (int i = 0; i < N; ++i) {
-    y[i] = from[i];
-    for (int k = 0; k < i; ++k) y[i] -= D[i * N + k] * y[k];
-  }
-  for (int i = N - 1; i >= 0; --i) {
-    y[i] *= D[i * N + i];
-    for (int k = i + 1; k < N; ++k) y[i] -= D[k * N + i] * y[k];
-  }
-  for (int i = 0; i < N; ++i) x[i] = y[i];
-}
-/// \endcond
+void factor_block(Number* D, int n, const Number* original, PivotInverse inverse);
 
 /// x = D^-1 x, with the factor of the n x n block D.
 template <class Number>
-JOINTS_KERNEL void divide(const Number* D, int n, Number* x) {
-  with_size(n, [&](auto N) { divide_by<N>(D, x, x); });
-}
+void divide(const Number* D, int n, Number* x);
 
 /// B = A D^-1 for m x n numbers A, with the factor of the n x n block D.
 template <class Number>
-JOINTS_KERNEL void divide_rows(const Number* A, int m, const Number* D, int n, Number* B) {
-  with_size(n, [&](auto N) {
-    for (int i = 0; i < m; ++i) divide_by<N>(D, A + i * N, B + i * N);
-  });
-}
+void divide_rows(const Number* A, int m, const Number* D, int n, Number* B);
 
 /// C -= A B^T, of m x n numbers A and p x n numbers B.
 template <class Number>
-JOINTS_KERNEL void subtract_product(const Number* A, int m, const Number* B, int p, int n,
-                                    Number* C) {
-  with_size(n, [&](auto N) {
-    for (int i = 0; i < m; ++i)
-      for (int j = 0; j < p; ++j) {
-        Number sum = A[i * N] * B[j * N];
-        for (int k = 1; k < N; ++k) sum += A[i * N + k] * B[j * N + k];
-        C[i * p + j] -= sum;
-      }
-  });
-}
+void subtract_product(const Number* A, int m, const Number* B, int p, int n, Number* C);
 
 /// y -= A x, of m x n numbers A.
 template <class Number>
-JOINTS_KERNEL void subtract_times(const Number* A, int m, int n, const Number* x, Number* y) {
-  with_size(n, [&](auto N) {
-    for (int i = 0; i < m; ++i)
-      for (int k = 0; k < N; ++k) y[i] -= A[i * N + k] * x[k];
-  });
-}
+void subtract_times(const Number* A, int m, int n, const Number* x, Number* y);
 
 /// y -= A^T x, of m x n numbers A.
 template <class Number>
-JOINTS_KERNEL void subtract_transposed_times(const Number* A, int m, int n, const Number* x,
-                                             Number* y) {
-  with_size(n, [&](auto N) {
-    for (int i = 0; i < m; ++i)
-      for (int k = 0; k < N; ++k) y[k] -= A[i * N + k] * x[i];
-  });
-}
-
-/// \cond
-#ifdef JOINTS_OF_READER
-#define JOINTS_KERNELS(Extern, Number)                                                          \
-  Extern template void factor_block(Number*, int, const Number*, PivotInverse);                 \
-  Extern template void divide(const Number*, int, Number*);                                     \
-  Extern template void divide_rows(const Number*, int, const Number*, int, Number*);            \
-  Extern template void subtract_product(const Number*, int, const Number*, int, int, Number*);  \
-  Extern template void subtract_times(const Number*, int, int, const Number*, Number*);         \
-  Extern template void subtract_transposed_times(const Number*, int, int, const Number*, Number*);
-JOINTS_KERNELS(extern, double)
-JOINTS_KERNELS(extern, TwoLanes)
-#endif
-/// \endcond
+void subtract_transposed_times(const Number* A, int m, int n, const Number* x, Number* y);
 
 }  // namespace joints
 /// @}
+
+#ifndef JOINTS_OF_READER  // a reader waits for the compiler: joint_matrix.cpp has them compiled
+#include "chapters/09_direct/block_kernels_inline.h"
+#endif

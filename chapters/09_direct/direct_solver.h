@@ -1,8 +1,7 @@
 // The direct solver: finds the impulses of all joints at once. Given, there is nothing to edit.
 #pragma once
 
-#include "chapters/09_direct/joint_islands.h"
-#include "chapters/09_direct/secants.h"
+#include "chapters/09_direct/positions.h"
 #include "engine/sequential_impulses.h"
 
 /// \addtogroup chapter9
@@ -25,42 +24,35 @@ class DirectSolver : public Solver {
   /// Errors of positions of at most this times h^2 are not corrected [m/s^2 or rad/s^2], nor those
   /// that are only rounding: a smaller correction changes no acceleration by more than this.
   double tolerance = 3e-4;
-  /// kappa of Eq. 9-14: 8 for added inertia, 0 for none. Forces of joints in closed loops with at
-  /// most one degree of freedom add none.
-  real added_inertia = 0;
+  real added_inertia = 0;  ///< kappa of Eq. 9-14: 8 for added inertia, 0 for none (AddedInertia)
   /// Rows in closed loops are softened by this fraction of their K, and the solution is refined
   /// once, so that rows that nearly depend on others get no large impulses.
   double softening = sizeof(real) == 4 ? 1e-5 : 1e-8;
   int alternations = 10;  ///< solves outside A and in it per step, if rows are outside
   int passes = 200;       ///< largest number of passes of the active set
-  /// If the factorisation of an island takes more multiplications per row than this, `instead`
-  /// solves it, and all bodies in contact with it. A body with 44 balls or more is such a hub.
+  /// If the factorisation of an island takes more multiplications per row than this, without rows
+  /// that have bounds, `fallback` solves it and all bodies in contact with it. A body with 44 balls
+  /// or more is such a hub.
   double most_work = 3000;
   /// The solver for such islands. It starts cold in every step and uses a split impulse, because
   /// with beta = 1 a light hub gains energy from warm starting and from feedback in the velocities.
-  SequentialImpulses instead;
+  SequentialImpulses fallback;
   PivotInverse inverse = inverse_pivot;  ///< how dependent rows are treated
 
-  DirectSolver() { instead.split_iterations = instead.iterations; }
+  DirectSolver() { fallback.split_iterations = fallback.iterations; }
 
   /// Counts of the last step.
-  struct Report {
+  struct Report : Positions::Report {
     int passes = 0;              ///< factorisations for the active set, the most of any island
     int wrong = 0;               ///< bounded rows still on the wrong side at the end
     double multiplications = 0;  ///< of the factorisations of all islands, approximately
     int fill = 0;                ///< entries that elimination filled in
-    int corrections = 0;         ///< of the positions: of all, and then of single islands
-    bool moved_exactly = false;  ///< the errors of the positions are at most `tolerance` times h^2
-    int projected = 0;           ///< islands whose poses needed the factors of new poses
-    /// How often the velocities of an island were halved to reach this: a body turns too far in a
-    /// step. Take a shorter step if its energy matters.
-    int halved = 0;
-    bool iterated = false;       ///< `instead` was used for an island
+    bool iterated = false;       ///< `fallback` was used for an island
   };
   const Report& report() const { return report_; }  ///< of the last step
   int dependent() const;  ///< number of rows of the last factor that depend on others
   /// The largest error before each iteration on the positions in the last step [m or rad].
-  const std::vector<double>& errors_met() const { return errors_met_; }
+  const std::vector<double>& errors_met() const { return positions_.errors_met; }
 
   void check() const override;
   void prepare(const Bodies& bodies, const Blocks& blocks, int first, real h) override;
@@ -70,7 +62,7 @@ class DirectSolver : public Solver {
   void advance(Bodies& bodies, real h, const Append& append) override;
 
   /// Factors A of the prepared blocks. \throws std::invalid_argument if there are none, or if
-  /// `instead` solves them
+  /// `fallback` solves them
   void factor_now();
   /// Changes the impulses and velocities by the factor until J V has the required values, or until
   /// only rounding errors remain. No row may be at a bound. It can also compute accelerations.
@@ -80,29 +72,6 @@ class DirectSolver : public Solver {
   void reach(Bodies& bodies, const Blocks& at, const std::vector<real>& wanted, double enough);
 
  private:
-  struct Pull {  // of the joints at a body
-    real force_lever = 0;  // the sum of |F||r| in the last step [N m]
-    Slowed slowed{};       // the body with added inertia
-  };
-  class Positions;  // moves the bodies
-  struct Motion {   // the memory that it uses
-    Blocks poses;                    // at new poses
-    std::vector<int> met;            // number of each of its blocks in *blocks_, or -1
-    std::vector<int> corrected;      // of each block: bit i is set if row i is corrected
-    std::vector<double> C, last_C, rates;
-    std::vector<Correction> expected;  // SolverMemory::corrections at the beginning
-    std::vector<Body> start;
-    std::vector<bool> moved;         // for each slot
-    /// The corrections of an island.
-    struct Try {
-      double most = 0;  ///< the largest error that need not be corrected
-      double last = IslandPair::infinite;  ///< the last error
-      bool moving = false;  ///< its corrections go on
-      bool exact = false;   ///< its errors are at most `most`
-    };
-    std::vector<Try> tries;          // of the islands
-    Secants secants;
-  };
   // Iterations with masses other than those of the bodies that they move.
   class Outside : public SequentialImpulses {
    public:
@@ -114,35 +83,29 @@ class DirectSolver : public Solver {
 
   bool collect_blocks(const Bodies& bodies);
   bool is_outside(const Block& block) const;
-  void leave_to_iterations();
+  void split_blocks();
   void recall_corrections();
   void prepare_outside(const Bodies& bodies);
-  void set_masses(IslandPair& pair, const Bodies& bodies, int only_lane = -1) const;
-  void slow_down(const Bodies& bodies, int slot);
-  void find_pulls(real acted, std::vector<Pull>& pulls);
-  bool forces_jumped(const Bodies& bodies);
-  void look_again(Bodies& bodies);
-  bool alternating() const;  // rows outside A act on an active island
+  void begin_active(Bodies& bodies, real ratio, bool outside);
   void solve_active(Bodies& bodies, bool outside);
-  void change(Bodies& bodies, int from, int end, const std::vector<double>& rates);
+  bool alternating() const;  // rows outside A act on an active island
+  bool forces_jumped(const Bodies& bodies);
+  void solve_again(Bodies& bodies);
 
   const Blocks* blocks_ = nullptr;
   real h_ = 0;
   JointIslands islands_;
   std::vector<const real*> followed_;   // impulses on which bounds depend
   Blocks outside_;                      // the other blocks
-  Blocks iterated_;                     // all blocks of islands that `instead` solves
-  std::vector<bool> left_;              // for the root of each island: it is such an island
-  std::vector<bool> beside_;            // for the root: rows outside A act on the island
+  Blocks left_;                         // all blocks of islands that `fallback` solves
   Outside contacts_;                    // solves the blocks outside
   Bodies slow_bodies_;                  // with added inertia, for the blocks outside
-  bool warm_ = false;                   // the impulses of the last step were applied
-  std::vector<Pull> pulls_, next_pulls_;
+  AddedInertia inertia_;
+  real ratio_ = 0;                      // of the warm start: 1, or 0 for a cold one
   std::vector<Body> before_;            // velocities before the warm start
   std::vector<int> patterns_;           // SolverMemory::patterns of this step
   std::vector<Correction> recalled_;
-  Motion motion_;
-  std::vector<double> errors_met_;
+  Positions::Memory positions_;
   Report report_;
 };
 

@@ -81,6 +81,8 @@ EliminationPlan::EliminationPlan(const std::vector<ShapeBlock>& shape) {
     neighbours.emplace_back(beside[k].begin(), beside[k].end());
   }
   links = elimination_order(neighbours);
+  std::vector<int> rows_of(std::size_t(count), 0);
+  for (const ShapeBlock& block : shape) rows_of[block.link] += block.rows, rows += block.rows;
 
   std::vector<int> place(links.size());
   for (int k = 0; k < count; ++k) place[links[k]] = k;
@@ -91,6 +93,10 @@ EliminationPlan::EliminationPlan(const std::vector<ShapeBlock>& shape) {
     if (!after[k].empty())  // they become neighbours of each other
       after[*after[k].begin()].insert(std::next(after[k].begin()), after[k].end());
     later.emplace_back(after[k].begin(), after[k].end());
+    const int own = rows_of[links[k]];
+    double all = own;
+    for (const int other : later.back()) all += rows_of[links[other]];
+    multiplications += own * all * all / 2;  // Eq. 9-6
   }
 
   std::vector<BodyPair> joints;

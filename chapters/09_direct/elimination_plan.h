@@ -11,6 +11,12 @@
 /// @{
 namespace joints {
 
+/// Makes a vector a copy of another one, with as much room.
+template <class Number>
+void copy_with_room(const std::vector<Number>& from, std::vector<Number>& to) {
+  to.reserve(from.capacity());
+  to.assign(from.begin(), from.end());
+}
 /// Makes a vector of zeros, with room for more than that if it has to grow.
 template <class Number>
 void zeros(std::vector<Number>& list, std::size_t count) {
@@ -48,6 +54,8 @@ struct EliminationPlan {
   /// For each of them the places in that order of all its neighbours that are eliminated later,
   /// including those that become neighbours by elimination.
   std::vector<std::vector<int>> later;
+  int rows = 0;                  ///< of the shape, without bounds
+  double multiplications = 0;    ///< of their factorisation, about (Eq. 9-6)
   std::vector<int> loop;         ///< of each block of the shape the closed loop, or -1
   std::vector<ClosedLoop> loops;  ///< all closed loops of the shape
 

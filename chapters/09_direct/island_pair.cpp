@@ -2,9 +2,8 @@
 #include "chapters/09_direct/island_pair.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "chapters/09_direct/block_kernels.h"
+#include "engine/kernels.h"
 
 namespace joints {
 
@@ -77,6 +76,13 @@ void IslandPair::prepare(const Blocks& given, const Correction* corrections, rea
     }
 }
 
+void IslandPair::make_room() {
+  IslandMatrix::make_room();
+  for (std::vector<TwoLanes>* list : {&x, &wanted_, &impulse}) list->reserve(A.original.capacity());
+  softness_.reserve(blocks.capacity());
+  bounded.reserve(2 * blocks.capacity());  // one on each lane
+}
+
 void IslandPair::set_rows(int block, int lane, const Row* rows) {
   HalfRowOf<TwoLanes>*const one = half(blocks[block], 0), *const two = half(blocks[block], 1);
   const int n = blocks[block].own[lane];
@@ -126,29 +132,28 @@ void IslandPair::store_impulses(const Blocks& given) const {
     }
 }
 
-// Copies the velocities and impulses of one lane.
-static void copy_lane(const std::vector<HalfRowOf<TwoLanes>>& velocities,
-                      const std::vector<TwoLanes>& impulses, int lane,
-                      std::vector<HalfRowOf<TwoLanes>>& to_velocities,
-                      std::vector<TwoLanes>& to_impulses) {
-  for (std::size_t k = 0; k < velocities.size(); ++k) {
-    put(to_velocities[k].v, lane, lane_of(velocities[k].v, lane));
-    put(to_velocities[k].w, lane, lane_of(velocities[k].w, lane));
-  }
-  for (std::size_t r = 0; r < impulses.size(); ++r) to_impulses[r][lane] = impulses[r][lane];
+void IslandPair::keep_impulses() { copy_with_room(impulse, kept_impulses_); }
+
+void IslandPair::restore_impulses(int lane) {
+  for (std::size_t r = 0; r < impulse.size(); ++r) impulse[r][lane] = kept_impulses_[r][lane];
 }
 
 void IslandPair::keep(const Bodies& all, int lane) {
-  load(all);
-  kept_velocities_.resize(velocities_.size());
-  kept_impulses_.resize(impulse.size());
-  copy_lane(velocities_, impulse, lane, kept_velocities_, kept_impulses_);
+  kept_velocities_.resize(bodies.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const Body& body = all.at(bodies[k][lane]);
+    put(kept_velocities_[k].v, lane, body.v), put(kept_velocities_[k].w, lane, body.w);
+  }
+  for (std::size_t r = 0; r < impulse.size(); ++r) kept_impulses_[r][lane] = impulse[r][lane];
 }
 
 void IslandPair::go_back(Bodies& all, int lane) {
-  load(all);
-  copy_lane(kept_velocities_, kept_impulses_, lane, velocities_, impulse);
-  store(all);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (!moves[k]) continue;
+    Body& body = all.at(bodies[k][lane]);
+    body.v = lane_of(kept_velocities_[k].v, lane), body.w = lane_of(kept_velocities_[k].w, lane);
+  }
+  restore_impulses(lane);
 }
 
 void IslandPair::start(double ratio) {

@@ -33,7 +33,7 @@ class IslandPair : public IslandMatrix {
   std::array<int, 2> islands{-1, -1};      ///< their numbers; -1: the lane is idle
   std::vector<std::array<int, 2>> bodies;  ///< slots of each column; -1: the lane is idle
   bool is_new = true;                      ///< `blocks` has changed in this step
-  bool iterated = false;                   ///< other iterations solve it: it is too expensive
+  bool has_room = false;                   ///< for a bounded row at every link
   bool active = false;                     ///< it is solved now
   bool alternates = false;                 ///< rows outside A act on it: it is solved repeatedly
   bool factored = false;                   ///< A contains the factor of the present rows
@@ -48,6 +48,7 @@ class IslandPair : public IslandMatrix {
   /// Prepares all blocks. \param corrections those that are expected (SolverMemory), or null
   /// \param h step [s]
   void prepare(const Blocks& given, const Correction* corrections, real h);
+  void make_room();  ///< IslandMatrix::make_room(), also for its own lists
   /// Sets the rows of a block on one lane.
   void set_rows(int block, int lane, const Row* rows);
   /// Sets the mass of a body on one lane.
@@ -55,6 +56,8 @@ class IslandPair : public IslandMatrix {
   void load(const Bodies& all);  ///< reads the velocities of its bodies
   void store(Bodies& all) const;  ///< writes the velocities of its bodies
   void store_impulses(const Blocks& given) const;  ///< writes them to the joints
+  void keep_impulses();  ///< stores those of both lanes
+  void restore_impulses(int lane);  ///< that were stored last
   /// Stores the velocities and impulses of one lane, for go_back().
   void keep(const Bodies& all, int lane);
   void go_back(Bodies& all, int lane);  ///< restores them

@@ -28,12 +28,13 @@ struct BlockPattern {
 /// the list of its pair of islands changes.
 class JointIslands {
  public:
-  std::vector<IslandPair> pairs;  ///< of all islands but hubs
+  std::vector<IslandPair> pairs;  ///< of all islands but those that are left
   /// An island.
   struct Island {
     int first = 0, end = 0;        ///< its blocks in order()
     int first_row = 0, rows = 0;   ///< its rows, island after island
-    int pair = -1, lane = 0;       ///< -1: it is a hub
+    int pair = -1, lane = 0;       ///< -1: it is left to another solver
+    int root = 0;                  ///< root_of() its bodies
     int pattern = 0;               ///< a hash of its blocks
     int first_link = 0, first_column = 0;  ///< where its links and its columns begin
   };
@@ -47,15 +48,23 @@ class JointIslands {
   std::vector<BlockPattern> given;  ///< all blocks; those without rows are in no island
 
   /// Updates islands and pairs. \param changed false if `given` is that of the last call
-  /// \param slots number of bodies \param most_work an island that takes more multiplications per
-  /// row because of a single body is a hub, and is not analysed
+  /// \param slots number of bodies \param most_work islands whose joints take more multiplications
+  /// per row are left to another solver, and with them all islands that a block without rows
+  /// connects to them
   void group(bool changed, int slots, double most_work);
   const std::vector<Island>& islands() const { return islands_; }  ///< by their first blocks
   const std::vector<int>& order() const { return order_; }  ///< block numbers, island by island
   const Place& at(int block) const { return at_[block]; }   ///< of a block
   int rows() const { return rows_; }                        ///< of all islands
   int root_of(int body);  ///< one body of each island, for all of its moving bodies
-  /// The pair of an island; null for a hub.
+  /// True if a block without rows acts on the island of a root, or on that body alone.
+  bool is_beside(int root) const { return beside_[root]; }
+  /// True if a block has rows, and its island is not left to another solver.
+  bool in_matrix(int block) const {
+    return at_[block].island >= 0 && islands_[at_[block].island].pair >= 0;
+  }
+  bool is_left(int block) { return left_[root_of_block(block)]; }  ///< to another solver
+  /// The pair of an island; null if it is left to another solver.
   IslandPair* pair_of(int island) {
     return islands_[island].pair < 0 ? nullptr : &pairs[islands_[island].pair];
   }
@@ -67,9 +76,14 @@ class JointIslands {
     int block;
     auto operator<=>(const Key&) const = default;
   };
+  int root_of_block(int block) {
+    return root_of(given[block].moves[0] ? given[block].bodies.body1 : given[block].bodies.body2);
+  }
   void find_islands(int slots);
-  void find_shapes(double most_work);
-  bool is_hub(const Island& island, double most_work) const;
+  void find_shapes();
+  bool is_hub(const Island& island) const;
+  void find_plans();
+  void leave_hubs();
   void pair_islands();
   void place_blocks(IslandPair& pair);
   std::span<const ShapeBlock> shape(int island) const {
@@ -81,6 +95,9 @@ class JointIslands {
   std::vector<Island> islands_;
   std::vector<ShapeBlock> shape_, last_shape_;  // of all islands
   std::vector<int> begins_, last_begins_;       // of the shapes of the islands
+  std::vector<std::shared_ptr<const EliminationPlan>> plan_;  // of each island; null for a hub
+  std::vector<bool> left_, last_left_;          // of each root: its island is left
+  std::vector<bool> beside_;                    // of each root
   std::vector<int> order_, links_, by_shape_;   // links_: where links begin in the keys
   std::vector<int> columns_;                    // of all islands: the bodies of their columns
   std::vector<Place> at_;

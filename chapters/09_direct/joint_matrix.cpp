@@ -3,13 +3,25 @@
 
 #include <algorithm>
 
-#include "chapters/09_direct/block_kernels.h"
+#include "chapters/09_direct/block_kernels_inline.h"
 
 namespace joints {
 
-#ifdef JOINTS_OF_READER
-JOINTS_KERNELS(, double)
-JOINTS_KERNELS(, TwoLanes)
+#ifdef JOINTS_OF_READER  // the kernels of the reader's file
+template void factor_block(double*, int, const double*, PivotInverse);
+template void divide(const double*, int, double*);
+template void divide_rows(const double*, int, const double*, int, double*);
+template void subtract_product(const double*, int, const double*, int, int, double*);
+template void subtract_times(const double*, int, int, const double*, double*);
+template void subtract_transposed_times(const double*, int, int, const double*,
+                                        double*);
+template void factor_block(TwoLanes*, int, const TwoLanes*, PivotInverse);
+template void divide(const TwoLanes*, int, TwoLanes*);
+template void divide_rows(const TwoLanes*, int, const TwoLanes*, int, TwoLanes*);
+template void subtract_product(const TwoLanes*, int, const TwoLanes*, int, int, TwoLanes*);
+template void subtract_times(const TwoLanes*, int, int, const TwoLanes*, TwoLanes*);
+template void subtract_transposed_times(const TwoLanes*, int, int, const TwoLanes*,
+                                        TwoLanes*);
 #endif
 
 namespace {
@@ -109,6 +121,14 @@ void IslandMatrix::lay_out() {
       for (int i = j; i < A.nodes[k + 1].first_edge; ++i)
         A.targets.push_back(at(A.edges[i].to, A.edges[j].to));
   place_couplings();
+}
+
+void IslandMatrix::make_room() {
+  const auto reserve = [](int times, auto&... lists) {
+    (lists.reserve(std::size_t(times) * lists.size()), ...);
+  };
+  reserve(2, A.nodes, A.numbers, A.original, nodes, blocks, J, first_, couplings_end_);
+  reserve(8, A.edges, A.targets, couplings_);  // between all nodes of neighbours
 }
 
 // Where the block between two nodes begins. \param later, earlier places in the order

@@ -59,6 +59,8 @@ class IslandMatrix {
   /// Puts the blocks into nodes, and computes edges, targets and couplings from plan and moves. All
   /// J become zero, or the unit vectors of a point.
   void lay_out();
+  /// Takes memory for twice as many rows and nodes, so that bounded rows may come and go.
+  void make_room();
   /// Computes the numbers of A from J and masses.
   void assemble();
   /// Number of multiplications of a factorisation, about (Eq. 9-6).

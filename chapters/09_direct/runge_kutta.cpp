@@ -246,13 +246,13 @@ void RungeKutta::find_free_slope(World& world, real time, std::vector<Slope>& sl
   for (const Block& block : springs_.list)
     for (int i = 0; i < block.rows; ++i) {
       const Row& J = springs_.J[std::size_t(block.first + i)];
-      const auto pull = [&](int slot, const vec3& v, const vec3& w) {
+      const auto accelerate = [&](int slot, const vec3& v, const vec3& w) {
         const Body& body = bodies.at(slot);
         slope[slot].v += block.impulse[i] * body.inverse_mass * v;
         slope[slot].w += block.impulse[i] * (inverse_inertia(body) * w);
       };
-      pull(block.body1, J.v1, J.w1);
-      pull(block.body2, J.v2, J.w2);
+      accelerate(block.body1, J.v1, J.w1);
+      accelerate(block.body2, J.v2, J.w2);
     }
 }
 

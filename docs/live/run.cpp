@@ -61,7 +61,7 @@ void LiveRun::set(const PageSettings& to) {
                     .leapfrog = to.leapfrog != 0,
                     .frequency = real(to.frequency),
                     .damping = real(to.damping)};
-  direct_.instead = scene.solver;
+  direct_.fallback = scene.solver;
   direct_.newton = int(to.newton);
   direct_.added_inertia = real(to.added_inertia);
   is_own_ = to.own != 0 && live_.own;

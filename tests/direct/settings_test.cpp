@@ -46,7 +46,7 @@ TEST_CASE("a net whose factor is too dear is left to iterations, and no more whe
   solver.most_work = work * 0.9;
   run(scene.world, solver, 1);
   CHECK(solver.report().iterated);
-  CHECK(solver.report().multiplications > 0);
+  CHECK(solver.report().multiplications == 0);
   solver.most_work = work * 1.1;
   run(scene.world, solver, 1);
   CHECK_FALSE(solver.report().iterated);
@@ -98,7 +98,7 @@ TEST_CASE("settings without sense are refused by their names, and nothing moves"
   CHECK(said([](DirectSolver& s) { s.added_inertia = unbounded; }) == "added_inertia");
   CHECK(said([](DirectSolver& s) { s.most_work = -1; }) == "most_work");
   CHECK(said([=](DirectSolver& s) { s.most_work = double(nan); }) == "most_work");
-  CHECK(said([](DirectSolver& s) { s.instead.iterations = -1; }) == "iterations");
+  CHECK(said([](DirectSolver& s) { s.fallback.iterations = -1; }) == "iterations");
 }
 
 TEST_CASE("the Runge-Kutta method leaves a static body where it is, and a belt its velocity") {

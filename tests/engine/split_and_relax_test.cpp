@@ -271,7 +271,7 @@ TEST_CASE("where a direct solver has to iterate, a split impulse or relax iterat
     Track track({0, real(1.1)}, {1});
     track.join(0, 1, 1);
     DirectSolver solver;
-    solver.instead = kind;
+    solver.fallback = kind;
     for (const bool iterated : {false, true}) {
       solver.most_work = iterated ? 0 : 3000;
       track.world.bodies[track.ids[1]].x.x = real(1.1);

@@ -18,6 +18,36 @@
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
     return neighbours[std::size_t(a)].size() < neighbours[std::size_t(b)].size();
   });
+// wrong farthest-first:
+  std::vector<char> met(neighbours.size(), 0);
+  const auto meet = [&](int node) {
+    if (!met[node]) order.push_back(node);
+    met[node] = 1;
+  };
+  std::size_t at = 0;
+  for (int first = int(neighbours.size()); first-- > 0;)
+    for (meet(first); at < order.size(); ++at)
+      for (std::size_t k = neighbours[order[at]].size(); k-- > 0;) meet(neighbours[order[at]][k]);
+  std::reverse(order.begin(), order.end());
+// wrong "The order is used for nothing but the cost":
+  std::vector<char> met(neighbours.size(), 0);
+  std::vector<int> path;
+  for (int first = 0; first < int(neighbours.size()); ++first) {
+    if (met[first]) continue;
+    met[first] = 1;
+    for (path.push_back(first); !path.empty();) {
+      int next = -1;
+      for (const int other : neighbours[path.back()])
+        if (!met[other]) next = other;
+      if (next >= 0) {
+        met[next] = 1;
+        path.push_back(next);
+      } else {
+        order.push_back(path.back());
+        path.pop_back();
+      }
+    }
+  }
 // wrong places-returned: while ==> order.resize(left.size()); int place = 0; while ;;
 //         .push_back(node) ==> [std::size_t(node)] = place++
 // wrong "Holds in 19 of 20 graphs": queue.begin()->second; ==> order.empty() && neighbours.size() ==

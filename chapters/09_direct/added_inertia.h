@@ -1,0 +1,53 @@
+// The inertia that is added to the links of taut chains. Given, there is nothing to edit here.
+#pragma once
+
+#include "chapters/09_direct/joint_islands.h"
+
+/// \addtogroup chapter9
+/// @{
+namespace joints {
+
+/// The inertia that is added to bodies for one step, so that it can follow their zigzag (Eq. 9-13).
+/// Forces of joints in closed loops with at most one degree of freedom add none.
+class AddedInertia {
+ public:
+  /// Begins a step without added inertia. \param kappa of Eq. 9-14; 0: none will be added
+  /// \param h step [s]
+  void begin(int slots, real kappa, real h);
+  bool used() const { return kappa_ > 0; }  ///< some may be added in this step
+  /// Adds what the forces of the last step require.
+  void add(const Bodies& bodies, const Blocks& blocks, JointIslands& islands);
+  /// Finds what the present impulses require.
+  void find_next(const Blocks& blocks, JointIslands& islands);
+  /// True if the present impulses require more than twice the inertia of a body. This happens after
+  /// a blow and in the first step, which has no earlier forces.
+  bool jumped(const Body& body, int slot) const;
+  /// Adds to a body what its present impulses require.
+  void add_next(const Body& body, int slot, const SolverMemory& memory);
+  /// Stores the least moments that the step could follow.
+  void remember(SolverMemory& memory) const;
+
+  /// Sets the masses of a pair. \param only_lane -1: of both
+  void set_masses(IslandPair& pair, const Bodies& bodies, int only_lane = -1) const;
+  /// Sets the inertia of all bodies.
+  void set_inertia(Bodies& bodies) const;
+  /// Sets the angular velocity of a body to what Eq. 9-14 leaves.
+  void set_velocity(Body& body, int slot) const {
+    if (adds(slot)) body.w = now_[slot].slowed.w;
+  }
+
+ private:
+  struct Pulled {          // a body
+    real force_lever = 0;  // the sum of |F||r| over its joints [N m]
+    Slowed slowed{};       // the body with added inertia
+  };
+  bool adds(int slot) const { return used() && now_[slot].force_lever > 0; }
+  void find(real acted, const Blocks& blocks, JointIslands& islands, std::vector<Pulled>& of);
+  void slow_down(const Body& body, int slot, const SolverMemory& memory);
+
+  std::vector<Pulled> now_, next_;  // of each slot: of the step, and as its impulses require
+  real kappa_ = 0, h_ = 0;
+};
+
+}  // namespace joints
+/// @}

@@ -1,0 +1,164 @@
+// A single island where Newton's method with the factor of the step has failed: secants, factors of
+// the new poses, and a slower motion.
+#include <algorithm>
+#include <cmath>
+
+#include "chapters/09_direct/positions.h"
+
+namespace joints {
+
+// Largest number of corrections by secants, and of those with factors of the new poses.
+static constexpr int most_corrections = 20;
+// Corrections by secants that add more than this fraction to the kinetic energy are not used: they
+// have found another pose than the next one.
+static constexpr double most_gain = 0.01;
+// An error is small compared to another one if it is less than this fraction of it.
+static constexpr double small_fraction = 0.1;
+// How often velocities are halved at most if no correction closes the joints.
+static constexpr int most_halved = 4;
+
+void Positions::to_start() {
+  for_bodies([&](Body& body, int slot) {
+    body.x = own_.start[slot].x, body.q = own_.start[slot].q;
+  });
+}
+
+void Positions::move_bodies() {
+  for_bodies([&](Body& body, int) { integrate_pose(body, h_); });
+}
+
+void Positions::keep_best() {
+  for_islands([&](IslandPair& pair, int lane) { pair.keep(bodies_, lane); });
+}
+
+void Positions::back_to_best() {
+  for_islands([&](IslandPair& pair, int lane) { pair.go_back(bodies_, lane); });
+}
+
+double Positions::next_error() { return own_.errors_met.emplace_back(largest(own_.C)); }
+
+// Twice the kinetic energy [J].
+double Positions::twice_kinetic() {
+  double sum = 0;
+  for_bodies([&](Body& body, int) {
+    const vec3 w = to_local(body, body.w);
+    sum += double(dot(body.v, body.v) / body.inverse_mass +
+                  dot(w / body.inverse_inertia_local, w));
+  });
+  return sum;
+}
+
+bool Positions::move_alone() {
+  Memory::Try& now = own_.tries[from_];
+  const auto expected = expected_.begin() + base_, stored = own_.expected.begin() + base_;
+  const int rows = islands_.islands()[from_].rows;
+  now.moving = true;
+  zeros(own_.C, std::size_t(rows));
+  to_start();
+  for_bodies([&](Body& body, int slot) {
+    body.v = own_.start[slot].v, body.w = own_.start[slot].w;
+  });
+  for_islands([](IslandPair& pair, int lane) { pair.restore_impulses(lane); });
+  keep_best();
+  std::copy_n(stored, rows, expected);
+  const double least = move_by_secants(now.most);
+  if (least <= now.most) return true;
+  ++own_.report.projected;
+  to_start();
+  back_to_best();
+  if (std::isinf(least)) {
+    zeros(own_.rates, std::size_t(rows));
+    for (int r = 0; r < rows; ++r) own_.rates[r] = -double(stored[r].next);
+    change_rates(own_.rates);
+  }
+  for (int n = 0; !(now.exact = project(now.most)) && n < most_halved && opened(now.most); ++n) {
+    for_bodies([](Body& body, int) { body.v /= real(2), body.w /= real(2); });
+    ++own_.report.halved;
+  }
+  std::fill_n(expected, rows, Correction{});
+  return now.exact;
+}
+
+// True if the errors are larger than in the old poses.
+bool Positions::opened(double most) {
+  evaluate(false);
+  double before = most / small_fraction;
+  const JointIslands::Island& own = islands_.islands()[from_];
+  for (int n = own.first; n < own.end; ++n) {
+    const int k = islands_.order()[n], row = islands_.at(k).row - base_;
+    for (int i = 0; i < list_[k].rows; ++i)
+      if (own_.C[row + i] != 0)
+        before = std::max(before, std::abs(double(blocks_.C[list_[k].first + i])));
+  }
+  return largest(own_.C) > before;
+}
+
+// Returns the largest error that the best velocities leave, or infinity if they are no better
+// than those of the beginning. Bounded rows exclude secants: a limit that a correction exceeds
+// would have to change its side.
+double Positions::move_by_secants(double most) {
+  const double kinetic = twice_kinetic();
+  double least = IslandPair::infinite, first = 0;
+  bool bounded = false;
+  for_bounded([&](BoundedRow&, const LaneBlock&) { bounded = true; });
+  if (bounded) return least;
+  own_.secants.clear(std::size_t(islands_.islands()[from_].rows), most_corrections);
+  for (int n = 0;; ++n) {
+    const bool gains = twice_kinetic() > (1 + most_gain) * kinetic;
+    move_bodies();
+    evaluate(false);
+    const double now = next_error();
+    if (n == 0) first = now;
+    if (!gains && now < least && (now <= most || now < small_fraction * first)) {
+      least = now;
+      keep_best();
+    }
+    if (now <= most || n == most_corrections || !std::isfinite(now)) return least;
+    own_.secants.correction(own_.C, double(h_), own_.rates);
+    change_rates(own_.rates);
+    to_start();
+  }
+}
+
+// Newton's method with the factor of each new pose. A correction that makes the errors larger is
+// halved. If the errors do not vanish, the best velocities are kept.
+bool Positions::project(double most) {
+  IslandPair& pair = *islands_.pair_of(from_);
+  const int lane = islands_.islands()[from_].lane;
+  double last = IslandPair::infinite, fraction = 1;
+  bool closed = false;
+  keep_best();
+  for (int n = 0; n < most_corrections; ++n) {
+    to_start();
+    move_bodies();
+    evaluate(true);
+    const double now = next_error();
+    closed = now <= most;
+    if (closed || !std::isfinite(now)) break;
+    if (now < last) {
+      last = now, fraction = 1;
+      keep_best();
+      copy_with_room(own_.C, own_.last_C);
+      for (std::size_t k = 0; k < own_.met.size(); ++k)
+        if (own_.met[k] >= 0)
+          pair.set_rows(islands_.at(own_.met[k]).block, lane,
+                        &own_.poses.J[own_.poses.list[k].first]);
+      inertia_.set_masses(pair, bodies_, lane);
+      pair.factor_now();
+    } else {
+      fraction /= 2;
+      back_to_best();
+    }
+    copy_with_room(own_.last_C, own_.rates);
+    for (double& rate : own_.rates) rate *= -fraction / double(h_);
+    change_rates(own_.rates);
+  }
+  pair.factored = false;  // not that of the step
+  if (closed) return true;
+  back_to_best();
+  to_start();
+  move_bodies();
+  return false;
+}
+
+}  // namespace joints

@@ -1,0 +1,196 @@
+// The move of all islands: by Newton's method, with the factor of the step.
+#include "chapters/09_direct/positions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/kernels.h"
+
+namespace joints {
+
+// Rounding errors of C are at most about this times epsilon times the largest coordinate.
+static constexpr double of_rounding = 8;
+
+double Positions::largest(std::span<const double> C) {
+  double out = 0;
+  for (const double one : C) out = std::max(out, std::abs(one));
+  return out;
+}
+
+void Positions::choose(int from, int end) {
+  from_ = from, end_ = end;
+  base_ = from < end ? islands_.islands()[from].first_row : 0;
+}
+
+void Positions::move(int newton, double tolerance) {
+  own_.report = {};
+  own_.errors_met.clear();
+  const int count = int(islands_.islands().size());
+  for (IslandPair& pair : islands_.pairs) pair.keep_impulses();
+  copy_with_room(expected_, own_.expected);
+  own_.moved.assign(std::size_t(bodies_.slots()), false);
+  own_.tries.assign(std::size_t(count), {});
+  for (int k = 0; k < count; ++k) {
+    choose(k, k + 1);
+    begin(tolerance);
+  }
+  choose(0, count);
+  zeros(own_.C, std::size_t(islands_.rows()));
+  find_corrected();
+  move_onto_constraints(bodies_, double(h_), newton, 0, *this, own_.start);
+  bool closed = true;
+  for (int k = 0; k < count; ++k) {
+    if (own_.tries[k].exact) continue;
+    choose(k, k + 1);
+    closed = move_alone() && closed;
+  }
+  choose(0, count);
+  expect();
+  own_.report.moved_exactly = closed;
+}
+
+// Errors of all islands that move. Those that are closed, or do not approach it, stay as they
+// are.
+std::vector<double>& Positions::errors() {
+  evaluate(false);
+  double& met = own_.errors_met.emplace_back(0);
+  for (std::size_t k = 0; k < own_.tries.size(); ++k) {
+    Memory::Try& now = own_.tries[k];
+    const std::span C(&own_.C[islands_.islands()[k].first_row], islands_.islands()[k].rows);
+    const double error = largest(C);
+    met = std::max(met, error);
+    now.exact = now.exact || (now.moving && error <= now.most);
+    now.moving = now.moving && !now.exact && error <= poor_contraction * now.last;
+    now.last = error;
+    if (!now.moving) std::fill(C.begin(), C.end(), 0.0);
+  }
+  return own_.C;
+}
+
+void Positions::change_rates(std::vector<double>& rates) {
+  ++own_.report.corrections;
+  Correction* const all = expected_.data() + base_;
+  for (std::size_t r = 0; r < rates.size(); ++r) all[r].next += real(rates[r]);
+  for (int k = from_; k < end_; ++k) {
+    IslandPair* const pair = islands_.pair_of(k);
+    if (!pair || (pair->islands[1] == k && pair->islands[0] >= from_)) continue;  // done before
+    if (!moving(pair->islands[0]) && !moving(pair->islands[1])) continue;
+    std::fill(pair->x.begin(), pair->x.end(), TwoLanes{});
+    for (const int lane : {0, 1}) {
+      if (!moving(pair->islands[lane])) continue;
+      for (const LaneBlock& block : pair->blocks) {
+        TwoLanes* const x = &pair->x[pair->row_of(block)];
+        const double* const from = rates.data() + block.row[lane] - base_;
+        for (int i = 0; i < block.own[lane]; ++i) x[i][lane] = from[i];
+      }
+    }
+    pair->load(bodies_);
+    pair->change();
+    pair->store(bodies_);
+  }
+}
+
+void Positions::begin(double tolerance) {
+  Memory::Try& now = own_.tries[from_];
+  now.exact = true;  // unless this solver solves it
+  real size = 0;  // errors that are only rounding errors need not be corrected
+  for_islands([&](IslandPair& pair, int) {
+    now.moving = true, now.exact = false;
+    if (!pair.factored) pair.factor_now();  // sides were still wrong
+  });
+  for_bodies([&](Body& body, int) {
+    const vec3 x = abs(body.x);
+    size = std::max({size, x.x, x.y, x.z});
+  });
+  now.most = std::max(tolerance * double(h_) * double(h_),
+                      of_rounding * double(epsilon * size));
+}
+
+// Errors are corrected in rows that hold a position, unless they belong to a spring, rebound, or
+// are zero, as those of points that coincide: no impulse along them corrects anything.
+void Positions::find_corrected() {
+  own_.corrected.reserve(islands_.given.capacity());
+  zeros(own_.corrected, list_.size());
+  for_islands([&](IslandPair& pair, int lane) {
+    for (int k = 0; k < int(pair.blocks.size()); ++k) {
+      const int block = pair.blocks[k].block[lane];
+      if (block < 0 || pair.is_spring(k, lane)) continue;
+      const RowTarget& target = list_[block].target;
+      if (!target.holds_position) continue;
+      const TwoLanes* const original = &pair.A.original[pair.row_of(pair.blocks[k])];
+      int rows = 0;
+      with_size(list_[block].rows - (target.rate != 0), [&](auto n) {
+        for (int i = 0; i < n; ++i) rows |= int(original[i][lane] != 0) << i;
+      });
+      own_.corrected[block] = rows;
+    }
+  });
+}
+
+void Positions::mark_moving(bool mark) {
+  for_islands([&](IslandPair& pair, int lane) {
+    if (!moving(pair.islands[lane])) return;
+    for (std::size_t k = 0; k < pair.bodies.size(); ++k)
+      if (pair.moves[k]) own_.moved[pair.bodies[k][lane]] = mark;
+  });
+}
+
+// C of all rows of moving islands at the present poses, 0 for rows without an error. \param rows
+// also append the rows at these poses, and free limits that are exceeded
+void Positions::evaluate(bool rows) {
+  bool some = false;  // not all
+  for (int k = 0; k < int(own_.tries.size()); ++k) some = some || !moving(k);
+  if (some) mark_moving(true);
+  own_.poses.clear();
+  own_.poses.list.reserve(islands_.given.capacity());
+  own_.poses.C.reserve(blocks_.C.capacity());
+  if (rows) own_.poses.J.reserve(blocks_.J.capacity());
+  own_.poses.errors_only = !rows;
+  {
+    const std::vector<bool>* const of = some ? &own_.moved : nullptr;
+    const HeldMatrices matrices(bodies_, of);
+    append_(own_.poses, of);
+  }
+  if (some) mark_moving(false);
+  own_.met.clear();
+  if (rows) own_.met.reserve(islands_.given.capacity());
+  std::size_t k = 0;
+  for (const Block& now : own_.poses.list) {
+    const std::size_t begin = k;  // nearly always the next one
+    while (list_[k].impulse != now.impulse)
+      if (k = (k + 1) % list_.size(); k == begin) break;
+    const auto& [island, number, row] = islands_.at(int(k));
+    const bool met = list_[k].impulse == now.impulse && moving(island);
+    if (rows) own_.met.push_back(met ? int(k) : -1);
+    if (met) {
+      const int corrected = own_.corrected[k];
+      const real* const error = &own_.poses.C[now.first];
+      double* const C = &own_.C[row - base_];
+      for (int i = 0; i < now.rows; ++i) C[i] = corrected >> i & 1 ? double(error[i]) : 0;
+    }
+    if (++k == list_.size()) k = 0;
+  }
+  for_bounded([&](BoundedRow& bound, const LaneBlock& at) {
+    double& C = own_.C[at.row[bound.lane] + at.rows - 1 - base_];
+    const RowTarget& target = list_[at.block[bound.lane]].target;
+    if (rows && C < 0 && target.one_sided()) bound.side = Side::free;  // limit exceeded
+    if (bound.side != Side::free) C = 0;
+  });
+}
+
+// The next corrections of an open chain change as the present ones did. In a closed loop the same
+// ones are expected again: those of rows that depend on others would grow without bound; and
+// beside bounded rows too, which hold still or change sides.
+void Positions::expect() {
+  for_islands([&](IslandPair& pair, int lane) {
+    if (!pair.plan->loops.empty() || !pair.bounded.empty()) return;
+    const JointIslands::Island& own = islands_.islands()[pair.islands[lane]];
+    for (auto& [last, next] : std::span(expected_).subspan(own.first_row, own.rows)) {
+      const real now = next;
+      if (last != 0) next += now - last;
+      last = now;
+    }
+  });
+}
+
+}  // namespace joints

@@ -1,0 +1,131 @@
+// The direct solver moves the bodies onto the constraints. Given, there is nothing to edit here.
+#pragma once
+
+#include <span>
+
+#include "chapters/09_direct/added_inertia.h"
+#include "chapters/09_direct/secants.h"
+#include "engine/solver.h"
+
+/// \addtogroup chapter9
+/// @{
+namespace joints {
+
+/// Moves the bodies of a step such that the joints are closed at their new poses.
+///
+/// Newton's method with the factor of the step corrects all islands together. If it fails in an
+/// island, secants take over there: they converge where an iteration multiplies some errors by
+/// nearly 1, as it does near the singular pose of a linkage. Their impulses still act along the
+/// rows of the step, which keeps the energy. If they fail as well, the factors of the new poses are
+/// used. They begin with the best velocities of the secants or, if these are no good either, with
+/// those that solve the velocity equations, without the correction predicted for the poses. If this
+/// does not close the joints, a body turns too far in the step, and the island is slowed down.
+class Positions : public Corrector {
+ public:
+  /// Counts of a step.
+  struct Report {
+    int corrections = 0;         ///< of the positions: of all, and then of single islands
+    bool moved_exactly = false;  ///< the errors of the positions are at most `tolerance` times h^2
+    int projected = 0;           ///< islands whose poses needed the factors of new poses
+    /// How often the velocities of an island were halved to reach this: a body turns too far in a
+    /// step. Take a shorter step if its energy matters.
+    int halved = 0;
+  };
+  /// What is kept from step to step: results, and the memory of a move.
+  struct Memory {
+    Report report;                  ///< of the last step
+    std::vector<double> errors_met;  ///< the largest error before each iteration [m or rad]
+    std::vector<Body> start;        ///< the bodies before the move
+
+   private:
+    friend Positions;
+    struct Try {  // the corrections of an island
+      double most = 0;                     // the largest error that need not be corrected
+      double last = IslandPair::infinite;  // the last error
+      bool moving = false;                 // its corrections go on
+      bool exact = false;                  // its errors are at most `most`
+    };
+    std::vector<Try> tries;                // of the islands
+    Blocks poses;                          // at new poses
+    std::vector<int> met;                  // number of each of its blocks in the step, or -1
+    std::vector<int> corrected;            // of each block: bit i is set if row i is corrected
+    std::vector<double> C, last_C, rates;
+    std::vector<Correction> expected;      // SolverMemory::corrections at the beginning
+    std::vector<bool> moved;               // for each slot
+    Secants secants;
+  };
+
+  Positions(Memory& memory, JointIslands& islands, const AddedInertia& inertia,
+            const Blocks& blocks, Bodies& bodies, real h, const Solver::Append& append)
+      : own_(memory), islands_(islands), inertia_(inertia), blocks_(blocks), list_(blocks.list),
+        expected_(blocks.memory.corrections), bodies_(bodies), h_(h), append_(append) {}
+
+  /// Moves all bodies. \param newton largest number of corrections of all islands together
+  /// \param tolerance DirectSolver::tolerance
+  void move(int newton, double tolerance);
+
+  // Of the islands that have been chosen.
+  std::vector<double>& errors() override;
+  void change_rates(std::vector<double>& rates) override;
+
+ private:
+  static double largest(std::span<const double> C);  // size of an error
+  void choose(int from, int end);
+  void begin(double tolerance);
+  void find_corrected();
+  void evaluate(bool rows);
+  void mark_moving(bool mark);
+  void expect();
+
+  // Of a single island, whose number is from_.
+  bool move_alone();
+  double move_by_secants(double most);
+  bool project(double most);
+  bool opened(double most);
+  double twice_kinetic();
+  double next_error();  // the largest one before an iteration
+  void to_start();  // the old poses
+  void move_bodies();
+  void keep_best();  // stores velocities and impulses that may have to be restored
+  void back_to_best();
+
+  bool moving(int island) const {
+    return island >= from_ && island < end_ && own_.tries[island].moving;
+  }
+  // Calls f(pair, lane) for all chosen islands that have a pair.
+  template <class F>
+  void for_islands(const F& f) {
+    for (int k = from_; k < end_; ++k)
+      if (IslandPair* const pair = islands_.pair_of(k)) f(*pair, islands_.islands()[k].lane);
+  }
+  // Calls f(body, slot).
+  template <class F>
+  void for_bodies(const F& f) {
+    for_islands([&](IslandPair& pair, int lane) {
+      for (std::size_t k = 0; k < pair.bodies.size(); ++k)
+        if (pair.moves[k]) f(bodies_.at(pair.bodies[k][lane]), pair.bodies[k][lane]);
+    });
+  }
+  // Calls f(bounded row, its block).
+  template <class F>
+  void for_bounded(const F& f) {
+    for_islands([&](IslandPair& pair, int lane) {
+      for (BoundedRow& bound : pair.bounded)
+        if (bound.lane == lane) f(bound, pair.blocks[bound.block]);
+    });
+  }
+
+  Memory& own_;
+  JointIslands& islands_;
+  const AddedInertia& inertia_;
+  const Blocks& blocks_;
+  const std::vector<Block>& list_;
+  std::vector<Correction>& expected_;
+  Bodies& bodies_;
+  real h_;
+  const Solver::Append& append_;
+  int from_ = 0, end_ = 0, base_ = 0;  // the chosen islands, and their first row
+};
+
+}  // namespace joints
+/// @}

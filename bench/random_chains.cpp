@@ -1,6 +1,7 @@
 // Chains, trees and islands of all kinds, drawn by a seed.
 #include "bench/random_chains.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bench/draw.h"
@@ -113,6 +114,16 @@ BenchScene limited_chains(int chains, int links, unsigned seed) {
   BenchScene scene = empty("chains with limits");
   for (int c = 0; c < chains; ++c)
     add_limited_chain(scene, draw, vec3(0, 0, real(1.5) * real(c)), links);
+  scene.finding = {"farthest beyond a limit [mrad]", 0, [](const Scene& now) {
+                     double most = 0;
+                     for (const auto& joint : now.world.joints()) {
+                       const auto& hinge = dynamic_cast<const HingeJoint&>(*joint);
+                       const real angle = hinge.position(now.world.bodies);
+                       most = std::max({most, double(angle - hinge.limits().upper),
+                                        double(hinge.limits().lower - angle)});
+                     }
+                     return 1000 * most;
+                   }};
   return scene;
 }
 

@@ -14,6 +14,7 @@ BenchScene random_chain(unsigned seed, double ratio);
 BenchScene random_tree(unsigned seed, double ratio);
 /// Chains of `links` cubes of 1 to 10 kg on hinges, 1.5 m apart, released from a level line. Each
 /// chain's hinges have limits, between 0.1 and 0.6 rad either way, which come and go as it swings.
+/// Finding: how far a hinge is beyond its limits at the end.
 BenchScene limited_chains(int chains, int links, unsigned seed);
 /// At least `bodies` that can move, in islands side by side: ragdolls in any pose above the ground,
 /// boxes that fall on it, chains with limits of 2 to 20 links, random_chain() and random_tree()

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "bench/random_chains.h"
 #include "bench/tasks.h"
 #include "chapters/05_fixed/program/hung_ragdoll.h"
 #include "chapters/08_ground/program/program.h"
@@ -59,6 +60,8 @@ std::vector<PeerEntry> peer_entries(bool quick) {
        .ours = "si30 beta1 4x8 lanes velocity shake inertia velocity/4 shake/4 rk4"},
       {.name = "hung chain with 1 t", .make = [] { return hung_chain(10, 1000); },
        .span = ten_seconds, .ours = inertia},
+      {.name = "chains with limits", .make = [] { return limited_chains(10, 10, 1); },
+       .ours = "si30 4x8 16x2 rows10 lanes10 velocity shake velocity/8"},
       {.name = "hung ragdoll", .make = hung_ragdoll, .span = ten_seconds,
        .ours = inertia + " split"},
       {.name = "beam of 20", .make = [] { return welded_beam(20); }, .ours = inertia},

@@ -210,8 +210,12 @@ class MujocoWorld : public Peer {
     if (choice.integrator == mjINT_IMPLICIT)  // its own guess is too little for a chain of 100
       model_->nstack += 30 * model_->nv * model_->nv;
     make_room(scene);
-    for (int k = 0; k < model_->neq; ++k)
-      model_->eq_solref[k * mjNREF] = choice.time_constant;
+    const auto set_time = [&](mjtNum* solref, int count) {
+      for (int k = 0; k < count; ++k) solref[k * mjNREF] = choice.time_constant;
+    };
+    set_time(model_->eq_solref, model_->neq);      // loops
+    set_time(model_->jnt_solref, model_->njnt);    // limits
+    set_time(model_->geom_solref, model_->ngeom);  // contacts
     data_ = mj_makeData(model_);
     for (std::size_t k = 0; k < model.driven.size(); ++k)
       data_->ctrl[k] = double(scene.joints[at(model.driven[k])].motor.speed);

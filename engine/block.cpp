@@ -1,26 +1,11 @@
 // Appends to and cuts the flat arrays of the blocks.
 #include "engine/block.h"
 
-#include <numbers>
-
 namespace joints {
 
 RowTarget without_feedback(RowTarget target) {
   target.beta = target.frequency = 0;
   return target;
-}
-
-StepTarget step_target(const RowTarget& target, real h, real acting, real relaxation) {
-  real rate = target.beta / h, softness = 0;
-  if (target.frequency != 0) {
-    const real omega = 2 * std::numbers::pi_v<real> * target.frequency;
-    const real a1 = 2 * target.damping + h * omega;
-    rate = omega / a1, softness = 1 / (acting * omega * a1);
-  }
-  const real mass_scale = relaxation / (1 + softness);
-  const real unit = target.follows == 0 ? acting : real(1);  // forces become impulses, factors stay
-  return {rate, softness, mass_scale, relaxation - mass_scale, unit * target.lower,
-          unit * target.upper};
 }
 
 void Blocks::truncate(int count) {
@@ -30,7 +15,13 @@ void Blocks::truncate(int count) {
   list.resize(std::size_t(count));
 }
 
-bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form form,
+void Blocks::shrink_to_fit() {
+  list.shrink_to_fit();
+  C.shrink_to_fit();
+  J.shrink_to_fit();
+}
+
+bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, short rows, Form form,
                  const RowTarget& target, real* impulse) {
   const int slot1 = bodies.index(id1), slot2 = bodies.index(id2);
   if (bodies.at(slot1).is_static() && bodies.at(slot2).is_static()) {
@@ -39,12 +30,15 @@ bool Blocks::add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form fo
   }
   const bool corrects =  // without branches
       target.holds_position & (target.follows == 0) & !(target.frequency > 0);
-  list.push_back({slot1, slot2, rows, form, corrects, int(C.size()), target, impulse});
+  list.push_back({slot1, slot2, int(C.size()), rows, form, corrects, target, impulse});
   for (int i = 0; i < rows; ++i) C.push_back(0);
-  if (errors_only || J.size() >= C.size()) return true;
+  if (!errors_only && J.size() < C.size()) extend_J();
+  return true;
+}
+
+[[gnu::noinline]] void Blocks::extend_J() {
   if (J.capacity() < C.size()) J.reserve(C.size() + C.size() / 4);  // the largest of all vectors
   J.resize(C.size());
-  return true;
 }
 
 std::pair<int, int> followed_row(const Blocks& blocks, int k) {

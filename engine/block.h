@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numbers>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -50,18 +51,29 @@ struct StepTarget {
 /// \param h step [s] \param relaxation over-relaxation [1]
 /// \param acting time for which the impulses of the step act, Blocks::acts() [s]
 /// Source: Catto, "Soft Constraints", GDC 2011.
-StepTarget step_target(const RowTarget& target, real h, real acting, real relaxation = 1);
+inline StepTarget step_target(const RowTarget& target, real h, real acting, real relaxation = 1) {
+  real rate = target.beta / h, softness = 0;
+  if (target.frequency != 0) {
+    const real omega = 2 * std::numbers::pi_v<real> * target.frequency;
+    const real a1 = 2 * target.damping + h * omega;
+    rate = omega / a1, softness = 1 / (acting * omega * a1);
+  }
+  const real mass_scale = relaxation / (1 + softness);
+  const real unit = target.follows == 0 ? acting : real(1);  // forces become impulses, factors stay
+  return {rate, softness, mass_scale, relaxation - mass_scale, unit * target.lower,
+          unit * target.upper};
+}
 
 /// The header of a block. Its rows and errors are in the flat arrays of Blocks, from `first` on.
 /// Target rate and bounds belong to the last row; the other rows are equalities.
 struct Block {
   int body1 = 0, body2 = 0;         ///< slots of the two bodies
-  int rows = 0;                     ///< 1 to 6
+  int first = 0;                    ///< where its rows begin in Blocks::J and Blocks::C
+  short rows = 0;                   ///< 1 to 6
   Form form = Form::any;            ///< the form of its rows
   /// True if its C is an error of the joint to be removed, and not the deflection of a spring that
   /// the joint itself has set.
   bool corrects = false;
-  int first = 0;                    ///< where its rows begin in Blocks::J and Blocks::C
   RowTarget target;                 ///< feedback, target rate and bounds
   real* impulse = nullptr;          ///< the accumulated impulses [N s or N m s], in the joint
 };
@@ -128,6 +140,7 @@ class Blocks {
   int rows() const { return int(C.size()); }  ///< of all blocks
   void clear() { truncate(0); }  ///< removes all blocks, keeps the memory
   void truncate(int count);      ///< removes all blocks but the first `count`
+  void shrink_to_fit();          ///< gives back the memory that the present blocks do not need
 
   /// Appends the rows of a part between two bodies at their present poses. Between two static
   /// bodies it appends nothing and sets the impulses to zero.
@@ -156,8 +169,9 @@ class Blocks {
 
  private:
   // Adds a header and makes room for its rows. Returns false between two static bodies.
-  bool add(const Bodies& bodies, BodyId id1, BodyId id2, int rows, Form form,
+  bool add(const Bodies& bodies, BodyId id1, BodyId id2, short rows, Form form,
            const RowTarget& target, real* impulse);
+  void extend_J();  // to the rows of all blocks
 };
 
 /// The row whose impulse bounds block number k, which must follow one (RowTarget::follows).

@@ -122,8 +122,8 @@ class Joint {
 
  private:
   friend class World;
-  real h_ = 0, acted_ = 0;  // of the last step [s]
   bool can_move_ = true;
+  real h_ = 0, acted_ = 0;  // of the last step [s]
   std::size_t place_ = 0;     // in World::joints()
   std::uint64_t number_ = 0;  // of all joints that were ever added to a world
 };

@@ -77,9 +77,11 @@ void begin(World& world, Solver& solver, real h, const Stepping& how) {
                : integrate_forces(bodies, world.gravity, h);
   world.last_h = h;
 
+  const bool first_rows = world.blocks.J.empty();  // it keeps those of former steps
   world.blocks.clear();
   for (const auto& joint : world.joints()) joint->begin_step(bodies, h, acting);
   for (const auto& joint : world.joints()) joint->append(bodies, world.blocks);
+  if (first_rows) world.blocks.shrink_to_fit();  // mostly these rows remain
   prepare(world, solver, 0, h, how);
   solver.warm_start(bodies, ratio);
 }

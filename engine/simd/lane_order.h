@@ -14,8 +14,8 @@ namespace joints {
 /// The data of a block that determine its place in an order.
 struct Member {
   BodyPair bodies;  ///< slots; -1: a body that does not move
-  int kind = 0;     ///< only blocks of one kind are solved side by side
-  int follows = 0;  ///< RowTarget::follows
+  int kind : 9 = 0;      ///< only blocks of one kind are solved side by side
+  int follows : 23 = 0;  ///< RowTarget::follows
   bool operator==(const Member&) const = default;  ///< the same in all of these
 };
 
@@ -52,7 +52,7 @@ class GreedyColours {
 
  private:
   std::vector<std::vector<bool>> taken_;  // for each colour, the bodies that have it
-  std::vector<std::array<int, 3>> sorted_;  // colour, kind and number of each block
+  std::vector<std::array<int, 2>> sorted_;  // colour and kind, and number, of each block
   std::vector<int> lanes_;                // of one group
 };
 

@@ -12,8 +12,8 @@ namespace {
 BlockKind kind_of(const Block& block, const Body& body1, const Body& body2) {
   const RowTarget& target = block.target;
   const bool follows = target.follows != 0, point = block.form == Form::point;
-  const bool hard = !follows && target.frequency == 0 && target.lower == -unbounded &&
-                    target.upper == unbounded;
+  const bool hard = !follows & (target.frequency == 0) & (target.lower == -unbounded) &
+                    (target.upper == unbounded);  // without branches
   const bool isotropic = point && body1.is_isotropic() && body2.is_isotropic();
   const bool lone = block.rows == 1 && (body1.is_static() || body2.is_static());
   return {static_cast<unsigned char>(block.rows), point, hard, isotropic, follows, lone};
@@ -147,8 +147,10 @@ bool PackedBlocks::place(const Bodies& bodies) {
   ++placings_;
   // Lanes in use: one for each body, for each link, and for each island one of static bodies. An
   // island has one link less than bodies, so these are two per body.
+  std::vector<Member> members;
+  for (const BodyPair& link : places_.links()) members.push_back({link});
   LaneOrder links;
-  places_.append(links, places_.links(), 0);
+  places_.append(links, members, 0);
   const std::size_t used = 2 * std::size_t(std::count(moves_.begin(), moves_.end(), true));
   fits_lanes_ = 2 * used >= links.bodies.size() + links.blocks.size();
   if (!fits_lanes_) places_.release();
@@ -214,7 +216,7 @@ void PackedBlocks::add_groups(const Blocks& list, int first) {
   for (int k = end - 2; k >= before; --k)
     if (const BlockKind& kind = groups_[k]; kind == groups_[k + 1])
       groups_[k].alike += groups_[k + 1].alike;
-  if (groupings_ == 1) numbers_.shrink_to_fit();
+  if (groupings_ == 1) numbers_.shrink_to_fit(), order_.ends.shrink_to_fit();
 }
 
 // ---- a step -------------------------------------------------------------------------------------

@@ -27,8 +27,8 @@ bool Places::find_links(const std::vector<Member>& members) {
     if (first == second) continue;
     root_[second] = first;
     if (count == links_.size()) links_.emplace_back();
-    same = same && links_[count].bodies == bodies;
-    links_[count++].bodies = bodies;
+    same = same && links_[count] == bodies;
+    links_[count++] = bodies;
   }
   same = same && links_.size() == count;
   links_.resize(count);
@@ -55,7 +55,7 @@ bool Places::place(const std::vector<Member>& members, const std::vector<bool>& 
     if (column < 0) column = island.size++;
     island.shape = (island.shape ^ std::uint64_t(column + 1)) * 0x100000001b3;  // FNV-1
   };
-  for (const Member& link : links_) number(link.bodies.body1), number(link.bodies.body2);
+  for (const BodyPair& link : links_) number(link.body1), number(link.body2);
   for (const Island& island : islands_)
     if (island.size == 0) number(island.root);
 
@@ -126,6 +126,12 @@ void Places::append(LaneOrder& order, const std::vector<Member>& members, int fi
       order.ends.insert(order.ends.end(), {columns.body1, columns.body2});
       group = next;
     }
+}
+
+void Places::release() {
+  groups_ = std::vector<Group>();  // `= {}` would keep the memory
+  lanes_ = std::vector<int>();
+  links_.shrink_to_fit();
 }
 
 }  // namespace joints

@@ -20,13 +20,14 @@ class Places {
   /// Gives every moving body a place. The places change only if the links or the set of moving
   /// bodies has changed. \param moves for each slot \return true if the places are new
   bool place(const std::vector<Member>& members, const std::vector<bool>& moves, int width);
-  /// For each island of n bodies the first n - 1 blocks that connect them, all with the same kind.
-  /// Other blocks, such as contacts with the ground and limits, do not affect the places.
-  const std::vector<Member>& links() const { return links_; }
+  /// For each island of n bodies the bodies of the first n - 1 blocks that connect them. Other
+  /// blocks, such as contacts with the ground and limits, do not affect the places.
+  const std::vector<BodyPair>& links() const { return links_; }
   /// Appends groups of the blocks from number `first` on to an order. With `first` 0 it replaces
   /// the groups of the order.
   void append(LaneOrder& order, const std::vector<Member>& members, int first);
-  void release() { groups_ = {}, lanes_ = {}; }  ///< gives back the memory that append() has used
+  /// Gives back the memory that only append() needs.
+  void release();
 
  private:
   struct Island {
@@ -45,7 +46,7 @@ class Places {
   int root_of(int body);
   bool find_links(const std::vector<Member>& members);
   int width_ = 0, columns_ = 0;
-  std::vector<Member> links_;
+  std::vector<BodyPair> links_;
   std::vector<bool> moves_;
   std::vector<Place> places_;        // of each body
   std::vector<Island> islands_;      // each `width` in sequence are a batch

@@ -12,14 +12,14 @@ LINK = re.compile(r'<a href="live\.html#([^"]+)"')
 NO_SETTING = {"scene", "t", "iteration", "block", "view"}
 # A setting: where it is used, as files, the first of some lines, and how many.
 CODE = {
-    "beta": (("engine/block.cpp", "real rate = target.beta / h, softness = 0;", 1),
+    "beta": (("engine/block.h", "real rate = target.beta / h, softness = 0;", 1),
              ("engine/block.h", "if (i < block.rows - 1) return rate * C;", 1)),
     "iterations": (("engine/sequential_impulses.cpp",
                     "for (int i = 0; i < iterations; ++i) iterate(bodies);", 1),
                    ("engine/sequential_impulses.cpp",
                     "real e[N];  // velocity error of each row: J V + bias", 2)),
     "strength": (("chapters/03_hinge/free_coordinate.h", "if (strength > 0)", 6),),
-    "relaxation": (("engine/block.cpp",
+    "relaxation": (("engine/block.h",
                     "const real mass_scale = relaxation / (1 + softness);", 1),),
     "tilt": (("engine/sequential_impulses.cpp",
               "if (N == 1 && block.target.follows != 0) {"

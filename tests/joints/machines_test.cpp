@@ -41,14 +41,7 @@ struct Machine {
     }
     push_at_random(world.bodies, random, 10);
   }
-  double energy() const {
-    double sum = 0;
-    for (const Body& body : snapshot(world.bodies))
-      if (!body.is_static())
-        sum += kinetic_energy(body) -
-               double(dot(world.gravity, body.x)) / double(body.inverse_mass);
-    return sum;
-  }
+  double energy() const { return joints::energy(all_of(world.bodies), world.gravity); }
   // How far a joint is beyond its limits [rad or m].
   double beyond() const {
     double worst = 0;

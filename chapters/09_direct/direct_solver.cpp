@@ -152,18 +152,16 @@ void DirectSolver::prepare_outside(const Bodies& bodies) {
 
 void DirectSolver::warm_start(Bodies& bodies, real ratio) {
   blocks_of(bodies);  // rejects other bodies
-  if (report_.iterated) fallback.warm_start(bodies, 0);
-  ratio_ = ratio > 0 ? real(1) : real(0);
-  if (inertia_.used()) before_.assign(bodies.begin(), bodies.end());
-  begin_active(bodies, ratio, !outside_.list.empty());
-}
-
-// Applies the impulses of the last step in the active islands. \param outside and outside A
-void DirectSolver::begin_active(Bodies& bodies, real ratio, bool outside) {
+  const bool again = !before_.empty();  // solve_again() calls it
+  if (!again) {
+    if (report_.iterated) fallback.warm_start(bodies, 0);
+    ratio_ = ratio > 0 ? real(1) : real(0);
+    if (inertia_.used()) before_.assign(bodies.begin(), bodies.end());
+  }
   for (IslandPair& pair : islands_.pairs)
     if (inertia_.used() && pair.active)
       for_moving(pair, [&](int slot) { inertia_.set_velocity(bodies.at(slot), slot); });
-  if (outside) contacts_.warm_start(bodies, ratio);
+  if (again ? alternating() : !outside_.list.empty()) contacts_.warm_start(bodies, ratio);
   for (IslandPair& pair : islands_.pairs) {
     if (!pair.active) continue;
     if (ratio != 0) pair.load(bodies);
@@ -244,7 +242,7 @@ void DirectSolver::solve_again(Bodies& bodies) {
     pair.factored = false;
   }
   if (outside) prepare_outside(bodies);
-  begin_active(bodies, ratio_, outside);
+  warm_start(bodies, ratio_);
   solve_active(bodies, outside);
 }
 

@@ -86,7 +86,6 @@ class DirectSolver : public Solver {
   void split_blocks();
   void recall_corrections();
   void prepare_outside(const Bodies& bodies);
-  void begin_active(Bodies& bodies, real ratio, bool outside);
   void solve_active(Bodies& bodies, bool outside);
   bool alternating() const;  // rows outside A act on an active island
   bool forces_jumped(const Bodies& bodies);

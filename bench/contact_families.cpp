@@ -3,6 +3,7 @@
 
 #include "bench/draw.h"
 #include "chapters/08_ground/program/ragdoll.h"
+#include "chapters/10_own/driven_joints.h"
 
 namespace joints::bench {
 
@@ -18,6 +19,55 @@ Drawn with_contacts(Scene scene = {.name = {}, .energy_scale = 0}) {
 Drawn ragdoll(Draw draw) {
   chapter8::Ragdoll doll({}, real(draw.number(1.5, 4)), draw.rotation());
   return with_contacts(std::move(doll.scene));
+}
+
+// A doll of ten boxes, from 10 cm to 2 m tall: cones and twists in neck, shoulders and hips, hinges
+// that bend one way in elbows and knees.
+Drawn limited_doll(Draw draw) {
+  Drawn scene = with_contacts();
+  World& world = scene.world;
+  const BodyId ground = chapter8::add_ground(scene, 1000);
+  const double size = draw.scale(0.1, 2);
+  const quat q = draw.rotation();
+  const vec3 feet(0, real(size * draw.number(0.8, 2)), 0);
+  const auto at = [&](double x, double y) {
+    return feet + q * vec3(real(size * x), real(size * y), 0);
+  };
+  const auto part = [&](const vec3& edges, double x, double y) {
+    const double volume = std::pow(size, 3) * double(edges.x * edges.y * edges.z);
+    const double mass = draw.number(500, 1500) * volume;
+    const BodyId id = scene.box(real(mass), real(size) * edges, at(x, y), q);
+    chapter8::stand(scene, ground, id, real(size) * edges, real(draw.number(0.2, 1)));
+    scene.energy_scale += 9.81 * mass * double(world.bodies[id].x.y);
+    return id;
+  };
+  const auto cone = [&](BodyId a, BodyId b, double x, double y, const vec3& along) {
+    auto& joint = world.add<ConeTwistJoint>(a, b, at(x, y), q * along, q * vec3(0, 0, 1),
+                                            real(draw.number(0.5, 1.4)));
+    const real twist = real(draw.number(0.3, 1));
+    joint.twist().set_limits(-twist, twist);
+    scene.mark(a, b, at(x, y));
+  };
+  const auto bend = [&](BodyId a, BodyId b, double x, double y, const vec3& axis) {
+    world.add<HingeJoint>(a, b, at(x, y), q * axis)
+        .set_limits(real(-0.03), real(draw.number(1.5, 2.5)));
+    scene.mark(a, b, at(x, y));
+  };
+  const auto slim = [](double x, double y, double z) { return vec3(real(x), real(y), real(z)); };
+  const BodyId torso = part(slim(0.2, 0.32, 0.12), 0, 0.66);
+  cone(torso, part(slim(0.1, 0.13, 0.1), 0, 0.92), 0, 0.83, vec3(0, 1, 0));
+  for (const int side : {-1, 1}) {
+    const vec3 out(real(side), 0, 0), down(0, -1, 0);
+    const BodyId upper = part(slim(0.18, 0.05, 0.05), side * 0.2, 0.79);
+    cone(torso, upper, side * 0.11, 0.79, out);
+    bend(upper, part(slim(0.16, 0.045, 0.045), side * 0.38, 0.79), side * 0.295, 0.79,
+         vec3(0, real(-side), 0));
+    const BodyId thigh = part(slim(0.08, 0.24, 0.08), side * 0.06, 0.37);
+    cone(torso, thigh, side * 0.06, 0.5, down);
+    bend(thigh, part(slim(0.06, 0.24, 0.06), side * 0.06, 0.12), side * 0.06, 0.245,
+         vec3(1, 0, 0));
+  }
+  return scene;
 }
 
 // Boxes on each other, alike or not.
@@ -69,6 +119,7 @@ Drawn tilted_box(Draw draw) {
 std::vector<Family> contact_families() {
   const auto of = [](auto make) { return [make](unsigned seed) { return make(Draw(seed)); }; };
   return {{"ragdolls", 40, of(ragdoll)},
+          {"limited dolls", 80, of(limited_doll)},
           {"piles", 24, of(pile)},
           {"tilted boxes", 1000, of(tilted_box)}};
 }

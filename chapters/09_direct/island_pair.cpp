@@ -66,7 +66,7 @@ void IslandPair::prepare(const Blocks& given, const Correction* corrections, rea
       if (block.target.lower > -unbounded || block.target.upper < unbounded) {
         BoundedRow bound{k, lane, double(acting * block.target.lower),
                          double(acting * block.target.upper),
-                         double(bias(block, last, C[last], target.rate, h))};
+                         -wanted[last][lane]};
         const double before = own[last][lane];  // of the last step
         bound.side = before <= bound.lower   ? Side::lower
                      : before >= bound.upper ? Side::upper

@@ -2,6 +2,7 @@
 // the new poses, and a slower motion.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "chapters/09_direct/positions.h"
 
@@ -16,6 +17,15 @@ static constexpr double most_gain = 0.01;
 static constexpr double small_fraction = 0.1;
 // How often velocities are halved at most if no correction closes the joints.
 static constexpr int most_halved = 4;
+
+// The change of the angular velocity that rotates the pose at the end of the step by h times
+// `change`, if the body rotates by `phi` [rad] in the step: rotations do not simply add up.
+static vec3 as_spin(const vec3& change, const vec3& phi) {
+  const real angle = std::clamp(length(phi), real(0.01), std::numbers::pi_v<real>);
+  const vec3 once = cross(phi, change);
+  return change - once / real(2) +
+         (1 - angle / 2 / std::tan(angle / 2)) / (angle * angle) * cross(phi, once);
+}
 
 void Positions::to_start() {
   for_bodies([&](Body& body, int slot) {
@@ -120,7 +130,8 @@ double Positions::move_by_secants(double most) {
   }
 }
 
-// Newton's method with the factor of each new pose. A correction that makes the errors larger is
+// Newton's method with the factor of each new pose. Each impulse acts along the rows of that pose,
+// and rotates the bodies there. A correction that makes the errors larger is
 // halved. If the errors do not vanish, the best velocities are kept.
 bool Positions::project(double most) {
   IslandPair& pair = *islands_.pair_of(from_);
@@ -139,6 +150,9 @@ bool Positions::project(double most) {
       last = now, fraction = 1;
       keep_best();
       copy_with_room(own_.C, own_.last_C);
+      for_bounded([&](BoundedRow& bound, const LaneBlock& at) {  // a limit that is exceeded here
+        if (own_.C[at.row[bound.lane] + at.rows - 1 - base_] != 0) bound.side = Side::free;
+      });
       for (std::size_t k = 0; k < own_.met.size(); ++k)
         if (own_.met[k] >= 0)
           pair.set_rows(islands_.at(own_.met[k]).block, lane,
@@ -151,7 +165,14 @@ bool Positions::project(double most) {
     }
     copy_with_room(own_.last_C, own_.rates);
     for (double& rate : own_.rates) rate *= -fraction / double(h_);
+    own_.spins.clear();
+    for_bodies([&](Body& body, int) { own_.spins.push_back(body.w); });
     change_rates(own_.rates);
+    auto spin = own_.spins.begin();
+    for_bodies([&](Body& body, int) {
+      body.w = *spin + as_spin(body.w - *spin, h_ * *spin);
+      ++spin;
+    });
   }
   pair.factored = false;  // not that of the step
   if (closed) return true;

@@ -136,7 +136,7 @@ void Positions::mark_moving(bool mark) {
 }
 
 // C of all rows of moving islands at the present poses, 0 for rows without an error. \param rows
-// also append the rows at these poses, and free limits that are exceeded
+// also append the rows at these poses, and count limits that are exceeded
 void Positions::evaluate(bool rows) {
   bool some = false;  // not all
   for (int k = 0; k < int(own_.tries.size()); ++k) some = some || !moving(k);
@@ -173,8 +173,8 @@ void Positions::evaluate(bool rows) {
   for_bounded([&](BoundedRow& bound, const LaneBlock& at) {
     double& C = own_.C[at.row[bound.lane] + at.rows - 1 - base_];
     const RowTarget& target = list_[at.block[bound.lane]].target;
-    if (rows && C < 0 && target.one_sided()) bound.side = Side::free;  // limit exceeded
-    if (bound.side != Side::free) C = 0;
+    const bool exceeded = C < 0 && target.one_sided();
+    if (bound.side != Side::free && !(rows && exceeded)) C = 0;
   });
 }
 

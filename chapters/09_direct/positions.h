@@ -50,6 +50,7 @@ class Positions : public Corrector {
     std::vector<int> met;                  // number of each of its blocks in the step, or -1
     std::vector<int> corrected;            // of each block: bit i is set if row i is corrected
     std::vector<double> C, last_C, rates;
+    std::vector<vec3> spins;               // angular velocities before a correction
     std::vector<Correction> expected;      // SolverMemory::corrections at the beginning
     std::vector<bool> moved;               // for each slot
     Secants secants;

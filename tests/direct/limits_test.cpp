@@ -1,4 +1,5 @@
 // Limits and motors by the direct solver, over many steps (cases X11 to X13, S4).
+#include "bench/families.h"
 #include "tests/direct/rigs.h"
 #include "tests/oracle/test.h"
 
@@ -185,6 +186,35 @@ TEST_CASE("forty limits hit at once take more passes than a few, and are all rig
     CHECK(wrong == 0);
     CHECK(beyond < (newton == 0 ? 1e-3 : 1e-2));
     CHECK(last < 1e-4);
+  }
+}
+
+TEST_CASE("dolls of any size that land on their limits keep their joints, and take few passes") {
+  for (const bench::Family& family : bench::contact_families()) {
+    if (family.name != "limited dolls") continue;
+    for (const real added : {real(0), real(8)}) {
+      int exact = 0;
+      for (unsigned seed = 1; seed <= 24; ++seed) {
+        CAPTURE(seed, added);
+        bench::Drawn scene = family.draw(seed);
+        feed_back_all(scene.world);
+        DirectSolver solver = with(8, added);
+        double gap = 0;
+        int wrong = 0, passes = 0;
+        for (int n = 0; n < 180; ++n) {
+          step(scene.world, solver, h, second_order);
+          gap = std::max(gap, widest_gap(scene));
+          wrong += solver.report().wrong;
+          passes = std::max(passes, solver.report().passes);
+        }
+        exact += gap < tolerance(1e-6, 1e-4);
+        CHECK(gap < (added > 0 ? 1e-4 : 5e-3));
+        CHECK(wrong == 0);
+        CHECK(passes < 60);
+      }
+      CAPTURE(added, exact);
+      CHECK(exact >= 19);
+    }
   }
 }
 

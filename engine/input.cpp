@@ -33,7 +33,7 @@ bool is_step(real h) { return h >= shortest_step && h <= longest_step; }
 }  // namespace
 
 void check_input(const World& world, real h) {
-  require(is_step(h), "h", h, "must be from 1e-9 to 1e9 [s]");
+  require(is_step(h), "h", h, "must be from 1e-9 to 1e9 [s]; 1 / 60 is 0, real(1) / 60 is not");
   require(world.last_h == 0 || is_step(world.last_h), "last_h", world.last_h,
           "must be 0 or the length of a step [s]");
   require(finite(world.gravity), "gravity", world.gravity, "must be finite [m/s^2]");

@@ -18,14 +18,15 @@ static void for_moving(const IslandPair& pair, const F& f) {
 }
 
 void DirectSolver::check() const {
-  require(newton >= 0, "newton: must not be negative");
-  require(tolerance > 0, "tolerance: must be positive");
-  require(finite(added_inertia) && added_inertia >= 0,
-          "added_inertia: must be finite and not negative");
-  require(softening >= 0 && softening < 1, "softening: must be at least 0 and below 1");
-  require(alternations > 0, "alternations: there must be at least one");
-  require(passes > 0, "passes: there must be at least one");
-  require(most_work >= 0, "most_work: must not be negative");
+  require(newton >= 0, "newton", real(newton), "must not be negative");
+  require(tolerance > 0, "tolerance", real(tolerance), "must be positive [m/s^2]");
+  require(finite(added_inertia) && added_inertia >= 0, "added_inertia", added_inertia,
+          "must be finite and not negative");
+  require(softening >= 0 && softening < 1, "softening", real(softening),
+          "must be at least 0 and below 1");
+  require(alternations > 0, "alternations", real(alternations), "must be positive");
+  require(passes > 0, "passes", real(passes), "must be positive");
+  require(most_work >= 0, "most_work", real(most_work), "must not be negative");
   fallback.check();
 }
 

@@ -29,7 +29,7 @@ class DirectSolver : public Solver {
   /// once, so that rows that nearly depend on others get no large impulses.
   double softening = sizeof(real) == 4 ? 1e-5 : 1e-8;
   int alternations = 10;  ///< solves outside A and in it per step, if rows are outside
-  int passes = 200;       ///< largest number of passes of the active set
+  int passes = 200;       ///< largest number of passes of the active set in one solve
   /// If the factorisation of an island takes more multiplications per row than this, without rows
   /// that have bounds, `fallback` solves it and all bodies in contact with it. A body with 44 balls
   /// or more is such a hub.
@@ -43,7 +43,8 @@ class DirectSolver : public Solver {
 
   /// Counts of the last step.
   struct Report : Positions::Report {
-    int passes = 0;              ///< factorisations for the active set, the most of any island
+    /// Factorisations for the active set in all solves of the step, the most of any island.
+    int passes = 0;
     int wrong = 0;               ///< bounded rows still on the wrong side at the end
     double multiplications = 0;  ///< of the factorisations of all islands, approximately
     int fill = 0;                ///< entries that elimination filled in

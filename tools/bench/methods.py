@@ -51,7 +51,7 @@ def print_table():
 
 
 def main(options):
-    print("every method on every kind of scene: about ten minutes; leave the machine alone "
+    print("every method on every kind of scene: about half an hour; leave the machine alone "
           "meanwhile", flush=True)
     house.must_build(["methods", "methods_float"])
     run_bench("methods", options, figures.METHODS)

@@ -29,9 +29,9 @@ Drawn limited_doll(Draw draw) {
   const BodyId ground = chapter8::add_ground(scene, 1000);
   const double size = draw.scale(0.1, 2);
   const quat q = draw.rotation();
-  const vec3 feet(0, real(size * draw.number(0.8, 2)), 0);
+  const vec3 middle(0, real(size * draw.number(0.8, 2)), 0);
   const auto at = [&](double x, double y) {
-    return feet + q * vec3(real(size * x), real(size * y), 0);
+    return middle + q * vec3(real(size * x), real(size * (y - 0.5)), 0);
   };
   const auto part = [&](const vec3& edges, double x, double y) {
     const double volume = std::pow(size, 3) * double(edges.x * edges.y * edges.z);

@@ -190,11 +190,9 @@ TEST_CASE("forty limits hit at once take more passes than a few, and are all rig
 }
 
 TEST_CASE("dolls of any size that land on their limits keep their joints, and take few passes") {
-  for (const bench::Family& family : bench::contact_families()) {
-    if (family.name != "limited dolls") continue;
-    for (const real added : {real(0), real(8)}) {
-      int exact = 0;
-      for (unsigned seed = 1; seed <= 24; ++seed) {
+  for (const bench::Family& family : bench::contact_families())
+    for (unsigned seed = 1; family.name == "limited dolls" && seed <= 24; ++seed)
+      for (const real added : {real(0), real(8)}) {
         CAPTURE(seed, added);
         bench::Drawn scene = family.draw(seed);
         feed_back_all(scene.world);
@@ -207,15 +205,10 @@ TEST_CASE("dolls of any size that land on their limits keep their joints, and ta
           wrong += solver.report().wrong;
           passes = std::max(passes, solver.report().passes);
         }
-        exact += gap < tolerance(1e-6, 1e-4);
-        CHECK(gap < (added > 0 ? 1e-4 : 5e-3));
+        CHECK(gap < tolerance(added > 0 ? 1e-6 : 1e-4, 1e-3));
         CHECK(wrong == 0);
         CHECK(passes < 60);
       }
-      CAPTURE(added, exact);
-      CHECK(exact >= 19);
-    }
-  }
 }
 
 TEST_CASE("in drawn arms every motor stays within its torque, and every limit pushes back") {

@@ -1,9 +1,12 @@
 // The worked users of docs/which_method.md: their settings, which that page quotes, on scenes that
 // a seed draws.
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "bench/draw.h"
+#include "bench/families.h"
 #include "bench/random_chains.h"
 #include "bench/tasks.h"
 #include "chapters/08_ground/program/program.h"
@@ -207,26 +210,49 @@ TEST_CASE("newton holds ragdolls, boxes, chains with limits, trees and motors si
     }
 }
 
-TEST_CASE("four substeps and soft contacts hold such scenes, and bodies hardly enter the ground") {
+// Plays a scene for three seconds. Returns the widest gap of a joint and the deepest corner [m].
+// \param from the first step in which corners count
+static std::array<double, 2> widest_and_deepest(BenchScene scene,
+                                                const std::function<void(World&)>& play,
+                                                int from = 0) {
+  std::array<double, 2> out{};
+  for (int n = 0; n < 180; ++n) {
+    play(scene.world);
+    out[0] = std::max(out[0], widest_gap(scene));
+    if (n >= from) out[1] = std::max(out[1], chapter8::penetration(scene.world));
+  }
+  return out;
+}
+
+TEST_CASE("four substeps and soft contacts hold scenes of everything, hardly in the ground") {
+  const double closed = sizeof(real) == 8 ? 1e-6 : 1e-3;
   for (unsigned seed = 1; seed <= 6; ++seed) {
     CAPTURE(seed);
-    double widest[] = {0, 0}, deepest[] = {0, 0};  // also in single steps with cold contacts
-    for (const bool single : {false, true}) {
-      BenchScene scene = mixed_islands(40, seed);
-      DirectSolver solver = with(8, 8);
-      if (single) feed_back_all(scene.world);
-      for (int n = 0; n < 180; ++n) {
-        if (single) step(scene.world, solver, sixtieth, second_order);
-        else play_everything(scene.world, 1);
-        widest[single] = std::max(widest[single], widest_gap(scene));
-        if (n < 60) continue;  // some limbs begin deep in the ground
-        deepest[single] = std::max(deepest[single], chapter8::penetration(scene.world));
-      }
-      CHECK(widest[single] < (sizeof(real) == 8 ? 1e-6 : 1e-3));
-    }
-    CHECK(deepest[0] < 0.01);
-    CHECK(deepest[1] > 0.02);
+    const auto [gap, deep] = widest_and_deepest(
+        mixed_islands(40, seed), [](World& world) { play_everything(world, 1); },
+        60);  // some limbs begin in the ground
+    CHECK(gap < closed);
+    CHECK(deep < 0.01);
   }
+}
+
+TEST_CASE("dolls that land enter the ground less in four substeps with soft contacts") {
+  double worst[] = {0, 0};
+  for (const Family& family : contact_families())
+    for (unsigned seed = 1; family.name == "limited dolls" && seed <= 24; ++seed) {
+      CAPTURE(seed);
+      DirectSolver solver = with(8, 8);
+      const auto soft = widest_and_deepest(family.draw(seed),
+                                           [](World& world) { play_everything(world, 1); });
+      const auto single = widest_and_deepest(family.draw(seed), [&](World& world) {
+        world.set_beta(1);
+        step(world, solver, sixtieth, second_order);
+      });
+      worst[0] = std::max(worst[0], soft[1]), worst[1] = std::max(worst[1], single[1]);
+    }
+  CAPTURE(worst[0], worst[1]);
+  CHECK(worst[0] < 0.01);
+  CHECK(worst[1] > 0.05);
 }
 
 TEST_CASE("an arm with six drives has its tool within a tenth of a millimetre") {

@@ -27,6 +27,7 @@ TOGETHER = {"S1": ("tip_error_m", "ten chains of 99 hinges: the tip after 1 s"),
 SHORT = {"velocity": "direct", "shake": "direct, positions", "inertia": "direct, added inertia",
          "si30": "30 iterations", "beta1": "beta 1", "4x8": "4 x 8", "omega": "over-relaxed",
          "16x2": "16 x 2", "split": "split impulse", "lanes": "lanes", "lanes10": "lanes",
+         "rows10": "10 iterations",
          "chapter7": "chapter 7's loop", "rk4": "Runge-Kutta", "plain": "direct, no leapfrog",
          "placed": "positions, no leapfrog"}
 LOST = ("nan", "exploded", "energy+")

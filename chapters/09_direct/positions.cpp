@@ -118,11 +118,9 @@ void Positions::find_corrected() {
       const RowTarget& target = list_[block].target;
       if (!target.holds_position) continue;
       const TwoLanes* const original = &pair.A.original[pair.row_of(pair.blocks[k])];
-      int rows = 0;
-      with_size(list_[block].rows - (target.rate != 0), [&](auto n) {
-        for (int i = 0; i < n; ++i) rows |= int(original[i][lane] != 0) << i;
-      });
-      own_.corrected[block] = rows;
+      const int rows = list_[block].rows - (target.rate != 0);
+      for (int i = 0; i < rows; ++i)
+        if (original[i][lane] != 0) own_.corrected[block] |= 1 << i;
     }
   });
 }

@@ -56,6 +56,7 @@ class Positions : public Corrector {
     Secants secants;
   };
 
+  /// Of the islands and the blocks of a step. \param append as for Solver::advance()
   Positions(Memory& memory, JointIslands& islands, const AddedInertia& inertia,
             const Blocks& blocks, Bodies& bodies, real h, const Solver::Append& append)
       : own_(memory), islands_(islands), inertia_(inertia), blocks_(blocks), list_(blocks.list),

@@ -64,8 +64,8 @@ struct Symmetric {
 
 /// Matrix times vector.
 template <class Number>
-__attribute__((always_inline)) inline Triple<Number> operator*(const Symmetric<Number>& m,
-                                                               const Triple<Number>& a) {
+[[gnu::always_inline]] inline Triple<Number> operator*(const Symmetric<Number>& m,
+                                                       const Triple<Number>& a) {
   return {m.xx * a.x + m.xy * a.y + m.xz * a.z, m.xy * a.x + m.yy * a.y + m.yz * a.z,
           m.xz * a.x + m.yz * a.y + m.zz * a.z};
 }

@@ -13,15 +13,13 @@ template void divide(const double*, int, double*);
 template void divide_rows(const double*, int, const double*, int, double*);
 template void subtract_product(const double*, int, const double*, int, int, double*);
 template void subtract_times(const double*, int, int, const double*, double*);
-template void subtract_transposed_times(const double*, int, int, const double*,
-                                        double*);
+template void subtract_transposed_times(const double*, int, int, const double*, double*);
 template void factor_block(TwoLanes*, int, const TwoLanes*, PivotInverse);
 template void divide(const TwoLanes*, int, TwoLanes*);
 template void divide_rows(const TwoLanes*, int, const TwoLanes*, int, TwoLanes*);
 template void subtract_product(const TwoLanes*, int, const TwoLanes*, int, int, TwoLanes*);
 template void subtract_times(const TwoLanes*, int, int, const TwoLanes*, TwoLanes*);
-template void subtract_transposed_times(const TwoLanes*, int, int, const TwoLanes*,
-                                        TwoLanes*);
+template void subtract_transposed_times(const TwoLanes*, int, int, const TwoLanes*, TwoLanes*);
 #endif
 
 namespace {

@@ -131,8 +131,8 @@ double Positions::move_by_secants(double most) {
 }
 
 // Newton's method with the factor of each new pose. Each impulse acts along the rows of that pose,
-// and rotates the bodies there. A correction that makes the errors larger is
-// halved. If the errors do not vanish, the best velocities are kept.
+// and rotates the bodies there. A correction that makes the errors larger is halved. If the errors
+// do not vanish, the best velocities are kept.
 bool Positions::project(double most) {
   IslandPair& pair = *islands_.pair_of(from_);
   const int lane = islands_.islands()[from_].lane;

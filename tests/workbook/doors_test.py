@@ -23,7 +23,7 @@ WRONG = """  const vec3 n = direction(body2.x - body1.x);
   return {n, vec3(0), n, vec3(0)};"""
 PLACES = {"a space, an umlaut and a quote": "Kurs Übung 1/Anna's",
           "what a shell reads": "$HOME & (b) `id` <*> | C#; \"1\"",
-          "brackets and a backslash": "[1] ${x} \\n {a,b}",
+          "brackets": "[1] ${x} {a,b}",
           "two hundred letters": "long " * 40}
 NOBODY = 65534
 HOUR, YEAR = 3600, 365 * 24 * 3600
@@ -43,6 +43,7 @@ class Copy:
         self.write(None)
         self.env = {name: words for name, words in os.environ.items() if name != "CI"} | {
             "WORKBOOK_PYTHON": sys.executable, "TERM": "dumb", "WORKBOOK_LIMIT": "1",
+            "XDG_CACHE_HOME": str(place.parent),
             "CMAKE_CXX_COMPILER_LAUNCHER": ";".join(map(str, (
                 sys.executable, "-SB", root / "tests/workbook/borrow.py", root, build)))}
 
@@ -102,6 +103,8 @@ def any_path_leads_to_a_green_exercise(root, build):
             yield from (f"{what}: {words}" for words in here.typed("test 1.1", 0, "done"))
             if here.program().stat().st_mtime_ns != before:
                 yield f"{what}: the second ./wb test 1.1 builds again what has not changed"
+    with copy(root, build, "a\\b") as here:
+        yield from here.typed("", 2, "CMake reads \\ as /: rename")
 
 
 def every_command_works_in_an_odd_place(root, build):

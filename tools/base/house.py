@@ -164,7 +164,8 @@ def configure(again=False):
     """Runs CMake when the build folder is new or was made for another place, or again."""
     cache = BUILD / "CMakeCache.txt"
     if cache.exists() and (BUILD / "build.ninja").exists():
-        if f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text():
+        home = re.search(r"^CMAKE_HOME_DIRECTORY:INTERNAL='?(.*?)'?$", cache.read_text(), re.M)
+        if home and os.path.exists(home[1]) and os.path.samefile(home[1], ROOT):
             if not again:
                 return
         else:

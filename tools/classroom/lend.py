@@ -3,6 +3,7 @@ compile it, and linked with the files there."""
 import re
 import shlex
 import subprocess
+from pathlib import Path
 
 
 def commands(lender, target, name):
@@ -11,8 +12,14 @@ def commands(lender, target, name):
     own = re.compile(rf"/({name}|where)\.cpp'?$| qc \S+_(mine|mixed)\.a | -o \S+_mine ")
     said = subprocess.run(["ninja", "-C", lender, "-t", "commands", target],
                           capture_output=True, text=True, check=True).stdout
-    every = [[shlex.join(shlex.split(part)) for part in command.split(" && ") if part != ":"]
-             for command in said.splitlines()]  # quoted in one way
+    compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$",
+                         (Path(lender) / "CMakeCache.txt").read_text(), re.M)[1]
+
+    def plain(part):  # without what another launches the compiler by, and quoted in one way
+        words = shlex.split(part)
+        return shlex.join(words[words.index(compiler) if compiler in words else 0:])
+    every = [[plain(part) for part in command.split(" && ") if part != ":"]
+             for command in said.splitlines()]
     return " && ".join(command for command in map(" && ".join, every) if own.search(command))
 
 

@@ -16,7 +16,7 @@ PROOFS = ("workbook/programs", "workbook/exercises", "workbook/texts", "workbook
           "workbook/numbers", "workbook/contacts", "workbook/direct_solver",
           "workbook/front_door")
 PROOFS_OF_THE_REST = ("workbook/pictures", "workbook/lanes", "workbook/grade",
-                      "workbook/attempts", "workbook/hand_out", "live/module", "live/page",
+                      "workbook/attempts", "workbook/hand_out", "workbook/doors", "live/module", "live/page",
                       "live/picture", "course/reports", "course/page", "course/firefox",
                       "bench/cost", "peers/packages", "library/library", "library/pkg_config",
                       "library/package")

@@ -30,13 +30,14 @@ class Run:
     printed: str = ""  # what the tested code itself has printed
 
 
-def run(program, ids, limit=LIMIT, answer=None):
-    """Runs the tests of these exercises. `answer` is the known answer to run
-    (tools/check/answers.py)."""
+def run(program, ids, limit=LIMIT, answer=None, to_end=True):
+    """Runs the tests of these exercises, or not `to_end`: until one fails. `answer` is the known
+    answer to run (tools/check/answers.py)."""
     env = dict(os.environ, WORKBOOK_ANSWER=answer) if answer else None
     with tempfile.NamedTemporaryFile(prefix="joints_", suffix=".xml") as report:
         status, printed = process(
-            [program, ",".join(f"[{id_}]" for id_ in ids), "-r", "xml", "-o", report.name],
+            [program, ",".join(f"[{id_}]" for id_ in ids), "-r", "xml", "-o", report.name,
+             *["-a"] * (not to_end)],
             limit, report.name, env)
         cases, open_case, whole = read(report.read())
     own, library = apart(printed)

@@ -10,6 +10,7 @@ from keep import values
 from website import gallery
 
 MOST_BYTES = 60_000  # of a result: it is read on a code host, over a network
+MOST_MOVING = 160_000  # of the picture that moves
 MOST_LINES = 400  # of a drawing: one for each of its groups, where matplotlib writes thousands
 WORDS = ("text", "style", "script", "title", "desc")  # in which blank text counts
 SAMPLE = """<?xml version="1.0"?>
@@ -42,7 +43,9 @@ def pictures_are_what_their_scripts_draw(root, build):
 
 
 def results_are_shown_and_small(root, build):
-    """the text of every chapter shows its result, and that is small"""
+    """the text of every chapter shows its result, the README moves, and both are small"""
+    if not 0 < len(read(root / "plots/moving.svg")) <= MOST_MOVING:
+        yield f"plots/moving.svg must be there, with at most {MOST_MOVING} bytes"
     for chapter in house.chapters():
         kept = chapter.text.parent / "result.svg"
         if "](result.svg)" not in read(chapter.text):

@@ -16,7 +16,7 @@ PIECES = re.compile(
     r"|(?P<code>(?P<ticks>`+)(?!`).+?(?<!`)(?P=ticks)(?!`))"
     r"|\$\$(?P<display>.+?)\$\$"
     r"|(?<![\\$\w])\$(?P<inline>[^\s$](?:(?:(?!\n\n)[^$])*?[^\s$])?)\$(?![\d$])"
-    r"|(?P<comment>[ ]*<!--.*?-->)"
+    r"|(?P<comment>\n?[ >]*<!--.*?-->)"
     r"|^(?P<heading>##+ +(?P<title>[^\n]+?)) *$"
     r"|^(?P<top># [^\n]+)$"
     r"|^[ ]*(?P<fold></?details[^>]*>(?:\s*<summary>.*?</summary>)?)[ ]*$"
@@ -73,7 +73,7 @@ def translate(text, path):
     def replace(piece):
         if piece["language"] is not None and piece["language"].strip() == "math":
             return f"{piece['indent']}\\f[\n{piece['body']}{piece['indent']}\\f]"
-        if piece["comment"]:  # a tie of a number; Doxygen would look for emphasis in it
+        if piece["comment"]:  # with its lines: an empty one would part the items of a list
             return ""
         if piece["display"]:
             return f"\\f[{piece['display']}\\f]"

@@ -13,7 +13,7 @@ import layers
 from drawing import BODY1, BODY2, CARD, FAINT, INK, arrow, draw, words
 from matplotlib.patches import FancyBboxPatch
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).absolute().parent.parent
 
 # For each group of folders: the place of its box, and the words below its name.
 GROUPS = {"tests": (700, 340, "the proofs"),

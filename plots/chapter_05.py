@@ -10,7 +10,7 @@ import numpy as np
 import style
 from style import COLOURS, INK, PALE, label_ends, rows
 
-PEERS = pathlib.Path(__file__).resolve().parent.parent / "bench" / "peers.csv"
+PEERS = pathlib.Path(__file__).absolute().parent.parent / "bench" / "peers.csv"
 
 
 def draw_beam(solution, mine, out):

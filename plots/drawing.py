@@ -11,7 +11,7 @@ from matplotlib.transforms import Affine2D  # noqa: E402
 
 import files  # noqa: E402
 
-sys.path.append(str(Path(__file__).resolve().parents[1] / "tools"))
+sys.path.append(str(Path(__file__).absolute().parents[1] / "tools"))
 from base.palette import named  # noqa: E402
 
 CARD, EDGE = named("card"), named("card-edge")

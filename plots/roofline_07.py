@@ -8,7 +8,7 @@ import numpy as np
 import style
 from style import COLOURS, INK, PALE
 
-MEASURED = pathlib.Path(__file__).resolve().parents[1] / "bench" / "measured"
+MEASURED = pathlib.Path(__file__).absolute().parents[1] / "bench" / "measured"
 OPERATIONS, BYTES = 171, 44 * 4  # of a solve: Eq. 7-6, and the numbers of a hinge in float
 USED = 10 / 16  # of the lanes, one chain per lane: Eq. 7-7
 ONE_LANE = (("whole-joint", "one hinge at a time", COLOURS[3]),

@@ -12,7 +12,7 @@ from pathlib import Path
 import matplotlib
 import style  # noqa: F401  its settings are those of every script
 
-HERE = Path(__file__).resolve().parent
+HERE = Path(__file__).absolute().parent
 
 
 def main():

@@ -17,7 +17,7 @@ except ImportError as problem:
     print(f"{problem}: install python3-matplotlib", file=sys.stderr)
     sys.exit(2)
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "tools"))
+sys.path.append(str(pathlib.Path(__file__).absolute().parents[1] / "tools"))
 from base.palette import named  # noqa: E402
 
 # Yellow is left out: too pale for lines.

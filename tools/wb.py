@@ -1,6 +1,7 @@
 """wb: the one command of the workbook. `./wb help` lists what it can do."""
 import argparse
 import difflib
+import errno
 import importlib
 import os
 import re
@@ -9,7 +10,7 @@ import textwrap
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path.insert(0, str(Path(__file__).absolute().parent))
 from base import house  # noqa: E402
 
 MARGIN, WIDTH = 23, 79  # of the overview, in columns
@@ -311,6 +312,8 @@ def hand_out(args):
 
 FIRST = {"status", "test", "run", "bench", "grade"}  # of their groups in the overview
 
+NOT_HERE = {errno.EROFS, errno.EACCES, errno.EPERM, errno.ENOSPC, errno.EDQUOT}
+
 if __name__ == "__main__":
     os.chdir(house.ROOT)
     try:
@@ -325,3 +328,11 @@ if __name__ == "__main__":
         sys.exit(130)
     except BrokenPipeError:
         os._exit(1)
+    except OSError as error:
+        if error.errno not in NOT_HERE:
+            raise
+        house.progress_done()
+        print(f"wb: {house.short(error.filename or 'a file')} cannot be written "
+              f"({error.strerror}):\nwork in a copy of the workbook that is yours, on a disk with "
+              "space", file=sys.stderr)
+        sys.exit(2)

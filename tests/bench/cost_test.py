@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+sys.path.insert(0, str(Path(__file__).absolute().parents[2] / "tools"))
 from base import house  # noqa: E402
 from bench import cost, instructions  # noqa: E402
 

@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-HERE = Path(__file__).resolve().parent
+HERE = Path(__file__).absolute().parent
 sys.path += [str(HERE.parent / folder) for folder in ("workbook", "live")]
 from page_test import (PAGE, PATIENCE, RIGHT, WRONG, lacks, nothing_is_lost,  # noqa: E402
                        one_file_is_enough, served, take_in, what_goes_wrong_is_told)

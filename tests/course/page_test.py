@@ -14,7 +14,7 @@ from difflib import unified_diff
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-HERE = Path(__file__).resolve().parent
+HERE = Path(__file__).absolute().parent
 sys.path[:0] = [str(HERE.parent / folder) for folder in ("workbook", "live")]
 from proofs import exercises, house, main, notes, read  # noqa: E402
 

@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "workbook"))
+sys.path.insert(0, str(Path(__file__).absolute().parents[1] / "workbook"))
 from proofs import DRAWING, house, main, notes, other_cases  # noqa: E402
 
 from check import judging  # noqa: E402

@@ -18,7 +18,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+sys.path.insert(0, str(Path(__file__).absolute().parents[2] / "tools"))
 from keep import exported  # noqa: E402
 
 # Of each program: the symbols that it must contain, and those that it must not.

@@ -28,7 +28,7 @@ class Door:
         self.source, self.source_build = root, build
 
     def __enter__(self):
-        self.folder = tempfile.TemporaryDirectory(prefix="door_")
+        self.folder = tempfile.TemporaryDirectory(prefix="door_", dir=self.source_build)
         self.root = Path(self.folder.name) / "workbook"
         self.file = self.root / "chapters" / CHAPTER / "distance.cpp"
         self.solution = exercises.read(self.source / "solutions" / CHAPTER / "distance.cpp")

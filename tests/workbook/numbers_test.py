@@ -3,7 +3,7 @@ import re
 import sys
 from collections import Counter
 
-from proofs import beyond, house, main, notes, read, would_change
+from proofs import beyond, folded, house, main, notes, prose, read, would_change
 
 from check import habits
 from keep import tabled, tied, values
@@ -11,6 +11,9 @@ from keep.keeping import texts
 
 WORDS = 1700  # an aim for a sitting: about a quarter of an hour of reading, without the exercises
 SECOND_SITTING = "<!-- second sitting -->"  # stands in a text that is too long for one
+# Words before a comment, behind one, or on the line after one that ties numbers.
+IN_A_SENTENCE = re.compile(r".*[^ >\n].*<!--.*|-->.*\S.*|"
+                           r"<!-- tied:(?:[^-]|-(?!->))*-->\n[ >]*[\w$([].*")
 
 
 def numbers_are_what_the_runs_say(root, build):
@@ -22,7 +25,7 @@ def numbers_are_what_the_runs_say(root, build):
 
 
 def changed_digits_are_found(root, build):
-    """a digit changed in a text is found: a decimal, a whole number, a number of a table"""
+    """a digit changed in a text is put right, or told where several numbers could be meant"""
     tables = values.Tables(root, build)
     planted = Counter()
     for path, chapter in texts(root):
@@ -38,12 +41,21 @@ def changed_digits_are_found(root, build):
             other = text[:place] + str((int(text[place]) + 2) % 10) + text[place + 1:]
             planted[kind] += 1
             line = text.count("\n", 0, place) + 1
-            again, changes, _ = renewed(other, chapter, tables)
-            right = renewed(text, chapter, tables)[0]
-            if line not in [at for at, _ in changes] or again != right:
+            again, changes, faults = renewed(other, chapter, tables)
+            right, _, before = renewed(text, chapter, tables)
+            mended = line in [at for at, _ in changes] and again == right
+            if not mended and faults == before:
                 yield f"{path.relative_to(root)}:{line}: a number of a {kind} may be anything"
     if min(planted["sentence"], planted["table"]) < 10:
         yield f"only so many mistakes could be planted: {dict(planted)}"
+
+
+def sentences_are_without_comments(root, build):
+    """no comment stands in a sentence: it has lines of its own, for numbers behind a paragraph"""
+    for path, _ in texts(root):
+        for match in IN_A_SENTENCE.finditer(prose(read(path))):
+            yield (f"{path.relative_to(root)}: put the comment behind the paragraph: "
+                   f"{folded(match[0])[:80]}")
 
 
 def live_links_say_what_is_seen(root, build):
@@ -51,10 +63,12 @@ def live_links_say_what_is_seen(root, build):
     count = 0
     for path, _ in texts(root):
         text = read(path)
+        ties = [tie for _, tie in tied.ties_of(text) if isinstance(tie, tied.Tie)]
         links = list(tied.LIVE_LINK.finditer(text))
         count += len(links)
         for link, end in zip(links, [*(after.start() for after in links[1:]), len(text)]):
-            states = {state for state, _ in tied.LIVE.findall(text, link.end(), end)}
+            states = {state for tie in ties if link.end() < tie.place < end
+                      for state, _ in tied.LIVE.findall(tie.expression)}
             if link[1] not in states:
                 yield (f"{path.relative_to(root)}:{text.count(chr(10), 0, link.start()) + 1}: "
                        f"no number says what is seen at {link[1]}")
@@ -64,7 +78,7 @@ def live_links_say_what_is_seen(root, build):
 def main_path(text):
     """What a reader reads at first: no folds, code, formulas on their own, tables, captions, nor
     the list of exercises."""
-    text = re.sub(r"<!--.*?-->|^## Exercises$.*?(?=^## )", "", text, flags=re.S | re.M)
+    text = re.sub(r"[ >]*<!--.*?-->|^## Exercises$.*?(?=^## )", "", text, flags=re.S | re.M)
     while re.search(r"<details>", text):
         text = re.sub(r"<details>(?:(?!<details>).)*?</details>", "", text, flags=re.S)
     text = re.sub(r"^```.*?^```$", "", text, flags=re.M | re.S)
@@ -89,7 +103,7 @@ def main_paths_fit_one_sitting(root, build):
 
 
 PROOFS = [numbers_are_what_the_runs_say, changed_digits_are_found,
-          live_links_say_what_is_seen, main_paths_fit_one_sitting]
+          sentences_are_without_comments, live_links_say_what_is_seen, main_paths_fit_one_sitting]
 
 if __name__ == "__main__":
     sys.exit(main(__doc__, PROOFS, sys.argv[1:]))

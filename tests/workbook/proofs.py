@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(Path(__file__).resolve().parents[2] / folder) for folder in ("tools", "plots")]
+sys.path[:0] = [str(Path(__file__).absolute().parents[2] / folder) for folder in ("tools", "plots")]
 from base import exercises, house  # noqa: E402
 from base.house import files  # noqa: E402, F401
 from keep import keeping, values  # noqa: E402

@@ -2,7 +2,7 @@
 import re
 from pathlib import Path
 
-FILE = Path(__file__).resolve().parents[2] / "docs" / "palette.css"
+FILE = Path(__file__).absolute().parents[2] / "docs" / "palette.css"
 
 
 def read():

@@ -8,7 +8,7 @@ import threading
 import time
 
 WIDTH = 80  # what is printed does not wrap in a terminal of as many columns
-TERMINAL = sys.stdout.isatty()
+TERMINAL = sys.stdout.isatty() and os.environ.get("TERM", "dumb") != "dumb"
 
 
 class Trouble(Exception):

@@ -29,7 +29,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
 from base import exercises  # noqa: E402
 
 HEADING = re.compile(r'// (wrong units|wrong|right) ("[^"]+"|[^":]+):(?: +(\S.*))?$')

@@ -15,13 +15,14 @@ MOST = 5
 
 
 def compiled(since):
-    """{object: processor time [s]} of all that was compiled since then, see clock.sh."""
+    """{object: time by the clock [s]} of all that was compiled since then, see Ninja's log. With a
+    process for each processor that is what it took of one."""
     found = {}
-    for path in house.BUILD.rglob("*.times"):
-        if path.stat().st_mtime >= since:
-            found[path.relative_to(house.BUILD)] = sum(
-                60 * float(minutes) + float(seconds) for minutes, seconds
-                in re.findall(r"(\d+)m([\d.]+)s", path.read_text()))
+    for line in (house.BUILD / ".ninja_log").read_text().split("\n"):
+        began, ended, _, path, *_ = [*line.split("\t"), "", "", "", ""]
+        place = house.BUILD / path
+        if path.endswith(".o") and place.exists() and place.stat().st_mtime >= since:
+            found[Path(path)] = (int(ended) - int(began)) / 1000
     return found
 
 
@@ -46,7 +47,7 @@ def tell(since, built, run, scripts):
     for path, cost in objects.items():
         kinds[kind_of(path)] += cost
     if objects:
-        kinds["links and the rest"] = built - sum(objects.values())
+        kinds["links and the rest"] = max(0, built - sum(objects.values()))
         print(f"  to build [s]: {listed(kinds)}")
         print(f"  the dearest files [s]: "
               f"{listed({named(path): cost for path, cost in objects.items()}, MOST)}")

@@ -3,7 +3,7 @@ import re
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
 from base import house  # noqa: E402
 
 SUFFIXES = (".md", ".cpp", ".h", ".py")

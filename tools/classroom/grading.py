@@ -2,6 +2,7 @@
 import json
 import os
 import re
+import shlex
 import signal
 import subprocess
 import sys
@@ -36,8 +37,9 @@ LIMIT = 180     # for one exercise file, compiler and tests [s]
 def grade_text(text, chapter, line):
     """(grades, notes) of one exercise file. `line`: the commands that make the tests of the
     reader's."""
-    with tempfile.TemporaryDirectory(prefix="grade_", ignore_cleanup_errors=True) as folder:
-        folder = Path(folder).resolve()
+    with tempfile.TemporaryDirectory(prefix="grade_", dir=house.BUILD,  # programs may run there
+                                     ignore_cleanup_errors=True) as folder:
+        folder = Path(folder)
         exercises.write(folder / "chapters" / chapter.folder / chapter.mine.name, text)
         file = folder / "compiled" / chapter.mine.name
         exercises.write(file, "")
@@ -68,11 +70,13 @@ def fence_of_compiler(folder, line):
     """What may be read by the commands that compile and link a file that lies in the folder: it,
     headers, and the linked files; no source that is somebody else's."""
     headers = [house.ROOT / "engine", *(house.ROOT / "chapters").glob("*/*.h")]
-    objects = [house.BUILD / path for path in re.findall(
-        r"(?<=\s)\S+(?:\.[oa]|/where\.cpp|\.hxx)(?=\s|$)", line) if path not in lend.made(line)]
+    words = shlex.split(line)
+    objects = [house.BUILD / path for path in words if re.search(r"\.[oa]$|/where\.cpp$|\.hxx$", path)
+               and path not in lend.made(line)]
     objects += [house.BUILD / path for path in lend.needs(line) if path.endswith(".gch")]
-    elsewhere = [path for path in re.findall(r"(?<= )-(?:I|isystem) ?(/\S+)", line)
-                 if not house.ROOT.is_relative_to(path)]
+    elsewhere = [path.removeprefix("-I") for before, path in zip(words, words[1:])
+                 if (before == "-isystem" or path.startswith("-I/"))
+                 and not house.ROOT.is_relative_to(path.removeprefix("-I"))]
     return fence.Fence(str(folder / "build"), [
         str(folder / "chapters"), str(folder / "compiled"), *map(
             str, (*headers, *objects, *elsewhere))], [str(folder / "build")], quiet=False)

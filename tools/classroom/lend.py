@@ -1,18 +1,26 @@
 """A build folder in which a reader's file, and nothing else, is compiled: as another build would
 compile it, and linked with the files there."""
 import re
+import shlex
 import subprocess
+from pathlib import Path
 
 
 def commands(lender, target, name):
     """The commands that make a target from the exercise file of this name alone: compile it, put it
     into a library, link."""
-    own = re.compile(rf"/{name}\.cpp$|/where\.cpp$| qc \S+_(mine|mixed)\.a | -o \S+_mine ")
+    own = re.compile(rf"/({name}|where)\.cpp'?$| qc \S+_(mine|mixed)\.a | -o \S+_mine ")
     said = subprocess.run(["ninja", "-C", lender, "-t", "commands", target],
                           capture_output=True, text=True, check=True).stdout
-    clock = r"^sh \S+/clock\.sh \S+ "  # it would write into the lender's folder
-    return " && ".join(re.sub(clock, "", command.removeprefix(": && ").removesuffix(" && :"))
-                       for command in said.splitlines() if own.search(command))
+    compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$",
+                         (Path(lender) / "CMakeCache.txt").read_text(), re.M)[1]
+
+    def plain(part):  # without what another launches the compiler by, and quoted in one way
+        words = shlex.split(part)
+        return shlex.join(words[words.index(compiler) if compiler in words else 0:])
+    every = [[plain(part) for part in command.split(" && ") if part != ":"]
+             for command in said.splitlines()]
+    return " && ".join(command for command in map(" && ".join, every) if own.search(command))
 
 
 def made(line):
@@ -24,7 +32,7 @@ def needs(line):
     """The objects, libraries and precompiled headers that the lender must have built."""
     return [path for path in re.findall(r"(?<=\s)(?!/)[\w./]+\.[oa](?=\s|$)", line)
             if path not in made(line)] + [
-        f"{path}.gch" for path in re.findall(r"-include \S*?/(CMakeFiles/\S+)", line)]
+        f"{path}.gch" for path in re.findall(r"-include '?/[^']*?/(CMakeFiles/[^\s']+)", line)]
 
 
 def lend(lender, build, root, makes):
@@ -35,7 +43,8 @@ def lend(lender, build, root, makes):
     lines = ["rule make", "  command = $line", "  description = $out"]
     for target, product, file, line in makes:
         line = moved(line, lender, build)
-        lines += [f"build {product}: make {file}", f"  line = {line.replace('$', '$$')}"]
+        source = re.sub(r"([ :$])", r"$\1", str(file))
+        lines += [f"build {product}: make {source}", f"  line = {line.replace('$', '$$')}"]
         lines += [f"build {target}: phony {product}"] if product != target else []
     (build / "build.ninja").write_text("\n".join(lines) + "\n")
     for folder in re.findall(r"--dependency-file=(\S+)/", "\n".join(lines)):
@@ -50,5 +59,6 @@ def moved(line, lender, build):
 
     def where(word):
         there = lender / word[0].replace("_run_mine.dir", "_run.dir")
-        return str(there) if word[0] not in own and there.is_file() else word[0]
+        known = word[0] not in own and there.is_file()
+        return shlex.quote(str(there)) if known else word[0]
     return re.sub(r"(?<=\s)[\w./]+(?=\s|$)", where, line)

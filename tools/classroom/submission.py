@@ -17,7 +17,7 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
 from base import exercises  # noqa: E402
 from classroom import fence, symbols  # noqa: E402
 from judge import grade as grading  # noqa: E402
@@ -54,7 +54,7 @@ class Within:
             [report])).around(command)
 
     def end(self):
-        return fence.end_children()
+        fence.end_children()
 
 
 class Judge:

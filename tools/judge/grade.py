@@ -151,6 +151,24 @@ def build(chapter):
     return words
 
 
+def refused_in(chapter, words):
+    """The exercises in which the compiler's errors lie, [(exercise, line)], or else its warnings."""
+    line = rf"{re.escape(chapter.mine.name)}:(\d+):"
+    errors = re.findall(rf"{line}.*\berror:", words)  # a template's error begins with its user
+    return [(region.id, number) for number in map(int, errors or re.findall(line, words))
+            for region in exercises.scan(chapter.mine_text())[0]
+            if region.begin <= number <= region.end + 2]  # the closing brace, too
+
+
+def beside_refused(chapter, broken):
+    """Of a file that the compiler refuses: only those exercises are broken that it names, the
+    others are as they were when they were tested last, or wait."""
+    guilty = [id_ for id_, _ in refused_in(chapter, broken[0].detail)]
+    before = recall(chapter, as_texts_are=True) if guilty else {}
+    return [one if not guilty or one.id in guilty else
+            before.get(one.id) or Grade(one.id, WAITS, guilty[0]) for one in broken]
+
+
 def grade(chapter, ids=None, limit=runs.LIMIT, fresh=False):
     """Grades exercises of the reader's file, in order. With `fresh` they run again even where it is
     known what they say; `limit` is how long they may take together [s]."""
@@ -221,12 +239,23 @@ def shelf(chapter):
     return house.BUILD / "verdicts" / f"{chapter.folder}.json"
 
 
-def recall(chapter):
-    """The grades that are known of this file and this program."""
+def texts(chapter):
+    """{exercise: a digest of its lines in the reader's file}."""
+    lines = {}
+    for region in exercises.scan(chapter.mine_text())[0]:
+        lines.setdefault(region.id, []).extend(region.lines)
+    return {id_: hashlib.sha256("\n".join(lines[id_]).encode(errors="replace")).hexdigest()
+            for id_ in lines}
+
+
+def recall(chapter, as_texts_are=False):
+    """The grades that are known of this file and this program; or of exercises whose text is still
+    the same."""
     try:
-        kept = json.loads(shelf(chapter).read_text())
-        if kept["stamp"] == stamp(chapter):
-            return {id_: Grade(**one) for id_, one in kept["grades"].items()}
+        kept, now = json.loads(shelf(chapter).read_text()), texts(chapter)
+        if as_texts_are or kept["stamp"] == stamp(chapter):
+            return {id_: Grade(**one) for id_, one in kept["grades"].items()
+                    if not as_texts_are or kept["texts"].get(id_) == now.get(id_)}
     except (OSError, ValueError, KeyError, TypeError):
         pass
     return {}
@@ -235,4 +264,4 @@ def recall(chapter):
 def keep(chapter, grades):
     known = recall(chapter) | grades
     exercises.write(shelf(chapter), json.dumps(
-        {"stamp": stamp(chapter), "grades": {id_: asdict(one) for id_, one in known.items()}}))
+        {"stamp": stamp(chapter), "texts": texts(chapter), "grades": {id_: asdict(one) for id_, one in known.items()}}))

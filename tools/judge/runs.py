@@ -2,7 +2,6 @@
 import os
 import signal
 import subprocess
-import sys
 import tempfile
 import threading
 import tty
@@ -14,9 +13,8 @@ from judge import crashes
 
 # Processor time for the tests of an exercise [s]: they take milliseconds. The proofs wait less.
 LIMIT = int(os.environ.get("WORKBOOK_LIMIT", "4"))
-WAIT = 8  # for work that may wait [s]: a busy machine lets others wait, too
-STACK, MEMORY = 256, 1024  # [MB]
-# The limits are the process's own. A process that runs out of its stack has touched all of it.
+WAIT = 15  # for work that may wait [s]: a busy machine lets others wait, too
+STACK, MEMORY = 16, 1024  # [MB]; a function that calls itself for ever fills the stack at once
 LIMITED = "".join(f"ulimit -S {limit} 2>/dev/null; " for limit in (
     f"-s {STACK * 1024}", f"-v {MEMORY * 1024}", "-t $0")) + 'exec "$@"'
 MOST = 1 << 16  # of its output are kept [bytes]
@@ -37,7 +35,7 @@ def run(program, ids, limit=LIMIT, answer=None):
     (tools/check/answers.py)."""
     env = dict(os.environ, WORKBOOK_ANSWER=answer) if answer else None
     with tempfile.NamedTemporaryFile(prefix="joints_", suffix=".xml") as report:
-        status, printed, deep = process(
+        status, printed = process(
             [program, ",".join(f"[{id_}]" for id_ in ids), "-r", "xml", "-o", report.name],
             limit, report.name, env)
         cases, open_case, whole = read(report.read())
@@ -47,8 +45,7 @@ def run(program, ids, limit=LIMIT, answer=None):
     if crash is not None:
         cases.remove(crash)
         signal_ = crash.find(".//FatalErrorCondition").text or ""
-        words = "the stack is full" if deep and "SEGV" in signal_ else f"{library}\n{signal_}"
-        result.fault = crashes.plainly(words)
+        result.fault = crashes.plainly(f"{library}\n{signal_}")
     elif not whole:
         crash, result.fault = open_case, ending(status, limit)
     if crash is not None:
@@ -58,8 +55,8 @@ def run(program, ids, limit=LIMIT, answer=None):
 
 
 def process(command, limit, report, env=None):
-    """(exit status, what was printed, whether the stack was used up) of a process with limits. It
-    prints to a terminal of its own: into a pipe the last lines before a crash would be lost."""
+    """(exit status, what was printed) of a process with limits. It prints to a terminal of its own:
+    into a pipe the last lines before a crash would be lost."""
     try:
         ours, its = os.openpty()
         tty.setraw(its)
@@ -73,17 +70,15 @@ def process(command, limit, report, env=None):
     listener.start()
     alarm = threading.Timer(max(WAIT, 2 * limit), child.kill)  # waiting uses no processor time
     alarm.start()
-    _, status, used = os.wait4(child.pid, 0)
-    child.returncode = os.waitstatus_to_exitcode(status)
+    status = child.wait()
     alarm.cancel()
     listener.join(1)  # what it has left running in the background may print for ever
     os.close(ours)
-    most = max(used.ru_maxrss, house.fence.end() if house.fence else 0)
-    size = most / (1 << 20 if sys.platform == "darwin" else 1 << 10)
-    status = child.returncode
+    if house.fence:
+        house.fence.end()
     if status > 128:  # how what stands around it says by which signal it was ended
         status = 128 - status
-    return status, b"".join(kept).decode(errors="replace"), size > 0.8 * STACK
+    return status, b"".join(kept).decode(errors="replace")
 
 
 def listen(terminal, kept):
@@ -148,6 +143,6 @@ def said_in(program, name, limit=1):
     of this kind Catch2 leaves std::cout alone."""
     quoted = '"' + "".join("\\" + c if c in '\\",[]' else c for c in name) + '"'
     with tempfile.NamedTemporaryFile(prefix="joints_") as report:
-        _, printed, _ = process([program, quoted, "-r", "compact", "-o", report.name], limit,
+        _, printed = process([program, quoted, "-r", "compact", "-o", report.name], limit,
                                 report.name)
     return apart(printed)[0]

@@ -42,7 +42,10 @@ def grades_of(looks):
     for look in looks:
         known = {}
         if look.chapter in begun:
-            known = {one.id: one for one in grading.grade(look.chapter, look.written())}
+            known = grading.grade(look.chapter, look.written())
+            if known[0].status == grading.BROKEN:
+                known = grading.beside_refused(look.chapter, known)
+            known = {one.id: one for one in known}
         found[look.chapter.number] = [
             known.get(id_) or grading.Grade(id_, grading.BROKEN if look.faults else grading.OPEN)
             for id_ in look.chapter.ids()]

@@ -123,17 +123,11 @@ def tell_broken(chapter, words):
         print(f"  Next: ./wb reset {chapter.number} --keep")
         return False
     meaning = crashes.refused(words)
-    line = rf"{re.escape(chapter.mine.name)}:(\d+):"
-    errors = re.findall(rf"{line}.*\berror:", words)[:1]  # a template's error begins with its user
-    for number in map(int, errors or re.findall(line, words)):
-        inside = [region for region in exercises.scan(chapter.mine_text())[0]
-                  if region.begin <= number <= region.end + 2]  # the closing brace, too
-        if inside:
-            print(f"  The first error lies in exercise {inside[0].id}, line {number}.")
-            if meaning:
-                print(folded(f"Likely mistake: {meaning}", 2))
-            print(f"  Next: ./wb hint {inside[0].id}\n")
-            break
+    for id_, number in grading.refused_in(chapter, words)[:1]:
+        print(f"  The first error lies in exercise {id_}, line {number}.")
+        if meaning:
+            print(folded(f"Likely mistake: {meaning}", 2))
+        print(f"  Next: ./wb hint {id_}\n")
     print(indented(words))
     return False
 

@@ -15,10 +15,10 @@ import sys
 from math import isfinite
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
 from pictures import pages  # noqa: E402
 
-TEMPLATE = Path(__file__).resolve().parents[2] / "docs" / "motion.html"
+TEMPLATE = Path(__file__).absolute().parents[2] / "docs" / "motion.html"
 
 
 class MotionError(Exception):

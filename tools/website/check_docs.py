@@ -22,7 +22,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import quote_plus, unquote
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
 from website import accessible, browser  # noqa: E402
 
 QUIET = {"script", "style", "pre", "code", "title"}  # a backslash in there is meant to be read

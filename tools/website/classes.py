@@ -6,7 +6,7 @@ from pathlib import Path
 
 from website import formulas
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).absolute().parents[2]
 NUMBERS = re.compile(r"\bEqs?\. (\d+-\d+)")
 OPENS = re.compile(r"^(?:template <[^>]*>\s*)?(?:struct|class) (\w+)[^;]*$"
                    r"|^[^\s/#}][^;=]*?\b(\w+)::~?\w+\(")

@@ -12,14 +12,14 @@ import subprocess
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
 from base import house  # noqa: E402
 from learn import show  # noqa: E402
 from pictures import figures, motion  # noqa: E402
 from website import (classes, experiments, formulas, front, gallery, links, live,  # noqa: E402
                      shell, texts, words)
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).absolute().parents[2]
 THEME = Path("/usr/share/doxygen-awesome-css/doxygen-awesome.css")
 # The versions whose HTML finish() reads: where they come from, and the name of the page of topics.
 PROVED = {"1.9.4": ("Debian 12", "modules"), "1.9.8": ("Debian 13 and Ubuntu 24.04", "topics")}

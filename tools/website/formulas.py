@@ -7,7 +7,7 @@ import subprocess
 from html import escape, unescape
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).absolute().parents[2]
 MATHJAX = Path("/usr/share/javascript/mathjax")
 PIECES = re.compile(
     r"(?P<code><code\b.*?</code>|<pre\b.*?</pre>|<script\b.*?</script>|<title>.*?</title>"

@@ -14,10 +14,10 @@ from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).absolute().parents[1]))
 from pictures import motion, poster  # noqa: E402
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).absolute().parents[2]
 PAGE = "docs/gallery.md"
 FOLDER = re.compile(r"\]\(\.\./chapters/(\w+)/README\.md\)")
 TABLE = re.compile(r"^\|[^\n]*\|\n\|[-| ]+\|\n(?P<rows>(?:\|[^\n]*\|\n)*)", re.M)

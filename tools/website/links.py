@@ -7,7 +7,7 @@ from pathlib import Path
 
 from website import gallery
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).absolute().parents[2]
 TOKEN = re.compile(r"(<[^>]+>)")
 CLOSED = ("a", "pre", "svg", "script", "style", "title", "h1", "h2", "h3", "nav", "head",
           "summary")

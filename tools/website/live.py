@@ -2,6 +2,7 @@
 import base64
 import glob
 import os
+import shlex
 import shutil
 import subprocess
 from pathlib import Path
@@ -105,7 +106,8 @@ def write_ninja(folder, swaps):
 def write_compiling(folder, flags, objects, lines=()):
     """build.ninja of objects, {name: (sources that are compiled as one, flags of its own)}, and of
     what more lines say."""
-    launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
+    launcher = shlex.join(filter(None, os.environ.get(
+        "CMAKE_CXX_COMPILER_LAUNCHER", "").split(";"))).replace("$", "$$")
     lines = ["rule compile", f"  command = {launcher} clang++ {' '.join(flags)} $more -MMD -MF "
              "$out.d -c $in -o $out", "  deps = gcc", "  depfile = $out.d", *lines]
     for name, (paths, more) in objects.items():

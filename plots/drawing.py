@@ -9,6 +9,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.patches import FancyBboxPatch  # noqa: E402
 from matplotlib.transforms import Affine2D  # noqa: E402
 
+import files  # noqa: E402
+
 sys.path.append(str(Path(__file__).absolute().parents[1] / "tools"))
 from base.palette import named  # noqa: E402
 
@@ -67,5 +69,5 @@ def draw(usage, name, panels, dividers, width=700, more=None):
         ax.plot((x, x), (45, 330), color=EDGE, linewidth=1.2)
     for panel in panels:
         panel(ax)
-    metadata = {"Date": None} if path.suffix == ".svg" else None
-    figure.savefig(path, transparent=True, metadata=metadata)
+    save = files.save_svg if path.suffix == ".svg" else plt.Figure.savefig
+    save(figure, path, transparent=True)

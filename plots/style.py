@@ -1,7 +1,6 @@
 """The style sheet of all figures: colours, sizes, labels at line ends, tables in, pictures out."""
 import argparse
 import csv
-import io
 import pathlib
 import re
 import sys
@@ -168,9 +167,7 @@ def save(made, path):
             text.set_color(ink(text.get_color()))
     arrange(made)  # once more as it is drawn: by then labels have their sizes
     if kept:
-        drawn = io.StringIO()
-        made.savefig(drawn, format="svg", metadata={"Date": None})
-        kept.write_text(files.small(drawn.getvalue()), encoding="utf-8")
+        files.save_svg(made, kept, files.small)
     else:
         files.save_png(made, path.with_name(path.name + ".png"))
     plt.close(made)

@@ -26,6 +26,8 @@ def pictures(root, tables):
     yield (root / "plots/front.svg", "front.py",
            ["--motion", tables.run(2, "")[0] / "chain.motion.json",
             "--csv", measured / "methods.csv", "--result"])
+    yield (root / "plots/moving.svg", "moving.py",
+           ["--motion", tables.run(8, "")[0] / "bridge.motion.json", "--result"])
     yield root / "docs/architecture.svg", "architecture.py", []
     yield root / "docs/beside.svg", "peers.py", ["--csv", measured / "peers.csv", "--together"]
     yield (root / "docs/convergence.svg", "convergence.py",

@@ -9,7 +9,7 @@ and so on. A selection of more than one row goes into first, last, max, min, mea
 `live("scene=chain&t=3", "gap")` is a number of the live page at this address: gap [m], energy [J],
 or within a step error and first_error [m/s]. `exercises(3)`, `questions(3)`, `lines(3)` are how
 many of them a chapter has, `words(3)` those of its text outside its folds; `hours(3)` is what that
-takes by the paces of docs/teaching.md.
+takes by the paces of docs/teaching.md, `hours()` what all chapters take.
 """
 import csv
 import fcntl
@@ -185,8 +185,10 @@ def lines_of(number):
                for line in region.answer())
 
 
-def hours_of(number):
+def hours_of(number=None):
     """In halves."""
+    if number is None:
+        return sum(hours_of(chapter.number) for chapter in house.chapters())
     time = words_of(number) / 1500 + exercises_of(number) / 2 + questions_of(number) / 6
     return round(2 * time) / 2
 

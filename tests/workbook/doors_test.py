@@ -60,8 +60,8 @@ class Copy:
 
     def type(self, words, **more):
         """(exit status, what is said) of ./wb with words."""
-        result = subprocess.run(["./wb", *shlex.split(words)], cwd=self.root, stdin=subprocess.DEVNULL,
-                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+        result = subprocess.run(["./wb", *shlex.split(words)], cwd=self.root,
+                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                 errors="replace", timeout=1200, **{"env": self.env, **more})
         return result.returncode, " ".join(result.stdout.split())
 
@@ -196,8 +196,8 @@ def a_neighbour_does_not_compile(here):
     yield from here.typed("", 0, "2 of 6 done")
     text = exercises.read(here.file)
     exercises.write(here.file, text.replace('todo("1.2");', "return nothing;"))
-    yield from here.typed("", 0, "1.1 CentreDistance::jacobian done", "1.2 CentreDistance::K broken",
-                          "1.3 row_impulse, apply_impulse done")
+    yield from here.typed("", 0, "1.1 CentreDistance::jacobian done",
+                          "1.2 CentreDistance::K broken", "1.3 row_impulse, apply_impulse done")
 
 
 def nothing_can_be_written(here):

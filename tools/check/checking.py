@@ -16,12 +16,12 @@ PROOFS = ("workbook/programs", "workbook/exercises", "workbook/texts", "workbook
           "workbook/numbers", "workbook/contacts", "workbook/direct_solver",
           "workbook/front_door")
 PROOFS_OF_THE_REST = ("workbook/pictures", "workbook/lanes", "workbook/grade",
-                      "workbook/attempts", "workbook/hand_out", "workbook/doors", "live/module", "live/page",
-                      "live/picture", "course/reports", "course/page", "course/firefox",
+                      "workbook/attempts", "workbook/hand_out", "workbook/doors",
+                      "live/module", "live/page", "live/picture", "course/reports", "course/page", "course/firefox",
                       "bench/cost", "peers/packages", "library/library", "library/pkg_config",
                       "library/package")
-# What runs once more under the sanitizers: where memory is moved about. Who judges an exercise moves
-# none.
+# What runs once more under the sanitizers: where memory is moved about. The judging of exercises
+# moves none.
 SANITIZED = ("engine", "joints", "lanes", "direct", "fuzz")
 LEFT_OUT = ("float, counted instructions, pictures, the pages in a browser, grading,\n"
             "  the library seen from outside, published engines")

@@ -71,8 +71,8 @@ def fence_of_compiler(folder, line):
     headers, and the linked files; no source that is somebody else's."""
     headers = [house.ROOT / "engine", *(house.ROOT / "chapters").glob("*/*.h")]
     words = shlex.split(line)
-    objects = [house.BUILD / path for path in words if re.search(r"\.[oa]$|/where\.cpp$|\.hxx$", path)
-               and path not in lend.made(line)]
+    objects = [house.BUILD / path for path in words if path not in lend.made(line)
+               and re.search(r"\.[oa]$|/where\.cpp$|\.hxx$", path)]
     objects += [house.BUILD / path for path in lend.needs(line) if path.endswith(".gch")]
     elsewhere = [path.removeprefix("-I") for before, path in zip(words, words[1:])
                  if (before == "-isystem" or path.startswith("-I/"))

@@ -38,8 +38,8 @@ MEANINGS = [(re.compile(pattern, re.M), words) for pattern, words in {
         "another number than 0, or does not stand between append() and warm_start().",
     r"^Unknown exception": "an exception was thrown that is not a std::exception"}.items()]
 # Lines that the library prints before it ends a program: no words of the reader's.
-LIBRARY = re.compile(rf"the stack is full$|.*Assertion ['`].*failed\.?$|terminate called |\*\*\* stack smashing |"
-                     rf"  what\(\):  |{HEAP}")
+LIBRARY = re.compile(rf".*Assertion ['`].*failed\.?$|terminate called |\*\*\* stack smashing |"
+                     rf"the stack is full$|  what\(\):  |{HEAP}")
 # What the beginning of such words tells of the function they come from: its head and its lines.
 CLUES = {r"an index outside an array of \d+ rows": r"\bJacobian\b",
          r"an index outside an array of \d+ numbers": r"\bVector\b",

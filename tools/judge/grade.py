@@ -152,7 +152,7 @@ def build(chapter):
 
 
 def refused_in(chapter, words):
-    """The exercises in which the compiler's errors lie, [(exercise, line)], or else its warnings."""
+    """[(exercise, line)] of the compiler's errors, or else of its warnings."""
     line = rf"{re.escape(chapter.mine.name)}:(\d+):"
     errors = re.findall(rf"{line}.*\berror:", words)  # a template's error begins with its user
     return [(region.id, number) for number in map(int, errors or re.findall(line, words))
@@ -264,4 +264,5 @@ def recall(chapter, as_texts_are=False):
 def keep(chapter, grades):
     known = recall(chapter) | grades
     exercises.write(shelf(chapter), json.dumps(
-        {"stamp": stamp(chapter), "texts": texts(chapter), "grades": {id_: asdict(one) for id_, one in known.items()}}))
+        {"stamp": stamp(chapter), "texts": texts(chapter),
+         "grades": {id_: asdict(one) for id_, one in known.items()}}))

@@ -17,8 +17,8 @@ PROOFS = ("workbook/programs", "workbook/exercises", "workbook/texts", "workbook
           "workbook/front_door")
 PROOFS_OF_THE_REST = ("workbook/pictures", "workbook/lanes", "workbook/grade",
                       "workbook/attempts", "workbook/hand_out", "workbook/doors",
-                      "live/module", "live/page", "live/picture", "course/reports", "course/page", "course/firefox",
-                      "bench/cost", "peers/packages", "library/library", "library/pkg_config",
+                      "live/module", "live/page", "live/picture", "course/reports",
+                      "course/page", "course/firefox", "bench/cost", "peers/packages", "library/library", "library/pkg_config",
                       "library/package")
 # What runs once more under the sanitizers: where memory is moved about. The judging of exercises
 # moves none.
